@@ -1,0 +1,30 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+#include "roomgen/base/cancel.h"
+#include "roomgen/base/result.h"
+
+namespace roomgen::cli {
+
+enum ExitCode { exit_ok = 0, exit_failure = 1, exit_usage = 2, exit_interrupted = 130 };
+
+/// What every command shares. A command parses into its own options, then leaves in `run` what main
+/// shall do; an error it returns becomes one line on stderr and exit code 1 (130 if cancelled).
+struct Context {
+  bool json = false;   ///< print a summary for scripts on stdout
+  bool quiet = false;  ///< no progress
+  CancelToken cancel;  ///< set by Ctrl-C
+  std::function<Result<int>()> run;
+};
+
+// One function a command, each in a file of its name.
+void add_solve_command(CLI::App& app, Context& context);
+void add_assets_command(CLI::App& app, Context& context);
+void add_render_command(CLI::App& app, Context& context);
+void add_check_command(CLI::App& app, Context& context);
+void add_plan_command(CLI::App& app, Context& context);
+void add_generate_command(CLI::App& app, Context& context);
+
+}  // namespace roomgen::cli

@@ -1,0 +1,52 @@
+#include <csignal>
+#include <cstdio>
+
+#include "command.h"
+
+namespace {
+
+roomgen::CancelToken* interrupted = nullptr;
+
+// The first Ctrl-C asks the work to stop with what is whole; a second one ends the program.
+void on_interrupt(int signal) {
+  if (interrupted && !interrupted->cancelled()) return interrupted->cancel();
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
+}
+
+int exit_code_of(const roomgen::Error& error) {
+  return error.kind == roomgen::Error::Kind::cancelled ? roomgen::cli::exit_interrupted
+                                                       : roomgen::cli::exit_failure;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  using namespace roomgen::cli;
+  Context context;
+  CLI::App app("roomgen furnishes 3D rooms from a sentence.", "roomgen");
+  app.set_version_flag("--version", std::string("roomgen ") + ROOMGEN_VERSION);
+  app.require_subcommand(1);
+  app.fallthrough();
+  app.add_flag("--json", context.json, "Print a summary for scripts");
+  app.add_flag("--quiet", context.quiet, "No progress");
+#ifdef ROOMGEN_HAS_ASSETS
+  // add_assets_command(app, context);
+#endif
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+    std::fprintf(stderr, "roomgen: %s\n", error.what());
+    return exit_usage;
+  }
+
+  interrupted = &context.cancel;
+  std::signal(SIGINT, on_interrupt);
+  std::signal(SIGTERM, on_interrupt);
+  const auto result = context.run();
+  if (result) return *result;
+  std::fprintf(stderr, "roomgen: %s\n", result.error().message.c_str());
+  return exit_code_of(result.error());
+}

@@ -1,0 +1,62 @@
+# roomgen_add_module(<name> HEADERS … SOURCES … [PUBLIC …] [PRIVATE …] COMPONENT <component>)
+#
+# One module of a floor = one static library roomgen_<name>, alias roomgen::<name>. Always static
+# and position independent, so that engines can fold the core into a shared library of their own.
+# PUBLIC and PRIVATE are link dependencies; HEADERS are relative to include/roomgen/<name>.
+include_guard()
+
+set_property(GLOBAL PROPERTY ROOMGEN_COMPONENTS "")
+
+function(roomgen_warnings target)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
+                                           -Wno-sign-conversion -Wnon-virtual-dtor)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+    # False alarms for "literal" + std::string (GCC bug 105651).
+    target_compile_options(${target} PRIVATE -Wno-restrict)
+  endif()
+endfunction()
+
+function(roomgen_add_module name)
+  cmake_parse_arguments(arg "" "COMPONENT" "HEADERS;SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  list(TRANSFORM arg_HEADERS PREPEND "${PROJECT_SOURCE_DIR}/include/roomgen/${name}/")
+
+  set(target roomgen_${name})
+  add_library(${target} STATIC ${arg_SOURCES})
+  add_library(roomgen::${name} ALIAS ${target})
+  target_sources(${target} PUBLIC FILE_SET HEADERS BASE_DIRS "${PROJECT_SOURCE_DIR}/include"
+                                  FILES ${arg_HEADERS})
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  # No fused multiply-add: placements must not depend on the instruction set.
+  target_compile_options(${target} PRIVATE -ffp-contract=off)
+  roomgen_warnings(${target})
+  set_target_properties(
+    ${target} PROPERTIES POSITION_INDEPENDENT_CODE ON CXX_EXTENSIONS OFF
+                         CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON
+                         EXPORT_NAME ${name})
+  target_link_libraries(${target} PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE})
+
+  if(ROOMGEN_INSTALL)
+    install(TARGETS ${target} EXPORT roomgen-${arg_COMPONENT}
+            ARCHIVE COMPONENT ${arg_COMPONENT} FILE_SET HEADERS COMPONENT ${arg_COMPONENT})
+  endif()
+  set_property(GLOBAL APPEND PROPERTY ROOMGEN_MODULES_${arg_COMPONENT} ${target})
+endfunction()
+
+# roomgen_finish_component(<component>): the target roomgen::<component> that users link, and its
+# export set.
+function(roomgen_finish_component component)
+  get_property(modules GLOBAL PROPERTY ROOMGEN_MODULES_${component})
+  if(NOT TARGET roomgen_${component})
+    add_library(roomgen_${component} INTERFACE)
+    add_library(roomgen::${component} ALIAS roomgen_${component})
+    target_link_libraries(roomgen_${component} INTERFACE ${modules})
+    set_target_properties(roomgen_${component} PROPERTIES EXPORT_NAME ${component})
+    if(ROOMGEN_INSTALL)
+      install(TARGETS roomgen_${component} EXPORT roomgen-${component})
+    endif()
+  endif()
+  if(ROOMGEN_INSTALL)
+    install(EXPORT roomgen-${component} NAMESPACE roomgen:: FILE roomgen-${component}.cmake
+            DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/roomgen)
+  endif()
+endfunction()

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace roomgen {
+
+/// ASCII lower case; other bytes (UTF-8) are kept.
+std::string lower(std::string_view text);
+/// Without white space at both ends.
+std::string_view trim(std::string_view text);
+/// The pieces between separators, each trimmed; empty pieces are kept.
+std::vector<std::string> split(std::string_view text, char separator);
+std::string join(const std::vector<std::string>& pieces, std::string_view separator);
+/// Lower-case words of letters and digits; everything else separates ("Coffee-Table 2" gives coffee,
+/// table, 2).
+std::vector<std::string> words(std::string_view text);
+/// Shortest decimal text of a number with at most `decimals` places, '.' as the point whatever the
+/// locale: 1.5, 2, -0.25.
+std::string format_number(double value, int decimals = 3);
+/// Levenshtein distance in bytes.
+std::size_t edit_distance(std::string_view a, std::string_view b);
+/// Of `names`, the one nearest to `name` if it is close enough to be a misspelling, else empty.
+std::string closest_name(std::string_view name, const std::vector<std::string>& names);
+
+}  // namespace roomgen

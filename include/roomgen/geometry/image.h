@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace roomgen {
+
+/// 8-bit RGBA pixels, sRGB, rows from the top, no padding.
+struct Image {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> pixels;  ///< 4 * width * height bytes
+
+  Image() = default;
+  Image(int w, int h) : width(w), height(h), pixels(4 * static_cast<std::size_t>(w) * h) {}
+
+  bool empty() const { return pixels.empty(); }
+  std::uint8_t* at(int x, int y) { return pixels.data() + 4 * (static_cast<std::size_t>(y) * width + x); }
+  const std::uint8_t* at(int x, int y) const {
+    return pixels.data() + 4 * (static_cast<std::size_t>(y) * width + x);
+  }
+};
+
+}  // namespace roomgen

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "roomgen/base/result.h"
+#include "roomgen/geometry/model.h"
+#include "roomgen/scene/object.h"
+
+namespace roomgen {
+
+/// What a catalogue knows about one mesh.
+struct AssetInfo {
+  AssetRef ref;
+  std::string name;                    ///< "Double bed"
+  std::vector<std::string> tags;
+  std::string group;                   ///< the library's own category: "Bedroom"
+  Vec3 size = Vec3::Ones();            ///< width, depth, height in metres
+  Mount mount = Mount::floor;
+  double elevation = 0.0;              ///< of the bottom above the floor, metres
+  std::optional<double> support_height;  ///< of the surface that carries things; none: nothing on top
+  bool has_front = true;
+  std::size_t triangles = 0;
+};
+
+struct AssetQuery {
+  std::string category;           ///< "desk": what the thing must be
+  std::string description;        ///< "a white wooden desk": which of them is preferred
+  std::optional<Vec3> size;       ///< wanted box, metres
+  std::optional<Mount> mount;
+  std::size_t limit = 10;
+};
+
+struct AssetMatch {
+  AssetInfo asset;
+  double score = 0.0;  ///< in [0, 1], best first
+};
+
+/// A source of meshes.
+class AssetLibrary {
+ public:
+  virtual ~AssetLibrary() = default;
+
+  /// The assets that are what the query asks for, best first; empty when nothing fits, never something
+  /// of another kind. Equal queries give equal answers.
+  virtual Result<std::vector<AssetMatch>> search(const AssetQuery& query) const = 0;
+
+  /// The mesh of an asset, in the frame of Model, its box exactly AssetInfo::size.
+  virtual Result<std::shared_ptr<const Model>> load(const AssetRef& ref) const = 0;
+};
+
+}  // namespace roomgen

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "roomgen/base/json.h"
+#include "roomgen/base/result.h"
+#include "roomgen/geometry/footprint.h"
+#include "roomgen/scene/object.h"
+
+namespace roomgen {
+
+enum class Side { front, back, left, right };
+
+/// Floor beside an object that a person needs to use it: the whole length of one side of its box,
+/// `depth` metres deep.
+struct UseZone {
+  Side side = Side::front;
+  double depth = 0.6;
+  std::vector<std::string> partners;  ///< categories that may stand in it (a chair at its desk)
+};
+
+/// How far two things stand apart when they serve each other.
+struct PreferredGap {
+  std::string partner;  ///< category
+  double low = 0.0;
+  double high = 0.0;    ///< metres between footprints
+};
+
+/// What is known about a kind of thing. A category inherits what it does not say from its parent
+/// ("is": dining chair is chair is seat).
+struct Category {
+  std::string name;    ///< "dining chair"
+  std::string parent;  ///< may be empty
+  std::vector<std::string> synonyms;
+  Vec3 size{0.6, 0.6, 0.9};  ///< usual width, depth, height
+  Mount mount = Mount::floor;
+  double elevation = 0.0;    ///< usual height of the bottom above the floor, for Mount::wall
+  Traits traits;
+  std::vector<UseZone> zones;  ///< usable when one is free and reachable; none: always usable
+  std::vector<PreferredGap> gaps;
+  std::vector<std::string> tucks_under;  ///< categories it may slide under (a chair, a table)
+};
+
+/// The kinds of things, from data/categories.json (docs/categories.md).
+class CategoryTable {
+ public:
+  static Result<CategoryTable> parse(std::string_view text, const std::string& source);
+  /// The table compiled into the library.
+  static const CategoryTable& built_in();
+
+  /// The category that a name means: the name itself, a synonym, a plural, or the longest known ending
+  /// ("oak writing desk" is a desk). Null if nothing matches.
+  const Category* find(std::string_view name) const;
+  /// Like find(), and a category without zones or gaps for names that mean nothing.
+  const Category& get(std::string_view name) const;
+  /// True if `name` means `kind` or one of its descendants.
+  bool is_a(std::string_view name, std::string_view kind) const;
+  bool is_any_of(std::string_view name, const std::vector<std::string>& kinds) const;
+  const std::map<std::string, Category, std::less<>>& all() const { return categories_; }
+
+ private:
+  std::map<std::string, Category, std::less<>> categories_;
+  std::map<std::string, std::string, std::less<>> names_;  ///< any spelling to the category's name
+};
+
+/// The floor that a zone of a placed object covers.
+Footprint zone_footprint(const Footprint& object, const UseZone& zone);
+
+}  // namespace roomgen

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "roomgen/geometry/footprint.h"
+#include "roomgen/geometry/vec.h"
+#include "roomgen/scene/relation.h"
+
+namespace roomgen {
+
+enum class Mount { floor, wall, ceiling, surface };
+
+/// A mesh built by a recipe instead of taken from a library.
+struct ProceduralSource {
+  std::string recipe;             ///< "mirror"
+  nlohmann::ordered_json params;  ///< numbers and texts that the recipe reads, null if none
+  std::uint64_t seed = 0;
+
+  bool operator==(const ProceduralSource&) const = default;
+};
+
+/// Where the mesh of an object comes from. Empty ids mean a plain box.
+struct AssetRef {
+  std::string library;
+  std::string id;
+  std::string sha256;  ///< of the source file
+  std::string license;
+  std::string creator;
+  std::optional<ProceduralSource> procedural;
+
+  bool is_box() const { return id.empty() && !procedural; }
+  bool operator==(const AssetRef&) const = default;
+};
+
+/// One string that identifies the geometry: the key of a ModelTable. Empty for a plain box.
+std::string asset_key(const AssetRef& asset);
+
+struct Traits {
+  bool front = true;   ///< has a front side; without it any yaw is as good
+  bool flat = false;   ///< a rug: other things stand on it
+  bool round = false;  ///< covers the ellipse inscribed in its rectangle
+
+  bool operator==(const Traits&) const = default;
+};
+
+/// A thing in the room.
+struct Object {
+  std::string id;  ///< "bed-0": lower case, category and a number
+  std::string category;
+  std::string description;
+  AssetRef asset;
+  Traits traits;
+  Vec3 size = Vec3::Ones();       ///< width, depth, height of its box, metres
+  Vec3 position = Vec3::Zero();   ///< bottom centre of the placed box
+  double yaw = 0.0;               ///< radians, counter-clockwise; at 0 the front looks to -Y
+  Mount mount = Mount::floor;
+  std::string on;                 ///< id of the object under it, for Mount::surface
+  std::vector<Relation> relations;
+  bool locked = false;            ///< neither repair nor improvement may move it
+};
+
+inline Footprint footprint(const Object& object) {
+  return Footprint(object.position.head<2>(), object.size.head<2>(), object.yaw,
+                   object.traits.round);
+}
+inline double bottom(const Object& object) { return object.position.z(); }
+inline double top(const Object& object) { return object.position.z() + object.size.z(); }
+
+std::string_view name(Mount mount);
+std::optional<Mount> parse_mount(std::string_view text);
+
+}  // namespace roomgen

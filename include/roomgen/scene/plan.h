@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "roomgen/base/json.h"
+#include "roomgen/base/result.h"
+#include "roomgen/scene/object.h"
+#include "roomgen/scene/room.h"
+
+namespace roomgen {
+
+/// Objects of one kind that the room shall hold.
+struct PlanItem {
+  std::string category;
+  std::string description;       ///< what retrieval looks for: "a white wooden desk"
+  std::optional<Vec3> size;      ///< wanted width, depth, height in metres
+  int quantity = 1;
+  bool varied = false;           ///< each a different asset rather than the same
+  Mount mount = Mount::floor;
+  std::string on;                ///< category or id of what carries it, for Mount::surface
+  bool asked = false;            ///< the prompt named it
+  std::vector<Relation> relations;   ///< fixed beforehand; else the designer chooses them per object
+  std::optional<Vec2> location;      ///< suggested centre
+};
+
+/// What a designer makes of a prompt: the empty room and its inventory, in the order of placement.
+struct Plan {
+  std::string prompt;
+  std::uint64_t seed = 0;
+  Room room;
+  std::vector<PlanItem> items;
+  std::vector<std::string> excluded;  ///< categories that the prompt forbids
+  std::vector<std::string> notes;     ///< what was assumed, for people
+};
+
+/// One object of an item: "chair-2".
+struct PlannedObject {
+  std::string id;
+  std::size_t item = 0;  ///< index into Plan::items
+  int number = 0;        ///< of this item's quantity
+};
+
+/// All objects of a plan with their ids: the category in lower case, a hyphen, and a number that runs
+/// over the plan.
+std::vector<PlannedObject> planned_objects(const Plan& plan);
+
+/// plan.json (docs/plan.schema.json).
+Json to_json(const Plan& plan);
+Result<Plan> plan_from_json(const Json& json, const std::string& source);
+Result<Plan> read_plan(const std::filesystem::path& path);
+
+}  // namespace roomgen

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "roomgen/base/json.h"
+#include "roomgen/base/result.h"
+#include "roomgen/scene/object.h"
+#include "roomgen/scene/room.h"
+
+namespace roomgen {
+
+/// One object to be placed: everything but its pose, which is what a solver finds.
+struct PlacementTask {
+  Object object;                 ///< position and yaw mean nothing yet; relations are the constraints
+  std::optional<Vec2> location;  ///< suggested centre
+  std::optional<double> facing;  ///< suggested yaw, radians
+};
+
+/// Input of the solver alone: a room and objects with known sizes and constraints, in file order.
+struct Problem {
+  std::string name;
+  Room room;
+  std::vector<PlacementTask> tasks;
+};
+
+inline constexpr double default_object_height = 0.9;
+
+/// problem.json (docs/problem.schema.json): corners in either winding, door and window segments that
+/// lie on a wall, objects with [width, depth] or [width, depth, height].
+Result<Problem> problem_from_json(const Json& json, const std::string& source);
+Result<Problem> read_problem(const std::filesystem::path& path);
+
+/// Indices of the tasks so that each comes after the ones its constraints name, otherwise in file
+/// order. Fails, naming the objects, when constraints depend on each other in a circle.
+Result<std::vector<std::size_t>> placement_order(const std::vector<PlacementTask>& tasks);
+
+}  // namespace roomgen

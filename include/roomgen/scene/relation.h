@@ -1,0 +1,60 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "roomgen/base/result.h"
+
+namespace roomgen {
+
+/// The constraint vocabulary. docs/constraints.md says when each holds; evaluate/relations.h decides it.
+enum class RelationKind {
+  edge,
+  middle,
+  corner,
+  near,
+  far,
+  in_front_of,
+  behind,
+  left_of,
+  right_of,
+  side_of,
+  around,
+  center_aligned,
+  aligned,
+  face_to,
+  face_same_as,
+  face_opposite_to,
+  on,
+  above,
+  under,
+  hang_from,
+};
+
+/// "near, bed-0": what an object shall be to a target, which is the id of an object, an opening
+/// ("door-0"), a wall ("wall-2") or "corner". edge, middle and corner have no target.
+struct Relation {
+  RelationKind kind = RelationKind::edge;
+  std::string target;
+
+  bool operator==(const Relation&) const = default;
+};
+
+/// "in front of"
+std::string_view name(RelationKind kind);
+bool takes_target(RelationKind kind);
+/// "in front of, desk-0"
+std::string to_text(const Relation& relation);
+/// "edge | near, bed-0"
+std::string to_text(const std::vector<Relation>& relations);
+
+/// Parses one relation; case and extra spaces do not matter, common other spellings are understood
+/// ("centre align with"). Targets are returned in lower case. The error names the unknown word and the
+/// nearest known one.
+Result<Relation> parse_relation(std::string_view text);
+
+/// Parses "edge | near, bed-0 | …". Empty text gives no relations; repeated ones are dropped.
+Result<std::vector<Relation>> parse_relations(std::string_view text);
+
+}  // namespace roomgen

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "roomgen/base/result.h"
+#include "roomgen/geometry/polygon.h"
+
+namespace roomgen {
+
+inline constexpr double wall_thickness = 0.10;       ///< outward from the polygon
+inline constexpr double default_room_height = 2.7;
+inline constexpr double default_sill = 0.9;
+inline constexpr double default_door_head = 2.05;
+inline constexpr double default_window_head = 2.1;
+/// Free floor that a door needs in front of it (ADA 2010, 404.2.4: approach; notes on ergonomics).
+inline constexpr double door_approach = 0.9;
+/// Depth of the strip before a window where nothing tall may stand.
+inline constexpr double window_strip = 0.5;
+/// How far above the sill furniture before a window may reach.
+inline constexpr double window_overlap = 0.1;
+
+enum class OpeningType { door, window, passage };
+enum class DoorSwing { in, out, sliding };
+
+/// A hole in wall `wall`, which runs from polygon[wall] to polygon[wall + 1]; `from` and `to` are
+/// metres along it, `sill` and `head` metres above the floor.
+struct Opening {
+  std::string id;  ///< "door-0"
+  OpeningType type = OpeningType::door;
+  std::size_t wall = 0;
+  double from = 0.0;
+  double to = 0.0;
+  double sill = 0.0;
+  double head = default_door_head;
+  bool hinge_at_from = true;
+  DoorSwing swing = DoorSwing::in;
+
+  double width() const { return to - from; }
+  bool is_entrance() const { return type != OpeningType::window; }
+};
+
+struct RoomMaterials {
+  std::string floor, walls, ceiling;  ///< words for the renderer, may be empty
+};
+
+struct Room {
+  std::string type;  ///< "bedroom"
+  Polygon polygon;   ///< inner face of the walls
+  double height = default_room_height;
+  std::vector<Opening> openings;
+  RoomMaterials materials;
+};
+
+/// The opening on the floor, in the direction of its wall.
+Segment segment(const Room& room, const Opening& opening);
+/// Unit normal of the opening's wall, towards the inside.
+Vec2 inward(const Room& room, const Opening& opening);
+/// The rectangle before a door that must stay free: as wide as the door, as deep as its leaf when it
+/// swings in and at least door_approach (0.6 m for a door that does not swing in).
+Footprint door_clearance(const Room& room, const Opening& door);
+/// The strip before a window in which nothing may reach higher than sill + window_overlap.
+Footprint window_clearance(const Room& room, const Opening& window);
+const Opening* find_opening(const Room& room, std::string_view id);
+
+/// Openings must lie on their wall, below the ceiling, and not overlap each other.
+Status check(const Room& room);
+
+std::string_view name(OpeningType type);
+std::string_view name(DoorSwing swing);
+
+}  // namespace roomgen

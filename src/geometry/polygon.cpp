@@ -1,0 +1,187 @@
+#include "roomgen/geometry/polygon.h"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+
+#include "roomgen/base/text.h"
+
+namespace roomgen {
+
+namespace {
+
+Error polygon_error(const std::string& what) {
+  return {Error::Kind::invalid_input, "polygon: " + what};
+}
+
+std::string coordinates(const Vec2& p) {
+  return "(" + format_number(p.x()) + ", " + format_number(p.y()) + ")";
+}
+
+// Removes points that repeat their neighbour or lie on the line between their neighbours.
+void drop_needless_points(std::vector<Vec2>& points) {
+  bool changed = true;
+  while (changed && points.size() >= 3) {
+    changed = false;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Vec2& before = points[(i + points.size() - 1) % points.size()];
+      const Vec2& after = points[(i + 1) % points.size()];
+      const Vec2 in = points[i] - before, out = after - points[i];
+      const bool repeated = in.norm() < 1e-6;
+      const bool straight = in.dot(out) > 0 && std::abs(cross(in, out)) < 1e-7 * in.norm() * out.norm();
+      if (!repeated && !straight) continue;
+      points.erase(points.begin() + static_cast<std::ptrdiff_t>(i));
+      changed = true;
+      break;
+    }
+  }
+}
+
+// Does the segment pass through the interior of the footprint shrunk by `margin`?
+bool crosses(const Footprint& footprint, const Segment& segment, double margin) {
+  const Vec2 half = (footprint.half().array() - margin).max(1e-9).matrix();
+  const Vec2 a = footprint.to_local(segment.a), b = footprint.to_local(segment.b);
+  if (footprint.round()) {
+    // Scaled so that the ellipse becomes the unit circle.
+    const Segment scaled{a.cwiseQuotient(half), b.cwiseQuotient(half)};
+    return distance(scaled, Vec2::Zero()) < 1.0;
+  }
+  // Liang-Barsky clipping against the box.
+  double enter = 0.0, leave = 1.0;
+  for (int axis = 0; axis < 2; ++axis) {
+    const double start = a[axis], delta = b[axis] - a[axis];
+    if (std::abs(delta) < 1e-15) {
+      if (std::abs(start) >= half[axis]) return false;
+      continue;
+    }
+    const double t0 = (-half[axis] - start) / delta, t1 = (half[axis] - start) / delta;
+    enter = std::max(enter, std::min(t0, t1));
+    leave = std::min(leave, std::max(t0, t1));
+  }
+  return enter < leave;
+}
+
+bool is_ear(const std::vector<Vec2>& points, const std::vector<std::uint32_t>& ring, std::size_t i) {
+  const std::size_t n = ring.size();
+  const Vec2& a = points[ring[(i + n - 1) % n]];
+  const Vec2& b = points[ring[i]];
+  const Vec2& c = points[ring[(i + 1) % n]];
+  if (cross(b - a, c - b) <= 0) return false;
+  for (std::size_t j = 0; j < n; ++j) {
+    if (j == i || j == (i + 1) % n || j == (i + n - 1) % n) continue;
+    const Vec2& p = points[ring[j]];
+    if (cross(b - a, p - a) >= 0 && cross(c - b, p - b) >= 0 && cross(a - c, p - c) >= 0)
+      return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+bool Polygon::is_convex_corner(std::size_t k) const {
+  const Vec2& before = points[(k + points.size() - 1) % points.size()];
+  const Vec2& after = points[(k + 1) % points.size()];
+  return cross(points[k] - before, after - points[k]) > 0;
+}
+
+double signed_area(const std::vector<Vec2>& points) {
+  double twice = 0.0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    twice += cross(points[i], points[(i + 1) % points.size()]);
+  return 0.5 * twice;
+}
+
+double area(const Polygon& polygon) {
+  return signed_area(polygon.points);
+}
+
+Bounds2 bounds(const Polygon& polygon) {
+  Bounds2 result;
+  for (const auto& point : polygon.points) result.add(point);
+  return result;
+}
+
+Result<Polygon> make_polygon(std::vector<Vec2> points) {
+  for (const auto& point : points)
+    if (!point.allFinite()) return polygon_error("a coordinate is not a finite number");
+  drop_needless_points(points);
+  if (points.size() < 3) return polygon_error("needs at least three corners that are not in line");
+  const double signed_size = signed_area(points);
+  if (std::abs(signed_size) < 1e-4) return polygon_error("has no area");
+  if (signed_size < 0) std::reverse(points.begin(), points.end());
+
+  Polygon polygon{std::move(points)};
+  const std::size_t n = polygon.size();
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = i + 1; j < n; ++j) {
+      if (j == i + 1 || (i == 0 && j == n - 1)) continue;  // neighbours share a corner
+      if (intersects(polygon.edge(i), polygon.edge(j)))
+        return polygon_error("the edge from " + coordinates(polygon.points[i]) + " crosses the edge from " +
+                             coordinates(polygon.points[j]) + "; give the corners in order");
+    }
+  return polygon;
+}
+
+bool contains(const Polygon& polygon, const Vec2& point) {
+  bool inside = false;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Segment e = polygon.edge(i);
+    if ((e.a.y() > point.y()) == (e.b.y() > point.y())) continue;
+    const double x = e.a.x() + (point.y() - e.a.y()) / (e.b.y() - e.a.y()) * (e.b.x() - e.a.x());
+    if (point.x() < x) inside = !inside;
+  }
+  return inside;
+}
+
+bool contains(const Polygon& polygon, const Footprint& footprint, double tolerance) {
+  // Inside when the centre is and no edge enters the footprint.
+  if (!contains(polygon, footprint.center())) return false;
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+    if (crosses(footprint, polygon.edge(i), tolerance)) return false;
+  return true;
+}
+
+double distance_to_boundary(const Polygon& polygon, const Footprint& footprint) {
+  double best = std::numeric_limits<double>::max();
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+    best = std::min(best, gap(footprint, polygon.edge(i)));
+  return best;
+}
+
+double distance_to_boundary(const Polygon& polygon, const Vec2& point) {
+  double best = std::numeric_limits<double>::max();
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+    best = std::min(best, distance(polygon.edge(i), point));
+  return best;
+}
+
+std::vector<std::array<std::uint32_t, 3>> triangulate(const Polygon& polygon) {
+  std::vector<std::uint32_t> ring(polygon.size());
+  for (std::uint32_t i = 0; i < ring.size(); ++i) ring[i] = i;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  while (ring.size() > 3) {
+    std::size_t ear = 0;
+    while (ear < ring.size() && !is_ear(polygon.points, ring, ear)) ++ear;
+    if (ear == ring.size()) ear = 0;  // only rounding can hide all ears of a simple polygon
+    const std::size_t n = ring.size();
+    triangles.push_back({ring[(ear + n - 1) % n], ring[ear], ring[(ear + 1) % n]});
+    ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(ear));
+  }
+  triangles.push_back({ring[0], ring[1], ring[2]});
+  return triangles;
+}
+
+std::vector<Vec2> offset_outward(const Polygon& polygon, double distance) {
+  std::vector<Vec2> result;
+  const std::size_t n = polygon.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    const Vec2 before = -polygon.inward((k + n - 1) % n), after = -polygon.inward(k);
+    const Vec2 bisector = before + after;
+    // Mitre, limited at needle-sharp corners.
+    const double scale = std::min(2.0 / std::max(bisector.squaredNorm(), 1e-9), 8.0);
+    result.push_back(polygon.points[k] + distance * scale * bisector);
+  }
+  return result;
+}
+
+}  // namespace roomgen

@@ -1,0 +1,197 @@
+#include "roomgen/scene/category.h"
+
+#include <algorithm>
+#include <array>
+
+#include "roomgen/base/resource.h"
+#include "roomgen/base/text.h"
+
+namespace roomgen {
+
+namespace {
+
+constexpr int max_ancestors = 8;
+
+std::string normalised(std::string_view name) {
+  return join(words(name), " ");
+}
+
+// Enough English for names of furniture: shelves, benches, chairs.
+std::string singular(std::string word) {
+  const auto ends = [&](std::string_view ending) {
+    return word.size() > ending.size() + 1 && word.ends_with(ending);
+  };
+  if (ends("shelves")) return word.substr(0, word.size() - 3) + "f";
+  if (ends("ches") || ends("shes") || ends("sses") || ends("xes"))
+    return word.substr(0, word.size() - 2);
+  if (ends("ies")) return word.substr(0, word.size() - 3) + "y";
+  if (ends("s") && !ends("ss")) return word.substr(0, word.size() - 1);
+  return word;
+}
+
+Side read_side(const JsonReader& json) {
+  const std::string text = json.text();
+  if (text == "back") return Side::back;
+  if (text == "left") return Side::left;
+  if (text == "right") return Side::right;
+  if (text != "front") json.report("\"" + text + "\" is none of front, back, left, right");
+  return Side::front;
+}
+
+std::vector<std::string> read_texts(const JsonReader& json) {
+  std::vector<std::string> texts;
+  for (const auto& element : json.elements_or_none(500)) texts.push_back(element.text());
+  return texts;
+}
+
+void read_traits(const JsonReader& json, Traits& traits) {
+  if (!json.exists()) return;
+  traits = {false, false, false};
+  for (const auto& element : json.elements(10)) {
+    const std::string text = element.text();
+    if (text == "front") traits.front = true;
+    else if (text == "flat") traits.flat = true;
+    else if (text == "round") traits.round = true;
+    else element.report("\"" + text + "\" is none of front, flat, round");
+  }
+}
+
+// What the entry does not say stays as `category` has it: inherited.
+void read_category(const JsonReader& json, Category& category) {
+  json.allow_only({"is", "synonyms", "size", "mount", "elevation", "traits", "zones", "gaps",
+                   "tucks_under", "source"});
+  category.synonyms = read_texts(json["synonyms"]);
+  if (const auto size = json["size"]; size.exists()) {
+    const auto v = size.numbers(3, 0.001, 20.0);
+    category.size = {v[0], v[1], v[2]};
+  }
+  if (const auto mount = json["mount"]; mount.exists()) {
+    if (auto parsed = parse_mount(mount.text())) category.mount = *parsed;
+    else mount.report("is none of floor, wall, ceiling, surface");
+  }
+  category.elevation = json["elevation"].number_or(category.elevation, 0, 20);
+  read_traits(json["traits"], category.traits);
+  if (const auto zones = json["zones"]; zones.exists()) {
+    category.zones.clear();
+    for (const auto& element : zones.elements(8)) {
+      element.allow_only({"side", "depth", "partners"});
+      category.zones.push_back({read_side(element["side"]), element["depth"].number(0.01, 5.0),
+                                read_texts(element["partners"])});
+    }
+  }
+  if (const auto gaps = json["gaps"]; gaps.exists()) {
+    category.gaps.clear();
+    for (const auto& [partner, range] : gaps.members()) {
+      const auto v = range.numbers(2, 0.0, 20.0);
+      category.gaps.push_back({partner, v[0], v[1]});
+    }
+  }
+  if (json["tucks_under"].exists()) category.tucks_under = read_texts(json["tucks_under"]);
+}
+
+}  // namespace
+
+Result<CategoryTable> CategoryTable::parse(std::string_view text, const std::string& source) {
+  auto json = parse_json(text, source);
+  if (!json) return json.error();
+  JsonReader::Problems problems(source);
+  const JsonReader root(*json, problems);
+  CategoryTable table;
+  const auto members = root["categories"].members();
+
+  // Parents first, so that children can copy them.
+  std::size_t known = 0;
+  do {
+    known = table.categories_.size();
+    for (const auto& [name, entry] : members) {
+      if (table.categories_.count(name)) continue;
+      const std::string parent = entry["is"].text_or("");
+      if (!parent.empty() && !table.categories_.count(parent)) continue;
+      Category category = parent.empty() ? Category{} : table.categories_.at(parent);
+      category.name = name;
+      category.parent = parent;
+      read_category(entry, category);
+      table.categories_[name] = category;
+    }
+  } while (table.categories_.size() > known);
+  for (const auto& [name, entry] : members)
+    if (!table.categories_.count(name))
+      entry["is"].report("\"" + entry["is"].text_or("") + "\" is no category, or leads in a circle");
+  if (problems.first()) return *problems.first();
+
+  for (const auto& [name, category] : table.categories_) table.names_[normalised(name)] = name;
+  for (const auto& [name, category] : table.categories_)
+    for (const auto& synonym : category.synonyms)
+      table.names_.try_emplace(normalised(synonym), name);
+  return table;
+}
+
+const CategoryTable& CategoryTable::built_in() {
+  static const CategoryTable table = [] {
+    auto parsed = parse(resource("data/categories.json").value_or("{}"), "data/categories.json");
+    // A test parses the file; a build whose data is broken has an empty table.
+    return parsed ? *std::move(parsed) : CategoryTable{};
+  }();
+  return table;
+}
+
+const Category* CategoryTable::find(std::string_view name) const {
+  auto pieces = words(name);
+  if (pieces.size() > 20) return nullptr;
+  // The whole name, then without its first word, and so on: English puts the kind last.
+  for (std::size_t first = 0; first < pieces.size(); ++first) {
+    const std::vector<std::string> ending(pieces.begin() + static_cast<std::ptrdiff_t>(first),
+                                          pieces.end());
+    auto in_singular = ending;
+    in_singular.back() = singular(in_singular.back());
+    for (const auto& spelling : {join(ending, " "), join(in_singular, " ")})
+      if (const auto found = names_.find(spelling); found != names_.end())
+        return &categories_.find(found->second)->second;
+  }
+  return nullptr;
+}
+
+const Category& CategoryTable::get(std::string_view name) const {
+  static const Category unknown;
+  const Category* found = find(name);
+  return found ? *found : unknown;
+}
+
+bool CategoryTable::is_a(std::string_view name, std::string_view kind) const {
+  const Category* wanted = find(kind);
+  if (!wanted) return normalised(name) == normalised(kind);
+  const Category* category = find(name);
+  for (int i = 0; category && i < max_ancestors; ++i) {
+    if (category->name == wanted->name) return true;
+    const auto parent = categories_.find(category->parent);
+    category = parent == categories_.end() ? nullptr : &parent->second;
+  }
+  return false;
+}
+
+bool CategoryTable::is_any_of(std::string_view name, const std::vector<std::string>& kinds) const {
+  return std::any_of(kinds.begin(), kinds.end(),
+                     [&](const std::string& kind) { return is_a(name, kind); });
+}
+
+Footprint zone_footprint(const Footprint& object, const UseZone& zone) {
+  const Vec2 half = object.half();
+  const double reach = 0.5 * zone.depth;
+  switch (zone.side) {
+    case Side::front:
+      return Footprint(object.to_world({0, -half.y() - reach}), {2 * half.x(), zone.depth},
+                       object.yaw());
+    case Side::back:
+      return Footprint(object.to_world({0, half.y() + reach}), {2 * half.x(), zone.depth},
+                       object.yaw());
+    case Side::left:
+      return Footprint(object.to_world({half.x() + reach, 0}), {zone.depth, 2 * half.y()},
+                       object.yaw());
+    case Side::right:
+      break;
+  }
+  return Footprint(object.to_world({-half.x() - reach, 0}), {zone.depth, 2 * half.y()},
+                   object.yaw());
+}
+
+}  // namespace roomgen

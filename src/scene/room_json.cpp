@@ -1,0 +1,154 @@
+#include <array>
+
+#include "roomgen/base/file.h"
+#include "roomgen/scene/scene.h"
+
+namespace roomgen {
+
+namespace {
+
+constexpr double max_coordinate = 1000.0;
+constexpr std::size_t max_corners = 500;
+constexpr std::size_t max_openings = 200;
+
+template <typename Enum, std::size_t count>
+Enum read_name(const JsonReader& json, Enum fallback, const std::array<Enum, count>& values) {
+  const std::string text = json.text_or(std::string(name(fallback)));
+  std::string known;
+  for (Enum value : values) {
+    if (name(value) == text) return value;
+    known += (known.empty() ? "" : ", ") + std::string(name(value));
+  }
+  json.report("\"" + text + "\" is none of " + known);
+  return fallback;
+}
+
+Opening read_opening(const JsonReader& json) {
+  json.allow_only({"id", "type", "wall", "from", "to", "sill", "head", "hinge", "swing"});
+  Opening opening;
+  opening.type = read_name(json["type"], OpeningType::door,
+                           std::array{OpeningType::door, OpeningType::window, OpeningType::passage});
+  const bool window = opening.type == OpeningType::window;
+  opening.id = json["id"].text(200);
+  opening.wall = static_cast<std::size_t>(json["wall"].integer_or(0, 0, max_corners));
+  opening.from = json["from"].number(0, max_coordinate);
+  opening.to = json["to"].number(0, max_coordinate);
+  opening.sill = json["sill"].number_or(window ? default_sill : 0.0, 0, 20);
+  opening.head = json["head"].number_or(window ? default_window_head : default_door_head, 0, 20);
+  const std::string hinge = json["hinge"].text_or("from");
+  if (hinge != "from" && hinge != "to") json["hinge"].report("must be \"from\" or \"to\"");
+  opening.hinge_at_from = hinge != "to";
+  opening.swing = read_name(json["swing"], DoorSwing::in,
+                            std::array{DoorSwing::in, DoorSwing::out, DoorSwing::sliding});
+  return opening;
+}
+
+Json opening_json(const Opening& opening) {
+  Json json;
+  json["id"] = opening.id;
+  json["type"] = name(opening.type);
+  json["wall"] = opening.wall;
+  json["from"] = rounded(opening.from);
+  json["to"] = rounded(opening.to);
+  json["sill"] = rounded(opening.sill);
+  json["head"] = rounded(opening.head);
+  if (opening.type == OpeningType::door) {
+    json["hinge"] = opening.hinge_at_from ? "from" : "to";
+    json["swing"] = name(opening.swing);
+  }
+  return json;
+}
+
+// A polygon given clockwise is turned round, and needless corners are dropped; openings that count
+// walls in the file's order are then moved to the wall they lie on.
+void move_openings(Room& room, const std::vector<Vec2>& given, const JsonReader& json) {
+  for (auto& opening : room.openings) {
+    if (opening.wall >= given.size()) {
+      json.report("opening \"" + opening.id + "\" names wall " + std::to_string(opening.wall) +
+                  " of " + std::to_string(given.size()));
+      return;
+    }
+    const Vec2 start = given[opening.wall];
+    const Vec2 along = given[(opening.wall + 1) % given.size()] - start;
+    if (along.norm() < 1e-6) {
+      json.report("opening \"" + opening.id + "\" lies on a wall without length");
+      return;
+    }
+    const Vec2 from = start + opening.from * along.normalized();
+    const Vec2 to = start + opening.to * along.normalized();
+    for (std::size_t k = 0; k < room.polygon.size(); ++k) {
+      const Segment wall = room.polygon.edge(k);
+      if (distance(wall, from) > 1e-3 || distance(wall, to) > 1e-3) continue;
+      const double a = (from - wall.a).dot(wall.direction());
+      const double b = (to - wall.a).dot(wall.direction());
+      opening.wall = k;
+      opening.from = std::min(a, b);
+      opening.to = std::max(a, b);
+      if (b < a) opening.hinge_at_from = !opening.hinge_at_from;
+      break;
+    }
+  }
+}
+
+}  // namespace
+
+Json to_json(const Room& room) {
+  Json json;
+  json["type"] = room.type;
+  json["polygon"] = Json::array();
+  for (const auto& point : room.polygon.points)
+    json["polygon"].push_back({rounded(point.x()), rounded(point.y())});
+  json["height"] = rounded(room.height);
+  json["openings"] = Json::array();
+  for (const auto& opening : room.openings) json["openings"].push_back(opening_json(opening));
+  Json materials = Json::object();
+  if (!room.materials.floor.empty()) materials["floor"] = room.materials.floor;
+  if (!room.materials.walls.empty()) materials["walls"] = room.materials.walls;
+  if (!room.materials.ceiling.empty()) materials["ceiling"] = room.materials.ceiling;
+  if (!materials.empty()) json["materials"] = materials;
+  return json;
+}
+
+Room read_room(const JsonReader& json) {
+  json.allow_only({"format", "version", "type", "polygon", "height", "openings", "materials"});
+  Room room;
+  room.type = json["type"].text_or("", 200);
+  room.height = json["height"].number_or(default_room_height, 1.5, 20.0);
+  std::vector<Vec2> points;
+  for (const auto& element : json["polygon"].elements(max_corners)) {
+    const auto point = element.numbers(2, -max_coordinate, max_coordinate);
+    points.push_back({point[0], point[1]});
+  }
+  for (const auto& element : json["openings"].elements_or_none(max_openings))
+    room.openings.push_back(read_opening(element));
+  const auto materials = json["materials"];
+  materials.allow_only({"floor", "walls", "ceiling"});
+  if (materials.exists())
+    room.materials = {materials["floor"].text_or(""), materials["walls"].text_or(""),
+                      materials["ceiling"].text_or("")};
+
+  auto polygon = make_polygon(points);
+  if (!polygon) {
+    json["polygon"].report(polygon.error().message);
+    return room;
+  }
+  room.polygon = *std::move(polygon);
+  move_openings(room, points, json["openings"]);
+  if (auto status = check(room); !status) json.report(status.error().message);
+  return room;
+}
+
+Result<Room> read_room_file(const std::filesystem::path& path) {
+  auto text = read_file(path);
+  if (!text) return text.error();
+  auto json = parse_json(*text, path.string());
+  if (!json) return json.error();
+  JsonReader::Problems problems(path.string());
+  // A whole scene or plan serves as well: its room is taken.
+  const JsonReader root(*json, problems);
+  Room room = read_room(json->is_object() && json->contains("room") ? root["room"] : root);
+  if (problems.first()) return *problems.first();
+  return room;
+}
+
+}  // namespace roomgen

@@ -1,0 +1,168 @@
+#include "roomgen/base/file.h"
+#include "roomgen/scene/scene.h"
+
+namespace roomgen {
+
+namespace {
+
+constexpr std::size_t max_objects = 5000;
+constexpr double max_coordinate = 1000.0;
+constexpr long long max_seed = 9007199254740991;  // exact in a double
+
+Vec3 vec3(const std::vector<double>& v) {
+  return {v[0], v[1], v[2]};
+}
+
+Json numbers(const Vec3& v) {
+  return {rounded(v.x()), rounded(v.y()), rounded(v.z())};
+}
+
+Json asset_json(const AssetRef& asset) {
+  Json json = Json::object();
+  if (asset.procedural) {
+    json["procedural"] = {{"recipe", asset.procedural->recipe},
+                          {"params", asset.procedural->params},
+                          {"seed", asset.procedural->seed}};
+  } else if (!asset.id.empty()) {
+    json["library"] = asset.library;
+    json["id"] = asset.id;
+    json["sha256"] = asset.sha256;
+    json["license"] = asset.license;
+    json["creator"] = asset.creator;
+  }
+  return json;
+}
+
+AssetRef read_asset(const JsonReader& json) {
+  AssetRef asset;
+  if (!json.exists()) return asset;
+  json.allow_only({"library", "id", "sha256", "license", "creator", "procedural"});
+  asset.library = json["library"].text_or("");
+  asset.id = json["id"].text_or("");
+  asset.sha256 = json["sha256"].text_or("");
+  asset.license = json["license"].text_or("");
+  asset.creator = json["creator"].text_or("");
+  if (const auto procedural = json["procedural"]; procedural.exists()) {
+    procedural.allow_only({"recipe", "params", "seed"});
+    ProceduralSource source;
+    source.recipe = procedural["recipe"].text(200);
+    if (const auto params = procedural["params"]; params.exists()) source.params = *params.raw();
+    source.seed = static_cast<std::uint64_t>(procedural["seed"].integer_or(0, 0, max_seed));
+    asset.procedural = source;
+  }
+  return asset;
+}
+
+Json object_json(const Object& object) {
+  Json json;
+  json["id"] = object.id;
+  json["category"] = object.category;
+  json["description"] = object.description;
+  json["asset"] = asset_json(object.asset);
+  json["traits"] = Json::array();
+  if (object.traits.front) json["traits"].push_back("front");
+  if (object.traits.flat) json["traits"].push_back("flat");
+  if (object.traits.round) json["traits"].push_back("round");
+  json["size"] = numbers(object.size);
+  json["position"] = numbers(object.position);
+  json["yaw_deg"] = rounded(degrees(wrap_angle(object.yaw)), 3);
+  json["mount"] = name(object.mount);
+  json["on"] = object.on.empty() ? Json() : Json(object.on);
+  json["relations"] = Json::array();
+  for (const auto& relation : object.relations) json["relations"].push_back(to_text(relation));
+  json["locked"] = object.locked;
+  return json;
+}
+
+Traits read_traits(const JsonReader& json) {
+  Traits traits{false, false, false};
+  for (const auto& element : json.elements_or_none(10)) {
+    const std::string trait = element.text();
+    if (trait == "front") traits.front = true;
+    else if (trait == "flat") traits.flat = true;
+    else if (trait == "round") traits.round = true;
+    else element.report("\"" + trait + "\" is none of front, flat, round");
+  }
+  return traits;
+}
+
+Object read_object(const JsonReader& json) {
+  json.allow_only({"id", "category", "description", "asset", "traits", "size", "position", "yaw_deg",
+                   "mount", "on", "relations", "locked", "room"});
+  Object object;
+  object.id = json["id"].text(200);
+  object.category = json["category"].text_or("", 200);
+  object.description = json["description"].text_or("");
+  object.asset = read_asset(json["asset"]);
+  object.traits = read_traits(json["traits"]);
+  object.size = vec3(json["size"].numbers(3, 1e-4, max_coordinate));
+  object.position = vec3(json["position"].numbers(3, -max_coordinate, max_coordinate));
+  object.yaw = radians(json["yaw_deg"].number_or(0, -36000, 36000));
+  const std::string mount = json["mount"].text_or("floor");
+  if (auto parsed = parse_mount(mount)) object.mount = *parsed;
+  else json["mount"].report("\"" + mount + "\" is none of floor, wall, ceiling, surface");
+  object.on = json["on"].text_or("", 200);
+  for (const auto& element : json["relations"].elements_or_none(100)) {
+    auto relation = parse_relation(element.text(500));
+    if (relation) object.relations.push_back(*relation);
+    else element.report(relation.error().message);
+  }
+  object.locked = json["locked"].boolean_or(false);
+  return object;
+}
+
+}  // namespace
+
+Json to_json(const Scene& scene) {
+  Json json;
+  json["format"] = "roomgen-scene";
+  json["version"] = 1;
+  json["units"] = "m";
+  json["up"] = "+z";
+  json["front"] = "-y";
+  json["prompt"] = scene.prompt;
+  json["seed"] = scene.seed;
+  if (scene.incomplete) json["incomplete"] = true;
+  json["room"] = to_json(scene.room);
+  json["objects"] = Json::array();
+  for (const auto& object : scene.objects) json["objects"].push_back(object_json(object));
+  json["unplaced"] = Json::array();
+  for (const auto& missing : scene.unplaced)
+    json["unplaced"].push_back(
+        {{"id", missing.id}, {"category", missing.category}, {"reason", missing.reason}});
+  return json;
+}
+
+Result<Scene> scene_from_json(const Json& json, const std::string& source) {
+  JsonReader::Problems problems(source);
+  const JsonReader root(json, problems);
+  if (root["format"].text_or("") != "roomgen-scene")
+    root.report("not a scene: \"format\" must be \"roomgen-scene\"");
+  if (root["version"].integer_or(1, 1, 1000) != 1)
+    root["version"].report("this version of roomgen reads version 1 only");
+  root.allow_only({"format", "version", "units", "up", "front", "prompt", "seed", "incomplete",
+                   "room", "objects", "unplaced"});
+  Scene scene;
+  scene.prompt = root["prompt"].text_or("", 100000);
+  scene.seed = static_cast<std::uint64_t>(root["seed"].integer_or(0, 0, max_seed));
+  scene.incomplete = root["incomplete"].boolean_or(false);
+  scene.room = read_room(root["room"]);
+  for (const auto& element : root["objects"].elements(max_objects))
+    scene.objects.push_back(read_object(element));
+  for (const auto& element : root["unplaced"].elements_or_none(max_objects))
+    scene.unplaced.push_back({element["id"].text(), element["category"].text_or(""),
+                              element["reason"].text_or("")});
+  if (problems.first()) return *problems.first();
+  if (auto status = check(scene); !status) return with_context(status.error(), source);
+  return scene;
+}
+
+Result<Scene> read_scene(const std::filesystem::path& path) {
+  auto text = read_file(path);
+  if (!text) return text.error();
+  auto json = parse_json(*text, path.string());
+  if (!json) return json.error();
+  return scene_from_json(*json, path.string());
+}
+
+}  // namespace roomgen
