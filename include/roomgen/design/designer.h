@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "roomgen/base/cancel.h"
+#include "roomgen/base/result.h"
+#include "roomgen/geometry/image.h"
+#include "roomgen/scene/plan.h"
+#include "roomgen/scene/relation.h"
+#include "roomgen/scene/scene.h"
+
+namespace roomgen {
+
+/// What a room shall become.
+struct PlanRequest {
+  std::string prompt;
+  std::uint64_t seed = 0;
+  std::optional<Vec2> size;   ///< inner width and depth in metres, whatever the prompt says
+  std::optional<Room> room;   ///< a floor plan that is given; then `size` is not used
+  CancelToken cancel;
+};
+
+/// One object whose place is asked for. What is already placed is in `scene`.
+struct PlaceRequest {
+  const Plan& plan;
+  const Scene& scene;
+  const PlannedObject& planned;  ///< its item is plan.items[planned.item]
+  const Object& object;          ///< id, category and real size are known, position and yaw are not
+  std::vector<std::string> refusals;  ///< why earlier answers for this object did not fit
+  std::function<Result<Image>()> marks;  ///< draws the room with coordinate marks; may be empty
+  CancelToken cancel;
+};
+
+/// Where an object shall go, roughly; the solver finds the exact pose.
+struct PlaceAdvice {
+  std::vector<Relation> relations;
+  std::optional<Vec2> location;  ///< centre, in the scene's frame
+  std::optional<double> yaw;     ///< radians
+  std::string reasoning;         ///< for the trace
+};
+
+/// Decides what a room holds and roughly where each thing goes: rules, or a language model.
+class Designer {
+ public:
+  virtual ~Designer() = default;
+
+  /// Equal requests give equal plans. The items are in the order in which they shall be placed:
+  /// anchors first, what depends on others after them.
+  virtual Result<Plan> plan(const PlanRequest& request) = 0;
+
+  /// Relations only name what is placed or a part of the room.
+  virtual Result<PlaceAdvice> place(const PlaceRequest& request) = 0;
+};
+
+}  // namespace roomgen
