@@ -10,8 +10,6 @@ namespace roomgen {
 
 namespace {
 
-constexpr int max_ancestors = 8;
-
 std::string normalised(std::string_view name) {
   return join(words(name), " ");
 }
@@ -91,6 +89,13 @@ void read_category(const JsonReader& json, Category& category) {
 
 }  // namespace
 
+bool is_any_of(const Category& category, const std::vector<std::string>& kinds) {
+  return std::any_of(kinds.begin(), kinds.end(), [&](const std::string& kind) {
+    return std::find(category.lineage.begin(), category.lineage.end(), kind) !=
+           category.lineage.end();
+  });
+}
+
 Result<CategoryTable> CategoryTable::parse(std::string_view text, const std::string& source) {
   auto json = parse_json(text, source);
   if (!json) return json.error();
@@ -110,6 +115,7 @@ Result<CategoryTable> CategoryTable::parse(std::string_view text, const std::str
       Category category = parent.empty() ? Category{} : table.categories_.at(parent);
       category.name = name;
       category.parent = parent;
+      category.lineage.push_back(name);
       read_category(entry, category);
       table.categories_[name] = category;
     }
@@ -123,7 +129,22 @@ Result<CategoryTable> CategoryTable::parse(std::string_view text, const std::str
   for (const auto& [name, category] : table.categories_)
     for (const auto& synonym : category.synonyms)
       table.names_.try_emplace(normalised(synonym), name);
+  table.resolve_references(root["categories"]);
+  if (problems.first()) return *problems.first();
   return table;
+}
+
+void CategoryTable::resolve_references(const JsonReader& json) {
+  for (auto& [name, category] : categories_) {
+    const auto resolve = [&, &key = name](std::string& reference) {
+      if (const Category* found = find(reference)) reference = found->name;
+      else json[key].report("\"" + reference + "\" is no category");
+    };
+    for (auto& zone : category.zones)
+      for (auto& partner : zone.partners) resolve(partner);
+    for (auto& gap : category.gaps) resolve(gap.partner);
+    for (auto& kind : category.tucks_under) resolve(kind);
+  }
 }
 
 const CategoryTable& CategoryTable::built_in() {
@@ -160,18 +181,7 @@ const Category& CategoryTable::get(std::string_view name) const {
 bool CategoryTable::is_a(std::string_view name, std::string_view kind) const {
   const Category* wanted = find(kind);
   if (!wanted) return normalised(name) == normalised(kind);
-  const Category* category = find(name);
-  for (int i = 0; category && i < max_ancestors; ++i) {
-    if (category->name == wanted->name) return true;
-    const auto parent = categories_.find(category->parent);
-    category = parent == categories_.end() ? nullptr : &parent->second;
-  }
-  return false;
-}
-
-bool CategoryTable::is_any_of(std::string_view name, const std::vector<std::string>& kinds) const {
-  return std::any_of(kinds.begin(), kinds.end(),
-                     [&](const std::string& kind) { return is_a(name, kind); });
+  return is_any_of(get(name), {wanted->name});
 }
 
 Footprint zone_footprint(const Footprint& object, const UseZone& zone) {

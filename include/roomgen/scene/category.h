@@ -43,9 +43,14 @@ struct Category {
   std::vector<UseZone> zones;  ///< usable when one is free and reachable; none: always usable
   std::vector<PreferredGap> gaps;
   std::vector<std::string> tucks_under;  ///< categories it may slide under (a chair, a table)
+  std::vector<std::string> lineage;      ///< itself and its ancestors; empty for an unknown kind
 };
 
-/// The kinds of things, from data/categories.json (docs/categories.md).
+/// Is the category one of the kinds, or a descendant of one?
+bool is_any_of(const Category& category, const std::vector<std::string>& kinds);
+
+/// The kinds of things, from data/categories.json (docs/categories.md). Partners of zones and gaps and
+/// what things tuck under are names of categories once the table is parsed.
 class CategoryTable {
  public:
   static Result<CategoryTable> parse(std::string_view text, const std::string& source);
@@ -59,10 +64,11 @@ class CategoryTable {
   const Category& get(std::string_view name) const;
   /// True if `name` means `kind` or one of its descendants.
   bool is_a(std::string_view name, std::string_view kind) const;
-  bool is_any_of(std::string_view name, const std::vector<std::string>& kinds) const;
   const std::map<std::string, Category, std::less<>>& all() const { return categories_; }
 
  private:
+  void resolve_references(const JsonReader& json);
+
   std::map<std::string, Category, std::less<>> categories_;
   std::map<std::string, std::string, std::less<>> names_;  ///< any spelling to the category's name
 };

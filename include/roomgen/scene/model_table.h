@@ -17,6 +17,7 @@ class ModelTable {
   void add(const std::string& key, std::shared_ptr<const Model> model);
   /// Null if there is none.
   std::shared_ptr<const Model> find(std::string_view key) const;
+  bool empty() const { return models_.empty(); }
 
  private:
   std::map<std::string, std::shared_ptr<const Model>, std::less<>> models_;

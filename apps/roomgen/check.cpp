@@ -1,0 +1,105 @@
+#include <cstdio>
+#include <memory>
+
+#include "command.h"
+#include "roomgen/base/file.h"
+#include "roomgen/evaluate/report.h"
+#include "roomgen/scene/plan.h"
+#include "roomgen/scene/problem.h"
+
+namespace roomgen::cli {
+
+namespace {
+
+struct CheckCommand {
+  std::string file;
+};
+
+Json violation_json(const Violation& violation) {
+  return {{"fault", name(violation.fault)},
+          {"object", violation.object},
+          {"other", violation.other}};
+}
+
+void print_report(const SceneReport& report) {
+  for (const auto& violation : report.violations)
+    std::printf("  %s: %s%s%s\n", std::string(name(violation.fault)).c_str(),
+                violation.object.c_str(), violation.other.empty() ? "" : " and ",
+                violation.other.c_str());
+  for (const auto& verdict : report.relations)
+    if (!verdict.judgement.held)
+      std::printf("  not held: %s | %s\n", verdict.object.c_str(),
+                  to_text(verdict.relation).c_str());
+}
+
+Result<int> check_scene(const Context& context, const CheckCommand& command, const Scene& scene) {
+  const auto report = examine(scene, ModelTable(), CategoryTable::built_in());
+  if (context.json) {
+    Json json;
+    json["format"] = "roomgen-scene";
+    json["objects"] = scene.objects.size();
+    json["unplaced"] = scene.unplaced.size();
+    json["constraints"] = report.relations.size();
+    json["held"] = report.relations_held();
+    json["violations"] = Json::array();
+    for (const auto& violation : report.violations)
+      json["violations"].push_back(violation_json(violation));
+    std::fputs(dump_json(json).c_str(), stdout);
+  } else {
+    std::printf("%s: scene of %zu objects, %zu unplaced; %d of %zu constraints held; %zu faults\n",
+                command.file.c_str(), scene.objects.size(), scene.unplaced.size(),
+                report.relations_held(), report.relations.size(), report.violations.size());
+    print_report(report);
+  }
+  return report.violations.empty() ? exit_ok : exit_failure;
+}
+
+// A document without a format is a problem if it has what problems have, else a room.
+Result<int> check_other(const CheckCommand& command, const Json& json) {
+  const std::string format = json.is_object() && json.contains("format") && json["format"].is_string()
+                                 ? json["format"].get<std::string>()
+                                 : "";
+  std::string what;
+  if (format == "roomgen-plan") {
+    auto plan = plan_from_json(json, command.file);
+    if (!plan) return plan.error();
+    what = "plan of " + std::to_string(planned_objects(*plan).size()) + " objects";
+  } else if (json.is_object() && json.contains("polygon")) {
+    auto room = read_room_file(command.file);
+    if (!room) return room.error();
+    what = "room with " + std::to_string(room->polygon.size()) + " walls";
+  } else {
+    auto problem = problem_from_json(json, command.file);
+    if (!problem) return problem.error();
+    what = "problem of " + std::to_string(problem->tasks.size()) + " objects";
+  }
+  std::printf("%s: sound %s\n", command.file.c_str(), what.c_str());
+  return exit_ok;
+}
+
+Result<int> run(const Context& context, const CheckCommand& command) {
+  auto text = read_file(command.file);
+  if (!text) return text.error();
+  auto json = parse_json(*text, command.file);
+  if (!json) return json.error();
+  if (json->is_object() && json->contains("format") && (*json)["format"] == "roomgen-scene") {
+    auto scene = scene_from_json(*json, command.file);
+    if (!scene) return scene.error();
+    return check_scene(context, command, *scene);
+  }
+  return check_other(command, *json);
+}
+
+}  // namespace
+
+void add_check_command(CLI::App& app, Context& context) {
+  auto command = std::make_shared<CheckCommand>();
+  auto* sub = app.add_subcommand(
+      "check", "Check a scene, plan, problem or room file; exit 1 if a scene breaks a rule");
+  sub->add_option("file", command->file, "JSON file")->required();
+  sub->callback([command, &context] {
+    context.run = [command, &context] { return run(context, *command); };
+  });
+}
+
+}  // namespace roomgen::cli

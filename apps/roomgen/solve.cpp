@@ -1,0 +1,75 @@
+#include <chrono>
+#include <cstdio>
+#include <memory>
+
+#include "command.h"
+#include "roomgen/base/file.h"
+#include "roomgen/solve/solve.h"
+
+namespace roomgen::cli {
+
+namespace {
+
+struct SolveCommand {
+  std::string problem;
+  std::string output = "scene.json";
+  SolveOptions options;
+  bool strict = false;
+};
+
+void print_summary(const Context& context, const SolveCommand& command, const Solution& solution,
+                   double seconds) {
+  const Scene& scene = solution.scene;
+  if (context.json) {
+    Json json;
+    json["output"] = command.output;
+    json["objects"] = scene.objects.size();
+    json["unplaced"] = scene.unplaced.size();
+    json["constraints"] = solution.constraints;
+    json["held"] = solution.held;
+    json["rounds"] = solution.rounds;
+    json["seconds"] = rounded(seconds);
+    std::fputs(dump_json(json).c_str(), stdout);
+    return;
+  }
+  std::printf("%s: %zu of %zu objects placed, %d of %d constraints held (%.1f ms)\n",
+              command.output.c_str(), scene.objects.size(),
+              scene.objects.size() + scene.unplaced.size(), solution.held, solution.constraints,
+              1e3 * seconds);
+  for (const auto& missing : scene.unplaced) std::printf("  %s\n", missing.reason.c_str());
+}
+
+Result<int> run(const Context& context, SolveCommand& command) {
+  auto problem = read_problem(command.problem);
+  if (!problem) return problem.error();
+  command.options.cancel = context.cancel;
+  const auto start = std::chrono::steady_clock::now();
+  auto solution = solve(*problem, ModelTable(), CategoryTable::built_in(), command.options);
+  if (!solution) return solution.error();
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  if (auto written = write_file(command.output, dump_json(to_json(solution->scene))); !written)
+    return written.error();
+  print_summary(context, command, *solution, elapsed.count());
+  if (solution->scene.incomplete) return exit_interrupted;
+  return command.strict && !solution->scene.unplaced.empty() ? exit_failure : exit_ok;
+}
+
+}  // namespace
+
+void add_solve_command(CLI::App& app, Context& context) {
+  auto command = std::make_shared<SolveCommand>();
+  auto* sub = app.add_subcommand("solve", "Place the objects of a problem file, without a designer");
+  sub->add_option("problem", command->problem, "problem.json (docs/problem.schema.json)")->required();
+  sub->add_option("-o,--output", command->output, "Scene file to write")->capture_default_str();
+  sub->add_option("--seed", command->options.seed, "Seed of the search")->capture_default_str();
+  sub->add_option("--rounds", command->options.rounds, "Rounds of improvement at most")
+      ->capture_default_str();
+  sub->add_option("--pitch", command->options.place.pitch, "Grid pitch in metres")
+      ->capture_default_str();
+  sub->add_flag("--strict", command->strict, "Exit with 1 if something found no place");
+  sub->callback([command, &context] {
+    context.run = [command, &context] { return run(context, *command); };
+  });
+}
+
+}  // namespace roomgen::cli

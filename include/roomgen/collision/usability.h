@@ -1,0 +1,38 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "roomgen/collision/walk_map.h"
+#include "roomgen/scene/category.h"
+#include "roomgen/scene/scene.h"
+
+namespace roomgen {
+
+/// A placed thing with what is asked of it again and again.
+struct FloorThing {
+  const Object* object = nullptr;
+  const Category* category = nullptr;
+  Footprint footprint;
+};
+FloorThing floor_thing(const Object& object, const CategoryTable& categories);
+std::vector<FloorThing> floor_things(std::span<const Object> objects,
+                                     const CategoryTable& categories);
+
+/// Does the thing stand in the way of a person's feet or body? Not rugs, things on tables, lamps on the
+/// ceiling and pictures on the wall.
+bool blocks_floor(const Object& object);
+
+/// Is the zone inside the room and free of others than the object itself and the zone's partners?
+bool zone_is_free(const Room& room, std::span<const FloorThing> things, const FloorThing& owner,
+                  const UseZone& zone);
+
+/// Is one of the object's use zones free and, in the flooded map, reachable? Things without zones always
+/// are, and so are things that stand on others or hang.
+bool is_usable(const Room& room, std::span<const FloorThing> things, const FloorThing& thing,
+               const WalkMap& flooded);
+
+/// A map of the room with all its objects in it, flooded.
+WalkMap make_walk_map(const Room& room, std::span<const FloorThing> things);
+
+}  // namespace roomgen

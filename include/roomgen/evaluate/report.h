@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "roomgen/evaluate/relations.h"
+#include "roomgen/scene/category.h"
+#include "roomgen/scene/model_table.h"
+#include "roomgen/scene/scene.h"
+
+namespace roomgen {
+
+enum class Fault { outside, overlap, blocks_door, blocks_window, unusable, doors_apart };
+std::string_view name(Fault fault);
+
+/// Something that docs/constraints.md ("Valid") forbids.
+struct Violation {
+  Fault fault = Fault::outside;
+  std::string object;  ///< id, or empty for the room
+  std::string other;   ///< the second object, the opening
+};
+
+/// What can be said about a scene without knowing what was wished for.
+struct SceneReport {
+  std::vector<Violation> violations;
+  std::vector<RelationVerdict> relations;
+
+  int relations_held() const;
+};
+
+/// Examines a whole scene. `models` decides solids whose boxes overlap; objects without a model count as
+/// boxes.
+SceneReport examine(const Scene& scene, const ModelTable& models, const CategoryTable& categories);
+
+/// Does the object keep the clearance of this door or window free?
+bool keeps_clear(const Object& object, const Room& room, const Opening& opening);
+
+}  // namespace roomgen

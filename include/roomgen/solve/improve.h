@@ -1,0 +1,41 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "roomgen/base/cancel.h"
+#include "roomgen/base/random.h"
+#include "roomgen/scene/problem.h"
+#include "roomgen/solve/place.h"
+
+namespace roomgen {
+
+struct ImproveOptions {
+  PlaceOptions place;
+  int rounds = 60;  ///< at most; the search ends early when nothing is left to win
+  /// Weight of the random part of degrees while searching.
+  double noise = 0.6;
+  CancelToken cancel;
+};
+
+/// What a layout is worth: first how many things found a place, then how many constraints hold, then how
+/// well.
+struct LayoutQuality {
+  int placed = 0;
+  int held = 0;
+  double degree = 0.0;
+
+  bool better_than(const LayoutQuality& other) const;
+};
+LayoutQuality quality(const Layout& layout);
+
+/// Wins back objects without a place and lost constraints: takes a troubled object, what it depends on
+/// and some neighbours out (never locked ones), puts them back in another way, and keeps the result if it
+/// is better (large neighbourhood search, Shaw 1998). `tasks` are all objects in placement order;
+/// `reasons` says why some are not in the layout, and is kept up to date. Returns the rounds used.
+int improve(Layout& layout, const std::vector<PlacementTask>& tasks,
+            std::map<std::string, std::string>& reasons, const ImproveOptions& options,
+            Random& random);
+
+}  // namespace roomgen

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "roomgen/collision/solids.h"
+#include "roomgen/collision/usability.h"
+#include "roomgen/scene/category.h"
+#include "roomgen/scene/scene.h"
+
+namespace roomgen {
+
+/// Where a thing might stand.
+struct Pose {
+  Vec2 position = Vec2::Zero();  ///< centre
+  double bottom = 0.0;
+  double yaw = 0.0;
+};
+
+/// A room that is being furnished: what stands where, and fast answers to "may this stand there too?".
+/// Nothing that breaks docs/constraints.md ("Valid") gets in through place() and its callers.
+class Layout {
+ public:
+  /// `room`, `categories` and `models` must outlive the layout.
+  Layout(const Room& room, const CategoryTable& categories, const ModelTable& models);
+
+  const Room& room() const { return room_; }
+  const CategoryTable& categories() const { return categories_; }
+  std::span<const Object> objects() const { return objects_; }
+  std::span<const FloorThing> things() const { return things_; }
+  const Object* find(std::string_view id) const;
+  /// Yaws at which a thing stands square to some wall, each quarter turn, without repetition.
+  std::span<const double> wall_yaws() const { return wall_yaws_; }
+
+  void add(Object object);
+  void remove(std::string_view id);
+
+  /// What can be said of a thing before its pose is known, for many calls of fits().
+  struct Candidate {
+    Object object;  ///< with any pose
+    const Category* category = nullptr;
+  };
+  Candidate candidate(const Object& object) const;
+
+  /// The cheap test: inside, boxes apart, openings free. Boxes that overlap pass only where one thing may
+  /// slide under the other; fits_exactly() then asks the meshes.
+  bool fits(const Candidate& candidate, const Footprint& footprint, double bottom) const;
+  /// The rest, for an object with its pose: meshes, and everybody's use zones and the doors stay
+  /// reachable.
+  bool fits_exactly(const Candidate& candidate);
+  /// May the two overlap as boxes because one slides under the other?
+  bool may_tuck(const Category& a, const Category& b) const;
+
+ private:
+  struct Clearance {
+    Footprint area;
+    double from;  ///< things that reach above `from` and start below `to` must keep off
+    double to;
+  };
+  void refresh_things();
+
+  const Room& room_;
+  const CategoryTable& categories_;
+  bool has_models_;
+  Solids solids_;
+  std::vector<double> wall_yaws_;
+  std::vector<Clearance> clearances_;
+  bool is_box_ = false;  ///< the room is an axis-aligned rectangle
+  Bounds2 bounds_;
+  std::vector<Object> objects_;
+  std::vector<FloorThing> things_;
+  WalkMap walk_map_;
+};
+
+/// The object at a pose.
+Object at_pose(const Object& object, const Pose& pose);
+
+}  // namespace roomgen

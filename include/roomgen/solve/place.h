@@ -1,0 +1,57 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+
+#include "roomgen/base/random.h"
+#include "roomgen/base/result.h"
+#include "roomgen/scene/problem.h"
+#include "roomgen/solve/fuse.h"
+#include "roomgen/solve/layout.h"
+
+namespace roomgen {
+
+struct PlaceOptions {
+  FusionOptions fusion;
+  double pitch = 0.10;  ///< of the grid, metres
+  /// Candidates whose meshes and reachability are tested before giving up.
+  int max_exact_tests = 300;
+  /// Best candidates for which it is tried whether what depends on the object still finds its place.
+  int lookahead = 12;
+  /// Added to degrees, uniform in [0, noise): makes repeated searches differ.
+  double noise = 0.0;
+
+  Status validate() const;
+};
+
+/// Why a candidate stands where it does: degrees in [0, 1], for the trace.
+struct PlacementTerms {
+  int held = 0;            ///< constraints
+  int lost = 0;
+  double relations = 0.0;  ///< mean degree of the constraints
+  double walkway = 0.0;    ///< distance to the doors' clearances
+  double spread = 0.0;     ///< no slots too narrow to walk through
+  double closeness = 0.0;  ///< to the suggested location
+  double rank_c = 0.0;
+  double rank_l = 0.0;
+  double fused = 0.0;
+};
+
+struct Placement {
+  Object object;  ///< with its pose
+  PlacementTerms terms;
+  std::optional<PlacementTerms> runner_up;
+  int candidates = 0;  ///< proposed
+  int feasible = 0;    ///< of them, passed the cheap tests
+};
+
+/// Finds the pose for one object: propose, score, rank, fuse, and take the best candidate that the
+/// meshes and everybody's reachability allow. `later` are tasks still to come: those that depend on this
+/// object are looked after. Does not change the layout in the end. Fails with a reason for people when
+/// nothing is feasible.
+Result<Placement> place(Layout& layout, const PlacementTask& task,
+                        std::span<const PlacementTask> later, const PlaceOptions& options,
+                        Random& random);
+
+}  // namespace roomgen

@@ -1,0 +1,62 @@
+#include "roomgen/collision/usability.h"
+
+#include <algorithm>
+
+namespace roomgen {
+
+namespace {
+
+// docs/constraints.md, "Use zones and reachability".
+constexpr double above_heads = 1.9;
+constexpr double above_hips = 1.2;
+constexpr double zone_tolerance = 0.02;
+
+}  // namespace
+
+bool blocks_floor(const Object& object) {
+  if (object.traits.flat || object.mount == Mount::surface) return false;
+  if (object.mount == Mount::wall) return bottom(object) <= above_hips;
+  return bottom(object) <= above_heads;
+}
+
+FloorThing floor_thing(const Object& object, const CategoryTable& categories) {
+  return {&object, &categories.get(object.category), footprint(object)};
+}
+
+std::vector<FloorThing> floor_things(std::span<const Object> objects,
+                                     const CategoryTable& categories) {
+  std::vector<FloorThing> things;
+  for (const auto& object : objects) things.push_back(floor_thing(object, categories));
+  return things;
+}
+
+bool zone_is_free(const Room& room, std::span<const FloorThing> things, const FloorThing& owner,
+                  const UseZone& zone) {
+  const Footprint area = zone_footprint(owner.footprint, zone);
+  if (!contains(room.polygon, area, zone_tolerance)) return false;
+  return std::none_of(things.begin(), things.end(), [&](const FloorThing& other) {
+    return other.object != owner.object && blocks_floor(*other.object) &&
+           overlaps(area, other.footprint, zone_tolerance) &&
+           !is_any_of(*other.category, zone.partners);
+  });
+}
+
+bool is_usable(const Room& room, std::span<const FloorThing> things, const FloorThing& thing,
+               const WalkMap& flooded) {
+  const auto& zones = thing.category->zones;
+  if (zones.empty() || thing.object->traits.flat || thing.object->mount != Mount::floor) return true;
+  return std::any_of(zones.begin(), zones.end(), [&](const UseZone& zone) {
+    return flooded.reaches(zone_footprint(thing.footprint, zone)) &&
+           zone_is_free(room, things, thing, zone);
+  });
+}
+
+WalkMap make_walk_map(const Room& room, std::span<const FloorThing> things) {
+  WalkMap map(room);
+  for (const auto& thing : things)
+    if (blocks_floor(*thing.object)) map.add(thing.footprint);
+  map.flood();
+  return map;
+}
+
+}  // namespace roomgen

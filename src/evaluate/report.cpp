@@ -1,0 +1,86 @@
+#include "roomgen/evaluate/report.h"
+
+#include <algorithm>
+
+#include "roomgen/collision/solids.h"
+#include "roomgen/collision/usability.h"
+
+namespace roomgen {
+
+namespace {
+
+constexpr double clearance_tolerance = 1e-3;
+constexpr double ceiling_tolerance = 1e-3;
+
+bool is_inside(const Object& object, const Room& room) {
+  return contains(room.polygon, footprint(object)) && bottom(object) >= -ceiling_tolerance &&
+         top(object) <= room.height + ceiling_tolerance;
+}
+
+void find_overlaps(const Scene& scene, const ModelTable& models, std::vector<Violation>& found) {
+  Solids solids(models);
+  for (std::size_t i = 0; i < scene.objects.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (solids.overlap(scene.objects[i], scene.objects[j]))
+        found.push_back({Fault::overlap, scene.objects[i].id, scene.objects[j].id});
+}
+
+void find_blocked_openings(const Scene& scene, std::vector<Violation>& found) {
+  for (const auto& opening : scene.room.openings)
+    for (const auto& object : scene.objects)
+      if (!keeps_clear(object, scene.room, opening))
+        found.push_back({opening.is_entrance() ? Fault::blocks_door : Fault::blocks_window,
+                         object.id, opening.id});
+}
+
+void find_unusable(const Scene& scene, const CategoryTable& categories,
+                   std::vector<Violation>& found) {
+  const auto things = floor_things(scene.objects, categories);
+  const WalkMap map = make_walk_map(scene.room, things);
+  if (!map.doors_connected()) found.push_back({Fault::doors_apart, "", ""});
+  for (const auto& thing : things)
+    if (!is_usable(scene.room, things, thing, map))
+      found.push_back({Fault::unusable, thing.object->id, ""});
+}
+
+}  // namespace
+
+std::string_view name(Fault fault) {
+  switch (fault) {
+    case Fault::outside: return "outside";
+    case Fault::overlap: return "overlap";
+    case Fault::blocks_door: return "blocks door";
+    case Fault::blocks_window: return "blocks window";
+    case Fault::unusable: return "unusable";
+    case Fault::doors_apart: return "doors not connected";
+  }
+  return "";
+}
+
+int SceneReport::relations_held() const {
+  return static_cast<int>(std::count_if(relations.begin(), relations.end(),
+                                        [](const auto& verdict) { return verdict.judgement.held; }));
+}
+
+bool keeps_clear(const Object& object, const Room& room, const Opening& opening) {
+  if (object.traits.flat) return true;
+  if (opening.is_entrance()) {
+    if (bottom(object) >= opening.head) return true;
+    return !overlaps(footprint(object), door_clearance(room, opening), clearance_tolerance);
+  }
+  if (top(object) <= opening.sill + window_overlap || bottom(object) >= opening.head) return true;
+  return !overlaps(footprint(object), window_clearance(room, opening), clearance_tolerance);
+}
+
+SceneReport examine(const Scene& scene, const ModelTable& models, const CategoryTable& categories) {
+  SceneReport report;
+  for (const auto& object : scene.objects)
+    if (!is_inside(object, scene.room)) report.violations.push_back({Fault::outside, object.id, ""});
+  find_overlaps(scene, models, report.violations);
+  find_blocked_openings(scene, report.violations);
+  find_unusable(scene, categories, report.violations);
+  report.relations = judge_scene(scene, categories);
+  return report;
+}
+
+}  // namespace roomgen

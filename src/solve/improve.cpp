@@ -1,0 +1,162 @@
+#include "roomgen/solve/improve.h"
+
+#include <algorithm>
+#include <set>
+
+#include "roomgen/evaluate/relations.h"
+
+namespace roomgen {
+
+namespace {
+
+constexpr double degree_gain = 1e-6;
+
+int constraint_count(const std::vector<PlacementTask>& tasks) {
+  int count = 0;
+  for (const auto& task : tasks) count += static_cast<int>(task.object.relations.size());
+  return count;
+}
+
+int held_by(const Layout& layout, const Object& object) {
+  const auto relations = resolve(object, layout.room(), layout.objects(), layout.categories());
+  const Subject subject{footprint(object), bottom(object), top(object)};
+  return static_cast<int>(
+      std::count_if(relations.begin(), relations.end(), [&](const ResolvedRelation& relation) {
+        return judge(relation, subject, layout.room()).held;
+      }));
+}
+
+class Search {
+ public:
+  Search(Layout& layout, const std::vector<PlacementTask>& tasks,
+         std::map<std::string, std::string>& reasons, const ImproveOptions& options, Random& random)
+      : layout_(layout), tasks_(tasks), reasons_(reasons), options_(options), random_(random) {}
+
+  int run() {
+    LayoutQuality best = quality(layout_);
+    const int wanted = constraint_count(tasks_);
+    int round = 0;
+    for (; round < options_.rounds && !options_.cancel.cancelled(); ++round) {
+      if (best.placed == static_cast<int>(tasks_.size()) && best.held == wanted) break;
+      const auto before = std::vector<Object>(layout_.objects().begin(), layout_.objects().end());
+      const auto reasons_before = reasons_;
+      recreate(choose_ruin(round));
+      const LayoutQuality now = quality(layout_);
+      if (now.better_than(best)) {
+        best = now;
+      } else {
+        restore(before);
+        reasons_ = reasons_before;
+      }
+    }
+    return round;
+  }
+
+ private:
+  bool is_troubled(const PlacementTask& task) const {
+    const Object* placed = layout_.find(task.object.id);
+    return !placed ||
+           held_by(layout_, *placed) < static_cast<int>(task.object.relations.size());
+  }
+
+  bool is_fixed(const std::string& id) const {
+    const Object* placed = layout_.find(id);
+    return placed && placed->locked;
+  }
+
+  // Everything in now and then: from small repairs to a new start.
+  std::set<std::string> choose_ruin(int round) {
+    std::set<std::string> ruin;
+    if (round % 8 == 7) {
+      for (const auto& task : tasks_) ruin.insert(task.object.id);
+    } else {
+      std::vector<const PlacementTask*> troubled;
+      for (const auto& task : tasks_)
+        if (is_troubled(task)) troubled.push_back(&task);
+      const PlacementTask& chosen = *random_.pick(troubled);
+      ruin.insert(chosen.object.id);
+      for (const auto& relation : chosen.object.relations)
+        if (layout_.find(relation.target) && random_.chance(0.6)) ruin.insert(relation.target);
+      for (int others = random_.integer(0, 3); others > 0; --others)
+        ruin.insert(random_.pick(tasks_).object.id);
+    }
+    add_dependants(ruin);
+    std::erase_if(ruin, [this](const std::string& id) { return is_fixed(id); });
+    return ruin;
+  }
+
+  // What stands in relation to a thing that moves must be placed anew.
+  void add_dependants(std::set<std::string>& ruin) const {
+    for (const auto& task : tasks_) {  // in placement order: one pass reaches all
+      const Object& object = task.object;
+      const bool depends =
+          ruin.count(object.on) ||
+          std::any_of(object.relations.begin(), object.relations.end(),
+                      [&](const Relation& relation) { return ruin.count(relation.target) > 0; });
+      if (depends) ruin.insert(object.id);
+    }
+  }
+
+  void recreate(const std::set<std::string>& ruin) {
+    for (const auto& id : ruin) layout_.remove(id);
+    PlaceOptions place_options = options_.place;
+    place_options.noise = options_.noise * random_.uniform();
+    for (std::size_t i = 0; i < tasks_.size(); ++i) {
+      const std::string& id = tasks_[i].object.id;
+      if (!ruin.count(id)) continue;
+      std::vector<PlacementTask> later;
+      for (std::size_t j = i + 1; j < tasks_.size(); ++j)
+        if (ruin.count(tasks_[j].object.id)) later.push_back(tasks_[j]);
+      auto placed = place(layout_, tasks_[i], later, place_options, random_);
+      if (placed) {
+        layout_.add(placed->object);
+        reasons_.erase(id);
+      } else {
+        reasons_[id] = placed.error().message;
+      }
+    }
+  }
+
+  void restore(const std::vector<Object>& before) {
+    while (!layout_.objects().empty()) layout_.remove(layout_.objects().back().id);
+    for (const auto& object : before) layout_.add(object);
+  }
+
+  Layout& layout_;
+  const std::vector<PlacementTask>& tasks_;
+  std::map<std::string, std::string>& reasons_;
+  const ImproveOptions& options_;
+  Random& random_;
+};
+
+}  // namespace
+
+bool LayoutQuality::better_than(const LayoutQuality& other) const {
+  if (placed != other.placed) return placed > other.placed;
+  if (held != other.held) return held > other.held;
+  return degree > other.degree + degree_gain;
+}
+
+LayoutQuality quality(const Layout& layout) {
+  LayoutQuality result;
+  result.placed = static_cast<int>(layout.objects().size());
+  for (const auto& object : layout.objects()) {
+    const Subject subject{footprint(object), bottom(object), top(object)};
+    for (const auto& relation :
+         resolve(object, layout.room(), layout.objects(), layout.categories())) {
+      const Judgement judgement = judge(relation, subject, layout.room());
+      result.held += judgement.held ? 1 : 0;
+      result.degree += judgement.degree;
+    }
+  }
+  return result;
+}
+
+int improve(Layout& layout, const std::vector<PlacementTask>& tasks,
+            std::map<std::string, std::string>& reasons, const ImproveOptions& options,
+            Random& random) {
+  if (tasks.empty()) return 0;
+  return Search(layout, tasks, reasons, options, random).run();
+}
+
+}  // namespace roomgen

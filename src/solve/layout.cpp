@@ -1,0 +1,156 @@
+#include "roomgen/solve/layout.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "roomgen/evaluate/report.h"
+
+namespace roomgen {
+
+namespace {
+
+constexpr double inside_tolerance = 1e-3;
+constexpr double touch_tolerance = 1e-4;
+
+std::vector<double> yaws_of_walls(const Room& room) {
+  std::vector<double> yaws;
+  for (std::size_t k = 0; k < room.polygon.size(); ++k)
+    for (int quarter = 0; quarter < 4; ++quarter) {
+      const double yaw = wrap_angle(yaw_facing(room.polygon.inward(k)) + quarter * pi / 2);
+      const bool known = std::any_of(yaws.begin(), yaws.end(), [&](double other) {
+        return std::abs(wrap_angle(other - yaw)) < 1e-6;
+      });
+      if (!known) yaws.push_back(yaw);
+    }
+  // Rounded so that right angles are exact and equal rooms give equal files.
+  for (auto& yaw : yaws) yaw = radians(std::round(degrees(yaw) * 1e6) / 1e6);
+  std::sort(yaws.begin(), yaws.end());
+  return yaws;
+}
+
+bool is_axis_aligned_rectangle(const Room& room) {
+  return room.polygon.size() == 4 &&
+         std::abs(area(room.polygon) - bounds(room.polygon).size().prod()) < 1e-9;
+}
+
+}  // namespace
+
+Object at_pose(const Object& object, const Pose& pose) {
+  Object placed = object;
+  placed.position = {pose.position.x(), pose.position.y(), pose.bottom};
+  placed.yaw = pose.yaw;
+  return placed;
+}
+
+Layout::Layout(const Room& room, const CategoryTable& categories, const ModelTable& models)
+    : room_(room),
+      categories_(categories),
+      has_models_(!models.empty()),
+      solids_(models),
+      wall_yaws_(yaws_of_walls(room)),
+      is_box_(is_axis_aligned_rectangle(room)),
+      bounds_(bounds(room.polygon)),
+      walk_map_(room) {
+  for (const auto& opening : room.openings) {
+    if (opening.is_entrance())
+      clearances_.push_back({door_clearance(room, opening), 0.0, opening.head});
+    else
+      clearances_.push_back(
+          {window_clearance(room, opening), opening.sill + window_overlap, opening.head});
+  }
+}
+
+const Object* Layout::find(std::string_view id) const {
+  const auto found = std::find_if(objects_.begin(), objects_.end(),
+                                  [&](const Object& object) { return object.id == id; });
+  return found == objects_.end() ? nullptr : &*found;
+}
+
+void Layout::refresh_things() {
+  things_.resize(objects_.size());
+  for (std::size_t i = 0; i < objects_.size(); ++i) things_[i].object = &objects_[i];
+}
+
+void Layout::add(Object object) {
+  if (blocks_floor(object)) walk_map_.add(footprint(object));
+  things_.push_back(floor_thing(object, categories_));
+  objects_.push_back(std::move(object));
+  refresh_things();
+}
+
+void Layout::remove(std::string_view id) {
+  for (std::size_t i = 0; i < objects_.size(); ++i) {
+    if (objects_[i].id != id) continue;
+    if (blocks_floor(objects_[i])) walk_map_.remove(things_[i].footprint);
+    objects_.erase(objects_.begin() + static_cast<std::ptrdiff_t>(i));
+    things_.erase(things_.begin() + static_cast<std::ptrdiff_t>(i));
+    break;
+  }
+  refresh_things();
+}
+
+Layout::Candidate Layout::candidate(const Object& object) const {
+  return {object, &categories_.get(object.category)};
+}
+
+bool Layout::may_tuck(const Category& a, const Category& b) const {
+  return has_models_ && (is_any_of(a, b.tucks_under) || is_any_of(b, a.tucks_under));
+}
+
+bool Layout::fits(const Candidate& candidate, const Footprint& footprint, double bottom) const {
+  const Object& object = candidate.object;
+  const double top = bottom + object.size.z();
+  if (top > room_.height + inside_tolerance) return false;
+  const Bounds2& box = footprint.bounds();
+  if (is_box_) {
+    if ((box.low - bounds_.low).minCoeff() < -inside_tolerance ||
+        (bounds_.high - box.high).minCoeff() < -inside_tolerance)
+      return false;
+  } else if (!contains(room_.polygon, footprint, inside_tolerance)) {
+    return false;
+  }
+  if (object.traits.flat) {
+    // Rugs may lie under everything but not over each other.
+    return std::none_of(things_.begin(), things_.end(), [&](const FloorThing& other) {
+      return other.object->traits.flat && overlaps(footprint, other.footprint, touch_tolerance);
+    });
+  }
+  for (const auto& clearance : clearances_)
+    if (object.mount != Mount::surface && top > clearance.from && bottom < clearance.to &&
+        overlaps(footprint, clearance.area, inside_tolerance))
+      return false;
+  for (const auto& other : things_) {
+    if (!box.overlaps(other.footprint.bounds(), -touch_tolerance)) continue;
+    if (!both_solid(object, *other.object)) continue;
+    if (bottom >= roomgen::top(*other.object) - touch_tolerance ||
+        roomgen::bottom(*other.object) >= top - touch_tolerance)
+      continue;
+    if (overlaps(footprint, other.footprint, touch_tolerance) &&
+        !may_tuck(*candidate.category, *other.category))
+      return false;
+  }
+  return true;
+}
+
+bool Layout::fits_exactly(const Candidate& candidate) {
+  const Object& object = candidate.object;
+  const Footprint own = footprint(object);
+  for (const auto& other : things_)
+    if (own.bounds().overlaps(other.footprint.bounds()) && solids_.overlap(object, *other.object))
+      return false;
+  if (!blocks_floor(object)) return true;
+
+  walk_map_.add(own);
+  walk_map_.flood();
+  things_.push_back({&object, candidate.category, own});
+  const bool usable =
+      walk_map_.doors_connected() &&
+      std::all_of(things_.begin(), things_.end(), [&](const FloorThing& thing) {
+        return is_usable(room_, things_, thing, walk_map_);
+      });
+  things_.pop_back();
+  walk_map_.remove(own);
+  return usable;
+}
+
+}  // namespace roomgen

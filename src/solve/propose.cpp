@@ -1,0 +1,274 @@
+#include "propose.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace roomgen {
+
+namespace {
+
+// Flush things stand this far off, so that faces do not coincide and rounding pushes nothing into a
+// wall.
+constexpr double flush = 0.004;
+constexpr double along_wall_pitch = 0.10;
+constexpr double surface_pitch = 0.08;
+
+bool wants(const ProposalContext& context, RelationKind kind) {
+  return std::any_of(context.relations.begin(), context.relations.end(),
+                     [&](const ResolvedRelation& relation) { return relation.kind == kind; });
+}
+
+Vec2 size_of(const ProposalContext& context) {
+  return context.task.object.size.head<2>();
+}
+
+double mounting_height(const ProposalContext& context) {
+  return context.task.object.position.z();
+}
+
+// The centres along a wall, measured from its start, at which a thing of this width is worth trying:
+// regular steps, both ends, the middle, beside openings and neighbours, opposite targets.
+std::vector<double> stations(const ProposalContext& context, std::size_t wall, double width) {
+  const Room& room = context.layout.room();
+  const Segment line = room.polygon.edge(wall);
+  const double length = line.length();
+  const double first = 0.5 * width + flush, last = length - 0.5 * width - flush;
+  std::vector<double> result;
+  if (last < first) {
+    if (length + 1e-3 >= width) result.push_back(0.5 * length);
+    return result;
+  }
+  for (double s = first; s < last; s += along_wall_pitch) result.push_back(s);
+  const auto add = [&](double s) {
+    if (s >= first - 1e-9 && s <= last + 1e-9) result.push_back(s);
+  };
+  const auto add_beside = [&](double low, double high) {
+    add(low - 0.5 * width - flush);
+    add(high + 0.5 * width + flush);
+    add(0.5 * (low + high));
+  };
+  add(last);
+  add(0.5 * length);
+  for (const auto& opening : room.openings)
+    if (opening.wall == wall) add_beside(opening.from, opening.to);
+  const auto project = [&](const Footprint& footprint) {
+    double low = 1e300, high = -1e300;
+    for (const auto& corner : footprint.outline()) {
+      const double s = (corner - line.a).dot(line.direction());
+      low = std::min(low, s), high = std::max(high, s);
+    }
+    add_beside(low, high);
+  };
+  for (const auto& thing : context.layout.things()) project(thing.footprint);
+  for (const auto& relation : context.relations)
+    for (const auto& target : relation.targets)
+      if (takes_target(relation.kind)) add((target.center() - line.a).dot(line.direction()));
+  return result;
+}
+
+void propose_at_walls(const ProposalContext& context, std::vector<Pose>& poses) {
+  const Vec2 size = size_of(context);
+  const Polygon& polygon = context.layout.room().polygon;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Segment line = polygon.edge(k);
+    const Vec2 inward = polygon.inward(k);
+    const double yaw = yaw_facing(inward);
+    for (double s : stations(context, k, size.x()))
+      poses.push_back({line.a + s * line.direction() + (0.5 * size.y() + flush) * inward,
+                       mounting_height(context), yaw});
+  }
+}
+
+// The gaps to a target that are worth trying.
+std::vector<double> useful_gaps(const ProposalContext& context, const ResolvedRelation& relation) {
+  std::vector<double> gaps = {relation.gap_low + flush, 0.5 * (relation.gap_low + relation.gap_high),
+                              relation.gap_high, 0.3, 0.6, 0.9, 1.2};
+  if (context.layout.may_tuck(context.layout.categories().get(context.task.object.category),
+                              context.layout.categories().get("table")))
+    gaps.insert(gaps.end(), {-0.10, -0.20});
+  return gaps;
+}
+
+// Half extents of a thing turned by `relative_yaw` against the target's axes.
+Vec2 turned_half(const Vec2& size, double relative_yaw) {
+  const double c = std::abs(std::cos(relative_yaw)), s = std::abs(std::sin(relative_yaw));
+  return 0.5 * Vec2(c * size.x() + s * size.y(), s * size.x() + c * size.y());
+}
+
+// Beside each side of the target, at several gaps, centred or flush with its ends, each way round.
+void propose_beside(const ProposalContext& context, const ResolvedRelation& relation,
+                    const Footprint& target, std::vector<Pose>& poses) {
+  const Vec2 size = size_of(context);
+  const auto gaps = useful_gaps(context, relation);
+  for (int turn = 0; turn < 4; ++turn) {
+    const double yaw = target.yaw() + turn * pi / 2;
+    const Vec2 half = turned_half(size, turn * pi / 2);
+    for (int axis = 0; axis < 2; ++axis)
+      for (double sign : {-1.0, 1.0})
+        for (double gap : gaps) {
+          Vec2 local;
+          local[axis] = sign * (target.half()[axis] + gap + half[axis]);
+          const double slide = target.half()[1 - axis] - half[1 - axis];
+          for (double offset : {0.0, slide, -slide, 0.5 * slide, -0.5 * slide}) {
+            local[1 - axis] = offset;
+            poses.push_back({target.to_world(local), mounting_height(context), wrap_angle(yaw)});
+          }
+        }
+  }
+}
+
+// Seats along the straight sides of the target, shared out by length, all looking at it.
+void propose_seats(const ProposalContext& context, const ResolvedRelation& relation,
+                   const Footprint& target, std::vector<Pose>& poses) {
+  const Vec2 size = size_of(context);
+  const auto gaps = useful_gaps(context, relation);
+  const auto seat = [&](const Vec2& outward, const Vec2& rim) {
+    for (double gap : gaps) {
+      if (gap > 0.5) continue;
+      poses.push_back({rim + (gap + 0.5 * size.y()) * outward, mounting_height(context),
+                       yaw_facing(-outward)});
+    }
+  };
+  if (target.round()) {
+    const int seats = std::max(context.around_count, 2);
+    for (int i = 0; i < 4 * seats; ++i) {
+      const Vec2 direction = rotated({1, 0}, target.yaw() + 2 * pi * i / (4 * seats));
+      seat(direction, target.center() + target.half().minCoeff() * direction);
+    }
+    return;
+  }
+  for (int axis = 0; axis < 2; ++axis)
+    for (double sign : {-1.0, 1.0})
+      for (int seats = 1; seats <= 4; ++seats) {
+        const double length = 2 * target.half()[1 - axis];
+        if (seats > 1 && length / seats < size.x() + 0.02) break;
+        for (int i = 0; i < seats; ++i) {
+          Vec2 local;
+          local[axis] = sign * target.half()[axis];
+          local[1 - axis] = length * ((i + 0.5) / seats - 0.5);
+          Vec2 normal = Vec2::Zero();
+          normal[axis] = sign;
+          seat(rotated(normal, target.yaw()), target.to_world(local));
+        }
+      }
+}
+
+// At several distances straight before the target, looking at it, and slantwise.
+void propose_facing(const ProposalContext& context, const Footprint& target,
+                    std::vector<Pose>& poses) {
+  const double reach = 0.5 * size_of(context).y();
+  for (double distance : {0.4, 0.8, 1.2, 1.8, 2.4, 3.0})
+    for (int i = 0; i < 8; ++i) {
+      const Vec2 direction = rotated({1, 0}, target.yaw() + i * pi / 4);
+      const double rim = std::abs(direction.dot(target.to_world({1, 0}) - target.center())) *
+                             target.half().x() +
+                         std::abs(direction.dot(target.to_world({0, 1}) - target.center())) *
+                             target.half().y();
+      poses.push_back({target.center() + (rim + distance + reach) * direction,
+                       mounting_height(context), yaw_facing(-direction)});
+    }
+}
+
+void propose_on_surface(const ProposalContext& context, const Object& support,
+                        std::vector<Pose>& poses) {
+  const Footprint area = footprint(support);
+  const Vec2 room_left = area.half() - 0.5 * size_of(context);
+  const double height = mounting_height(context);
+  const int nx = std::max(0, static_cast<int>(room_left.x() / surface_pitch));
+  const int ny = std::max(0, static_cast<int>(room_left.y() / surface_pitch));
+  for (int turn : {0, 2})
+    for (int i = -nx; i <= nx; ++i)
+      for (int j = -ny; j <= ny; ++j)
+        poses.push_back({area.to_world({i * surface_pitch, j * surface_pitch}), height,
+                         wrap_angle(area.yaw() + turn * pi / 2)});
+}
+
+void propose_above_targets(const ProposalContext& context, std::vector<Pose>& poses) {
+  const Polygon& polygon = context.layout.room().polygon;
+  const double bottom = context.layout.room().height - context.task.object.size.z();
+  const Bounds2 box = bounds(polygon);
+  const double yaw = context.layout.wall_yaws().front();
+  poses.push_back({0.5 * (box.low + box.high), bottom, yaw});
+  for (const auto& relation : context.relations)
+    for (const auto& target : relation.targets)
+      if (takes_target(relation.kind)) poses.push_back({target.center(), bottom, target.yaw()});
+  for (double x = box.low.x() + 0.25; x < box.high.x(); x += 0.25)
+    for (double y = box.low.y() + 0.25; y < box.high.y(); y += 0.25)
+      poses.push_back({{x, y}, bottom, yaw});
+}
+
+void propose_for_relations(const ProposalContext& context, std::vector<Pose>& poses) {
+  for (const auto& relation : context.relations) {
+    if (!takes_target(relation.kind)) continue;
+    for (const auto& target : relation.targets) {
+      switch (relation.kind) {
+        case RelationKind::far: break;
+        case RelationKind::around: propose_seats(context, relation, target, poses); break;
+        case RelationKind::face_to: propose_facing(context, target, poses); break;
+        case RelationKind::under:
+        case RelationKind::above:
+          for (double turn : {0.0, pi / 2})
+            poses.push_back({target.center(), mounting_height(context), target.yaw() + turn});
+          break;
+        default: propose_beside(context, relation, target, poses); break;
+      }
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<double> useful_yaws(const ProposalContext& context) {
+  const auto all = context.layout.wall_yaws();
+  const Object& object = context.task.object;
+  const bool square = std::abs(object.size.x() - object.size.y()) < 1e-6;
+  if (object.traits.front || wants(context, RelationKind::edge) ||
+      wants(context, RelationKind::corner))
+    return {all.begin(), all.end()};
+  // Half a turn changes nothing, a quarter turn neither if it is square or round.
+  std::vector<double> yaws;
+  for (double yaw : all) {
+    const double period = square ? pi / 2 : pi;
+    const bool known = std::any_of(yaws.begin(), yaws.end(), [&](double other) {
+      return std::abs(std::remainder(yaw - other, period)) < 1e-6;
+    });
+    if (!known) yaws.push_back(yaw);
+  }
+  return yaws;
+}
+
+std::vector<Pose> propose_exact(const ProposalContext& context) {
+  std::vector<Pose> poses;
+  const Object& object = context.task.object;
+  switch (object.mount) {
+    case Mount::surface:
+      if (const Object* support = context.layout.find(object.on))
+        propose_on_surface(context, *support, poses);
+      return poses;
+    case Mount::ceiling: propose_above_targets(context, poses); return poses;
+    case Mount::wall: propose_at_walls(context, poses); return poses;
+    case Mount::floor: break;
+  }
+  if (context.task.location)
+    for (double yaw : useful_yaws(context))
+      poses.push_back({*context.task.location, mounting_height(context), yaw});
+  if (!wants(context, RelationKind::middle)) propose_at_walls(context, poses);
+  propose_for_relations(context, poses);
+  return poses;
+}
+
+std::vector<Pose> propose_grid(const ProposalContext& context, double pitch) {
+  std::vector<Pose> poses;
+  if (context.task.object.mount != Mount::floor) return poses;
+  const Bounds2 box = bounds(context.layout.room().polygon);
+  const auto yaws = useful_yaws(context);
+  const Vec2 cells = (box.size() / pitch).array().floor();
+  const Vec2 start = box.low + 0.5 * (box.size() - pitch * cells);
+  for (int j = 0; j <= static_cast<int>(cells.y()); ++j)
+    for (int i = 0; i <= static_cast<int>(cells.x()); ++i)
+      for (double yaw : yaws)
+        poses.push_back({start + pitch * Vec2(i, j), mounting_height(context), yaw});
+  return poses;
+}
+
+}  // namespace roomgen

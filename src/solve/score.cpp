@@ -1,0 +1,76 @@
+#include "score.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace roomgen {
+
+namespace {
+
+// A slot of this width looks like an oversight: too wide to touch, too narrow to walk through.
+constexpr double slot_low = 0.03;
+constexpr double slot_high = 0.45;
+constexpr double door_comfort = 0.6;
+constexpr double location_comfort = 1.0;
+
+double walkway_degree(const ProposalContext& context, const Footprint& footprint) {
+  double degree = 1.0;
+  for (const auto& opening : context.layout.room().openings) {
+    if (!opening.is_entrance()) continue;
+    const double clear = gap(footprint, door_clearance(context.layout.room(), opening));
+    degree = std::min(degree, std::min(clear / door_comfort, 1.0));
+  }
+  return degree;
+}
+
+double spread_degree(const ProposalContext& context, const Footprint& footprint) {
+  double degree = 1.0;
+  const Bounds2& box = footprint.bounds();
+  for (const auto& other : context.layout.things()) {
+    if (other.object->traits.flat || !box.overlaps(other.footprint.bounds(), slot_high)) continue;
+    const double slot = gap(footprint, other.footprint);
+    if (slot > slot_low && slot < slot_high) degree -= 0.3;
+  }
+  return std::max(degree, 0.0);
+}
+
+double closeness_degree(const ProposalContext& context, const Footprint& footprint) {
+  const auto& task = context.task;
+  double degree = 0.0;
+  if (task.location)
+    degree = 1.0 - std::min((footprint.center() - *task.location).norm() / location_comfort, 1.0);
+  if (task.facing)
+    degree += 0.5 * std::cos(footprint.yaw() - *task.facing);
+  return degree;
+}
+
+}  // namespace
+
+int count_lost(const ProposalContext& context, const Footprint& footprint, double bottom) {
+  const Subject subject{footprint, bottom, bottom + context.task.object.size.z()};
+  int lost = 0;
+  for (const auto& relation : context.relations)
+    lost += judge(relation, subject, context.layout.room()).held ? 0 : 1;
+  return lost;
+}
+
+PlacementTerms score(const ProposalContext& context, const Footprint& footprint, double bottom) {
+  PlacementTerms terms;
+  const Subject subject{footprint, bottom, bottom + context.task.object.size.z()};
+  for (const auto& relation : context.relations) {
+    const Judgement judgement = judge(relation, subject, context.layout.room());
+    ++(judgement.held ? terms.held : terms.lost);
+    terms.relations += judgement.degree;
+  }
+  if (!context.relations.empty()) terms.relations /= static_cast<double>(context.relations.size());
+  terms.walkway = walkway_degree(context, footprint);
+  terms.spread = spread_degree(context, footprint);
+  terms.closeness = closeness_degree(context, footprint);
+  return terms;
+}
+
+double total_degree(const PlacementTerms& terms) {
+  return terms.relations + 0.15 * terms.walkway + 0.15 * terms.spread + 0.5 * terms.closeness;
+}
+
+}  // namespace roomgen

@@ -1,0 +1,73 @@
+#include "roomgen/solve/solve.h"
+
+#include <map>
+
+#include "roomgen/evaluate/relations.h"
+
+namespace roomgen {
+
+namespace {
+
+// Coordinates as a file will hold them: what is checked is what is written.
+void round_pose(Object& object) {
+  for (int axis = 0; axis < 3; ++axis) object.position[axis] = rounded(object.position[axis]);
+  object.yaw = radians(rounded(degrees(wrap_angle(object.yaw)), 3));
+}
+
+Scene scene_of(const Problem& problem, const Layout& layout,
+               const std::vector<PlacementTask>& tasks,
+               const std::map<std::string, std::string>& reasons, const SolveOptions& options) {
+  Scene scene;
+  scene.prompt = problem.name;
+  scene.seed = options.seed;
+  scene.room = problem.room;
+  for (const auto& task : tasks) {
+    if (const Object* placed = layout.find(task.object.id)) {
+      scene.objects.push_back(*placed);
+      round_pose(scene.objects.back());
+    } else {
+      const auto reason = reasons.find(task.object.id);
+      scene.unplaced.push_back({task.object.id, task.object.category,
+                                reason == reasons.end() ? "stopped before it was tried"
+                                                        : reason->second});
+    }
+  }
+  scene.incomplete = options.cancel.cancelled();
+  return scene;
+}
+
+}  // namespace
+
+Result<Solution> solve(const Problem& problem, const ModelTable& models,
+                       const CategoryTable& categories, const SolveOptions& options) {
+  if (auto status = options.place.validate(); !status) return status.error();
+  const auto order = placement_order(problem.tasks);
+  if (!order) return order.error();
+  std::vector<PlacementTask> tasks;
+  for (std::size_t i : *order) tasks.push_back(problem.tasks[i]);
+
+  Layout layout(problem.room, categories, models);
+  Random random(options.seed);
+  std::map<std::string, std::string> reasons;
+  for (std::size_t i = 0; i < tasks.size() && !options.cancel.cancelled(); ++i) {
+    const std::span<const PlacementTask> later(tasks.data() + i + 1, tasks.size() - i - 1);
+    auto placed = place(layout, tasks[i], later, options.place, random);
+    if (placed) layout.add(placed->object);
+    else reasons[tasks[i].object.id] = placed.error().message;
+  }
+
+  ImproveOptions improve_options;
+  improve_options.place = options.place;
+  improve_options.rounds = options.rounds;
+  improve_options.cancel = options.cancel;
+  Solution solution;
+  solution.rounds = improve(layout, tasks, reasons, improve_options, random);
+  solution.scene = scene_of(problem, layout, tasks, reasons, options);
+  for (const auto& task : tasks)
+    solution.constraints += static_cast<int>(task.object.relations.size());
+  for (const auto& verdict : judge_scene(solution.scene, categories))
+    solution.held += verdict.judgement.held ? 1 : 0;
+  return solution;
+}
+
+}  // namespace roomgen
