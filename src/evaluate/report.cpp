@@ -63,13 +63,13 @@ int SceneReport::relations_held() const {
 }
 
 bool keeps_clear(const Object& object, const Room& room, const Opening& opening) {
-  if (object.traits.flat) return true;
-  if (opening.is_entrance()) {
-    if (bottom(object) >= opening.head) return true;
-    return !overlaps(footprint(object), door_clearance(room, opening), clearance_tolerance);
-  }
-  if (top(object) <= opening.sill + window_overlap || bottom(object) >= opening.head) return true;
-  return !overlaps(footprint(object), window_clearance(room, opening), clearance_tolerance);
+  if (object.traits.flat || object.mount == Mount::surface) return true;
+  const double from = opening.is_entrance() ? 0.0 : opening.sill + window_overlap;
+  if (top(object) <= from || bottom(object) >= opening.head) return true;
+  const auto areas = clearances(room, opening);
+  return std::none_of(areas.begin(), areas.end(), [&](const Footprint& area) {
+    return overlaps(footprint(object), area, clearance_tolerance);
+  });
 }
 
 SceneReport examine(const Scene& scene, const ModelTable& models, const CategoryTable& categories) {

@@ -33,7 +33,31 @@ bool separated_by_edge_of(const Footprint& a, const Footprint& b, double toleran
   return false;
 }
 
+// Liang-Barsky clipping of the segment against a box around the origin.
+bool clips(const Vec2& a, const Vec2& b, const Vec2& half) {
+  double enter = 0.0, leave = 1.0;
+  for (int axis = 0; axis < 2; ++axis) {
+    const double start = a[axis], delta = b[axis] - a[axis];
+    if (std::abs(delta) < 1e-15) {
+      if (std::abs(start) >= half[axis]) return false;
+      continue;
+    }
+    const double t0 = (-half[axis] - start) / delta, t1 = (half[axis] - start) / delta;
+    enter = std::max(enter, std::min(t0, t1));
+    leave = std::min(leave, std::max(t0, t1));
+  }
+  return enter < leave;
+}
+
 }  // namespace
+
+bool passes_through(const Footprint& footprint, const Segment& segment, double margin) {
+  const Vec2 half = (footprint.half().array() - margin).max(1e-9).matrix();
+  const Vec2 a = footprint.to_local(segment.a), b = footprint.to_local(segment.b);
+  if (!footprint.round()) return clips(a, b, half);
+  // Scaled so that the ellipse becomes the unit circle.
+  return distance({a.cwiseQuotient(half), b.cwiseQuotient(half)}, Vec2::Zero()) < 1.0;
+}
 
 Footprint::Footprint(const Vec2& center, const Vec2& size, double yaw, bool round)
     : center_(center), half_(0.5 * size), yaw_(yaw), cos_(std::cos(yaw)), sin_(std::sin(yaw)) {
@@ -76,26 +100,22 @@ bool overlaps(const Footprint& a, const Footprint& b, double tolerance) {
 
 double gap(const Footprint& a, const Footprint& b) {
   if (overlaps(a, b, 0.0)) return 0.0;
-  // Convex and apart: the nearest points are a corner of one and an edge of the other.
+  // Convex and apart: the nearest points are a corner of one and some point of the other.
   double best = std::numeric_limits<double>::max();
-  const auto from_corners_to_edges = [&best](const Footprint& p, const Footprint& q) {
-    const auto edges = q.outline();
-    for (std::size_t i = 0; i < edges.size(); ++i) {
-      const Segment edge{edges[i], edges[(i + 1) % edges.size()]};
-      for (const auto& corner : p.outline()) best = std::min(best, distance(edge, corner));
-    }
-  };
-  from_corners_to_edges(a, b);
-  from_corners_to_edges(b, a);
+  for (const auto& corner : a.outline()) best = std::min(best, gap(b, corner));
+  for (const auto& corner : b.outline()) best = std::min(best, gap(a, corner));
   return best;
 }
 
 double gap(const Footprint& footprint, const Segment& segment) {
-  if (contains(footprint, segment.a)) return 0.0;
-  double best = std::numeric_limits<double>::max();
+  if (contains(footprint, segment.a) || contains(footprint, segment.b)) return 0.0;
+  if (!footprint.round() && passes_through(footprint, segment)) return 0.0;
   const auto outline = footprint.outline();
-  for (std::size_t i = 0; i < outline.size(); ++i)
-    best = std::min(best, distance(Segment{outline[i], outline[(i + 1) % outline.size()]}, segment));
+  double best = std::min(gap(footprint, segment.a), gap(footprint, segment.b));
+  for (const auto& corner : outline) best = std::min(best, distance(segment, corner));
+  if (footprint.round())
+    for (std::size_t i = 0; i < outline.size() && best > 0.0; ++i)
+      if (intersects({outline[i], outline[(i + 1) % outline.size()]}, segment)) best = 0.0;
   return best;
 }
 
@@ -104,7 +124,12 @@ double gap(const Footprint& footprint, const Vec2& point) {
     const Vec2 outside = (footprint.to_local(point).cwiseAbs() - footprint.half()).cwiseMax(0.0);
     return outside.norm();
   }
-  return gap(footprint, Segment{point, point});
+  if (contains(footprint, point)) return 0.0;
+  const auto outline = footprint.outline();
+  double best = std::numeric_limits<double>::max();
+  for (std::size_t i = 0; i < outline.size(); ++i)
+    best = std::min(best, distance({outline[i], outline[(i + 1) % outline.size()]}, point));
+  return best;
 }
 
 bool contains(const Footprint& footprint, const Vec2& point) {

@@ -37,28 +37,10 @@ void drop_needless_points(std::vector<Vec2>& points) {
   }
 }
 
-// Does the segment pass through the interior of the footprint shrunk by `margin`?
-bool crosses(const Footprint& footprint, const Segment& segment, double margin) {
-  const Vec2 half = (footprint.half().array() - margin).max(1e-9).matrix();
-  const Vec2 a = footprint.to_local(segment.a), b = footprint.to_local(segment.b);
-  if (footprint.round()) {
-    // Scaled so that the ellipse becomes the unit circle.
-    const Segment scaled{a.cwiseQuotient(half), b.cwiseQuotient(half)};
-    return distance(scaled, Vec2::Zero()) < 1.0;
-  }
-  // Liang-Barsky clipping against the box.
-  double enter = 0.0, leave = 1.0;
-  for (int axis = 0; axis < 2; ++axis) {
-    const double start = a[axis], delta = b[axis] - a[axis];
-    if (std::abs(delta) < 1e-15) {
-      if (std::abs(start) >= half[axis]) return false;
-      continue;
-    }
-    const double t0 = (-half[axis] - start) / delta, t1 = (half[axis] - start) / delta;
-    enter = std::max(enter, std::min(t0, t1));
-    leave = std::min(leave, std::max(t0, t1));
-  }
-  return enter < leave;
+// How far two boxes are apart at least.
+double distance(const Bounds2& a, const Segment& b) {
+  const Vec2 below = a.low - b.a.cwiseMax(b.b), above = b.a.cwiseMin(b.b) - a.high;
+  return below.cwiseMax(above).cwiseMax(0.0).norm();
 }
 
 bool is_ear(const std::vector<Vec2>& points, const std::vector<std::uint32_t>& ring, std::size_t i) {
@@ -137,14 +119,15 @@ bool contains(const Polygon& polygon, const Footprint& footprint, double toleran
   // Inside when the centre is and no edge enters the footprint.
   if (!contains(polygon, footprint.center())) return false;
   for (std::size_t i = 0; i < polygon.size(); ++i)
-    if (crosses(footprint, polygon.edge(i), tolerance)) return false;
+    if (passes_through(footprint, polygon.edge(i), tolerance)) return false;
   return true;
 }
 
 double distance_to_boundary(const Polygon& polygon, const Footprint& footprint) {
   double best = std::numeric_limits<double>::max();
   for (std::size_t i = 0; i < polygon.size(); ++i)
-    best = std::min(best, gap(footprint, polygon.edge(i)));
+    if (distance(footprint.bounds(), polygon.edge(i)) < best)
+      best = std::min(best, gap(footprint, polygon.edge(i)));
   return best;
 }
 

@@ -1,6 +1,7 @@
 #include "roomgen/scene/room.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "roomgen/base/text.h"
 
@@ -10,7 +11,6 @@ namespace {
 
 // A door that does not swing in still needs a step of free floor behind it.
 constexpr double step_depth = 0.6;
-// A strip is drawn back from the wall face by this much so that flush furniture beside it is no overlap.
 constexpr double tolerance = 1e-6;
 
 Footprint strip_before(const Room& room, const Opening& opening, double depth) {
@@ -18,6 +18,10 @@ Footprint strip_before(const Room& room, const Opening& opening, double depth) {
   const Vec2 normal = inward(room, opening);
   return Footprint(line.middle() + 0.5 * depth * normal, {opening.width(), depth},
                    yaw_facing(normal));
+}
+
+bool swings_in(const Opening& opening) {
+  return opening.type == OpeningType::door && opening.swing == DoorSwing::in;
 }
 
 Error room_error(const Opening& opening, const std::string& what) {
@@ -51,13 +55,29 @@ Vec2 inward(const Room& room, const Opening& opening) {
 }
 
 Footprint door_clearance(const Room& room, const Opening& door) {
-  const bool swings_in = door.type == OpeningType::door && door.swing == DoorSwing::in;
-  const double depth = swings_in ? std::max(door_approach, door.width()) : step_depth;
-  return strip_before(room, door, depth);
+  return strip_before(room, door, swings_in(door) ? door_approach : step_depth);
 }
 
 Footprint window_clearance(const Room& room, const Opening& window) {
   return strip_before(room, window, window_strip);
+}
+
+std::vector<Footprint> clearances(const Room& room, const Opening& opening) {
+  if (!opening.is_entrance()) return {window_clearance(room, opening)};
+  std::vector<Footprint> areas = {door_clearance(room, opening)};
+  const double leaf = opening.width();
+  if (swings_in(opening) && leaf > door_approach) {
+    // The leaf's edge draws a quarter circle around the hinge; beyond the approach it stays within this
+    // rectangle on the side of the hinge.
+    const Segment line = segment(room, opening);
+    const Vec2 hinge = opening.hinge_at_from ? line.a : line.b;
+    const Vec2 along = opening.hinge_at_from ? line.direction() : Vec2(-line.direction());
+    const double reach = std::sqrt(leaf * leaf - door_approach * door_approach);
+    const Vec2 normal = inward(room, opening);
+    areas.emplace_back(hinge + 0.5 * reach * along + 0.5 * (door_approach + leaf) * normal,
+                       Vec2(reach, leaf - door_approach), yaw_facing(normal));
+  }
+  return areas;
 }
 
 const Opening* find_opening(const Room& room, std::string_view id) {

@@ -33,26 +33,40 @@ class Search {
       : layout_(layout), tasks_(tasks), reasons_(reasons), options_(options), random_(random) {}
 
   int run() {
-    LayoutQuality best = quality(layout_);
+    State best = state(), current = best;
     const int wanted = constraint_count(tasks_);
     int round = 0;
     for (; round < options_.rounds && !options_.cancel.cancelled(); ++round) {
-      if (best.placed == static_cast<int>(tasks_.size()) && best.held == wanted) break;
-      const auto before = std::vector<Object>(layout_.objects().begin(), layout_.objects().end());
-      const auto reasons_before = reasons_;
+      if (best.quality.placed == static_cast<int>(tasks_.size()) && best.quality.held == wanted)
+        break;
       recreate(choose_ruin(round));
       const LayoutQuality now = quality(layout_);
-      if (now.better_than(best)) {
-        best = now;
-      } else {
-        restore(before);
-        reasons_ = reasons_before;
-      }
+      // Sideways steps lead out of dead ends.
+      if (now.as_good_as(current.quality)) current = state();
+      else restore(current);
+      if (now.better_than(best.quality)) best = current;
     }
+    restore(best);
     return round;
   }
 
  private:
+  struct State {
+    std::vector<Object> objects;
+    std::map<std::string, std::string> reasons;
+    LayoutQuality quality;
+  };
+
+  State state() const {
+    return {{layout_.objects().begin(), layout_.objects().end()}, reasons_, quality(layout_)};
+  }
+
+  void restore(const State& state) {
+    while (!layout_.objects().empty()) layout_.remove(layout_.objects().back().id);
+    for (const auto& object : state.objects) layout_.add(object);
+    reasons_ = state.reasons;
+  }
+
   bool is_troubled(const PlacementTask& task) const {
     const Object* placed = layout_.find(task.object.id);
     return !placed ||
@@ -100,6 +114,8 @@ class Search {
   void recreate(const std::set<std::string>& ruin) {
     for (const auto& id : ruin) layout_.remove(id);
     PlaceOptions place_options = options_.place;
+    place_options.pitch *= 2.0;  // many rough rounds find more than few fine ones
+    place_options.lookahead /= 2;
     place_options.noise = options_.noise * random_.uniform();
     for (std::size_t i = 0; i < tasks_.size(); ++i) {
       const std::string& id = tasks_[i].object.id;
@@ -117,11 +133,6 @@ class Search {
     }
   }
 
-  void restore(const std::vector<Object>& before) {
-    while (!layout_.objects().empty()) layout_.remove(layout_.objects().back().id);
-    for (const auto& object : before) layout_.add(object);
-  }
-
   Layout& layout_;
   const std::vector<PlacementTask>& tasks_;
   std::map<std::string, std::string>& reasons_;
@@ -130,6 +141,10 @@ class Search {
 };
 
 }  // namespace
+
+bool LayoutQuality::as_good_as(const LayoutQuality& other) const {
+  return placed > other.placed || (placed == other.placed && held >= other.held);
+}
 
 bool LayoutQuality::better_than(const LayoutQuality& other) const {
   if (placed != other.placed) return placed > other.placed;

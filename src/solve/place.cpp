@@ -68,9 +68,8 @@ int count_around(const PlacementTask& task, std::span<const Object> placed,
 
 bool depends_on(const Object& object, const std::string& id) {
   return object.on == id ||
-         std::any_of(object.relations.begin(), object.relations.end(), [&](const Relation& r) {
-           return r.target == id && r.kind != RelationKind::far;
-         });
+         std::any_of(object.relations.begin(), object.relations.end(),
+                     [&](const Relation& relation) { return relation.target == id; });
 }
 
 // Tries, by the cheap tests alone, to place the tasks that depend on an object just added; returns how
@@ -88,11 +87,12 @@ int count_homeless(Layout& layout, const std::string& id, std::span<const Placem
     const auto candidate = layout.candidate(task.object);
     bool found = false;
     for (const auto& pose : propose_exact(context)) {
-      const Object posed = at_pose(task.object, pose);
-      if (count_lost(context, footprint(posed), pose.bottom) > 0) continue;
-      if (!layout.fits(candidate, footprint(posed), pose.bottom)) continue;
-      added.push_back(posed.id);
-      layout.add(posed);
+      const Footprint area(pose.position, task.object.size.head<2>(), pose.yaw,
+                           task.object.traits.round);
+      if (!layout.fits(candidate, area, pose.bottom)) continue;
+      if (!holds_all(context, area, pose.bottom)) continue;
+      added.push_back(task.object.id);
+      layout.add(at_pose(task.object, pose));
       found = true;
       break;
     }
@@ -135,7 +135,7 @@ class Chooser {
       if (!passed.empty() && scored_[i].terms.lost > scored_[passed.front()].terms.lost &&
           !task_.location)
         break;
-      if (failures_near(i) >= 2) {
+      if (failures_near(i) >= 2 || is_like_one_of(passed, i)) {
         deferred.push_back(i);
         continue;
       }
@@ -150,10 +150,20 @@ class Chooser {
 
  private:
   static constexpr double neighbourhood = 0.25;
+  static constexpr double alternative_distance = 0.6;
 
   std::pair<int, int> cell(std::size_t i) const {
     const Vec2 index = (scored_[i].pose.position / neighbourhood).array().floor();
     return {static_cast<int>(index.x()), static_cast<int>(index.y())};
+  }
+  // Alternatives are worth looking at when they differ.
+  bool is_like_one_of(const std::vector<std::size_t>& passed, std::size_t i) const {
+    const Pose& pose = scored_[i].pose;
+    return std::any_of(passed.begin(), passed.end(), [&](std::size_t j) {
+      const Pose& other = scored_[j].pose;
+      return (pose.position - other.position).norm() < alternative_distance &&
+             std::abs(wrap_angle(pose.yaw - other.yaw)) < 0.1;
+    });
   }
   int failures_near(std::size_t i) const {
     const auto found = failures_.find(cell(i));

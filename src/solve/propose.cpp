@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 namespace roomgen {
 
@@ -95,26 +96,69 @@ Vec2 turned_half(const Vec2& size, double relative_yaw) {
   return 0.5 * Vec2(c * size.x() + s * size.y(), s * size.x() + c * size.y());
 }
 
-// Beside each side of the target, at several gaps, centred or flush with its ends, each way round.
+// What the relations with one target leave open: on which sides of it, turned how against it.
+struct Beside {
+  bool sides[4] = {true, true, true, true};  // front, back, left, right
+  bool turns[4] = {true, true, true, true};  // quarter turns of the yaw against the target's
+  bool faces_target = false;
+};
+
+void keep_only(bool (&flags)[4], std::initializer_list<int> kept) {
+  bool result[4] = {};
+  for (int i : kept) result[i] = flags[i];
+  std::copy(result, result + 4, flags);
+}
+
+Beside beside_target(const ProposalContext& context, const Vec2& target) {
+  Beside beside;
+  for (const auto& relation : context.relations) {
+    if (!takes_target(relation.kind) || relation.targets.size() != 1 ||
+        relation.targets.front().center() != target)
+      continue;
+    switch (relation.kind) {
+      case RelationKind::in_front_of: keep_only(beside.sides, {0}); break;
+      case RelationKind::behind: keep_only(beside.sides, {1}); break;
+      case RelationKind::left_of: keep_only(beside.sides, {2}); break;
+      case RelationKind::right_of: keep_only(beside.sides, {3}); break;
+      case RelationKind::side_of: keep_only(beside.sides, {2, 3}); break;
+      case RelationKind::face_same_as: keep_only(beside.turns, {0}); break;
+      case RelationKind::face_opposite_to: keep_only(beside.turns, {2}); break;
+      case RelationKind::face_to: beside.faces_target = true; break;
+      default: break;
+    }
+  }
+  const Vec3& size = context.task.object.size;
+  if (!context.task.object.traits.front && !wants(context, RelationKind::edge))
+    keep_only(beside.turns, size.x() == size.y() ? std::initializer_list<int>{0}
+                                                 : std::initializer_list<int>{0, 1});
+  return beside;
+}
+
+// Beside the sides of the target that the relations allow, at several gaps, centred or flush with its
+// ends, each way round.
 void propose_beside(const ProposalContext& context, const ResolvedRelation& relation,
                     const Footprint& target, std::vector<Pose>& poses) {
   const Vec2 size = size_of(context);
   const auto gaps = useful_gaps(context, relation);
-  for (int turn = 0; turn < 4; ++turn) {
-    const double yaw = target.yaw() + turn * pi / 2;
-    const Vec2 half = turned_half(size, turn * pi / 2);
-    for (int axis = 0; axis < 2; ++axis)
-      for (double sign : {-1.0, 1.0})
-        for (double gap : gaps) {
+  const Beside beside = beside_target(context, target.center());
+  constexpr int turn_to_face[4] = {2, 0, 3, 1};  // from the front, back, left, right
+  for (int side = 0; side < 4; ++side)
+    for (int turn = 0; turn < 4; ++turn) {
+      if (!beside.sides[side] || !beside.turns[turn]) continue;
+      if (beside.faces_target && turn != turn_to_face[side]) continue;
+      const double yaw = wrap_angle(target.yaw() + turn * pi / 2);
+      const Vec2 half = turned_half(size, turn * pi / 2);
+      const int axis = side < 2 ? 1 : 0;
+      const double sign = side == 0 || side == 3 ? -1.0 : 1.0;
+      const double slide = target.half()[1 - axis] - half[1 - axis];
+      for (double gap : gaps)
+        for (double offset : {0.0, slide, -slide, 0.5 * slide, -0.5 * slide}) {
           Vec2 local;
           local[axis] = sign * (target.half()[axis] + gap + half[axis]);
-          const double slide = target.half()[1 - axis] - half[1 - axis];
-          for (double offset : {0.0, slide, -slide, 0.5 * slide, -0.5 * slide}) {
-            local[1 - axis] = offset;
-            poses.push_back({target.to_world(local), mounting_height(context), wrap_angle(yaw)});
-          }
+          local[1 - axis] = offset;
+          poses.push_back({target.to_world(local), mounting_height(context), yaw});
         }
-  }
+    }
 }
 
 // Seats along the straight sides of the target, shared out by length, all looking at it.
@@ -197,21 +241,47 @@ void propose_above_targets(const ProposalContext& context, std::vector<Pose>& po
       poses.push_back({{x, y}, bottom, yaw});
 }
 
+bool places_beside(RelationKind kind) {
+  switch (kind) {
+    case RelationKind::near:
+    case RelationKind::in_front_of:
+    case RelationKind::behind:
+    case RelationKind::left_of:
+    case RelationKind::right_of:
+    case RelationKind::side_of:
+    case RelationKind::center_aligned:
+    case RelationKind::aligned:
+    case RelationKind::face_same_as:
+    case RelationKind::face_opposite_to: return true;
+    default: return false;
+  }
+}
+
+void propose_for_relation(const ProposalContext& context, const ResolvedRelation& relation,
+                          const Footprint& target, std::vector<Pose>& poses) {
+  switch (relation.kind) {
+    case RelationKind::around: propose_seats(context, relation, target, poses); break;
+    case RelationKind::face_to: propose_facing(context, target, poses); break;
+    case RelationKind::under:
+    case RelationKind::above:
+      for (double turn : {0.0, pi / 2})
+        poses.push_back({target.center(), mounting_height(context), target.yaw() + turn});
+      break;
+    default: break;
+  }
+}
+
 void propose_for_relations(const ProposalContext& context, std::vector<Pose>& poses) {
+  std::vector<Vec2> seen;  // one round of poses beside a target serves all relations with it
   for (const auto& relation : context.relations) {
     if (!takes_target(relation.kind)) continue;
     for (const auto& target : relation.targets) {
-      switch (relation.kind) {
-        case RelationKind::far: break;
-        case RelationKind::around: propose_seats(context, relation, target, poses); break;
-        case RelationKind::face_to: propose_facing(context, target, poses); break;
-        case RelationKind::under:
-        case RelationKind::above:
-          for (double turn : {0.0, pi / 2})
-            poses.push_back({target.center(), mounting_height(context), target.yaw() + turn});
-          break;
-        default: propose_beside(context, relation, target, poses); break;
-      }
+      propose_for_relation(context, relation, target, poses);
+      if (!places_beside(relation.kind) ||
+          std::find(seen.begin(), seen.end(), target.center()) != seen.end())
+        continue;
+      seen.push_back(target.center());
+      propose_beside(context, relation, target, poses);
     }
   }
 }

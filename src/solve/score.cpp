@@ -46,12 +46,12 @@ double closeness_degree(const ProposalContext& context, const Footprint& footpri
 
 }  // namespace
 
-int count_lost(const ProposalContext& context, const Footprint& footprint, double bottom) {
+bool holds_all(const ProposalContext& context, const Footprint& footprint, double bottom) {
   const Subject subject{footprint, bottom, bottom + context.task.object.size.z()};
-  int lost = 0;
-  for (const auto& relation : context.relations)
-    lost += judge(relation, subject, context.layout.room()).held ? 0 : 1;
-  return lost;
+  return std::all_of(context.relations.begin(), context.relations.end(),
+                     [&](const ResolvedRelation& relation) {
+                       return judge(relation, subject, context.layout.room()).held;
+                     });
 }
 
 PlacementTerms score(const ProposalContext& context, const Footprint& footprint, double bottom) {

@@ -11,7 +11,7 @@ PlacementTerms score(const ProposalContext& context, const Footprint& footprint,
 /// The terms as one number: what decides between candidates that the fusion ranks alike.
 double total_degree(const PlacementTerms& terms);
 
-/// For candidates that are only tested for feasibility: how many constraints the pose loses.
-int count_lost(const ProposalContext& context, const Footprint& footprint, double bottom);
+/// Do all constraints hold at the pose?
+bool holds_all(const ProposalContext& context, const Footprint& footprint, double bottom);
 
 }  // namespace roomgen

@@ -62,6 +62,8 @@ class Footprint {
 
 /// True when the interiors share more than a band of `tolerance` metres (touching is no overlap).
 bool overlaps(const Footprint& a, const Footprint& b, double tolerance = 1e-6);
+/// Does the segment enter the interior of the footprint shrunk by `margin` metres on all sides?
+bool passes_through(const Footprint& footprint, const Segment& segment, double margin = 0.0);
 /// Distance between the outlines; 0 when they overlap.
 double gap(const Footprint& a, const Footprint& b);
 double gap(const Footprint& footprint, const Segment& segment);

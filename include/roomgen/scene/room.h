@@ -57,11 +57,14 @@ struct Room {
 Segment segment(const Room& room, const Opening& opening);
 /// Unit normal of the opening's wall, towards the inside.
 Vec2 inward(const Room& room, const Opening& opening);
-/// The rectangle before a door that must stay free: as wide as the door, as deep as its leaf when it
-/// swings in and at least door_approach (0.6 m for a door that does not swing in).
+/// The rectangle before a door where people pass: as wide as the door and door_approach deep; 0.6 m deep
+/// for a passage and for a door that does not swing in.
 Footprint door_clearance(const Room& room, const Opening& door);
 /// The strip before a window in which nothing may reach higher than sill + window_overlap.
 Footprint window_clearance(const Room& room, const Opening& window);
+/// All floor that an opening needs: the above, and for a door that swings in where its leaf sweeps
+/// beyond the approach (a leaf wider than door_approach).
+std::vector<Footprint> clearances(const Room& room, const Opening& opening);
 const Opening* find_opening(const Room& room, std::string_view id);
 
 /// Openings must lie on their wall, below the ceiling, and not overlap each other.

@@ -27,6 +27,8 @@ struct LayoutQuality {
   double degree = 0.0;
 
   bool better_than(const LayoutQuality& other) const;
+  /// As many placed and held; the degree may be worse.
+  bool as_good_as(const LayoutQuality& other) const;
 };
 LayoutQuality quality(const Layout& layout);
 
