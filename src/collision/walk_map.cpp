@@ -6,8 +6,23 @@
 namespace roomgen {
 
 namespace {
+
 // Cells lie within this margin of what they stand for, so that a gap of exactly 0.5 m is passable.
 constexpr double slack = 1e-6;
+constexpr int word_bits = 64;
+
+// Spreads the bits of `seeds` over runs of `open` bits, both ways (Kogge-Stone parallel prefix).
+std::uint64_t fill_runs(std::uint64_t seeds, std::uint64_t open) {
+  std::uint64_t up = seeds & open, down = up, open_up = open, open_down = open;
+  for (int shift = 1; shift < word_bits; shift *= 2) {
+    up |= open_up & (up << shift);
+    open_up &= open_up << shift;
+    down |= open_down & (down >> shift);
+    open_down &= open_down >> shift;
+  }
+  return up | down;
+}
+
 }  // namespace
 
 WalkMap::WalkMap(const Room& room, double pitch) : pitch_(pitch) {
@@ -15,15 +30,17 @@ WalkMap::WalkMap(const Room& room, double pitch) : pitch_(pitch) {
   low_ = box.low;
   columns_ = std::max(1, static_cast<int>(std::ceil(box.size().x() / pitch_)));
   rows_ = std::max(1, static_cast<int>(std::ceil(box.size().y() / pitch_)));
-  const auto cells = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
-  blocked_.resize(cells);
-  reachable_.resize(cells);
+  words_ = (columns_ + word_bits - 1) / word_bits;
+  blocked_.resize(static_cast<std::size_t>(columns_) * rows_);
+  free_.resize(static_cast<std::size_t>(words_) * rows_);
+  reachable_.resize(free_.size());
   for (int r = 0; r < rows_; ++r)
     for (int c = 0; c < columns_; ++c) {
       const Vec2 point = center(c, r);
-      const bool free = contains(room.polygon, point) &&
-                        distance_to_boundary(room.polygon, point) >= person_radius - slack;
-      blocked_[static_cast<std::size_t>(r) * columns_ + c] = free ? 0 : 1;
+      const bool clear = contains(room.polygon, point) &&
+                         distance_to_boundary(room.polygon, point) >= person_radius - slack;
+      blocked_[static_cast<std::size_t>(r) * columns_ + c] = 1;
+      if (clear) change_count(c, r, -1);
     }
   for (const auto& opening : room.openings)
     if (opening.is_entrance()) doors_.push_back(cells_in(door_clearance(room, opening)));
@@ -41,53 +58,88 @@ Vec2 WalkMap::center(int column, int row) const {
   return low_ + pitch_ * Vec2(column + 0.5, row + 0.5);
 }
 
+bool WalkMap::is_reachable(int column, int row) const {
+  return reachable_[static_cast<std::size_t>(row) * words_ + column / word_bits] >>
+             (column % word_bits) & 1u;
+}
+
+void WalkMap::change_count(int column, int row, int change) {
+  auto& count = blocked_[static_cast<std::size_t>(row) * columns_ + column];
+  count = static_cast<std::uint16_t>(count + change);
+  auto& word = free_[static_cast<std::size_t>(row) * words_ + column / word_bits];
+  const std::uint64_t bit = std::uint64_t{1} << (column % word_bits);
+  word = count == 0 ? word | bit : word & ~bit;
+}
+
 void WalkMap::stamp(const Footprint& footprint, int change) {
   const Vec2 reach = Vec2::Constant(person_radius);
   const Vec2 low = footprint.bounds().low - reach, high = footprint.bounds().high + reach;
-  for (int r = row(low.y()); r <= row(high.y()); ++r)
-    for (int c = column(low.x()); c <= column(high.x()); ++c)
-      if (gap(footprint, center(c, r)) < person_radius - slack) {
-        auto& count = blocked_[static_cast<std::size_t>(r) * columns_ + c];
-        count = static_cast<std::uint16_t>(count + change);
-      }
+  const double limit = person_radius - slack;
+  const int first = column(low.x()), last = column(high.x());
+  for (int r = row(low.y()); r <= row(high.y()); ++r) {
+    if (footprint.round()) {
+      for (int c = first; c <= last; ++c)
+        if (gap(footprint, center(c, r)) < limit) change_count(c, r, change);
+      continue;
+    }
+    // The local coordinates change by a constant from cell to cell.
+    Vec2 local = footprint.to_local(center(first, r));
+    const Vec2 step = footprint.to_local(center(first + 1, r)) - local;
+    for (int c = first; c <= last; ++c, local += step) {
+      const double dx = std::max(0.0, std::abs(local.x()) - footprint.half().x());
+      const double dy = std::max(0.0, std::abs(local.y()) - footprint.half().y());
+      if (dx * dx + dy * dy < limit * limit) change_count(c, r, change);
+    }
+  }
 }
 
-std::vector<int> WalkMap::cells_in(const Footprint& area) const {
-  std::vector<int> cells;
+std::vector<WalkMap::Cell> WalkMap::cells_in(const Footprint& area) const {
+  std::vector<Cell> cells;
   for (int r = row(area.bounds().low.y()); r <= row(area.bounds().high.y()); ++r)
     for (int c = column(area.bounds().low.x()); c <= column(area.bounds().high.x()); ++c)
-      if (contains(area, center(c, r))) cells.push_back(r * columns_ + c);
+      if (contains(area, center(c, r))) cells.push_back({c, r});
   return cells;
+}
+
+// Lets the reachable cells of `from_row` into `row` and spreads them along it; true if any was new.
+bool WalkMap::flood_row(int row, int from_row) {
+  auto* own = reachable_.data() + static_cast<std::size_t>(row) * words_;
+  const auto* from = reachable_.data() + static_cast<std::size_t>(from_row) * words_;
+  const auto* open = free_.data() + static_cast<std::size_t>(row) * words_;
+  bool changed = false;
+  const auto spread = [&](int w, std::uint64_t seeds) {
+    const std::uint64_t filled = fill_runs(own[w] | seeds, open[w]);
+    changed = changed || filled != own[w];
+    own[w] = filled;
+  };
+  for (int w = 0; w < words_; ++w)
+    spread(w, from[w] | (w > 0 ? own[w - 1] >> (word_bits - 1) : 0));
+  for (int w = words_ - 2; w >= 0; --w) spread(w, own[w + 1] << (word_bits - 1));
+  return changed;
 }
 
 void WalkMap::flood() {
   if (doors_.empty()) {
-    for (std::size_t i = 0; i < blocked_.size(); ++i) reachable_[i] = blocked_[i] == 0;
+    reachable_ = free_;
     return;
   }
-  std::fill(reachable_.begin(), reachable_.end(), std::uint8_t{0});
-  frontier_.clear();
-  const auto visit = [this](int cell) {
-    if (blocked_[cell] == 0 && !reachable_[cell]) {
-      reachable_[cell] = 1;
-      frontier_.push_back(cell);
-    }
-  };
-  for (int cell : doors_.front()) visit(cell);
-  while (!frontier_.empty()) {
-    const int cell = frontier_.back();
-    frontier_.pop_back();
-    const int c = cell % columns_;
-    if (c > 0) visit(cell - 1);
-    if (c + 1 < columns_) visit(cell + 1);
-    if (cell >= columns_) visit(cell - columns_);
-    if (cell + columns_ < static_cast<int>(blocked_.size())) visit(cell + columns_);
+  std::fill(reachable_.begin(), reachable_.end(), std::uint64_t{0});
+  for (const auto& cell : doors_.front())
+    reachable_[static_cast<std::size_t>(cell.row) * words_ + cell.column / word_bits] |=
+        std::uint64_t{1} << (cell.column % word_bits);
+  for (std::size_t w = 0; w < free_.size(); ++w) reachable_[w] &= free_[w];
+  bool changed = true;
+  while (changed) {
+    changed = false;
+    for (int r = 0; r < rows_; ++r) changed = flood_row(r, std::max(r - 1, 0)) || changed;
+    for (int r = rows_ - 2; r >= 0; --r) changed = flood_row(r, r + 1) || changed;
   }
 }
 
 bool WalkMap::doors_connected() const {
-  return std::all_of(doors_.begin(), doors_.end(), [this](const std::vector<int>& cells) {
-    return std::any_of(cells.begin(), cells.end(), [this](int cell) { return reachable_[cell]; });
+  return std::all_of(doors_.begin(), doors_.end(), [this](const std::vector<Cell>& cells) {
+    return std::any_of(cells.begin(), cells.end(),
+                       [this](const Cell& cell) { return is_reachable(cell.column, cell.row); });
   });
 }
 
@@ -96,9 +148,7 @@ bool WalkMap::reaches(const Footprint& zone) const {
   const Vec2 low = zone.bounds().low - reach, high = zone.bounds().high + reach;
   for (int r = row(low.y()); r <= row(high.y()); ++r)
     for (int c = column(low.x()); c <= column(high.x()); ++c)
-      if (reachable_[static_cast<std::size_t>(r) * columns_ + c] &&
-          gap(zone, center(c, r)) <= person_radius)
-        return true;
+      if (is_reachable(c, r) && gap(zone, center(c, r)) <= person_radius) return true;
   return false;
 }
 

@@ -1,9 +1,12 @@
 #include "roomgen/solve/improve.h"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 
+#include "propose.h"
 #include "roomgen/evaluate/relations.h"
+#include "score.h"
 
 namespace roomgen {
 
@@ -39,7 +42,8 @@ class Search {
     for (; round < options_.rounds && !options_.cancel.cancelled(); ++round) {
       if (best.quality.placed == static_cast<int>(tasks_.size()) && best.quality.held == wanted)
         break;
-      recreate(choose_ruin(round));
+      if (round % 2 == 0) eject();
+      else recreate(choose_ruin(round));
       const LayoutQuality now = quality(layout_);
       // Sideways steps lead out of dead ends.
       if (now.as_good_as(current.quality)) current = state();
@@ -81,13 +85,10 @@ class Search {
   // Everything in now and then: from small repairs to a new start.
   std::set<std::string> choose_ruin(int round) {
     std::set<std::string> ruin;
-    if (round % 8 == 7) {
+    if (round % 16 == 15) {
       for (const auto& task : tasks_) ruin.insert(task.object.id);
     } else {
-      std::vector<const PlacementTask*> troubled;
-      for (const auto& task : tasks_)
-        if (is_troubled(task)) troubled.push_back(&task);
-      const PlacementTask& chosen = *random_.pick(troubled);
+      const PlacementTask& chosen = choose_troubled();
       ruin.insert(chosen.object.id);
       for (const auto& relation : chosen.object.relations)
         if (layout_.find(relation.target) && random_.chance(0.6)) ruin.insert(relation.target);
@@ -109,6 +110,68 @@ class Search {
                       [&](const Relation& relation) { return ruin.count(relation.target) > 0; });
       if (depends) ruin.insert(object.id);
     }
+  }
+
+  const PlacementTask& choose_troubled() {
+    std::vector<const PlacementTask*> troubled;
+    for (const auto& task : tasks_)
+      if (is_troubled(task) && !is_fixed(task.object.id)) troubled.push_back(&task);
+    return troubled.empty() ? random_.pick(tasks_) : *random_.pick(troubled);
+  }
+
+  // Gives a troubled object a pose where all its constraints hold, whoever stands there: those are put
+  // elsewhere (an ejection chain).
+  void eject() {
+    const PlacementTask& task = choose_troubled();
+    if (is_fixed(task.object.id)) return;
+    layout_.remove(task.object.id);
+    const auto pose = pose_with_least_in_the_way(task);
+    std::set<std::string> ruin = {task.object.id};
+    if (pose)
+      for (const auto& id : in_the_way(task, *pose)) ruin.insert(id);
+    add_dependants(ruin);
+    std::erase_if(ruin, [this](const std::string& id) { return is_fixed(id); });
+    for (const auto& id : ruin) layout_.remove(id);
+    if (pose) {
+      const auto candidate = layout_.candidate(at_pose(task.object, *pose));
+      const Footprint area = footprint(candidate.object);
+      if (layout_.fits(candidate, area, pose->bottom) && layout_.fits_exactly(candidate)) {
+        layout_.add(candidate.object);
+        reasons_.erase(task.object.id);
+        ruin.erase(task.object.id);
+      }
+    }
+    recreate(ruin);
+  }
+
+  std::vector<std::string> in_the_way(const PlacementTask& task, const Pose& pose) const {
+    const auto candidate = layout_.candidate(at_pose(task.object, pose));
+    const Footprint area = footprint(candidate.object);
+    std::vector<std::string> ids;
+    for (const auto& thing : layout_.things())
+      if (layout_.collides(candidate, area, pose.bottom, thing)) ids.push_back(thing.object->id);
+    return ids;
+  }
+
+  std::optional<Pose> pose_with_least_in_the_way(const PlacementTask& task) {
+    const auto relations =
+        resolve(task.object, layout_.room(), layout_.objects(), layout_.categories());
+    const ProposalContext context{layout_, task, relations, 1};
+    const auto candidate = layout_.candidate(task.object);
+    std::optional<Pose> best;
+    double best_cost = 1e9;
+    for (const auto& pose : propose_exact(context)) {
+      const Footprint area(pose.position, task.object.size.head<2>(), pose.yaw,
+                           task.object.traits.round);
+      if (!layout_.fits_room(candidate, area, pose.bottom)) continue;
+      if (!holds_all(context, area, pose.bottom)) continue;
+      const auto blockers = in_the_way(task, pose);
+      const bool fixed = std::any_of(blockers.begin(), blockers.end(),
+                                     [this](const std::string& id) { return is_fixed(id); });
+      const double cost = static_cast<double>(blockers.size()) + 1.5 * random_.uniform();
+      if (!fixed && cost < best_cost) best = pose, best_cost = cost;
+    }
+    return best;
   }
 
   void recreate(const std::set<std::string>& ruin) {

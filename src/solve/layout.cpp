@@ -64,26 +64,35 @@ const Object* Layout::find(std::string_view id) const {
 }
 
 void Layout::refresh_things() {
-  things_.resize(objects_.size());
   for (std::size_t i = 0; i < objects_.size(); ++i) things_[i].object = &objects_[i];
 }
 
 void Layout::add(Object object) {
-  if (blocks_floor(object)) walk_map_.add(footprint(object));
   things_.push_back(floor_thing(object, categories_));
   objects_.push_back(std::move(object));
+  in_walk_map_.push_back(false);
   refresh_things();
 }
 
 void Layout::remove(std::string_view id) {
   for (std::size_t i = 0; i < objects_.size(); ++i) {
     if (objects_[i].id != id) continue;
-    if (blocks_floor(objects_[i])) walk_map_.remove(things_[i].footprint);
-    objects_.erase(objects_.begin() + static_cast<std::ptrdiff_t>(i));
-    things_.erase(things_.begin() + static_cast<std::ptrdiff_t>(i));
+    const auto at = static_cast<std::ptrdiff_t>(i);
+    if (in_walk_map_[i]) walk_map_.remove(things_[i].footprint);
+    objects_.erase(objects_.begin() + at);
+    things_.erase(things_.begin() + at);
+    in_walk_map_.erase(in_walk_map_.begin() + at);
     break;
   }
   refresh_things();
+}
+
+void Layout::bring_walk_map_up_to_date() {
+  for (std::size_t i = 0; i < objects_.size(); ++i)
+    if (!in_walk_map_[i] && blocks_floor(objects_[i])) {
+      walk_map_.add(things_[i].footprint);
+      in_walk_map_[i] = true;
+    }
 }
 
 Layout::Candidate Layout::candidate(const Object& object) const {
@@ -94,7 +103,8 @@ bool Layout::may_tuck(const Category& a, const Category& b) const {
   return has_models_ && (is_any_of(a, b.tucks_under) || is_any_of(b, a.tucks_under));
 }
 
-bool Layout::fits(const Candidate& candidate, const Footprint& footprint, double bottom) const {
+bool Layout::fits_room(const Candidate& candidate, const Footprint& footprint,
+                       double bottom) const {
   const Object& object = candidate.object;
   const double top = bottom + object.size.z();
   if (top > room_.height + inside_tolerance) return false;
@@ -106,27 +116,33 @@ bool Layout::fits(const Candidate& candidate, const Footprint& footprint, double
   } else if (!contains(room_.polygon, footprint, inside_tolerance)) {
     return false;
   }
-  if (object.traits.flat) {
-    // Rugs may lie under everything but not over each other.
-    return std::none_of(things_.begin(), things_.end(), [&](const FloorThing& other) {
-      return other.object->traits.flat && overlaps(footprint, other.footprint, touch_tolerance);
-    });
-  }
-  for (const auto& clearance : clearances_)
-    if (object.mount != Mount::surface && top > clearance.from && bottom < clearance.to &&
-        overlaps(footprint, clearance.area, inside_tolerance))
-      return false;
-  for (const auto& other : things_) {
-    if (!box.overlaps(other.footprint.bounds(), -touch_tolerance)) continue;
-    if (!both_solid(object, *other.object)) continue;
-    if (bottom >= roomgen::top(*other.object) - touch_tolerance ||
-        roomgen::bottom(*other.object) >= top - touch_tolerance)
-      continue;
-    if (overlaps(footprint, other.footprint, touch_tolerance) &&
-        !may_tuck(*candidate.category, *other.category))
-      return false;
-  }
-  return true;
+  if (object.traits.flat || object.mount == Mount::surface) return true;
+  return std::none_of(clearances_.begin(), clearances_.end(), [&](const Clearance& clearance) {
+    return top > clearance.from && bottom < clearance.to &&
+           overlaps(footprint, clearance.area, inside_tolerance);
+  });
+}
+
+bool Layout::collides(const Candidate& candidate, const Footprint& footprint, double bottom,
+                      const FloorThing& other) const {
+  if (!footprint.bounds().overlaps(other.footprint.bounds(), -touch_tolerance)) return false;
+  const Object& object = candidate.object;
+  // Rugs may lie under everything but not over each other.
+  if (!both_solid(object, *other.object))
+    return object.traits.flat && other.object->traits.flat &&
+           overlaps(footprint, other.footprint, touch_tolerance);
+  if (bottom >= top(*other.object) - touch_tolerance ||
+      roomgen::bottom(*other.object) >= bottom + object.size.z() - touch_tolerance)
+    return false;
+  return overlaps(footprint, other.footprint, touch_tolerance) &&
+         !may_tuck(*candidate.category, *other.category);
+}
+
+bool Layout::fits(const Candidate& candidate, const Footprint& footprint, double bottom) const {
+  return fits_room(candidate, footprint, bottom) &&
+         std::none_of(things_.begin(), things_.end(), [&](const FloorThing& other) {
+           return collides(candidate, footprint, bottom, other);
+         });
 }
 
 bool Layout::fits_exactly(const Candidate& candidate) {
@@ -137,6 +153,7 @@ bool Layout::fits_exactly(const Candidate& candidate) {
       return false;
   if (!blocks_floor(object)) return true;
 
+  bring_walk_map_up_to_date();
   walk_map_.add(own);
   walk_map_.flood();
   things_.push_back({&object, candidate.category, own});

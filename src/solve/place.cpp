@@ -72,33 +72,39 @@ bool depends_on(const Object& object, const std::string& id) {
                      [&](const Relation& relation) { return relation.target == id; });
 }
 
-// Tries, by the cheap tests alone, to place the tasks that depend on an object just added; returns how
-// many do not find a place that holds all their constraints. The layout is left as it was.
+// Places a task by the cheap tests alone where all its constraints hold, if it can.
+bool place_roughly(Layout& layout, const PlacementTask& task, std::span<const PlacementTask> later) {
+  auto relations = resolve(task.object, layout.room(), layout.objects(), layout.categories());
+  // What waits for a target of its own cannot be judged yet.
+  std::erase_if(relations, [](const ResolvedRelation& r) { return r.targets.empty(); });
+  const ProposalContext context{layout, task, relations,
+                                count_around(task, layout.objects(), later)};
+  const auto candidate = layout.candidate(task.object);
+  for (const auto& pose : propose_exact(context)) {
+    const Footprint area(pose.position, task.object.size.head<2>(), pose.yaw,
+                         task.object.traits.round);
+    if (!layout.fits(candidate, area, pose.bottom)) continue;
+    if (!holds_all(context, area, pose.bottom)) continue;
+    layout.add(at_pose(task.object, pose));
+    return true;
+  }
+  return false;
+}
+
+// How many of the tasks that depend on an object just added, directly or through each other, do not find
+// a place that holds all their constraints. The layout is left as it was.
 int count_homeless(Layout& layout, const std::string& id, std::span<const PlacementTask> later) {
   int homeless = 0;
-  std::vector<std::string> added;
+  std::vector<std::string> family = {id};
   for (const auto& task : later) {
-    if (!depends_on(task.object, id)) continue;
-    auto relations = resolve(task.object, layout.room(), layout.objects(), layout.categories());
-    // What waits for a target of its own cannot be judged yet.
-    std::erase_if(relations, [](const ResolvedRelation& r) { return r.targets.empty(); });
-    const int around = count_around(task, layout.objects(), later);
-    const ProposalContext context{layout, task, relations, around};
-    const auto candidate = layout.candidate(task.object);
-    bool found = false;
-    for (const auto& pose : propose_exact(context)) {
-      const Footprint area(pose.position, task.object.size.head<2>(), pose.yaw,
-                           task.object.traits.round);
-      if (!layout.fits(candidate, area, pose.bottom)) continue;
-      if (!holds_all(context, area, pose.bottom)) continue;
-      added.push_back(task.object.id);
-      layout.add(at_pose(task.object, pose));
-      found = true;
-      break;
-    }
-    if (!found) ++homeless;
+    const bool related = std::any_of(family.begin(), family.end(), [&](const std::string& member) {
+      return depends_on(task.object, member);
+    });
+    if (!related) continue;
+    if (place_roughly(layout, task, later)) family.push_back(task.object.id);
+    else ++homeless;
   }
-  for (const auto& other : added) layout.remove(other);
+  for (std::size_t i = 1; i < family.size(); ++i) layout.remove(family[i]);
   return homeless;
 }
 
@@ -118,34 +124,28 @@ Error refusal(const PlacementTask& task, int candidates, int feasible) {
   return {Error::Kind::not_found, why};
 }
 
-// Tests candidates in the order of choice until one stands up to the exact tests. Near a candidate that
-// failed, others will probably fail too: they are tried after those elsewhere.
+// Walks through candidates in the order of choice and tests each on meshes and reachability. Near one that
+// failed, others will probably fail too; near one that passed, others are no real alternative: both come
+// after those elsewhere.
 class Chooser {
  public:
   Chooser(Layout& layout, const PlacementTask& task, const std::vector<Scored>& scored,
-          const PlaceOptions& options)
-      : layout_(layout), task_(task), scored_(scored), options_(options) {}
+          std::vector<std::size_t> order, int max_tests)
+      : layout_(layout), task_(task), scored_(scored), order_(std::move(order)),
+        tests_left_(max_tests) {}
 
-  /// Indices of candidates that pass, at most `wanted`, in the order of choice.
-  std::vector<std::size_t> choose(const std::vector<std::size_t>& order, int wanted) {
-    std::vector<std::size_t> passed, deferred;
-    for (std::size_t i : order) {
-      if (static_cast<int>(passed.size()) >= wanted || tests_ >= options_.max_exact_tests) break;
-      // Worse by whole constraints: no need to look further once something passed.
-      if (!passed.empty() && scored_[i].terms.lost > scored_[passed.front()].terms.lost &&
-          !task_.location)
-        break;
-      if (failures_near(i) >= 2 || is_like_one_of(passed, i)) {
-        deferred.push_back(i);
-        continue;
-      }
-      test(i, passed);
+  /// The next candidate that passes, if any.
+  std::optional<std::size_t> next() {
+    while (next_ < order_.size() && tests_left_ > 0) {
+      const std::size_t i = order_[next_++];
+      if (failures_near(i) >= 2 || is_like_one_passed(i)) deferred_.push_back(i);
+      else if (passes(i)) return i;
     }
-    for (std::size_t i : deferred) {
-      if (!passed.empty() || tests_ >= options_.max_exact_tests) break;
-      test(i, passed);
+    while (next_deferred_ < deferred_.size() && tests_left_ > 0 && passed_.empty()) {
+      const std::size_t i = deferred_[next_deferred_++];
+      if (passes(i)) return i;
     }
-    return passed;
+    return std::nullopt;
   }
 
  private:
@@ -156,45 +156,59 @@ class Chooser {
     const Vec2 index = (scored_[i].pose.position / neighbourhood).array().floor();
     return {static_cast<int>(index.x()), static_cast<int>(index.y())};
   }
-  // Alternatives are worth looking at when they differ.
-  bool is_like_one_of(const std::vector<std::size_t>& passed, std::size_t i) const {
+  int failures_near(std::size_t i) const {
+    const auto found = failures_.find(cell(i));
+    return found == failures_.end() ? 0 : found->second;
+  }
+  bool is_like_one_passed(std::size_t i) const {
     const Pose& pose = scored_[i].pose;
-    return std::any_of(passed.begin(), passed.end(), [&](std::size_t j) {
+    return std::any_of(passed_.begin(), passed_.end(), [&](std::size_t j) {
       const Pose& other = scored_[j].pose;
       return (pose.position - other.position).norm() < alternative_distance &&
              std::abs(wrap_angle(pose.yaw - other.yaw)) < 0.1;
     });
   }
-  int failures_near(std::size_t i) const {
-    const auto found = failures_.find(cell(i));
-    return found == failures_.end() ? 0 : found->second;
-  }
-  void test(std::size_t i, std::vector<std::size_t>& passed) {
-    ++tests_;
-    const auto candidate = layout_.candidate(at_pose(task_.object, scored_[i].pose));
-    if (layout_.fits_exactly(candidate)) passed.push_back(i);
+  bool passes(std::size_t i) {
+    --tests_left_;
+    const bool passed =
+        layout_.fits_exactly(layout_.candidate(at_pose(task_.object, scored_[i].pose)));
+    if (passed) passed_.push_back(i);
     else ++failures_[cell(i)];
+    return passed;
   }
 
   Layout& layout_;
   const PlacementTask& task_;
   const std::vector<Scored>& scored_;
-  const PlaceOptions& options_;
+  std::vector<std::size_t> order_, deferred_, passed_;
   std::map<std::pair<int, int>, int> failures_;
-  int tests_ = 0;
+  std::size_t next_ = 0, next_deferred_ = 0;
+  int tests_left_;
 };
 
-// Of the candidates that passed, the one that leaves the fewest dependants without a place.
-std::size_t kindest(Layout& layout, const PlacementTask& task, std::span<const PlacementTask> later,
-                    const std::vector<Scored>& scored, const std::vector<std::size_t>& passed) {
-  std::size_t best = passed.front();
-  int best_homeless = 1 << 20;
-  for (std::size_t i : passed) {
-    layout.add(at_pose(task.object, scored[i].pose));
-    const int homeless = count_homeless(layout, task.object.id, later) + scored[i].terms.lost;
+// The first candidate that passes; when others depend on the object, of the first few that pass the one
+// that costs the fewest constraints, its own and those of dependants without a place.
+std::optional<std::size_t> choose(Layout& layout, const PlacementTask& task,
+                                  std::span<const PlacementTask> later,
+                                  const std::vector<Scored>& scored,
+                                  const std::vector<std::size_t>& order,
+                                  const PlaceOptions& options) {
+  Chooser chooser(layout, task, scored, order, options.max_exact_tests);
+  const auto first = chooser.next();
+  const bool has_dependants =
+      std::any_of(later.begin(), later.end(), [&](const PlacementTask& other) {
+        return depends_on(other.object, task.object.id);
+      });
+  if (!first || !has_dependants) return first;
+  std::optional<std::size_t> best;
+  int best_cost = 0;
+  int tried = 0;
+  for (auto i = first; i; i = chooser.next()) {
+    layout.add(at_pose(task.object, scored[*i].pose));
+    const int cost = scored[*i].terms.lost + count_homeless(layout, task.object.id, later);
     layout.remove(task.object.id);
-    if (homeless < best_homeless) best = i, best_homeless = homeless;
-    if (homeless == scored[passed.front()].terms.lost) break;
+    if (!best || cost < best_cost) best = i, best_cost = cost;
+    if (cost <= scored[*first].terms.lost || ++tried >= options.lookahead) break;
   }
   return best;
 }
@@ -225,33 +239,27 @@ Result<Placement> place(Layout& layout, const PlacementTask& task,
   auto proposed = static_cast<int>(poses.size());
   score_feasible(context, candidate, poses, scored);
 
-  std::vector<std::size_t> passed;
-  Chooser chooser(layout, task, scored, options);
-  const bool has_dependants =
-      std::any_of(later.begin(), later.end(),
-                  [&](const PlacementTask& t) { return depends_on(t.object, task.object.id); });
-  const int wanted = has_dependants ? options.lookahead : 2;
   // Without a suggestion, a meaningful pose that holds everything needs no grid beside it.
-  const bool grid_needed = task.location.has_value() || !one_holds_all(scored);
-  if (!grid_needed) passed = chooser.choose(rank(scored, task, options, random), wanted);
-  if (passed.empty()) {
+  std::optional<std::size_t> best;
+  std::vector<std::size_t> order;
+  if (!task.location && one_holds_all(scored)) {
+    order = rank(scored, task, options, random);
+    best = choose(layout, task, later, scored, order, options);
+  }
+  if (!best) {
     poses = propose_grid(context, options.pitch);
     proposed += static_cast<int>(poses.size());
     score_feasible(context, candidate, poses, scored);
-    passed = chooser.choose(rank(scored, task, options, random), wanted);
+    order = rank(scored, task, options, random);
+    best = choose(layout, task, later, scored, order, options);
   }
-  if (passed.empty()) return refusal(task, proposed, static_cast<int>(scored.size()));
+  if (!best) return refusal(task, proposed, static_cast<int>(scored.size()));
 
-  const std::size_t best =
-      has_dependants ? kindest(layout, task, later, scored, passed) : passed.front();
   Placement placement;
-  placement.object = at_pose(task.object, scored[best].pose);
-  placement.terms = scored[best].terms;
-  for (std::size_t i : passed)
-    if (i != best) {
-      placement.runner_up = scored[i].terms;
-      break;
-    }
+  placement.object = at_pose(task.object, scored[*best].pose);
+  placement.terms = scored[*best].terms;
+  if (order.size() > 1)
+    placement.runner_up = scored[order[0] == *best ? order[1] : order[0]].terms;
   placement.candidates = proposed;
   placement.feasible = static_cast<int>(scored.size());
   return placement;

@@ -48,6 +48,10 @@ class Layout {
   /// The cheap test: inside, boxes apart, openings free. Boxes that overlap pass only where one thing may
   /// slide under the other; fits_exactly() then asks the meshes.
   bool fits(const Candidate& candidate, const Footprint& footprint, double bottom) const;
+  /// The two halves of fits(): the room itself, and one other thing.
+  bool fits_room(const Candidate& candidate, const Footprint& footprint, double bottom) const;
+  bool collides(const Candidate& candidate, const Footprint& footprint, double bottom,
+                const FloorThing& other) const;
   /// The rest, for an object with its pose: meshes, and everybody's use zones and the doors stay
   /// reachable.
   bool fits_exactly(const Candidate& candidate);
@@ -61,6 +65,7 @@ class Layout {
     double to;
   };
   void refresh_things();
+  void bring_walk_map_up_to_date();
 
   const Room& room_;
   const CategoryTable& categories_;
@@ -73,6 +78,7 @@ class Layout {
   std::vector<Object> objects_;
   std::vector<FloorThing> things_;
   WalkMap walk_map_;
+  std::vector<bool> in_walk_map_;  ///< parallel to objects_; stamped only when an exact test needs it
 };
 
 /// The object at a pose.

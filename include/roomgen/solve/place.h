@@ -41,7 +41,7 @@ struct PlacementTerms {
 struct Placement {
   Object object;  ///< with its pose
   PlacementTerms terms;
-  std::optional<PlacementTerms> runner_up;
+  std::optional<PlacementTerms> runner_up;  ///< the best of the others, by rank alone
   int candidates = 0;  ///< proposed
   int feasible = 0;    ///< of them, passed the cheap tests
 };
