@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "roomgen/base/json.h"
+
 namespace roomgen {
 
 namespace {
@@ -13,6 +15,12 @@ std::string asset_key(const AssetRef& asset) {
     return "procedural:" + asset.procedural->recipe + ":" + asset.procedural->params.dump() + ":" +
            std::to_string(asset.procedural->seed);
   return asset.id.empty() ? std::string() : asset.library + "/" + asset.id;
+}
+
+Object with_rounded_pose(Object object) {
+  for (int axis = 0; axis < 3; ++axis) object.position[axis] = rounded(object.position[axis]);
+  object.yaw = radians(rounded(degrees(wrap_angle(object.yaw)), 3));
+  return object;
 }
 
 std::string_view name(Mount mount) {

@@ -45,7 +45,7 @@ Object at_pose(const Object& object, const Pose& pose) {
 Layout::Layout(const Room& room, const CategoryTable& categories, const ModelTable& models)
     : room_(room),
       categories_(categories),
-      has_models_(!models.empty()),
+      models_(models),
       solids_(models),
       wall_yaws_(yaws_of_walls(room)),
       is_box_(is_axis_aligned_rectangle(room)),
@@ -100,7 +100,7 @@ Layout::Candidate Layout::candidate(const Object& object) const {
 }
 
 bool Layout::may_tuck(const Category& a, const Category& b) const {
-  return has_models_ && (is_any_of(a, b.tucks_under) || is_any_of(b, a.tucks_under));
+  return !models_.empty() && (is_any_of(a, b.tucks_under) || is_any_of(b, a.tucks_under));
 }
 
 bool Layout::fits_room(const Candidate& candidate, const Footprint& footprint,

@@ -34,6 +34,25 @@ double spread_degree(const ProposalContext& context, const Footprint& footprint)
   return std::max(degree, 0.0);
 }
 
+// Those that stand around the same target keep their distance from each other: 1 when this one has its
+// share of the target's circumference to itself.
+double evenness_degree(const ProposalContext& context, const Footprint& footprint) {
+  double degree = 1.0;
+  for (const auto& relation : context.task.object.relations) {
+    if (relation.kind != RelationKind::around) continue;
+    const Object* target = context.layout.find(relation.target);
+    if (!target) continue;
+    const double share = 2.0 * (target->size.x() + target->size.y()) / context.around_count;
+    for (const auto& other : context.layout.objects()) {
+      const auto& theirs = other.relations;
+      if (std::find(theirs.begin(), theirs.end(), relation) == theirs.end()) continue;
+      const double apart = (other.position.head<2>() - footprint.center()).norm();
+      degree = std::min(degree, apart / share);
+    }
+  }
+  return degree;
+}
+
 double closeness_degree(const ProposalContext& context, const Footprint& footprint) {
   const auto& task = context.task;
   double degree = 0.0;
@@ -65,12 +84,14 @@ PlacementTerms score(const ProposalContext& context, const Footprint& footprint,
   if (!context.relations.empty()) terms.relations /= static_cast<double>(context.relations.size());
   terms.walkway = walkway_degree(context, footprint);
   terms.spread = spread_degree(context, footprint);
+  terms.evenness = evenness_degree(context, footprint);
   terms.closeness = closeness_degree(context, footprint);
   return terms;
 }
 
 double total_degree(const PlacementTerms& terms) {
-  return terms.relations + 0.15 * terms.walkway + 0.15 * terms.spread + 0.5 * terms.closeness;
+  return terms.relations + 0.15 * terms.walkway + 0.15 * terms.spread + 0.3 * terms.evenness +
+         0.5 * terms.closeness;
 }
 
 }  // namespace roomgen

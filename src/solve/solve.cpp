@@ -8,12 +8,6 @@ namespace roomgen {
 
 namespace {
 
-// Coordinates as a file will hold them: what is checked is what is written.
-void round_pose(Object& object) {
-  for (int axis = 0; axis < 3; ++axis) object.position[axis] = rounded(object.position[axis]);
-  object.yaw = radians(rounded(degrees(wrap_angle(object.yaw)), 3));
-}
-
 Scene scene_of(const Problem& problem, const Layout& layout,
                const std::vector<PlacementTask>& tasks,
                const std::map<std::string, std::string>& reasons, const SolveOptions& options) {
@@ -23,8 +17,7 @@ Scene scene_of(const Problem& problem, const Layout& layout,
   scene.room = problem.room;
   for (const auto& task : tasks) {
     if (const Object* placed = layout.find(task.object.id)) {
-      scene.objects.push_back(*placed);
-      round_pose(scene.objects.back());
+      scene.objects.push_back(with_rounded_pose(*placed));
     } else {
       const auto reason = reasons.find(task.object.id);
       scene.unplaced.push_back({task.object.id, task.object.category,

@@ -69,6 +69,10 @@ inline Footprint footprint(const Object& object) {
 inline double bottom(const Object& object) { return object.position.z(); }
 inline double top(const Object& object) { return object.position.z() + object.size.z(); }
 
+/// The pose as a file holds it: coordinates to 0.1 mm, yaw to 0.001 degrees in (-180, 180]. What is
+/// checked should be what is written.
+Object with_rounded_pose(Object object);
+
 std::string_view name(Mount mount);
 std::optional<Mount> parse_mount(std::string_view text);
 

@@ -69,7 +69,7 @@ class Layout {
 
   const Room& room_;
   const CategoryTable& categories_;
-  bool has_models_;
+  const ModelTable& models_;
   Solids solids_;
   std::vector<double> wall_yaws_;
   std::vector<Clearance> clearances_;

@@ -32,6 +32,7 @@ struct PlacementTerms {
   double relations = 0.0;  ///< mean degree of the constraints
   double walkway = 0.0;    ///< distance to the doors' clearances
   double spread = 0.0;     ///< no slots too narrow to walk through
+  double evenness = 0.0;   ///< distance to others around the same target
   double closeness = 0.0;  ///< to the suggested location
   double rank_c = 0.0;
   double rank_l = 0.0;

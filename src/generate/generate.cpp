@@ -1,0 +1,324 @@
+#include "roomgen/generate/generate.h"
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+#include <set>
+
+#include "retrieve.h"
+#include "roomgen/evaluate/relations.h"
+#include "roomgen/solve/improve.h"
+
+namespace roomgen {
+
+namespace {
+
+// A picture or mirror hangs this far above what it is above.
+constexpr double gap_above = 0.15;
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+Json terms_json(const PlacementTerms& terms) {
+  return {{"held", terms.held},
+          {"lost", terms.lost},
+          {"relations", rounded(terms.relations)},
+          {"walkway", rounded(terms.walkway)},
+          {"spread", rounded(terms.spread)},
+          {"evenness", rounded(terms.evenness)},
+          {"closeness", rounded(terms.closeness)},
+          {"rank_c", rounded(terms.rank_c)},
+          {"rank_l", rounded(terms.rank_l)},
+          {"fused", rounded(terms.fused, 8)}};
+}
+
+Json advice_json(const PlaceAdvice& advice) {
+  Json json;
+  json["reasoning"] = advice.reasoning;
+  json["constraints"] = to_text(advice.relations);
+  json["location"] = advice.location
+                         ? Json{rounded(advice.location->x()), rounded(advice.location->y())}
+                         : Json();
+  json["facing_deg"] = advice.yaw ? Json(rounded(degrees(*advice.yaw), 2)) : Json();
+  return json;
+}
+
+class Generator {
+ public:
+  Generator(const Plan& plan, Designer& designer, const AssetLibrary& library,
+            const CategoryTable& categories, const GenerateOptions& options)
+      : plan_(plan),
+        designer_(designer),
+        library_(library),
+        categories_(categories),
+        options_(options),
+        retriever_(library, categories, options.seed),
+        random_(Random(options.seed).fork("placement")),
+        layout_(plan.room, categories, result_.models) {}
+
+  Result<Generation> run() {
+    const auto objects = planned_objects(plan_);
+    for (std::size_t i = 0; i < objects.size() && !options_.cancel.cancelled(); ++i) {
+      if (options_.on_step) options_.on_step({i, objects.size(), objects[i].id});
+      step(objects[i]);
+    }
+    if (!options_.cancel.cancelled()) {
+      if (options_.on_step) options_.on_step({objects.size(), objects.size(), "improving"});
+      improve_all(options_.improve_rounds);
+    }
+    finish(objects);
+    return std::move(result_);
+  }
+
+ private:
+  // One planned object from retrieval to its place. Failures end in reasons_, never in an error.
+  void step(const PlannedObject& planned) {
+    const auto start = Clock::now();
+    const PlanItem& item = plan_.items[planned.item];
+    Json record;
+    record["object"] = planned.id;
+    record["asked"] = {{"category", item.category}, {"description", item.description}};
+    std::string reason;
+    auto assets = retriever_.candidates(item, planned, options_.assets_per_object);
+    if (!assets) reason = assets.error().message;
+    else if (assets->empty()) reason = "no asset is a " + item.category + " of this size";
+    else reason = try_assets(planned, *assets, record);
+    if (reason.empty()) {
+      record["outcome"] = "placed";
+    } else {
+      record["outcome"] = "unplaced";
+      record["reason"] = reason;
+      reasons_[planned.id] = reason;
+    }
+    record["seconds"] = rounded(seconds_since(start));
+    result_.trace.push_back({planned, std::move(record)});
+  }
+
+  // Each asset, and for the first one again with other answers, then a repair. Returns why it failed, or
+  // nothing.
+  std::string try_assets(const PlannedObject& planned, const std::vector<AssetInfo>& assets,
+                         Json& record) {
+    std::vector<std::string> refusals;
+    std::optional<PlacementTask> first;
+    record["attempts"] = Json::array();
+    for (int answer = 0; answer < options_.answers_per_object; ++answer) {
+      const std::size_t count = answer == 0 ? assets.size() : 1;
+      for (std::size_t a = 0; a < count; ++a) {
+        if (options_.cancel.cancelled()) return "stopped before it was tried";
+        auto task = prepare(planned, assets[a]);
+        if (!task) return task.error().message;
+        Json attempt;
+        auto advice = ask(planned, *task, refusals);
+        if (!advice) return advice.error().message;
+        attempt["asset"] = asset_key(assets[a].ref);
+        attempt["answer"] = advice_json(*advice);
+        apply(*advice, *task);
+        auto placed = place(layout_, *task, {}, options_.place, random_);
+        if (!first) first = *task;
+        if (placed) {
+          accept(planned, assets[a], *task, *placed, attempt);
+          record["attempts"].push_back(std::move(attempt));
+          return "";
+        }
+        refusals.push_back(placed.error().message);
+        attempt["refused"] = placed.error().message;
+        record["attempts"].push_back(std::move(attempt));
+      }
+    }
+    return repair(planned, assets.front(), *first, refusals.back(), record);
+  }
+
+  Result<PlaceAdvice> ask(const PlannedObject& planned, const PlacementTask& task,
+                          const std::vector<std::string>& refusals) {
+    const Scene scene = current_scene();
+    PlaceRequest request{plan_, scene, planned, task.object, refusals, {}, options_.cancel};
+    if (options_.renderer)
+      request.marks = [&] {
+        return options_.renderer->render(scene, result_.models, options_.marks_view);
+      };
+    return designer_.place(request);
+  }
+
+  void apply(const PlaceAdvice& advice, PlacementTask& task) const {
+    task.object.relations = advice.relations;
+    task.location = advice.location;
+    task.facing = advice.yaw;
+    // What is above something hangs above it.
+    if (task.object.mount != Mount::wall) return;
+    for (const auto& relation : advice.relations) {
+      const Object* target = layout_.find(relation.target);
+      if (relation.kind != RelationKind::above || !target) continue;
+      const double highest = plan_.room.height - task.object.size.z() - 0.05;
+      task.object.position.z() =
+          std::min(highest, std::max(task.object.position.z(), top(*target) + gap_above));
+    }
+  }
+
+  // The object as the asset makes it, with its mounting height.
+  Result<PlacementTask> prepare(const PlannedObject& planned, const AssetInfo& asset) {
+    const PlanItem& item = plan_.items[planned.item];
+    const Category& category = categories_.get(item.category);
+    auto model = library_.load(asset.ref);
+    if (!model) return model.error();
+    if (!asset_key(asset.ref).empty()) result_.models.add(asset_key(asset.ref), *model);
+    PlacementTask task;
+    Object& object = task.object;
+    object.id = planned.id;
+    object.category = item.category;
+    object.description = item.description.empty() ? asset.name : item.description;
+    object.asset = asset.ref;
+    object.traits = category.traits;
+    object.traits.front = category.traits.front && asset.has_front;
+    object.size = asset.size;
+    object.mount = item.mount;
+    object.relations = item.relations;
+    task.location = item.location;
+    if (auto status = set_height(item, category, asset, task); !status) return status.error();
+    return task;
+  }
+
+  Status set_height(const PlanItem& item, const Category& category, const AssetInfo& asset,
+                    PlacementTask& task) const {
+    Object& object = task.object;
+    const double room_left = plan_.room.height - object.size.z();
+    switch (item.mount) {
+      case Mount::floor: break;
+      case Mount::ceiling: object.position.z() = room_left; break;
+      case Mount::wall: {
+        const double usual = asset.elevation > 0 ? asset.elevation : category.elevation;
+        object.position.z() = std::clamp(usual, 0.0, std::max(0.0, room_left - 0.05));
+        break;
+      }
+      case Mount::surface: {
+        const Object* support = find_support(item.on, object.size);
+        if (!support)
+          return Error{Error::Kind::not_found,
+                       "nothing in the room can carry it" +
+                           (item.on.empty() ? std::string() : " (wanted: " + item.on + ")")};
+        object.on = support->id;
+        object.position.z() = support->position.z() + support_heights_.at(support->id);
+        break;
+      }
+    }
+    return {};
+  }
+
+  // The placed thing with the most free room on top, of the wanted kind.
+  const Object* find_support(const std::string& wanted, const Vec3& size) const {
+    const Object* best = nullptr;
+    double best_room = 0.0;
+    for (const auto& object : layout_.objects()) {
+      if (!support_heights_.count(object.id)) continue;
+      if (!wanted.empty() && object.id != wanted && !categories_.is_a(object.category, wanted))
+        continue;
+      if (object.size.x() < size.x() || object.size.y() < size.y()) continue;
+      double room = object.size.x() * object.size.y();
+      for (const auto& other : layout_.objects())
+        if (other.on == object.id) room -= 2.0 * other.size.x() * other.size.y();
+      if (!best || room > best_room) best = &object, best_room = room;
+    }
+    return best;
+  }
+
+  void accept(const PlannedObject& planned, const AssetInfo& asset, const PlacementTask& task,
+              const Placement& placement, Json& attempt) {
+    attempt["candidates"] = placement.candidates;
+    attempt["feasible"] = placement.feasible;
+    attempt["chosen"] = terms_json(placement.terms);
+    if (placement.runner_up) attempt["runner_up"] = terms_json(*placement.runner_up);
+    layout_.add(placement.object);
+    tasks_.push_back(task);
+    take(planned, asset);
+  }
+
+  void take(const PlannedObject& planned, const AssetInfo& asset) {
+    if (asset.support_height) support_heights_[planned.id] = *asset.support_height;
+    retriever_.remember(planned, asset);
+    assets_[planned.id] = asset;
+  }
+
+  // Neighbours make way for an object that found no place.
+  std::string repair(const PlannedObject& planned, const AssetInfo& asset,
+                     const PlacementTask& task, const std::string& refusal, Json& record) {
+    if (layout_.find(planned.id)) return "";
+    tasks_.push_back(task);
+    take(planned, asset);
+    reasons_[planned.id] = refusal;
+    improve_all(options_.repair_rounds);
+    if (layout_.find(planned.id)) {
+      record["repaired"] = true;
+      return "";
+    }
+    return refusal;
+  }
+
+  void improve_all(int rounds) {
+    ImproveOptions improve_options;
+    improve_options.place = options_.place;
+    improve_options.rounds = rounds;
+    improve_options.cancel = options_.cancel;
+    improve(layout_, tasks_, reasons_, improve_options, random_);
+  }
+
+  Scene current_scene() const {
+    Scene scene;
+    scene.prompt = plan_.prompt;
+    scene.seed = plan_.seed;
+    scene.room = plan_.room;
+    scene.objects.assign(layout_.objects().begin(), layout_.objects().end());
+    return scene;
+  }
+
+  // In the order of the plan, with coordinates as a file holds them.
+  void finish(const std::vector<PlannedObject>& planned_objects) {
+    Scene& scene = result_.scene;
+    scene = current_scene();
+    scene.objects.clear();
+    scene.incomplete = options_.cancel.cancelled();
+    std::set<std::string> seen;
+    for (const auto& planned : planned_objects) {
+      const PlanItem& item = plan_.items[planned.item];
+      if (const Object* placed = layout_.find(planned.id)) {
+        scene.objects.push_back(with_rounded_pose(*placed));
+        const AssetInfo& asset = assets_.at(planned.id);
+        if (seen.insert(asset_key(asset.ref)).second) result_.assets.push_back(asset);
+      } else {
+        const auto reason = reasons_.find(planned.id);
+        scene.unplaced.push_back({planned.id, item.category,
+                                  reason == reasons_.end() ? "stopped before it was tried"
+                                                           : reason->second});
+      }
+    }
+    for (const auto& task : tasks_)
+      result_.constraints += static_cast<int>(task.object.relations.size());
+    for (const auto& verdict : judge_scene(scene, categories_))
+      result_.held += verdict.judgement.held ? 1 : 0;
+  }
+
+  const Plan& plan_;
+  Designer& designer_;
+  const AssetLibrary& library_;
+  const CategoryTable& categories_;
+  const GenerateOptions& options_;
+  Retriever retriever_;
+  Random random_;
+  Generation result_;
+  Layout layout_;
+  std::vector<PlacementTask> tasks_;              ///< of all objects that have an asset, in order
+  std::map<std::string, std::string> reasons_;    ///< why objects are not in the layout
+  std::map<std::string, AssetInfo> assets_;       ///< by object
+  std::map<std::string, double> support_heights_; ///< of things that carry others, by object
+};
+
+}  // namespace
+
+Result<Generation> generate(const Plan& plan, Designer& designer, const AssetLibrary& library,
+                            const CategoryTable& categories, const GenerateOptions& options) {
+  if (auto status = options.place.validate(); !status) return status.error();
+  return Generator(plan, designer, library, categories, options).run();
+}
+
+}  // namespace roomgen

@@ -1,0 +1,48 @@
+#include "retrieve.h"
+
+#include <algorithm>
+
+namespace roomgen {
+
+namespace {
+
+// Scores that differ by less are equally good answers to the same words.
+constexpr double equal_score = 0.06;
+
+}  // namespace
+
+Result<std::vector<AssetInfo>> Retriever::candidates(const PlanItem& item,
+                                                     const PlannedObject& planned, int count) {
+  AssetQuery query;
+  query.category = item.category;
+  query.description = item.description;
+  query.size = item.size ? *item.size : categories_.get(item.category).size;
+  query.mount = item.mount;
+  auto matches = library_.search(query);
+  if (!matches) return matches.error();
+
+  // The equally good ones at the top change places by the seed.
+  Random random = random_.fork("item " + std::to_string(planned.item) +
+                               (item.varied ? " " + std::to_string(planned.number) : ""));
+  std::vector<AssetMatch> top;
+  for (const auto& match : *matches)
+    if (match.score >= matches->front().score - equal_score) top.push_back(match);
+  random.shuffle(top);
+  std::copy(top.begin(), top.end(), matches->begin());
+
+  std::vector<AssetInfo> result;
+  const auto chosen = chosen_.find(planned.item);
+  if (!item.varied && chosen != chosen_.end()) result.push_back(chosen->second);
+  for (const auto& match : *matches) {
+    if (static_cast<int>(result.size()) >= count) break;
+    const bool again = !result.empty() && result.front().ref == match.asset.ref;
+    if (!again) result.push_back(match.asset);
+  }
+  return result;
+}
+
+void Retriever::remember(const PlannedObject& planned, const AssetInfo& asset) {
+  chosen_.try_emplace(planned.item, asset);
+}
+
+}  // namespace roomgen

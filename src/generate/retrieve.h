@@ -1,0 +1,34 @@
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "roomgen/base/random.h"
+#include "roomgen/library/library.h"
+#include "roomgen/scene/category.h"
+#include "roomgen/scene/plan.h"
+
+namespace roomgen {
+
+/// Chooses the assets to try for planned objects. Objects of one item share their asset unless the item
+/// asks for variety; among assets that fit about equally well the seed decides.
+class Retriever {
+ public:
+  /// All must outlive this.
+  Retriever(const AssetLibrary& library, const CategoryTable& categories, std::uint64_t seed)
+      : library_(library), categories_(categories), random_(seed) {}
+
+  /// The best few, in the order in which they shall be tried; empty if nothing fits.
+  Result<std::vector<AssetInfo>> candidates(const PlanItem& item, const PlannedObject& planned,
+                                            int count);
+  /// The others of the item take what this one took.
+  void remember(const PlannedObject& planned, const AssetInfo& asset);
+
+ private:
+  const AssetLibrary& library_;
+  const CategoryTable& categories_;
+  Random random_;
+  std::map<std::size_t, AssetInfo> chosen_;  ///< by item
+};
+
+}  // namespace roomgen
