@@ -30,14 +30,18 @@ double clamp01(double value) {
 // How far the back of the footprint is from being flush with a wall that it is parallel to: its
 // distance, or infinity for other walls.
 double back_distance(const Footprint& footprint, const Room& room, std::size_t wall) {
-  const Vec2 inward = room.polygon.inward(wall);
-  if (footprint.front().dot(inward) < std::cos(angle_tolerance))
-    return std::numeric_limits<double>::infinity();
+  constexpr double none = std::numeric_limits<double>::infinity();
+  static const double cosine = std::cos(angle_tolerance);
   const Segment line = room.polygon.edge(wall);
-  const Vec2 back = footprint.to_world({0.0, footprint.half().y()});
-  const double along = (back - line.a).dot(line.direction());
-  if (along < 0.0 || along > line.length()) return std::numeric_limits<double>::infinity();
-  return std::abs((back - line.a).dot(inward));
+  const Vec2 along = line.b - line.a;
+  const double squared = along.squaredNorm();
+  // Positive when the front looks away from the wall; most walls are out at once.
+  const double facing = footprint.front().dot(left_of(along));
+  if (facing <= 0.0 || facing * facing < cosine * cosine * squared) return none;
+  const Vec2 back = footprint.center() + footprint.half().y() * footprint.y_axis() - line.a;
+  const double station = back.dot(along);
+  if (station < 0.0 || station > squared) return none;
+  return std::abs(cross(along, back)) / std::sqrt(squared);
 }
 
 // The wall that the back is nearest to, and how near.

@@ -33,6 +33,17 @@ bool separated_by_edge_of(const Footprint& a, const Footprint& b, double toleran
   return false;
 }
 
+// The separating axis test for two rectangles: on the axes of each, half extents against distance.
+bool rectangles_overlap(const Footprint& a, const Footprint& b, double tolerance) {
+  const Vec2 between = b.center() - a.center();
+  const double c = std::abs(a.x_axis().dot(b.x_axis())), s = std::abs(a.x_axis().dot(b.y_axis()));
+  const Vec2 &p = a.half(), &q = b.half();
+  return std::abs(between.dot(a.x_axis())) < p.x() + c * q.x() + s * q.y() - tolerance &&
+         std::abs(between.dot(a.y_axis())) < p.y() + s * q.x() + c * q.y() - tolerance &&
+         std::abs(between.dot(b.x_axis())) < q.x() + c * p.x() + s * p.y() - tolerance &&
+         std::abs(between.dot(b.y_axis())) < q.y() + s * p.x() + c * p.y() - tolerance;
+}
+
 // Liang-Barsky clipping of the segment against a box around the origin.
 bool clips(const Vec2& a, const Vec2& b, const Vec2& half) {
   double enter = 0.0, leave = 1.0;
@@ -71,10 +82,11 @@ Footprint::Footprint(const Vec2& center, const Vec2& size, double yaw, bool roun
                               stretch * half_.y() * std::sin(angle)});
     }
   } else {
-    corners_[0] = to_world({half_.x(), half_.y()});
-    corners_[1] = to_world({-half_.x(), half_.y()});
-    corners_[2] = to_world({-half_.x(), -half_.y()});
-    corners_[3] = to_world({half_.x(), -half_.y()});
+    const Vec2 x = half_.x() * x_axis(), y = half_.y() * y_axis();
+    corners_[0] = center_ + x + y;
+    corners_[1] = center_ - x + y;
+    corners_[2] = center_ - x - y;
+    corners_[3] = center_ + x - y;
   }
   for (const auto& corner : outline()) bounds_.add(corner);
 }
@@ -95,6 +107,7 @@ double Footprint::area() const {
 
 bool overlaps(const Footprint& a, const Footprint& b, double tolerance) {
   if (!a.bounds().overlaps(b.bounds(), -tolerance)) return false;
+  if (!a.round() && !b.round()) return rectangles_overlap(a, b, tolerance);
   return !separated_by_edge_of(a, b, tolerance) && !separated_by_edge_of(b, a, tolerance);
 }
 

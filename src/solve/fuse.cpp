@@ -76,11 +76,12 @@ void fuse(std::span<Ranked> candidates, const std::optional<Vec2>& location,
 std::vector<std::size_t> order_of_choice(std::span<const Ranked> candidates) {
   std::vector<std::size_t> order(candidates.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  const auto step = [](double fused) { return std::llround(fused / sum_step); };
+  std::vector<double> step;
+  for (const auto& candidate : candidates) step.push_back(std::round(candidate.fused / sum_step));
   std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
     const Ranked& a = candidates[i];
     const Ranked& b = candidates[j];
-    if (const auto sa = step(a.fused), sb = step(b.fused); sa != sb) return sa > sb;
+    if (step[i] != step[j]) return step[i] > step[j];
     if (a.degree != b.degree) return a.degree > b.degree;
     return i < j;
   });

@@ -14,9 +14,13 @@ namespace {
 
 constexpr double degree_gain = 1e-6;
 
+int constraints_of(const PlacementTask& task) {
+  return static_cast<int>(task.object.relations.size());
+}
+
 int constraint_count(const std::vector<PlacementTask>& tasks) {
   int count = 0;
-  for (const auto& task : tasks) count += static_cast<int>(task.object.relations.size());
+  for (const auto& task : tasks) count += constraints_of(task);
   return count;
 }
 
@@ -42,14 +46,16 @@ class Search {
     for (; round < options_.rounds && !options_.cancel.cancelled(); ++round) {
       if (best.quality.placed == static_cast<int>(tasks_.size()) && best.quality.held == wanted)
         break;
+      lost_before_ = wanted - current.quality.held;
       if (round % 2 == 0) eject();
       else recreate(choose_ruin(round));
-      const LayoutQuality now = quality(layout_);
+      const LayoutQuality now = quality(layout_, tasks_);
       // Sideways steps lead out of dead ends.
       if (now.as_good_as(current.quality)) current = state();
       else restore(current);
       if (now.better_than(best.quality)) best = current;
     }
+    if (round == 0) return 0;
     restore(best);
     polish();
     return round;
@@ -63,7 +69,7 @@ class Search {
   };
 
   State state() const {
-    return {{layout_.objects().begin(), layout_.objects().end()}, reasons_, quality(layout_)};
+    return {{layout_.objects().begin(), layout_.objects().end()}, reasons_, quality(layout_, tasks_)};
   }
 
   void restore(const State& state) {
@@ -120,11 +126,11 @@ class Search {
       const Object* placed = layout_.find(task.object.id);
       if (!placed || placed->locked) continue;
       const Object before = *placed;
-      const LayoutQuality quality_before = quality(layout_);
+      const LayoutQuality quality_before = quality(layout_, tasks_);
       layout_.remove(before.id);
       auto again = place(layout_, task, {}, options_.place, random_);
       if (again) layout_.add(again->object);
-      if (again && quality(layout_).better_than(quality_before)) continue;
+      if (again && quality(layout_, tasks_).better_than(quality_before)) continue;
       layout_.remove(before.id);
       layout_.add(before);
     }
@@ -193,9 +199,19 @@ class Search {
   }
 
   void recreate(const std::set<std::string>& ruin) {
+    int lost_allowed = lost_before_;
+    for (const auto& task : tasks_) {
+      const Object* kept = layout_.find(task.object.id);
+      if (kept && !ruin.count(task.object.id))
+        lost_allowed -= constraints_of(task) - held_by(layout_, *kept);
+      else if (!ruin.count(task.object.id))
+        lost_allowed -= constraints_of(task);
+    }
     for (const auto& id : ruin) layout_.remove(id);
     PlaceOptions place_options = options_.place;
-    place_options.pitch *= 2.0;  // many rough rounds find more than few fine ones
+    // Many rough rounds find more than few fine ones.
+    place_options.grid_as_last_resort = true;
+    place_options.pitch *= 2.0;
     place_options.lookahead /= 2;
     place_options.noise = options_.noise * random_.uniform();
     for (std::size_t i = 0; i < tasks_.size(); ++i) {
@@ -211,6 +227,9 @@ class Search {
       } else {
         reasons_[id] = placed.error().message;
       }
+      // No use in going on once more is lost than before.
+      lost_allowed -= placed ? placed->terms.lost : constraints_of(tasks_[i]);
+      if (lost_allowed < 0) return;
     }
   }
 
@@ -219,6 +238,7 @@ class Search {
   std::map<std::string, std::string>& reasons_;
   const ImproveOptions& options_;
   Random& random_;
+  int lost_before_ = 0;  ///< constraints that do not hold at the start of the round
 };
 
 }  // namespace
@@ -233,17 +253,19 @@ bool LayoutQuality::better_than(const LayoutQuality& other) const {
   return degree > other.degree + degree_gain;
 }
 
-LayoutQuality quality(const Layout& layout) {
+LayoutQuality quality(const Layout& layout, const std::vector<PlacementTask>& tasks) {
   LayoutQuality result;
-  result.placed = static_cast<int>(layout.objects().size());
-  for (const auto& object : layout.objects()) {
-    const Subject subject{footprint(object), bottom(object), top(object)};
-    for (const auto& relation :
-         resolve(object, layout.room(), layout.objects(), layout.categories())) {
-      const Judgement judgement = judge(relation, subject, layout.room());
-      result.held += judgement.held ? 1 : 0;
-      result.degree += judgement.degree;
-    }
+  for (const auto& task : tasks) {
+    const Object* object = layout.find(task.object.id);
+    if (!object) continue;
+    const auto relations =
+        resolve(*object, layout.room(), layout.objects(), layout.categories());
+    const ProposalContext context{layout, task, relations,
+                                  count_around(task.object, layout.objects())};
+    const auto terms = score(context, footprint(*object), bottom(*object));
+    ++result.placed;
+    result.held += terms.held;
+    result.degree += total_degree(terms);
   }
   return result;
 }

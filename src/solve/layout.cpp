@@ -51,10 +51,12 @@ Layout::Layout(const Room& room, const CategoryTable& categories, const ModelTab
       is_box_(is_axis_aligned_rectangle(room)),
       bounds_(bounds(room.polygon)),
       walk_map_(room) {
-  for (const auto& opening : room.openings)
+  for (const auto& opening : room.openings) {
+    if (opening.is_entrance()) door_areas_.push_back(door_clearance(room, opening));
     for (const auto& area : clearances(room, opening))
       clearances_.push_back(
           {area, opening.is_entrance() ? 0.0 : opening.sill + window_overlap, opening.head});
+  }
 }
 
 const Object* Layout::find(std::string_view id) const {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "propose.h"
@@ -24,7 +25,7 @@ void score_feasible(const ProposalContext& context, const Layout::Candidate& can
   for (const auto& pose : poses) {
     const Footprint footprint(pose.position, object.size.head<2>(), pose.yaw, object.traits.round);
     if (!context.layout.fits(candidate, footprint, pose.bottom)) continue;
-    scored.push_back({pose, score(context, footprint, pose.bottom)});
+    scored.push_back({pose, score_relations(context, footprint, pose.bottom)});
   }
 }
 
@@ -33,8 +34,25 @@ bool one_holds_all(const std::vector<Scored>& scored) {
                      [](const Scored& s) { return s.terms.lost == 0; });
 }
 
-std::vector<std::size_t> rank(std::vector<Scored>& scored, const PlacementTask& task,
+// Without a suggestion the number of lost constraints comes first, and the dearer terms are only asked of
+// those that can win.
+void add_general_terms(const ProposalContext& context, std::vector<Scored>& scored) {
+  int least = std::numeric_limits<int>::max();
+  for (const auto& s : scored) least = std::min(least, s.terms.lost);
+  for (auto& s : scored) {
+    if (!context.task.location && s.terms.lost > least) continue;
+    const Object& object = context.task.object;
+    add_general_terms(context,
+                      Footprint(s.pose.position, object.size.head<2>(), s.pose.yaw,
+                                object.traits.round),
+                      s.terms);
+  }
+}
+
+std::vector<std::size_t> rank(const ProposalContext& context, std::vector<Scored>& scored,
                               const PlaceOptions& options, Random& random) {
+  const PlacementTask& task = context.task;
+  add_general_terms(context, scored);
   std::vector<Ranked> ranked;
   ranked.reserve(scored.size());
   for (const auto& s : scored) {
@@ -52,18 +70,9 @@ std::vector<std::size_t> rank(std::vector<Scored>& scored, const PlacementTask& 
 
 int count_around(const PlacementTask& task, std::span<const Object> placed,
                  std::span<const PlacementTask> later) {
-  const auto target = std::find_if(
-      task.object.relations.begin(), task.object.relations.end(),
-      [](const Relation& relation) { return relation.kind == RelationKind::around; });
-  if (target == task.object.relations.end()) return 1;
-  const auto is_around = [&](const Object& object) {
-    return std::find(object.relations.begin(), object.relations.end(), *target) !=
-           object.relations.end();
-  };
-  return 1 + static_cast<int>(std::count_if(placed.begin(), placed.end(), is_around)) +
-         static_cast<int>(std::count_if(later.begin(), later.end(), [&](const PlacementTask& t) {
-           return is_around(t.object);
-         }));
+  int count = count_around(task.object, placed);
+  for (const auto& other : later) count += count_around(task.object, {&other.object, 1}) - 1;
+  return count;
 }
 
 bool depends_on(const Object& object, const std::string& id) {
@@ -80,15 +89,18 @@ bool place_roughly(Layout& layout, const PlacementTask& task, std::span<const Pl
   const ProposalContext context{layout, task, relations,
                                 count_around(task, layout.objects(), later)};
   const auto candidate = layout.candidate(task.object);
+  std::optional<Pose> best;
+  double best_degree = 0.0;
   for (const auto& pose : propose_exact(context)) {
     const Footprint area(pose.position, task.object.size.head<2>(), pose.yaw,
                          task.object.traits.round);
     if (!layout.fits(candidate, area, pose.bottom)) continue;
     if (!holds_all(context, area, pose.bottom)) continue;
-    layout.add(at_pose(task.object, pose));
-    return true;
+    const double degree = total_degree(score(context, area, pose.bottom));
+    if (!best || degree > best_degree) best = pose, best_degree = degree;
   }
-  return false;
+  if (best) layout.add(at_pose(task.object, *best));
+  return best.has_value();
 }
 
 // How many of the tasks that depend on an object just added, directly or through each other, do not find
@@ -132,7 +144,8 @@ class Chooser {
   Chooser(Layout& layout, const PlacementTask& task, const std::vector<Scored>& scored,
           std::vector<std::size_t> order, int max_tests)
       : layout_(layout), task_(task), scored_(scored), order_(std::move(order)),
-        tests_left_(max_tests) {}
+        tests_left_(max_tests),
+        alternative_distance_(std::clamp(0.5 * task.object.size.head<2>().minCoeff(), 0.2, 0.6)) {}
 
   /// The next candidate that passes, if any.
   std::optional<std::size_t> next() {
@@ -150,7 +163,6 @@ class Chooser {
 
  private:
   static constexpr double neighbourhood = 0.25;
-  static constexpr double alternative_distance = 0.6;
 
   std::pair<int, int> cell(std::size_t i) const {
     const Vec2 index = (scored_[i].pose.position / neighbourhood).array().floor();
@@ -164,7 +176,7 @@ class Chooser {
     const Pose& pose = scored_[i].pose;
     return std::any_of(passed_.begin(), passed_.end(), [&](std::size_t j) {
       const Pose& other = scored_[j].pose;
-      return (pose.position - other.position).norm() < alternative_distance &&
+      return (pose.position - other.position).norm() < alternative_distance_ &&
              std::abs(wrap_angle(pose.yaw - other.yaw)) < 0.1;
     });
   }
@@ -184,6 +196,7 @@ class Chooser {
   std::map<std::pair<int, int>, int> failures_;
   std::size_t next_ = 0, next_deferred_ = 0;
   int tests_left_;
+  double alternative_distance_;
 };
 
 // The first candidate that passes; when others depend on the object, of the first few that pass the one
@@ -242,15 +255,17 @@ Result<Placement> place(Layout& layout, const PlacementTask& task,
   // Without a suggestion, a meaningful pose that holds everything needs no grid beside it.
   std::optional<std::size_t> best;
   std::vector<std::size_t> order;
-  if (!task.location && one_holds_all(scored)) {
-    order = rank(scored, task, options, random);
+  const bool exact_is_enough =
+      options.grid_as_last_resort || (!task.location && one_holds_all(scored));
+  if (exact_is_enough) {
+    order = rank(context, scored, options, random);
     best = choose(layout, task, later, scored, order, options);
   }
   if (!best) {
     poses = propose_grid(context, options.pitch);
     proposed += static_cast<int>(poses.size());
     score_feasible(context, candidate, poses, scored);
-    order = rank(scored, task, options, random);
+    order = rank(context, scored, options, random);
     best = choose(layout, task, later, scored, order, options);
   }
   if (!best) return refusal(task, proposed, static_cast<int>(scored.size()));

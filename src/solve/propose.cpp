@@ -288,6 +288,19 @@ void propose_for_relations(const ProposalContext& context, std::vector<Pose>& po
 
 }  // namespace
 
+int count_around(const Object& object, std::span<const Object> others) {
+  const auto around = std::find_if(
+      object.relations.begin(), object.relations.end(),
+      [](const Relation& relation) { return relation.kind == RelationKind::around; });
+  if (around == object.relations.end()) return 1;
+  return 1 + static_cast<int>(
+                 std::count_if(others.begin(), others.end(), [&](const Object& other) {
+                   return other.id != object.id &&
+                          std::find(other.relations.begin(), other.relations.end(), *around) !=
+                              other.relations.end();
+                 }));
+}
+
 std::vector<double> useful_yaws(const ProposalContext& context) {
   const auto all = context.layout.wall_yaws();
   const Object& object = context.task.object;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "roomgen/evaluate/relations.h"
@@ -16,6 +17,9 @@ struct ProposalContext {
   /// How many objects stand around the same target, this one included: they share its sides.
   int around_count = 1;
 };
+
+/// How many of the objects stand around the same target as this one, itself included.
+int count_around(const Object& object, std::span<const Object> others);
 
 /// Poses with meaning: flush to each wall, in corners, against openings and neighbours, beside and in
 /// front of targets at useful gaps, on seats around them, centred; and the suggested place itself.

@@ -15,11 +15,9 @@ constexpr double location_comfort = 1.0;
 
 double walkway_degree(const ProposalContext& context, const Footprint& footprint) {
   double degree = 1.0;
-  for (const auto& opening : context.layout.room().openings) {
-    if (!opening.is_entrance()) continue;
-    const double clear = gap(footprint, door_clearance(context.layout.room(), opening));
-    degree = std::min(degree, std::min(clear / door_comfort, 1.0));
-  }
+  for (const auto& area : context.layout.door_areas())
+    if (footprint.bounds().overlaps(area.bounds(), door_comfort))
+      degree = std::min(degree, std::min(gap(footprint, area) / door_comfort, 1.0));
   return degree;
 }
 
@@ -27,7 +25,9 @@ double spread_degree(const ProposalContext& context, const Footprint& footprint)
   double degree = 1.0;
   const Bounds2& box = footprint.bounds();
   for (const auto& other : context.layout.things()) {
-    if (other.object->traits.flat || !box.overlaps(other.footprint.bounds(), slot_high)) continue;
+    if (other.object->id == context.task.object.id || other.object->traits.flat ||
+        !box.overlaps(other.footprint.bounds(), slot_high))
+      continue;
     const double slot = gap(footprint, other.footprint);
     if (slot > slot_low && slot < slot_high) degree -= 0.3;
   }
@@ -45,7 +45,9 @@ double evenness_degree(const ProposalContext& context, const Footprint& footprin
     const double share = 2.0 * (target->size.x() + target->size.y()) / context.around_count;
     for (const auto& other : context.layout.objects()) {
       const auto& theirs = other.relations;
-      if (std::find(theirs.begin(), theirs.end(), relation) == theirs.end()) continue;
+      if (other.id == context.task.object.id ||
+          std::find(theirs.begin(), theirs.end(), relation) == theirs.end())
+        continue;
       const double apart = (other.position.head<2>() - footprint.center()).norm();
       degree = std::min(degree, apart / share);
     }
@@ -73,7 +75,8 @@ bool holds_all(const ProposalContext& context, const Footprint& footprint, doubl
                      });
 }
 
-PlacementTerms score(const ProposalContext& context, const Footprint& footprint, double bottom) {
+PlacementTerms score_relations(const ProposalContext& context, const Footprint& footprint,
+                               double bottom) {
   PlacementTerms terms;
   const Subject subject{footprint, bottom, bottom + context.task.object.size.z()};
   for (const auto& relation : context.relations) {
@@ -82,10 +85,20 @@ PlacementTerms score(const ProposalContext& context, const Footprint& footprint,
     terms.relations += judgement.degree;
   }
   if (!context.relations.empty()) terms.relations /= static_cast<double>(context.relations.size());
+  return terms;
+}
+
+void add_general_terms(const ProposalContext& context, const Footprint& footprint,
+                       PlacementTerms& terms) {
   terms.walkway = walkway_degree(context, footprint);
   terms.spread = spread_degree(context, footprint);
   terms.evenness = evenness_degree(context, footprint);
   terms.closeness = closeness_degree(context, footprint);
+}
+
+PlacementTerms score(const ProposalContext& context, const Footprint& footprint, double bottom) {
+  PlacementTerms terms = score_relations(context, footprint, bottom);
+  add_general_terms(context, footprint, terms);
   return terms;
 }
 

@@ -7,6 +7,11 @@ namespace roomgen {
 
 /// The constraints' verdicts and the general terms for one pose, not yet ranked.
 PlacementTerms score(const ProposalContext& context, const Footprint& footprint, double bottom);
+/// The two halves of score(): the verdicts, and the dearer general terms.
+PlacementTerms score_relations(const ProposalContext& context, const Footprint& footprint,
+                               double bottom);
+void add_general_terms(const ProposalContext& context, const Footprint& footprint,
+                       PlacementTerms& terms);
 
 /// The terms as one number: what decides between candidates that the fusion ranks alike.
 double total_degree(const PlacementTerms& terms);

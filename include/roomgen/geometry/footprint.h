@@ -30,7 +30,7 @@ struct Bounds2 {
 /// The local frame is that of objects: width along X, depth along Y, front towards -Y.
 class Footprint {
  public:
-  Footprint() = default;
+  Footprint() : Footprint(Vec2::Zero(), Vec2::Zero(), 0.0) {}
   /// `size` is width and depth in metres; `yaw` is counter-clockwise.
   Footprint(const Vec2& center, const Vec2& size, double yaw, bool round = false);
 
@@ -39,6 +39,9 @@ class Footprint {
   double yaw() const { return yaw_; }
   bool round() const { return count_ > 4; }
   Vec2 front() const { return {sin_, -cos_}; }
+  /// Unit vectors of the local frame.
+  Vec2 x_axis() const { return {cos_, sin_}; }
+  Vec2 y_axis() const { return {-sin_, cos_}; }
   Vec2 to_local(const Vec2& point) const;
   Vec2 to_world(const Vec2& local) const;
   /// The outline, counter-clockwise. For a rectangle: back left … in the order (+x,+y), (-x,+y),
@@ -56,7 +59,7 @@ class Footprint {
   double cos_ = 1.0;
   double sin_ = 0.0;
   std::size_t count_ = 4;
-  std::array<Vec2, round_sides> corners_{};
+  std::array<Vec2, round_sides> corners_;  // the first count_ are set
   Bounds2 bounds_;
 };
 

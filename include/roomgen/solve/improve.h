@@ -30,7 +30,7 @@ struct LayoutQuality {
   /// As many placed and held; the degree may be worse.
   bool as_good_as(const LayoutQuality& other) const;
 };
-LayoutQuality quality(const Layout& layout);
+LayoutQuality quality(const Layout& layout, const std::vector<PlacementTask>& tasks);
 
 /// Wins back objects without a place and lost constraints: takes a troubled object, what it depends on
 /// and some neighbours out (never locked ones), puts them back in another way, and keeps the result if it

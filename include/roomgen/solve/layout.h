@@ -35,6 +35,9 @@ class Layout {
   /// Yaws at which a thing stands square to some wall, each quarter turn, without repetition.
   std::span<const double> wall_yaws() const { return wall_yaws_; }
 
+  /// The clearances of doors and passages.
+  std::span<const Footprint> door_areas() const { return door_areas_; }
+
   void add(Object object);
   void remove(std::string_view id);
 
@@ -73,6 +76,7 @@ class Layout {
   Solids solids_;
   std::vector<double> wall_yaws_;
   std::vector<Clearance> clearances_;
+  std::vector<Footprint> door_areas_;
   bool is_box_ = false;  ///< the room is an axis-aligned rectangle
   Bounds2 bounds_;
   std::vector<Object> objects_;
