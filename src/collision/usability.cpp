@@ -41,14 +41,31 @@ bool zone_is_free(const Room& room, std::span<const FloorThing> things, const Fl
   });
 }
 
+namespace {
+
+bool needs_no_zone(const FloorThing& thing) {
+  return thing.category->zones.empty() || thing.object->traits.flat ||
+         thing.object->mount != Mount::floor;
+}
+
+}  // namespace
+
+bool has_free_zone(const Room& room, std::span<const FloorThing> things, const FloorThing& thing) {
+  const auto& zones = thing.category->zones;
+  return needs_no_zone(thing) ||
+         std::any_of(zones.begin(), zones.end(), [&](const UseZone& zone) {
+           return zone_is_free(room, things, thing, zone);
+         });
+}
+
 bool is_usable(const Room& room, std::span<const FloorThing> things, const FloorThing& thing,
                const WalkMap& flooded) {
   const auto& zones = thing.category->zones;
-  if (zones.empty() || thing.object->traits.flat || thing.object->mount != Mount::floor) return true;
-  return std::any_of(zones.begin(), zones.end(), [&](const UseZone& zone) {
-    return flooded.reaches(zone_footprint(thing.footprint, zone)) &&
-           zone_is_free(room, things, thing, zone);
-  });
+  return needs_no_zone(thing) ||
+         std::any_of(zones.begin(), zones.end(), [&](const UseZone& zone) {
+           return flooded.reaches(zone_footprint(thing.footprint, zone)) &&
+                  zone_is_free(room, things, thing, zone);
+         });
 }
 
 WalkMap make_walk_map(const Room& room, std::span<const FloorThing> things) {

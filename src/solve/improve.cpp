@@ -72,9 +72,21 @@ class Search {
     return {{layout_.objects().begin(), layout_.objects().end()}, reasons_, quality(layout_, tasks_)};
   }
 
+  // Touches only what moved.
   void restore(const State& state) {
-    while (!layout_.objects().empty()) layout_.remove(layout_.objects().back().id);
-    for (const auto& object : state.objects) layout_.add(object);
+    const auto same_pose = [](const Object& a, const Object& b) {
+      return a.position == b.position && a.yaw == b.yaw;
+    };
+    std::vector<std::string> moved;
+    for (const auto& object : layout_.objects()) {
+      const auto before =
+          std::find_if(state.objects.begin(), state.objects.end(),
+                       [&](const Object& other) { return other.id == object.id; });
+      if (before == state.objects.end() || !same_pose(*before, object)) moved.push_back(object.id);
+    }
+    for (const auto& id : moved) layout_.remove(id);
+    for (const auto& object : state.objects)
+      if (!layout_.find(object.id)) layout_.add(object);
     reasons_ = state.reasons;
   }
 

@@ -27,6 +27,9 @@ bool blocks_floor(const Object& object);
 bool zone_is_free(const Room& room, std::span<const FloorThing> things, const FloorThing& owner,
                   const UseZone& zone);
 
+/// Has the thing a free zone, reachable or not? True for things without zones.
+bool has_free_zone(const Room& room, std::span<const FloorThing> things, const FloorThing& thing);
+
 /// Is one of the object's use zones free and, in the flooded map, reachable? Things without zones always
 /// are, and so are things that stand on others or hang.
 bool is_usable(const Room& room, std::span<const FloorThing> things, const FloorThing& thing,

@@ -69,6 +69,8 @@ class Layout {
   };
   void refresh_things();
   void bring_walk_map_up_to_date();
+  bool all_have_a_free_zone() const;
+  bool all_are_usable_with(const Footprint& newcomer);
 
   const Room& room_;
   const CategoryTable& categories_;
