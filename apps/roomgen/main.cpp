@@ -31,7 +31,7 @@ int main(int argc, char** argv) {
   app.add_flag("--json", context.json, "Print a summary for scripts");
   app.add_flag("--quiet", context.quiet, "No progress");
 #ifdef ROOMGEN_HAS_ASSETS
-  // add_assets_command(app, context);
+  add_assets_command(app, context);
 #endif
 
   try {
