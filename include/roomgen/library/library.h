@@ -29,10 +29,10 @@ struct AssetInfo {
 };
 
 struct AssetQuery {
-  std::string category;           ///< "desk": what the thing must be
-  std::string description;        ///< "a white wooden desk": which of them is preferred
-  std::optional<Vec3> size;       ///< wanted box, metres
-  std::optional<Mount> mount;
+  std::string category = {};      ///< "desk": what the thing must be
+  std::string description = {};   ///< "a white wooden desk": which of them is preferred
+  std::optional<Vec3> size = {};  ///< wanted box, metres
+  std::optional<Mount> mount = {};
   std::size_t limit = 10;
 };
 
