@@ -15,21 +15,24 @@ namespace roomgen {
 struct AssetInfo {
   AssetRef ref;
   std::string name;                    ///< "Double bed"
+  std::string category;                ///< what it is, as Vocabulary names kinds: "bed"
   std::vector<std::string> tags;
   std::string group;                   ///< the library's own category: "Bedroom"
   Vec3 size = Vec3::Ones();            ///< width, depth, height in metres
-  Mount mount = Mount::floor;
+  Mount mount = Mount::floor;          ///< in a match: the one that the query asked for
   double elevation = 0.0;              ///< of the bottom above the floor, metres
   std::optional<double> support_height;  ///< of the surface that carries things; none: nothing on top
   bool has_front = true;
+  bool round = false;                  ///< covers the ellipse inscribed in its rectangle
+  std::vector<std::string> colors;     ///< names of its main colours, largest area first: "white"
   std::size_t triangles = 0;
 };
 
 struct AssetQuery {
-  std::string category;           ///< "desk": what the thing must be
-  std::string description;        ///< "a white wooden desk": which of them is preferred
-  std::optional<Vec3> size;       ///< wanted box, metres
-  std::optional<Mount> mount;
+  std::string category = {};      ///< "desk": what the thing must be
+  std::string description = {};   ///< "a white wooden desk": which of them is preferred
+  std::optional<Vec3> size = {};  ///< wanted box, metres
+  std::optional<Mount> mount = {};
   std::size_t limit = 10;
 };
 

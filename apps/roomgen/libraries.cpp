@@ -1,0 +1,46 @@
+#include "libraries.h"
+
+#include <unistd.h>
+
+#include <cstdio>
+
+namespace roomgen::cli {
+
+namespace {
+
+void print_progress(const assets::IndexProgress& progress) {
+  std::fprintf(stderr, "\rIndexing %.*s: %zu of %zu ", static_cast<int>(progress.library.size()),
+               progress.library.data(), progress.done, progress.total);
+  if (progress.done == progress.total) std::fputs("\n", stderr);
+}
+
+}  // namespace
+
+void add_library_options(CLI::App& command, LibraryOptions& options) {
+  command.add_option("--library", options.more,
+                     "Another furniture library: a .sh3f file or a folder of meshes");
+  command.add_flag("--no-default-libraries", options.only_these,
+                   "Leave out the libraries that the system has");
+  command.add_option("--cache", options.cache, "Where the catalogue is kept");
+}
+
+Result<std::unique_ptr<assets::Catalogue>> open_libraries(const LibraryOptions& options,
+                                                          const Context& context) {
+  assets::CatalogueOptions catalogue;
+  if (options.only_these) catalogue.libraries.clear();
+  catalogue.libraries.insert(catalogue.libraries.end(), options.more.begin(), options.more.end());
+  if (catalogue.libraries.empty())
+    return Error{Error::Kind::not_found,
+                 "no furniture library: install sweethome3d-furniture or give --library"};
+  if (!options.cache.empty()) catalogue.cache_dir = options.cache;
+  catalogue.rebuild = options.rebuild;
+  catalogue.cancel = context.cancel;
+  if (!context.quiet && ::isatty(STDERR_FILENO)) catalogue.progress = print_progress;
+  if (options.verbose && !context.quiet)
+    catalogue.log = [](LogLevel, std::string_view message) {
+      std::fprintf(stderr, "%.*s\n", static_cast<int>(message.size()), message.data());
+    };
+  return assets::open_catalogue(catalogue);
+}
+
+}  // namespace roomgen::cli

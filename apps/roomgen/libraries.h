@@ -1,0 +1,29 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "command.h"
+#include "roomgen/assets/catalogue.h"
+
+namespace roomgen::cli {
+
+/// The furniture libraries that a command works with.
+struct LibraryOptions {
+  std::vector<std::string> more;  ///< besides the installed ones
+  bool only_these = false;
+  std::string cache;     ///< empty: the user's cache folder
+  bool rebuild = false;
+  bool verbose = false;  ///< tell what was repaired or left out
+};
+
+/// Adds --library, --no-default-libraries and --cache.
+void add_library_options(CLI::App& command, LibraryOptions& options);
+
+/// Opens them, with a progress line on a terminal while they are indexed.
+Result<std::unique_ptr<assets::Catalogue>> open_libraries(const LibraryOptions& options,
+                                                          const Context& context);
+
+}  // namespace roomgen::cli

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "roomgen/base/cancel.h"
+#include "roomgen/base/log.h"
+#include "roomgen/library/library.h"
+
+namespace roomgen::assets {
+
+struct IndexProgress {
+  std::string_view library;
+  std::size_t done = 0;
+  std::size_t total = 0;
+};
+
+/// The furniture packages that this system has, in order; empty if it has none.
+std::vector<std::filesystem::path> installed_libraries();
+
+/// $XDG_CACHE_HOME/roomgen, else ~/.cache/roomgen, else a folder of the system's temporary one.
+std::filesystem::path default_cache_dir();
+
+struct CatalogueOptions {
+  /// Sweet Home 3D archives (.sh3f) and folders of meshes (docs/assets.md). An asset is known by its
+  /// library's name (file name without extension, folder name) and its id.
+  std::vector<std::filesystem::path> libraries = installed_libraries();
+  std::filesystem::path cache_dir = default_cache_dir();
+  bool rebuild = false;  ///< even if the cached catalogue still holds
+  LogSink log;           ///< what was repaired or left out while indexing
+  std::function<void(const IndexProgress&)> progress;  ///< after each mesh, one call at a time
+  CancelToken cancel;
+};
+
+/// Furniture libraries as one AssetLibrary. Safe to use from several threads.
+class Catalogue final : public AssetLibrary {
+ public:
+  struct Impl;
+  explicit Catalogue(std::unique_ptr<Impl> impl);
+  ~Catalogue() override;
+
+  Result<std::vector<AssetMatch>> search(const AssetQuery& query) const override;
+  /// Meshes are read when asked for; the last few stay in memory.
+  Result<std::shared_ptr<const Model>> load(const AssetRef& ref) const override;
+  /// All assets, by library and id.
+  Result<std::vector<AssetInfo>> all() const;
+  /// One asset, by "Scopia/leather_sofa", or by its id alone: the first library that has it.
+  Result<AssetInfo> find(std::string_view name) const;
+
+ private:
+  std::unique_ptr<Impl> impl_;
+};
+
+/// Opens libraries, indexing those whose catalogue is missing or out of date: seconds for hundreds of
+/// meshes the first time, milliseconds later. A library that cannot be read is an error; a broken
+/// asset in it is left out with a warning.
+///
+///     auto catalogue = roomgen::assets::open_catalogue({});
+///     if (!catalogue) return catalogue.error();
+///     auto desks = (*catalogue)->search({.category = "desk", .description = "white, modern"});
+Result<std::unique_ptr<Catalogue>> open_catalogue(const CatalogueOptions& options);
+
+}  // namespace roomgen::assets

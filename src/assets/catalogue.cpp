@@ -1,0 +1,193 @@
+#include "roomgen/assets/catalogue.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <deque>
+#include <mutex>
+#include <optional>
+
+#include "asset_source.h"
+#include "import_mesh.h"
+#include "index.h"
+#include "index_file.h"
+#include "roomgen/library/ranking.h"
+#include "search.h"
+
+namespace roomgen::assets {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t kept_models = 64;
+
+// One library: its catalogue, and its files once a mesh is wanted.
+struct Shelf {
+  std::string library;
+  fs::path path;
+  Database database;
+  std::optional<FileTree> tree;
+};
+
+// The models that were asked for last.
+class ModelCache {
+ public:
+  std::shared_ptr<const Model> find(const std::string& key) const {
+    for (const auto& [name, model] : models_)
+      if (name == key) return model;
+    return nullptr;
+  }
+  void add(const std::string& key, std::shared_ptr<const Model> model) {
+    models_.emplace_front(key, std::move(model));
+    if (models_.size() > kept_models) models_.pop_back();
+  }
+
+ private:
+  std::deque<std::pair<std::string, std::shared_ptr<const Model>>> models_;
+};
+
+Error unknown(const std::string& name) {
+  return {Error::Kind::not_found, name + ": no open library has this asset"};
+}
+
+std::optional<IndexedAsset> find_row(const Database& database, const std::string& id) {
+  Statement statement =
+      database.prepare(std::string("SELECT ") + row_columns + " FROM assets WHERE asset = ?");
+  statement.bind(1, id);
+  if (!statement.step()) return std::nullopt;
+  return row_of(statement);
+}
+
+fs::path environment_folder(const char* variable) {
+  const char* value = std::getenv(variable);
+  const fs::path path = value ? value : "";
+  return path.is_absolute() ? path : fs::path();  // the XDG rules ignore relative ones
+}
+
+}  // namespace
+
+struct Catalogue::Impl {
+  mutable std::mutex mutex;  // SQLite handles and the cache are used by one thread at a time
+  mutable std::vector<Shelf> shelves;
+  mutable ModelCache models;
+  LogSink log;
+
+  Result<std::shared_ptr<const Model>> read_model(Shelf& shelf, const IndexedAsset& asset) const;
+};
+
+Result<std::shared_ptr<const Model>> Catalogue::Impl::read_model(Shelf& shelf,
+                                                                const IndexedAsset& asset) const {
+  if (!shelf.tree) {
+    auto tree = open_tree(shelf.path, {});  // warnings were given while indexing
+    if (!tree) return tree.error();
+    shelf.tree = *std::move(tree);
+  }
+  auto model = import_mesh(*shelf.tree, asset.mesh, {});
+  if (!model) return with_context(model.error(), shelf.library);
+  SourceFrame frame;
+  frame.ours_from_source = asset.ours_from_source;
+  frame.size = asset.info.size;
+  const auto size = fit_to_frame(*model, frame);
+  if (!size) return with_context(size.error(), shelf.library + "/" + asset.info.ref.id);
+  return std::make_shared<const Model>(*std::move(model));
+}
+
+Catalogue::Catalogue(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+Catalogue::~Catalogue() = default;
+
+Result<std::vector<AssetMatch>> Catalogue::search(const AssetQuery& query) const {
+  const auto& vocabulary = Vocabulary::built_in();
+  const SearchPlan plan = plan_search(query, vocabulary);
+  const std::lock_guard lock(impl_->mutex);
+  std::vector<AssetMatch> all;
+  for (const auto& shelf : impl_->shelves) {
+    auto matches = run_search(shelf.database, plan, vocabulary);
+    if (!matches) return with_context(matches.error(), shelf.library);
+    all.insert(all.end(), matches->begin(), matches->end());
+  }
+  rank(all, query.limit);
+  return all;
+}
+
+Result<std::shared_ptr<const Model>> Catalogue::load(const AssetRef& ref) const {
+  const std::string key = asset_key(ref);
+  const std::lock_guard lock(impl_->mutex);
+  if (auto model = impl_->models.find(key)) return model;
+  for (auto& shelf : impl_->shelves) {
+    if (shelf.library != ref.library || ref.procedural) continue;
+    const auto row = find_row(shelf.database, ref.id);
+    if (!row) break;
+    if (!ref.sha256.empty() && ref.sha256 != row->info.ref.sha256)
+      log(impl_->log, LogLevel::warning, key + ": its mesh has changed since it was chosen");
+    auto model = impl_->read_model(shelf, *row);
+    if (model) impl_->models.add(key, *model);
+    return model;
+  }
+  return unknown(key);
+}
+
+Result<std::vector<AssetInfo>> Catalogue::all() const {
+  const std::lock_guard lock(impl_->mutex);
+  std::vector<AssetInfo> result;
+  for (const auto& shelf : impl_->shelves) {
+    Statement rows = shelf.database.prepare(std::string("SELECT ") + row_columns +
+                                            " FROM assets ORDER BY asset");
+    while (rows.step()) result.push_back(row_of(rows).info);
+    if (auto status = rows.status(); !status) return with_context(status.error(), shelf.library);
+  }
+  return result;
+}
+
+Result<AssetInfo> Catalogue::find(std::string_view name) const {
+  const std::string whole(name);
+  const std::lock_guard lock(impl_->mutex);
+  for (const auto& shelf : impl_->shelves) {
+    const std::string prefix = shelf.library + "/";
+    if (whole.starts_with(prefix))
+      if (auto row = find_row(shelf.database, whole.substr(prefix.size()))) return row->info;
+    if (auto row = find_row(shelf.database, whole)) return row->info;
+  }
+  return unknown(whole);
+}
+
+std::vector<fs::path> installed_libraries() {
+  const fs::path folder = "/usr/share/sweethome3d/furniture";
+  std::vector<fs::path> result;
+  std::error_code code;
+  for (const auto& entry : fs::directory_iterator(folder, code)) {
+    // Reallusion holds human figures only.
+    if (entry.path().extension() == ".sh3f" && entry.path().stem() != "Reallusion")
+      result.push_back(entry.path());
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+fs::path default_cache_dir() {
+  if (const auto cache = environment_folder("XDG_CACHE_HOME"); !cache.empty())
+    return cache / "roomgen";
+  if (const auto home = environment_folder("HOME"); !home.empty()) return home / ".cache" / "roomgen";
+  std::error_code code;
+  return fs::temp_directory_path(code) / "roomgen-cache";
+}
+
+Result<std::unique_ptr<Catalogue>> open_catalogue(const CatalogueOptions& options) {
+  auto impl = std::make_unique<Catalogue::Impl>();
+  impl->log = options.log;
+  for (const auto& path : options.libraries) {
+    const std::string name = library_name(path);
+    const bool doubled = std::any_of(impl->shelves.begin(), impl->shelves.end(),
+                                     [&](const Shelf& shelf) { return shelf.library == name; });
+    if (doubled)
+      return Error{Error::Kind::invalid_input,
+                   path.string() + ": another library is called \"" + name + "\", too; rename one"};
+    const auto index = ensure_index(path, options);
+    if (!index) return index.error();
+    auto database = Database::open_read_only(*index);
+    if (!database) return database.error();
+    impl->shelves.push_back({name, path, *std::move(database), std::nullopt});
+  }
+  return std::make_unique<Catalogue>(std::move(impl));
+}
+
+}  // namespace roomgen::assets

@@ -1,0 +1,82 @@
+#include "classify.h"
+
+#include "roomgen/base/text.h"
+#include "roomgen/scene/category.h"
+
+namespace roomgen::assets {
+
+namespace {
+
+constexpr double hangs_from = 0.9;     // metres: what the library puts this high is on a wall
+constexpr double near_ceiling = 2.0;
+constexpr double small_side = 0.45;    // metres: what is this small stands on something
+constexpr double small_height = 0.5;
+constexpr double usual_wall_elevation = 1.2;
+
+// A name may end in a number or a material, so the whole name comes first, then its group.
+std::string kind_from_name(const SourceAsset& asset, const Vocabulary& vocabulary) {
+  const auto by_name = vocabulary.understand(asset.info.name);
+  if (by_name.known) return by_name.kind;
+  std::string id = file_name_of(asset.info.ref.id);
+  const auto by_id = vocabulary.understand(id);
+  return by_id.known ? by_id.kind : by_name.kind;
+}
+
+std::string kind_of(const SourceAsset& asset, const Label* label, const Vocabulary& vocabulary) {
+  if (label && !label->category.empty()) return label->category;
+  return asset.category ? vocabulary.understand(*asset.category).kind
+                        : kind_from_name(asset, vocabulary);
+}
+
+Mount guess_mount(const AssetInfo& info) {
+  if (info.elevation >= near_ceiling) return Mount::ceiling;
+  if (info.elevation >= hangs_from) return Mount::wall;
+  const bool small = info.size.head<2>().maxCoeff() <= small_side && info.size.z() <= small_height;
+  return small ? Mount::surface : Mount::floor;
+}
+
+Mount mount_of(const SourceAsset& asset, const AssetInfo& info, const Label* label,
+               const Kind* kind) {
+  if (label && label->mount) return *label->mount;
+  if (asset.mount) return *asset.mount;
+  if (kind && kind->mount) return *kind->mount;
+  return guess_mount(info);
+}
+
+// The height at which the kind usually hangs, if the library does not say.
+double elevation_of(const AssetInfo& info) {
+  if (info.mount != Mount::wall) return info.mount == Mount::ceiling ? info.elevation : 0.0;
+  if (info.elevation > 0.0) return info.elevation;
+  const Category* category = CategoryTable::built_in().find(info.category);
+  return category && category->elevation > 0.0 ? category->elevation : usual_wall_elevation;
+}
+
+bool round_of(const SourceAsset& asset, const Label* label) {
+  if (label && label->round) return *label->round;
+  return asset.round.value_or(false);
+}
+
+bool front_of(const SourceAsset& asset, const AssetInfo& info, const Label* label) {
+  if (label && label->front) return *label->front;
+  if (asset.front) return *asset.front;
+  const Category* category = CategoryTable::built_in().find(info.category);
+  return category ? category->traits.front : true;
+}
+
+}  // namespace
+
+AssetInfo classify(const SourceAsset& asset, const Label* label, const Vocabulary& vocabulary) {
+  AssetInfo info = asset.info;
+  info.category = kind_of(asset, label, vocabulary);
+  const Kind* kind = vocabulary.find(info.category);
+  info.mount = mount_of(asset, info, label, kind);
+  info.elevation = elevation_of(info);
+  info.round = round_of(asset, label);
+  info.has_front = front_of(asset, info, label);
+  if (label) info.tags.insert(info.tags.end(), label->tags.begin(), label->tags.end());
+  if (!info.support_height && !asset.carries_nothing && kind && kind->supports)
+    info.support_height = info.size.z();
+  return info;
+}
+
+}  // namespace roomgen::assets

@@ -1,0 +1,99 @@
+#include "file_tree.h"
+
+#include <algorithm>
+
+#include "roomgen/base/file.h"
+#include "roomgen/base/text.h"
+
+namespace roomgen::assets {
+
+namespace fs = std::filesystem;
+
+bool FileTree::contains(std::string_view name) const {
+  return std::binary_search(names.begin(), names.end(), name);
+}
+
+std::vector<std::string> FileTree::files_in(std::string_view folder) const {
+  const std::string prefix = folder.empty() ? std::string() : std::string(folder) + "/";
+  std::vector<std::string> result;
+  for (auto it = std::lower_bound(names.begin(), names.end(), prefix);
+       it != names.end() && it->starts_with(prefix); ++it)
+    if (it->find('/', prefix.size()) == std::string::npos) result.push_back(*it);
+  return result;
+}
+
+std::string FileTree::find_in_folder(std::string_view folder, std::string_view file) const {
+  const std::string wanted = lower(trim(file));
+  for (const auto& name : files_in(folder))
+    if (lower(file_name_of(name)) == wanted) return name;
+  return {};
+}
+
+std::string FileTree::resolve(const std::string& folder, std::string_view reference) const {
+  std::string path(trim(reference));
+  std::replace(path.begin(), path.end(), '\\', '/');
+  while (path.starts_with("./")) path.erase(0, 2);
+  if (is_safe_name(path)) {
+    const std::string below = folder_of(path);
+    const std::string whole = folder.empty() || below.empty() ? folder + below : folder + "/" + below;
+    if (auto found = find_in_folder(whole, file_name_of(path)); !found.empty()) return found;
+  }
+  return find_in_folder(folder, file_name_of(path));
+}
+
+bool is_safe_name(std::string_view name) {
+  if (name.empty() || name.front() == '/' || name.find('\\') != std::string_view::npos) return false;
+  if (name.size() > 1 && name[1] == ':') return false;
+  if (std::any_of(name.begin(), name.end(), [](unsigned char c) { return c < 32 || c == 127; }))
+    return false;
+  const auto parts = split(name, '/');
+  return std::none_of(parts.begin(), parts.end(), [](const std::string& part) { return part == ".."; });
+}
+
+std::string folder_of(std::string_view name) {
+  const auto slash = name.rfind('/');
+  return slash == std::string_view::npos ? std::string() : std::string(name.substr(0, slash));
+}
+
+std::string file_name_of(std::string_view path) {
+  const auto slash = path.find_last_of("/\\");
+  return std::string(slash == std::string_view::npos ? path : path.substr(slash + 1));
+}
+
+std::string extension_of(std::string_view name) {
+  const std::string file = file_name_of(name);
+  const auto dot = file.rfind('.');
+  return dot == std::string::npos ? std::string() : lower(std::string_view(file).substr(dot + 1));
+}
+
+Result<FileTree> open_folder(const fs::path& path) {
+  std::error_code code;
+  const fs::path root = fs::canonical(path, code);
+  if (code || !fs::is_directory(root, code))
+    return Error{Error::Kind::not_found, path.string() + ": no such folder"};
+  FileTree tree;
+  auto entry = fs::recursive_directory_iterator(
+      root, fs::directory_options::skip_permission_denied, code);
+  for (; !code && entry != fs::recursive_directory_iterator(); entry.increment(code)) {
+    std::error_code ignored;
+    if (!entry->is_regular_file(ignored)) continue;
+    if (entry->is_symlink(ignored)) {
+      const std::string target = fs::canonical(entry->path(), ignored).string();
+      if (ignored || !target.starts_with(root.string() + "/")) continue;
+    }
+    std::string name = entry->path().lexically_relative(root).generic_string();
+    if (is_safe_name(name)) tree.names.push_back(std::move(name));
+    if (tree.names.size() > max_tree_files)
+      return Error{Error::Kind::limit, path.string() + ": more than " +
+                                           std::to_string(max_tree_files) + " files"};
+  }
+  if (code) return Error{Error::Kind::io, path.string() + ": " + code.message()};
+  std::sort(tree.names.begin(), tree.names.end());
+  tree.read = [root](const std::string& name) -> Result<std::string> {
+    if (!is_safe_name(name)) return Error{Error::Kind::invalid_input, name + ": leads outside"};
+    return read_file(root / name, max_asset_bytes);
+  };
+  return tree;
+}
+
+}  // namespace roomgen::assets

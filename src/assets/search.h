@@ -1,0 +1,28 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "database.h"
+#include "roomgen/library/library.h"
+#include "roomgen/library/vocabulary.h"
+
+namespace roomgen::assets {
+
+/// A query, understood: which kinds would do and how well, and which words tell the better ones.
+struct SearchPlan {
+  std::map<std::string, double> kinds;  ///< category to fit in (0, 1]
+  std::string free_kind;                ///< instead of kinds: a phrase that the vocabulary lacks
+  std::vector<std::string> words;       ///< of the description, singular
+  AssetQuery query;
+  std::optional<Vec3> usual_size;       ///< of the category, when the query wants none
+};
+
+SearchPlan plan_search(const AssetQuery& query, const Vocabulary& vocabulary);
+
+/// The assets of one catalogue that fit, unordered.
+Result<std::vector<AssetMatch>> run_search(const Database& database, const SearchPlan& plan,
+                                           const Vocabulary& vocabulary);
+
+}  // namespace roomgen::assets

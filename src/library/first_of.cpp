@@ -1,0 +1,43 @@
+#include "roomgen/library/first_of.h"
+
+#include <utility>
+
+namespace roomgen {
+
+namespace {
+
+class FirstOf final : public AssetLibrary {
+ public:
+  explicit FirstOf(std::vector<std::shared_ptr<const AssetLibrary>> libraries)
+      : libraries_(std::move(libraries)) {}
+
+  Result<std::vector<AssetMatch>> search(const AssetQuery& query) const override {
+    for (const auto& library : libraries_) {
+      auto matches = library->search(query);
+      if (!matches || !matches->empty()) return matches;
+    }
+    return std::vector<AssetMatch>{};
+  }
+
+  Result<std::shared_ptr<const Model>> load(const AssetRef& ref) const override {
+    Error error{Error::Kind::not_found, asset_key(ref) + ": no library is open"};
+    for (const auto& library : libraries_) {
+      auto model = library->load(ref);
+      if (model || model.error().kind != Error::Kind::not_found) return model;
+      error = model.error();
+    }
+    return error;
+  }
+
+ private:
+  std::vector<std::shared_ptr<const AssetLibrary>> libraries_;
+};
+
+}  // namespace
+
+std::unique_ptr<AssetLibrary> make_first_of(
+    std::vector<std::shared_ptr<const AssetLibrary>> libraries) {
+  return std::make_unique<FirstOf>(std::move(libraries));
+}
+
+}  // namespace roomgen
