@@ -35,6 +35,9 @@ int main(int argc, char** argv) {
 #ifdef ROOMGEN_HAS_ASSETS
   add_assets_command(app, context);
 #endif
+#ifdef ROOMGEN_HAS_RENDER
+  add_render_command(app, context);
+#endif
 
   try {
     app.parse(argc, argv);

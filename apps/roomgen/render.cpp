@@ -1,0 +1,79 @@
+#include <cstdio>
+#include <filesystem>
+#include <string>
+
+#include "command.h"
+#include "roomgen/render/image_file.h"
+#include "roomgen/render/osmesa_renderer.h"
+#include "roomgen/scene/scene.h"
+
+namespace roomgen::cli {
+
+namespace {
+
+struct Options {
+  std::string scene, output = "top.png", view = "top", frame = "plan";
+  int pixels = 1024;
+  bool marks = false;
+};
+
+// The meshes of a scene's objects. Without a library every object is drawn as its box.
+Result<ModelTable> load_models(const Scene&) {
+  return ModelTable{};
+}
+
+void report(const Context& context, const Options& options, const Image& image) {
+  if (context.json) {
+    const Json summary = {{"file", options.output}, {"width", image.width}, {"height", image.height}};
+    std::printf("%s\n", summary.dump().c_str());
+  } else if (!context.quiet) {
+    std::fprintf(stderr, "wrote %s (%d x %d)\n", options.output.c_str(), image.width, image.height);
+  }
+}
+
+Result<int> render(const Context& context, const Options& options) {
+  const auto scene = read_scene(options.scene);
+  if (!scene) return scene.error();
+  const auto models = load_models(*scene);
+  if (!models) return models.error();
+  const auto renderer = make_osmesa_renderer();
+  if (!renderer) return renderer.error();
+
+  View view;
+  view.kind = options.view == "iso" ? View::Kind::isometric : View::Kind::top;
+  view.pixels = options.pixels;
+  view.marks = options.marks;
+  view.paper_frame = options.frame == "paper";
+  const auto image = (*renderer)->render(*scene, *models, view);
+  if (!image) return image.error();
+  if (auto status = write_png(options.output, *image); !status) return status.error();
+  report(context, options, *image);
+  return exit_ok;
+}
+
+}  // namespace
+
+void add_render_command(CLI::App& app, Context& context) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("render", "Draw a picture of a scene");
+  command->add_option("scene", options->scene, "scene.json")->required()->check(CLI::ExistingFile);
+  command->add_option("-o,--output", options->output, "PNG file to write")->capture_default_str();
+  command->add_option("--view", options->view, "top: plan from above; iso: from a corner")
+      ->check(CLI::IsMember({"top", "iso"}))
+      ->capture_default_str();
+  command->add_flag("--marks", options->marks,
+                    "Draw the coordinate grid, ids and fronts (top view only)");
+  command->add_option("--frame", options->frame,
+                      "Coordinates of the marks. plan: x right, y up; paper: x down, y left")
+      ->check(CLI::IsMember({"plan", "paper"}))
+      ->capture_default_str();
+  command->add_option("--pixels", options->pixels, "Length of the picture's longer side")
+      ->capture_default_str();
+  command->callback([&context, options] {
+    if (options->marks && options->view != "top")
+      throw CLI::ValidationError("--marks", "marks need the top view");
+    context.run = [&context, options] { return render(context, *options); };
+  });
+}
+
+}  // namespace roomgen::cli

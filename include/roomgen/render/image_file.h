@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "roomgen/base/result.h"
+#include "roomgen/geometry/image.h"
+
+namespace roomgen {
+
+/// Largest picture that is read, pixels.
+inline constexpr std::size_t max_image_pixels = 64u << 20;
+
+/// PNG (ISO/IEC 15948): RGB if the picture is opaque, else RGBA. `effort` is zlib's level, 0 to 9.
+Result<std::string> encode_png(const Image& image, int effort = 3);
+/// Baseline JPEG of an opaque picture; quality 1 to 100.
+Result<std::string> encode_jpeg(const Image& image, int quality = 90);
+/// Any PNG, as 8-bit RGBA.
+Result<Image> decode_png(std::string_view bytes);
+
+Status write_png(const std::filesystem::path& path, const Image& image);
+Result<Image> read_png(const std::filesystem::path& path);
+
+}  // namespace roomgen

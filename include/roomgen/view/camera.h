@@ -1,0 +1,44 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "roomgen/geometry/mesh.h"
+#include "roomgen/scene/scene.h"
+#include "roomgen/view/view.h"
+
+namespace roomgen {
+
+/// An orthographic camera. Its axes are unit vectors in room coordinates; `backward` points from the
+/// scene to the viewer. Pixels count from the top left corner of the picture.
+struct Camera {
+  int width = 0, height = 0;  ///< pixels
+  Vec3 right = Vec3::UnitX(), up = Vec3::UnitY(), backward = Vec3::UnitZ();
+  Vec2 center = Vec2::Zero();  ///< of the picture, metres along right and up
+  double pixels_per_metre = 100.0;
+  double near = 0.0, far = 0.0;  ///< the scene lies within, metres along backward; near > far
+
+  Vec2 pixel(const Vec3& point) const;
+  /// Metres along `backward`.
+  double depth(const Vec3& point) const { return backward.dot(point); }
+};
+
+inline constexpr int min_picture_pixels = 16;
+inline constexpr int max_picture_pixels = 4096;
+/// Where the top view cuts the walls, metres above the floor.
+inline constexpr double plan_cut_height = 1.2;
+/// What remains of walls between the viewer and the room.
+inline constexpr double hidden_wall_height = 0.08;
+
+/// The camera of a view, fitted to the room with its walls and to the objects. Fails if `pixels` is
+/// out of bounds or the room has no extent.
+Result<Camera> make_camera(const Scene& scene, const View& view);
+
+/// The eight corners of the object's placed box.
+std::vector<Vec3> box_corners(const Object& object);
+
+/// Heights to draw the walls with: the top view cuts them, the isometric view lowers those that would
+/// hide the room.
+std::vector<double> wall_heights(const Room& room, const View& view, const Camera& camera);
+
+}  // namespace roomgen

@@ -1,0 +1,50 @@
+#include "gl_context.h"
+
+#include <GL/osmesa.h>
+
+namespace roomgen::detail {
+
+namespace {
+
+Error unavailable(const std::string& what) {
+  return {Error::Kind::unavailable, "OSMesa: " + what};
+}
+
+}  // namespace
+
+Result<std::unique_ptr<GlContext>> GlContext::create() {
+  const int attributes[] = {OSMESA_FORMAT, OSMESA_RGBA,
+                            OSMESA_DEPTH_BITS, 0,
+                            OSMESA_STENCIL_BITS, 0,
+                            OSMESA_PROFILE, OSMESA_CORE_PROFILE,
+                            OSMESA_CONTEXT_MAJOR_VERSION, 3,
+                            OSMESA_CONTEXT_MINOR_VERSION, 3,
+                            0};
+  const OSMesaContext handle = OSMesaCreateContextAttribs(attributes, nullptr);
+  if (!handle) return unavailable("no OpenGL 3.3 core context; Mesa 17 or newer is needed");
+  std::unique_ptr<GlContext> context(new GlContext(handle));
+  if (auto status = context->make_current(); !status) return status.error();
+  if (auto status = context->load_functions(); !status) return status.error();
+  return context;
+}
+
+GlContext::~GlContext() {
+  OSMesaDestroyContext(static_cast<OSMesaContext>(handle_));
+}
+
+Status GlContext::make_current() {
+  if (!OSMesaMakeCurrent(static_cast<OSMesaContext>(handle_), buffer_.data(), GL_UNSIGNED_BYTE, 4, 4))
+    return unavailable("the context cannot be made current");
+  return {};
+}
+
+Status GlContext::load_functions() {
+#define ROOMGEN_LOAD(name)                                                                 \
+  gl_.name = reinterpret_cast<decltype(gl_.name)>(OSMesaGetProcAddress("gl" #name));       \
+  if (!gl_.name) return unavailable("lacks gl" #name);
+  ROOMGEN_GL_FUNCTIONS(ROOMGEN_LOAD)
+#undef ROOMGEN_LOAD
+  return {};
+}
+
+}  // namespace roomgen::detail

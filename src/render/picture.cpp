@@ -1,0 +1,153 @@
+#include "picture.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <cstring>
+
+#include "shaders.h"
+
+namespace roomgen::detail {
+
+namespace {
+
+constexpr int tile_side = 1024;
+constexpr double occlusion_radius = 0.30;  // metres
+constexpr double largest_radius = 80.0;    // pixels
+constexpr int blur = 2;
+
+double radius_in_pixels(const Camera& camera) {
+  return std::min(occlusion_radius * camera.pixels_per_metre, largest_radius);
+}
+
+PixelRect whole(const Camera& camera) { return {0, 0, camera.width, camera.height}; }
+
+// What a picture of nothing looks like: paper.
+constexpr float background[3] = {0.955f, 0.948f, 0.935f};
+
+}  // namespace
+
+PixelRect covered_pixels(const Camera& camera, const Bounds3& box) {
+  Bounds2 extent;
+  for (int corner = 0; corner < 8; ++corner)
+    extent.add(camera.pixel({corner & 1 ? box.high.x() : box.low.x(),
+                             corner & 2 ? box.high.y() : box.low.y(),
+                             corner & 4 ? box.high.z() : box.low.z()}));
+  const auto down = [](double v) { return static_cast<int>(std::floor(std::clamp(v, -1e6, 1e6))); };
+  return {down(extent.low.x()) - 1, down(extent.low.y()) - 1, down(extent.high.x()) + 2,
+          down(extent.high.y()) + 2};
+}
+
+Result<Picture> Picture::create(const Gl& gl) {
+  Picture picture(gl);
+  auto occlusion = GlProgram::build(gl, shaders::screen_vertex, shaders::occlusion_fragment);
+  if (!occlusion) return occlusion.error();
+  auto resolve = GlProgram::build(gl, shaders::screen_vertex, shaders::resolve_fragment);
+  if (!resolve) return resolve.error();
+  picture.occlusion_program_ = std::move(*occlusion);
+  picture.resolve_program_ = std::move(*resolve);
+  picture.resolve_program_.use();
+  gl.Uniform1i(picture.resolve_program_.location("color_map"), 0);
+  gl.Uniform1i(picture.resolve_program_.location("occlusion_map"), 1);
+  picture.screen_ = make_vertex_array(gl);
+  return picture;
+}
+
+int Picture::reach(const Camera& camera) {
+  return static_cast<int>(std::ceil(radius_in_pixels(camera))) + blur + 2;
+}
+
+void Picture::reserve(int width, int height) {
+  if (width <= width_ && height <= height_) return;
+  width_ = std::max(width, width_);
+  height_ = std::max(height, height_);
+  color_ = make_target_texture(*gl_, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 2 * width_, 2 * height_);
+  depth_ = make_target_texture(*gl_, GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT, 2 * width_,
+                               2 * height_);
+  occlusion_ = make_target_texture(*gl_, GL_RG32F, GL_RG, GL_FLOAT, width_, height_);
+  result_ = make_target_texture(*gl_, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, width_, height_);
+  const auto attach = [&](GlName& framebuffer, const GlName& texture) {
+    framebuffer = make_framebuffer(*gl_);
+    gl_->BindFramebuffer(GL_FRAMEBUFFER, framebuffer.get());
+    gl_->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture.get(), 0);
+  };
+  attach(surface_buffer_, color_);
+  gl_->FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth_.get(), 0);
+  attach(occlusion_buffer_, occlusion_);
+  attach(result_buffer_, result_);
+}
+
+void Picture::draw(const ScenePainter& painter, const DrawList& items, const Camera& camera,
+                   const ScenePainter::Light& light, const PixelRect& part, Image& image) {
+  const int margin = reach(camera);
+  for (int y = 0; y < camera.height; y += tile_side)
+    for (int x = 0; x < camera.width; x += tile_side) {
+      const PixelRect square = PixelRect{x, y, x + tile_side, y + tile_side}.clipped(whole(camera));
+      Tile tile;
+      tile.wanted = square.clipped(part);
+      if (tile.wanted.empty()) continue;
+      tile.area = square.grown(margin).clipped(whole(camera));
+      tile.painted = tile.wanted.grown(margin).clipped(tile.area);
+      reserve(tile.area.width(), tile.area.height());
+      paint(painter, items, camera, light, tile);
+      add_occlusion(camera, tile);
+      resolve(tile, image);
+    }
+}
+
+void Picture::set_scissor(const PixelRect& part, const PixelRect& area, int scale) const {
+  gl_->Enable(GL_SCISSOR_TEST);
+  gl_->Scissor(scale * (part.x0 - area.x0), scale * (part.y0 - area.y0), scale * part.width(),
+               scale * part.height());
+}
+
+void Picture::paint(const ScenePainter& painter, const DrawList& items, const Camera& camera,
+                    const ScenePainter::Light& light, const Tile& tile) {
+  gl_->BindFramebuffer(GL_FRAMEBUFFER, surface_buffer_.get());
+  gl_->Viewport(-2 * tile.area.x0, -2 * tile.area.y0, 2 * camera.width, 2 * camera.height);
+  set_scissor(tile.painted, tile.area, 2);
+  gl_->Enable(GL_DEPTH_TEST);
+  gl_->ClearColor(background[0], background[1], background[2], 1.0f);
+  gl_->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  painter.paint_surfaces(items, camera, light, [&](const DrawItem& item) {
+    return covered_pixels(camera, item.box).meets(tile.painted);
+  });
+  gl_->Disable(GL_DEPTH_TEST);
+}
+
+void Picture::add_occlusion(const Camera& camera, const Tile& tile) {
+  gl_->BindFramebuffer(GL_FRAMEBUFFER, occlusion_buffer_.get());
+  gl_->Viewport(0, 0, tile.area.width(), tile.area.height());
+  set_scissor(tile.wanted.grown(blur).clipped(tile.area), tile.area, 1);
+  const GlProgram& program = occlusion_program_;
+  program.use();
+  gl_->ActiveTexture(GL_TEXTURE0);
+  gl_->BindTexture(GL_TEXTURE_2D, depth_.get());
+  const double radius = radius_in_pixels(camera) / camera.pixels_per_metre;
+  gl_->Uniform1f(program.location("depth_range"), static_cast<float>(camera.near - camera.far));
+  gl_->Uniform1f(program.location("metres_per_pixel"), static_cast<float>(1.0 / camera.pixels_per_metre));
+  gl_->Uniform1f(program.location("radius"), static_cast<float>(radius));
+  gl_->Uniform2i(program.location("origin"), tile.area.x0, tile.area.y0);
+  gl_->Uniform2i(program.location("limit"), tile.area.width(), tile.area.height());
+  gl_->BindVertexArray(screen_.get());
+  gl_->DrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void Picture::resolve(const Tile& tile, Image& image) {
+  gl_->BindFramebuffer(GL_FRAMEBUFFER, result_buffer_.get());
+  gl_->Viewport(0, 0, tile.area.width(), tile.area.height());
+  set_scissor(tile.wanted, tile.area, 1);
+  resolve_program_.use();
+  gl_->Uniform2i(resolve_program_.location("limit"), tile.area.width(), tile.area.height());
+  gl_->ActiveTexture(GL_TEXTURE1);
+  gl_->BindTexture(GL_TEXTURE_2D, occlusion_.get());
+  gl_->ActiveTexture(GL_TEXTURE0);
+  gl_->BindTexture(GL_TEXTURE_2D, color_.get());
+  gl_->BindVertexArray(screen_.get());
+  gl_->DrawArrays(GL_TRIANGLES, 0, 3);
+  gl_->PixelStorei(GL_PACK_ROW_LENGTH, image.width);
+  gl_->ReadPixels(tile.wanted.x0 - tile.area.x0, tile.wanted.y0 - tile.area.y0, tile.wanted.width(),
+                  tile.wanted.height(), GL_RGBA, GL_UNSIGNED_BYTE,
+                  image.at(tile.wanted.x0, tile.wanted.y0));
+}
+
+}  // namespace roomgen::detail

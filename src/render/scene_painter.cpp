@@ -1,0 +1,166 @@
+#include "scene_painter.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <string>
+
+#include "shaders.h"
+
+namespace roomgen::detail {
+
+namespace {
+
+constexpr GLint texture_unit = 0, shadow_unit = 1;
+
+Eigen::Matrix4d texture_from_clip() {
+  Eigen::Matrix4d m = Eigen::Matrix4d::Identity();
+  m.diagonal() << 0.5, 0.5, 0.5, 1.0;
+  m.topRightCorner<3, 1>().setConstant(0.5);
+  return m;
+}
+
+struct Transparent {
+  const DrawItem* item;
+  const GpuBatch* batch;
+  double depth;
+};
+
+// Far to near; equal depths in the order of the scene.
+std::vector<Transparent> sorted_transparent(const DrawList& items, const Camera& camera,
+                                            const ScenePainter::Visible& visible) {
+  std::vector<Transparent> result;
+  for (const auto& item : items)
+    for (const auto& batch : item.model->batches()) {
+      if (batch.alpha != AlphaMode::blend || !visible(item)) continue;
+      const Vec3 center = (item.room_from_model() * batch.center.homogeneous()).head<3>();
+      result.push_back({&item, &batch, camera.depth(center)});
+    }
+  std::stable_sort(result.begin(), result.end(),
+                   [](const auto& a, const auto& b) { return a.depth < b.depth; });
+  return result;
+}
+
+}  // namespace
+
+Result<ScenePainter> ScenePainter::create(const Gl& gl) {
+  ScenePainter painter(gl);
+  struct Step {
+    Program* program;
+    std::string_view vertex, defines, fragment;
+  };
+  const Step steps[] = {
+      {&painter.plain_, shaders::surface_vertex, "", shaders::surface_fragment},
+      {&painter.textured_, shaders::surface_vertex, "#define TEXTURED\n", shaders::surface_fragment},
+      {&painter.masked_, shaders::surface_vertex, "#define TEXTURED\n#define MASKED\n",
+       shaders::surface_fragment},
+      {&painter.depth_, shaders::shadow_vertex, "", shaders::shadow_fragment},
+      {&painter.masked_depth_, shaders::shadow_vertex, "#define MASKED\n", shaders::shadow_fragment},
+  };
+  for (const auto& step : steps)
+    if (auto status = painter.build(*step.program, step.vertex, step.defines, step.fragment); !status)
+      return status.error();
+  return painter;
+}
+
+Status ScenePainter::build(Program& program, std::string_view vertex, std::string_view defines,
+                           std::string_view fragment) const {
+  const std::string source = "#version 330 core\n" + std::string(defines) + std::string(fragment);
+  auto built = GlProgram::build(*gl_, vertex, source);
+  if (!built) return built.error();
+  program.program = std::move(*built);
+  program.program.use();
+  program.clip_from_model = program.program.location("clip_from_model");
+  program.sun_from_model = program.program.location("sun_from_model");
+  program.room_from_normal = program.program.location("room_from_normal");
+  program.to_viewer = program.program.location("to_viewer");
+  program.to_sun = program.program.location("to_sun");
+  program.shadow_texel = program.program.location("shadow_texel");
+  gl_->Uniform1i(program.program.location("base_color"), texture_unit);
+  gl_->Uniform1i(program.program.location("sun_depth"), shadow_unit);
+  return {};
+}
+
+const ScenePainter::Program& ScenePainter::surface_program(const GpuBatch& batch) const {
+  if (!batch.texture) return plain_;
+  return batch.alpha == AlphaMode::mask ? masked_ : textured_;
+}
+
+void ScenePainter::draw(const GpuBatch& batch) const {
+  if (batch.texture) gl_->BindTexture(GL_TEXTURE_2D, batch.texture);
+  const auto offset = static_cast<std::size_t>(batch.first) * sizeof(std::uint32_t);
+  gl_->DrawElements(GL_TRIANGLES, batch.count, GL_UNSIGNED_INT, reinterpret_cast<const void*>(offset));
+}
+
+void ScenePainter::paint_depth(const DrawList& items, const Eigen::Matrix4d& clip_from_room,
+                               const Visible& visible) const {
+  gl_->ActiveTexture(GL_TEXTURE0 + texture_unit);
+  for (const auto* program : {&depth_, &masked_depth_}) {
+    program->program.use();
+    for (const auto& item : items) {
+      if (!visible(item)) continue;
+      const Eigen::Matrix4f matrix = (clip_from_room * item.room_from_model()).cast<float>();
+      gl_->UniformMatrix4fv(program->clip_from_model, 1, GL_FALSE, matrix.data());
+      item.model->bind(*gl_);
+      for (const auto& batch : item.model->batches()) {
+        const bool masked = batch.alpha == AlphaMode::mask && batch.texture;
+        if (batch.casts_shadow && masked == (program == &masked_depth_)) draw(batch);
+      }
+    }
+  }
+}
+
+void ScenePainter::paint_surfaces(const DrawList& items, const Camera& camera, const Light& light,
+                                  const Visible& visible) const {
+  const Eigen::Matrix4d clip = clip_from_room(camera);
+  const Eigen::Matrix4d sun = texture_from_clip() * light.sun->clip_from_room;
+  gl_->ActiveTexture(GL_TEXTURE0 + shadow_unit);
+  gl_->BindTexture(GL_TEXTURE_2D, light.shadow_map);
+  gl_->ActiveTexture(GL_TEXTURE0 + texture_unit);
+
+  const auto use = [&](const Program& program) {
+    program.program.use();
+    const Eigen::Vector3f to_viewer = camera.backward.cast<float>();
+    const Eigen::Vector3f to_sun = light.sun->direction.cast<float>();
+    gl_->Uniform3f(program.to_viewer, to_viewer.x(), to_viewer.y(), to_viewer.z());
+    gl_->Uniform3f(program.to_sun, to_sun.x(), to_sun.y(), to_sun.z());
+    gl_->Uniform1f(program.shadow_texel, static_cast<float>(light.shadow_softness));
+  };
+  const auto place = [&](const Program& program, const DrawItem& item) {
+    const Eigen::Matrix4d room = item.room_from_model();
+    const Eigen::Matrix4f from_model = (clip * room).cast<float>();
+    const Eigen::Matrix4f sun_from_model = (sun * room).cast<float>();
+    const Eigen::Matrix3f normal = item.room_from_normal().cast<float>();
+    gl_->UniformMatrix4fv(program.clip_from_model, 1, GL_FALSE, from_model.data());
+    gl_->UniformMatrix4fv(program.sun_from_model, 1, GL_FALSE, sun_from_model.data());
+    gl_->UniformMatrix3fv(program.room_from_normal, 1, GL_FALSE, normal.data());
+    item.model->bind(*gl_);
+  };
+
+  for (const auto* program : {&plain_, &textured_, &masked_}) {
+    use(*program);
+    for (const auto& item : items) {
+      if (!visible(item)) continue;
+      bool placed = false;
+      for (const auto& batch : item.model->batches()) {
+        if (batch.alpha == AlphaMode::blend || &surface_program(batch) != program) continue;
+        if (!placed) place(*program, item);
+        placed = true;
+        draw(batch);
+      }
+    }
+  }
+
+  gl_->Enable(GL_BLEND);
+  gl_->BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  gl_->DepthMask(GL_FALSE);
+  for (const auto& part : sorted_transparent(items, camera, visible)) {
+    const Program& program = surface_program(*part.batch);
+    use(program);
+    place(program, *part.item);
+    draw(*part.batch);
+  }
+  gl_->DepthMask(GL_TRUE);
+  gl_->Disable(GL_BLEND);
+}
+
+}  // namespace roomgen::detail

@@ -1,0 +1,189 @@
+#pragma once
+
+#include <string_view>
+
+// GLSL 3.30 sources. Pictures are drawn at twice their size and brought down, row 0 at the top.
+namespace roomgen::detail::shaders {
+
+/// Objects and walls, seen by the camera.
+inline constexpr std::string_view surface_vertex = R"(#version 330 core
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec4 normal;    // w: roughness
+layout(location = 2) in vec2 uv;
+layout(location = 3) in vec4 color;     // sRGB
+uniform mat4 clip_from_model;
+uniform mat4 sun_from_model;
+uniform mat3 room_from_normal;
+out vec3 room_normal;
+out vec3 sun_position;
+out vec2 texture_uv;
+out vec4 tint;
+out float roughness;
+
+void main() {
+  gl_Position = clip_from_model * vec4(position, 1.0);
+  sun_position = (sun_from_model * vec4(position, 1.0)).xyz;
+  room_normal = room_from_normal * normal.xyz;
+  roughness = normal.w;
+  texture_uv = uv;
+  tint = vec4(color.rgb * color.rgb * (0.3 * color.rgb + 0.7), color.a);
+}
+)";
+
+/// A sun with soft shadows, light from all sides, a hint of gloss. Variants by macro: TEXTURED; MASKED
+/// drops transparent texels.
+inline constexpr std::string_view surface_fragment = R"(
+in vec3 room_normal;
+in vec3 sun_position;
+in vec2 texture_uv;
+in vec4 tint;
+in float roughness;
+uniform vec3 to_viewer;
+uniform vec3 to_sun;
+uniform sampler2DShadow sun_depth;
+uniform float shadow_texel;
+uniform sampler2D base_color;
+out vec4 pixel;
+
+// Four taps, turned differently in each of the four samples that make one pixel of the picture.
+float sunlight() {
+  vec2 turn = vec2[](vec2(1.0, 0.0), vec2(0.924, 0.383), vec2(0.707, 0.707), vec2(0.383, 0.924))[
+      (int(gl_FragCoord.x) & 1) + 2 * (int(gl_FragCoord.y) & 1)];
+  mat2 spin = mat2(turn.x, turn.y, -turn.y, turn.x) * shadow_texel;
+  float lit = texture(sun_depth, vec3(sun_position.xy + spin * vec2(0.8, 0.3), sun_position.z));
+  lit += texture(sun_depth, vec3(sun_position.xy + spin * vec2(-0.6, 1.6), sun_position.z));
+  lit += texture(sun_depth, vec3(sun_position.xy + spin * vec2(-2.2, -1.0), sun_position.z));
+  lit += texture(sun_depth, vec3(sun_position.xy + spin * vec2(1.2, -2.8), sun_position.z));
+  return 0.25 * lit;
+}
+
+void main() {
+  vec4 albedo = tint;
+#ifdef TEXTURED
+  vec4 texel = texture(base_color, texture_uv);
+#ifdef MASKED
+  if (texel.a < 0.4) discard;
+  texel.a = 1.0;
+#endif
+  albedo *= vec4(texel.rgb * texel.rgb * (0.3 * texel.rgb + 0.7), texel.a);
+#endif
+  // Furniture of many hands: triangles may be wound either way.
+  vec3 n = normalize(room_normal);
+  n = dot(n, to_viewer) < 0.0 ? -n : n;
+  float facing = max(dot(n, to_sun), 0.0);
+  float sun = facing > 0.0 ? facing * sunlight() : 0.0;
+  float side = 0.5 + 0.5 * dot(n, normalize(to_viewer + vec3(0.0, 0.0, 0.6)));
+  vec3 light = mix(vec3(0.30, 0.285, 0.27), vec3(0.56, 0.565, 0.58), side) +
+               sun * vec3(0.86, 0.81, 0.74);
+  vec3 color = albedo.rgb * light;
+  vec3 halfway = normalize(to_sun + to_viewer);
+  float gloss = (1.0 - roughness) * (1.0 - roughness);
+  float highlight = max(dot(n, halfway), 0.0);
+  highlight *= highlight; highlight *= highlight; highlight *= highlight; highlight *= highlight;
+  color += gloss * 0.35 * highlight * sun;
+  // Highlights roll off instead of clipping.
+  color = color * (1.0 + 0.16 * color) / (1.0 + 0.36 * color * color);
+  pixel = vec4(pow(color, vec3(1.0 / 2.2)), albedo.a);
+}
+)";
+
+/// Depth only, from the sun.
+inline constexpr std::string_view shadow_vertex = R"(#version 330 core
+layout(location = 0) in vec3 position;
+layout(location = 2) in vec2 uv;
+uniform mat4 clip_from_model;
+out vec2 texture_uv;
+void main() {
+  gl_Position = clip_from_model * vec4(position, 1.0);
+  texture_uv = uv;
+}
+)";
+inline constexpr std::string_view shadow_fragment = R"(
+in vec2 texture_uv;
+uniform sampler2D base_color;
+void main() {
+#ifdef MASKED
+  if (texture(base_color, texture_uv).a < 0.4) discard;
+#endif
+}
+)";
+
+/// One triangle over the whole target.
+inline constexpr std::string_view screen_vertex = R"(#version 330 core
+void main() {
+  vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0;
+  gl_Position = vec4(corner, 0.0, 1.0);
+}
+)";
+
+/// How much of the sky each pixel sees nearby (after McGuire et al., "The Alchemy Screen-Space Ambient
+/// Obscurance Algorithm", 2011), and its depth in metres.
+inline constexpr std::string_view occlusion_fragment = R"(#version 330 core
+uniform sampler2D depth_map;      // of the picture at twice its size
+uniform float depth_range;        // metres from near to far
+uniform float metres_per_pixel;
+uniform float radius;             // metres
+uniform ivec2 origin;             // of the tile, so that the pattern continues from tile to tile
+uniform ivec2 limit;
+out vec2 result;
+
+float depth_at(ivec2 p) {
+  return texelFetch(depth_map, 2 * clamp(p, ivec2(0), limit - 1), 0).r * depth_range;
+}
+
+void main() {
+  ivec2 p = ivec2(gl_FragCoord.xy);
+  float center = depth_at(p);
+  if (center >= depth_range * 0.9999) { result = vec2(1.0, center); return; }
+  float left = depth_at(p - ivec2(1, 0)), right = depth_at(p + ivec2(1, 0));
+  float above = depth_at(p - ivec2(0, 1)), below = depth_at(p + ivec2(0, 1));
+  float dx = abs(right - center) < abs(center - left) ? right - center : center - left;
+  float dy = abs(below - center) < abs(center - above) ? below - center : center - above;
+  vec3 n = normalize(vec3(dx, dy, -metres_per_pixel));  // z grows away from the viewer
+
+  ivec2 cell = (p + origin) & 3;
+  float turn = float((cell.x * 4 + cell.y * 9 + cell.x * cell.y) & 15) * 0.3927;
+  float reach = radius / metres_per_pixel;
+  float blocked = 0.0;
+  const int samples = 9;
+  for (int i = 0; i < samples; ++i) {
+    float angle = turn + float(i) * 2.4;
+    float r = reach * (float(i) + 0.6) / float(samples);
+    ivec2 q = p + ivec2(r * vec2(cos(angle), sin(angle)));
+    vec3 v = vec3(vec2(q - p) * metres_per_pixel, depth_at(q) - center);
+    float squared = dot(v, v);
+    float fade = max(0.0, 1.0 - squared / (radius * radius));
+    blocked += fade * max(0.0, dot(v, n) - 0.006) / (squared + 0.004);
+  }
+  result = vec2(max(0.0, 1.0 - blocked * radius * 2.0 / float(samples)), center);
+}
+)";
+
+/// The picture: four samples a pixel, darkened where the sky is hidden.
+inline constexpr std::string_view resolve_fragment = R"(#version 330 core
+uniform sampler2D color_map;
+uniform sampler2D occlusion_map;
+uniform ivec2 limit;
+out vec4 pixel;
+
+void main() {
+  ivec2 p = ivec2(gl_FragCoord.xy);
+  vec3 color = texelFetch(color_map, 2 * p, 0).rgb + texelFetch(color_map, 2 * p + ivec2(1, 0), 0).rgb +
+               texelFetch(color_map, 2 * p + ivec2(0, 1), 0).rgb +
+               texelFetch(color_map, 2 * p + ivec2(1, 1), 0).rgb;
+  // The pattern of the occlusion repeats every four pixels: the mean over 4 x 4 removes it.
+  float center = texelFetch(occlusion_map, p, 0).g;
+  float sum = 0.0, weights = 0.0;
+  for (int y = -2; y < 2; ++y)
+    for (int x = -2; x < 2; ++x) {
+      vec2 other = texelFetch(occlusion_map, clamp(p + ivec2(x, y), ivec2(0), limit - 1), 0).rg;
+      float weight = abs(other.g - center) < 0.08 ? 1.0 : 0.001;
+      sum += weight * other.r;
+      weights += weight;
+    }
+  float sky = sum / weights;
+  pixel = vec4(0.25 * color * (0.45 + 0.55 * sky), 1.0);
+}
+)";
+
+}  // namespace roomgen::detail::shaders

@@ -1,0 +1,179 @@
+#include "roomgen/scene/room_shell.h"
+
+#include <algorithm>
+
+#include "roomgen/scene/finish.h"
+#include "wall_builder.h"
+#include "woodwork.h"
+
+namespace roomgen {
+
+namespace {
+
+using detail::add_quad;
+using detail::Span;
+using detail::WallColumn;
+using detail::WallFrame;
+
+constexpr double tolerance = 1e-6;
+
+double height_of(const Room& room, const ShellOptions& options, std::size_t wall) {
+  return wall < options.wall_heights.size() ? std::min(options.wall_heights[wall], room.height)
+                                            : room.height;
+}
+
+Model floor_slab(const Room& room) {
+  const Finish finish = floor_finish(room);
+  const Polygon outline{offset_outward(room.polygon, wall_thickness)};
+  Mesh upper, rest;
+  for (const auto& p : outline.points) {
+    upper.positions.push_back(Vec3(p.x(), p.y(), 0.0).cast<float>());
+    upper.normals.push_back(Eigen::Vector3f::UnitZ());
+    upper.uvs.push_back((p / finish.extent).cast<float>());
+    rest.positions.push_back(Vec3(p.x(), p.y(), -floor_thickness).cast<float>());
+    rest.normals.push_back(-Eigen::Vector3f::UnitZ());
+    rest.uvs.push_back((p / finish.extent).cast<float>());
+  }
+  for (const auto& t : triangulate(outline)) {
+    upper.triangles.push_back(t);
+    rest.triangles.push_back({t[0], t[2], t[1]});
+  }
+  for (std::size_t k = 0; k < outline.size(); ++k) {
+    const Segment e = outline.edge(k);
+    const auto at = [](const Vec2& p, double z) { return Vec3(p.x(), p.y(), z); };
+    add_quad(rest, {at(e.a, -floor_thickness), at(e.b, -floor_thickness), at(e.b, 0.0), at(e.a, 0.0)});
+  }
+  Material edge;
+  edge.name = "slab";
+  edge.base_color = material_color({150, 142, 132});
+  return {{{std::move(upper), 0}, {std::move(rest), 1}}, {finish.material, edge}};
+}
+
+// The faces of one wall, sorted by what they are made of.
+struct WallMeshes {
+  Mesh painted, reveals, top;
+};
+
+class WallSolid {
+ public:
+  WallSolid(const WallFrame& frame, double height, double uv_extent)
+      : frame_(frame), height_(height), uv_scale_(1.0 / uv_extent) {}
+
+  void add_column(const WallColumn& column) {
+    for (const auto& span : column.solid) {
+      add_face(meshes_.painted, column.to, column.from, false, span);
+      add_face(meshes_.painted, column.from, column.to, true, span);
+      const bool at_top = span.high > height_ - tolerance, at_floor = span.low < tolerance;
+      add_level(at_top ? meshes_.top : meshes_.reveals, column.from, column.to, span.high, true);
+      add_level(at_floor ? meshes_.painted : meshes_.reveals, column.from, column.to, span.low, false);
+    }
+  }
+
+  /// Closes the sides at s where `left` is solid and `right` is not, or the other way round.
+  void add_jambs(double s, std::vector<Span> left, std::vector<Span> right) {
+    const bool at_end = s < tolerance || s > frame_.length - tolerance;
+    Mesh& mesh = at_end ? meshes_.painted : meshes_.reveals;
+    for (const auto& span : difference(right, left)) add_jamb(mesh, s, span, false);
+    for (const auto& span : difference(left, right)) add_jamb(mesh, s, span, true);
+  }
+
+  WallMeshes take() { return std::move(meshes_); }
+
+ private:
+  static std::vector<Span> difference(const std::vector<Span>& a, const std::vector<Span>& b) {
+    std::vector<Span> rest;
+    for (Span span : a) {
+      for (const auto& hole : b) {
+        if (hole.high <= span.low || hole.low >= span.high) continue;
+        if (hole.low > span.low + tolerance) rest.push_back({span.low, hole.low});
+        span.low = std::min(hole.high, span.high);
+      }
+      if (span.high > span.low + tolerance) rest.push_back(span);
+    }
+    return rest;
+  }
+
+  Eigen::Vector2f uv(double s, double z) const {
+    return {static_cast<float>(s * uv_scale_), static_cast<float>(-z * uv_scale_)};
+  }
+
+  void add_face(Mesh& mesh, double s0, double s1, bool outer, const Span& z) const {
+    add_quad(mesh,
+             {frame_.corner(s0, outer, z.low), frame_.corner(s1, outer, z.low),
+              frame_.corner(s1, outer, z.high), frame_.corner(s0, outer, z.high)},
+             {uv(s0, z.low), uv(s1, z.low), uv(s1, z.high), uv(s0, z.high)});
+  }
+
+  void add_level(Mesh& mesh, double s0, double s1, double z, bool up) const {
+    std::array<Vec3, 4> points = {frame_.corner(s0, true, z), frame_.corner(s1, true, z),
+                                  frame_.corner(s1, false, z), frame_.corner(s0, false, z)};
+    if (!up) std::swap(points[1], points[3]);
+    add_quad(mesh, points);
+  }
+
+  void add_jamb(Mesh& mesh, double s, const Span& z, bool forward) const {
+    std::array<Vec3, 4> points = {frame_.corner(s, false, z.low), frame_.corner(s, true, z.low),
+                                  frame_.corner(s, true, z.high), frame_.corner(s, false, z.high)};
+    if (forward) std::swap(points[1], points[3]);
+    add_quad(mesh, points);
+  }
+
+  const WallFrame& frame_;
+  double height_;
+  double uv_scale_;
+  WallMeshes meshes_;
+};
+
+WallMeshes wall_solid(const Room& room, std::size_t wall, double height, double uv_extent) {
+  const WallFrame frame = detail::wall_frame(room, wall);
+  WallSolid solid(frame, height, uv_extent);
+  std::vector<Span> before;
+  for (const auto& column : detail::wall_columns(room, wall, height)) {
+    solid.add_column(column);
+    solid.add_jambs(column.from, before, column.solid);
+    before = column.solid;
+  }
+  solid.add_jambs(frame.length, before, {});
+  return solid.take();
+}
+
+void add_part(Model& model, Mesh mesh, const Material& material) {
+  if (mesh.triangles.empty()) return;
+  model.parts.push_back({std::move(mesh), static_cast<int>(model.materials.size())});
+  model.materials.push_back(material);
+}
+
+Model wall_model(const Room& room, std::size_t wall, const Finish& finish,
+                 const ShellOptions& options) {
+  const double height = height_of(room, options, wall);
+  WallMeshes meshes = wall_solid(room, wall, height, finish.extent);
+  Material top = finish.material;
+  if (options.top_color.x() >= 0) {
+    top = Material{};
+    top.name = "wall top";
+    top.base_color = material_color(options.top_color);
+  }
+  Model model;
+  add_part(model, std::move(meshes.painted), finish.material);
+  add_part(model, std::move(meshes.top), top);
+  if (options.skirting) append(meshes.reveals, detail::skirting_board(room, wall, height));
+  add_part(model, std::move(meshes.reveals), detail::woodwork_paint());
+  return model;
+}
+
+}  // namespace
+
+std::vector<ShellPart> room_shell(const Room& room, const ShellOptions& options) {
+  std::vector<ShellPart> shell;
+  shell.push_back({"floor", floor_slab(room)});
+  const Finish finish = wall_finish(room);
+  for (std::size_t wall = 0; wall < room.polygon.size(); ++wall)
+    shell.push_back({"wall-" + std::to_string(wall), wall_model(room, wall, finish, options)});
+  for (const auto& opening : room.openings) {
+    Model model = detail::opening_woodwork(room, opening, height_of(room, options, opening.wall), options);
+    if (!model.parts.empty()) shell.push_back({opening.id, std::move(model)});
+  }
+  return shell;
+}
+
+}  // namespace roomgen

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "roomgen/geometry/model.h"
+#include "roomgen/scene/room.h"
+
+namespace roomgen::detail {
+
+/// Coordinates of one wall: s metres along its inner edge, d metres outward, z up.
+struct WallFrame {
+  Vec2 origin, along, outward;
+  double length = 0.0;
+  double outer_from = 0.0, outer_to = 0.0;  ///< s of the ends of the outer face (mitred corners)
+
+  Vec3 at(double s, double d, double z) const {
+    const Vec2 p = origin + s * along + d * outward;
+    return {p.x(), p.y(), z};
+  }
+  /// A corner of the solid: on the outer face the ends of the wall are at the mitre.
+  Vec3 corner(double s, bool outer, double z) const;
+};
+
+WallFrame wall_frame(const Room& room, std::size_t wall);
+
+/// Appends a flat quadrilateral, counter-clockwise from outside, with uv coordinates.
+void add_quad(Mesh& mesh, const std::array<Vec3, 4>& points,
+              const std::array<Eigen::Vector2f, 4>& uvs);
+void add_quad(Mesh& mesh, const std::array<Vec3, 4>& points);
+/// Appends a box in wall coordinates; nothing if it is empty.
+void add_box(Mesh& mesh, const WallFrame& frame, const Vec3& low, const Vec3& high);
+
+struct Span {
+  double low, high;
+};
+/// One vertical strip of a wall: where it is solid, bottom up.
+struct WallColumn {
+  double from, to;
+  std::vector<Span> solid;
+};
+/// The wall up to `height`, cut into strips at the sides of its openings.
+std::vector<WallColumn> wall_columns(const Room& room, std::size_t wall, double height);
+
+}  // namespace roomgen::detail

@@ -1,0 +1,86 @@
+#include "roomgen/view/marks.h"
+
+#include <algorithm>
+
+#include "label_placer.h"
+#include "mark_grid.h"
+#include "object_labels.h"
+
+namespace roomgen {
+
+namespace {
+
+constexpr double letters_at_1024 = 11.0;
+constexpr double smallest_letters = 4.0;
+constexpr double shrink = 0.88;
+
+// Advance of a character in heights of a capital letter; generous for any plain sans-serif font.
+double advance(char c) {
+  constexpr std::string_view narrow = ".,:;'|!iljft()1- ", wide = "mwMW";
+  if (narrow.find(c) != std::string_view::npos) return 0.75;
+  if (wide.find(c) != std::string_view::npos) return 1.35;
+  return 0.98;
+}
+
+void add_object_strokes(const detail::ObjectMark& mark, std::vector<Drawing::Stroke>& strokes) {
+  auto outline = mark.outline;
+  outline.push_back(outline.front());
+  strokes.push_back({Drawing::Line::outline, std::move(outline)});
+  if (mark.arrow_end != mark.center)
+    strokes.push_back({Drawing::Line::arrow, {mark.center, mark.arrow_end}});
+}
+
+// The whole layout with letters of this height, or nothing if the labels do not fit.
+std::optional<Drawing> try_layout(const Scene& scene, const Camera& camera, const View& view,
+                                  double letters) {
+  detail::LabelPlacer placer(camera.width, camera.height);
+  Drawing drawing;
+  drawing.text_height = letters;
+  detail::lay_grid(scene.room, camera, view.paper_frame, letters, placer, drawing.strokes);
+
+  std::vector<detail::ObjectMark> marks;
+  for (const auto& object : scene.objects) marks.push_back(detail::object_mark(object, camera));
+  for (const auto& mark : marks) add_object_strokes(mark, drawing.strokes);
+  if (!detail::place_object_labels(marks, letters, placer, drawing.strokes)) return std::nullopt;
+
+  detail::lay_grid_points(scene, camera, view.paper_frame, 0.72 * letters, placer);
+  drawing.labels = placer.labels();
+  return drawing;
+}
+
+}  // namespace
+
+double grid_step(const Room& room) {
+  const double length = bounds(room.polygon).size().maxCoeff();
+  return length <= 6.5 ? 0.5 : length <= 13.0 ? 1.0 : 2.0;
+}
+
+Vec2 mark_from_room(const Room& room, const Vec2& point, bool paper_frame) {
+  if (!paper_frame) return point;
+  const Vec2 far = bounds(room.polygon).high;
+  return {far.y() - point.y(), far.x() - point.x()};
+}
+
+Vec2 room_from_mark(const Room& room, const Vec2& mark, bool paper_frame) {
+  if (!paper_frame) return mark;
+  const Vec2 far = bounds(room.polygon).high;
+  return {far.x() - mark.y(), far.y() - mark.x()};
+}
+
+Vec2 label_size(const std::string& text, double letter_height) {
+  double width = 0.0;
+  for (const char c : text) width += advance(c);
+  return {letter_height * (width + 0.5), letter_height * 1.75};
+}
+
+Drawing layout_marks(const Scene& scene, const Camera& camera, const View& view) {
+  const double longest = std::max(camera.width, camera.height);
+  double letters = std::max(letters_at_1024 * longest / 1024.0, smallest_letters);
+  for (;; letters *= shrink) {
+    if (auto drawing = try_layout(scene, camera, view, letters)) return *drawing;
+    // So many objects or so few pixels that nobody could read them anyway: what fits must do.
+    if (letters < 1.0) return {};
+  }
+}
+
+}  // namespace roomgen

@@ -1,0 +1,115 @@
+#include "object_labels.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+namespace roomgen::detail {
+
+namespace {
+
+constexpr double arrow_overhang = 0.10;  ///< metres beyond the front edge
+constexpr int directions = 16;
+constexpr double ring_step = 0.5;  ///< in heights of a label
+
+Polygon as_polygon(const ObjectMark& mark) {
+  std::vector<Vec2> points = mark.outline;
+  if (signed_area(points) < 0) std::reverse(points.begin(), points.end());
+  return {points};
+}
+
+double distance_to_box(const Vec2& point, const Vec2& center, const Vec2& size) {
+  return ((point - center).cwiseAbs() - 0.5 * size).cwiseMax(0.0).norm();
+}
+
+bool box_covers_arrow(const ObjectMark& mark, const Vec2& center, const Vec2& size) {
+  // The outer half of the arrow is what must stay readable.
+  for (const double t : {0.6, 0.8, 1.0}) {
+    const Vec2 point = mark.center + t * (mark.arrow_end - mark.center);
+    if (distance_to_box(point, center, size) <= 0.0) return true;
+  }
+  return false;
+}
+
+// Lower is better; in pixels, roughly.
+double cost(const std::vector<ObjectMark>& marks, std::size_t own, const Vec2& center,
+            const Vec2& size) {
+  double total = (center - marks[own].center).norm();
+  if (!contains(marks[own], center)) total += 1.5 * size.y();
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    const bool has_front = marks[i].arrow_end != marks[i].center;
+    if (has_front && box_covers_arrow(marks[i], center, size)) total += i == own ? 20.0 : 30.0;
+    if (i == own) continue;
+    if (distance_to_box(marks[i].center, center, size) <= 0.0) total += 2.0 * size.y();
+    if (contains(marks[i], center) && !contains(marks[own], center)) total += 1.5 * size.y();
+  }
+  return total;
+}
+
+struct Spot {
+  Vec2 center = Vec2::Zero();
+  double cost = std::numeric_limits<double>::max();
+  bool found() const { return cost < std::numeric_limits<double>::max(); }
+};
+
+// Rings around the object, outward, until no farther spot can be cheaper.
+Spot best_spot(const std::vector<ObjectMark>& marks, std::size_t own, const Vec2& size,
+               const LabelPlacer& placer, double reach) {
+  Spot best;
+  const double step = ring_step * size.y();
+  for (double radius = 0.0; radius < reach && radius < best.cost; radius += step)
+    for (int i = 0; i < (radius > 0.0 ? directions : 1); ++i) {
+      // Labels are wide: stretch the rings so that a step to the side clears as much as one up.
+      const Vec2 direction = rotated(Vec2(0, 1), 2.0 * pi * i / directions);
+      const Vec2 center =
+          marks[own].center + radius * Vec2(direction.x() * 1.6, direction.y());
+      if (!placer.fits(center, size)) continue;
+      const double c = cost(marks, own, center, size);
+      if (c < best.cost) best = {center, c};
+    }
+  return best;
+}
+
+}  // namespace
+
+ObjectMark object_mark(const Object& object, const Camera& camera) {
+  const auto pixel = [&](const Vec2& p) { return camera.pixel({p.x(), p.y(), top(object)}); };
+  ObjectMark mark;
+  mark.id = object.id;
+  const Footprint area = footprint(object);
+  for (const auto& corner : area.outline()) mark.outline.push_back(pixel(corner));
+  mark.center = pixel(area.center());
+  mark.arrow_end = mark.center;
+  if (object.traits.front && !object.traits.flat)
+    mark.arrow_end = pixel(area.center() + (area.half().y() + arrow_overhang) * area.front());
+  return mark;
+}
+
+bool contains(const ObjectMark& mark, const Vec2& pixel) {
+  return roomgen::contains(as_polygon(mark), pixel);
+}
+
+bool place_object_labels(const std::vector<ObjectMark>& marks, double letter_height,
+                         LabelPlacer& placer, std::vector<Drawing::Stroke>& leaders) {
+  // Small things first: a label on a bed can go anywhere on the bed, that of a lamp cannot.
+  std::vector<std::size_t> order(marks.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto extent = [&](std::size_t i) { return std::abs(signed_area(marks[i].outline)); };
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return extent(a) < extent(b); });
+
+  const double reach = 30.0 * letter_height;
+  for (const auto i : order) {
+    const Vec2 size = label_size(marks[i].id, letter_height);
+    const Spot spot = best_spot(marks, i, size, placer, reach);
+    if (!spot.found()) return false;
+    placer.place({Drawing::Text::object, marks[i].id, spot.center, size});
+    if (contains(marks[i], spot.center)) continue;
+    const Vec2 near = marks[i].center.cwiseMax(spot.center - 0.5 * size)
+                          .cwiseMin(spot.center + 0.5 * size);
+    leaders.push_back({Drawing::Line::leader, {near, marks[i].center}});
+  }
+  return true;
+}
+
+}  // namespace roomgen::detail
