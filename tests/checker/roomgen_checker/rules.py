@@ -79,20 +79,33 @@ def check_solid(scene, meshes=None):
     return found
 
 
+def swings_in(opening):
+    return opening.type == "door" and opening.swing == "in"
+
+
 def door_clearance(opening):
-    """The rectangle before a door or passage that must stay free."""
-    swings_in = opening.type == "door" and opening.swing == "in"
-    depth = max(opening.width, DOOR_SWING_DEPTH) if swings_in else DOOR_OTHER_DEPTH
+    """The rectangle before a door or passage where people pass."""
+    depth = DOOR_SWING_DEPTH if swings_in(opening) else DOOR_OTHER_DEPTH
     return opening.wall.strip(opening.begin, opening.end, depth)
+
+
+def door_keep_out(opening):
+    """The clearance, and the quarter disc that the leaf of a door sweeps."""
+    clearance = door_clearance(opening)
+    if not swings_in(opening):
+        return clearance
+    hinge = opening.wall.point(opening.begin if opening.hinge == "from" else opening.end)
+    square = opening.wall.strip(opening.begin, opening.end, opening.width)
+    return clearance.union(Point(hinge).buffer(opening.width, 64).intersection(square))
 
 
 def check_doors(scene):
     found = []
     for opening in scene.room.entrances:
-        clearance = door_clearance(opening)
+        clearance = door_keep_out(opening)
         for t in scene.things:
             low = t.bottom < opening.head - geo.SLACK
-            if t.solid and low and geo.share_area(t.footprint, clearance, geo.SLACK):
+            if t.solid and t.mount != "surface" and low and geo.share_area(t.footprint, clearance, geo.SLACK):
                 found.append(Violation("doors", (t.id, opening.id),
                                        "stands in the clearance of the door"))
     return found
@@ -108,7 +121,7 @@ def check_windows(scene):
         limit = opening.sill + WINDOW_OVER_SILL
         for t in scene.things:
             before = t.top > limit + geo.SLACK and t.bottom < opening.head - geo.SLACK
-            if before and geo.share_area(t.footprint, strip, geo.SLACK):
+            if before and t.mount != "surface" and geo.share_area(t.footprint, strip, geo.SLACK):
                 found.append(Violation("windows", (t.id, opening.id),
                                        f"reaches {t.top:.2f} m, allowed {limit:.2f} m"))
     return found
