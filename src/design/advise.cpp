@@ -1,0 +1,282 @@
+#include "advise.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "candidates.h"
+#include "holding.h"
+#include "likes.h"
+#include "merge.h"
+#include "reach.h"
+#include "roomgen/base/text.h"
+#include "targets.h"
+
+namespace roomgen::design {
+
+namespace {
+
+// What counts more is decided by powers: one wish of the prompt outweighs all habits.
+constexpr double asked_weight = 60.0;
+constexpr double habit_weight = 6.0;
+constexpr double habit_step = 0.5;
+constexpr double burden_weight = 4.0;
+constexpr double reserve_weight = 1.6;
+constexpr double taken_weight = 1.2;
+constexpr double sliver_weight = 0.15;
+constexpr double gap_weight = 0.6;
+constexpr double hint_weight = 3.0;
+constexpr double crowded_weight = 1.5;
+constexpr double comfort_range = 8.0;
+// Another try after a refusal goes at least so far away.
+constexpr double elsewhere = 0.6;
+constexpr std::size_t max_walks = 60;
+
+struct Option {
+  Pose pose;
+  double score = 0.0;
+  bool leading = false;             ///< the most important relation holds
+  std::vector<Relation> relations;  ///< that hold
+};
+
+/// One object whose place is sought.
+struct Task {
+  const Sketch& sketch;
+  const Object& self;
+  const Arrangement& arrangement;
+  const std::vector<Relation>& asked;
+  std::optional<Vec2> hint;  ///< the location that the plan gives
+  double bottom = 0.0;
+  int company = 1;    ///< how many of its kind will share a table
+  bool needed = true; ///< asked for or refused elsewhere: goes anywhere rather than nowhere
+};
+
+// 1 inside the preferred range of the pair, less with the distance to it.
+double gap_degree(const Task& task, const Placed& placed, const Target& target) {
+  if (!target.object) return 1.0 / (1.0 + gap_to(placed, target));
+  const auto& table = task.sketch.categories();
+  PreferredGap wanted{"", 0.0, 0.3};
+  for (const auto& gap : table.get(task.self.category).gaps)
+    if (table.is_a(target.object->category, gap.partner)) wanted = gap;
+  for (const auto& gap : table.get(target.object->category).gaps)
+    if (table.is_a(task.self.category, gap.partner)) wanted = gap;
+  const double gap = gap_to(placed, target);
+  return 1.0 / (1.0 + 3.0 * std::max({0.0, wanted.low - gap, gap - wanted.high}));
+}
+
+double comfort(const Task& task, const Placed& placed, const std::vector<Relation>& relations) {
+  double score = 0.0;
+  for (const auto& like : task.arrangement.likes)
+    score += like.weight * degree(task.sketch, placed, like.liking);
+  score += reserve_weight * reserve_open(task.sketch, placed, task.arrangement);
+  if (!task.self.traits.flat && task.self.mount == Mount::floor) {
+    score -= taken_weight * reserves_taken(task.sketch, placed, relations);
+    score -= sliver_weight * slivers(task.sketch, placed, relations);
+    if (!task.arrangement.seats && on_crowded_side(task.sketch, placed, relations))
+      score -= crowded_weight;
+  }
+  for (const auto& relation : relations)
+    if (relation.kind == RelationKind::near || relation.kind == RelationKind::around)
+      for (const auto& target : task.sketch.find(relation.target))
+        score += gap_weight * gap_degree(task, placed, target);
+  if (task.hint) score += hint_weight / (1.0 + (*task.hint - placed.pose.position).norm());
+  return score;
+}
+
+Option judge(const Task& task, const Pose& pose, const std::vector<Relation>& habits,
+             const std::vector<Relation>& all) {
+  const Placed placed{&task.self, pose, footprint_at(task.self, pose), task.bottom};
+  Option option{pose, pose.merit, true, {}};
+  for (const auto& relation : task.asked) {
+    option.relations.push_back(relation);
+    if (holds(task.sketch, placed, relation, all)) option.score += asked_weight;
+  }
+  for (std::size_t i = 0; i < habits.size(); ++i) {
+    if (holds(task.sketch, placed, habits[i], all)) {
+      option.score += habit_weight - habit_step * static_cast<double>(std::min<std::size_t>(i, 6));
+      option.relations.push_back(habits[i]);
+    } else if (i == 0) {
+      option.leading = false;
+    }
+  }
+  return option;
+}
+
+// All promising places for one way, the best first.
+std::vector<Option> options_for(const Task& task, const std::vector<Relation>& way, double burden) {
+  const auto habits = compatible_habits(task.asked, way);
+  auto all = task.asked;
+  all.insert(all.end(), habits.begin(), habits.end());
+  auto poses = candidates(task.sketch, task.self, task.arrangement, all, task.company);
+  if (!task.asked.empty()) {
+    const auto more = candidates(task.sketch, task.self, task.arrangement, task.asked, task.company);
+    poses.insert(poses.end(), more.begin(), more.end());
+  }
+  std::vector<Option> options;
+  double best = 0.0;
+  for (const auto& pose : poses) {
+    if (!task.sketch.allows(task.self, pose, task.bottom)) continue;
+    options.push_back(judge(task, pose, habits, all));
+    best = std::max(best, options.back().score);
+  }
+  // Comfort is dear to tell and never makes up for more than this.
+  std::erase_if(options, [&](const Option& option) { return option.score < best - comfort_range; });
+  for (auto& option : options) {
+    const Placed placed{&task.self, option.pose, footprint_at(task.self, option.pose), task.bottom};
+    option.score += comfort(task, placed, all) - burden_weight * burden;
+  }
+  std::stable_sort(options.begin(), options.end(),
+                   [](const Option& a, const Option& b) { return a.score > b.score; });
+  return options;
+}
+
+// The best option at a place of its own, passing over as many places as were refused; one from which
+// everything can still be walked to if there is one among the better.
+std::optional<Option> choose(const Task& task, const std::vector<Option>& options,
+                             std::size_t refused) {
+  std::vector<Vec2> passed;
+  std::size_t walks = 0;
+  const Option* first = nullptr;
+  for (const auto& option : options) {
+    const bool close = std::any_of(passed.begin(), passed.end(), [&](const Vec2& p) {
+      return (p - option.pose.position).norm() < elsewhere;
+    });
+    if (close) continue;
+    if (passed.size() < refused) {
+      passed.push_back(option.pose.position);
+      continue;
+    }
+    if (!first) first = &option;
+    const bool matters = !task.self.traits.flat && task.self.mount == Mount::floor;
+    if (!matters || all_reachable(task.sketch, task.self, option.pose, task.bottom)) return option;
+    if (++walks == max_walks) break;
+  }
+  return first ? std::optional<Option>(*first) : std::nullopt;
+}
+
+std::optional<Option> best_place(const Task& task, std::size_t refused) {
+  std::optional<Option> fallback;
+  auto ways = task.arrangement.ways;
+  if (task.needed)
+    ways.insert(ways.end(), task.arrangement.otherwise.begin(), task.arrangement.otherwise.end());
+  if (ways.empty()) ways.emplace_back();
+  // After two refusals a way is given up, unless it is the last.
+  const std::size_t start = std::min(refused / 2, ways.size() - 1);
+  for (std::size_t w = start; w < ways.size(); ++w) {
+    std::optional<Option> best;
+    for (const auto& choice : resolve(task.sketch, task.self, ways[w])) {
+      const auto options = options_for(task, choice.relations, choice.burden);
+      auto option = choose(task, options, refused - 2 * start);
+      if (option && (!best || option->score > best->score)) best = std::move(option);
+    }
+    if (best && best->leading) return best;
+    if (best && (!fallback || best->score > fallback->score)) fallback = std::move(best);
+  }
+  return fallback;
+}
+
+void drop_wishes(std::vector<Relation>& relations, std::size_t asked, std::size_t refused) {
+  const std::size_t keep = std::max<std::size_t>({asked, 1, relations.size() - std::min(relations.size(), refused)});
+  if (relations.size() > keep) relations.resize(keep);
+}
+
+std::vector<Relation> known_only(const Sketch& sketch, const std::vector<Relation>& relations) {
+  std::vector<Relation> known;
+  for (const auto& relation : relations)
+    if (relation.target.empty() || relation.target == "corner" || !sketch.find(relation.target).empty())
+      known.push_back(relation);
+  return known;
+}
+
+// Where on its carrier a small thing stands: the middle, or wherever is still free.
+std::optional<Pose> on_top(const Sketch& sketch, const Object& self, const Target& carrier) {
+  const Footprint& fp = carrier.footprint;
+  const Vec2 room = (fp.half() - 0.5 * self.size.head<2>()).cwiseMax(0.0);
+  for (double y : {0.0, 0.6, -0.6})
+    for (double x : {0.0, 0.5, -0.5, 0.85, -0.85}) {
+      const Pose pose{fp.to_world({x * room.x(), y * room.y()}), fp.yaw()};
+      const Footprint own = footprint_at(self, pose);
+      if (std::none_of(sketch.standing().begin(), sketch.standing().end(), [&](const Standing& one) {
+            return one.object->on == carrier.id && overlaps(own, one.footprint, 0.005);
+          }))
+        return pose;
+    }
+  return std::nullopt;
+}
+
+// Small things: on what the plan says, else on what usually carries them.
+PlaceAdvice advise_on(const Sketch& sketch, const Object& self, const Arrangement& arrangement,
+                      std::vector<Relation> asked, const std::string& on, std::size_t refused) {
+  auto ways = arrangement.ways;
+  if (!on.empty()) ways.insert(ways.begin(), {Relation{RelationKind::on, on}});
+  const bool told = std::any_of(asked.begin(), asked.end(), [](const Relation& relation) {
+    return relation.kind == RelationKind::on;
+  });
+  if (told) ways = {{}};
+  std::size_t skip = refused;
+  for (const auto& way : ways) {
+    std::vector<Choice> choices = resolve(sketch, self, way);
+    if (choices.empty() && !way.empty() && !sketch.find(way.front().target).empty())
+      choices.push_back({way, 0.0});
+    for (const auto& choice : choices) {
+      auto relations = asked;
+      relations.insert(relations.end(), choice.relations.begin(), choice.relations.end());
+      for (const auto& relation : relations) {
+        if (relation.kind != RelationKind::on) continue;
+        for (const auto& carrier : sketch.find(relation.target)) {
+          const auto pose = on_top(sketch, self, carrier);
+          if (!pose || skip-- > 0) continue;
+          return {relations, pose->position, pose->yaw, "on " + carrier.id};
+        }
+      }
+    }
+  }
+  return {asked, std::nullopt, std::nullopt, "nothing is there to carry it"};
+}
+
+// How many things of its kind the plan has for each table in the room.
+int company(const PlaceRequest& request, const Sketch& sketch) {
+  int seats = 0, tables = 0;
+  for (const auto& item : request.plan.items)
+    if (item.category == request.object.category) seats += item.quantity;
+  for (const auto& one : sketch.standing())
+    tables += one.object->mount == Mount::floor && one.object->size.z() > 0.6 &&
+              sketch.categories().is_a(one.object->category, "table") && !one.object->traits.front;
+  return (seats + std::max(1, tables) - 1) / std::max(1, tables);
+}
+
+std::string reason(const Option& option) {
+  std::string text = to_text(option.relations);
+  if (text.empty()) text = "where it is out of the way";
+  return text + "; at " + format_number(option.pose.position.x(), 2) + ", " +
+         format_number(option.pose.position.y(), 2);
+}
+
+}  // namespace
+
+PlaceAdvice advise(const PlaceRequest& request, const CategoryTable& categories,
+                   const Arrangements& arrangements) {
+  const Sketch sketch(request.scene, categories, arrangements);
+  const Object& self = request.object;
+  const Arrangement& arrangement = arrangements.get(categories, self.category, self.mount);
+  const PlanItem& item = request.plan.items.at(request.planned.item);
+  const auto asked = known_only(sketch, item.relations);
+  const std::size_t refused = request.refusals.size();
+  if (self.mount == Mount::surface)
+    return advise_on(sketch, self, arrangement, asked, item.on, refused);
+
+  const Task task{sketch, self, arrangement, asked, item.location,
+                  usual_bottom(self, categories.get(self.category), request.scene.room),
+                  company(request, sketch), item.asked || refused > 0};
+  auto option = best_place(task, refused);
+  if (!option && refused > 0) option = best_place(task, 0);
+  if (!option) {
+    // No place is free by this sketch; the solver, which knows the meshes, may find one.
+    auto relations = asked;
+    if (relations.empty() && self.mount != Mount::ceiling) relations.push_back({RelationKind::edge, ""});
+    return {relations, item.location, std::nullopt, "no place is free in the sketch"};
+  }
+  drop_wishes(option->relations, asked.size(), refused);
+  return {option->relations, option->pose.position, option->pose.yaw, reason(*option)};
+}
+
+}  // namespace roomgen::design

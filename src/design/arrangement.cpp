@@ -1,0 +1,131 @@
+#include "arrangement.h"
+
+#include <optional>
+
+#include "roomgen/base/json.h"
+#include "roomgen/base/resource.h"
+
+namespace roomgen::design {
+
+namespace {
+
+constexpr int max_ancestors = 8;
+
+constexpr std::array<std::pair<std::string_view, Liking>, 21> likings = {{
+    {"door", Liking::door},
+    {"door line", Liking::door_line},
+    {"window", Liking::window},
+    {"window behind", Liking::window_behind},
+    {"window ahead", Liking::window_ahead},
+    {"wall middle", Liking::wall_middle},
+    {"side wall", Liking::side_wall},
+    {"corner", Liking::corner},
+    {"wall near", Liking::wall_near},
+    {"run", Liking::run},
+    {"bare wall", Liking::bare_wall},
+    {"center", Liking::center},
+    {"aside", Liking::aside},
+    {"apart", Liking::apart},
+    {"view", Liking::view},
+    {"square", Liking::square},
+    {"angle", Liking::angle},
+    {"long axis", Liking::long_axis},
+    {"flank", Liking::flank},
+    {"screen free", Liking::screen_free},
+    {"rows", Liking::rows},
+}};
+
+constexpr std::array<std::string_view, 4> sides = {"front", "back", "left", "right"};
+
+std::optional<Liking> find_liking(std::string_view text) {
+  for (const auto& [word, liking] : likings)
+    if (word == text) return liking;
+  return std::nullopt;
+}
+
+void read_likes(const JsonReader& json, Arrangement& arrangement) {
+  if (!json.exists()) return;
+  for (const auto& [word, weight] : json.members()) {
+    if (const auto liking = find_liking(word))
+      arrangement.likes.push_back({*liking, weight.number(-5, 5)});
+    else json.report("\"" + word + "\" is nothing that a thing can like");
+  }
+}
+
+void read_reserve(const JsonReader& json, Arrangement& arrangement) {
+  if (!json.exists()) return;
+  json.allow_only({"front", "back", "left", "right"});
+  for (std::size_t i = 0; i < sides.size(); ++i)
+    arrangement.reserve[i] = json[sides[i]].number_or(0.0, 0, 5);
+}
+
+std::vector<std::vector<Relation>> read_ways(const JsonReader& json) {
+  std::vector<std::vector<Relation>> ways;
+  for (const auto& way : json.elements_or_none(20)) {
+    auto relations = parse_relations(way.text());
+    if (relations) ways.push_back(*std::move(relations));
+    else way.report(relations.error().message);
+  }
+  return ways;
+}
+
+Arrangement read_arrangement(const JsonReader& json) {
+  json.allow_only({"stage", "ways", "likes", "reserve", "seats", "over", "else"});
+  Arrangement arrangement;
+  arrangement.stage = static_cast<int>(json["stage"].integer_or(4, 0, 20));
+  arrangement.ways = read_ways(json["ways"]);
+  arrangement.otherwise = read_ways(json["else"]);
+  read_likes(json["likes"], arrangement);
+  read_reserve(json["reserve"], arrangement);
+  arrangement.seats = json["seats"].boolean_or(false);
+  if (const auto over = json["over"]; over.exists())
+    for (const auto& [kind, shift] : over.members()) arrangement.over[kind] = shift.number(-2, 2);
+  return arrangement;
+}
+
+std::string_view fallback_of(Mount mount) {
+  switch (mount) {
+    case Mount::wall: return "wall thing";
+    case Mount::ceiling: return "ceiling thing";
+    case Mount::surface: return "surface thing";
+    case Mount::floor: break;
+  }
+  return "room thing";
+}
+
+}  // namespace
+
+const Arrangement& Arrangements::get(const CategoryTable& table, std::string_view category,
+                                     Mount mount) const {
+  static const Arrangement none;
+  const Category* kind = table.find(category);
+  // A thing that is mounted in an unusual way (a television on the wall) goes with those.
+  const bool usual = kind && kind->mount == mount;
+  for (int i = 0; usual && kind && i < max_ancestors; ++i) {
+    if (const auto found = kinds.find(kind->name); found != kinds.end()) return found->second;
+    kind = kind->parent.empty() ? nullptr : table.find(kind->parent);
+  }
+  const auto found = kinds.find(fallback_of(mount));
+  return found == kinds.end() ? none : found->second;
+}
+
+Result<Arrangements> parse_arrangements(std::string_view text, const std::string& source) {
+  auto json = parse_json(text, source);
+  if (!json) return json.error();
+  JsonReader::Problems problems(source);
+  const JsonReader root(*json, problems);
+  root.allow_only({"about", "kinds"});
+  Arrangements arrangements;
+  for (const auto& [kind, entry] : root["kinds"].members())
+    arrangements.kinds[kind] = read_arrangement(entry);
+  if (problems.first()) return *problems.first();
+  return arrangements;
+}
+
+const Result<Arrangements>& built_in_arrangements() {
+  static const auto arrangements = parse_arrangements(
+      resource("data/arrangements.json").value_or("{}"), "data/arrangements.json");
+  return arrangements;
+}
+
+}  // namespace roomgen::design

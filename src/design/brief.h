@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "roomgen/geometry/vec.h"
+#include "roomgen/scene/object.h"
+#include "roomgen/scene/relation.h"
+
+namespace roomgen::design {
+
+/// "next to the bed": a relation of a mention to another one or to a part of the room.
+struct Demand {
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+  RelationKind kind = RelationKind::near;
+  std::size_t mention = none;  ///< index into Brief::mentions
+  std::string part;            ///< "window-0", "wall-2", "corner"; empty for edge and middle
+};
+
+/// Things of one kind that the prompt names.
+struct Mention {
+  std::string category;     ///< of the table, or the prompt's own word if the table lacks it
+  bool known = true;        ///< in the table
+  std::string description;  ///< "white wooden desk"
+  int quantity = 1;
+  bool counted = false;     ///< the prompt gives the number
+  bool varied = false;      ///< they shall differ
+  bool sized = false;       ///< the prompt says something about its size
+  Vec3 size = Vec3::Ones(); ///< wanted
+  Mount mount = Mount::floor;
+  std::vector<Demand> demands;
+};
+
+/// What a prompt says, no more.
+struct Brief {
+  std::string type;                 ///< "bedroom", or words that no room kind is known by
+  bool type_known = false;
+  std::optional<Vec2> size;         ///< width and depth, metres
+  std::optional<double> area;       ///< square metres
+  int people = 0;                   ///< 0: not said
+  std::optional<int> windows;       ///< how many
+  bool wide_windows = false;
+  std::vector<Mention> mentions;
+  std::vector<std::string> excluded;  ///< categories
+  std::vector<std::string> styles;    ///< words of style, as data/rooms.json knows them
+  std::vector<std::string> notes;     ///< what was not understood or was bounded
+};
+
+}  // namespace roomgen::design

@@ -1,0 +1,268 @@
+#include "inventory.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "table_size.h"
+
+namespace roomgen::design {
+
+namespace {
+
+constexpr int fewest = 8;             ///< things that a room holds where they fit
+constexpr double fullest = 0.45;      ///< share of the floor beyond which nothing is added
+constexpr double core_excess = 1.15;  ///< the core may take a little more than the usual share
+constexpr int max_added = 12;         ///< of one kind
+constexpr double widest = 0.75;       ///< of the room's longer side that one thing may take
+
+/// The state of a completion.
+class Completion {
+ public:
+  Completion(std::vector<Draft>& drafts, const Brief& brief, const RoomKinds& kinds,
+             const RoomKind& kind, const Vec2& room, const CategoryTable& table,
+             const Looks& looks, Random random)
+      : drafts_(drafts), brief_(brief), kinds_(kinds), kind_(kind), room_(room), table_(table),
+        looks_(looks), random_(random) {
+    for (const auto& word : brief.styles)
+      if (const Style* style = kinds.style(word)) styles_.push_back(style);
+  }
+
+  void run() {
+    const double area = room_.prod();
+    in_core_ = true;
+    for (const auto& piece : kind_.core)
+      if (random_.chance(piece.chance)) add(piece, core_excess * kind_.share.high * area);
+    in_core_ = false;
+    const int wanted = wanted_objects();
+    const double share = random_.uniform(0.6 * kind_.share.low + 0.4 * kind_.share.high, kind_.share.high);
+    add_extras(wanted, share * area * fullness());
+    // What is still missing is made up of whatever fits.
+    add_extras(fewest, fullest * area);
+    for (const auto& piece : kind_.details)
+      if (random_.chance(piece.chance)) add(piece, 1e9);
+  }
+
+ private:
+  double fullness() const {
+    double factor = 1.0;
+    for (const Style* style : styles_) factor *= style->fullness;
+    return factor;
+  }
+
+  int wanted_objects() {
+    const double usual = random_.integer(kind_.objects_low, kind_.objects_high);
+    return static_cast<int>(std::lround(usual * fullness()));
+  }
+
+  bool on_floor(const Draft& draft) const { return draft.item.mount == Mount::floor; }
+
+  int floor_count() const {
+    int count = 0;
+    for (const auto& draft : drafts_)
+      if (on_floor(draft)) count += draft.item.quantity;
+    return count;
+  }
+
+  int count_of(const std::string& category) const {
+    int count = 0;
+    for (const auto& draft : drafts_)
+      if (table_.is_a(draft.item.category, category)) count += draft.item.quantity;
+    return count;
+  }
+
+  bool excluded(const std::string& category) const {
+    return table_.is_any_of(category, brief_.excluded);
+  }
+
+  // The prompt's own things of this kind, or of a kind in which it is.
+  bool asked(const std::string& category) const {
+    return std::any_of(drafts_.begin(), drafts_.end(), [&](const Draft& draft) {
+      return draft.item.asked && (table_.is_a(draft.item.category, category) ||
+                                  table_.is_a(category, draft.item.category));
+    });
+  }
+
+  bool pointless(const Piece& piece) const {
+    if (room_.prod() < piece.area) return true;
+    if (!piece.needs.empty() && count_of(piece.needs) == 0) return true;
+    if (!piece.serves.empty() && excluded(piece.serves)) return true;
+    return std::any_of(piece.unless.begin(), piece.unless.end(),
+                       [&](const std::string& other) { return count_of(other) > 0; });
+  }
+
+  std::string draw_category(const Piece& piece) {
+    std::vector<double> weights;
+    for (const auto& [category, weight] : piece.any) {
+      const double factor = excluded(category) ? 0.0 : taste(category);
+      weights.push_back(weight * factor);
+    }
+    if (std::none_of(weights.begin(), weights.end(), [](double w) { return w > 0; })) return "";
+    return piece.any[random_.weighted(weights)].first;
+  }
+
+  // Styles make some kinds more and others less likely.
+  double taste(const std::string& category) const {
+    double factor = 1.0;
+    for (const Style* style : styles_) {
+      if (table_.is_any_of(category, style->more)) factor *= 4.0;
+      if (table_.is_any_of(category, style->fewer)) factor *= 0.1;
+    }
+    return factor;
+  }
+
+  std::string draw_variant(const Piece& piece) {
+    if (piece.of.empty()) return "";
+    std::vector<double> weights;
+    for (const auto& [variant, weight] : piece.of) weights.push_back(weight);
+    return piece.of[random_.weighted(weights)].first;
+  }
+
+  int draw_count(const Piece& piece) {
+    int count = random_.integer(piece.low, piece.high);
+    // People sit in pairs: rather four chairs or six than five.
+    if (piece.high >= 4 && count % 2 == 1) count += 1;
+    if (piece.people && brief_.people > 0) count = brief_.people;
+    if (!piece.each.empty()) {
+      const int served = count_of(piece.each);
+      count = served <= 1 ? count * served : served;
+    }
+    return std::min(count, max_added);
+  }
+
+  Vec3 size_of(const Piece& piece, const std::string& category, const std::string& variant) const {
+    if (piece.size) return *piece.size;
+    Vec3 size = table_.get(category).size;
+    if (const auto found = kinds_.variants.find(variant); found != kinds_.variants.end()) {
+      if (found->second.size) size = *found->second.size;
+      size = size.cwiseProduct(found->second.scale);
+    }
+    return size;
+  }
+
+  // A rug is cut to the room.
+  void cut(Vec3& size) const {
+    const Vec2 most = 0.7 * Vec2(room_.maxCoeff(), room_.minCoeff());
+    size.x() = std::min(size.x(), most.x());
+    size.y() = std::min(size.y(), most.y());
+  }
+
+  bool fits(const PlanItem& item, double budget) const {
+    if (item.mount != Mount::floor) return true;
+    const Vec3& size = *item.size;
+    const double longer = std::max(size.x(), size.y()), shorter = std::min(size.x(), size.y());
+    if (longer > widest * room_.maxCoeff() || shorter > widest * room_.minCoeff()) return false;
+    const Category& category = table_.get(item.category);
+    if (category.traits.flat) return true;
+    return floor_area(drafts_, table_) + item.quantity * size.x() * size.y() <= budget;
+  }
+
+  void add_companions(const Piece& piece, double budget) {
+    for (const auto& companion : piece.then)
+      if (random_.chance(companion.chance)) add(companion, budget);
+  }
+
+  bool add(const Piece& piece, double budget) {
+    if (pointless(piece)) return false;
+    for (const auto& [category, weight] : piece.any)
+      if (asked(category)) {
+        add_companions(piece, budget);
+        return false;
+      }
+    const std::string category = draw_category(piece);
+    if (category.empty()) return false;
+    const std::string variant = draw_variant(piece);
+    Draft draft;
+    draft.core = in_core_;
+    PlanItem& item = draft.item;
+    item.category = category;
+    item.quantity = draw_count(piece);
+    item.mount = table_.get(category).mount;
+    item.description = looks_.describe(category, variant);
+    Vec3 size = size_of(piece, category, variant);
+    if (table_.get(category).traits.flat) cut(size);
+    item.size = size;
+    const int seats = seats_with(piece);
+    if (seats > 0) item.size = table_for(size, table_.get(category).traits.round, seats);
+    while (item.quantity > 1 && !fits(item, budget)) --item.quantity;
+    if (item.quantity < 1 || !fits(item, budget)) return false;
+    drafts_.push_back(std::move(draft));
+    add_companions(piece, budget);
+    return true;
+  }
+
+  // How many will sit at this table, if it is one for which seats come along.
+  int seats_with(const Piece& piece) const {
+    if (piece.then.empty() || !piece.then.front().people || brief_.people == 0) return 0;
+    return brief_.people;
+  }
+
+  void add_extras(int objects, double budget) {
+    std::vector<const Piece*> left;
+    std::vector<double> weights;
+    for (const auto& piece : kind_.extras) {
+      left.push_back(&piece);
+      weights.push_back(piece.weight * taste(piece.any.front().first));
+    }
+    while (!left.empty() && floor_count() < objects) {
+      if (std::none_of(weights.begin(), weights.end(), [](double w) { return w > 0; })) return;
+      const std::size_t i = random_.weighted(weights);
+      const bool again = used_.count(left[i]) > 0;
+      if (!again && add(*left[i], budget)) used_.insert(left[i]);
+      left.erase(left.begin() + static_cast<std::ptrdiff_t>(i));
+      weights.erase(weights.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+  }
+
+  std::vector<Draft>& drafts_;
+  const Brief& brief_;
+  const RoomKinds& kinds_;
+  const RoomKind& kind_;
+  Vec2 room_;
+  const CategoryTable& table_;
+  const Looks& looks_;
+  Random random_;
+  std::vector<const Style*> styles_;
+  std::set<const Piece*> used_;
+  bool in_core_ = false;
+};
+
+}  // namespace
+
+std::vector<Draft> asked_items(const Brief& brief, const CategoryTable& table) {
+  std::vector<Draft> drafts;
+  for (std::size_t i = 0; i < brief.mentions.size(); ++i) {
+    const Mention& mention = brief.mentions[i];
+    Draft draft;
+    draft.mention = i;
+    draft.demands = mention.demands;
+    draft.item.category = mention.category;
+    draft.item.description = mention.description;
+    draft.item.size = mention.size;
+    draft.item.quantity = mention.quantity;
+    draft.item.varied = mention.varied;
+    draft.item.mount = mention.mount;
+    draft.item.asked = true;
+    drafts.push_back(std::move(draft));
+  }
+  fit_tables(drafts, brief, table);
+  return drafts;
+}
+
+double floor_area(const std::vector<Draft>& drafts, const CategoryTable& table) {
+  double area = 0.0;
+  for (const auto& draft : drafts) {
+    const PlanItem& item = draft.item;
+    if (item.mount != Mount::floor || table.get(item.category).traits.flat || !item.size) continue;
+    area += item.quantity * item.size->x() * item.size->y();
+  }
+  return area;
+}
+
+void complete(std::vector<Draft>& drafts, const Brief& brief, const RoomKinds& kinds,
+              const RoomKind& kind, const Vec2& room, const CategoryTable& table,
+              const Looks& looks, Random random) {
+  Completion(drafts, brief, kinds, kind, room, table, looks, random).run();
+}
+
+}  // namespace roomgen::design

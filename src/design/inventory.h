@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "brief.h"
+#include "looks.h"
+#include "room_kinds.h"
+#include "roomgen/base/random.h"
+#include "roomgen/scene/category.h"
+#include "roomgen/scene/plan.h"
+
+namespace roomgen::design {
+
+/// A plan item that is not yet in order: what it demands of others is still by mention.
+struct Draft {
+  PlanItem item;
+  std::size_t mention = Demand::none;  ///< index into Brief::mentions, none for what was added
+  std::vector<Demand> demands;
+  bool core = false;  ///< the room is hardly one of its kind without it
+};
+
+/// What the prompt asks for.
+std::vector<Draft> asked_items(const Brief& brief, const CategoryTable& table);
+
+/// Floor that the drafts cover: no rugs, nothing on walls or on other things.
+double floor_area(const std::vector<Draft>& drafts, const CategoryTable& table);
+
+/// Adds what such a room usually holds and the prompt neither names nor forbids: its core, then
+/// extras up to a number of things and a share of the floor, then what goes on walls and tables.
+void complete(std::vector<Draft>& drafts, const Brief& brief, const RoomKinds& kinds,
+              const RoomKind& kind, const Vec2& room, const CategoryTable& table,
+              const Looks& looks, Random random);
+
+}  // namespace roomgen::design

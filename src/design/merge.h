@@ -1,0 +1,14 @@
+#pragma once
+
+#include <vector>
+
+#include "roomgen/scene/relation.h"
+
+namespace roomgen::design {
+
+/// The habits that do not contradict what is asked: who is told to stand left of the bed does not
+/// stand near the window out of habit, but still at a wall.
+std::vector<Relation> compatible_habits(const std::vector<Relation>& asked,
+                                        const std::vector<Relation>& habits);
+
+}  // namespace roomgen::design

@@ -1,0 +1,129 @@
+#include "order.h"
+
+#include <algorithm>
+#include <map>
+
+#include "roomgen/base/text.h"
+
+namespace roomgen::design {
+
+namespace {
+
+constexpr int max_split = 40;
+
+bool waits_for(const Draft& draft, const Draft& other) {
+  return other.mention != Demand::none &&
+         std::any_of(draft.demands.begin(), draft.demands.end(), [&](const Demand& demand) {
+           return demand.mention == other.mention;
+         });
+}
+
+double floor_of(const Draft& draft) {
+  return draft.item.size ? draft.item.size->x() * draft.item.size->y() : 0.0;
+}
+
+void sort_by_stage(std::vector<Draft>& drafts, const CategoryTable& table,
+                   const Arrangements& arrangements) {
+  const auto stage = [&](const Draft& draft) {
+    return arrangements.get(table, draft.item.category, draft.item.mount).stage;
+  };
+  std::stable_sort(drafts.begin(), drafts.end(), [&](const Draft& a, const Draft& b) {
+    const int sa = stage(a), sb = stage(b);
+    if (sa != sb) return sa < sb;
+    return floor_of(a) > floor_of(b) + 1e-9;
+  });
+}
+
+void drop_demands(Draft& draft, Plan& plan) {
+  plan.notes.push_back("what is asked of the " + draft.item.category +
+                       " depends on itself; part of it was left out");
+  std::erase_if(draft.demands, [](const Demand& demand) { return demand.mention != Demand::none; });
+}
+
+// Repeatedly the first draft whose targets are all out.
+std::vector<Draft> after_targets(std::vector<Draft> left, Plan& plan) {
+  std::vector<Draft> ordered;
+  while (!left.empty()) {
+    const auto ready = std::find_if(left.begin(), left.end(), [&](const Draft& draft) {
+      return std::none_of(left.begin(), left.end(), [&](const Draft& other) {
+        return &other != &draft && waits_for(draft, other);
+      });
+    });
+    if (ready == left.end()) {
+      drop_demands(left.front(), plan);
+      continue;
+    }
+    ordered.push_back(std::move(*ready));
+    left.erase(ready);
+  }
+  return ordered;
+}
+
+// Each thing of an item with several targets becomes an item of its own.
+std::vector<Draft> split_pairs(const std::vector<Draft>& drafts) {
+  std::map<std::size_t, int> quantity;
+  for (const auto& draft : drafts)
+    if (draft.mention != Demand::none) quantity[draft.mention] += draft.item.quantity;
+  std::vector<Draft> result;
+  for (const auto& draft : drafts) {
+    const bool pairs = std::any_of(
+        draft.demands.begin(), draft.demands.end(),
+        [&](const Demand& demand) { return demand.mention != Demand::none && quantity[demand.mention] > 1; });
+    if (!pairs || draft.item.quantity == 1 || draft.item.quantity > max_split) {
+      result.push_back(draft);
+      continue;
+    }
+    for (int n = 0; n < draft.item.quantity; ++n) {
+      result.push_back(draft);
+      result.back().item.quantity = 1;
+    }
+  }
+  return result;
+}
+
+/// Gives out the ids of a mention's things in turn.
+class Ids {
+ public:
+  Ids(const std::vector<Draft>& drafts, const Plan& plan) {
+    for (const auto& planned : planned_objects(plan))
+      ids_[drafts[planned.item].mention].push_back(planned.id);
+  }
+
+  std::string next(std::size_t asking, std::size_t mention) {
+    const auto& ids = ids_[mention];
+    if (ids.empty()) return "";
+    return ids[static_cast<std::size_t>(turn_[{asking, mention}]++) % ids.size()];
+  }
+
+ private:
+  std::map<std::size_t, std::vector<std::string>> ids_;
+  std::map<std::pair<std::size_t, std::size_t>, int> turn_;
+};
+
+}  // namespace
+
+std::vector<Draft> order_items(std::vector<Draft> drafts, const CategoryTable& table,
+                               const Arrangements& arrangements, Plan& plan) {
+  sort_by_stage(drafts, table, arrangements);
+  drafts = split_pairs(after_targets(std::move(drafts), plan));
+  for (const auto& draft : drafts) plan.items.push_back(draft.item);
+  Ids ids(drafts, plan);
+  for (std::size_t i = 0; i < drafts.size(); ++i) {
+    std::map<std::size_t, std::string> targets;  // one thing of each mention for all its demands
+    for (const auto& demand : drafts[i].demands) {
+      Relation relation{demand.kind, demand.part};
+      if (demand.mention != Demand::none) {
+        if (!targets.count(demand.mention))
+          targets[demand.mention] = ids.next(drafts[i].mention, demand.mention);
+        relation.target = targets[demand.mention];
+        if (relation.target.empty()) continue;
+      }
+      auto& relations = plan.items[i].relations;
+      if (std::find(relations.begin(), relations.end(), relation) == relations.end())
+        relations.push_back(std::move(relation));
+    }
+  }
+  return drafts;
+}
+
+}  // namespace roomgen::design

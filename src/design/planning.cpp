@@ -1,0 +1,161 @@
+#include "planning.h"
+
+#include <algorithm>
+#include <string>
+
+#include "floor_plan.h"
+#include "inventory.h"
+#include "looks.h"
+#include "order.h"
+#include "prompt.h"
+#include "rehearsal.h"
+#include "roomgen/base/random.h"
+
+namespace roomgen::design {
+
+namespace {
+
+constexpr const char* default_type = "living room";
+constexpr int max_attempts = 5;
+constexpr double growth = 1.05;   ///< of the sides from attempt to attempt
+constexpr int fewest = 8;
+constexpr std::size_t most_rehearsed = 80;  ///< things; larger plans are taken as they are
+
+/// One plan and what was wrong with it.
+struct Attempt {
+  Plan plan;
+  std::vector<Draft> drafts;          ///< of plan.items
+  std::vector<PlannedObject> missed;  ///< found no place
+  double fault = 0.0;
+};
+
+class Planner {
+ public:
+  Planner(const PlanRequest& request, const RoomKinds& kinds, const CategoryTable& table,
+          const Arrangements& arrangements)
+      : request_(request), kinds_(kinds), table_(table), arrangements_(arrangements),
+        brief_(read_prompt(request.prompt, kinds, table)), random_(request.seed) {
+    choose_kind();
+  }
+
+  Plan plan() const {
+    Attempt best = attempt(0);
+    for (int n = 1; n < max_attempts && best.fault > 0 && !request_.cancel.cancelled(); ++n) {
+      Attempt next = attempt(n);
+      if (next.fault < best.fault) best = std::move(next);
+    }
+    if (!best.missed.empty()) leave_out(best);
+    return std::move(best.plan);
+  }
+
+ private:
+  // The kind of room, under the prompt's own name for it.
+  void choose_kind() {
+    if (brief_.type.empty() && request_.room) {
+      brief_.type = request_.room->type;
+      brief_.type_known = kinds_.types.count(brief_.type) > 0;
+    }
+    if (brief_.type.empty()) {
+      brief_.type = default_type;
+      brief_.notes.push_back(std::string("the prompt names no kind of room; taken for a ") +
+                             default_type);
+    }
+    kind_ = kinds_.get(brief_.type);
+    kind_.type = brief_.type;
+  }
+
+  double size_factor() const {
+    double factor = 1.0;
+    for (const auto& word : brief_.styles)
+      if (const Style* style = kinds_.style(word)) factor *= style->size;
+    return std::clamp(factor, 0.6, 1.6);
+  }
+
+  int window_count(Random random) const {
+    if (brief_.windows) return std::min(3, *brief_.windows);
+    int count = random.integer(kind_.windows.low, kind_.windows.high);
+    for (const auto& word : brief_.styles)
+      if (const Style* style = kinds_.style(word)) count += style->windows;
+    return std::min(3, count);
+  }
+
+  Room given_room(Plan& plan) const {
+    Room room = *request_.room;
+    if (room.type.empty()) room.type = brief_.type;
+    if (ensure_door(room, kind_))
+      plan.notes.push_back("the floor plan has no door; one was put into wall " +
+                           std::to_string(room.openings.back().wall));
+    return room;
+  }
+
+  Room make_the_room(double furniture, const Random& random, int n, Plan& plan) const {
+    if (request_.room) return given_room(plan);
+    double scale = size_factor();
+    for (int i = 0; i < n; ++i) scale *= growth;
+    const Vec2 size = request_.size ? *request_.size
+                                    : choose_size(kind_, brief_, scale, furniture, random.fork("size"));
+    return make_room(kind_, size, window_count(random.fork("windows")), brief_.wide_windows,
+                     random.fork("openings"));
+  }
+
+  Attempt attempt(int n) const {
+    const Random random = n == 0 ? random_ : random_.fork("attempt " + std::to_string(n));
+    Attempt result;
+    Plan& plan = result.plan;
+    plan.prompt = request_.prompt;
+    plan.seed = request_.seed;
+    plan.excluded = brief_.excluded;
+    plan.notes = brief_.notes;
+    auto drafts = asked_items(brief_, table_);
+    plan.room = make_the_room(floor_area(drafts, table_), random, n, plan);
+    const Vec2 box = bounds(plan.room.polygon).size();
+    // Of a room that is no rectangle, one of its area.
+    const Vec2 usable(box.x(), area(plan.room.polygon) / box.x());
+    const Looks looks(kinds_, table_, brief_.styles, random_.fork("looks"));
+    complete(drafts, brief_, kinds_, kind_, usable, table_, looks, random.fork("contents"));
+    result.drafts = order_items(std::move(drafts), table_, arrangements_, plan);
+    judge(result);
+    return result;
+  }
+
+  void judge(Attempt& attempt) const {
+    const auto planned = planned_objects(attempt.plan);
+    if (planned.size() > most_rehearsed) return;
+    attempt.missed = rehearse(attempt.plan, table_, arrangements_);
+    int on_floor = 0;
+    for (const auto& object : planned)
+      on_floor += attempt.plan.items[object.item].mount == Mount::floor;
+    for (const auto& object : attempt.missed) {
+      const bool asked = attempt.plan.items[object.item].asked;
+      on_floor -= attempt.plan.items[object.item].mount == Mount::floor;
+      attempt.fault += asked ? 20.0 : attempt.drafts[object.item].core ? 5.0 : 1.0;
+    }
+    attempt.fault += 3.0 * std::max(0, fewest - on_floor);
+  }
+
+  // Drops what found no place and was not asked for.
+  void leave_out(Attempt& attempt) const {
+    for (const auto& object : attempt.missed)
+      if (!attempt.plan.items[object.item].asked) --attempt.drafts[object.item].item.quantity;
+    std::erase_if(attempt.drafts, [](const Draft& draft) { return draft.item.quantity < 1; });
+    attempt.plan.items.clear();
+    order_items(std::move(attempt.drafts), table_, arrangements_, attempt.plan);
+  }
+
+  const PlanRequest& request_;
+  const RoomKinds& kinds_;
+  const CategoryTable& table_;
+  const Arrangements& arrangements_;
+  Brief brief_;
+  Random random_;
+  RoomKind kind_;
+};
+
+}  // namespace
+
+Plan make_plan(const PlanRequest& request, const RoomKinds& kinds, const CategoryTable& table,
+               const Arrangements& arrangements) {
+  return Planner(request, kinds, table, arrangements).plan();
+}
+
+}  // namespace roomgen::design

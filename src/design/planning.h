@@ -1,0 +1,16 @@
+#pragma once
+
+#include "arrangement.h"
+#include "room_kinds.h"
+#include "roomgen/design/designer.h"
+#include "roomgen/scene/category.h"
+
+namespace roomgen::design {
+
+/// The plan for a request whose prompt and sizes are sound. Each plan is rehearsed: its things are
+/// placed in a sketch of the room, and where some find no place, another room or another selection is
+/// tried; at last what was not asked for is left out.
+Plan make_plan(const PlanRequest& request, const RoomKinds& kinds, const CategoryTable& table,
+               const Arrangements& arrangements);
+
+}  // namespace roomgen::design

@@ -1,0 +1,55 @@
+#include "rehearsal.h"
+
+#include "advise.h"
+#include "sketch.h"
+
+namespace roomgen::design {
+
+namespace {
+
+Object object_of(const PlannedObject& planned, const PlanItem& item, const Category& category) {
+  Object object;
+  object.id = planned.id;
+  object.category = item.category;
+  object.traits = category.traits;
+  object.size = item.size.value_or(category.size);
+  object.mount = item.mount;
+  return object;
+}
+
+void put(Object& object, const PlaceAdvice& advice, const Category& category, const Scene& scene) {
+  object.position.head<2>() = *advice.location;
+  object.yaw = *advice.yaw;
+  object.position.z() = usual_bottom(object, category, scene.room);
+  for (const auto& relation : advice.relations)
+    if (relation.kind == RelationKind::on && object.mount == Mount::surface)
+      if (const Object* carrier = find_object(scene, relation.target)) {
+        object.on = carrier->id;
+        object.position.z() = top(*carrier);
+      }
+}
+
+}  // namespace
+
+std::vector<PlannedObject> rehearse(const Plan& plan, const CategoryTable& table,
+                                    const Arrangements& arrangements) {
+  Scene scene;
+  scene.room = plan.room;
+  std::vector<PlannedObject> missed;
+  for (const auto& planned : planned_objects(plan)) {
+    const PlanItem& item = plan.items[planned.item];
+    const Category& category = table.get(item.category);
+    Object object = object_of(planned, item, category);
+    const PlaceRequest request{plan, scene, planned, object, {}, {}, {}};
+    const PlaceAdvice advice = advise(request, table, arrangements);
+    if (!advice.location || !advice.yaw) {
+      missed.push_back(planned);
+      continue;
+    }
+    put(object, advice, category, scene);
+    scene.objects.push_back(std::move(object));
+  }
+  return missed;
+}
+
+}  // namespace roomgen::design

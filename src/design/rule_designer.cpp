@@ -1,0 +1,65 @@
+#include "roomgen/design/rule_designer.h"
+
+#include "advise.h"
+#include "arrangement.h"
+#include "planning.h"
+#include "room_kinds.h"
+#include "roomgen/base/text.h"
+
+namespace roomgen {
+
+namespace {
+
+using namespace design;
+
+constexpr double least_side = 0.5;
+constexpr double greatest_side = 50.0;
+
+Error invalid(const std::string& message) { return {Error::Kind::invalid_input, message}; }
+
+Status check_request(const PlanRequest& request) {
+  if (trim(request.prompt).empty())
+    return invalid("the prompt is empty; say what room you want, as in \"a cosy bedroom for two\"");
+  if (request.prompt.size() > max_prompt_bytes)
+    return Error{Error::Kind::limit, "the prompt has " + std::to_string(request.prompt.size()) +
+                                         " bytes; at most " + std::to_string(max_prompt_bytes) +
+                                         " are read"};
+  if (request.size && !request.room)
+    for (double side : {request.size->x(), request.size->y()})
+      if (!(side >= least_side && side <= greatest_side))
+        return invalid("a room of " + format_number(request.size->x()) + " x " +
+                       format_number(request.size->y()) + " m: sides must be from " +
+                       format_number(least_side) + " to " + format_number(greatest_side) + " m");
+  if (request.room) return check(*request.room);
+  return {};
+}
+
+class RuleDesigner : public Designer {
+ public:
+  Result<Plan> plan(const PlanRequest& request) override {
+    if (auto ready = check_knowledge(); !ready) return ready.error();
+    if (auto status = check_request(request); !status) return status.error();
+    return make_plan(request, *built_in_room_kinds(), CategoryTable::built_in(),
+                     *built_in_arrangements());
+  }
+
+  Result<PlaceAdvice> place(const PlaceRequest& request) override {
+    if (auto ready = check_knowledge(); !ready) return ready.error();
+    if (request.planned.item >= request.plan.items.size())
+      return invalid("\"" + request.planned.id + "\" is no item of the plan");
+    return advise(request, CategoryTable::built_in(), *built_in_arrangements());
+  }
+
+ private:
+  static Status check_knowledge() {
+    if (!built_in_room_kinds()) return built_in_room_kinds().error();
+    if (!built_in_arrangements()) return built_in_arrangements().error();
+    return {};
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Designer> make_rule_designer() { return std::make_unique<RuleDesigner>(); }
+
+}  // namespace roomgen
