@@ -23,23 +23,68 @@ from roomgen_checker.constraints import Judge, parse
 
 # Typical sizes, metres (width, depth, height).
 SIZES = {
-    "bed": (1.6, 2.05, 0.9), "single bed": (0.9, 2.0, 0.85), "nightstand": (0.45, 0.4, 0.55),
-    "bench": (1.0, 0.4, 0.45), "wardrobe": (1.2, 0.6, 2.0), "dresser": (1.0, 0.45, 0.85),
-    "desk": (1.2, 0.6, 0.74), "office chair": (0.58, 0.58, 0.95), "armchair": (0.8, 0.8, 0.85),
-    "floor lamp": (0.35, 0.35, 1.6), "plant": (0.4, 0.4, 0.9), "bookshelf": (0.9, 0.32, 1.9),
-    "sofa": (2.1, 0.9, 0.85), "coffee table": (1.1, 0.6, 0.42), "tv stand": (1.6, 0.42, 0.5),
-    "side table": (0.45, 0.45, 0.55), "console table": (1.2, 0.38, 0.8), "ottoman": (0.55, 0.55, 0.45),
-    "dining table": (1.6, 0.9, 0.75), "chair": (0.46, 0.5, 0.9), "sideboard": (1.5, 0.45, 0.85),
-    "china cabinet": (1.0, 0.42, 1.9), "bar cart": (0.7, 0.42, 0.85), "counter": (0.9, 0.6, 0.9),
-    "sink": (0.8, 0.6, 0.9), "stove": (0.6, 0.6, 0.9), "refrigerator": (0.7, 0.68, 1.8),
-    "cabinet": (0.8, 0.42, 1.8), "toilet": (0.38, 0.68, 0.8), "vanity": (0.8, 0.5, 0.85),
-    "bathtub": (1.7, 0.75, 0.58), "shower": (0.9, 0.9, 2.0), "washing machine": (0.6, 0.6, 0.85),
-    "laundry basket": (0.4, 0.4, 0.6), "filing cabinet": (0.45, 0.6, 0.75),
+    "bed": (1.6, 2.05, 0.9),
+    "single bed": (0.9, 2.0, 0.85),
+    "nightstand": (0.45, 0.4, 0.55),
+    "bench": (1.0, 0.4, 0.45),
+    "wardrobe": (1.2, 0.6, 2.0),
+    "dresser": (1.0, 0.45, 0.85),
+    "desk": (1.2, 0.6, 0.74),
+    "office chair": (0.58, 0.58, 0.95),
+    "armchair": (0.8, 0.8, 0.85),
+    "floor lamp": (0.35, 0.35, 1.6),
+    "plant": (0.4, 0.4, 0.9),
+    "bookshelf": (0.9, 0.32, 1.9),
+    "sofa": (2.1, 0.9, 0.85),
+    "coffee table": (1.1, 0.6, 0.42),
+    "tv stand": (1.6, 0.42, 0.5),
+    "side table": (0.45, 0.45, 0.55),
+    "console table": (1.2, 0.38, 0.8),
+    "ottoman": (0.55, 0.55, 0.45),
+    "dining table": (1.6, 0.9, 0.75),
+    "chair": (0.46, 0.5, 0.9),
+    "sideboard": (1.5, 0.45, 0.85),
+    "china cabinet": (1.0, 0.42, 1.9),
+    "bar cart": (0.7, 0.42, 0.85),
+    "counter": (0.9, 0.6, 0.9),
+    "sink": (0.8, 0.6, 0.9),
+    "stove": (0.6, 0.6, 0.9),
+    "refrigerator": (0.7, 0.68, 1.8),
+    "cabinet": (0.8, 0.42, 1.8),
+    "toilet": (0.38, 0.68, 0.8),
+    "vanity": (0.8, 0.5, 0.85),
+    "bathtub": (1.7, 0.75, 0.58),
+    "shower": (0.9, 0.9, 2.0),
+    "washing machine": (0.6, 0.6, 0.85),
+    "laundry basket": (0.4, 0.4, 0.6),
+    "filing cabinet": (0.45, 0.6, 0.75),
 }
 # Room to leave before things of which the categories may know nothing yet.
-MORE_ZONES = {"counter": 1.07, "sink": 1.07, "stove": 1.07, "refrigerator": 1.07, "toilet": 0.6,
-              "vanity": 0.6, "bathtub": 0.6, "shower": 0.6, "washing machine": 0.9,
-              "filing cabinet": 0.75}
+MORE_ZONES = {
+    "counter": 1.07,
+    "sink": 1.07,
+    "stove": 1.07,
+    "refrigerator": 1.07,
+    "toilet": 0.6,
+    "vanity": 0.6,
+    "bathtub": 0.6,
+    "shower": 0.6,
+    "washing machine": 0.9,
+    "filing cabinet": 0.75,
+}
+# How many of a kind a room of 20 m2 is filled up with; twos of other things.
+FILL_MOST = {
+    "washing machine": 1,
+    "vanity": 1,
+    "laundry basket": 1,
+    "bar cart": 1,
+    "tv stand": 1,
+    "bookshelf": 4,
+    "counter": 4,
+    "armchair": 3,
+    "chair": 3,
+    "filing cabinet": 4,
+}
 ZONE_MARGIN = 1.08
 WALK_MARGIN = -0.02
 AT_WALL_GAP = 0.01
@@ -110,8 +155,11 @@ class Layout:
         low, high = size[0] / 2, wall.length - size[0] / 2
         if high <= low:
             return None
-        along = self.random.choice((low + AT_WALL_GAP, high - AT_WALL_GAP)) \
-            if self.random.random() < corners else self.random.uniform(low, high)
+        along = (
+            self.random.choice((low + AT_WALL_GAP, high - AT_WALL_GAP))
+            if self.random.random() < corners
+            else self.random.uniform(low, high)
+        )
         return self.place_at(wall, along, size)
 
     def anywhere(self):
@@ -125,9 +173,15 @@ class Layout:
             number = count.get(p.category, len(self.all_of(p.category)))
             count[p.category] = number + 1
             names[p.key] = f"{p.category}-{number}"
-            things.append(files.Thing(
-                names[p.key], p.category, p.size, (*(round(c, 4) for c in p.centre), 0.0),
-                math.radians(round(math.degrees(p.yaw) % 360, 4))))
+            things.append(
+                files.Thing(
+                    names[p.key],
+                    p.category,
+                    p.size,
+                    (*(round(c, 4) for c in p.centre), 0.0),
+                    math.radians(round(math.degrees(p.yaw) % 360, 4)),
+                )
+            )
         return things, {names[p.key]: [w.format(**names) for w in p.wishes] for p in parts}
 
     def fits(self, new):
@@ -145,8 +199,11 @@ class Layout:
     def has_free_zone(self, thing, scene):
         zones = self.categories.zones(thing.category)
         return not zones or any(
-            not reach.zone_blockers(thing, z, geo.side_rectangle(thing, z["side"], z["depth"]), scene,
-                                    self.categories, slack=0) for z in zones)
+            not reach.zone_blockers(
+                thing, z, geo.side_rectangle(thing, z["side"], z["depth"]), scene, self.categories, slack=0
+            )
+            for z in zones
+        )
 
     def add(self, make, attempts=60):
         """Places the group that `make` proposes, if one of some proposals fits."""
@@ -172,10 +229,12 @@ def beside(centre, yaw, dx, dy):
 
 def at_wall(category, *wishes, corners=0.3):
     """One thing with its back at a wall."""
+
     def make(layout):
         size = layout.size(category)
         place = layout.anywhere_at_wall(size, corners)
         return place and [Part("a", category, size, *place, ["edge", *wishes])]
+
     return make
 
 
@@ -184,6 +243,7 @@ def in_corner(category, *wishes):
         size = layout.size(category)
         place = layout.anywhere_at_wall(size, corners=1.0)
         return place and [Part("a", category, size, *place, ["corner", *wishes])]
+
     return make
 
 
@@ -203,19 +263,37 @@ def bed(category="bed", stands=2, foot=False):
         sides = layout.random.sample(((1, "left of"), (-1, "right of")), stands)
         for k, (sign, word) in enumerate(sides):
             centre = beside(*place, sign * (size[0] / 2 + stand[0] / 2 + 0.03), back)
-            parts.append(Part(f"n{k}", "nightstand", stand, centre, place[1],
-                              ["edge", "near, {bed}", f"{word}, {{bed}}", "face same as, {bed}"]))
+            parts.append(
+                Part(
+                    f"n{k}",
+                    "nightstand",
+                    stand,
+                    centre,
+                    place[1],
+                    ["edge", "near, {bed}", f"{word}, {{bed}}", "face same as, {bed}"],
+                )
+            )
         if foot:
             bench = layout.size("bench")
             centre = beside(*place, 0, -size[1] / 2 - bench[1] / 2 - 0.05)
-            parts.append(Part("bench", "bench", bench, centre, place[1],
-                              ["middle", "near, {bed}", "in front of, {bed}", "aligned, {bed}"]))
+            parts.append(
+                Part(
+                    "bench",
+                    "bench",
+                    bench,
+                    centre,
+                    place[1],
+                    ["middle", "near, {bed}", "in front of, {bed}", "aligned, {bed}"],
+                )
+            )
         return parts
+
     return make
 
 
 def opposite(category, target, *wishes):
     """At the wall that a target looks at, and looking back at it."""
+
     def make(layout):
         targets = layout.all_of(*target)
         if not targets:
@@ -227,9 +305,16 @@ def opposite(category, target, *wishes):
         local = geo.to_local(place[0], t.centre, t.yaw)
         if local[1] > -1.0 or abs(local[0]) > t.size[0] / 2:
             return None
-        return [Part("a", category, size, *place,
-                     ["edge", f"in front of, {t.id}", f"face to, {t.id}",
-                      f"face opposite to, {t.id}", *wishes])]
+        return [
+            Part(
+                "a",
+                category,
+                size,
+                *place,
+                ["edge", f"in front of, {t.id}", f"face to, {t.id}", f"face opposite to, {t.id}", *wishes],
+            )
+        ]
+
     return make
 
 
@@ -243,9 +328,17 @@ def desk_and_chair(layout):
     if not place:
         return None
     centre = beside(*place, 0, -size[1] / 2 - chair[1] / 2 - 0.06)
-    return [Part("desk", "desk", size, *place, ["edge"]),
-            Part("chair", "office chair", chair, centre, place[1] + math.pi,
-                 ["middle", "near, {desk}", "in front of, {desk}", "face to, {desk}"])]
+    return [
+        Part("desk", "desk", size, *place, ["edge"]),
+        Part(
+            "chair",
+            "office chair",
+            chair,
+            centre,
+            place[1] + math.pi,
+            ["middle", "near, {desk}", "in front of, {desk}", "face to, {desk}"],
+        ),
+    ]
 
 
 def sofa_group(chairs=2, free=False, side=True):
@@ -257,31 +350,50 @@ def sofa_group(chairs=2, free=False, side=True):
         size, table = layout.size("sofa"), layout.size("coffee table")
         if free:
             wall = layout.wall()
-            place = layout.place_at(wall, layout.random.uniform(0, wall.length), size,
-                                    layout.random.uniform(0.75, 1.6))
+            place = layout.place_at(
+                wall, layout.random.uniform(0, wall.length), size, layout.random.uniform(0.75, 1.6)
+            )
         else:
             place = layout.anywhere_at_wall(size, corners=0.2)
         if not place:
             return None
         parts = [Part("sofa", "sofa", size, *place, ["middle"] if free else ["edge"])]
         down = -size[1] / 2 - 0.45 - table[1] / 2
-        parts.append(Part("coffee", "coffee table", table, beside(*place, 0, down), place[1],
-                          ["middle", "near, {sofa}", "in front of, {sofa}", "aligned, {sofa}"]))
+        parts.append(
+            Part(
+                "coffee",
+                "coffee table",
+                table,
+                beside(*place, 0, down),
+                place[1],
+                ["middle", "near, {sofa}", "in front of, {sofa}", "aligned, {sofa}"],
+            )
+        )
         for k, (sign, word) in enumerate(((1, "left of"), (-1, "right of"))[:chairs]):
             chair = layout.size("armchair")
             # A little forward, so that one can walk between sofa and chair.
             out = sign * (table[0] / 2 + 0.48 + chair[1] / 2)
-            parts.append(Part(f"chair{k}", "armchair", chair, beside(*place, out, down - 0.2),
-                              place[1] - sign * math.pi / 2,
-                              ["near, {coffee}", f"{word}, {{coffee}}", "face to, {coffee}"]))
+            parts.append(
+                Part(
+                    f"chair{k}",
+                    "armchair",
+                    chair,
+                    beside(*place, out, down - 0.2),
+                    place[1] - sign * math.pi / 2,
+                    ["near, {coffee}", f"{word}, {{coffee}}", "face to, {coffee}"],
+                )
+            )
         if side:
             small = layout.size("side table")
             sign = layout.random.choice((1, -1))
-            centre = beside(*place, sign * (size[0] / 2 + small[0] / 2 + 0.04),
-                            size[1] / 2 - small[1] / 2)
-            parts.append(Part("side", "side table", small, centre, place[1],
-                              ["edge", "near, {sofa}", "side of, {sofa}"]))
+            centre = beside(*place, sign * (size[0] / 2 + small[0] / 2 + 0.04), size[1] / 2 - small[1] / 2)
+            parts.append(
+                Part(
+                    "side", "side table", small, centre, place[1], ["edge", "near, {sofa}", "side of, {sofa}"]
+                )
+            )
         return parts
+
     return make
 
 
@@ -297,15 +409,26 @@ def dining_group(chairs, turned=True):
         size[0] = round(max(0.8, 0.62 * long_side + 0.1), 2)
         chair = layout.size("chair")
         along = layout.wall()
-        place = (layout.anywhere(), geo.yaw_looking(along.inward)
-                 + (layout.random.choice((0, math.pi / 2)) if turned else 0))
+        place = (
+            layout.anywhere(),
+            geo.yaw_looking(along.inward) + (layout.random.choice((0, math.pi / 2)) if turned else 0),
+        )
         parts = [Part("table", "dining table", tuple(size), *place, ["middle"])]
         spots = seats(tuple(size), chair, chairs, long_side)
         for k, (x, y, yaw) in enumerate(spots):
-            parts.append(Part(f"c{k}", "chair", chair, beside(*place, x, y), place[1] + yaw,
-                              ["middle", "around, {table}"]
-                              + ([f"aligned, {{c{k - 2}}}"] if k >= 2 and k % 2 == 0 else [])))
+            parts.append(
+                Part(
+                    f"c{k}",
+                    "chair",
+                    chair,
+                    beside(*place, x, y),
+                    place[1] + yaw,
+                    ["middle", "around, {table}"]
+                    + ([f"aligned, {{c{k - 2}}}"] if k >= 2 and k % 2 == 0 else []),
+                )
+            )
         return parts
+
     return make
 
 
@@ -331,16 +454,21 @@ def kitchen_run(*row):
         wall = layout.wall()
         if wall.length < total + 0.02:
             return None
-        begin = layout.random.choice((0.01, wall.length - total - 0.01,
-                                      layout.random.uniform(0.01, wall.length - total)))
+        begin = layout.random.choice(
+            (0.01, wall.length - total - 0.01, layout.random.uniform(0.01, wall.length - total))
+        )
         parts = []
         for k, (category, size) in enumerate(zip(row, sizes)):
             centre, yaw = layout.place_at(wall, begin + size[0] / 2, size)
             begin += size[0] + 0.02
-            wishes = ["edge"] if k == 0 else [
-                "edge", f"near, {{p{k - 1}}}", f"side of, {{p{k - 1}}}", f"face same as, {{p{k - 1}}}"]
+            wishes = (
+                ["edge"]
+                if k == 0
+                else ["edge", f"near, {{p{k - 1}}}", f"side of, {{p{k - 1}}}", f"face same as, {{p{k - 1}}}"]
+            )
             parts.append(Part(f"p{k}", category, size, centre, yaw, wishes))
         return parts
+
     return make
 
 
@@ -351,8 +479,12 @@ def lamp_by_seat(layout):
         return None
     t, size = layout.random.choice(targets), layout.size("floor lamp")
     sign = layout.random.choice((1, -1))
-    centre = beside(t.centre, t.yaw, sign * (t.size[0] / 2 + size[0] / 2 + 0.06),
-                    t.size[1] / 2 - size[1] / 2 - layout.random.uniform(0, 0.2))
+    centre = beside(
+        t.centre,
+        t.yaw,
+        sign * (t.size[0] / 2 + size[0] / 2 + 0.06),
+        t.size[1] / 2 - size[1] / 2 - layout.random.uniform(0, 0.2),
+    )
     return [Part("lamp", "floor lamp", size, centre, t.yaw, [f"near, {t.id}", f"side of, {t.id}"])]
 
 
@@ -370,6 +502,7 @@ def reading_chair(layout):
 
 def shelves(count, category="bookshelf"):
     """A row of equal things at a wall."""
+
     def make(layout):
         size = layout.size(category)
         wall = layout.wall()
@@ -380,10 +513,12 @@ def shelves(count, category="bookshelf"):
         parts = []
         for k in range(count):
             place = layout.place_at(wall, begin + (k + 0.5) * (size[0] + 0.01), size)
-            wishes = ["edge"] + ([f"near, {{s{k - 1}}}", f"side of, {{s{k - 1}}}",
-                                  f"aligned, {{s{k - 1}}}"] if k else [])
+            wishes = ["edge"] + (
+                [f"near, {{s{k - 1}}}", f"side of, {{s{k - 1}}}", f"aligned, {{s{k - 1}}}"] if k else []
+            )
             parts.append(Part(f"s{k}", category, size, *place, wishes))
         return parts
+
     return make
 
 
@@ -397,30 +532,90 @@ def desk_row(count):
         for k in range(count):
             x = (k - (count - 1) / 2) * (desk[0] + 0.02)
             spot = beside(centre, yaw, x, 0)
-            wishes = ["middle"] + ([f"near, {{d{k - 1}}}", f"side of, {{d{k - 1}}}",
-                                    f"face same as, {{d{k - 1}}}"] if k else [])
+            wishes = ["middle"] + (
+                [f"near, {{d{k - 1}}}", f"side of, {{d{k - 1}}}", f"face same as, {{d{k - 1}}}"] if k else []
+            )
             parts.append(Part(f"d{k}", "desk", desk, spot, yaw, wishes))
         for k in range(count):
             spot = beside(parts[k].centre, yaw, 0, -desk[1] / 2 - chair[1] / 2 - 0.06)
-            parts.append(Part(f"c{k}", "office chair", chair, spot, yaw + math.pi,
-                              [f"near, {{d{k}}}", f"in front of, {{d{k}}}", f"face to, {{d{k}}}"]))
+            parts.append(
+                Part(
+                    f"c{k}",
+                    "office chair",
+                    chair,
+                    spot,
+                    yaw + math.pi,
+                    [f"near, {{d{k}}}", f"in front of, {{d{k}}}", f"face to, {{d{k}}}"],
+                )
+            )
         return parts
+
     return make
 
 
 FILLERS = {
-    "bedroom": [at_wall("dresser"), at_wall("wardrobe"), at_wall("bookshelf"), in_corner("plant"),
-                lamp_by_seat, at_wall("console table"), reading_chair, at_wall("ottoman")],
-    "living room": [at_wall("bookshelf"), shelves(2), in_corner("plant"), lamp_by_seat, reading_chair,
-                    at_wall("sideboard"), at_wall("console table"), at_wall("side table"), at_wall("ottoman")],
-    "dining room": [at_wall("sideboard"), at_wall("china cabinet"), at_wall("bar cart"), in_corner("plant"),
-                    at_wall("console table"), at_wall("chair"), at_wall("bookshelf")],
-    "kitchen": [at_wall("cabinet"), kitchen_run("counter", "counter"), at_wall("counter"), in_corner("plant"),
-                at_wall("bar cart"), at_wall("chair")],
-    "bathroom": [at_wall("cabinet"), in_corner("laundry basket"), at_wall("washing machine"), in_corner("plant"),
-                 at_wall("vanity")],
-    "office": [shelves(2), at_wall("filing cabinet"), in_corner("plant"), at_wall("bookshelf"), at_wall("cabinet"),
-               reading_chair, desk_and_chair],
+    "bedroom": [
+        at_wall("dresser"),
+        at_wall("wardrobe"),
+        at_wall("bookshelf"),
+        in_corner("plant"),
+        lamp_by_seat,
+        at_wall("console table"),
+        reading_chair,
+        at_wall("ottoman"),
+        desk_and_chair,
+    ],
+    "living room": [
+        at_wall("bookshelf"),
+        shelves(2),
+        in_corner("plant"),
+        lamp_by_seat,
+        reading_chair,
+        at_wall("sideboard"),
+        at_wall("console table"),
+        at_wall("side table"),
+        at_wall("ottoman"),
+        desk_and_chair,
+        at_wall("bench"),
+        at_wall("china cabinet"),
+    ],
+    "dining room": [
+        at_wall("sideboard"),
+        at_wall("china cabinet"),
+        at_wall("bar cart"),
+        in_corner("plant"),
+        at_wall("console table"),
+        at_wall("chair"),
+        at_wall("bookshelf"),
+    ],
+    "kitchen": [
+        at_wall("cabinet"),
+        kitchen_run("counter", "counter"),
+        at_wall("counter"),
+        in_corner("plant"),
+        at_wall("bar cart"),
+        at_wall("chair"),
+        at_wall("sideboard"),
+        at_wall("washing machine"),
+    ],
+    "bathroom": [
+        at_wall("cabinet"),
+        in_corner("laundry basket"),
+        at_wall("washing machine"),
+        in_corner("plant"),
+        at_wall("vanity"),
+        at_wall("bench"),
+        at_wall("dresser"),
+    ],
+    "office": [
+        shelves(2),
+        at_wall("filing cabinet"),
+        in_corner("plant"),
+        at_wall("bookshelf"),
+        at_wall("cabinet"),
+        reading_chair,
+        desk_and_chair,
+    ],
 }
 
 RECIPES = {
@@ -439,9 +634,21 @@ RECIPES = {
     "office": [desk_row(3), desk_row(2), shelves(3)],
     "study": [desk_and_chair, shelves(2), reading_chair],
     "studio": [bed(stands=1), sofa_group(0, side=True), dining_group(2), at_wall("wardrobe")],
-    "living and dining": [sofa_group(2), opposite("tv stand", ["sofa"]), dining_group(6), at_wall("sideboard")],
-    "restaurant": [dining_group(4), dining_group(4), dining_group(4), dining_group(4), dining_group(2),
-                   dining_group(2), at_wall("sideboard")],
+    "living and dining": [
+        sofa_group(2),
+        opposite("tv stand", ["sofa"]),
+        dining_group(6),
+        at_wall("sideboard"),
+    ],
+    "restaurant": [
+        dining_group(4),
+        dining_group(4),
+        dining_group(4),
+        dining_group(4),
+        dining_group(2),
+        dining_group(2),
+        at_wall("sideboard"),
+    ],
     "open office": [desk_row(3), desk_row(3), desk_row(3), desk_row(3), shelves(3)],
     "lounge": [sofa_group(2), sofa_group(2, free=True), dining_group(4), shelves(3)],
     "one thing": [],
@@ -455,14 +662,38 @@ def outline(shape, w, d):
     return {
         "rectangle": [(0, 0), (w, 0), (w, d), (0, d)],
         "l": [(0, 0), (w, 0), (w, 0.55 * d), (0.55 * w, 0.55 * d), (0.55 * w, d), (0, d)],
-        "t": [(0.25 * w, 0), (0.75 * w, 0), (0.75 * w, 0.5 * d), (w, 0.5 * d), (w, d), (0, d),
-              (0, 0.5 * d), (0.25 * w, 0.5 * d)],
-        "u": [(0, 0), (w, 0), (w, d), (0.67 * w, d), (0.67 * w, 0.5 * d), (0.33 * w, 0.5 * d),
-              (0.33 * w, d), (0, d)],
+        "t": [
+            (0.25 * w, 0),
+            (0.75 * w, 0),
+            (0.75 * w, 0.5 * d),
+            (w, 0.5 * d),
+            (w, d),
+            (0, d),
+            (0, 0.5 * d),
+            (0.25 * w, 0.5 * d),
+        ],
+        "u": [
+            (0, 0),
+            (w, 0),
+            (w, d),
+            (0.67 * w, d),
+            (0.67 * w, 0.5 * d),
+            (0.33 * w, 0.5 * d),
+            (0.33 * w, d),
+            (0, d),
+        ],
         "slanted": [(0, 0), (w, 0), (w, 0.6 * d), (0.7 * w, d), (0, d)],
         "trapezoid": [(0, 0), (w, 0), (0.85 * w, d), (0.1 * w, d)],
-        "octagon": [(0.25 * w, 0), (0.75 * w, 0), (w, 0.25 * d), (w, 0.75 * d), (0.75 * w, d), (0.25 * w, d),
-                    (0, 0.75 * d), (0, 0.25 * d)],
+        "octagon": [
+            (0.25 * w, 0),
+            (0.75 * w, 0),
+            (w, 0.25 * d),
+            (w, 0.75 * d),
+            (0.75 * w, d),
+            (0.25 * w, d),
+            (0, 0.75 * d),
+            (0, 0.25 * d),
+        ],
     }[shape]
 
 
@@ -492,8 +723,16 @@ def empty_problem(name, kind, corners, rng, doors=1, windows=1, door_width=0.9):
     """A problem without objects: openings at random, no two overlapping."""
     corners = [[round(c, 3) for c in p] for p in corners]
     walls, taken = files.make_walls(corners), []
-    problem = {"name": name, "room_type": kind, "units": "m", "room": corners, "height": 2.7,
-               "doors": [], "windows": [], "objects": []}
+    problem = {
+        "name": name,
+        "room_type": kind,
+        "units": "m",
+        "room": corners,
+        "height": 2.7,
+        "doors": [],
+        "windows": [],
+        "objects": [],
+    }
     for key, count, width in (("doors", doors, door_width), ("windows", windows, None)):
         for _ in range(count):
             piece = choose_segment(walls, rng, width or rng.choice((0.8, 1.2, 1.6)), taken)
@@ -516,8 +755,11 @@ def empty_problem(name, kind, corners, rng, doors=1, windows=1, door_width=0.9):
 def firmly_holds(layout, thing, text, companions):
     """Whether a constraint holds and still does a little to all sides; edges are exact anyway."""
     exact = parse(text).name in ("edge", "corner", "aligned", "center aligned")
-    shifts = [(0, 0)] if exact else [(0, 0), (PLACE_MARGIN, 0), (-PLACE_MARGIN, 0), (0, PLACE_MARGIN),
-                                     (0, -PLACE_MARGIN)]
+    shifts = (
+        [(0, 0)]
+        if exact
+        else [(0, 0), (PLACE_MARGIN, 0), (-PLACE_MARGIN, 0), (0, PLACE_MARGIN), (0, -PLACE_MARGIN)]
+    )
     for dx, dy in shifts:
         x, y, z = thing.position
         moved = replace(thing, position=(x + dx, y + dy, z), relations=tuple(companions))
@@ -549,8 +791,11 @@ def constraints_of(layout, k, most=4):
         found = [w for w in ("edge", "middle") if firmly_holds(layout, thing, w, ())] + found
     if len(found) < most and layout.random.random() < 0.35:
         used = {parse(f).target for f in found}
-        found += [g for g in guesses(layout, thing, earlier) if parse(g).target not in used
-                  and firmly_holds(layout, thing, g, (*found, g))][:1]
+        found += [
+            g
+            for g in guesses(layout, thing, earlier)
+            if parse(g).target not in used and firmly_holds(layout, thing, g, (*found, g))
+        ][:1]
     return found
 
 
@@ -568,17 +813,48 @@ def witness_json(problem, layout, relations, unplaced=()):
     """The layout as a scene.json."""
     room = layout.room
     return {
-        "format": "roomgen-scene", "version": 1, "units": "m", "up": "+z", "front": "-y",
-        "prompt": "", "seed": 0,
-        "room": {"type": room.type, "polygon": problem["room"], "height": room.height,
-                 "openings": [{"id": o.id, "type": o.type, "wall": o.wall.index, "from": round(o.begin, 4),
-                               "to": round(o.end, 4), "sill": o.sill, "head": o.head, "hinge": o.hinge,
-                               "swing": o.swing} for o in room.openings]},
-        "objects": [{"id": t.id, "category": t.category, "description": "",
-                     "traits": layout.categories.property(t.category, "traits", ["front"]),
-                     "size": list(t.size), "position": list(t.position),
-                     "yaw_deg": round(math.degrees(t.yaw), 4), "mount": "floor", "on": None,
-                     "relations": relations[t.id], "locked": False} for t in layout.things],
+        "format": "roomgen-scene",
+        "version": 1,
+        "units": "m",
+        "up": "+z",
+        "front": "-y",
+        "prompt": "",
+        "seed": 0,
+        "room": {
+            "type": room.type,
+            "polygon": problem["room"],
+            "height": room.height,
+            "openings": [
+                {
+                    "id": o.id,
+                    "type": o.type,
+                    "wall": o.wall.index,
+                    "from": round(o.begin, 4),
+                    "to": round(o.end, 4),
+                    "sill": o.sill,
+                    "head": o.head,
+                    "hinge": o.hinge,
+                    "swing": o.swing,
+                }
+                for o in room.openings
+            ],
+        },
+        "objects": [
+            {
+                "id": t.id,
+                "category": t.category,
+                "description": "",
+                "traits": layout.categories.property(t.category, "traits", ["front"]),
+                "size": list(t.size),
+                "position": list(t.position),
+                "yaw_deg": round(math.degrees(t.yaw), 4),
+                "mount": "floor",
+                "on": None,
+                "relations": relations[t.id],
+                "locked": False,
+            }
+            for t in layout.things
+        ],
         "unplaced": list(unplaced),
     }
 
@@ -590,17 +866,38 @@ def furnish(problem, recipe, fill, most, rng, categories):
         if not layout.add(group, 150):
             return None
     fillers = FILLERS[filler_kind(recipe)]
+    begun = {t.category: len(layout.all_of(t.category)) for t in layout.things}
     misses = 0
-    while layout.fill < fill and len(layout.things) < most and misses < 25:
-        misses += not layout.add(rng.choice(fillers), 12)
+    while layout.fill < fill and len(layout.things) < most and misses < 30:
+        misses += not layout.add(modest(rng.choice(fillers), begun), 12)
     return layout if layout.things else None
 
 
+def modest(group, begun):
+    """A filler that proposes nothing of which there is enough besides what the recipe brought."""
+
+    def make(layout):
+        parts = group(layout) or []
+        scale = max(1.0, layout.room.polygon.area / 20)
+        for p in parts:
+            more = len(layout.all_of(p.category)) - begun.get(p.category, 0)
+            if more >= FILL_MOST.get(p.category, 2) * scale:
+                return None
+        return parts
+
+    return make
+
+
 def filler_kind(recipe):
-    for kind, words in (("bedroom", ("bed", "child", "studio", "one")), ("dining room", ("restaurant",)),
-                        ("kitchen", ("kitchen",)), ("bathroom", ("bath", "shower")),
-                        ("office", ("office", "study")), ("living room", ("living", "lounge")),
-                        ("dining room", ("dining",))):
+    for kind, words in (
+        ("bedroom", ("bed", "child", "studio", "one")),
+        ("dining room", ("restaurant",)),
+        ("kitchen", ("kitchen",)),
+        ("bathroom", ("bath", "shower")),
+        ("office", ("office", "study")),
+        ("living room", ("living", "lounge")),
+        ("dining room", ("dining",)),
+    ):
         if any(w in recipe for w in words):
             return kind
     raise ValueError(recipe)
@@ -623,36 +920,69 @@ class Kind:
 
 
 KINDS = [
-    Kind("bedroom", "rectangle", 4.6, 4.0, .33), Kind("bedroom", "rectangle", 5.0, 4.2, .38, hints=True),
-    Kind("bedroom", "l", 6.0, 5.4, .30), Kind("bedroom", "slanted", 5.2, 4.6, .33), Kind("bedroom", "rectangle", 4.8, 4.4, .40, windows=2),
-    Kind("bedroom", "rectangle", 5.0, 4.4, .30, turn=17), Kind("small bedroom", "rectangle", 3.6, 3.0, .35),
-    Kind("small bedroom", "rectangle", 2.6, 4.4, .36), Kind("small bedroom", "trapezoid", 4.4, 3.4, .33, hints=True),
-    Kind("children's room", "rectangle", 4.4, 3.8, .36), Kind("children's room", "l", 5.6, 5.0, .32, hints=True),
-    Kind("living room", "rectangle", 5.5, 4.5, .28), Kind("living room", "rectangle", 6.0, 4.8, .36, hints=True),
-    Kind("living room", "l", 7.0, 6.0, .28, doors=2), Kind("living room", "slanted", 6.0, 5.2, .32), Kind("living room", "octagon", 6.6, 6.6, .28),
-    Kind("living room", "rectangle", 5.4, 4.8, .33, turn=30), Kind("living room", "rectangle", 8.0, 3.8, .28, doors=2),
-    Kind("open living room", "t", 7.6, 6.4, .22, hints=True), Kind("open living room", "rectangle", 6.0, 5.0, .25, doors=2, windows=2),
-    Kind("open living room", "u", 9.0, 6.0, .22, doors=2),
-    Kind("dining room", "rectangle", 4.6, 4.0, .33), Kind("dining room", "rectangle", 5.0, 4.2, .36, hints=True),
-    Kind("dining room", "octagon", 5.6, 5.2, .28), Kind("dining room", "slanted", 5.4, 4.6, .32), Kind("small dining room", "rectangle", 3.6, 3.6, .36),
-    Kind("small dining room", "rectangle", 4.0, 3.6, .36, turn=45), Kind("great dining room", "rectangle", 6.4, 4.6, .35, doors=2),
-    Kind("great dining room", "l", 7.6, 6.4, .28, doors=2, hints=True),
-    Kind("kitchen", "rectangle", 4.4, 3.2, .32), Kind("kitchen", "rectangle", 3.6, 3.4, .38), Kind("kitchen", "l", 5.2, 5.0, .28, hints=True),
-    Kind("kitchen", "rectangle", 6.4, 2.6, .30, doors=2), Kind("eat-in kitchen", "rectangle", 5.0, 4.2, .33), Kind("eat-in kitchen", "slanted", 5.6, 4.6, .30),
-    Kind("eat-in kitchen", "rectangle", 5.2, 4.4, .34, doors=2, hints=True),
-    Kind("bathroom", "rectangle", 2.8, 2.6, .38), Kind("bathroom", "rectangle", 3.4, 2.8, .38), Kind("bathroom", "slanted", 3.6, 3.2, .34, hints=True),
-    Kind("bathroom", "l", 4.0, 3.8, .32), Kind("shower room", "rectangle", 2.4, 2.0, .36, windows=0), Kind("shower room", "rectangle", 1.8, 3.4, .33),
-    Kind("shower room", "rectangle", 2.6, 2.4, .36, turn=10),
-    Kind("study", "rectangle", 3.4, 3.0, .35), Kind("study", "trapezoid", 4.4, 3.8, .33), Kind("study", "rectangle", 2.4, 5.4, .30, hints=True),
-    Kind("studio", "rectangle", 6.4, 4.8, .36), Kind("studio", "l", 7.4, 6.0, .33, hints=True), Kind("office", "rectangle", 6.4, 5.2, .33, doors=2),
-    Kind("office", "t", 8.4, 7.0, .28, doors=2), Kind("living and dining", "rectangle", 7.4, 5.4, .34, doors=2, windows=2),
-    Kind("living and dining", "l", 8.6, 7.2, .30, doors=2, windows=2, hints=True), Kind("living and dining", "u", 10.0, 7.4, .26, doors=2, windows=3),
-    Kind("restaurant", "rectangle", 8.4, 6.4, .30, most=34, doors=2, windows=3), Kind("open office", "rectangle", 9.4, 7.4, .28, most=40, doors=2, windows=3),
-    Kind("open office", "octagon", 10.4, 9.4, .25, most=40, doors=2, windows=2, hints=True), Kind("lounge", "l", 10.0, 8.4, .27, most=36, doors=2, windows=3),
-    Kind("lounge", "rectangle", 9.0, 6.6, .32, most=40, doors=3, windows=3),
-    Kind("one thing", "rectangle", 1.8, 1.6, .15, most=3, windows=0), Kind("small bedroom", "rectangle", 3.0, 3.6, .45, hints=True),
-    Kind("small dining room", "rectangle", 4.0, 3.4, .42, windows=0), Kind("bedroom", "rectangle", 4.8, 4.0, .45, windows=0),
-    Kind("living room", "rectangle", 5.2, 4.6, .42, windows=0),
+    Kind("bedroom", "rectangle", 4.6, 4.0, 0.33),
+    Kind("bedroom", "rectangle", 5.0, 4.2, 0.38, hints=True),
+    Kind("bedroom", "l", 6.0, 5.4, 0.30),
+    Kind("bedroom", "slanted", 5.2, 4.6, 0.33),
+    Kind("bedroom", "rectangle", 4.8, 4.4, 0.40, windows=2),
+    Kind("bedroom", "rectangle", 5.0, 4.4, 0.30, turn=17),
+    Kind("small bedroom", "rectangle", 3.6, 3.0, 0.35),
+    Kind("small bedroom", "rectangle", 2.6, 4.4, 0.36),
+    Kind("small bedroom", "trapezoid", 4.4, 3.4, 0.33, hints=True),
+    Kind("children's room", "rectangle", 4.4, 3.8, 0.36),
+    Kind("children's room", "l", 5.6, 5.0, 0.32, hints=True),
+    Kind("living room", "rectangle", 5.5, 4.5, 0.28),
+    Kind("living room", "rectangle", 6.0, 4.8, 0.36, hints=True),
+    Kind("living room", "l", 7.0, 6.0, 0.28, doors=2),
+    Kind("living room", "slanted", 6.0, 5.2, 0.32),
+    Kind("living room", "octagon", 6.6, 6.6, 0.28),
+    Kind("living room", "rectangle", 5.4, 4.8, 0.33, turn=30),
+    Kind("living room", "rectangle", 8.0, 3.8, 0.28, doors=2),
+    Kind("open living room", "t", 7.6, 6.4, 0.22, hints=True),
+    Kind("open living room", "rectangle", 6.0, 5.0, 0.25, doors=2, windows=2),
+    Kind("open living room", "u", 9.0, 6.0, 0.22, doors=2),
+    Kind("dining room", "rectangle", 4.6, 4.0, 0.33),
+    Kind("dining room", "rectangle", 5.0, 4.2, 0.36, hints=True),
+    Kind("dining room", "octagon", 5.6, 5.2, 0.28),
+    Kind("dining room", "slanted", 5.4, 4.6, 0.32),
+    Kind("small dining room", "rectangle", 3.6, 3.6, 0.36),
+    Kind("small dining room", "rectangle", 4.0, 3.6, 0.36, turn=45),
+    Kind("great dining room", "rectangle", 6.4, 4.6, 0.35, doors=2),
+    Kind("great dining room", "l", 7.6, 6.4, 0.28, doors=2, hints=True),
+    Kind("kitchen", "rectangle", 4.4, 3.2, 0.32),
+    Kind("kitchen", "rectangle", 3.6, 3.4, 0.38),
+    Kind("kitchen", "l", 5.2, 5.0, 0.28, hints=True),
+    Kind("kitchen", "rectangle", 6.4, 2.6, 0.30, doors=2),
+    Kind("eat-in kitchen", "rectangle", 5.0, 4.2, 0.33),
+    Kind("eat-in kitchen", "slanted", 5.6, 4.6, 0.30),
+    Kind("eat-in kitchen", "rectangle", 5.2, 4.4, 0.34, doors=2, hints=True),
+    Kind("bathroom", "rectangle", 2.8, 2.6, 0.38),
+    Kind("bathroom", "rectangle", 3.4, 2.8, 0.38),
+    Kind("bathroom", "slanted", 3.6, 3.2, 0.34, hints=True),
+    Kind("bathroom", "l", 4.0, 3.8, 0.32),
+    Kind("shower room", "rectangle", 2.4, 2.0, 0.36, windows=0),
+    Kind("shower room", "rectangle", 1.8, 3.4, 0.33),
+    Kind("shower room", "rectangle", 2.6, 2.4, 0.36, turn=10),
+    Kind("study", "rectangle", 3.4, 3.0, 0.35),
+    Kind("study", "trapezoid", 4.4, 3.8, 0.33),
+    Kind("study", "rectangle", 2.4, 5.4, 0.30, hints=True),
+    Kind("studio", "rectangle", 6.4, 4.8, 0.36),
+    Kind("studio", "l", 7.4, 6.0, 0.33, hints=True),
+    Kind("office", "rectangle", 6.4, 5.2, 0.33, doors=2),
+    Kind("office", "t", 8.4, 7.0, 0.28, doors=2),
+    Kind("living and dining", "rectangle", 7.4, 5.4, 0.34, doors=2, windows=2),
+    Kind("living and dining", "l", 8.6, 7.2, 0.30, doors=2, windows=2, hints=True),
+    Kind("living and dining", "u", 10.0, 7.4, 0.26, doors=2, windows=3),
+    Kind("restaurant", "rectangle", 8.4, 6.4, 0.30, most=34, doors=2, windows=3),
+    Kind("open office", "rectangle", 9.4, 7.4, 0.28, most=40, doors=2, windows=3),
+    Kind("open office", "octagon", 10.4, 9.4, 0.25, most=40, doors=2, windows=2, hints=True),
+    Kind("lounge", "l", 10.0, 8.4, 0.27, most=36, doors=2, windows=3),
+    Kind("lounge", "rectangle", 9.0, 6.6, 0.32, most=40, doors=3, windows=3),
+    Kind("one thing", "rectangle", 1.8, 1.6, 0.15, most=3, windows=0),
+    Kind("small bedroom", "rectangle", 3.0, 3.6, 0.45, hints=True),
+    Kind("small dining room", "rectangle", 4.0, 3.4, 0.42, windows=0),
+    Kind("bedroom", "rectangle", 4.8, 4.0, 0.45, windows=0),
+    Kind("living room", "rectangle", 5.2, 4.6, 0.42, windows=0),
 ]
 
 
@@ -669,7 +999,7 @@ def make_problem(number, kind, seed, categories):
         layout = furnish(problem, kind.recipe, kind.fill, kind.most, rng, roomy(categories))
         if layout and (best is None or layout.fill > best[1].fill):
             best = problem, layout
-        if best and (best[1].fill >= kind.fill - 0.03 or len(best[1].things) >= kind.most):
+        if best and (attempt >= 12 or best[1].fill >= kind.fill - 0.03 or len(best[1].things) >= kind.most):
             break
     if best is None:
         raise RuntimeError(f"no layout found for {name}")
@@ -680,9 +1010,15 @@ def finish(problem, layout, kind):
     relations = {t.id: constraints_of(layout, k) for k, t in enumerate(layout.things)}
     problem["objects"] = [object_json(layout, t, relations[t.id], kind.hints) for t in layout.things]
     total = sum(map(len, relations.values()))
-    entry = {"name": problem["name"], "kind": "feasible", "objects": len(layout.things),
-             "fill": round(layout.fill, 3), "placeable": len(layout.things), "constraints": total,
-             "constraints_holdable": total}
+    entry = {
+        "name": problem["name"],
+        "kind": "feasible",
+        "objects": len(layout.things),
+        "fill": round(layout.fill, 3),
+        "placeable": len(layout.things),
+        "constraints": total,
+        "constraints_holdable": total,
+    }
     return problem, witness_json(problem, layout, relations), entry
 
 
@@ -691,24 +1027,42 @@ def finish(problem, layout, kind):
 
 def impossible(name, corners, objects, places, doors, why, windows=()):
     """A problem written by hand; `places` has (x, y, yaw in degrees) of what the witness places."""
-    problem = {"name": name, "room_type": "test", "units": "m", "room": corners, "height": 2.7,
-               "doors": doors, "windows": list(windows), "objects": objects}
+    problem = {
+        "name": name,
+        "room_type": "test",
+        "units": "m",
+        "room": corners,
+        "height": 2.7,
+        "doors": doors,
+        "windows": list(windows),
+        "objects": objects,
+    }
     layout = Layout(files.read_problem(problem).room, random.Random(0), files.Categories.default())
     relations, unplaced = {}, []
     for o in files.read_problem(problem).objects:
         if o["id"] in places:
             x, y, yaw = places[o["id"]]
-            layout.things.append(files.Thing(o["id"], files.category_of_name(o["id"]), o["size"],
-                                             (x, y, 0.0), math.radians(yaw)))
+            layout.things.append(
+                files.Thing(
+                    o["id"], files.category_of_name(o["id"]), o["size"], (x, y, 0.0), math.radians(yaw)
+                )
+            )
             relations[o["id"]] = o["relations"]
         else:
             unplaced.append({"id": o["id"], "category": files.category_of_name(o["id"]), "reason": why})
     witness = witness_json(problem, layout, relations, unplaced)
     judged = report.judge_constraints(files.read_scene(witness), report.STRICT, files.read_problem(problem))
     results = [r["held"] for rs in judged.values() for r in rs]
-    entry = {"name": name, "kind": "impossible", "why": why, "objects": len(objects),
-             "fill": round(layout.fill, 3), "placeable": len(places), "constraints": len(results),
-             "constraints_holdable": sum(results)}
+    entry = {
+        "name": name,
+        "kind": "impossible",
+        "why": why,
+        "objects": len(objects),
+        "fill": round(layout.fill, 3),
+        "placeable": len(places),
+        "constraints": len(results),
+        "constraints_holdable": sum(results),
+    }
     return problem, witness, entry
 
 
@@ -721,28 +1075,60 @@ def hopeless_problems():
     door = [{"segment": [[0.2, 0], [1.1, 0]]}]
     square = [[0, 0], [4, 0], [4, 4], [0, 4]]
     small = [[0, 0], [1.4, 0], [1.4, 1.3], [0, 1.3]]
-    yield impossible("90-too-large", square, [
-        thing("bed-0", [1.6, 2.0], "edge"), thing("piano-0", [4.6, 4.2, 1.0], "edge | near, bed-0"),
-        thing("plant-0", [0.4, 0.4], "near, bed-0")],
-        {"bed-0": (2.4, 2.99, 0), "plant-0": (1.2, 3.7, 0)}, door, "the piano is larger than the room")
-    yield impossible("91-contradiction", square, [
-        thing("sofa-0", [2.0, 0.9], "edge"), thing("armchair-0", [0.8, 0.8], "face same as, sofa-0 | face opposite to, sofa-0"),
-        thing("dresser-0", [1.0, 0.45], "edge | middle")],
-        {"sofa-0": (2.5, 3.54, 0), "armchair-0": (2.5, 2.0, 180), "dresser-0": (0.235, 3.0, 90)}, door,
-        "two opposite directions; edge and middle")
-    yield impossible("92-only-the-door", small, [
-        thing("wardrobe-0", [1.2, 0.6, 2.0], "edge"), thing("plant-0", [0.3, 0.3], "edge")],
-        {"plant-0": (1.24, 1.14, 0)}, [{"segment": [[0.05, 0], [0.95, 0]]}],
-        "the wardrobe fits nowhere beside the door's swing")
-    yield impossible("93-too-tall", square, [
-        thing("bookshelf-0", [0.9, 0.3, 2.9], "edge"), thing("desk-0", [1.2, 0.6, 0.75], "edge | near, bookshelf-0"),
-        thing("office chair-0", [0.55, 0.55], "in front of, desk-0 | face to, desk-0")],
-        {"desk-0": (2.5, 3.69, 0), "office chair-0": (2.5, 3.05, 180)}, door, "the shelf is higher than the room")
+    yield impossible(
+        "90-too-large",
+        square,
+        [
+            thing("bed-0", [1.6, 2.0], "edge"),
+            thing("piano-0", [4.6, 4.2, 1.0], "edge | near, bed-0"),
+            thing("plant-0", [0.4, 0.4], "near, bed-0"),
+        ],
+        {"bed-0": (2.4, 2.99, 0), "plant-0": (1.2, 3.7, 0)},
+        door,
+        "the piano is larger than the room",
+    )
+    yield impossible(
+        "91-contradiction",
+        square,
+        [
+            thing("sofa-0", [2.0, 0.9], "edge"),
+            thing("armchair-0", [0.8, 0.8], "face same as, sofa-0 | face opposite to, sofa-0"),
+            thing("dresser-0", [1.0, 0.45], "edge | middle"),
+        ],
+        {"sofa-0": (2.5, 3.54, 0), "armchair-0": (2.5, 2.0, 180), "dresser-0": (0.235, 3.0, 90)},
+        door,
+        "two opposite directions; edge and middle",
+    )
+    yield impossible(
+        "92-only-the-door",
+        small,
+        [thing("wardrobe-0", [1.2, 0.6, 2.0], "edge"), thing("plant-0", [0.3, 0.3], "edge")],
+        {"plant-0": (1.24, 1.14, 0)},
+        [{"segment": [[0.05, 0], [0.95, 0]]}],
+        "the wardrobe fits nowhere beside the door's swing",
+    )
+    yield impossible(
+        "93-too-tall",
+        square,
+        [
+            thing("bookshelf-0", [0.9, 0.3, 2.9], "edge"),
+            thing("desk-0", [1.2, 0.6, 0.75], "edge | near, bookshelf-0"),
+            thing("office chair-0", [0.55, 0.55], "in front of, desk-0 | face to, desk-0"),
+        ],
+        {"desk-0": (2.5, 3.69, 0), "office chair-0": (2.5, 3.05, 180)},
+        door,
+        "the shelf is higher than the room",
+    )
     walls = [[[0, 4], [4, 4]], [[0, 0], [0, 4]], [[4, 0], [4, 4]], [[1.3, 0], [4, 0]]]
-    yield impossible("94-windows-all-around", square, [
-        thing("wardrobe-0", [1.2, 0.6, 2.0], "edge"), thing("bench-0", [1.0, 0.4, 0.45], "edge")],
-        {"wardrobe-0": (2.5, 2.0, 0), "bench-0": (3.0, 3.79, 0)}, door, "the wardrobe may stand at no wall",
-        [{"segment": s, "sill": 0.8} for s in walls])
+    yield impossible(
+        "94-windows-all-around",
+        square,
+        [thing("wardrobe-0", [1.2, 0.6, 2.0], "edge"), thing("bench-0", [1.0, 0.4, 0.45], "edge")],
+        {"wardrobe-0": (2.5, 2.0, 0), "bench-0": (3.0, 3.79, 0)},
+        door,
+        "the wardrobe may stand at no wall",
+        [{"segment": s, "sill": 0.8} for s in walls],
+    )
 
 
 # --- the program -----------------------------------------------------------------------------------
@@ -769,8 +1155,10 @@ def faults(problem, witness, entry, categories):
 
 def write(folder, problem, witness):
     (folder / "witness").mkdir(parents=True, exist_ok=True)
-    for path, data in ((folder / f"{problem['name']}.json", problem),
-                       (folder / "witness" / f"{problem['name']}.scene.json", witness)):
+    for path, data in (
+        (folder / f"{problem['name']}.json", problem),
+        (folder / "witness" / f"{problem['name']}.scene.json", witness),
+    ):
         path.write_text(compact(data) + "\n", encoding="utf-8")
 
 
@@ -780,7 +1168,7 @@ def compact(data):
     for key, value in data.items():
         if isinstance(value, list) and value and isinstance(value[0], dict):
             rows = ",\n  ".join(json.dumps(v) for v in value)
-            lines.append(f' {json.dumps(key)}: [\n  {rows}\n ]')
+            lines.append(f" {json.dumps(key)}: [\n  {rows}\n ]")
         else:
             lines.append(f" {json.dumps(key)}: {json.dumps(value)}")
     return "{\n" + ",\n".join(lines) + "\n}"
@@ -808,7 +1196,8 @@ def main():
             write(args.folder, problem, witness)
             entries.append(entry)
     (args.folder / "witness" / "index.json").write_text(
-        "[\n " + ",\n ".join(map(json.dumps, entries)) + "\n]\n", encoding="utf-8")
+        "[\n " + ",\n ".join(map(json.dumps, entries)) + "\n]\n", encoding="utf-8"
+    )
     return 1 if bad else 0
 
 

@@ -95,9 +95,12 @@ def summary(reports):
         "constraints_held": held,
         "constraints": total,
         "constraints_share": share(held, total),
-        "scenes_with_everything": sum(not r["unplaced"] and not r["violations"]
-                                      and r["constraints"]["held"] == r["constraints"]["total"]
-                                      for r in reports),
+        "scenes_with_everything": sum(
+            not r["unplaced"]
+            and not r["violations"]
+            and r["constraints"]["held"] == r["constraints"]["total"]
+            for r in reports
+        ),
         "scenes_with_violations": sum(bool(r["violations"]) for r in reports),
         "violations": count_rules(reports),
         "by_constraint": merge_names(reports),
@@ -110,32 +113,40 @@ def percent(value):
 
 def row(r):
     c = r["constraints"]
-    return (f"{r['scene'][:32]:32} {r['objects']:7} {len(r['unplaced']):8} {100 * r['fill']:5.0f} "
-            f"{c['held']:5}/{c['total']:<5} {percent(share(c['held'], c['total'])):>8} "
-            f"{len(r['violations']):10}")
+    return (
+        f"{r['scene'][:32]:32} {r['objects']:7} {len(r['unplaced']):8} {100 * r['fill']:5.0f} "
+        f"{c['held']:5}/{c['total']:<5} {percent(share(c['held'], c['total'])):>8} "
+        f"{len(r['violations']):10}"
+    )
 
 
 def table(reports, figures):
-    lines = [f"{'scene':32} {'objects':>7} {'left out':>8} {'fill%':>5} {'constraints':>20} "
-             f"{'violations':>10}"]
+    lines = [
+        f"{'scene':32} {'objects':>7} {'left out':>8} {'fill%':>5} {'constraints':>20} " f"{'violations':>10}"
+    ]
     lines += map(row, reports)
-    lines += ["", f"{figures['scenes']} scenes, {figures['objects']} objects (at least "
-              f"{figures['objects_min']} a scene), {figures['unplaced']} left out "
-              f"({percent(figures['unplaced_share'])}), {figures['constraints_held']} of "
-              f"{figures['constraints']} constraints ({percent(figures['constraints_share'])}), "
-              f"{figures['scenes_with_violations']} scenes with violations "
-              f"{figures['violations'] or ''}, {figures['scenes_with_everything']} with everything"]
-    lines += [f"  {name:18} {held:5}/{total:<5} {percent(share(held, total)):>8}"
-              for name, (held, total) in figures["by_constraint"].items()]
+    lines += [
+        "",
+        f"{figures['scenes']} scenes, {figures['objects']} objects (at least "
+        f"{figures['objects_min']} a scene), {figures['unplaced']} left out "
+        f"({percent(figures['unplaced_share'])}), {figures['constraints_held']} of "
+        f"{figures['constraints']} constraints ({percent(figures['constraints_share'])}), "
+        f"{figures['scenes_with_violations']} scenes with violations "
+        f"{figures['violations'] or ''}, {figures['scenes_with_everything']} with everything",
+    ]
+    lines += [
+        f"  {name:18} {held:5}/{total:<5} {percent(share(held, total)):>8}"
+        for name, (held, total) in figures["by_constraint"].items()
+    ]
     return "\n".join(lines)
 
 
 def main():
     args = arguments()
-    categories = (files.Categories.load(args.categories) if args.categories
-                  else files.Categories.default())
-    options = report.Options(categories, LOOSE if args.loose else STRICT,
-                             "never" if args.no_glb else "auto", None, args.lenience)
+    categories = files.Categories.load(args.categories) if args.categories else files.Categories.default()
+    options = report.Options(
+        categories, LOOSE if args.loose else STRICT, "never" if args.no_glb else "auto", None, args.lenience
+    )
     jobs = [(p, options, args.problems) for p in scene_files(args.scenes)]
     if not jobs:
         print("room_metrics: no scenes found", file=sys.stderr)

@@ -23,8 +23,9 @@ class Case(unittest.TestCase):
     def holds(self, a_scene, name, text, limits=STRICT):
         return Judge(a_scene, limits).holds(a_scene.by_id[name], parse(text))
 
-    def pair(self, text, offset, facing=0, target_size=(2, 1), size=(0.4, 0.4), traits=(),
-             others=(), limits=STRICT):
+    def pair(
+        self, text, offset, facing=0, target_size=(2, 1), size=(0.4, 0.4), traits=(), others=(), limits=STRICT
+    ):
         """Whether `text` holds for a box at `offset` in the target's frame, the same in all yaws."""
         answers = set()
         for yaw in YAWS:
@@ -124,8 +125,11 @@ class Gaps(Case):
         #  |       b      |
         #  | a            |
         #  +--door-0------+
-        s = scene(thing("a-0", 0.6, 0.5), thing("b-0", 2.5, 2),
-                  openings=[("door-0", 0, 0.3, 1.2), ("window-0", 2, 3, 4)])
+        s = scene(
+            thing("a-0", 0.6, 0.5),
+            thing("b-0", 2.5, 2),
+            openings=[("door-0", 0, 0.3, 1.2), ("window-0", 2, 3, 4)],
+        )
         self.assertTrue(self.holds(s, "a-0", "near, door-0"))
         self.assertTrue(self.holds(s, "a-0", "far, window-0"))
         self.assertTrue(self.holds(s, "a-0", "near, wall-3"))
@@ -143,10 +147,10 @@ class Facing(Case):
     #      |  t  |<--- a       the ray from the centre along the front
     #      +-----+
     def test_face_to(self):
-        self.yes("face to, t-0", (0, 2), facing=0)        # above it, looking down
+        self.yes("face to, t-0", (0, 2), facing=0)  # above it, looking down
         self.no("face to, t-0", (0, 2), facing=180)
         self.yes("face to, t-0", (0, -2), facing=180)
-        self.yes("face to, t-0", (3, 0), facing=270)      # at +x, looking to -x
+        self.yes("face to, t-0", (3, 0), facing=270)  # at +x, looking to -x
         self.no("face to, t-0", (3, 0), facing=90)
         self.yes("face to, t-0", (3, 0.49), facing=270)
         self.no("face to, t-0", (3, 0.51), facing=270)
@@ -161,7 +165,7 @@ class Facing(Case):
 
     def test_face_to_opening_and_wall(self):
         s = scene(thing("a-0", 3.5, 2, yaw=180), openings=[("window-0", 2, 1, 2)])
-        self.assertTrue(self.holds(s, "a-0", "face to, window-0"))   # wall 2 runs from x = 5
+        self.assertTrue(self.holds(s, "a-0", "face to, window-0"))  # wall 2 runs from x = 5
         self.assertTrue(self.holds(s, "a-0", "face to, wall-2"))
         self.assertFalse(self.holds(s, "a-0", "face to, wall-0"))
 
@@ -301,8 +305,11 @@ class Walls(Case):
 
 class UpAndDown(Case):
     def test_on(self):
-        s = scene(thing("t-0", 2, 2), thing("a-0", 2, 2, (0.2, 0.2, 0.3), z=0.9, mount="surface", on="t-0"),
-                  thing("b-0", 4, 2))
+        s = scene(
+            thing("t-0", 2, 2),
+            thing("a-0", 2, 2, (0.2, 0.2, 0.3), z=0.9, mount="surface", on="t-0"),
+            thing("b-0", 4, 2),
+        )
         self.assertTrue(self.holds(s, "a-0", "on, t-0"))
         self.assertFalse(self.holds(s, "a-0", "on, b-0"))
         self.assertFalse(self.holds(s, "b-0", "on, t-0"))
@@ -326,9 +333,11 @@ class UpAndDown(Case):
         self.assertTrue(self.holds(s, "t-0", "under, lamp-0"))
 
     def test_hang_from(self):
-        s = scene(thing("lamp-0", 2, 2, (0.4, 0.4, 0.5), z=2.2, mount="ceiling"),
-                  thing("lamp-1", 2, 2, (0.4, 0.4, 0.5), z=1.9, mount="ceiling"),
-                  thing("picture-0", 2, 3.98, (1, 0.04, 0.6), z=1.0, mount="wall"))
+        s = scene(
+            thing("lamp-0", 2, 2, (0.4, 0.4, 0.5), z=2.2, mount="ceiling"),
+            thing("lamp-1", 2, 2, (0.4, 0.4, 0.5), z=1.9, mount="ceiling"),
+            thing("picture-0", 2, 3.98, (1, 0.04, 0.6), z=1.0, mount="wall"),
+        )
         self.assertTrue(self.holds(s, "lamp-0", "hang from, ceiling"))
         self.assertFalse(self.holds(s, "lamp-1", "hang from, ceiling"))
         self.assertTrue(self.holds(s, "picture-0", "hang from, wall-2"))

@@ -58,8 +58,9 @@ class Solid(unittest.TestCase):
         a = thing("box-0", 2, 2)
         reach_out = 0.5 + math.sqrt(0.5)
         self.assertEqual(broken(scene(a, thing("box-1", 2 + reach_out + 0.01, 2, yaw=45))), set())
-        self.assertEqual(broken(scene(a, thing("box-1", 2 + reach_out - 0.05, 2, yaw=45))),
-                         {("solid", "box-0", "box-1")})
+        self.assertEqual(
+            broken(scene(a, thing("box-1", 2 + reach_out - 0.05, 2, yaw=45))), {("solid", "box-0", "box-1")}
+        )
 
     #   (a)       discs side by side on the diagonal: their boxes overlap, they do not
     #      (b)
@@ -76,8 +77,10 @@ class Solid(unittest.TestCase):
         shelf = thing("box-0", 2, 2, (1, 1, 2))
         vase = thing("box-1", 2, 2, (0.2, 0.2, 0.3), z=1.0, mount="surface", on="box-0")
         self.assertEqual(broken(scene(shelf, vase)), set())
-        self.assertEqual(broken(scene(shelf, thing("box-1", 2, 2, (0.2, 0.2, 0.3), z=1.0))),
-                         {("solid", "box-0", "box-1"), ("mount", "box-1")})
+        self.assertEqual(
+            broken(scene(shelf, thing("box-1", 2, 2, (0.2, 0.2, 0.3), z=1.0))),
+            {("solid", "box-0", "box-1"), ("mount", "box-1")},
+        )
 
 
 def cuboid(x0, x1, y0, y1, z0, z1):
@@ -89,21 +92,27 @@ def cuboid(x0, x1, y0, y1, z0, z1):
 
 def together(*parts):
     offsets = np.cumsum([0] + [len(p) for p, _ in parts[:-1]])
-    return (np.concatenate([p for p, _ in parts]),
-            np.concatenate([t + o for (_, t), o in zip(parts, offsets)]))
+    return (
+        np.concatenate([p for p, _ in parts]),
+        np.concatenate([t + o for (_, t), o in zip(parts, offsets)]),
+    )
 
 
 def table_mesh(w=1.6, d=0.9, h=0.75, leg=0.06):
     """A top of 4 cm on four legs, around the origin."""
-    legs = [cuboid(x, x + leg, y, y + leg, 0, h - 0.04)
-            for x in (-w / 2, w / 2 - leg) for y in (-d / 2, d / 2 - leg)]
+    legs = [
+        cuboid(x, x + leg, y, y + leg, 0, h - 0.04)
+        for x in (-w / 2, w / 2 - leg)
+        for y in (-d / 2, d / 2 - leg)
+    ]
     return together(cuboid(-w / 2, w / 2, -d / 2, d / 2, h - 0.04, h), *legs)
 
 
 def chair_mesh(w=0.46, d=0.5, seat=0.45, h=0.9):
     """A seat block with a back at +y, front at -y."""
-    return together(cuboid(-w / 2, w / 2, -d / 2, d / 2, 0, seat),
-                    cuboid(-w / 2, w / 2, d / 2 - 0.04, d / 2, seat, h))
+    return together(
+        cuboid(-w / 2, w / 2, -d / 2, d / 2, 0, seat), cuboid(-w / 2, w / 2, d / 2 - 0.04, d / 2, seat, h)
+    )
 
 
 def placed(mesh, t):
@@ -120,19 +129,31 @@ def write_glb(bodies):
         local = points - origin
         y_up = np.column_stack([local[:, 0], local[:, 2], -local[:, 1]]).astype("<f4")
         for data, kind, width in ((y_up, 5126, "VEC3"), (triangles.astype("<u4").ravel(), 5125, "SCALAR")):
-            accessors.append({"bufferView": len(views), "componentType": kind, "count": len(data),
-                              "type": width})
+            accessors.append(
+                {"bufferView": len(views), "componentType": kind, "count": len(data), "type": width}
+            )
             views.append({"buffer": 0, "byteOffset": len(blob), "byteLength": data.nbytes})
             blob += data.tobytes()
-        gltf_meshes.append({"primitives": [{"attributes": {"POSITION": len(accessors) - 2},
-                                            "indices": len(accessors) - 1}]})
-        nodes.append({"name": name, "mesh": len(gltf_meshes) - 1,
-                      "translation": [origin[0], origin[2], -origin[1]]})
-    text = json.dumps({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": list(range(len(nodes)))}],
-                       "nodes": nodes, "meshes": gltf_meshes, "accessors": accessors, "bufferViews": views,
-                       "buffers": [{"byteLength": len(blob)}]}).encode()
+        gltf_meshes.append(
+            {"primitives": [{"attributes": {"POSITION": len(accessors) - 2}, "indices": len(accessors) - 1}]}
+        )
+        nodes.append(
+            {"name": name, "mesh": len(gltf_meshes) - 1, "translation": [origin[0], origin[2], -origin[1]]}
+        )
+    text = json.dumps(
+        {
+            "asset": {"version": "2.0"},
+            "scene": 0,
+            "scenes": [{"nodes": list(range(len(nodes)))}],
+            "nodes": nodes,
+            "meshes": gltf_meshes,
+            "accessors": accessors,
+            "bufferViews": views,
+            "buffers": [{"byteLength": len(blob)}],
+        }
+    ).encode()
     text += b" " * (-len(text) % 4)
-    body = (struct.pack("<I4s", len(text), b"JSON") + text + struct.pack("<I4s", len(blob), b"BIN\0") + blob)
+    body = struct.pack("<I4s", len(text), b"JSON") + text + struct.pack("<I4s", len(blob), b"BIN\0") + blob
     return struct.pack("<4sII", b"glTF", 2, 12 + len(body)) + body
 
 
@@ -156,8 +177,10 @@ class Meshes(unittest.TestCase):
 
     def test_chair_tucked_under_a_table(self):
         self.assertFalse(self.overlaps(-0.30))
-        self.assertTrue(("solid", "table-0", "chair-0") in broken(self.table_and_chair(-0.3)[0]),
-                        "without meshes the boxes decide")
+        self.assertTrue(
+            ("solid", "table-0", "chair-0") in broken(self.table_and_chair(-0.3)[0]),
+            "without meshes the boxes decide",
+        )
 
     def test_chair_back_through_the_top(self):
         self.assertTrue(self.overlaps(-0.47 - 0.02))
@@ -172,8 +195,10 @@ class Meshes(unittest.TestCase):
 
     def test_one_within_the_other(self):
         outer, inner = thing("box-0", 2, 2), thing("box-1", 2, 2, (0.2, 0.2, 0.3), z=0.02)
-        bodies = {"box-0": placed(cuboid(-.5, .5, -.5, .5, 0, .9), outer),
-                  "box-1": placed(cuboid(-.1, .1, -.1, .1, 0, .3), inner)}
+        bodies = {
+            "box-0": placed(cuboid(-0.5, 0.5, -0.5, 0.5, 0, 0.9), outer),
+            "box-1": placed(cuboid(-0.1, 0.1, -0.1, 0.1, 0, 0.3), inner),
+        }
         self.assertEqual(broken(scene(outer, inner), meshes.Bodies(bodies)), {("solid", "box-0", "box-1")})
 
     def test_glb_is_read_in_the_scenes_frame(self):
@@ -228,9 +253,13 @@ class Doors(unittest.TestCase):
         room = ((0, 0), (6, 0), (6, 2), (4, 4), (0, 4))
         door = [("door-0", 2, 1, 1.9)]
         at = lambda off: (5 - off / math.sqrt(2), 3 - off / math.sqrt(2))
-        self.assertEqual(broken(scene(thing("box-0", *at(1.2), (0.5, 0.5), -45), polygon=room, openings=door)), set())
-        self.assertEqual(broken(scene(thing("box-0", *at(1.1), (0.5, 0.5), -45), polygon=room, openings=door)),
-                         {("doors", "box-0", "door-0")})
+        self.assertEqual(
+            broken(scene(thing("box-0", *at(1.2), (0.5, 0.5), -45), polygon=room, openings=door)), set()
+        )
+        self.assertEqual(
+            broken(scene(thing("box-0", *at(1.1), (0.5, 0.5), -45), polygon=room, openings=door)),
+            {("doors", "box-0", "door-0")},
+        )
 
 
 class Windows(unittest.TestCase):
@@ -269,7 +298,9 @@ class Mounts(unittest.TestCase):
 
     def test_ceiling_and_floor(self):
         self.assertEqual(broken(scene(thing("box-0", 2, 2, (1, 1, 0.3), z=2.4, mount="ceiling"))), set())
-        self.assertEqual(broken(scene(thing("box-0", 2, 2, (1, 1, 0.3), z=2.2, mount="ceiling"))), {("mount", "box-0")})
+        self.assertEqual(
+            broken(scene(thing("box-0", 2, 2, (1, 1, 0.3), z=2.2, mount="ceiling"))), {("mount", "box-0")}
+        )
         self.assertEqual(broken(scene(thing("box-0", 2, 2, z=0.2))), {("mount", "box-0")})
 
 
@@ -314,6 +345,7 @@ class Usable(unittest.TestCase):
         def turn(p):
             x, y = geo.rotate(*p, math.radians(yaw_room))
             return 10 + x, 10 + y
+
         polygon = [turn(p) for p in RECTANGLE]
         barrier = thing("box-0", *turn((2.5, 0.5 * (4 - width))), (0.4, 4 - width), yaw_room)
         wardrobe = thing("wardrobe-0", *turn((4.5, 1.0)), (1.2, 0.6, 2), 270 + yaw_room)
@@ -328,9 +360,12 @@ class Usable(unittest.TestCase):
     def test_high_and_flat_things_do_not_block_a_corridor(self):
         wall = lambda **more: thing("box-0", 2.5, 2, (0.4, 4.0, more.pop("h", 0.9)), **more)
         wardrobe = thing("wardrobe-0", 4.7, 1.0, (1.2, 0.6, 2), 270)
-        for barrier, free in ((wall(), False), (wall(traits=("flat",)), True),
-                              (wall(z=2.0, h=0.7, mount="ceiling"), True),
-                              (wall(z=1.8, h=0.9, mount="ceiling"), False)):
+        for barrier, free in (
+            (wall(), False),
+            (wall(traits=("flat",)), True),
+            (wall(z=2.0, h=0.7, mount="ceiling"), True),
+            (wall(z=1.8, h=0.9, mount="ceiling"), False),
+        ):
             found = broken(scene(barrier, wardrobe, openings=DOOR))
             self.assertEqual(found, set() if free else {("usable", "wardrobe-0")})
 
@@ -354,8 +389,15 @@ class Usable(unittest.TestCase):
         random = np.random.default_rng(5)
         decided = 0
         for _ in range(60):
-            boxes = [thing(f"box-{k}", *random.uniform((0.5, 1.2), (4.5, 3.5)), tuple(random.uniform(0.3, 1.4, 2)),
-                           random.uniform(0, 360)) for k in range(7)]
+            boxes = [
+                thing(
+                    f"box-{k}",
+                    *random.uniform((0.5, 1.2), (4.5, 3.5)),
+                    tuple(random.uniform(0.3, 1.4, 2)),
+                    random.uniform(0, 360),
+                )
+                for k in range(7)
+            ]
             s = scene(*boxes, openings=DOOR + [("door-1", 2, 0.2, 1.1)])
             answers = {exact_connection(s, r) for r in (0.222, 0.238)}
             if len(answers) == 1:
@@ -368,7 +410,8 @@ class Usable(unittest.TestCase):
 def exact_connection(s, radius):
     """Whether a disc gets from the first entrance's clearance to the second's."""
     free = s.room.polygon.buffer(-radius).difference(
-        shapely.union_all([t.footprint.buffer(radius, quad_segs=32) for t in s.things]))
+        shapely.union_all([t.footprint.buffer(radius, quad_segs=32) for t in s.things])
+    )
     parts = shapely.get_parts(free)
     first, second = (reach.door_clearance(o) for o in s.room.entrances)
     return any(p.intersects(first) and p.intersects(second) for p in parts)
@@ -377,8 +420,15 @@ def exact_connection(s, radius):
 class Lookup(unittest.TestCase):
     def test_names(self):
         known = files.Categories.default()
-        for text, expected in (("bed", "bed"), ("Couch", "sofa"), ("oak writing desk", "desk"), ("bookshelves", "bookshelf"),
-                               ("dining chairs", "chair"), ("outdoor sofa", "sofa"), ("spaceship", None)):
+        for text, expected in (
+            ("bed", "bed"),
+            ("Couch", "sofa"),
+            ("oak writing desk", "desk"),
+            ("bookshelves", "bookshelf"),
+            ("dining chairs", "chair"),
+            ("outdoor sofa", "sofa"),
+            ("spaceship", None),
+        ):
             self.assertEqual(known.lookup(text), expected, text)
 
     def test_inheritance(self):

@@ -15,8 +15,10 @@ class Witnesses(unittest.TestCase):
         for entry in files.read_json(ROOMS / "witness" / "index.json"):
             with self.subTest(entry["name"]):
                 problem = files.read_problem(files.read_json(ROOMS / f"{entry['name']}.json"))
-                found = report.check_file(ROOMS / "witness" / f"{entry['name']}.scene.json",
-                                          report.Options(categories, problem=problem))
+                found = report.check_file(
+                    ROOMS / "witness" / f"{entry['name']}.scene.json",
+                    report.Options(categories, problem=problem),
+                )
                 self.assertEqual(found["violations"], [])
                 self.assertEqual(found["objects"], entry["placeable"])
                 self.assertEqual(found["constraints"]["held"], entry["constraints_holdable"])
@@ -48,9 +50,15 @@ class Schemas(unittest.TestCase):
         room = {"polygon": [[0, 0], [1, 0], [1, 1]]}
         scene = {"format": "roomgen-scene", "version": 1, "room": room, "objects": []}
         thing = {"id": "bed-0", "category": "bed", "size": [1, 1, 1], "position": [0, 0, 0]}
-        for change in ({"version": 2}, {"colour": 1}, {"objects": [{**thing, "size": [1, 1]}]},
-                       {"objects": [{**thing, "mount": "surface"}]}, {"room": {"polygon": [[0, 0]]}},
-                       {"objects": [{**thing, "traits": ["soft"]}]}, {"unplaced": [{"id": "a"}]}):
+        for change in (
+            {"version": 2},
+            {"colour": 1},
+            {"objects": [{**thing, "size": [1, 1]}]},
+            {"objects": [{**thing, "mount": "surface"}]},
+            {"room": {"polygon": [[0, 0]]}},
+            {"objects": [{**thing, "traits": ["soft"]}]},
+            {"unplaced": [{"id": "a"}]},
+        ):
             self.assertNotEqual(schemas.errors({**scene, **change}), [], change)
         self.assertEqual(schemas.errors({**scene, "objects": [thing]}), [])
 

@@ -17,9 +17,24 @@ PLAIN = ("edge", "middle", "corner")
 FRONT_OR_BACK = ("in front of", "behind")
 SIDEWAYS = ("left of", "right of", "side of")
 ALIGNED = ("center aligned", "aligned")
-NAMES = PLAIN + FRONT_OR_BACK + SIDEWAYS + ALIGNED + (
-    "near", "far", "around", "face to", "face same as", "face opposite to",
-    "on", "above", "under", "hang from")
+NAMES = (
+    PLAIN
+    + FRONT_OR_BACK
+    + SIDEWAYS
+    + ALIGNED
+    + (
+        "near",
+        "far",
+        "around",
+        "face to",
+        "face same as",
+        "face opposite to",
+        "on",
+        "above",
+        "under",
+        "hang from",
+    )
+)
 
 
 @dataclass(frozen=True)
@@ -70,14 +85,16 @@ class Place:
 
 
 def place_of_thing(thing):
-    return Place(thing.centre, thing.yaw, *thing.size[:2], thing.bottom, thing.top,
-                 thing.footprint, thing.box)
+    return Place(
+        thing.centre, thing.yaw, *thing.size[:2], thing.bottom, thing.top, thing.footprint, thing.box
+    )
 
 
 def place_of_line(line, wall, bottom, top):
     middle = line.interpolate(0.5, normalized=True)
-    return Place((middle.x, middle.y), geo.yaw_looking(wall.inward), line.length, 0.0,
-                 bottom, top, line, line, wall)
+    return Place(
+        (middle.x, middle.y), geo.yaw_looking(wall.inward), line.length, 0.0, bottom, top, line, line, wall
+    )
 
 
 class Judge:
@@ -153,8 +170,11 @@ class Judge:
                 direction = geo.rotate(*outward, thing.yaw)
                 for other in self.room.walls:
                     facing = other.inward[0] * direction[0] + other.inward[1] * direction[1]
-                    if (other.index != wall.index and facing < -0.1
-                            and line.distance(other.line) <= self.limits.corner + geo.SLACK):
+                    if (
+                        other.index != wall.index
+                        and facing < -0.1
+                        and line.distance(other.line) <= self.limits.corner + geo.SLACK
+                    ):
                         return True
         return False
 
@@ -185,8 +205,7 @@ class Judge:
         """Beyond the side of a target that lies at `sign` on its own `axis`, and not beside it."""
         local, half = place.local(thing.centre), (place.width / 2, place.depth / 2)
         other = 1 - axis
-        return (sign * local[axis] >= half[axis] - geo.SLACK
-                and abs(local[other]) <= half[other] + geo.SLACK)
+        return sign * local[axis] >= half[axis] - geo.SLACK and abs(local[other]) <= half[other] + geo.SLACK
 
     def in_front_of(self, thing, place):
         return self.beyond(thing, place, 1, -1)
@@ -238,8 +257,7 @@ class Judge:
     def over_each_other(self, thing, place):
         """The thing's centre lies over the target's box."""
         x, y = place.local(thing.centre)
-        return (abs(x) <= place.width / 2 + geo.SLACK
-                and abs(y) <= place.depth / 2 + geo.SLACK)
+        return abs(x) <= place.width / 2 + geo.SLACK and abs(y) <= place.depth / 2 + geo.SLACK
 
     def above(self, thing, place):
         return self.over_each_other(thing, place) and thing.bottom >= place.top - geo.SLACK
@@ -251,8 +269,9 @@ class Judge:
         """Stands on a thing, or hangs on a wall."""
         if place.wall is not None:
             return thing.mount == "wall" and place.wall in self.walls_at_back(thing, 0.05)
-        return (thing.mount == "surface" and thing.on is not None
-                and self.places.get(thing.on.lower()) is place)
+        return (
+            thing.mount == "surface" and thing.on is not None and self.places.get(thing.on.lower()) is place
+        )
 
     def hangs(self, thing, target):
         walls = {f"wall-{w.index}" for w in self.walls_at_back(thing, 0.05)}

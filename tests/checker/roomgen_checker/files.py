@@ -84,19 +84,16 @@ class Wall:
 
     def point(self, distance, inwards=0.0):
         """The point at `distance` along the wall and `inwards` off it."""
-        return tuple(s + distance * a + inwards * n
-                     for s, a, n in zip(self.start, self.along, self.inward))
+        return tuple(s + distance * a + inwards * n for s, a, n in zip(self.start, self.along, self.inward))
 
     def coordinates(self, point):
         """(metres along the wall, metres off it into the room)."""
         v = [p - s for p, s in zip(point, self.start)]
-        return (v[0] * self.along[0] + v[1] * self.along[1],
-                v[0] * self.inward[0] + v[1] * self.inward[1])
+        return (v[0] * self.along[0] + v[1] * self.along[1], v[0] * self.inward[0] + v[1] * self.inward[1])
 
     def strip(self, begin, end, depth):
         """The rectangle before a piece of the wall."""
-        return Polygon([self.point(begin), self.point(end),
-                        self.point(end, depth), self.point(begin, depth)])
+        return Polygon([self.point(begin), self.point(end), self.point(end, depth), self.point(begin, depth)])
 
 
 @dataclass(frozen=True)
@@ -187,30 +184,49 @@ def make_room(room_type, corners, height, openings):
 
 def read_opening(entry, walls):
     begin, end = sorted((float(entry["from"]), float(entry["to"])))
-    return Opening(entry["id"].lower(), entry["type"], walls[entry["wall"]], begin, end,
-                   float(entry.get("sill", 0.0)), float(entry.get("head", DEFAULT_DOOR_HEAD)),
-                   entry.get("swing", "in"), entry.get("hinge", "from"))
+    return Opening(
+        entry["id"].lower(),
+        entry["type"],
+        walls[entry["wall"]],
+        begin,
+        end,
+        float(entry.get("sill", 0.0)),
+        float(entry.get("head", DEFAULT_DOOR_HEAD)),
+        entry.get("swing", "in"),
+        entry.get("hinge", "from"),
+    )
 
 
 def read_room(entry):
-    room = make_room(entry.get("type", ""), entry["polygon"],
-                     entry.get("height", DEFAULT_ROOM_HEIGHT), [])
+    room = make_room(entry.get("type", ""), entry["polygon"], entry.get("height", DEFAULT_ROOM_HEIGHT), [])
     room.openings = [read_opening(o, room.walls) for o in entry.get("openings", [])]
     return room
 
 
 def read_thing(entry):
-    return Thing(entry["id"], entry.get("category", category_of_name(entry["id"])),
-                 tuple(map(float, entry["size"])), tuple(map(float, entry["position"])),
-                 math.radians(entry.get("yaw_deg", 0.0)), entry.get("mount", "floor"),
-                 entry.get("on"), tuple(entry.get("traits", ())),
-                 tuple(entry.get("relations", ())))
+    return Thing(
+        entry["id"],
+        entry.get("category", category_of_name(entry["id"])),
+        tuple(map(float, entry["size"])),
+        tuple(map(float, entry["position"])),
+        math.radians(entry.get("yaw_deg", 0.0)),
+        entry.get("mount", "floor"),
+        entry.get("on"),
+        tuple(entry.get("traits", ())),
+        tuple(entry.get("relations", ())),
+    )
 
 
 def read_scene(data, name=""):
     """A scene from the parsed scene.json."""
-    return Scene(name, read_room(data["room"]), [read_thing(o) for o in data.get("objects", [])],
-                 list(data.get("unplaced", [])), bool(data.get("incomplete", False)), data)
+    return Scene(
+        name,
+        read_room(data["room"]),
+        [read_thing(o) for o in data.get("objects", [])],
+        list(data.get("unplaced", [])),
+        bool(data.get("incomplete", False)),
+        data,
+    )
 
 
 def split_constraints(text):
@@ -229,34 +245,50 @@ def opening_on_wall(walls, entry, index, kind):
     wall = min(walls, key=lambda w: w.line.distance(Point(a)) + w.line.distance(Point(b)))
     ends = [wall.coordinates(p)[0] for p in (a, b)]
     window = kind == "window"
-    return Opening(f"{kind}-{index}", kind, wall, min(ends), max(ends),
-                   float(entry.get("sill", DEFAULT_WINDOW_SILL if window else 0.0)),
-                   float(entry.get("head", DEFAULT_WINDOW_HEAD if window else DEFAULT_DOOR_HEAD)),
-                   entry.get("swing", "in"), "from" if ends[0] <= ends[1] else "to")
+    return Opening(
+        f"{kind}-{index}",
+        kind,
+        wall,
+        min(ends),
+        max(ends),
+        float(entry.get("sill", DEFAULT_WINDOW_SILL if window else 0.0)),
+        float(entry.get("head", DEFAULT_WINDOW_HEAD if window else DEFAULT_DOOR_HEAD)),
+        entry.get("swing", "in"),
+        "from" if ends[0] <= ends[1] else "to",
+    )
 
 
 def read_problem_object(entry):
     size = [float(v) for v in entry["size"]]
     if len(size) == 2:
         size.append(DEFAULT_HEIGHT)
-    return {"id": entry["name"].lower(), "size": tuple(size),
-            "relations": split_constraints(entry.get("constraints", ""))}
+    return {
+        "id": entry["name"].lower(),
+        "size": tuple(size),
+        "relations": split_constraints(entry.get("constraints", "")),
+    }
 
 
 def read_problem(data):
     """A problem from the parsed problem.json."""
-    room = make_room(data.get("room_type", ""), data["room"],
-                     data.get("height", DEFAULT_ROOM_HEIGHT), [])
+    room = make_room(data.get("room_type", ""), data["room"], data.get("height", DEFAULT_ROOM_HEIGHT), [])
     for kind in ("door", "window"):
-        room.openings += [opening_on_wall(room.walls, entry, k, kind)
-                          for k, entry in enumerate(data.get(kind + "s", []))]
+        room.openings += [
+            opening_on_wall(room.walls, entry, k, kind) for k, entry in enumerate(data.get(kind + "s", []))
+        ]
     return Problem(data.get("name", ""), room, [read_problem_object(o) for o in data["objects"]])
 
 
 def singular(word):
     """A plain English singular: good enough for furniture."""
-    for ending, replacement in (("shelves", "shelf"), ("ies", "y"), ("ses", "s"), ("xes", "x"),
-                                ("ches", "ch"), ("shes", "sh")):
+    for ending, replacement in (
+        ("shelves", "shelf"),
+        ("ies", "y"),
+        ("ses", "s"),
+        ("xes", "x"),
+        ("ches", "ch"),
+        ("shes", "sh"),
+    ):
         if word.endswith(ending):
             return word[: -len(ending)] + replacement
     return word[:-1] if word.endswith("s") and not word.endswith("ss") else word
@@ -267,8 +299,9 @@ class Categories:
 
     def __init__(self, data):
         self.entries = {k.lower(): v for k, v in data["categories"].items()}
-        self.names = {s.lower(): name for name, entry in self.entries.items()
-                      for s in entry.get("synonyms", [])}
+        self.names = {
+            s.lower(): name for name, entry in self.entries.items() for s in entry.get("synonyms", [])
+        }
         self.names.update({name: name for name in self.entries})
 
     @classmethod

@@ -13,8 +13,14 @@ import numpy as np
 MOVE = 0.005
 MAX_CONTACTS = 20000
 INSIDE_SAMPLES = 16
-COMPONENTS = {5120: np.int8, 5121: np.uint8, 5122: np.int16, 5123: np.uint16,
-              5125: np.uint32, 5126: np.float32}
+COMPONENTS = {
+    5120: np.int8,
+    5121: np.uint8,
+    5122: np.int16,
+    5123: np.uint16,
+    5125: np.uint32,
+    5126: np.float32,
+}
 WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT4": 16}
 TRIANGLES = 4
 
@@ -26,10 +32,13 @@ def to_z_up(points):
 
 def quaternion_matrix(q):
     x, y, z, w = q
-    return np.array([
-        [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
-        [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
-        [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)]])
+    return np.array(
+        [
+            [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+            [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+            [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
+        ]
+    )
 
 
 def node_matrix(node):
@@ -51,7 +60,7 @@ class Glb:
         chunks, offset = {}, 12
         while offset + 8 <= len(data):
             length, kind = struct.unpack_from("<I4s", data, offset)
-            chunks.setdefault(kind, data[offset + 8: offset + 8 + length])
+            chunks.setdefault(kind, data[offset + 8 : offset + 8 + length])
             offset += 8 + length
         self.json = json.loads(chunks[b"JSON"])
         self.binary = chunks.get(b"BIN\0", b"")
@@ -75,8 +84,11 @@ class Glb:
             if p.get("mode", TRIANGLES) != TRIANGLES:
                 continue
             points = self.accessor(p["attributes"]["POSITION"]).astype(float)
-            indices = (self.accessor(p["indices"]).ravel().astype(np.int64)
-                       if "indices" in p else np.arange(len(points)))
+            indices = (
+                self.accessor(p["indices"]).ravel().astype(np.int64)
+                if "indices" in p
+                else np.arange(len(points))
+            )
             yield points, indices.reshape(-1, 3)
 
     def collect(self, index, transform, parts):
@@ -113,14 +125,15 @@ class Glb:
 def join(parts):
     """One mesh of several, turned to Z up."""
     offsets = np.cumsum([0] + [len(p) for p, _ in parts[:-1]])
-    return (to_z_up(np.concatenate([p for p, _ in parts])),
-            np.concatenate([t + o for (_, t), o in zip(parts, offsets)]))
+    return (
+        to_z_up(np.concatenate([p for p, _ in parts])),
+        np.concatenate([t + o for (_, t), o in zip(parts, offsets)]),
+    )
 
 
 def area_centroid(points, triangles):
     corners = points[triangles]
-    areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]),
-                           axis=1)
+    areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
     if areas.sum() <= 0:
         return points.mean(axis=0)
     return (corners.mean(axis=1) * areas[:, None]).sum(axis=0) / areas.sum()
@@ -164,6 +177,7 @@ class Bodies:
     @cached_property
     def fcl(self):
         import fcl  # only scenes whose boxes overlap need it
+
         return fcl
 
     def model(self, name):
@@ -179,12 +193,13 @@ class Bodies:
     def contacts(self, a, b, shift=(0.0, 0.0, 0.0), every=False):
         """The points where two meshes cross, the first one moved by `shift`."""
         fcl = self.fcl
-        objects = (fcl.CollisionObject(self.model(a), fcl.Transform(np.asarray(shift, float))),
-                   fcl.CollisionObject(self.model(b), fcl.Transform()))
+        objects = (
+            fcl.CollisionObject(self.model(a), fcl.Transform(np.asarray(shift, float))),
+            fcl.CollisionObject(self.model(b), fcl.Transform()),
+        )
         result = fcl.CollisionResult()
         count = MAX_CONTACTS if every else 1
-        fcl.collide(*objects, fcl.CollisionRequest(num_max_contacts=count, enable_contact=True),
-                    result)
+        fcl.collide(*objects, fcl.CollisionRequest(num_max_contacts=count, enable_contact=True), result)
         return np.array([c.pos for c in result.contacts])
 
     def separable(self, a, b, middle):
@@ -212,8 +227,9 @@ class Bodies:
         """How far the mesh's bounds in the thing's own frame are from its box, in metres."""
         points = self.meshes[thing.id.lower()][0] - np.asarray(thing.position)
         c, s = np.cos(thing.yaw), np.sin(thing.yaw)
-        local = np.column_stack([c * points[:, 0] + s * points[:, 1],
-                                 c * points[:, 1] - s * points[:, 0], points[:, 2]])
+        local = np.column_stack(
+            [c * points[:, 0] + s * points[:, 1], c * points[:, 1] - s * points[:, 0], points[:, 2]]
+        )
         w, d, h = thing.size
         low, high = np.array([-w / 2, -d / 2, 0]), np.array([w / 2, d / 2, h])
         return float(max(np.abs(local.min(0) - low).max(), np.abs(local.max(0) - high).max()))

@@ -45,8 +45,7 @@ class WalkMap:
     def axes(self):
         """Coordinates of the cells' centres, with a frame of blocked cells around the room."""
         x0, y0, x1, y1 = self.room.polygon.bounds
-        return tuple(np.arange(lo - 1.5 * CELL, hi + 2 * CELL, CELL)
-                     for lo, hi in ((x0, x1), (y0, y1)))
+        return tuple(np.arange(lo - 1.5 * CELL, hi + 2 * CELL, CELL) for lo, hi in ((x0, x1), (y0, y1)))
 
     def draw(self, shape):
         """(window, mask): the cells whose centres a shape covers, within its bounds."""
@@ -102,7 +101,7 @@ def check_connected(scene, walk):
     for k, (door, regions) in enumerate(doors):
         if not regions:
             found.append(Violation("connected", (door,), "nobody can stand before it"))
-        for other, regions_there in doors[k + 1:]:
+        for other, regions_there in doors[k + 1 :]:
             if regions and regions_there and not regions & regions_there:
                 found.append(Violation("connected", (door, other), "no way between the two"))
     return found

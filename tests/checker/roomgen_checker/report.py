@@ -31,9 +31,15 @@ def load_bodies(path, scene, mode):
 def find_violations(scene, categories, bodies=None, lenience=reach.LENIENCE):
     """All broken hard rules of a scene."""
     walk = reach.WalkMap(scene, lenience)
-    return (rules.check_inside(scene) + rules.check_solid(scene, bodies)
-            + rules.check_doors(scene) + rules.check_windows(scene) + rules.check_mounts(scene)
-            + reach.check_connected(scene, walk) + reach.check_usable(scene, categories, walk))
+    return (
+        rules.check_inside(scene)
+        + rules.check_solid(scene, bodies)
+        + rules.check_doors(scene)
+        + rules.check_windows(scene)
+        + rules.check_mounts(scene)
+        + reach.check_connected(scene, walk)
+        + reach.check_usable(scene, categories, walk)
+    )
 
 
 def judge_thing(thing, judge):
@@ -51,8 +57,7 @@ def judge_constraints(scene, limits, problem=None):
     judge = Judge(scene, limits)
     found = {t.id: judge_thing(t, judge) for t in scene.things}
     for entry in scene.unplaced:
-        found[entry["id"]] = [{"text": text, "held": False}
-                              for text in relations_of_unplaced(entry, problem)]
+        found[entry["id"]] = [{"text": text, "held": False} for text in relations_of_unplaced(entry, problem)]
     return found
 
 
@@ -86,19 +91,24 @@ def compare_with_problem(scene, problem):
             continue
         if max(abs(a - b) for a, b in zip(thing.size, asked["size"])) > 1e-3:
             found.append(rules.Violation("problem", (thing.id,), "another size"))
-        if sorted(map(normal, thing.relations), key=str) != sorted(map(normal, asked["relations"]),
-                                                                  key=str):
+        if sorted(map(normal, thing.relations), key=str) != sorted(map(normal, asked["relations"]), key=str):
             found.append(rules.Violation("problem", (thing.id,), "other constraints"))
     asked_ids = {o["id"] for o in problem.objects}
-    found += [rules.Violation("problem", (t.id,), "was not asked for")
-              for t in scene.things if t.id.lower() not in asked_ids]
+    found += [
+        rules.Violation("problem", (t.id,), "was not asked for")
+        for t in scene.things
+        if t.id.lower() not in asked_ids
+    ]
     return found
 
 
 def notes_on(scene, bodies, categories):
     """Things that are no violations but worth a look."""
-    notes = [f"{t.id}: unknown category {t.category!r}, so no use zones"
-             for t in scene.things if categories.lookup(t.category) is None]
+    notes = [
+        f"{t.id}: unknown category {t.category!r}, so no use zones"
+        for t in scene.things
+        if categories.lookup(t.category) is None
+    ]
     for t in scene.things if bodies else []:
         if t.id not in bodies:
             notes.append(f"{t.id}: no mesh of this name")
@@ -146,16 +156,23 @@ def as_text(report, verbose=True):
     """The report for people."""
     c = report["constraints"]
     share = f" ({100 * c['held'] / c['total']:.0f} %)" if c["total"] else ""
-    lines = [f"{report['scene']}: {report['objects']} objects, {len(report['unplaced'])} left out, "
-             f"{c['held']} of {c['total']} constraints{share}, "
-             f"{len(report['violations'])} violations, {report['seconds']:.2f} s"]
+    lines = [
+        f"{report['scene']}: {report['objects']} objects, {len(report['unplaced'])} left out, "
+        f"{c['held']} of {c['total']} constraints{share}, "
+        f"{len(report['violations'])} violations, {report['seconds']:.2f} s"
+    ]
     if report["incomplete"]:
         lines.append("  marked as incomplete")
-    lines += [f"  VIOLATION {v['rule']}: {', '.join(v['objects'])}: {v['detail']}"
-              for v in report["violations"]]
+    lines += [
+        f"  VIOLATION {v['rule']}: {', '.join(v['objects'])}: {v['detail']}" for v in report["violations"]
+    ]
     lines += [f"  left out: {name}" for name in report["unplaced"]]
     if verbose:
-        lines += [f"  not held: {name}: {r['text']}"
-                  for name, rs in c["objects"].items() for r in rs if not r["held"]]
+        lines += [
+            f"  not held: {name}: {r['text']}"
+            for name, rs in c["objects"].items()
+            for r in rs
+            if not r["held"]
+        ]
         lines += [f"  note: {n}" for n in report["notes"]]
     return "\n".join(lines)

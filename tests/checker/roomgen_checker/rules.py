@@ -51,8 +51,10 @@ def boxes_overlap(a, b, slack):
 
 def inside_support(a, b):
     """A thing that stands on, or within, the other: the boxes overlap by intent."""
-    return any(top.mount == "surface" and top.on and top.on.lower() == support.id.lower()
-               for top, support in ((a, b), (b, a)))
+    return any(
+        top.mount == "surface" and top.on and top.on.lower() == support.id.lower()
+        for top, support in ((a, b), (b, a))
+    )
 
 
 def overlap_reason(a, b, meshes):
@@ -72,7 +74,7 @@ def check_solid(scene, meshes=None):
     solids = [t for t in scene.things if t.solid]
     found = []
     for i, a in enumerate(solids):
-        for b in solids[i + 1:]:
+        for b in solids[i + 1 :]:
             reason = overlap_reason(a, b, meshes)
             if reason:
                 found.append(Violation("solid", (a.id, b.id), reason))
@@ -132,8 +134,12 @@ def covers_opening(thing, wall, opening):
     if opening.wall.index != wall.index:
         return False
     alongs = [wall.coordinates(c)[0] for c in thing.box.exterior.coords]
-    apart = (max(alongs) <= opening.begin + geo.SLACK or min(alongs) >= opening.end - geo.SLACK
-             or thing.top <= opening.sill + geo.SLACK or thing.bottom >= opening.head - geo.SLACK)
+    apart = (
+        max(alongs) <= opening.begin + geo.SLACK
+        or min(alongs) >= opening.end - geo.SLACK
+        or thing.top <= opening.sill + geo.SLACK
+        or thing.bottom >= opening.head - geo.SLACK
+    )
     return not apart
 
 
@@ -141,8 +147,11 @@ def check_wall_mount(thing, scene):
     walls = Judge(scene).walls_at_back(thing, AT_WALL)
     if not walls:
         return [Violation("mount", (thing.id,), "hangs on a wall but touches none")]
-    return [Violation("mount", (thing.id, o.id), "hangs over an opening")
-            for o in scene.room.openings if any(covers_opening(thing, w, o) for w in walls)]
+    return [
+        Violation("mount", (thing.id, o.id), "hangs over an opening")
+        for o in scene.room.openings
+        if any(covers_opening(thing, w, o) for w in walls)
+    ]
 
 
 def check_surface_mount(thing, scene):
@@ -153,8 +162,13 @@ def check_surface_mount(thing, scene):
     if not support.footprint.buffer(geo.SLACK).covers(Point(thing.centre)):
         found.append(Violation("mount", (thing.id, support.id), "its centre is not on its support"))
     if not support.bottom - geo.SLACK <= thing.bottom <= support.top + RESTS:
-        found.append(Violation("mount", (thing.id, support.id),
-                               f"floats at {thing.bottom:.3f} m, the top is {support.top:.3f} m"))
+        found.append(
+            Violation(
+                "mount",
+                (thing.id, support.id),
+                f"floats at {thing.bottom:.3f} m, the top is {support.top:.3f} m",
+            )
+        )
     return found
 
 

@@ -15,10 +15,10 @@ def schema_named(name):
 def validator(name):
     import jsonschema  # optional: only this module needs it
     from referencing import Registry, Resource
+
     names = [p.name.removesuffix(".schema.json") for p in DOCS.glob("*.schema.json")]
     resources = [(f"{n}.schema.json", Resource.from_contents(schema_named(n))) for n in names]
-    return jsonschema.Draft202012Validator(schema_named(name),
-                                           registry=Registry().with_resources(resources))
+    return jsonschema.Draft202012Validator(schema_named(name), registry=Registry().with_resources(resources))
 
 
 def errors(data, name=None):
