@@ -4,6 +4,9 @@
 
 #include <cstdio>
 
+#include "roomgen/library/first_of.h"
+#include "roomgen/library/standins.h"
+
 namespace roomgen::cli {
 
 namespace {
@@ -41,6 +44,19 @@ Result<std::unique_ptr<assets::Catalogue>> open_libraries(const LibraryOptions& 
       std::fprintf(stderr, "%.*s\n", static_cast<int>(message.size()), message.data());
     };
   return assets::open_catalogue(catalogue);
+}
+
+Result<std::unique_ptr<AssetLibrary>> open_all_libraries(const LibraryOptions& options,
+                                                         const Context& context) {
+  std::vector<std::shared_ptr<const AssetLibrary>> libraries;
+  auto catalogue = open_libraries(options, context);
+  if (catalogue) libraries.push_back(*std::move(catalogue));
+  else if (catalogue.error().kind != Error::Kind::not_found || !options.more.empty())
+    return catalogue.error();
+  else
+    std::fprintf(stderr, "roomgen: %s; simple stand-ins only\n", catalogue.error().message.c_str());
+  libraries.push_back(make_standins());
+  return make_first_of(std::move(libraries));
 }
 
 }  // namespace roomgen::cli

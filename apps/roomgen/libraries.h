@@ -26,4 +26,8 @@ void add_library_options(CLI::App& command, LibraryOptions& options);
 Result<std::unique_ptr<assets::Catalogue>> open_libraries(const LibraryOptions& options,
                                                           const Context& context);
 
+/// The same with stand-ins for what they do not have. Without any library, a warning and stand-ins alone.
+Result<std::unique_ptr<AssetLibrary>> open_all_libraries(const LibraryOptions& options,
+                                                         const Context& context);
+
 }  // namespace roomgen::cli

@@ -38,6 +38,9 @@ int main(int argc, char** argv) {
 #ifdef ROOMGEN_HAS_RENDER
   add_render_command(app, context);
 #endif
+#if defined(ROOMGEN_HAS_ASSETS) && defined(ROOMGEN_HAS_RENDER)
+  add_generate_command(app, context);
+#endif
 
   try {
     app.parse(argc, argv);

@@ -134,6 +134,11 @@ Result<CategoryTable> CategoryTable::parse(std::string_view text, const std::str
   return table;
 }
 
+bool CategoryTable::is_any_of(std::string_view name, const std::vector<std::string>& kinds) const {
+  return std::any_of(kinds.begin(), kinds.end(),
+                     [&](const std::string& kind) { return is_a(name, kind); });
+}
+
 void CategoryTable::resolve_references(const JsonReader& json) {
   for (auto& [name, category] : categories_) {
     const auto resolve = [&, &key = name](std::string& reference) {
@@ -181,7 +186,7 @@ const Category& CategoryTable::get(std::string_view name) const {
 bool CategoryTable::is_a(std::string_view name, std::string_view kind) const {
   const Category* wanted = find(kind);
   if (!wanted) return normalised(name) == normalised(kind);
-  return is_any_of(get(name), {wanted->name});
+  return roomgen::is_any_of(get(name), {wanted->name});
 }
 
 Footprint zone_footprint(const Footprint& object, const UseZone& zone) {

@@ -64,6 +64,7 @@ class CategoryTable {
   const Category& get(std::string_view name) const;
   /// True if `name` means `kind` or one of its descendants.
   bool is_a(std::string_view name, std::string_view kind) const;
+  bool is_any_of(std::string_view name, const std::vector<std::string>& kinds) const;
   const std::map<std::string, Category, std::less<>>& all() const { return categories_; }
 
  private:

@@ -1,0 +1,212 @@
+#include "roomgen/generate/generate.h"
+
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include "command.h"
+#include "libraries.h"
+#include "options.h"
+#include "roomgen/base/file.h"
+#include "roomgen/design/rule_designer.h"
+#include "roomgen/generate/output.h"
+#include "roomgen/render/image_file.h"
+#include "roomgen/render/osmesa_renderer.h"
+
+namespace roomgen::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct GenerateCommand {
+  std::string prompt, output, plan_file, room_file, size;
+  std::uint64_t seed = 0;
+  bool force = false, strict = false, marks = false, no_pictures = false;
+  int pixels = 1024;
+  double alpha = 0.5, pitch = 0.10;
+  LibraryOptions libraries;
+};
+
+// A bar with the object's name, on a terminal only.
+class ProgressBar {
+ public:
+  explicit ProgressBar(bool quiet) : shown_(!quiet && ::isatty(STDERR_FILENO)) {}
+  ~ProgressBar() { clear(); }
+
+  void show(std::size_t done, std::size_t total, const std::string& what) const {
+    if (!shown_) return;
+    constexpr std::size_t width = 24;
+    const std::size_t filled = total == 0 ? width : width * done / total;
+    std::fprintf(stderr, "\r\033[K[%s%s] %zu/%zu %s", std::string(filled, '#').c_str(),
+                 std::string(width - filled, '.').c_str(), done, total, what.c_str());
+  }
+  void clear() const {
+    if (shown_) std::fputs("\r\033[K", stderr);
+  }
+
+ private:
+  bool shown_;
+};
+
+Result<Plan> make_plan(const GenerateCommand& command, const Context& context, Designer& designer) {
+  if (!command.plan_file.empty()) return read_plan(command.plan_file);
+  PlanRequest request;
+  request.prompt = command.prompt;
+  request.seed = command.seed;
+  request.cancel = context.cancel;
+  auto size = parse_size(command.size);
+  if (!size) return size.error();
+  request.size = *size;
+  if (!command.room_file.empty()) {
+    auto room = read_room_file(command.room_file);
+    if (!room) return room.error();
+    request.room = *std::move(room);
+  }
+  return designer.plan(request);
+}
+
+Status write_pictures(const GenerateCommand& command, const fs::path& folder,
+                      const Generation& generation, Renderer& renderer) {
+  for (const auto kind : {View::Kind::top, View::Kind::isometric}) {
+    View view;
+    view.kind = kind;
+    view.pixels = command.pixels;
+    const auto image = renderer.render(generation.scene, generation.models, view);
+    if (!image) return image.error();
+    const auto* name = kind == View::Kind::top ? "top.png" : "iso.png";
+    if (auto status = write_png(folder / name, *image); !status) return status;
+  }
+  return {};
+}
+
+// The room after each step, as a designer with eyes would have seen it.
+Status write_marks(const GenerateCommand& command, const fs::path& folder,
+                   const Generation& generation, Renderer& renderer) {
+  std::error_code code;
+  fs::create_directories(folder / "marks", code);
+  if (code) return Error{Error::Kind::io, (folder / "marks").string() + ": " + code.message()};
+  Scene partial = generation.scene;
+  partial.objects.clear();
+  View view;
+  view.pixels = command.pixels;
+  view.marks = true;
+  for (std::size_t step = 0; step <= generation.scene.objects.size(); ++step) {
+    if (step > 0) partial.objects.push_back(generation.scene.objects[step - 1]);
+    const auto image = renderer.render(partial, generation.models, view);
+    if (!image) return image.error();
+    char name[32];
+    std::snprintf(name, sizeof name, "step-%02zu.png", step);
+    if (auto status = write_png(folder / "marks" / name, *image); !status) return status;
+  }
+  return {};
+}
+
+Status write_all(const GenerateCommand& command, const fs::path& folder, const Plan& plan,
+                 const Generation& generation) {
+  if (auto status = write_documents(folder, plan, generation); !status) return status;
+  if (command.no_pictures) return {};
+  auto renderer = make_osmesa_renderer();
+  if (!renderer) return renderer.error();
+  if (auto status = write_pictures(command, folder, generation, **renderer); !status) return status;
+  return command.marks ? write_marks(command, folder, generation, **renderer) : Status();
+}
+
+void print_summary(const Context& context, const fs::path& folder, const Plan& plan,
+                   const Generation& generation, double seconds) {
+  const Scene& scene = generation.scene;
+  if (context.json) {
+    Json json;
+    json["output"] = folder.string();
+    json["room_type"] = scene.room.type;
+    json["seed"] = scene.seed;
+    json["objects"] = scene.objects.size();
+    json["unplaced"] = Json::array();
+    for (const auto& missing : scene.unplaced)
+      json["unplaced"].push_back({{"id", missing.id}, {"reason", missing.reason}});
+    json["constraints"] = generation.constraints;
+    json["held"] = generation.held;
+    json["incomplete"] = scene.incomplete;
+    json["seconds"] = rounded(seconds, 3);
+    std::fputs(dump_json(json).c_str(), stdout);
+    return;
+  }
+  for (const auto& note : plan.notes) std::printf("note: %s\n", note.c_str());
+  std::printf("%s: %s with %zu objects, %d of %d constraints held (%.1f s)\n",
+              folder.string().c_str(), scene.room.type.c_str(), scene.objects.size(),
+              generation.held, generation.constraints, seconds);
+  for (const auto& missing : scene.unplaced)
+    std::printf("  left out: %s: %s\n", missing.id.c_str(), missing.reason.c_str());
+}
+
+Result<int> run(const Context& context, const GenerateCommand& command) {
+  const auto start = std::chrono::steady_clock::now();
+  const fs::path folder = command.output.empty()
+                              ? fs::path("out") / folder_name(command.plan_file.empty()
+                                                                  ? command.prompt
+                                                                  : command.plan_file)
+                              : fs::path(command.output);
+  const auto designer = make_rule_designer();
+  auto plan = make_plan(command, context, *designer);
+  if (!plan) return plan.error();
+  if (auto status = prepare_output_folder(folder, command.force); !status) return status.error();
+  auto library = open_all_libraries(command.libraries, context);
+  if (!library) return library.error();
+
+  GenerateOptions options;
+  options.seed = plan->seed;
+  options.cancel = context.cancel;
+  options.place.fusion.alpha = command.alpha;
+  options.place.pitch = command.pitch;
+  const ProgressBar bar(context.quiet);
+  options.on_step = [&](const StepProgress& progress) {
+    bar.show(progress.step, progress.total, progress.object);
+  };
+  auto generation =
+      generate(*plan, *designer, **library, CategoryTable::built_in(), options);
+  if (!generation) return generation.error();
+  bar.show(1, 1, "writing files");
+  if (auto status = write_all(command, folder, *plan, *generation); !status) return status.error();
+  bar.clear();
+
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  print_summary(context, folder, *plan, *generation, elapsed.count());
+  if (generation->scene.incomplete) return exit_interrupted;
+  return command.strict && !generation->scene.unplaced.empty() ? exit_failure : exit_ok;
+}
+
+}  // namespace
+
+void add_generate_command(CLI::App& app, Context& context) {
+  auto command = std::make_shared<GenerateCommand>();
+  auto* sub = app.add_subcommand("generate", "Furnish a room from a sentence and write all its files");
+  auto* prompt = sub->add_option("prompt", command->prompt, "What the room shall be");
+  sub->add_option("-o,--output", command->output,
+                  "Folder to write (default: out/ and the first words of the prompt)");
+  sub->add_option("--seed", command->seed, "Another seed, another room")->capture_default_str();
+  sub->add_option("--size", command->size, "Inner width x depth in metres, as in 4x5");
+  sub->add_option("--room", command->room_file, "Floor plan to use (docs/room.schema.json)");
+  sub->add_option("--plan", command->plan_file, "Inventory to use (docs/plan.schema.json)")
+      ->excludes(prompt);
+  sub->add_flag("--force", command->force, "Write into a folder that holds other files");
+  sub->add_flag("--strict", command->strict, "Exit with 1 if something found no place");
+  sub->add_flag("--marks", command->marks, "Also draw the room with coordinate marks after each step");
+  sub->add_flag("--no-pictures", command->no_pictures, "Leave out the pictures");
+  sub->add_option("--pixels", command->pixels, "Length of the pictures' longer side")
+      ->capture_default_str();
+  sub->add_option("--alpha", command->alpha,
+                  "Weight of constraints against suggested locations, 0 to 1")
+      ->capture_default_str();
+  sub->add_option("--pitch", command->pitch, "Grid pitch in metres")->capture_default_str();
+  add_library_options(*sub, command->libraries);
+  sub->callback([command, &context] {
+    if (command->prompt.empty() && command->plan_file.empty())
+      throw CLI::ValidationError("prompt", "say what the room shall be, or give --plan");
+    context.run = [command, &context] { return run(context, *command); };
+  });
+}
+
+}  // namespace roomgen::cli
