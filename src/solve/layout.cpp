@@ -133,6 +133,8 @@ bool Layout::collides(const Candidate& candidate, const Footprint& footprint, do
   if (!both_solid(object, *other.object))
     return object.traits.flat && other.object->traits.flat &&
            overlaps(footprint, other.footprint, touch_tolerance);
+  // What stands on a thing may sink below the top of its box: the meshes decide.
+  if (object.on == other.object->id || other.object->on == object.id) return false;
   if (bottom >= top(*other.object) - touch_tolerance ||
       roomgen::bottom(*other.object) >= bottom + object.size.z() - touch_tolerance)
     return false;
