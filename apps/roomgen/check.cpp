@@ -1,7 +1,12 @@
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 
 #include "command.h"
+#ifdef ROOMGEN_HAS_ASSETS
+#include "libraries.h"
+#include "roomgen/library/load_models.h"
+#endif
 #include "roomgen/base/file.h"
 #include "roomgen/evaluate/report.h"
 #include "roomgen/scene/plan.h"
@@ -13,7 +18,26 @@ namespace {
 
 struct CheckCommand {
   std::string file;
+#ifdef ROOMGEN_HAS_ASSETS
+  LibraryOptions libraries;
+#endif
 };
+
+// Without furniture libraries in this build, boxes decide what overlaps.
+Result<ModelTable> models_of(const Context& context, const CheckCommand& command,
+                             const Scene& scene) {
+#ifdef ROOMGEN_HAS_ASSETS
+  const bool any = std::any_of(scene.objects.begin(), scene.objects.end(),
+                               [](const Object& object) { return !object.asset.is_box(); });
+  if (!any) return ModelTable();
+  auto library = open_all_libraries(command.libraries, context);
+  if (!library) return library.error();
+  return load_models(scene, **library);
+#else
+  (void)context, (void)command, (void)scene;
+  return ModelTable();
+#endif
+}
 
 Json violation_json(const Violation& violation) {
   return {{"fault", name(violation.fault)},
@@ -33,7 +57,9 @@ void print_report(const SceneReport& report) {
 }
 
 Result<int> check_scene(const Context& context, const CheckCommand& command, const Scene& scene) {
-  const auto report = examine(scene, ModelTable(), CategoryTable::built_in());
+  auto models = models_of(context, command, scene);
+  if (!models) return models.error();
+  const auto report = examine(scene, *models, CategoryTable::built_in());
   if (context.json) {
     Json json;
     json["format"] = "roomgen-scene";
@@ -97,6 +123,9 @@ void add_check_command(CLI::App& app, Context& context) {
   auto* sub = app.add_subcommand(
       "check", "Check a scene, plan, problem or room file; exit 1 if a scene breaks a rule");
   sub->add_option("file", command->file, "JSON file")->required();
+#ifdef ROOMGEN_HAS_ASSETS
+  add_library_options(*sub, command->libraries);
+#endif
   sub->callback([command, &context] {
     context.run = [command, &context] { return run(context, *command); };
   });

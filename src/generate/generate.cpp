@@ -115,7 +115,7 @@ class Generator {
         if (!advice) return advice.error().message;
         attempt["asset"] = asset_key(assets[a].ref);
         attempt["answer"] = advice_json(*advice);
-        apply(*advice, *task);
+        if (auto status = apply(*advice, planned, *task); !status) return status.error().message;
         auto placed = place(layout_, *task, {}, options_.place, random_);
         if (!first) first = *task;
         if (placed) {
@@ -142,19 +142,22 @@ class Generator {
     return designer_.place(request);
   }
 
-  void apply(const PlaceAdvice& advice, PlacementTask& task) const {
-    task.object.relations = advice.relations;
+  // The advice decides what carries the object or what it hangs above, and so its height.
+  Status apply(const PlaceAdvice& advice, const PlannedObject& planned, PlacementTask& task) const {
+    Object& object = task.object;
+    object.relations = advice.relations;
     task.location = advice.location;
     task.facing = advice.yaw;
-    // What is above something hangs above it.
-    if (task.object.mount != Mount::wall) return;
+    if (object.mount == Mount::surface) return put_on_support(plan_.items[planned.item], object);
+    if (object.mount != Mount::wall) return {};
     for (const auto& relation : advice.relations) {
       const Object* target = layout_.find(relation.target);
       if (relation.kind != RelationKind::above || !target) continue;
-      const double highest = plan_.room.height - task.object.size.z() - 0.05;
-      task.object.position.z() =
-          std::min(highest, std::max(task.object.position.z(), top(*target) + gap_above));
+      const double highest = plan_.room.height - object.size.z() - 0.05;
+      object.position.z() =
+          std::min(highest, std::max(object.position.z(), top(*target) + gap_above));
     }
+    return {};
   }
 
   // The object as the asset makes it, with its mounting height.
@@ -176,45 +179,45 @@ class Generator {
     object.mount = item.mount;
     object.relations = item.relations;
     task.location = item.location;
-    if (auto status = set_height(item, category, asset, task); !status) return status.error();
+    set_height(category, asset, object);
     return task;
   }
 
-  Status set_height(const PlanItem& item, const Category& category, const AssetInfo& asset,
-                    PlacementTask& task) const {
-    Object& object = task.object;
+  // The usual height; what stands on something gets its own when that is known.
+  void set_height(const Category& category, const AssetInfo& asset, Object& object) const {
     const double room_left = plan_.room.height - object.size.z();
-    switch (item.mount) {
-      case Mount::floor: break;
-      case Mount::ceiling: object.position.z() = room_left; break;
-      case Mount::wall: {
-        const double usual = asset.elevation > 0 ? asset.elevation : category.elevation;
-        object.position.z() = std::clamp(usual, 0.0, std::max(0.0, room_left - 0.05));
-        break;
-      }
-      case Mount::surface: {
-        const Object* support = find_support(item.on, object.size);
-        if (!support)
-          return Error{Error::Kind::not_found,
-                       "nothing in the room can carry it" +
-                           (item.on.empty() ? std::string() : " (wanted: " + item.on + ")")};
-        object.on = support->id;
-        object.position.z() = support->position.z() + support_heights_.at(support->id);
-        break;
-      }
+    if (object.mount == Mount::ceiling) object.position.z() = room_left;
+    if (object.mount == Mount::wall) {
+      const double usual = asset.elevation > 0 ? asset.elevation : category.elevation;
+      object.position.z() = std::clamp(usual, 0.0, std::max(0.0, room_left - 0.05));
     }
+  }
+
+  Status put_on_support(const PlanItem& item, Object& object) const {
+    const Object* support = nullptr;
+    for (const auto& relation : object.relations)
+      if (relation.kind == RelationKind::on && support_heights_.count(relation.target))
+        support = layout_.find(relation.target);
+    if (!support) support = find_support(item.on, object.size);
+    if (!support)
+      return Error{Error::Kind::not_found,
+                   "nothing in the room can carry it" +
+                       (item.on.empty() ? std::string() : " (wanted: " + item.on + ")")};
+    object.on = support->id;
+    object.position.z() = support->position.z() + support_heights_.at(support->id);
     return {};
   }
 
-  // The placed thing with the most free room on top, of the wanted kind.
+  // The placed thing of the wanted kind, or else a table or cabinet, with the most free room on top.
   const Object* find_support(const std::string& wanted, const Vec3& size) const {
     const Object* best = nullptr;
     double best_room = 0.0;
     for (const auto& object : layout_.objects()) {
       if (!support_heights_.count(object.id)) continue;
-      if (!wanted.empty() && object.id != wanted && !categories_.is_a(object.category, wanted))
-        continue;
-      if (object.size.x() < size.x() || object.size.y() < size.y()) continue;
+      const bool suits = wanted.empty() ? categories_.is_any_of(object.category, {"table", "storage"})
+                                        : object.id == wanted ||
+                                              categories_.is_a(object.category, wanted);
+      if (!suits || object.size.x() < size.x() || object.size.y() < size.y()) continue;
       double room = object.size.x() * object.size.y();
       for (const auto& other : layout_.objects())
         if (other.on == object.id) room -= 2.0 * other.size.x() * other.size.y();
