@@ -13,6 +13,9 @@ namespace roomgen {
 namespace {
 
 constexpr double degree_gain = 1e-6;
+constexpr double eject_pitch = 0.3;
+// Rounds without gain before a new start.
+constexpr int patience = 12;
 
 int constraints_of(const PlacementTask& task) {
   return static_cast<int>(task.object.relations.size());
@@ -42,16 +45,20 @@ class Search {
   int run() {
     State best = state(), current = best;
     const int wanted = constraint_count(tasks_);
-    int round = 0;
+    int round = 0, barren = 0;
     for (; round < options_.rounds && !options_.cancel.cancelled(); ++round) {
       if (best.quality.placed == static_cast<int>(tasks_.size()) && best.quality.held == wanted)
         break;
-      lost_before_ = wanted - current.quality.held;
-      if (round % 2 == 0) eject();
-      else recreate(choose_ruin(round));
+      const bool start_anew = barren >= patience;
+      lost_allowed_ = start_anew ? wanted : wanted - current.quality.held;
+      if (start_anew) recreate(everything());
+      else if (round % 2 == 0) eject();
+      else recreate(choose_ruin());
       const LayoutQuality now = quality(layout_, tasks_);
-      // Sideways steps lead out of dead ends.
-      if (now.as_good_as(current.quality)) current = state();
+      const bool gained = now.placed > current.quality.placed || now.held > current.quality.held;
+      barren = start_anew || gained ? 0 : barren + 1;
+      // Sideways steps lead out of dead ends, and so does a new start, however it ends.
+      if (start_anew || now.as_good_as(current.quality)) current = state();
       else restore(current);
       if (now.better_than(best.quality)) best = current;
     }
@@ -101,19 +108,21 @@ class Search {
     return placed && placed->locked;
   }
 
-  // Everything in now and then: from small repairs to a new start.
-  std::set<std::string> choose_ruin(int round) {
+  std::set<std::string> everything() const {
+    std::set<std::string> ids;
+    for (const auto& task : tasks_)
+      if (!is_fixed(task.object.id)) ids.insert(task.object.id);
+    return ids;
+  }
+
+  std::set<std::string> choose_ruin() {
     std::set<std::string> ruin;
-    if (round % 16 == 15) {
-      for (const auto& task : tasks_) ruin.insert(task.object.id);
-    } else {
-      const PlacementTask& chosen = choose_troubled();
-      ruin.insert(chosen.object.id);
-      for (const auto& relation : chosen.object.relations)
-        if (layout_.find(relation.target) && random_.chance(0.6)) ruin.insert(relation.target);
-      for (int others = random_.integer(0, 3); others > 0; --others)
-        ruin.insert(random_.pick(tasks_).object.id);
-    }
+    const PlacementTask& chosen = choose_troubled();
+    ruin.insert(chosen.object.id);
+    for (const auto& relation : chosen.object.relations)
+      if (layout_.find(relation.target) && random_.chance(0.6)) ruin.insert(relation.target);
+    for (int others = random_.integer(0, 3); others > 0; --others)
+      ruin.insert(random_.pick(tasks_).object.id);
     add_dependants(ruin);
     std::erase_if(ruin, [this](const std::string& id) { return is_fixed(id); });
     return ruin;
@@ -133,6 +142,8 @@ class Search {
 
   // Each thing once more by itself, without chance: repairs leave some a little off.
   void polish() {
+    PlaceOptions place_options = options_.place;
+    place_options.grid_as_last_resort = true;
     for (const auto& task : tasks_) {
       if (options_.cancel.cancelled()) return;
       const Object* placed = layout_.find(task.object.id);
@@ -140,7 +151,7 @@ class Search {
       const Object before = *placed;
       const LayoutQuality quality_before = quality(layout_, tasks_);
       layout_.remove(before.id);
-      auto again = place(layout_, task, {}, options_.place, random_);
+      auto again = place(layout_, task, {}, place_options, random_);
       if (again) layout_.add(again->object);
       if (again && quality(layout_, tasks_).better_than(quality_before)) continue;
       layout_.remove(before.id);
@@ -196,7 +207,12 @@ class Search {
     const auto candidate = layout_.candidate(task.object);
     std::optional<Pose> best;
     double best_cost = 1e9;
-    for (const auto& pose : propose_exact(context)) {
+    auto poses = propose_exact(context);
+    if (!wants(context, RelationKind::edge)) {
+      const auto grid = propose_grid(context, eject_pitch);
+      poses.insert(poses.end(), grid.begin(), grid.end());
+    }
+    for (const auto& pose : poses) {
       const Footprint area(pose.position, task.object.size.head<2>(), pose.yaw,
                            task.object.traits.round);
       if (!layout_.fits_room(candidate, area, pose.bottom)) continue;
@@ -211,7 +227,7 @@ class Search {
   }
 
   void recreate(const std::set<std::string>& ruin) {
-    int lost_allowed = lost_before_;
+    int lost_allowed = lost_allowed_;
     for (const auto& task : tasks_) {
       const Object* kept = layout_.find(task.object.id);
       if (kept && !ruin.count(task.object.id))
@@ -223,8 +239,7 @@ class Search {
     PlaceOptions place_options = options_.place;
     // Many rough rounds find more than few fine ones.
     place_options.grid_as_last_resort = true;
-    place_options.pitch *= 2.0;
-    place_options.lookahead /= 2;
+    place_options.lookahead = random_.integer(1, std::max(1, options_.place.lookahead / 2));
     place_options.noise = options_.noise * random_.uniform();
     for (std::size_t i = 0; i < tasks_.size(); ++i) {
       const std::string& id = tasks_[i].object.id;
@@ -250,7 +265,7 @@ class Search {
   std::map<std::string, std::string>& reasons_;
   const ImproveOptions& options_;
   Random& random_;
-  int lost_before_ = 0;  ///< constraints that do not hold at the start of the round
+  int lost_allowed_ = 0;  ///< a round that loses more constraints is given up
 };
 
 }  // namespace

@@ -18,14 +18,20 @@ struct Scored {
   PlacementTerms terms;
 };
 
-// The poses that pass the cheap tests, with their scores.
+// The poses that pass the cheap tests, with their scores. Without a suggestion the constraints come first,
+// and a pose that loses more of them than another is dropped as soon as that is known.
 void score_feasible(const ProposalContext& context, const Layout::Candidate& candidate,
                     const std::vector<Pose>& poses, std::vector<Scored>& scored) {
   const Object& object = context.task.object;
+  int most_lost = std::numeric_limits<int>::max();
   for (const auto& pose : poses) {
     const Footprint footprint(pose.position, object.size.head<2>(), pose.yaw, object.traits.round);
     if (!context.layout.fits(candidate, footprint, pose.bottom)) continue;
-    scored.push_back({pose, score_relations(context, footprint, pose.bottom)});
+    const auto terms = score_relations(context, footprint, pose.bottom, most_lost);
+    if (!terms) continue;
+    scored.push_back({pose, *terms});
+    // One more may be lost, so that something is left should the best fail the exact tests.
+    if (!context.task.location) most_lost = std::min(most_lost, terms->lost + 1);
   }
 }
 
@@ -105,7 +111,9 @@ bool place_roughly(Layout& layout, const PlacementTask& task, std::span<const Pl
 
 // How many of the tasks that depend on an object just added, directly or through each other, do not find
 // a place that holds all their constraints. The layout is left as it was.
-int count_homeless(Layout& layout, const std::string& id, std::span<const PlacementTask> later) {
+// Counts no further than `limit`.
+int count_homeless(Layout& layout, const std::string& id, std::span<const PlacementTask> later,
+                   int limit) {
   int homeless = 0;
   std::vector<std::string> family = {id};
   for (const auto& task : later) {
@@ -113,6 +121,7 @@ int count_homeless(Layout& layout, const std::string& id, std::span<const Placem
       return depends_on(task.object, member);
     });
     if (!related) continue;
+    if (homeless >= limit) break;
     if (place_roughly(layout, task, later)) family.push_back(task.object.id);
     else ++homeless;
   }
@@ -218,7 +227,9 @@ std::optional<std::size_t> choose(Layout& layout, const PlacementTask& task,
   int tried = 0;
   for (auto i = first; i; i = chooser.next()) {
     layout.add(at_pose(task.object, scored[*i].pose));
-    const int cost = scored[*i].terms.lost + count_homeless(layout, task.object.id, later);
+    const int lost = scored[*i].terms.lost;
+    const int limit = best ? std::max(0, best_cost - lost) : std::numeric_limits<int>::max();
+    const int cost = lost + count_homeless(layout, task.object.id, later, limit);
     layout.remove(task.object.id);
     if (!best || cost < best_cost) best = i, best_cost = cost;
     if (cost <= scored[*first].terms.lost || ++tried >= options.lookahead) break;
@@ -252,17 +263,21 @@ Result<Placement> place(Layout& layout, const PlacementTask& task,
   auto proposed = static_cast<int>(poses.size());
   score_feasible(context, candidate, poses, scored);
 
-  // Without a suggestion, a meaningful pose that holds everything needs no grid beside it.
+  // Without a suggestion, a meaningful pose that holds everything needs no grid beside it, and no grid
+  // point is flush with a wall.
   std::optional<std::size_t> best;
   std::vector<std::size_t> order;
+  const bool may_skip_grid = options.grid_as_last_resort || !task.location;
   const bool exact_is_enough =
-      options.grid_as_last_resort || (!task.location && one_holds_all(scored));
+      may_skip_grid && (one_holds_all(scored) || wants(context, RelationKind::edge) ||
+                        wants(context, RelationKind::corner));
   if (exact_is_enough) {
     order = rank(context, scored, options, random);
     best = choose(layout, task, later, scored, order, options);
   }
   if (!best) {
-    poses = propose_grid(context, options.pitch);
+    // A suggestion is followed closely; without one the meaningful poses are the fine ones.
+    poses = propose_grid(context, task.location ? options.pitch : 2.0 * options.pitch);
     proposed += static_cast<int>(poses.size());
     score_feasible(context, candidate, poses, scored);
     order = rank(context, scored, options, random);

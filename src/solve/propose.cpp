@@ -14,11 +14,6 @@ constexpr double flush = 0.004;
 constexpr double along_wall_pitch = 0.10;
 constexpr double surface_pitch = 0.08;
 
-bool wants(const ProposalContext& context, RelationKind kind) {
-  return std::any_of(context.relations.begin(), context.relations.end(),
-                     [&](const ResolvedRelation& relation) { return relation.kind == kind; });
-}
-
 Vec2 size_of(const ProposalContext& context) {
   return context.task.object.size.head<2>();
 }
@@ -287,6 +282,11 @@ void propose_for_relations(const ProposalContext& context, std::vector<Pose>& po
 }
 
 }  // namespace
+
+bool wants(const ProposalContext& context, RelationKind kind) {
+  return std::any_of(context.relations.begin(), context.relations.end(),
+                     [&](const ResolvedRelation& relation) { return relation.kind == kind; });
+}
 
 int count_around(const Object& object, std::span<const Object> others) {
   const auto around = std::find_if(

@@ -21,6 +21,8 @@ struct ProposalContext {
 /// How many of the objects stand around the same target as this one, itself included.
 int count_around(const Object& object, std::span<const Object> others);
 
+bool wants(const ProposalContext& context, RelationKind kind);
+
 /// Poses with meaning: flush to each wall, in corners, against openings and neighbours, beside and in
 /// front of targets at useful gaps, on seats around them, centred; and the suggested place itself.
 /// Not yet tested for anything.

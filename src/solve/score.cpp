@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace roomgen {
 
@@ -75,13 +76,15 @@ bool holds_all(const ProposalContext& context, const Footprint& footprint, doubl
                      });
 }
 
-PlacementTerms score_relations(const ProposalContext& context, const Footprint& footprint,
-                               double bottom) {
+std::optional<PlacementTerms> score_relations(const ProposalContext& context,
+                                              const Footprint& footprint, double bottom,
+                                              int most_lost) {
   PlacementTerms terms;
   const Subject subject{footprint, bottom, bottom + context.task.object.size.z()};
   for (const auto& relation : context.relations) {
     const Judgement judgement = judge(relation, subject, context.layout.room());
     ++(judgement.held ? terms.held : terms.lost);
+    if (terms.lost > most_lost) return std::nullopt;
     terms.relations += judgement.degree;
   }
   if (!context.relations.empty()) terms.relations /= static_cast<double>(context.relations.size());
@@ -97,7 +100,8 @@ void add_general_terms(const ProposalContext& context, const Footprint& footprin
 }
 
 PlacementTerms score(const ProposalContext& context, const Footprint& footprint, double bottom) {
-  PlacementTerms terms = score_relations(context, footprint, bottom);
+  PlacementTerms terms =
+      *score_relations(context, footprint, bottom, std::numeric_limits<int>::max());
   add_general_terms(context, footprint, terms);
   return terms;
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "propose.h"
 #include "roomgen/solve/place.h"
 
@@ -8,8 +10,10 @@ namespace roomgen {
 /// The constraints' verdicts and the general terms for one pose, not yet ranked.
 PlacementTerms score(const ProposalContext& context, const Footprint& footprint, double bottom);
 /// The two halves of score(): the verdicts, and the dearer general terms.
-PlacementTerms score_relations(const ProposalContext& context, const Footprint& footprint,
-                               double bottom);
+/// Nothing once more than `most_lost` constraints are lost.
+std::optional<PlacementTerms> score_relations(const ProposalContext& context,
+                                              const Footprint& footprint, double bottom,
+                                              int most_lost);
 void add_general_terms(const ProposalContext& context, const Footprint& footprint,
                        PlacementTerms& terms);
 

@@ -19,7 +19,7 @@ struct PlaceOptions {
   int max_exact_tests = 300;
   /// Best candidates for which it is tried whether what depends on the object still finds its place.
   int lookahead = 12;
-  /// Leave the grid out as long as a meaningful pose is feasible, whatever it loses.
+  /// Leave the grid out although a location is suggested, when meaningful poses do.
   bool grid_as_last_resort = false;
   /// Added to degrees, uniform in [0, noise): makes repeated searches differ.
   double noise = 0.0;

@@ -15,7 +15,7 @@ struct SolveOptions {
   PlaceOptions place;
   /// Rounds of improvement after the first pass; counted, not timed, so that equal input gives equal
   /// output on any machine.
-  int rounds = 120;
+  int rounds = 300;
   std::uint64_t seed = 0;
   CancelToken cancel;
 };
