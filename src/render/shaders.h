@@ -45,10 +45,11 @@ uniform sampler2D base_color;
 out vec4 pixel;
 
 // Four neighbouring taps, shifted apart in each of the four samples that make one pixel of the
-// picture: sixteen in all.
-float sunlight() {
+// picture: sixteen in all. They draw together where the sun grazes, lest a surface shades itself.
+float sunlight(float facing) {
   vec2 corner = vec2(ivec2(gl_FragCoord.xy) & 1) - 0.5;
-  corner = vec2(corner.x * 1.1 - corner.y * 0.5, corner.y * 1.1 + corner.x * 0.5) * shadow_width;
+  corner = vec2(corner.x * 1.1 - corner.y * 0.5, corner.y * 1.1 + corner.x * 0.5) *
+           (shadow_width * facing);
   vec3 at = (sun_from_pixel * vec4(gl_FragCoord.xyz, 1.0)).xyz;
   vec4 lit = textureGather(sun_depth, at.xy + corner, at.z);
   return dot(lit, vec4(0.25));
@@ -68,7 +69,7 @@ void main() {
   vec3 n = normalize(room_normal);
   n = dot(n, to_viewer) < 0.0 ? -n : n;
   float facing = max(dot(n, to_sun), 0.0);
-  float sun = facing > 0.0 ? facing * sunlight() : 0.0;
+  float sun = facing > 0.0 ? facing * sunlight(facing) : 0.0;
   float side = 0.5 + 0.5 * dot(n, to_sky);
   vec3 light = mix(vec3(0.30, 0.285, 0.27), vec3(0.56, 0.565, 0.58), side) +
                sun * vec3(0.86, 0.81, 0.74);
