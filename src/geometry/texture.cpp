@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <memory>
+#include <vector>
 
 namespace roomgen {
 
@@ -22,100 +24,150 @@ float hash(int x, int y, int salt) {
   return static_cast<float>(h >> 8) / 16777216.0f;
 }
 
-int wrap(int value, int period) {
-  const int rest = value % period;
-  return rest < 0 ? rest + period : rest;
-}
+// Value noise in [0, 1) that repeats after one image.
+class Noise {
+ public:
+  Noise(int periods_u, int periods_v, int salt) : columns_(periods_u), rows_(periods_v) {
+    for (int y = 0; y < rows_; ++y)
+      for (int x = 0; x < columns_; ++x) values_.push_back(hash(x, y, salt));
+  }
 
-// Value noise in [0, 1) that repeats after `periods` lattice cells; u and v are in [0, 1).
-float noise(float u, float v, int periods_u, int periods_v, int salt) {
-  const float x = u * static_cast<float>(periods_u), y = v * static_cast<float>(periods_v);
-  const int x0 = static_cast<int>(std::floor(x)), y0 = static_cast<int>(std::floor(y));
-  const float fx = x - static_cast<float>(x0), fy = y - static_cast<float>(y0);
-  const float sx = fx * fx * (3.0f - 2.0f * fx), sy = fy * fy * (3.0f - 2.0f * fy);
-  const auto at = [&](int i, int j) {
-    return hash(wrap(x0 + i, periods_u), wrap(y0 + j, periods_v), salt);
-  };
-  const float low = at(0, 0) + sx * (at(1, 0) - at(0, 0));
-  const float high = at(0, 1) + sx * (at(1, 1) - at(0, 1));
-  return low + sy * (high - low);
-}
+  /// u and v count images and are not negative.
+  float at(float u, float v) const {
+    const float x = u * static_cast<float>(columns_), y = v * static_cast<float>(rows_);
+    const int x0 = static_cast<int>(x), y0 = static_cast<int>(y);
+    const float fx = smooth(x - static_cast<float>(x0)), fy = smooth(y - static_cast<float>(y0));
+    const int left = x0 % columns_, right = (x0 + 1) % columns_;
+    const float* above = &values_[static_cast<std::size_t>(y0 % rows_ * columns_)];
+    const float* below = &values_[static_cast<std::size_t>((y0 + 1) % rows_ * columns_)];
+    const float low = above[left] + fx * (above[right] - above[left]);
+    const float high = below[left] + fx * (below[right] - below[left]);
+    return low + fy * (high - low);
+  }
 
-struct Boards {
-  int rows;
-  float joint;     ///< half width of the gap, in parts of a board's width
-  float darkness;  ///< of the gap, 1 is black
-  float contrast;  ///< between boards
+ private:
+  static float smooth(float t) { return t * t * (3.0f - 2.0f * t); }
+
+  int columns_, rows_;
+  std::vector<float> values_;
+};
+
+// The colour at (u, v), both in [0, 1).
+class Painter {
+ public:
+  virtual ~Painter() = default;
+  virtual Rgb color(float u, float v) const = 0;
 };
 
 // Boards run along u, two to a row, each row shifted and every board of its own tone and grain.
-Rgb board_color(float u, float v, const Rgb& tone, const Boards& boards) {
-  const float row_position = v * static_cast<float>(boards.rows);
-  const int row = static_cast<int>(row_position);
-  const float across = row_position - static_cast<float>(row);
-  const float along = 2.0f * u + hash(row, 7, 1);
-  const int board = wrap(static_cast<int>(std::floor(along)), 2);
-  const int id = row * 2 + board;
+class Boards : public Painter {
+ public:
+  struct Style {
+    float joint;     ///< half width of the gap, in parts of a board's width
+    float darkness;  ///< of the gap, 1 is black
+    float contrast;  ///< between boards
+  };
+  Boards(const Rgb& tone, const Style& style) : tone_(tone), style_(style) {}
 
-  const float shade = 1.0f + boards.contrast * (hash(id, 3, 2) - 0.5f);
-  const float warmth = 0.03f * (hash(id, 5, 3) - 0.5f);
-  const float shift = hash(id, 11, 4);
-  const float grain = 0.55f * noise(u + shift, v, 7, 150, 5 + id) +
-                      0.45f * noise(u + shift, v, 22, 310, 45 + id);
-  const float cloud = noise(u + shift, v + shift, 5, 24, 90 + id);
-  Rgb color = tone * (shade * (0.90f + 0.13f * grain + 0.07f * cloud));
-  color.x() *= 1.0f + warmth;
-  color.z() *= 1.0f - warmth;
+  Rgb color(float u, float v) const override {
+    const float position = v * rows;
+    const int row = static_cast<int>(position);
+    const float across = position - static_cast<float>(row);
+    const float along = 2.0f * u + hash(row, 7, 1);
+    const int board = row * 2 + static_cast<int>(along) % 2;
+    const float end = along - std::floor(along);
 
-  const float end = along - std::floor(along);
-  const float from_edge = std::min(across, 1.0f - across) / boards.joint;
-  const float from_end = std::min(end, 1.0f - end) * 8.0f / boards.joint;
-  const float gap = std::clamp(1.5f - std::min(from_edge, from_end), 0.0f, 1.0f);
-  return color * (1.0f - boards.darkness * gap);
-}
-
-Rgb tile_color(float u, float v, const Rgb& tone, int count, bool veined) {
-  const float n = static_cast<float>(count);
-  const int column = static_cast<int>(u * n), row = static_cast<int>(v * n);
-  const float x = u * n - static_cast<float>(column), y = v * n - static_cast<float>(row);
-  float shade = 1.0f + 0.045f * (hash(column, row, 21) - 0.5f) +
-                0.03f * (noise(u, v, 16, 16, 22) - 0.5f);
-  if (veined) {
-    const float shift = hash(column, row, 23);
-    const float bend = noise(u + shift, v, 6, 6, 24) + 0.5f * noise(u, v + shift, 13, 13, 25) +
-                       0.25f * noise(u, v, 29, 29, 26);
-    const float vein = std::abs(std::fmod(3.0f * bend + shift, 1.0f) - 0.5f);
-    shade -= 0.10f * std::max(0.0f, 1.0f - 9.0f * vein);
+    const float from_edge = std::min(across, 1.0f - across) / style_.joint;
+    const float from_end = std::min(end, 1.0f - end) * 8.0f / style_.joint;
+    const float gap = std::clamp(1.5f - std::min(from_edge, from_end), 0.0f, 1.0f);
+    return wood(u + hash(board, 11, 4), v + hash(board, 13, 5), board) *
+           (1.0f - style_.darkness * gap);
   }
-  const float edge = std::min({x, 1.0f - x, y, 1.0f - y});
-  const float grout_width = veined ? 0.004f : 0.010f;
-  const float grout = std::clamp(2.0f - edge / grout_width, 0.0f, 1.0f);
-  const Rgb grout_color = tone * 0.80f;
-  return (1.0f - grout) * shade * tone + grout * grout_color;
-}
 
-Rgb carpet_color(float u, float v, const Rgb& tone) {
-  const float fibre = noise(u, v, 200, 200, 31), tuft = noise(u, v, 90, 90, 32);
-  const float wear = noise(u, v, 5, 5, 33);
-  return tone * (0.90f + 0.11f * fibre + 0.06f * tuft + 0.04f * wear);
-}
+ private:
+  static constexpr float rows = 16;
 
-Rgb concrete_color(float u, float v, const Rgb& tone) {
-  const float cloud = 0.6f * noise(u, v, 4, 4, 41) + 0.4f * noise(u, v, 11, 11, 42);
-  const float grit = noise(u, v, 140, 140, 43);
-  return tone * (0.95f + 0.08f * cloud + 0.03f * grit);
-}
+  Rgb wood(float u, float v, int board) const {
+    const float grain = 0.55f * broad_.at(u, v) + 0.45f * fine_.at(u, v);
+    const float shade = 1.0f + style_.contrast * (hash(board, 3, 2) - 0.5f);
+    const float warmth = 0.03f * (hash(board, 5, 3) - 0.5f);
+    Rgb color = tone_ * (shade * (0.90f + 0.13f * grain + 0.07f * cloud_.at(u, v)));
+    color.x() *= 1.0f + warmth;
+    color.z() *= 1.0f - warmth;
+    return color;
+  }
 
-Rgb color_at(TexturePattern pattern, float u, float v, const Rgb& tone) {
+  Rgb tone_;
+  Style style_;
+  Noise broad_{7, 150, 51}, fine_{22, 310, 52}, cloud_{5, 24, 53};
+};
+
+class Tiles : public Painter {
+ public:
+  Tiles(const Rgb& tone, bool veined) : tone_(tone), veined_(veined) {}
+
+  Rgb color(float u, float v) const override {
+    const int column = static_cast<int>(u * count), row = static_cast<int>(v * count);
+    const float x = u * count - static_cast<float>(column), y = v * count - static_cast<float>(row);
+    float shade = 1.0f + 0.045f * (hash(column, row, 21) - 0.5f) + 0.03f * (cloud_.at(u, v) - 0.5f);
+    if (veined_) shade -= 0.10f * vein(u, v, hash(column, row, 23));
+    const float edge = std::min({x, 1.0f - x, y, 1.0f - y});
+    const float grout_width = veined_ ? 0.004f : 0.010f;
+    const float grout = std::clamp(2.0f - edge / grout_width, 0.0f, 1.0f);
+    return ((1.0f - grout) * shade + grout * 0.80f) * tone_;
+  }
+
+ private:
+  static constexpr float count = 4;
+
+  // 1 in the middle of a vein, 0 beside it. Every slab is cut from another place.
+  float vein(float u, float v, float shift) const {
+    const float bend = broad_.at(u + shift, v) + 0.5f * middle_.at(u, v + shift) +
+                       0.25f * fine_.at(u, v);
+    return std::max(0.0f, 1.0f - 9.0f * std::abs(std::fmod(3.0f * bend + shift, 1.0f) - 0.5f));
+  }
+
+  Rgb tone_;
+  bool veined_;
+  Noise cloud_{16, 16, 22}, broad_{6, 6, 24}, middle_{13, 13, 25}, fine_{29, 29, 26};
+};
+
+class Carpet : public Painter {
+ public:
+  explicit Carpet(const Rgb& tone) : tone_(tone) {}
+  Rgb color(float u, float v) const override {
+    return tone_ * (0.90f + 0.11f * fibre_.at(u, v) + 0.06f * tuft_.at(u, v) +
+                    0.04f * wear_.at(u, v));
+  }
+
+ private:
+  Rgb tone_;
+  Noise fibre_{200, 200, 31}, tuft_{90, 90, 32}, wear_{5, 5, 33};
+};
+
+class Concrete : public Painter {
+ public:
+  explicit Concrete(const Rgb& tone) : tone_(tone) {}
+  Rgb color(float u, float v) const override {
+    const float cloud = 0.6f * broad_.at(u, v) + 0.4f * middle_.at(u, v);
+    return tone_ * (0.95f + 0.08f * cloud + 0.03f * grit_.at(u, v));
+  }
+
+ private:
+  Rgb tone_;
+  Noise broad_{4, 4, 41}, middle_{11, 11, 42}, grit_{140, 140, 43};
+};
+
+std::unique_ptr<Painter> make_painter(TexturePattern pattern, const Rgb& tone) {
   switch (pattern) {
-    case TexturePattern::planks: return board_color(u, v, tone, {16, 0.022f, 0.50f, 0.20f});
-    case TexturePattern::decking: return board_color(u, v, tone, {16, 0.045f, 0.75f, 0.16f});
-    case TexturePattern::tiles: return tile_color(u, v, tone, 4, false);
-    case TexturePattern::stone: return tile_color(u, v, tone, 4, true);
-    case TexturePattern::carpet: return carpet_color(u, v, tone);
-    case TexturePattern::concrete: return concrete_color(u, v, tone);
+    case TexturePattern::planks: return std::make_unique<Boards>(tone, Boards::Style{0.022f, 0.42f, 0.15f});
+    case TexturePattern::decking: return std::make_unique<Boards>(tone, Boards::Style{0.045f, 0.70f, 0.14f});
+    case TexturePattern::tiles: return std::make_unique<Tiles>(tone, false);
+    case TexturePattern::stone: return std::make_unique<Tiles>(tone, true);
+    case TexturePattern::carpet: return std::make_unique<Carpet>(tone);
+    case TexturePattern::concrete: return std::make_unique<Concrete>(tone);
   }
-  return tone;
+  return std::make_unique<Concrete>(tone);
 }
 
 }  // namespace
@@ -134,11 +186,12 @@ double texture_extent(TexturePattern pattern) {
 
 Image paint_texture(TexturePattern pattern, const Eigen::Vector3f& tone) {
   constexpr int side = 512;
+  const auto painter = make_painter(pattern, tone);
   Image image(side, side);
   for (int y = 0; y < side; ++y)
     for (int x = 0; x < side; ++x) {
       const float u = (static_cast<float>(x) + 0.5f) / side, v = (static_cast<float>(y) + 0.5f) / side;
-      const Rgb color = color_at(pattern, u, v, tone);
+      const Rgb color = painter->color(u, v);
       std::uint8_t* pixel = image.at(x, y);
       for (int channel = 0; channel < 3; ++channel)
         pixel[channel] =

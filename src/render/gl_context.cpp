@@ -17,11 +17,11 @@ Result<std::unique_ptr<GlContext>> GlContext::create() {
                             OSMESA_DEPTH_BITS, 0,
                             OSMESA_STENCIL_BITS, 0,
                             OSMESA_PROFILE, OSMESA_CORE_PROFILE,
-                            OSMESA_CONTEXT_MAJOR_VERSION, 3,
-                            OSMESA_CONTEXT_MINOR_VERSION, 3,
+                            OSMESA_CONTEXT_MAJOR_VERSION, 4,
+                            OSMESA_CONTEXT_MINOR_VERSION, 0,
                             0};
   const OSMesaContext handle = OSMesaCreateContextAttribs(attributes, nullptr);
-  if (!handle) return unavailable("no OpenGL 3.3 core context; Mesa 17 or newer is needed");
+  if (!handle) return unavailable("no OpenGL 4.0 core context; Mesa 20.2 or newer is needed");
   std::unique_ptr<GlContext> context(new GlContext(handle));
   if (auto status = context->make_current(); !status) return status.error();
   if (auto status = context->load_functions(); !status) return status.error();

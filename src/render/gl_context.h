@@ -8,7 +8,7 @@
 
 namespace roomgen::detail {
 
-/// An OpenGL 3.3 core context in main memory. Pictures are drawn into framebuffer objects; the
+/// An OpenGL 4.0 core context in main memory. Pictures are drawn into framebuffer objects; the
 /// context's own buffer is a formality.
 class GlContext {
  public:

@@ -70,7 +70,7 @@ GlName make_image_texture(const Gl& gl, const Image& image) {
   GlName texture = make_texture(gl);
   gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, image.width, image.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
                 image.pixels.data());
-  set_filter(gl, GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, GL_REPEAT);
+  set_filter(gl, GL_LINEAR_MIPMAP_NEAREST, GL_LINEAR, GL_REPEAT);
   gl.GenerateMipmap(GL_TEXTURE_2D);
   return texture;
 }

@@ -21,7 +21,8 @@ Eigen::Matrix4d box_projection(const std::array<Vec3, 3>& axes, const Vec3& cent
 }  // namespace
 
 Vec3 sun_direction(const Camera& camera, View::Kind kind) {
-  if (kind == View::Kind::top) return (-0.42 * camera.right + 0.5 * camera.up + camera.backward).normalized();
+  if (kind == View::Kind::top)
+    return (-0.34 * camera.right + 0.40 * camera.up + camera.backward).normalized();
   const Vec3 to_viewer = Vec3(camera.backward.x(), camera.backward.y(), 0).normalized();
   return (-0.40 * camera.right + 0.62 * to_viewer + 1.10 * Vec3::UnitZ()).normalized();
 }

@@ -14,7 +14,7 @@ namespace {
 
 using namespace detail;
 
-constexpr double shadow_softness = 0.011;  // metres between the samples of a shadow's edge
+constexpr double shadow_width = 0.03;  // metres, of a shadow's soft edge
 constexpr std::size_t kept_frames = 2;
 const Eigen::Vector3f plan_wall_color(74, 76, 82), wall_top_color(214, 209, 200);
 
@@ -128,7 +128,7 @@ class OsmesaRenderer : public Renderer {
     if (!shell.source) shell.source = shell_model(scene.room, view, camera);
     shell.model = cache_.get(key, shell.source);
     shell.box = shell.model->model_bounds();
-    items.insert(items.begin(), std::move(shell));
+    items.push_back(std::move(shell));  // last: objects hide much of it
     return items;
   }
 
@@ -149,7 +149,7 @@ class OsmesaRenderer : public Renderer {
       shadows_.update(painter_, items, frame.sun, shadow_damage);
       shadow_owner_ = frame.key;
       picture_.draw(painter_, items, camera,
-                    {&frame.sun, shadows_.texture(), shadow_softness / frame.sun.extent}, damage,
+                    {&frame.sun, shadows_.texture(), shadow_width / frame.sun.extent}, damage,
                     frame.image);
     }
     frame.items = std::move(items);

@@ -13,13 +13,22 @@ namespace {
 constexpr int tile_side = 1024;
 constexpr double occlusion_radius = 0.30;  // metres
 constexpr double largest_radius = 80.0;    // pixels
-constexpr int blur = 2;
+constexpr int blur = 1;
 
 double radius_in_pixels(const Camera& camera) {
   return std::min(occlusion_radius * camera.pixels_per_metre, largest_radius);
 }
 
 PixelRect whole(const Camera& camera) { return {0, 0, camera.width, camera.height}; }
+
+// Undoes the viewport: samples of a tile and depths in [0, 1] to clip coordinates of the picture.
+Eigen::Matrix4d clip_from_pixel(const Camera& camera, const PixelRect& area) {
+  Eigen::Matrix4d m = Eigen::Matrix4d::Identity();
+  m.diagonal() << 1.0 / camera.width, 1.0 / camera.height, 2.0, 1.0;
+  m.topRightCorner<3, 1>() << 2.0 * area.x0 / camera.width - 1.0, 2.0 * area.y0 / camera.height - 1.0,
+      -1.0;
+  return m;
+}
 
 // What a picture of nothing looks like: paper.
 constexpr float background[3] = {0.955f, 0.948f, 0.935f};
@@ -108,7 +117,7 @@ void Picture::paint(const ScenePainter& painter, const DrawList& items, const Ca
   gl_->Enable(GL_DEPTH_TEST);
   gl_->ClearColor(background[0], background[1], background[2], 1.0f);
   gl_->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  painter.paint_surfaces(items, camera, light, [&](const DrawItem& item) {
+  painter.paint_surfaces(items, camera, light, clip_from_pixel(camera, tile.area), [&](const DrawItem& item) {
     return covered_pixels(camera, item.box).meets(tile.painted);
   });
   gl_->Disable(GL_DEPTH_TEST);

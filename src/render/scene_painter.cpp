@@ -64,17 +64,19 @@ Result<ScenePainter> ScenePainter::create(const Gl& gl) {
 
 Status ScenePainter::build(Program& program, std::string_view vertex, std::string_view defines,
                            std::string_view fragment) const {
-  const std::string source = "#version 330 core\n" + std::string(defines) + std::string(fragment);
+  const std::string source = "#version 400 core\n" + std::string(defines) + std::string(fragment);
   auto built = GlProgram::build(*gl_, vertex, source);
   if (!built) return built.error();
   program.program = std::move(*built);
   program.program.use();
   program.clip_from_model = program.program.location("clip_from_model");
-  program.sun_from_model = program.program.location("sun_from_model");
+  program.sun_from_pixel = program.program.location("sun_from_pixel");
   program.room_from_normal = program.program.location("room_from_normal");
   program.to_viewer = program.program.location("to_viewer");
   program.to_sun = program.program.location("to_sun");
-  program.shadow_texel = program.program.location("shadow_texel");
+  program.to_sky = program.program.location("to_sky");
+  program.halfway = program.program.location("halfway");
+  program.shadow_width = program.program.location("shadow_width");
   gl_->Uniform1i(program.program.location("base_color"), texture_unit);
   gl_->Uniform1i(program.program.location("sun_depth"), shadow_unit);
   return {};
@@ -110,28 +112,34 @@ void ScenePainter::paint_depth(const DrawList& items, const Eigen::Matrix4d& cli
 }
 
 void ScenePainter::paint_surfaces(const DrawList& items, const Camera& camera, const Light& light,
+                                  const Eigen::Matrix4d& clip_from_pixel,
                                   const Visible& visible) const {
   const Eigen::Matrix4d clip = clip_from_room(camera);
-  const Eigen::Matrix4d sun = texture_from_clip() * light.sun->clip_from_room;
+  const Eigen::Matrix4f sun_from_pixel = (texture_from_clip() * light.sun->clip_from_room *
+                                          clip.inverse() * clip_from_pixel)
+                                             .cast<float>();
   gl_->ActiveTexture(GL_TEXTURE0 + shadow_unit);
   gl_->BindTexture(GL_TEXTURE_2D, light.shadow_map);
   gl_->ActiveTexture(GL_TEXTURE0 + texture_unit);
 
+  const auto set_vector = [&](GLint uniform, const Vec3& v) {
+    gl_->Uniform3f(uniform, static_cast<float>(v.x()), static_cast<float>(v.y()),
+                   static_cast<float>(v.z()));
+  };
   const auto use = [&](const Program& program) {
     program.program.use();
-    const Eigen::Vector3f to_viewer = camera.backward.cast<float>();
-    const Eigen::Vector3f to_sun = light.sun->direction.cast<float>();
-    gl_->Uniform3f(program.to_viewer, to_viewer.x(), to_viewer.y(), to_viewer.z());
-    gl_->Uniform3f(program.to_sun, to_sun.x(), to_sun.y(), to_sun.z());
-    gl_->Uniform1f(program.shadow_texel, static_cast<float>(light.shadow_softness));
+    gl_->UniformMatrix4fv(program.sun_from_pixel, 1, GL_FALSE, sun_from_pixel.data());
+    set_vector(program.to_viewer, camera.backward);
+    set_vector(program.to_sun, light.sun->direction);
+    set_vector(program.to_sky, (camera.backward + 0.6 * Vec3::UnitZ()).normalized());
+    set_vector(program.halfway, (light.sun->direction + camera.backward).normalized());
+    gl_->Uniform1f(program.shadow_width, static_cast<float>(light.shadow_width));
   };
   const auto place = [&](const Program& program, const DrawItem& item) {
     const Eigen::Matrix4d room = item.room_from_model();
     const Eigen::Matrix4f from_model = (clip * room).cast<float>();
-    const Eigen::Matrix4f sun_from_model = (sun * room).cast<float>();
     const Eigen::Matrix3f normal = item.room_from_normal().cast<float>();
     gl_->UniformMatrix4fv(program.clip_from_model, 1, GL_FALSE, from_model.data());
-    gl_->UniformMatrix4fv(program.sun_from_model, 1, GL_FALSE, sun_from_model.data());
     gl_->UniformMatrix3fv(program.room_from_normal, 1, GL_FALSE, normal.data());
     item.model->bind(*gl_);
   };

@@ -22,17 +22,17 @@ class ScenePainter {
   struct Light {
     const Sun* sun;
     GLuint shadow_map;
-    double shadow_softness;  ///< in parts of the shadow map's side
+    double shadow_width;  ///< of its soft edges, in parts of the map's side
   };
-  /// Opaque parts first, transparent ones from far to near.
+  /// Opaque parts first, transparent ones from far to near. `clip_from_pixel` undoes the viewport.
   void paint_surfaces(const DrawList& items, const Camera& camera, const Light& light,
-                      const Visible& visible) const;
+                      const Eigen::Matrix4d& clip_from_pixel, const Visible& visible) const;
 
  private:
   struct Program {
     GlProgram program;
-    GLint clip_from_model = -1, sun_from_model = -1, room_from_normal = -1;
-    GLint to_viewer = -1, to_sun = -1, shadow_texel = -1;
+    GLint clip_from_model = -1, sun_from_pixel = -1, room_from_normal = -1;
+    GLint to_viewer = -1, to_sun = -1, to_sky = -1, halfway = -1, shadow_width = -1;
   };
   explicit ScenePainter(const Gl& gl) : gl_(&gl) {}
   Status build(Program& program, std::string_view vertex, std::string_view defines,

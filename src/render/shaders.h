@@ -2,27 +2,24 @@
 
 #include <string_view>
 
-// GLSL 3.30 sources. Pictures are drawn at twice their size and brought down, row 0 at the top.
+// GLSL 4.00 sources. Pictures are drawn at twice their size and brought down, row 0 at the top.
 namespace roomgen::detail::shaders {
 
 /// Objects and walls, seen by the camera.
-inline constexpr std::string_view surface_vertex = R"(#version 330 core
+inline constexpr std::string_view surface_vertex = R"(#version 400 core
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec4 normal;    // w: roughness
 layout(location = 2) in vec2 uv;
 layout(location = 3) in vec4 color;     // sRGB
 uniform mat4 clip_from_model;
-uniform mat4 sun_from_model;
 uniform mat3 room_from_normal;
 out vec3 room_normal;
-out vec3 sun_position;
 out vec2 texture_uv;
-out vec4 tint;
-out float roughness;
+flat out vec4 tint;
+flat out float roughness;
 
 void main() {
   gl_Position = clip_from_model * vec4(position, 1.0);
-  sun_position = (sun_from_model * vec4(position, 1.0)).xyz;
   room_normal = room_from_normal * normal.xyz;
   roughness = normal.w;
   texture_uv = uv;
@@ -34,27 +31,28 @@ void main() {
 /// drops transparent texels.
 inline constexpr std::string_view surface_fragment = R"(
 in vec3 room_normal;
-in vec3 sun_position;
 in vec2 texture_uv;
-in vec4 tint;
-in float roughness;
+flat in vec4 tint;
+flat in float roughness;
+uniform mat4 sun_from_pixel;     // the camera is orthographic: one matrix does it
 uniform vec3 to_viewer;
 uniform vec3 to_sun;
+uniform vec3 to_sky;             // where the ambient light is brightest
+uniform vec3 halfway;            // between viewer and sun
 uniform sampler2DShadow sun_depth;
-uniform float shadow_texel;
+uniform float shadow_width;      // of a shadow's soft edge, in parts of the map
 uniform sampler2D base_color;
 out vec4 pixel;
 
-// Four taps, turned differently in each of the four samples that make one pixel of the picture.
-float sunlight() {
-  vec2 turn = vec2[](vec2(1.0, 0.0), vec2(0.924, 0.383), vec2(0.707, 0.707), vec2(0.383, 0.924))[
-      (int(gl_FragCoord.x) & 1) + 2 * (int(gl_FragCoord.y) & 1)];
-  mat2 spin = mat2(turn.x, turn.y, -turn.y, turn.x) * shadow_texel;
-  float lit = texture(sun_depth, vec3(sun_position.xy + spin * vec2(0.8, 0.3), sun_position.z));
-  lit += texture(sun_depth, vec3(sun_position.xy + spin * vec2(-0.6, 1.6), sun_position.z));
-  lit += texture(sun_depth, vec3(sun_position.xy + spin * vec2(-2.2, -1.0), sun_position.z));
-  lit += texture(sun_depth, vec3(sun_position.xy + spin * vec2(1.2, -2.8), sun_position.z));
-  return 0.25 * lit;
+// Four neighbouring taps, shifted apart in each of the four samples that make one pixel of the
+// picture: sixteen in all. They draw together where the sun grazes, lest a surface shades itself.
+float sunlight(float facing) {
+  vec2 corner = vec2(ivec2(gl_FragCoord.xy) & 1) - 0.5;
+  corner = vec2(corner.x * 1.1 - corner.y * 0.5, corner.y * 1.1 + corner.x * 0.5) *
+           (shadow_width * facing);
+  vec3 at = (sun_from_pixel * vec4(gl_FragCoord.xyz, 1.0)).xyz;
+  vec4 lit = textureGather(sun_depth, at.xy + corner, at.z);
+  return dot(lit, vec4(0.25));
 }
 
 void main() {
@@ -71,24 +69,25 @@ void main() {
   vec3 n = normalize(room_normal);
   n = dot(n, to_viewer) < 0.0 ? -n : n;
   float facing = max(dot(n, to_sun), 0.0);
-  float sun = facing > 0.0 ? facing * sunlight() : 0.0;
-  float side = 0.5 + 0.5 * dot(n, normalize(to_viewer + vec3(0.0, 0.0, 0.6)));
+  float sun = facing > 0.0 ? facing * sunlight(facing) : 0.0;
+  float side = 0.5 + 0.5 * dot(n, to_sky);
   vec3 light = mix(vec3(0.30, 0.285, 0.27), vec3(0.56, 0.565, 0.58), side) +
                sun * vec3(0.86, 0.81, 0.74);
   vec3 color = albedo.rgb * light;
-  vec3 halfway = normalize(to_sun + to_viewer);
   float gloss = (1.0 - roughness) * (1.0 - roughness);
   float highlight = max(dot(n, halfway), 0.0);
   highlight *= highlight; highlight *= highlight; highlight *= highlight; highlight *= highlight;
   color += gloss * 0.35 * highlight * sun;
   // Highlights roll off instead of clipping.
-  color = color * (1.0 + 0.16 * color) / (1.0 + 0.36 * color * color);
-  pixel = vec4(pow(color, vec3(1.0 / 2.2)), albedo.a);
+  color *= 1.06 - 0.2 * min(color, vec3(1.5));
+  // sRGB within 0.02, without a power function.
+  color = sqrt(color);
+  pixel = vec4(color * (1.13 - 0.13 * color), albedo.a);
 }
 )";
 
 /// Depth only, from the sun.
-inline constexpr std::string_view shadow_vertex = R"(#version 330 core
+inline constexpr std::string_view shadow_vertex = R"(#version 400 core
 layout(location = 0) in vec3 position;
 layout(location = 2) in vec2 uv;
 uniform mat4 clip_from_model;
@@ -109,7 +108,7 @@ void main() {
 )";
 
 /// One triangle over the whole target.
-inline constexpr std::string_view screen_vertex = R"(#version 330 core
+inline constexpr std::string_view screen_vertex = R"(#version 400 core
 void main() {
   vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0;
   gl_Position = vec4(corner, 0.0, 1.0);
@@ -118,7 +117,7 @@ void main() {
 
 /// How much of the sky each pixel sees nearby (after McGuire et al., "The Alchemy Screen-Space Ambient
 /// Obscurance Algorithm", 2011), and its depth in metres.
-inline constexpr std::string_view occlusion_fragment = R"(#version 330 core
+inline constexpr std::string_view occlusion_fragment = R"(#version 400 core
 uniform sampler2D depth_map;      // of the picture at twice its size
 uniform float depth_range;        // metres from near to far
 uniform float metres_per_pixel;
@@ -126,6 +125,13 @@ uniform float radius;             // metres
 uniform ivec2 origin;             // of the tile, so that the pattern continues from tile to tile
 uniform ivec2 limit;
 out vec2 result;
+
+const int samples = 9;
+// Radii grow evenly, directions by the golden angle.
+const vec2 spiral[samples] = vec2[](
+    vec2(0.067, 0.0), vec2(-0.131, 0.120), vec2(0.025, -0.288), vec2(0.243, 0.317),
+    vec2(-0.503, -0.089), vec2(0.527, -0.335), vec2(-0.190, 0.709), vec2(-0.389, -0.750),
+    vec2(0.898, 0.328));
 
 float depth_at(ivec2 p) {
   return texelFetch(depth_map, 2 * clamp(p, ivec2(0), limit - 1), 0).r * depth_range;
@@ -141,15 +147,12 @@ void main() {
   float dy = abs(below - center) < abs(center - above) ? below - center : center - above;
   vec3 n = normalize(vec3(dx, dy, -metres_per_pixel));  // z grows away from the viewer
 
-  ivec2 cell = (p + origin) & 3;
-  float turn = float((cell.x * 4 + cell.y * 9 + cell.x * cell.y) & 15) * 0.3927;
-  float reach = radius / metres_per_pixel;
+  ivec2 cell = (p + origin) % 3;
+  float turn = float((cell.x + 3 * cell.y) * 4 % 9) * 0.6981;
+  mat2 spin = mat2(cos(turn), sin(turn), -sin(turn), cos(turn)) * (radius / metres_per_pixel);
   float blocked = 0.0;
-  const int samples = 9;
   for (int i = 0; i < samples; ++i) {
-    float angle = turn + float(i) * 2.4;
-    float r = reach * (float(i) + 0.6) / float(samples);
-    ivec2 q = p + ivec2(r * vec2(cos(angle), sin(angle)));
+    ivec2 q = p + ivec2(spin * spiral[i]);
     vec3 v = vec3(vec2(q - p) * metres_per_pixel, depth_at(q) - center);
     float squared = dot(v, v);
     float fade = max(0.0, 1.0 - squared / (radius * radius));
@@ -160,7 +163,7 @@ void main() {
 )";
 
 /// The picture: four samples a pixel, darkened where the sky is hidden.
-inline constexpr std::string_view resolve_fragment = R"(#version 330 core
+inline constexpr std::string_view resolve_fragment = R"(#version 400 core
 uniform sampler2D color_map;
 uniform sampler2D occlusion_map;
 uniform ivec2 limit;
@@ -171,11 +174,11 @@ void main() {
   vec3 color = texelFetch(color_map, 2 * p, 0).rgb + texelFetch(color_map, 2 * p + ivec2(1, 0), 0).rgb +
                texelFetch(color_map, 2 * p + ivec2(0, 1), 0).rgb +
                texelFetch(color_map, 2 * p + ivec2(1, 1), 0).rgb;
-  // The pattern of the occlusion repeats every four pixels: the mean over 4 x 4 removes it.
+  // The pattern of the occlusion repeats every three pixels: the mean over 3 x 3 removes it.
   float center = texelFetch(occlusion_map, p, 0).g;
   float sum = 0.0, weights = 0.0;
-  for (int y = -2; y < 2; ++y)
-    for (int x = -2; x < 2; ++x) {
+  for (int y = -1; y < 2; ++y)
+    for (int x = -1; x < 2; ++x) {
       vec2 other = texelFetch(occlusion_map, clamp(p + ivec2(x, y), ivec2(0), limit - 1), 0).rg;
       float weight = abs(other.g - center) < 0.08 ? 1.0 : 0.001;
       sum += weight * other.r;

@@ -7,8 +7,6 @@ namespace roomgen::detail {
 
 ShadowMap::ShadowMap(const Gl& gl) : gl_(&gl) {
   depth_ = make_target_texture(gl, GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT, size, size);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
   framebuffer_ = make_framebuffer(gl);
@@ -42,8 +40,8 @@ void ShadowMap::update(const ScenePainter& painter, const DrawList& items, const
   gl_->Scissor(part.x0, part.y0, part.width(), part.height());
   gl_->Clear(GL_DEPTH_BUFFER_BIT);
   gl_->Enable(GL_POLYGON_OFFSET_FILL);
-  // Against surfaces that shadow themselves; the constant part is 8 mm.
-  gl_->PolygonOffset(2.0f, static_cast<float>(0.008 / sun.depth * 16777216.0));
+  // Against surfaces that shadow themselves; the constant part is 12 mm.
+  gl_->PolygonOffset(3.5f, static_cast<float>(0.012 / sun.depth * 16777216.0));
   painter.paint_depth(items, sun.clip_from_room, [&](const DrawItem& item) {
     return covered_by(sun, item.box).meets(part);
   });

@@ -18,7 +18,7 @@ class ShadowMap {
   GLuint texture() const { return depth_.get(); }
 
  private:
-  static constexpr int size = 2048;
+  static constexpr int size = 1024;
 
   const Gl* gl_;
   GlName depth_, framebuffer_;

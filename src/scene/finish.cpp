@@ -76,7 +76,7 @@ std::optional<Rgb> color_of(const Words& all) {
     for (const auto& entry : color_words)
       if (word == entry.word) color = Rgb(entry.r, entry.g, entry.b);
   if (!color) return color;
-  if (has(all, "dark")) *color *= 0.68f;
+  if (has(all, "dark")) *color *= 0.8f;
   if (has(all, "light") || has(all, "pale")) *color = 0.6f * *color + 0.4f * Rgb(245, 240, 230);
   return color;
 }

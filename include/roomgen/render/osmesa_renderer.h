@@ -11,7 +11,7 @@ namespace roomgen {
 ///
 /// A renderer keeps the meshes, textures and last pictures it has seen, so that the next picture of a
 /// room draws only what changed. One thread at a time may use it; several renderers may work side by
-/// side. Fails with Error::Kind::unavailable when OSMesa gives no OpenGL 3.3 core context.
+/// side. Fails with Error::Kind::unavailable when OSMesa gives no OpenGL 4.0 core context.
 Result<std::unique_ptr<Renderer>> make_osmesa_renderer();
 
 }  // namespace roomgen

@@ -1,0 +1,189 @@
+#include "roomgen/export/glb.h"
+
+#include <Eigen/Geometry>
+#include <map>
+#include <optional>
+
+#include "glb_buffer.h"
+#include "glb_materials.h"
+#include "roomgen/base/file.h"
+#include "roomgen/export/attribution.h"
+#include "roomgen/geometry/conventions.h"
+#include "roomgen/scene/box_model.h"
+
+namespace roomgen {
+
+namespace {
+
+using detail::GlbBuffer;
+using detail::GlbMaterials;
+
+// The name that the specification reserves for metadata of applications' own.
+constexpr const char* extras = "extras";
+
+Eigen::Matrix3d gltf_from_room() { return find_axis_convention("gltf")->theirs_from_ours; }
+
+Json to_json(const Vec3& v) { return {rounded(v.x(), 6), rounded(v.y(), 6), rounded(v.z(), 6)}; }
+
+// What glTF demands of a mesh: triangles with an area, unit normals, finite uvs.
+Mesh sound(const Mesh& mesh) {
+  Mesh result = mesh;
+  remove_degenerate(result);
+  repair_normals(result);
+  for (const auto& uv : result.uvs)
+    if (!uv.allFinite()) {
+      result.uvs.clear();
+      break;
+    }
+  return result;
+}
+
+class GlbWriter {
+ public:
+  explicit GlbWriter(const GlbOptions& options)
+      : options_(options), materials_(options_.encode_image, buffer_) {}
+
+  Status add_room(const Scene& scene) {
+    Json children = Json::array();
+    Json room = {{"name", "room"}};
+    const std::size_t room_node = nodes_.size();
+    nodes_.push_back(nullptr);
+    for (const auto& part : room_shell(scene.room, options_.shell)) {
+      const auto mesh = add_mesh(part.name, part.model);
+      if (!mesh) return mesh.error();
+      if (!*mesh) continue;
+      children.push_back(nodes_.size());
+      nodes_.push_back({{"name", part.name},
+                        {"mesh", **mesh},
+                        {extras, {{"category", category_of(scene.room, part.name)}}}});
+    }
+    room["children"] = std::move(children);
+    room[extras] = {{"category", "room"}, {"type", scene.room.type}};
+    nodes_[room_node] = std::move(room);
+    roots_.push_back(room_node);
+    return {};
+  }
+
+  Status add_object(const Object& object, const ModelTable& models) {
+    const std::string key = model_key(object, models);
+    auto known = assets_.find(key);
+    if (known == assets_.end()) {
+      const auto model = model_or_box(object, models);
+      const auto mesh = add_mesh(key, *model);
+      if (!mesh) return with_context(mesh.error(), "object \"" + object.id + "\"");
+      known = assets_.emplace(key, Asset{*mesh, bounds(*model)}).first;
+    }
+    Json node = {{"name", object.id}};
+    if (known->second.mesh) node["mesh"] = *known->second.mesh;
+    place(node, model_placement(object, known->second.box));
+    node[extras] = describe(object);
+    roots_.push_back(nodes_.size());
+    nodes_.push_back(std::move(node));
+    return {};
+  }
+
+  std::string finish(const Scene& scene) {
+    Json gltf;
+    gltf["asset"] = {{"version", "2.0"}, {"generator", "roomgen"}};
+    if (const auto credits = attribution_line(scene); !credits.empty())
+      gltf["asset"]["copyright"] = credits;
+    gltf["scene"] = 0;
+    gltf["scenes"] = {{{"name", scene.room.type.empty() ? "room" : scene.room.type},
+                       {"nodes", roots_}}};
+    gltf["nodes"] = std::move(nodes_);
+    gltf["meshes"] = std::move(meshes_);
+    materials_.finish(gltf);
+    std::string binary = buffer_.finish(gltf);
+    return detail::glb_file(gltf, std::move(binary));
+  }
+
+ private:
+  struct Asset {
+    std::optional<std::size_t> mesh;  ///< none if the model has no triangles
+    Bounds3 box;
+  };
+
+  static std::string category_of(const Room& room, const std::string& part) {
+    if (const auto* opening = find_opening(room, part)) return std::string(name(opening->type));
+    return part == "floor" ? "floor" : "wall";
+  }
+
+  Result<std::optional<std::size_t>> add_mesh(const std::string& mesh_name, const Model& model) {
+    Json primitives = Json::array();
+    for (const auto& part : model.parts) {
+      const Mesh mesh = sound(part.mesh);
+      if (mesh.triangles.empty()) continue;
+      const auto material =
+          materials_.use(model.materials[static_cast<std::size_t>(part.material)], !mesh.uvs.empty());
+      if (!material) return material.error();
+      primitives.push_back(add_primitive(mesh, *material));
+    }
+    if (primitives.empty()) return std::optional<std::size_t>{};
+    meshes_.push_back({{"name", mesh_name}, {"primitives", std::move(primitives)}});
+    return std::optional<std::size_t>(meshes_.size() - 1);
+  }
+
+  Json add_primitive(const Mesh& mesh, const GlbMaterials::Use& material) {
+    const Eigen::Matrix3f turn = gltf_from_room().cast<float>();
+    std::vector<Eigen::Vector3f> positions, normals;
+    for (const auto& p : mesh.positions) positions.push_back(turn * p);
+    for (const auto& n : mesh.normals) normals.push_back(turn * n);
+    Json attributes = {{"POSITION", buffer_.add_positions(positions)},
+                       {"NORMAL", buffer_.add_normals(normals)}};
+    if (material.textured) attributes["TEXCOORD_0"] = buffer_.add_uvs(mesh.uvs);
+    return {{"attributes", std::move(attributes)},
+            {"indices", buffer_.add_indices(mesh.triangles, mesh.positions.size())},
+            {"material", material.index}};
+  }
+
+  static void place(Json& node, const ModelPlacement& placement) {
+    const Eigen::Matrix3d turn = gltf_from_room();
+    node["translation"] = to_json(turn * placement.position);
+    if (placement.yaw != 0.0) {
+      const Eigen::Matrix3d rotation =
+          turn * Eigen::AngleAxisd(placement.yaw, Vec3::UnitZ()).toRotationMatrix() *
+          turn.transpose();
+      const Eigen::Quaterniond q = Eigen::Quaterniond(rotation).normalized();
+      node["rotation"] = {rounded(q.x(), 9), rounded(q.y(), 9), rounded(q.z(), 9), rounded(q.w(), 9)};
+    }
+    // Axes swap places; their signs do not matter to a scale.
+    const Vec3 scale = turn.cwiseAbs() * placement.scale;
+    if ((scale - Vec3::Ones()).cwiseAbs().maxCoeff() > 1e-6) node["scale"] = to_json(scale);
+  }
+
+  static Json describe(const Object& object) {
+    Json json = {{"category", object.category}, {"size", to_json(object.size)}};
+    if (!object.description.empty()) json["description"] = object.description;
+    if (!object.relations.empty()) {
+      json["relations"] = Json::array();
+      for (const auto& relation : object.relations) json["relations"].push_back(to_text(relation));
+    }
+    return json;
+  }
+
+  const GlbOptions& options_;
+  GlbBuffer buffer_;
+  GlbMaterials materials_;
+  Json nodes_ = Json::array(), meshes_ = Json::array(), roots_ = Json::array();
+  std::map<std::string, Asset> assets_;
+};
+
+}  // namespace
+
+Result<std::string> make_glb(const Scene& scene, const ModelTable& models,
+                             const GlbOptions& options) {
+  GlbWriter writer(options);
+  if (auto status = writer.add_room(scene); !status) return status.error();
+  for (const auto& object : scene.objects)
+    if (auto status = writer.add_object(object, models); !status) return status.error();
+  return writer.finish(scene);
+}
+
+Status GlbExporter::write(const Scene& scene, const ModelTable& models,
+                          const std::filesystem::path& path) const {
+  const auto bytes = make_glb(scene, models, options_);
+  if (!bytes) return bytes.error();
+  return write_file(path, *bytes);
+}
+
+}  // namespace roomgen
