@@ -31,7 +31,7 @@ class PromptReader {
       const Token& token = tokens_[at_];
       if (token.kind == Token::Kind::stop) end_sentence();
       else if (token.kind == Token::Kind::room) subject_.reset();
-      else if (read_only() || read_negation() || read_windows() || read_placement() || read_thing())
+      else if (read_only() || read_some_of() || read_negation() || read_windows() || read_placement() || read_thing())
         continue;
       ++at_;
     }
@@ -331,7 +331,9 @@ class PromptReader {
     if (!phrase) return std::nullopt;
     const std::size_t before = brief_.mentions.size();
     const auto group = group_;
-    const auto target = mention_of(*phrase);
+    // "on a nightstand" means one of those that are there.
+    const auto known = phrase->count == 1 && !phrase->another ? known_mention(*phrase) : std::nullopt;
+    const auto target = known ? known : mention_of(*phrase);
     group_ = group;
     target_new_ = brief_.mentions.size() > before;
     end = phrase->end;
@@ -349,6 +351,19 @@ class PromptReader {
     owner_end_ = at_;
     if (!other || *other == target) return true;
     for (auto kind : placement.relations) add_demand(*other, {kind, target, "", placement.flank});
+    subject_ = other;
+    return true;
+  }
+
+  // "one of them", "the other": some of what was spoken of; what is said of them is not followed.
+  bool read_some_of() {
+    const bool one = is_word(at_, "one") && is_word(at_ + 1, "of") && !ended(at_ + 2) &&
+                     (words_.pronouns.count(tokens_[at_ + 2].text) || words_.definite.count(tokens_[at_ + 2].text));
+    const bool other = is_word(at_, "the") && (is_word(at_ + 1, "other") || is_word(at_ + 1, "others")) &&
+                       names_.match(tokens_, at_ + 2).length == 0 && !is_word(at_ + 2, "wall") && !is_word(at_ + 2, "side");
+    if (!one && !other) return false;
+    subject_.reset();
+    at_ += one ? 3 : 2;
     return true;
   }
 

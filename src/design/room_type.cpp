@@ -64,7 +64,7 @@ void read_compound_rooms(std::vector<Token>& tokens, const Vocabulary& words,
     if (words.generic_rooms.count(tokens[i].text) && tokens[i].text != "room" && tokens[i].text != "house") continue;
     // "the bed room divider" and "tv stand area" name things.
     const KindMatch thing = names.match(tokens, i - 1);
-    if (thing.length > 1) continue;
+    if (thing.length > 1 || names.match(tokens, i).length > 1) continue;
     make_room_token(tokens, i - 1, 2);
     if (brief.type.empty()) {
       brief.type = tokens[i - 1].text;
