@@ -169,7 +169,7 @@ std::optional<Option> best_place(const Task& task, std::size_t refused) {
       if (option && (!best || option->score > best->score)) best = std::move(option);
     }
     if (best && best->leading) return best;
-    if (best && (!fallback || best->score > fallback->score)) fallback = std::move(best);
+    if (best && task.needed && (!fallback || best->score > fallback->score)) fallback = std::move(best);
   }
   return fallback;
 }

@@ -11,12 +11,13 @@ namespace {
 
 constexpr int max_ancestors = 8;
 
-constexpr std::array<std::pair<std::string_view, Liking>, 21> likings = {{
+constexpr std::array<std::pair<std::string_view, Liking>, 22> likings = {{
     {"door", Liking::door},
     {"door line", Liking::door_line},
     {"window", Liking::window},
     {"window behind", Liking::window_behind},
     {"window ahead", Liking::window_ahead},
+    {"window wall", Liking::window_wall},
     {"wall middle", Liking::wall_middle},
     {"side wall", Liking::side_wall},
     {"corner", Liking::corner},

@@ -19,6 +19,7 @@ enum class Liking {
   window,         ///< near a window
   window_behind,  ///< with the back to a window
   window_ahead,   ///< looking at a window
+  window_wall,    ///< at a wall with a window
   wall_middle,    ///< in the middle of its wall
   side_wall,      ///< with one side close to a second wall
   corner,         ///< close to a corner of the room

@@ -18,6 +18,7 @@ struct Demand {
   RelationKind kind = RelationKind::near;
   std::size_t mention = none;  ///< index into Brief::mentions
   std::string part;            ///< "window-0", "wall-2", "corner"; empty for edge and middle
+  bool flank = false;          ///< left and right of the target in turn
 };
 
 /// Things of one kind that the prompt names.
@@ -44,6 +45,7 @@ struct Brief {
   std::optional<int> windows;       ///< how many
   bool wide_windows = false;
   std::vector<Mention> mentions;
+  bool bare = false;                ///< nothing but what is mentioned
   std::vector<std::string> excluded;  ///< categories
   std::vector<std::string> styles;    ///< words of style, as data/rooms.json knows them
   std::vector<std::string> notes;     ///< what was not understood or was bounded

@@ -15,6 +15,7 @@ constexpr double seat_gap = 0.05;
 // Width that one seat takes at a table (NKBA: 0.61).
 constexpr double seat_width = 0.61;
 constexpr double seat_merit = 2.0;
+constexpr double over_merit = 2.0;
 
 bool has(const std::vector<Relation>& relations, RelationKind kind) {
   return std::any_of(relations.begin(), relations.end(),
@@ -147,7 +148,8 @@ void over(const Sketch& sketch, const Arrangement& arrangement, const Target& ta
         forward = fp.half().y() + before_front;
   for (double more : {0.0, 0.2, 0.4, -0.2, -0.4})
     for (int turn = 0; turn < 2; ++turn)
-      poses.push_back({fp.to_world({0, -forward - more}), wrap_angle(fp.yaw() + turn * 0.5 * pi)});
+      poses.push_back({fp.to_world({0, -forward - more}), wrap_angle(fp.yaw() + turn * 0.5 * pi),
+                       more == 0.0 ? (turn == 0 ? over_merit : 0.5 * over_merit) : 0.0});
 }
 
 void all_over(const Sketch& sketch, const Object& self, std::vector<Pose>& poses) {
@@ -195,6 +197,7 @@ void around_target(const Sketch& sketch, const Object& self, const Arrangement& 
     if (lies) over(sketch, arrangement, target, poses);
     if (lies && target.object) continue;
     if (relation.kind == RelationKind::around) seats(self, target, company, poses);
+    if (relation.kind == RelationKind::around && arrangement.seats) continue;
     if (has(all, RelationKind::face_to)) ring(sketch, self, target, poses);
     for (Side side : {Side::front, Side::back, Side::left, Side::right})
       if (wants_side(relation.kind, side)) beside(sketch, self, target, side, poses);

@@ -29,6 +29,7 @@ class Completion {
   }
 
   void run() {
+    if (brief_.bare) return;
     const double area = room_.prod();
     in_core_ = true;
     for (const auto& piece : kind_.core)

@@ -78,6 +78,14 @@ AtWall wall_behind(const Sketch& sketch, const Placed& placed) {
   return {};
 }
 
+double window_in_wall(const Sketch& sketch, const Placed& placed) {
+  const AtWall wall = wall_behind(sketch, placed);
+  if (!wall.found) return 0.0;
+  for (const auto& window : sketch.openings(false))
+    if (distance(wall.line, window.footprint.center()) < 0.01) return 1.0;
+  return 0.0;
+}
+
 double in_wall_middle(const Sketch& sketch, const Placed& placed) {
   const AtWall wall = wall_behind(sketch, placed);
   if (!wall.found) return 0.0;
@@ -127,7 +135,7 @@ double near_corner(const Sketch& sketch, const Placed& placed) {
 // Nothing tall stands and nothing hangs before this part of the wall.
 double bare(const Sketch& sketch, const Placed& placed) {
   for (const auto& one : sketch.standing())
-    if (!one.object->traits.flat && top(*one.object) > placed.bottom - 0.1 &&
+    if (!one.object->traits.flat && top(*one.object) > placed.bottom - 0.3 &&
         gap(one.footprint, placed.footprint) < 0.25)
       return 0.0;
   return 1.0;
@@ -212,6 +220,14 @@ double in_rows(const Sketch& sketch, const Placed& placed) {
   return best;
 }
 
+// On the floor that the use of another thing needs.
+bool in_use_zone(const Sketch& sketch, const Standing& one, const Object& self, const Vec2& point) {
+  return std::any_of(one.zones.begin(), one.zones.end(), [&](const UseZone& zone) {
+    return contains(zone_footprint(one.footprint, zone), point) &&
+           !sketch.categories().is_any_of(self.category, zone.partners);
+  });
+}
+
 }  // namespace
 
 double degree(const Sketch& sketch, const Placed& placed, Liking liking) {
@@ -223,6 +239,7 @@ double degree(const Sketch& sketch, const Placed& placed, Liking liking) {
     case Liking::window: return falling(nearest_opening(sketch, placed, false), 0.3, 2.5);
     case Liking::window_behind: return back_at_window(sketch, placed);
     case Liking::window_ahead: return looks_at_window(sketch, placed);
+    case Liking::window_wall: return window_in_wall(sketch, placed);
     case Liking::wall_middle: return in_wall_middle(sketch, placed);
     case Liking::side_wall: return side_at_wall(sketch, placed);
     case Liking::corner: return near_corner(sketch, placed);
@@ -247,6 +264,8 @@ double degree(const Sketch& sketch, const Placed& placed, Liking liking) {
 
 double reserve_open(const Sketch& sketch, const Placed& placed, const Arrangement& arrangement) {
   double open = 0.0, total = 0.0;
+  // What stands free with seats around it needs its reserve for those, not shared with others.
+  const bool spacious = arrangement.reserve[0] > 0 && arrangement.reserve[1] > 0;
   for (Side side : all_sides) {
     const double depth = arrangement.reserve[static_cast<std::size_t>(side)];
     if (depth <= 0.0) continue;
@@ -256,7 +275,8 @@ double reserve_open(const Sketch& sketch, const Placed& placed, const Arrangemen
         const Vec2 point = zone.to_world({x * zone.half().x(), y * zone.half().y()});
         bool free = contains(sketch.room().polygon, point);
         for (const auto& one : sketch.standing())
-          free = free && (one.object->traits.flat || !contains(one.footprint, point));
+          free = free && (one.object->traits.flat || !contains(one.footprint, point)) &&
+                 !(spacious && in_use_zone(sketch, one, *placed.self, point));
         open += free ? 1.0 : 0.0;
         total += 1.0;
       }

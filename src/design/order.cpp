@@ -68,7 +68,9 @@ std::vector<Draft> split_pairs(const std::vector<Draft>& drafts) {
   for (const auto& draft : drafts) {
     const bool pairs = std::any_of(
         draft.demands.begin(), draft.demands.end(),
-        [&](const Demand& demand) { return demand.mention != Demand::none && quantity[demand.mention] > 1; });
+        [&](const Demand& demand) {
+          return demand.mention != Demand::none && (demand.flank || quantity[demand.mention] > 1);
+        });
     if (!pairs || draft.item.quantity == 1 || draft.item.quantity > max_split) {
       result.push_back(draft);
       continue;
@@ -100,6 +102,43 @@ class Ids {
   std::map<std::pair<std::size_t, std::size_t>, int> turn_;
 };
 
+/// Turns the demands of drafts into relations, one draft after the other.
+class Resolver {
+ public:
+  Resolver(const std::vector<Draft>& drafts, const Plan& plan) : ids_(drafts, plan) {}
+
+  std::vector<Relation> relations_of(const Draft& draft) {
+    std::map<std::size_t, std::string> targets;  // one thing of each mention for all its demands
+    std::vector<Relation> relations;
+    std::string flanked;
+    for (const auto& demand : draft.demands) {
+      Relation relation{demand.kind, demand.part};
+      if (demand.mention != Demand::none) {
+        if (!targets.count(demand.mention))
+          targets[demand.mention] = ids_.next(draft.mention, demand.mention);
+        relation.target = targets[demand.mention];
+        if (relation.target.empty()) continue;
+        if (demand.flank) flanked = relation.target;
+      }
+      add(relations, relation);
+    }
+    if (!flanked.empty()) {
+      const bool left = sides_[{draft.mention, flanked}]++ % 2 == 0;
+      add(relations, {left ? RelationKind::left_of : RelationKind::right_of, flanked});
+    }
+    return relations;
+  }
+
+ private:
+  static void add(std::vector<Relation>& relations, const Relation& relation) {
+    if (std::find(relations.begin(), relations.end(), relation) == relations.end())
+      relations.push_back(relation);
+  }
+
+  Ids ids_;
+  std::map<std::pair<std::size_t, std::string>, int> sides_;
+};
+
 }  // namespace
 
 std::vector<Draft> order_items(std::vector<Draft> drafts, const CategoryTable& table,
@@ -107,22 +146,9 @@ std::vector<Draft> order_items(std::vector<Draft> drafts, const CategoryTable& t
   sort_by_stage(drafts, table, arrangements);
   drafts = split_pairs(after_targets(std::move(drafts), plan));
   for (const auto& draft : drafts) plan.items.push_back(draft.item);
-  Ids ids(drafts, plan);
-  for (std::size_t i = 0; i < drafts.size(); ++i) {
-    std::map<std::size_t, std::string> targets;  // one thing of each mention for all its demands
-    for (const auto& demand : drafts[i].demands) {
-      Relation relation{demand.kind, demand.part};
-      if (demand.mention != Demand::none) {
-        if (!targets.count(demand.mention))
-          targets[demand.mention] = ids.next(drafts[i].mention, demand.mention);
-        relation.target = targets[demand.mention];
-        if (relation.target.empty()) continue;
-      }
-      auto& relations = plan.items[i].relations;
-      if (std::find(relations.begin(), relations.end(), relation) == relations.end())
-        relations.push_back(std::move(relation));
-    }
-  }
+  Resolver resolver(drafts, plan);
+  for (std::size_t i = 0; i < drafts.size(); ++i)
+    plan.items[i].relations = resolver.relations_of(drafts[i]);
   return drafts;
 }
 

@@ -57,6 +57,7 @@ class Planner {
     }
     if (brief_.type.empty()) {
       brief_.type = default_type;
+      brief_.type_known = true;
       brief_.notes.push_back(std::string("the prompt names no kind of room; taken for a ") +
                              default_type);
     }
@@ -130,7 +131,7 @@ class Planner {
       on_floor -= attempt.plan.items[object.item].mount == Mount::floor;
       attempt.fault += asked ? 20.0 : attempt.drafts[object.item].core ? 5.0 : 1.0;
     }
-    attempt.fault += 3.0 * std::max(0, fewest - on_floor);
+    if (!brief_.bare) attempt.fault += 3.0 * std::max(0, fewest - on_floor);
   }
 
   // Drops what found no place and was not asked for.

@@ -4,6 +4,7 @@
 #include "arrangement.h"
 #include "planning.h"
 #include "room_kinds.h"
+#include "vocabulary.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen {
@@ -53,6 +54,7 @@ class RuleDesigner : public Designer {
  private:
   static Status check_knowledge() {
     if (!built_in_room_kinds()) return built_in_room_kinds().error();
+    if (!built_in_vocabulary()) return built_in_vocabulary().error();
     if (!built_in_arrangements()) return built_in_arrangements().error();
     return {};
   }

@@ -1,0 +1,59 @@
+#include "kind_names.h"
+
+#include "roomgen/base/text.h"
+
+namespace roomgen::design {
+
+namespace {
+
+constexpr std::size_t longest_name = 5;
+
+}  // namespace
+
+std::vector<std::string> singulars(const std::string& word) {
+  std::vector<std::string> forms{word};
+  const auto ends = [&](std::string_view ending) {
+    return word.size() > ending.size() + 1 && word.ends_with(ending);
+  };
+  const auto without = [&](std::size_t count) { return word.substr(0, word.size() - count); };
+  if (ends("ves")) {
+    forms.push_back(without(3) + "f");
+    forms.push_back(without(3) + "fe");
+  }
+  if (ends("ies")) forms.push_back(without(3) + "y");
+  if (ends("es")) forms.push_back(without(2));
+  if (ends("s") && !ends("ss")) forms.push_back(without(1));
+  return forms;
+}
+
+KindNames::KindNames(const CategoryTable& table) {
+  for (const auto& [name, category] : table.all()) names_[join(words(name), " ")] = &category;
+  for (const auto& [name, category] : table.all())
+    for (const auto& synonym : category.synonyms)
+      names_.try_emplace(join(words(synonym), " "), &category);
+}
+
+const Category* KindNames::find(const std::string& name) const {
+  const auto found = names_.find(name);
+  return found == names_.end() ? nullptr : found->second;
+}
+
+KindMatch KindNames::match(std::span<const Token> tokens, std::size_t at) const {
+  KindMatch best;
+  std::string before;
+  for (std::size_t n = 0; n < longest_name && at + n < tokens.size(); ++n) {
+    const Token& token = tokens[at + n];
+    if (token.kind != Token::Kind::word && token.kind != Token::Kind::number) break;
+    for (const auto& form : singulars(token.text))
+      if (const Category* category = find(before + form)) {
+        best = {category, n + 1, form != token.text, before + form};
+        break;
+      }
+    before += token.text + " ";
+  }
+  // "three" alone is no name even if "three seater" is one.
+  if (best.length == 1 && tokens[at].kind == Token::Kind::number) return {};
+  return best;
+}
+
+}  // namespace roomgen::design

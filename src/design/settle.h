@@ -1,0 +1,22 @@
+#pragma once
+
+#include "brief.h"
+#include "kind_names.h"
+#include "noun_phrase.h"
+#include "vocabulary.h"
+
+namespace roomgen::design {
+
+/// Size, mount and number of seats of a mention, from its category and the words around it.
+void shape(Mention& mention, const NounPhrase& phrase, const Vocabulary& words,
+           const CategoryTable& table, const KindNames& names);
+
+/// Makes a mention one that hangs on a wall or under the ceiling, if such a thing can: a television
+/// becomes a wall tv, a wardrobe "on the wall" stays what it is.
+void hang(Mention& mention, Mount where, const CategoryTable& table, const KindNames& names);
+
+/// Ends the reading: numbers of uncounted things, small things for what stands on others, rugs under
+/// what stands on them, "behind" turned into "in front of" where the one behind needs the wall.
+void settle(Brief& brief, const CategoryTable& table, const KindNames& names);
+
+}  // namespace roomgen::design

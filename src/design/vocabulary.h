@@ -1,0 +1,65 @@
+#pragma once
+
+#include <map>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "roomgen/base/result.h"
+#include "roomgen/geometry/vec.h"
+#include "roomgen/scene/category.h"
+#include "tokens.h"
+
+namespace roomgen::design {
+
+using WordSet = std::set<std::string, std::less<>>;
+
+/// What "next to" and its like mean.
+struct Placement {
+  std::vector<RelationKind> relations;
+  bool flank = false;    ///< one on each side
+  bool pronoun = false;  ///< names its target itself: "to its left"
+  bool inverse = false;  ///< said of the target: "a sofa flanked by two lamps"
+};
+
+/// The words of data/words.json.
+struct Vocabulary {
+  std::map<std::string, int, std::less<>> numbers, people, walls;
+  std::map<std::string, double, std::less<>> units, areas;
+  std::map<std::string, Vec3, std::less<>> sizes;
+  std::map<std::string, std::string, std::less<>> room_parts;
+  std::map<std::string, Placement, std::less<>> placements;
+  WordSet vague, definite, pronouns, negations, only, measured, stops, parts, no_things, materials, attributes,
+      people_words, room_words, generic_rooms;
+};
+
+Result<Vocabulary> parse_vocabulary(std::string_view text, const std::string& source);
+const Result<Vocabulary>& built_in_vocabulary();
+
+/// A run of tokens that means something.
+template <typename T>
+struct Match {
+  const T* value = nullptr;
+  std::size_t length = 0;
+
+  explicit operator bool() const { return value != nullptr; }
+};
+
+/// The longest run of words from `at` that is a key of the map.
+template <typename T>
+Match<T> longest(const std::map<std::string, T, std::less<>>& map, std::span<const Token> tokens,
+                 std::size_t at, std::size_t most = 5) {
+  Match<T> best;
+  std::string phrase;
+  for (std::size_t n = 0; n < most && at + n < tokens.size(); ++n) {
+    const Token& token = tokens[at + n];
+    if (token.kind != Token::Kind::word && token.kind != Token::Kind::number) break;
+    phrase += (n ? " " : "") + token.text;
+    if (const auto found = map.find(phrase); found != map.end()) best = {&found->second, n + 1};
+  }
+  return best;
+}
+
+}  // namespace roomgen::design
