@@ -21,8 +21,8 @@ struct SearchPlan {
 
 SearchPlan plan_search(const AssetQuery& query, const Vocabulary& vocabulary);
 
-/// The assets of one catalogue that fit, unordered.
-Result<std::vector<AssetMatch>> run_search(const Database& database, const SearchPlan& plan,
-                                           const Vocabulary& vocabulary);
+/// The assets of several catalogues that fit, best first, at most as many as the query wants.
+Result<std::vector<AssetMatch>> run_search(const std::vector<const Database*>& databases,
+                                           const SearchPlan& plan, const Vocabulary& vocabulary);
 
 }  // namespace roomgen::assets

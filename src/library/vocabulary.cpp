@@ -26,11 +26,11 @@ std::string ending(const std::vector<std::string>& pieces, std::size_t first) {
   return join({pieces.begin() + static_cast<std::ptrdiff_t>(first), pieces.end()}, " ");
 }
 
-// Words formed like adjectives say how a thing is even if no list has them: comfy, padded, rustic.
+// Words formed like adjectives say how a thing is even if no list has them: padded, rustic.
 bool looks_like_adjective(std::string_view word) {
-  static constexpr std::array<std::string_view, 13> endings = {
-      "y", "ed", "ish", "ful", "less", "ous", "ive", "ic", "al", "ern", "ian", "able", "est"};
-  return word.size() > 4 && std::any_of(endings.begin(), endings.end(), [&](std::string_view e) {
+  static constexpr std::array<std::string_view, 11> endings = {
+      "ed", "ish", "ful", "less", "ous", "ive", "ic", "al", "ern", "ian", "able"};
+  return word.size() > 4 && word != "table" && std::any_of(endings.begin(), endings.end(), [&](std::string_view e) {
            return word.ends_with(e);
          });
 }
@@ -157,7 +157,8 @@ const Kind* Vocabulary::find(std::string_view name) const {
 }
 
 KindPhrase Vocabulary::understand(std::string_view phrase) const {
-  if (const Kind* whole = find(phrase)) return {whole->name, true};
+  if (const Kind* whole = find(phrase))
+    return {whole->name, join(singular_words(phrase), " "), true};
   std::vector<std::string> pieces;
   for (auto& piece : singular_words(before_preposition(phrase)))
     if (!is_filler(piece)) pieces.push_back(std::move(piece));
@@ -169,13 +170,13 @@ KindPhrase Vocabulary::understand(std::string_view phrase) const {
     const bool only_modifiers =
         std::all_of(pieces.begin(), pieces.begin() + static_cast<std::ptrdiff_t>(first),
                     [&](const std::string& word) { return is_modifier(word); });
-    if (only_modifiers) return {found->second, true};
+    if (only_modifiers) return {found->second, found->first, true};
     break;
   }
   std::vector<std::string> rest;
   for (const auto& piece : pieces)
     if (&piece == &pieces.back() || !is_modifier(piece)) rest.push_back(piece);
-  return {join(rest, " "), false};
+  return {join(rest, " "), join(rest, " "), false};
 }
 
 std::vector<std::string> Vocabulary::mentioned(std::string_view text) const {

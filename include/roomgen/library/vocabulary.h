@@ -27,7 +27,8 @@ struct Kind {
 /// How a phrase was understood. A phrase whose ending is a known kind but whose other words are
 /// neither colours, materials nor the like names another thing ("dog bed" is no bed): it is not known.
 struct KindPhrase {
-  std::string kind;    ///< a known kind's name, or the phrase's words without mere adjectives
+  std::string kind;  ///< a known kind's name, or the phrase's words without mere adjectives
+  std::string name;  ///< the words of the phrase that named it, in singular: "writing desk"
   bool known = false;
 };
 
