@@ -49,7 +49,8 @@ Mesh make_frustum(const Vec2& center, double bottom_radius, double top_radius, d
   };
   const double slope = (bottom_radius - top_radius) / (high - low);
   for (int i = 0; i < sides; ++i) {
-    const double a = 2 * pi * i / sides, b = 2 * pi * (i + 1) / sides;
+    // The last corner is the first one to the bit, so that the mesh closes.
+    const double a = 2 * pi * i / sides, b = 2 * pi * ((i + 1) % sides) / sides;
     const auto outward = [&](double angle) {
       return Vec3(std::cos(angle), std::sin(angle), slope).normalized();
     };
