@@ -49,9 +49,15 @@ class Flattener {
     return true;
   }
 
+  // The parts that have triangles, with their materials.
   Model take() {
-    std::erase_if(model_.parts, [](const ModelPart& part) { return part.mesh.triangles.empty(); });
-    return std::move(model_);
+    Model used;
+    for (auto& part : model_.parts) {
+      if (part.mesh.triangles.empty()) continue;
+      used.materials.push_back(std::move(model_.materials[static_cast<std::size_t>(part.material)]));
+      used.parts.push_back({std::move(part.mesh), static_cast<int>(used.materials.size()) - 1});
+    }
+    return used;
   }
 
  private:

@@ -249,7 +249,7 @@ void build_lamp(Builder& b, const Rgb& color, Mount mount) {
     b.box(metal, {-0.012, -deep + shade_radius, 0.25 * top}, {0.012, 0.85 * deep, 0.3 * top});
     b.frustum(shade, {0, -deep + shade_radius}, shade_radius, 0.65 * shade_radius, 0.3 * top, top);
   } else {
-    const double shade_height = std::clamp(0.3 * top, 0.12, 0.35);
+    const double shade_height = std::min(std::clamp(0.3 * top, 0.12, 0.35), 0.6 * top);
     b.frustum(metal, center, 0.7 * radius, 0.7 * radius, 0, 0.025 * top);
     b.frustum(metal, center, 0.014, 0.014, 0.025 * top, top - 0.5 * shade_height);
     b.frustum(shade, center, radius, 0.65 * radius, top - shade_height, top);
