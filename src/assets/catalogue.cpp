@@ -75,7 +75,7 @@ struct Catalogue::Impl {
 };
 
 Result<std::shared_ptr<const Model>> Catalogue::Impl::read_model(Shelf& shelf,
-                                                                const IndexedAsset& asset) const {
+                                                                 const IndexedAsset& asset) const {
   if (!shelf.tree) {
     auto tree = open_tree(shelf.path, {});  // warnings were given while indexing
     if (!tree) return tree.error();
@@ -160,7 +160,8 @@ std::vector<fs::path> installed_libraries() {
 fs::path default_cache_dir() {
   if (const auto cache = environment_folder("XDG_CACHE_HOME"); !cache.empty())
     return cache / "roomgen";
-  if (const auto home = environment_folder("HOME"); !home.empty()) return home / ".cache" / "roomgen";
+  if (const auto home = environment_folder("HOME"); !home.empty())
+    return home / ".cache" / "roomgen";
   std::error_code code;
   return fs::temp_directory_path(code) / "roomgen-cache";
 }

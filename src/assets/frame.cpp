@@ -10,11 +10,11 @@ namespace roomgen::assets {
 
 namespace {
 
-constexpr double flat = 1e-6;           // metres: thinner has no thickness to be scaled
-constexpr double thinnest = 1e-3;       // what such a thing is said to measure
+constexpr double flat = 1e-6;      // metres: thinner has no thickness to be scaled
+constexpr double thinnest = 1e-3;  // what such a thing is said to measure
 constexpr double smallest = 1e-6;
 constexpr int max_passes = 4;
-constexpr double min_area = 1e-10;      // square metres
+constexpr double min_area = 1e-10;  // square metres
 
 std::optional<Vec3> axis(const std::string& text) {
   if (text.size() != 2 || (text[0] != '+' && text[0] != '-')) return std::nullopt;
@@ -62,8 +62,8 @@ void clamp_to_box(Model& model, const Vec3& size) {
     for (auto& p : part.mesh.positions) p = p.cwiseMax(low).cwiseMin(high);
 }
 
-// Scales and moves the model to the wanted box, else only moves it; returns the box. An axis without
-// thickness stays as it is.
+// Scales and moves the model to the wanted box, else only moves it; returns the box. An axis
+// without thickness stays as it is.
 Vec3 fit_box(Model& model, const std::optional<Vec3>& wanted) {
   const Bounds3 box = bounds(model);
   Vec3 scale = Vec3::Ones(), size = box.size();
@@ -103,7 +103,8 @@ Result<Vec3> fit_to_frame(Model& model, const SourceFrame& frame, Normals normal
   double longest = bounds(model).size().maxCoeff();
   if (!(longest > 0.0) || !std::isfinite(longest))
     return Error{Error::Kind::invalid_input, "has no extent"};
-  double unit = frame.metres_per_unit > 0.0 ? frame.metres_per_unit : guess_metres_per_unit(longest);
+  double unit =
+      frame.metres_per_unit > 0.0 ? frame.metres_per_unit : guess_metres_per_unit(longest);
   if (frame.size) unit = frame.size->maxCoeff() / longest;
   transform(model, Eigen::Matrix3d::Identity() * unit, Vec3::Zero());
 
@@ -114,8 +115,7 @@ Result<Vec3> fit_to_frame(Model& model, const SourceFrame& frame, Normals normal
     if (model.parts.empty()) return Error{Error::Kind::invalid_input, "has no triangles"};
     if (pass > 0 && dropped == 0) break;
     size = fit_box(model, frame.size);
-    if (!(size.minCoeff() > smallest))
-      return Error{Error::Kind::invalid_input, "has no extent"};
+    if (!(size.minCoeff() > smallest)) return Error{Error::Kind::invalid_input, "has no extent"};
   }
   if (normals == Normals::repair)
     for (auto& part : model.parts) repair_normals(part.mesh);

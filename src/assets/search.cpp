@@ -13,8 +13,8 @@ namespace roomgen::assets {
 
 namespace {
 
-constexpr double general_kind = 0.8;     // a plain bed where the description says bunk bed
-constexpr double family_match = 0.6;     // oak where walnut was wanted: both are wood
+constexpr double general_kind = 0.8;  // a plain bed where the description says bunk bed
+constexpr double family_match = 0.6;  // oak where walnut was wanted: both are wood
 constexpr double usual_size_share = 0.25;
 constexpr std::size_t max_words = 16;
 
@@ -22,7 +22,8 @@ bool mentions(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-// Kinds that the description names among those that would do: "bunk bed for two" where a bed is asked.
+// Kinds that the description names among those that would do: "bunk bed for two" where a bed is
+// asked.
 std::vector<std::string> special_kinds(const std::string& kind, const std::string& description,
                                        const Vocabulary& vocabulary) {
   std::vector<std::string> result;
@@ -60,7 +61,9 @@ std::vector<std::string> telling_words(const AssetQuery& query, const KindPhrase
   return result;
 }
 
-std::string in_quotes(const std::string& word) { return "\"" + word + "\""; }
+std::string in_quotes(const std::string& word) {
+  return "\"" + word + "\"";
+}
 
 std::set<long long> matching_rows(const Database& database, const std::string& expression) {
   Statement statement = database.prepare("SELECT rowid FROM texts WHERE texts MATCH ?");
@@ -93,8 +96,8 @@ WordRows look_up(const Database& database, const std::string& word, const Vocabu
 // The words of a description in all catalogues. Rarer words tell more, and a word that no asset has
 // cannot tell them apart; both are counted over all catalogues, so that their answers compare.
 struct WordIndex {
-  std::vector<double> weights;                ///< by word
-  std::vector<std::vector<WordRows>> rows;    ///< by catalogue, by word
+  std::vector<double> weights;              ///< by word
+  std::vector<std::vector<WordRows>> rows;  ///< by catalogue, by word
 
   std::vector<WeightedWord> found(std::size_t catalogue, long long row) const {
     std::vector<WeightedWord> result;
@@ -172,8 +175,10 @@ SearchPlan plan_search(const AssetQuery& query, const Vocabulary& vocabulary) {
   plan.query = query;
   const std::string& asked = query.category.empty() ? query.description : query.category;
   const KindPhrase phrase = vocabulary.understand(asked);
-  if (phrase.known) plan.kinds = fitting_kinds(phrase.kind, query.description, vocabulary);
-  else if (!words(phrase.kind).empty()) plan.free_kind = phrase.kind;
+  if (phrase.known)
+    plan.kinds = fitting_kinds(phrase.kind, query.description, vocabulary);
+  else if (!words(phrase.kind).empty())
+    plan.free_kind = phrase.kind;
   plan.words = telling_words(query, phrase, vocabulary);
   if (const Category* category = CategoryTable::built_in().find(phrase.kind))
     plan.usual_size = category->size;
@@ -189,10 +194,10 @@ Result<std::vector<AssetMatch>> run_search(const std::vector<const Database*>& d
     Statement rows = candidates(*databases[i], plan);
     while (rows.step()) {
       AssetMatch match{row_of(rows).info, 0.0};
-      match.score = match_score({kind_term(plan, match.asset, vocabulary),
-                                 text_relevance(words.found(i, rows.integer(21))),
-                                 size_term(plan, match.asset),
-                                 mount_term(plan, match.asset, vocabulary)});
+      match.score =
+          match_score({kind_term(plan, match.asset, vocabulary),
+                       text_relevance(words.found(i, rows.integer(21))),
+                       size_term(plan, match.asset), mount_term(plan, match.asset, vocabulary)});
       if (match.score <= 0.0) continue;
       match.asset.mount = plan.query.mount.value_or(match.asset.mount);
       matches.push_back(std::move(match));

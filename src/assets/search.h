@@ -16,7 +16,7 @@ struct SearchPlan {
   std::string free_kind;                ///< instead of kinds: a phrase that the vocabulary lacks
   std::vector<std::string> words;       ///< of the description, singular
   AssetQuery query;
-  std::optional<Vec3> usual_size;       ///< of the category, when the query wants none
+  std::optional<Vec3> usual_size;  ///< of the category, when the query wants none
 };
 
 SearchPlan plan_search(const AssetQuery& query, const Vocabulary& vocabulary);

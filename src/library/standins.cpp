@@ -38,17 +38,53 @@ const std::vector<Defaults>& defaults() {
       {"table", Mount::floor, {1.2, 0.8, 0.74}, woods, true, true, false},
       {"shelf", Mount::floor, {0.9, 0.32, 1.8}, woods, true, true, false},
       {"shelf", Mount::wall, {0.9, 0.24, 0.2}, woods, true, true, false},
-      {"cabinet", Mount::floor, {0.9, 0.45, 0.9}, {"white", "oak", "walnut", "grey"}, true, true, false},
+      {"cabinet",
+       Mount::floor,
+       {0.9, 0.45, 0.9},
+       {"white", "oak", "walnut", "grey"},
+       true,
+       true,
+       false},
       {"cabinet", Mount::wall, {0.8, 0.35, 0.7}, {"white", "oak", "grey"}, false, true, false},
-      {"mirror", Mount::wall, {0.6, 0.03, 0.9}, {"oak", "black", "brass", "white"}, false, true, false},
-      {"mirror", Mount::floor, {0.6, 0.04, 1.7}, {"oak", "black", "brass", "white"}, false, true, false},
-      {"picture", Mount::wall, {0.6, 0.03, 0.45}, {"black", "oak", "white", "walnut"}, false, true, false},
-      {"rug", Mount::floor, {2.0, 1.4, 0.012}, {"beige", "grey", "blue", "red", "green"}, true, false, false},
+      {"mirror",
+       Mount::wall,
+       {0.6, 0.03, 0.9},
+       {"oak", "black", "brass", "white"},
+       false,
+       true,
+       false},
+      {"mirror",
+       Mount::floor,
+       {0.6, 0.04, 1.7},
+       {"oak", "black", "brass", "white"},
+       false,
+       true,
+       false},
+      {"picture",
+       Mount::wall,
+       {0.6, 0.03, 0.45},
+       {"black", "oak", "white", "walnut"},
+       false,
+       true,
+       false},
+      {"rug",
+       Mount::floor,
+       {2.0, 1.4, 0.012},
+       {"beige", "grey", "blue", "red", "green"},
+       true,
+       false,
+       false},
       {"lamp", Mount::floor, {0.4, 0.4, 1.5}, metals, false, false, true},
       {"lamp", Mount::surface, {0.28, 0.28, 0.45}, metals, false, false, true},
       {"lamp", Mount::ceiling, {0.4, 0.4, 0.6}, metals, false, false, true},
       {"lamp", Mount::wall, {0.2, 0.22, 0.32}, metals, false, true, false},
-      {"box", Mount::floor, {0.8, 0.45, 0.45}, {"oak", "walnut", "beige", "white"}, true, true, false}};
+      {"box",
+       Mount::floor,
+       {0.8, 0.45, 0.45},
+       {"oak", "walnut", "beige", "white"},
+       true,
+       true,
+       false}};
   return table;
 }
 
@@ -157,7 +193,8 @@ class Standins final : public AssetLibrary {
     info.size = kept.size;
     info.mount = kept.mount;
     const Category* category = CategoryTable::built_in().find(kind.name);
-    if (kept.mount == Mount::wall) info.elevation = category && category->elevation > 0.0 ? category->elevation : 1.2;
+    if (kept.mount == Mount::wall)
+      info.elevation = category && category->elevation > 0.0 ? category->elevation : 1.2;
     if (entry.supports && kept.mount == Mount::floor) info.support_height = kept.size.z();
     info.has_front = category ? category->traits.front : entry.front;
     info.round = entry.round;
@@ -169,6 +206,8 @@ class Standins final : public AssetLibrary {
 
 }  // namespace
 
-std::unique_ptr<AssetLibrary> make_standins() { return std::make_unique<Standins>(); }
+std::unique_ptr<AssetLibrary> make_standins() {
+  return std::make_unique<Standins>();
+}
 
 }  // namespace roomgen

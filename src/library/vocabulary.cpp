@@ -30,9 +30,9 @@ std::string ending(const std::vector<std::string>& pieces, std::size_t first) {
 bool looks_like_adjective(std::string_view word) {
   static constexpr std::array<std::string_view, 11> endings = {
       "ed", "ish", "ful", "less", "ous", "ive", "ic", "al", "ern", "ian", "able"};
-  return word.size() > 4 && word != "table" && std::any_of(endings.begin(), endings.end(), [&](std::string_view e) {
-           return word.ends_with(e);
-         });
+  return word.size() > 4 && word != "table" &&
+         std::any_of(endings.begin(), endings.end(),
+                     [&](std::string_view e) { return word.ends_with(e); });
 }
 
 bool is_number(std::string_view word) {
@@ -42,7 +42,8 @@ bool is_number(std::string_view word) {
 // "lamp with a shade", "table for six": what follows says how, not what.
 std::string_view before_preposition(std::string_view phrase) {
   static constexpr std::array<std::string_view, 12> stops = {
-      " with ", " for ", " in ", " on ", " from ", " made ", " without ", " that ", ",", "(", ";", " by "};
+      " with ",    " for ",  " in ", " on ", " from ", " made ",
+      " without ", " that ", ",",    "(",    ";",      " by "};
   std::size_t cut = phrase.size();
   for (const auto stop : stops) cut = std::min(cut, phrase.find(stop));
   return phrase.substr(0, cut);
@@ -73,7 +74,8 @@ Kind read_kind(const std::string& name, const JsonReader& json) {
     for (const auto& [other, fit] : json["substitutes"].members())
       kind.substitutes[other] = fit.number(0.01, 0.99);
   if (json["mount"].exists()) kind.mount = read_mount(json["mount"]);
-  for (const auto& element : json["also"].elements_or_none(4)) kind.also.push_back(read_mount(element));
+  for (const auto& element : json["also"].elements_or_none(4))
+    kind.also.push_back(read_mount(element));
   return kind;
 }
 
@@ -94,12 +96,15 @@ void inherit(std::map<std::string, Kind, std::less<>>& kinds, Kind& kind) {
 }  // namespace
 
 std::string singular(std::string word) {
-  const auto ends = [&](std::string_view e) { return word.size() > e.size() + 1 && word.ends_with(e); };
+  const auto ends = [&](std::string_view e) {
+    return word.size() > e.size() + 1 && word.ends_with(e);
+  };
   if (ends("shelves")) return word.substr(0, word.size() - 3) + "f";
   if (ends("ches") || ends("shes") || ends("sses") || ends("xes"))
     return word.substr(0, word.size() - 2);
   if (ends("ies") && word != "movies") return word.substr(0, word.size() - 3) + "y";
-  if (ends("s") && !ends("ss") && !ends("us") && !ends("is")) return word.substr(0, word.size() - 1);
+  if (ends("s") && !ends("ss") && !ends("us") && !ends("is"))
+    return word.substr(0, word.size() - 1);
   return word;
 }
 
@@ -243,6 +248,8 @@ bool Vocabulary::is_modifier(std::string_view word) const {
          looks_like_adjective(word);
 }
 
-bool Vocabulary::is_filler(std::string_view word) const { return fillers_.count(word) > 0; }
+bool Vocabulary::is_filler(std::string_view word) const {
+  return fillers_.count(word) > 0;
+}
 
 }  // namespace roomgen

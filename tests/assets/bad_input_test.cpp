@@ -16,13 +16,16 @@ constexpr const char* table_properties =
     "id#1=Test#table\nname#1=Table\\u00e9\ntags#1=\ncategory#1=Living room\nicon#1=/t.png\n"
     "model#1=/t/table.obj\nwidth#1=120\ndepth#1=80\nheight#1=75\ncreator#1=Some\\\n  one\n";
 
-Result<std::unique_ptr<assets::Catalogue>> open(const TemporaryFolder& folder, const fs::path& library,
+Result<std::unique_ptr<assets::Catalogue>> open(const TemporaryFolder& folder,
+                                                const fs::path& library,
                                                 std::string* warnings = nullptr) {
   assets::CatalogueOptions options;
   options.libraries = {library};
   options.cache_dir = folder.path() / "cache";
   if (warnings)
-    options.log = [warnings](LogLevel, std::string_view text) { *warnings += std::string(text) + "\n"; };
+    options.log = [warnings](LogLevel, std::string_view text) {
+      *warnings += std::string(text) + "\n";
+    };
   return assets::open_catalogue(options);
 }
 
@@ -107,7 +110,8 @@ TEST_CASE("Materials and textures are looked for in the model's folder only") {
   folder.write("secret.mtl", "newmtl m\nKd 1 0 0\n");
   folder.write("mine/table.obj", "mtllib ../secret.mtl\nusemtl m\n" + cube_obj());
   folder.write("mine/chair.obj", "mtllib chair.mtl\nusemtl m\n" + cube_obj());
-  folder.write("mine/chair.mtl", "newmtl m\nKd 0 0 1\nmap_Kd " + (folder.path() / "secret.png").string() + "\t \n");
+  folder.write("mine/chair.mtl",
+               "newmtl m\nKd 0 0 1\nmap_Kd " + (folder.path() / "secret.png").string() + "\t \n");
   std::string warnings;
   const auto catalogue = open(folder, folder.path() / "mine", &warnings);
   REQUIRE(catalogue);
@@ -141,7 +145,8 @@ TEST_CASE("Meshes without triangles are left out with a warning") {
   const auto catalogue = open(folder, folder.path() / "mine", &warnings);
   if (!catalogue) FAIL(catalogue.error().message);
   CHECK((*catalogue)->all()->size() == 1);
-  for (const auto* name : {"empty.obj", "points.obj", "line.obj", "flat.obj", "nan.obj", "range.obj", "rubbish.glb"})
+  for (const auto* name :
+       {"empty.obj", "points.obj", "line.obj", "flat.obj", "nan.obj", "range.obj", "rubbish.glb"})
     CHECK(warnings.find(name) != std::string::npos);
 }
 
@@ -164,7 +169,8 @@ TEST_CASE("A mesh of two million triangles is refused soon and clearly") {
   for (int y = 0; y < side; ++y)
     for (int x = 0; x < side; ++x) {
       const int a = y * (side + 1) + x + 1, b = a + side + 1;
-      obj << "f " << a << ' ' << a + 1 << ' ' << b + 1 << "\nf " << a << ' ' << b + 1 << ' ' << b << '\n';
+      obj << "f " << a << ' ' << a + 1 << ' ' << b + 1 << "\nf " << a << ' ' << b + 1 << ' ' << b
+          << '\n';
     }
   folder.write("mine/huge.obj", obj.str());
   folder.write("mine/table.obj", cube_obj());
@@ -193,9 +199,10 @@ TEST_CASE("Absurd queries get an answer, if an empty one") {
   folder.write("mine/table.obj", cube_obj());
   const auto catalogue = open(folder, folder.path() / "mine");
   REQUIRE(catalogue);
-  for (const std::string& text : {std::string(), std::string("\"' OR 1=1 --"), std::string(100000, 'x'),
-                                  std::string("\xFF\xFE"), std::string("NEAR(*) : ^"), std::string("table table table"),
-                                  std::string("табуретка")}) {
+  for (const std::string& text :
+       {std::string(), std::string("\"' OR 1=1 --"), std::string(100000, 'x'),
+        std::string("\xFF\xFE"), std::string("NEAR(*) : ^"), std::string("table table table"),
+        std::string("табуретка")}) {
     CHECK((*catalogue)->search({.category = text, .description = text}));
     CHECK((*catalogue)->search({.description = text, .limit = 0}));
   }

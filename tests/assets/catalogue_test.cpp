@@ -28,10 +28,12 @@ assets::CatalogueOptions listening(assets::CatalogueOptions options) {
   return options;
 }
 
-bool warned(const std::string& text) { return warnings.find(text) != std::string::npos; }
+bool warned(const std::string& text) {
+  return warnings.find(text) != std::string::npos;
+}
 
-// A thing that shows which way it was turned: a seat with a back at the rear (-Z) and one arm at its
-// own left (+X), Y-up, front +Z.
+// A thing that shows which way it was turned: a seat with a back at the rear (-Z) and one arm at
+// its own left (+X), Y-up, front +Z.
 std::string chair_obj() {
   std::string obj = "mtllib chair.mtl\nusemtl seat\n";
   int vertices = 0;
@@ -39,7 +41,8 @@ std::string chair_obj() {
     for (const double z : {z0, z1})
       for (const double y : {y0, y1})
         for (const double x : {x0, x1})
-          obj += "v " + std::to_string(x) + " " + std::to_string(y) + " " + std::to_string(z) + "\n";
+          obj +=
+              "v " + std::to_string(x) + " " + std::to_string(y) + " " + std::to_string(z) + "\n";
     const int faces[6][4] = {{1, 3, 4, 2}, {5, 6, 8, 7}, {1, 2, 6, 5},
                              {3, 7, 8, 4}, {1, 5, 7, 3}, {2, 4, 8, 6}};
     for (const auto& face : faces) {
@@ -108,15 +111,18 @@ TEST_CASE("A model stands on its bottom centre with its front to -Y, in metres")
   CHECK(box.low.isApprox(Vec3(-0.25, -0.25, 0.0), 1e-6));
   for (const auto& part : (*model)->parts)
     for (const auto& p : part.mesh.positions) {
-      if (p.z() > 0.66f) CHECK(p.y() > 0.19f);                    // the back is at +Y
-      else if (p.z() > 0.46f && p.y() < 0.19f) CHECK(p.x() > 0.19f);  // the arm at +X
+      if (p.z() > 0.66f)
+        CHECK(p.y() > 0.19f);  // the back is at +Y
+      else if (p.z() > 0.46f && p.y() < 0.19f)
+        CHECK(p.x() > 0.19f);  // the arm at +X
     }
   CHECK((*model)->materials[0].base_color[0] > 0.9f);
 }
 
 TEST_CASE("Up and front of a sidecar turn the mesh") {
   const TemporaryFolder folder;
-  folder.write("mine/wedge.obj", "v 0 0 0\nv 4 0 0\nv 0 1 0\nv 0 0 2\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n");
+  folder.write("mine/wedge.obj",
+               "v 0 0 0\nv 4 0 0\nv 0 1 0\nv 0 0 2\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n");
   folder.write("mine/wedge.json", R"({"up": "+z", "front": "+x", "units": "ft"})");
   auto catalogue = assets::open_catalogue(options_for(folder.path() / "mine", folder));
   REQUIRE(catalogue);
@@ -226,13 +232,13 @@ TEST_CASE("The installed furniture is whole: boxes, normals, licences") {
     const auto model = catalogue->load(info.ref);
     REQUIRE(model);
     const Bounds3 box = bounds(**model);
-    for (int axis = 0; axis < 3; ++axis)
-      CHECK(std::abs(box.size()[axis] - info.size[axis]) < 2e-3);
+    for (int axis = 0; axis < 3; ++axis) CHECK(std::abs(box.size()[axis] - info.size[axis]) < 2e-3);
     CHECK(std::abs(box.low.z()) < 1e-6);
     for (const auto& part : (*model)->parts) {
       CHECK(part.mesh.normals.size() == part.mesh.positions.size());
-      const bool unit = std::all_of(part.mesh.normals.begin(), part.mesh.normals.end(),
-                                    [](const auto& n) { return std::abs(n.norm() - 1.0f) < 1e-3f; });
+      const bool unit =
+          std::all_of(part.mesh.normals.begin(), part.mesh.normals.end(),
+                      [](const auto& n) { return std::abs(n.norm() - 1.0f) < 1e-3f; });
       CHECK(unit);
     }
   }

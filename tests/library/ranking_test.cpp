@@ -1,5 +1,5 @@
-#include "catch.h"
 #include "roomgen/library/ranking.h"
+#include "catch.h"
 
 using namespace roomgen;
 

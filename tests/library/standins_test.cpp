@@ -19,7 +19,9 @@ AssetMatch build_for(const AssetQuery& query) {
 
 using PointKey = std::array<float, 3>;
 
-PointKey key(const Eigen::Vector3f& p) { return {p.x(), p.y(), p.z()}; }
+PointKey key(const Eigen::Vector3f& p) {
+  return {p.x(), p.y(), p.z()};
+}
 
 // Every edge of a closed mesh is used once in each direction.
 bool is_closed(const Mesh& mesh) {
@@ -37,7 +39,8 @@ double volume(const Mesh& mesh) {
   double sum = 0.0;
   for (const auto& t : mesh.triangles)
     sum += mesh.positions[t[0]].cast<double>().dot(
-               mesh.positions[t[1]].cast<double>().cross(mesh.positions[t[2]].cast<double>())) / 6.0;
+               mesh.positions[t[1]].cast<double>().cross(mesh.positions[t[2]].cast<double>())) /
+           6.0;
   return sum;
 }
 

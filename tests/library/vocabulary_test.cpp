@@ -1,12 +1,14 @@
+#include "roomgen/library/vocabulary.h"
 #include "catch.h"
 #include "roomgen/base/resource.h"
 #include "roomgen/library/standins.h"
-#include "roomgen/library/vocabulary.h"
 
 using namespace roomgen;
 
 namespace {
-const Vocabulary& vocabulary() { return Vocabulary::built_in(); }
+const Vocabulary& vocabulary() {
+  return Vocabulary::built_in();
+}
 }  // namespace
 
 TEST_CASE("The built-in vocabulary parses") {
