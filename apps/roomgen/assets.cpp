@@ -53,7 +53,9 @@ std::string size_text(const Vec3& size) {
          format_number(size.z(), 2);
 }
 
-std::string key(const AssetInfo& info) { return info.ref.library + "/" + info.ref.id; }
+std::string key(const AssetInfo& info) {
+  return info.ref.library + "/" + info.ref.id;
+}
 
 void print_table(const std::vector<AssetMatch>& matches) {
   std::printf("%5s  %-40s %-24s %-20s %-8s %s\n", "score", "asset", "category", "size (m)", "mount",
@@ -155,8 +157,9 @@ Result<int> index(const Options& options, const Context& context) {
   if (!all) return all.error();
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   if (context.json)
-    std::fputs(dump_json(Json{{"assets", all->size()}, {"seconds", rounded(elapsed.count(), 3)}}).c_str(),
-               stdout);
+    std::fputs(
+        dump_json(Json{{"assets", all->size()}, {"seconds", rounded(elapsed.count(), 3)}}).c_str(),
+        stdout);
   else
     std::printf("%zu assets, %.2f s\n", all->size(), elapsed.count());
   return exit_ok;
@@ -173,16 +176,20 @@ void add_assets_command(CLI::App& app, Context& context) {
 
   CLI::App* make = command->add_subcommand("index", "Read the libraries into the catalogue");
   make->add_flag("--rebuild", options->rebuild, "Even if nothing changed");
-  make->callback([=, &context] { context.run = [=, &context] { return index(*options, context); }; });
+  make->callback(
+      [=, &context] { context.run = [=, &context] { return index(*options, context); }; });
 
-  CLI::App* find = command->add_subcommand("search", "Find furniture: assets search \"white desk\"");
+  CLI::App* find =
+      command->add_subcommand("search", "Find furniture: assets search \"white desk\"");
   find->add_option("description", options->text, "What it is and looks like")->required();
   find->add_option("--category", options->category, "What it is, if the description does not say");
-  find->add_option("--size", options->size, "Wanted width, depth and height in metres")->expected(3);
+  find->add_option("--size", options->size, "Wanted width, depth and height in metres")
+      ->expected(3);
   find->add_option("--mount", options->mount, "How it is put up")
       ->check(CLI::IsMember({"floor", "wall", "ceiling", "surface"}));
   find->add_option("--limit", options->limit, "At most so many answers")->capture_default_str();
-  find->callback([=, &context] { context.run = [=, &context] { return search(*options, context); }; });
+  find->callback(
+      [=, &context] { context.run = [=, &context] { return search(*options, context); }; });
 
   CLI::App* one = command->add_subcommand("show", "All that is known about an asset");
   one->add_option("asset", options->asset, "Library/id, or the id alone")->required();

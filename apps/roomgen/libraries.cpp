@@ -21,7 +21,8 @@ void print_progress(const assets::IndexProgress& progress) {
 
 void add_library_options(CLI::App& command, LibraryOptions& options) {
   command.add_option("--library", options.more,
-                     "Another furniture library: a .sh3f file or a folder of meshes");
+                     "Another furniture library: a .sh3f file or a folder of meshes")
+      ->allow_extra_args(false);
   command.add_flag("--no-default-libraries", options.only_these,
                    "Leave out the libraries that the system has");
   command.add_option("--cache", options.cache, "Where the catalogue is kept");

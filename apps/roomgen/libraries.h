@@ -14,7 +14,7 @@ namespace roomgen::cli {
 struct LibraryOptions {
   std::vector<std::string> more;  ///< besides the installed ones
   bool only_these = false;
-  std::string cache;     ///< empty: the user's cache folder
+  std::string cache;  ///< empty: the user's cache folder
   bool rebuild = false;
   bool verbose = false;  ///< tell what was repaired or left out
 };

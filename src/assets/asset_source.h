@@ -15,7 +15,7 @@ namespace roomgen::assets {
 /// What a library itself says about one of its meshes; what it leaves out is worked out later
 /// (classify.h) or measured when the mesh is read.
 struct SourceAsset {
-  AssetInfo info;  ///< ref, name, tags, group, elevation; size if `frame.size` is known
+  AssetInfo info;    ///< ref, name, tags, group, elevation; size if `frame.size` is known
   std::string mesh;  ///< its file in the tree
   SourceFrame frame;
   std::optional<std::string> category;
@@ -37,8 +37,9 @@ std::string library_name(const std::filesystem::path& path);
 /// A .sh3f or .zip file, or a folder.
 Result<FileTree> open_tree(const std::filesystem::path& path, const LogSink& log);
 
-/// Lists the meshes of a library: by its PluginFurnitureCatalog.properties if it has one, else every
-/// mesh file with the sidecar beside it. Entries that cannot be used are left out with a warning.
+/// Lists the meshes of a library: by its PluginFurnitureCatalog.properties if it has one, else
+/// every mesh file with the sidecar beside it. Entries that cannot be used are left out with a
+/// warning.
 Result<AssetSource> open_source(const std::filesystem::path& path, const LogSink& log);
 
 std::vector<SourceAsset> list_sh3f(const FileTree& tree, const std::string& library,

@@ -10,7 +10,6 @@
 #include "import_mesh.h"
 #include "index.h"
 #include "index_file.h"
-#include "roomgen/library/ranking.h"
 #include "search.h"
 
 namespace roomgen::assets {
@@ -76,7 +75,7 @@ struct Catalogue::Impl {
 };
 
 Result<std::shared_ptr<const Model>> Catalogue::Impl::read_model(Shelf& shelf,
-                                                                const IndexedAsset& asset) const {
+                                                                 const IndexedAsset& asset) const {
   if (!shelf.tree) {
     auto tree = open_tree(shelf.path, {});  // warnings were given while indexing
     if (!tree) return tree.error();
@@ -99,14 +98,9 @@ Result<std::vector<AssetMatch>> Catalogue::search(const AssetQuery& query) const
   const auto& vocabulary = Vocabulary::built_in();
   const SearchPlan plan = plan_search(query, vocabulary);
   const std::lock_guard lock(impl_->mutex);
-  std::vector<AssetMatch> all;
-  for (const auto& shelf : impl_->shelves) {
-    auto matches = run_search(shelf.database, plan, vocabulary);
-    if (!matches) return with_context(matches.error(), shelf.library);
-    all.insert(all.end(), matches->begin(), matches->end());
-  }
-  rank(all, query.limit);
-  return all;
+  std::vector<const Database*> databases;
+  for (const auto& shelf : impl_->shelves) databases.push_back(&shelf.database);
+  return run_search(databases, plan, vocabulary);
 }
 
 Result<std::shared_ptr<const Model>> Catalogue::load(const AssetRef& ref) const {
@@ -166,7 +160,8 @@ std::vector<fs::path> installed_libraries() {
 fs::path default_cache_dir() {
   if (const auto cache = environment_folder("XDG_CACHE_HOME"); !cache.empty())
     return cache / "roomgen";
-  if (const auto home = environment_folder("HOME"); !home.empty()) return home / ".cache" / "roomgen";
+  if (const auto home = environment_folder("HOME"); !home.empty())
+    return home / ".cache" / "roomgen";
   std::error_code code;
   return fs::temp_directory_path(code) / "roomgen-cache";
 }

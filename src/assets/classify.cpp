@@ -7,9 +7,9 @@ namespace roomgen::assets {
 
 namespace {
 
-constexpr double hangs_from = 0.9;     // metres: what the library puts this high is on a wall
+constexpr double hangs_from = 0.9;  // metres: what the library puts this high is on a wall
 constexpr double near_ceiling = 2.0;
-constexpr double small_side = 0.45;    // metres: what is this small stands on something
+constexpr double small_side = 0.45;  // metres: what is this small stands on something
 constexpr double small_height = 0.5;
 constexpr double usual_wall_elevation = 1.2;
 

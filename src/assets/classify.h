@@ -6,9 +6,9 @@
 
 namespace roomgen::assets {
 
-/// What an asset is and how it is put up: category, mount, front, roundness, support height. A label
-/// goes before what the library states, that before what the vocabulary knows of the kind, and that
-/// before a guess from size and elevation. Precondition: `asset.info.size` is known.
+/// What an asset is and how it is put up: category, mount, front, roundness, support height. A
+/// label goes before what the library states, that before what the vocabulary knows of the kind,
+/// and that before a guess from size and elevation. Precondition: `asset.info.size` is known.
 AssetInfo classify(const SourceAsset& asset, const Label* label, const Vocabulary& vocabulary);
 
 }  // namespace roomgen::assets

@@ -37,14 +37,15 @@ std::array<float, 3> mean_color(const Image& image) {
 std::array<float, 3> shown_color(const Material& material) {
   std::array<float, 3> color{255, 255, 255};
   if (material.texture) color = mean_color(*material.texture);
-  for (std::size_t c = 0; c < 3; ++c) color[c] *= srgb255_from_linear(material.base_color[c]) / 255.0f;
+  for (std::size_t c = 0; c < 3; ++c)
+    color[c] *= srgb255_from_linear(material.base_color[c]) / 255.0f;
   return color;
 }
 
 // Names of strong colours by hue in degrees; 15 to 50 degrees is the realm of wood and leather.
 std::string hue_name(float hue, float saturation, float value) {
   if (hue >= 12 && hue < 52) {
-    if (value < 0.72f) return "brown";
+    if (value < 0.72f || (hue < 40 && saturation >= 0.48f && value < 0.85f)) return "brown";
     if (saturation < 0.48f) return "beige";
     return hue < 40 ? (saturation > 0.7f ? "orange" : "brown") : "yellow";
   }
@@ -62,11 +63,14 @@ std::string color_name(float red, float green, float blue) {
   const float value = high / 255.0f, spread = high - low;
   const float saturation = high > 0.0f ? spread / high : 0.0f;
   if (value < 0.18f) return "black";
-  if (saturation < 0.13f) return value > 0.82f ? "white" : value < 0.27f ? "black" : "grey";
+  if (saturation < 0.13f) return value > 0.74f ? "white" : value < 0.27f ? "black" : "grey";
   float hue = 0.0f;
-  if (high == red) hue = 60.0f * (green - blue) / spread;
-  else if (high == green) hue = 120.0f + 60.0f * (blue - red) / spread;
-  else hue = 240.0f + 60.0f * (red - green) / spread;
+  if (high == red)
+    hue = 60.0f * (green - blue) / spread;
+  else if (high == green)
+    hue = 120.0f + 60.0f * (blue - red) / spread;
+  else
+    hue = 240.0f + 60.0f * (red - green) / spread;
   if (hue < 0.0f) hue += 360.0f;
   return hue_name(hue, saturation, value);
 }

@@ -75,8 +75,7 @@ Result<Database> Database::open(const std::filesystem::path& path, int flags) {
   sqlite3* raw = nullptr;
   const int code = sqlite3_open_v2(path.c_str(), &raw, flags, nullptr);
   Database database(raw);
-  if (code != SQLITE_OK)
-    return Error{Error::Kind::io, path.string() + ": " + sqlite3_errstr(code)};
+  if (code != SQLITE_OK) return Error{Error::Kind::io, path.string() + ": " + sqlite3_errstr(code)};
   return database;
 }
 

@@ -35,19 +35,22 @@ std::string FileTree::resolve(const std::string& folder, std::string_view refere
   while (path.starts_with("./")) path.erase(0, 2);
   if (is_safe_name(path)) {
     const std::string below = folder_of(path);
-    const std::string whole = folder.empty() || below.empty() ? folder + below : folder + "/" + below;
+    const std::string whole =
+        folder.empty() || below.empty() ? folder + below : folder + "/" + below;
     if (auto found = find_in_folder(whole, file_name_of(path)); !found.empty()) return found;
   }
   return find_in_folder(folder, file_name_of(path));
 }
 
 bool is_safe_name(std::string_view name) {
-  if (name.empty() || name.front() == '/' || name.find('\\') != std::string_view::npos) return false;
+  if (name.empty() || name.front() == '/' || name.find('\\') != std::string_view::npos)
+    return false;
   if (name.size() > 1 && name[1] == ':') return false;
   if (std::any_of(name.begin(), name.end(), [](unsigned char c) { return c < 32 || c == 127; }))
     return false;
   const auto parts = split(name, '/');
-  return std::none_of(parts.begin(), parts.end(), [](const std::string& part) { return part == ".."; });
+  return std::none_of(parts.begin(), parts.end(),
+                      [](const std::string& part) { return part == ".."; });
 }
 
 std::string folder_of(std::string_view name) {
@@ -72,8 +75,8 @@ Result<FileTree> open_folder(const fs::path& path) {
   if (code || !fs::is_directory(root, code))
     return Error{Error::Kind::not_found, path.string() + ": no such folder"};
   FileTree tree;
-  auto entry = fs::recursive_directory_iterator(
-      root, fs::directory_options::skip_permission_denied, code);
+  auto entry =
+      fs::recursive_directory_iterator(root, fs::directory_options::skip_permission_denied, code);
   for (; !code && entry != fs::recursive_directory_iterator(); entry.increment(code)) {
     std::error_code ignored;
     if (!entry->is_regular_file(ignored)) continue;
@@ -84,8 +87,8 @@ Result<FileTree> open_folder(const fs::path& path) {
     std::string name = entry->path().lexically_relative(root).generic_string();
     if (is_safe_name(name)) tree.names.push_back(std::move(name));
     if (tree.names.size() > max_tree_files)
-      return Error{Error::Kind::limit, path.string() + ": more than " +
-                                           std::to_string(max_tree_files) + " files"};
+      return Error{Error::Kind::limit,
+                   path.string() + ": more than " + std::to_string(max_tree_files) + " files"};
   }
   if (code) return Error{Error::Kind::io, path.string() + ": " + code.message()};
   std::sort(tree.names.begin(), tree.names.end());

@@ -27,9 +27,9 @@ struct FileTree {
   /// The file of a folder ("" is the root) whose name equals `file` but for case and surrounding
   /// white space; empty if there is none.
   std::string find_in_folder(std::string_view folder, std::string_view file) const;
-  /// The file that a mesh in `folder` means by `reference`: that relative path below the folder, else
-  /// the file of that name in the folder itself, since references are often absolute paths of the
-  /// author's computer. Empty if there is none.
+  /// The file that a mesh in `folder` means by `reference`: that relative path below the folder,
+  /// else the file of that name in the folder itself, since references are often absolute paths of
+  /// the author's computer. Empty if there is none.
   std::string resolve(const std::string& folder, std::string_view reference) const;
   /// The files directly in a folder.
   std::vector<std::string> files_in(std::string_view folder) const;

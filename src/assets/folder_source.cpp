@@ -1,5 +1,5 @@
-// A folder (or archive) of mesh files without a catalogue: each file is an asset named after itself,
-// described by the JSON file of the same name if there is one.
+// A folder (or archive) of mesh files without a catalogue: each file is an asset named after
+// itself, described by the JSON file of the same name if there is one.
 
 #include "asset_source.h"
 #include "import_mesh.h"
@@ -22,8 +22,8 @@ std::string name_from_file(const std::string& file) {
   return std::string(trim(name));
 }
 
-// What the formats say about their axes, or by custom: glTF is Y-up, front +Z, in metres; STL and PLY
-// come from CAD, Z-up.
+// What the formats say about their axes, or by custom: glTF is Y-up, front +Z, in metres; STL and
+// PLY come from CAD, Z-up.
 SourceFrame usual_frame(const std::string& extension) {
   SourceFrame frame;
   const bool z_up = extension == "stl" || extension == "ply";

@@ -10,10 +10,11 @@ namespace roomgen::assets {
 
 namespace {
 
-constexpr double flat = 1e-6;           // metres: thinner has no thickness to be scaled
-constexpr double thinnest = 1e-3;       // what such a thing is said to measure
+constexpr double flat = 1e-6;      // metres: thinner has no thickness to be scaled
+constexpr double thinnest = 1e-3;  // what such a thing is said to measure
 constexpr double smallest = 1e-6;
-constexpr double min_area = 1e-10;      // square metres
+constexpr int max_passes = 4;
+constexpr double min_area = 1e-10;  // square metres
 
 std::optional<Vec3> axis(const std::string& text) {
   if (text.size() != 2 || (text[0] != '+' && text[0] != '-')) return std::nullopt;
@@ -46,9 +47,11 @@ void transform(Model& model, const Eigen::Matrix3d& linear, const Vec3& offset) 
   }
 }
 
-void drop_degenerate(Model& model, double area) {
-  for (auto& part : model.parts) remove_degenerate(part.mesh, area);
+std::size_t drop_degenerate(Model& model, double area) {
+  std::size_t dropped = 0;
+  for (auto& part : model.parts) dropped += remove_degenerate(part.mesh, area);
   std::erase_if(model.parts, [](const ModelPart& part) { return part.mesh.triangles.empty(); });
+  return dropped;
 }
 
 // Rounding to float must not put a vertex outside the box.
@@ -57,6 +60,25 @@ void clamp_to_box(Model& model, const Vec3& size) {
   const Eigen::Vector3f high = Vec3(0.5 * size.x(), 0.5 * size.y(), size.z()).cast<float>();
   for (auto& part : model.parts)
     for (auto& p : part.mesh.positions) p = p.cwiseMax(low).cwiseMin(high);
+}
+
+// Scales and moves the model to the wanted box, else only moves it; returns the box. An axis
+// without thickness stays as it is.
+Vec3 fit_box(Model& model, const std::optional<Vec3>& wanted) {
+  const Bounds3 box = bounds(model);
+  Vec3 scale = Vec3::Ones(), size = box.size();
+  for (int i = 0; i < 3; ++i) {
+    if (size[i] <= flat) {
+      size[i] = thinnest;
+    } else if (wanted) {
+      scale[i] = (*wanted)[i] / size[i];
+      size[i] = (*wanted)[i];
+    }
+  }
+  const Vec3 origin(box.center().x(), box.center().y(), box.low.z());
+  transform(model, scale.asDiagonal(), -origin.cwiseProduct(scale));
+  clamp_to_box(model, size);
+  return size;
 }
 
 }  // namespace
@@ -81,26 +103,20 @@ Result<Vec3> fit_to_frame(Model& model, const SourceFrame& frame, Normals normal
   double longest = bounds(model).size().maxCoeff();
   if (!(longest > 0.0) || !std::isfinite(longest))
     return Error{Error::Kind::invalid_input, "has no extent"};
-  double unit = frame.metres_per_unit > 0.0 ? frame.metres_per_unit : guess_metres_per_unit(longest);
+  double unit =
+      frame.metres_per_unit > 0.0 ? frame.metres_per_unit : guess_metres_per_unit(longest);
   if (frame.size) unit = frame.size->maxCoeff() / longest;
   transform(model, Eigen::Matrix3d::Identity() * unit, Vec3::Zero());
-  drop_degenerate(model, min_area);
-  if (model.parts.empty()) return Error{Error::Kind::invalid_input, "has no triangles"};
 
-  const Bounds3 box = bounds(model);
-  Vec3 scale = Vec3::Ones(), size = box.size();
-  for (int i = 0; i < 3; ++i) {
-    if (frame.size && size[i] > flat) {
-      scale[i] = (*frame.size)[i] / size[i];
-      size[i] = (*frame.size)[i];
-    } else if (size[i] <= flat) {
-      size[i] = thinnest;
-    }
-    if (!(size[i] > smallest)) return Error{Error::Kind::invalid_input, "has no extent"};
+  // Rounding after a step may flatten a triangle, and one that goes may have been at the edge.
+  Vec3 size = Vec3::Zero();
+  for (int pass = 0; pass < max_passes; ++pass) {
+    const std::size_t dropped = drop_degenerate(model, min_area);
+    if (model.parts.empty()) return Error{Error::Kind::invalid_input, "has no triangles"};
+    if (pass > 0 && dropped == 0) break;
+    size = fit_box(model, frame.size);
+    if (!(size.minCoeff() > smallest)) return Error{Error::Kind::invalid_input, "has no extent"};
   }
-  const Vec3 origin(box.center().x(), box.center().y(), box.low.z());
-  transform(model, scale.asDiagonal(), -origin.cwiseProduct(scale));
-  clamp_to_box(model, size);
   if (normals == Normals::repair)
     for (auto& part : model.parts) repair_normals(part.mesh);
   return size;

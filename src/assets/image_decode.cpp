@@ -120,12 +120,12 @@ Image shrunk(const Image& image, int width, int height) {
   Image result(width, height);
   for (int y = 0; y < height; ++y) {
     const int y0 = static_cast<int>(static_cast<std::int64_t>(y) * image.height / height);
-    const int y1 = std::max(y0 + 1, static_cast<int>(static_cast<std::int64_t>(y + 1) *
-                                                     image.height / height));
+    const int y1 = std::max(
+        y0 + 1, static_cast<int>(static_cast<std::int64_t>(y + 1) * image.height / height));
     for (int x = 0; x < width; ++x) {
       const int x0 = static_cast<int>(static_cast<std::int64_t>(x) * image.width / width);
-      const int x1 = std::max(x0 + 1, static_cast<int>(static_cast<std::int64_t>(x + 1) *
-                                                       image.width / width));
+      const int x1 = std::max(
+          x0 + 1, static_cast<int>(static_cast<std::int64_t>(x + 1) * image.width / width));
       std::uint32_t sum[4] = {0, 0, 0, 0};
       for (int v = y0; v < y1; ++v)
         for (int u = x0; u < x1; ++u)

@@ -34,7 +34,8 @@ class Flattener {
  public:
   Flattener(const aiScene& scene, MaterialReader& materials, std::size_t max_triangles)
       : scene_(scene), max_triangles_(max_triangles) {
-    for (unsigned i = 0; i < scene.mNumMaterials; ++i) add_material(materials.read(*scene.mMaterials[i]));
+    for (unsigned i = 0; i < scene.mNumMaterials; ++i)
+      add_material(materials.read(*scene.mMaterials[i]));
     model_.parts.resize(model_.materials.size());
     for (std::size_t i = 0; i < model_.parts.size(); ++i)
       model_.parts[i].material = static_cast<int>(i);
@@ -49,16 +50,22 @@ class Flattener {
     return true;
   }
 
+  // The parts that have triangles, with their materials.
   Model take() {
-    std::erase_if(model_.parts, [](const ModelPart& part) { return part.mesh.triangles.empty(); });
-    return std::move(model_);
+    Model used;
+    for (auto& part : model_.parts) {
+      if (part.mesh.triangles.empty()) continue;
+      used.materials.push_back(
+          std::move(model_.materials[static_cast<std::size_t>(part.material)]));
+      used.parts.push_back({std::move(part.mesh), static_cast<int>(used.materials.size()) - 1});
+    }
+    return used;
   }
 
  private:
   void add_material(Material material) {
     for (std::size_t i = 0; i < model_.materials.size(); ++i)
-      if (same_surface(model_.materials[i], material))
-        return part_of_material_.push_back(i);
+      if (same_surface(model_.materials[i], material)) return part_of_material_.push_back(i);
     part_of_material_.push_back(model_.materials.size());
     model_.materials.push_back(std::move(material));
   }
@@ -131,7 +138,8 @@ Result<Model> import_checked(const FileTree& tree, const std::string& mesh,
 
   Assimp::Importer importer;
   importer.SetIOHandler(new MemoryIo(tree, folder_of(mesh)));  // the importer deletes it
-  importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
+  importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
+                              aiPrimitiveType_POINT | aiPrimitiveType_LINE);
   const aiScene* scene = importer.ReadFile(mesh, 0);
   if (!scene || !scene->mRootNode)
     return Error{Error::Kind::invalid_input, mesh + ": " + importer.GetErrorString()};

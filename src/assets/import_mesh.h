@@ -11,8 +11,8 @@
 namespace roomgen::assets {
 
 struct ImportOptions {
-  int max_texture_side = 1024;          ///< larger pictures are shrunk
-  std::size_t max_triangles = 500000;   ///< more are refused: nothing in a room needs them
+  int max_texture_side = 1024;         ///< larger pictures are shrunk
+  std::size_t max_triangles = 500000;  ///< more are refused: nothing in a room needs them
   LogSink log;
 };
 

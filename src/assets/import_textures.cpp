@@ -15,13 +15,16 @@ namespace {
 // Panes written as fully transparent would vanish.
 constexpr float least_alpha = 0.15f;
 
-float get(const aiMaterial& source, const char* key, unsigned type, unsigned index, float fallback) {
+float get(const aiMaterial& source, const char* key, unsigned type, unsigned index,
+          float fallback) {
   float value = fallback;
   return source.Get(key, type, index, value) == aiReturn_SUCCESS && std::isfinite(value) ? value
                                                                                          : fallback;
 }
 
-float unit(float value) { return std::isfinite(value) ? std::clamp(value, 0.0f, 1.0f) : 0.5f; }
+float unit(float value) {
+  return std::isfinite(value) ? std::clamp(value, 0.0f, 1.0f) : 0.5f;
+}
 
 // Wavefront shininess to microfacet roughness (Walter et al. 2007, section 5.2: Ns = 2 / a^2 - 2,
 // a = roughness^2). A surface without specular colour is dull.
@@ -58,16 +61,20 @@ Material MaterialReader::read(const aiMaterial& source) {
   Material material;
   material.name = source.GetName().C_Str();
   aiColor4D color(0.8f, 0.8f, 0.8f, 1.0f);
-  if (is_gltf_) source.Get(AI_MATKEY_BASE_COLOR, color);
-  else source.Get(AI_MATKEY_COLOR_DIFFUSE, color);
+  if (is_gltf_)
+    source.Get(AI_MATKEY_BASE_COLOR, color);
+  else
+    source.Get(AI_MATKEY_COLOR_DIFFUSE, color);
   material.texture = texture(source);
 
   const float rgb[3] = {color.r, color.g, color.b};
   for (int i = 0; i < 3; ++i) {
     // glTF colours are linear; older formats mean what is seen on screen, and a picture replaces
     // their colour instead of being darkened by it.
-    if (is_gltf_) material.base_color[i] = unit(rgb[i]);
-    else material.base_color[i] = material.texture ? 1.0f : linear_from_srgb(255.0f * unit(rgb[i]));
+    if (is_gltf_)
+      material.base_color[i] = unit(rgb[i]);
+    else
+      material.base_color[i] = material.texture ? 1.0f : linear_from_srgb(255.0f * unit(rgb[i]));
   }
   const float alpha = is_gltf_ ? color.a : get(source, AI_MATKEY_OPACITY, 1.0f);
   material.base_color[3] = std::max(least_alpha, unit(alpha));
@@ -101,10 +108,12 @@ std::shared_ptr<const Image> MaterialReader::texture(const aiMaterial& source) {
     return nullptr;
   }
   const auto bytes = tree_.read(file);
-  auto decoded = bytes ? decode_image(*bytes, options_.max_texture_side)
-                       : Result<Image>(bytes.error());
-  if (decoded) image = std::make_shared<const Image>(*std::move(decoded));
-  else warn(file_name_of(file) + ": " + decoded.error().message);
+  auto decoded =
+      bytes ? decode_image(*bytes, options_.max_texture_side) : Result<Image>(bytes.error());
+  if (decoded)
+    image = std::make_shared<const Image>(*std::move(decoded));
+  else
+    warn(file_name_of(file) + ": " + decoded.error().message);
   return image;
 }
 

@@ -35,8 +35,8 @@ std::string stamp_of_file(const fs::path& path) {
 // Changes when a file of the library does, or what this program knows.
 Result<std::string> stamp_of(const fs::path& library) {
   std::string text = std::to_string(format_version);
-  for (const auto* name : {"data/furniture-labels.json", "data/vocabulary.json",
-                           "data/categories.json"})
+  for (const auto* name :
+       {"data/furniture-labels.json", "data/vocabulary.json", "data/categories.json"})
     text += "\n" + sha256_hex(resource(name).value_or(""));
   std::error_code code;
   if (!fs::is_directory(library, code)) return sha256_hex(text + "\n" + stamp_of_file(library));
@@ -82,8 +82,8 @@ Result<IndexedAsset> index_asset(const AssetSource& source, const SourceAsset& a
   return row;
 }
 
-// Reads all meshes of a library, several at a time; the result is in the library's order whoever was
-// first.
+// Reads all meshes of a library, several at a time; the result is in the library's order whoever
+// was first.
 class Indexer {
  public:
   Indexer(const AssetSource& source, const CatalogueOptions& options)
@@ -112,8 +112,10 @@ class Indexer {
   void work() {
     for (std::size_t i; (i = next_++) < rows_.size() && !options_.cancel.cancelled();) {
       auto row = index_asset(source_, source_.assets[i], log_);
-      if (row) rows_[i] = *std::move(row);
-      else log_(LogLevel::warning, row.error().message + "; left out");
+      if (row)
+        rows_[i] = *std::move(row);
+      else
+        log_(LogLevel::warning, row.error().message + "; left out");
       report();
     }
   }
@@ -155,8 +157,8 @@ Status build_index(const fs::path& library, const fs::path& target, const std::s
   drop_doubled_ids(rows);
 
   static std::atomic<unsigned> counter = 0;
-  const fs::path aside =
-      target.string() + "." + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".part";
+  const fs::path aside = target.string() + "." + std::to_string(::getpid()) + "-" +
+                         std::to_string(counter++) + ".part";
   std::error_code code;
   fs::remove(aside, code);
   Status status = write_index(aside, stamp, rows);

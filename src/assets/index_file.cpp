@@ -29,7 +29,9 @@ constexpr const char* finish = R"sql(
   COMMIT;
 )sql";
 
-std::string json_text(const std::vector<std::string>& texts) { return Json(texts).dump(); }
+std::string json_text(const std::vector<std::string>& texts) {
+  return Json(texts).dump();
+}
 
 std::vector<std::string> texts_of(const std::string& json) {
   const auto value = Json::parse(json, nullptr, false);
@@ -148,8 +150,8 @@ Status write_index(const std::filesystem::path& path, const std::string& stamp,
   if (auto status = database->run(schema); !status) return status;
   Statement meta = database->prepare("INSERT INTO meta VALUES ('stamp', ?)");
   meta.bind(1, stamp).run();
-  Statement rows = database->prepare(
-      "INSERT INTO assets VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
+  Statement rows =
+      database->prepare("INSERT INTO assets VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
   Statement texts = database->prepare(
       "INSERT INTO texts (rowid, name, tags, category, grp, words, looks) VALUES (?,?,?,?,?,?,?)");
   long long number = 0;

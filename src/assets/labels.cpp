@@ -10,10 +10,14 @@ namespace {
 
 void read_traits(const std::string& text, const JsonReader& json, Label& label) {
   for (const auto& trait : words(text)) {
-    if (trait == "round") label.round = true;
-    else if (trait == "frontless") label.front = false;
-    else if (const auto mount = parse_mount(trait)) label.mount = mount;
-    else json.report("\"" + trait + "\" is none of round, frontless, floor, wall, ceiling, surface");
+    if (trait == "round")
+      label.round = true;
+    else if (trait == "frontless")
+      label.front = false;
+    else if (const auto mount = parse_mount(trait))
+      label.mount = mount;
+    else
+      json.report("\"" + trait + "\" is none of round, frontless, floor, wall, ceiling, surface");
   }
 }
 

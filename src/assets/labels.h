@@ -11,7 +11,8 @@
 
 namespace roomgen::assets {
 
-/// What a person who looked at an asset says about it, where its library says nothing or too little.
+/// What a person who looked at an asset says about it, where its library says nothing or too
+/// little.
 struct Label {
   std::string category;  ///< a kind of the vocabulary
   std::vector<std::string> tags;
@@ -20,8 +21,8 @@ struct Label {
   std::optional<Mount> mount;
 };
 
-/// data/furniture-labels.json: library, then asset id, to "category | tag tag | trait trait". Traits
-/// are: round, frontless, and the mounts.
+/// data/furniture-labels.json: library, then asset id, to "category | tag tag | trait trait".
+/// Traits are: round, frontless, and the mounts.
 class Labels {
  public:
   static Result<Labels> parse(std::string_view text, const std::string& source);

@@ -57,6 +57,8 @@ Assimp::IOStream* MemoryIo::Open(const char* file, const char* mode) {
   return bytes ? new MemoryStream(*std::move(bytes)) : nullptr;
 }
 
-void MemoryIo::Close(Assimp::IOStream* stream) { delete stream; }
+void MemoryIo::Close(Assimp::IOStream* stream) {
+  delete stream;
+}
 
 }  // namespace roomgen::assets

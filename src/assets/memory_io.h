@@ -8,8 +8,8 @@
 
 namespace roomgen::assets {
 
-/// Gives assimp the files of a mesh's own folder, and nothing else: whatever path a mesh file names is
-/// looked up there (FileTree::resolve).
+/// Gives assimp the files of a mesh's own folder, and nothing else: whatever path a mesh file names
+/// is looked up there (FileTree::resolve).
 class MemoryIo final : public Assimp::IOSystem {
  public:
   MemoryIo(const FileTree& tree, std::string folder) : tree_(tree), folder_(std::move(folder)) {}

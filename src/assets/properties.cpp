@@ -36,8 +36,12 @@ std::int32_t hex4(std::string_view text, std::size_t at) {
   return error == std::errc{} && end == text.data() + at + 4 ? code : -1;
 }
 
-bool is_high_surrogate(std::int32_t code) { return code >= 0xD800 && code < 0xDC00; }
-bool is_low_surrogate(std::int32_t code) { return code >= 0xDC00 && code < 0xE000; }
+bool is_high_surrogate(std::int32_t code) {
+  return code >= 0xD800 && code < 0xDC00;
+}
+bool is_low_surrogate(std::int32_t code) {
+  return code >= 0xDC00 && code < 0xE000;
+}
 
 std::string unescape(std::string_view text) {
   std::string result;
@@ -48,14 +52,16 @@ std::string unescape(std::string_view text) {
       continue;
     }
     const char escaped = text[++i];
-    if (escaped == 'n') result += '\n';
-    else if (escaped == 't') result += '\t';
-    else if (escaped == 'r' || escaped == 'f') result += ' ';
+    if (escaped == 'n')
+      result += '\n';
+    else if (escaped == 't')
+      result += '\t';
+    else if (escaped == 'r' || escaped == 'f')
+      result += ' ';
     else if (std::int32_t code; escaped == 'u' && (code = hex4(text, i + 1)) >= 0) {
       i += 4;
-      const std::int32_t low = i + 2 < text.size() && text[i + 1] == '\\' && text[i + 2] == 'u'
-                                   ? hex4(text, i + 3)
-                                   : -1;
+      const std::int32_t low =
+          i + 2 < text.size() && text[i + 1] == '\\' && text[i + 2] == 'u' ? hex4(text, i + 3) : -1;
       if (is_high_surrogate(code) && is_low_surrogate(low)) {
         code = 0x10000 + ((code - 0xD800) << 10) + (low - 0xDC00);
         i += 6;
@@ -86,8 +92,10 @@ std::string_view take_line(std::string_view& text) {
 // Where the key ends: at the first '=', ':' or white space that is not escaped.
 std::size_t key_length(std::string_view line) {
   for (std::size_t i = 0; i < line.size(); ++i) {
-    if (line[i] == '\\') ++i;
-    else if (std::string_view("=: \t\f").find(line[i]) != std::string_view::npos) return i;
+    if (line[i] == '\\')
+      ++i;
+    else if (std::string_view("=: \t\f").find(line[i]) != std::string_view::npos)
+      return i;
   }
   return line.size();
 }

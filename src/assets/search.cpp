@@ -13,8 +13,8 @@ namespace roomgen::assets {
 
 namespace {
 
-constexpr double general_kind = 0.8;     // a plain bed where the description says bunk bed
-constexpr double family_match = 0.6;     // oak where walnut was wanted: both are wood
+constexpr double general_kind = 0.8;  // a plain bed where the description says bunk bed
+constexpr double family_match = 0.6;  // oak where walnut was wanted: both are wood
 constexpr double usual_size_share = 0.25;
 constexpr std::size_t max_words = 16;
 
@@ -22,12 +22,13 @@ bool mentions(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-// Kinds below the asked one that the description names: "bunk bed for two" where a bed is asked.
+// Kinds that the description names among those that would do: "bunk bed for two" where a bed is
+// asked.
 std::vector<std::string> special_kinds(const std::string& kind, const std::string& description,
                                        const Vocabulary& vocabulary) {
   std::vector<std::string> result;
   for (const auto& mentioned : vocabulary.mentioned(description))
-    if (mentioned != kind && vocabulary.is_a(mentioned, kind) && !mentions(result, mentioned))
+    if (mentioned != kind && vocabulary.fit(mentioned, kind) > 0.0 && !mentions(result, mentioned))
       result.push_back(mentioned);
   return result;
 }
@@ -48,9 +49,9 @@ std::map<std::string, double> fitting_kinds(const std::string& kind, const std::
 }
 
 // The words that say which thing of its kind is meant.
-std::vector<std::string> telling_words(const AssetQuery& query, const std::string& kind,
+std::vector<std::string> telling_words(const AssetQuery& query, const KindPhrase& phrase,
                                        const Vocabulary& vocabulary) {
-  const auto of_kind = words(kind);
+  const auto of_kind = words(phrase.kind + " " + phrase.name);
   std::vector<std::string> result;
   for (const auto& word : words(query.category + " " + query.description)) {
     const std::string one = singular(word);
@@ -60,7 +61,9 @@ std::vector<std::string> telling_words(const AssetQuery& query, const std::strin
   return result;
 }
 
-std::string in_quotes(const std::string& word) { return "\"" + word + "\""; }
+std::string in_quotes(const std::string& word) {
+  return "\"" + word + "\"";
+}
 
 std::set<long long> matching_rows(const Database& database, const std::string& expression) {
   Statement statement = database.prepare("SELECT rowid FROM texts WHERE texts MATCH ?");
@@ -70,9 +73,8 @@ std::set<long long> matching_rows(const Database& database, const std::string& e
   return rows;
 }
 
-// One word of the description against the text index. Rarer words tell more.
+// One word of the description in one catalogue's text index.
 struct WordRows {
-  double weight = 0.0;
   std::set<long long> exact, family;
 
   double found_in(long long row) const {
@@ -81,19 +83,52 @@ struct WordRows {
   }
 };
 
-WordRows look_up(const Database& database, const std::string& word, double asset_count,
-                 const Vocabulary& vocabulary) {
+WordRows look_up(const Database& database, const std::string& word, const Vocabulary& vocabulary) {
   WordRows result;
   result.exact = matching_rows(database, in_quotes(word));
   result.family = result.exact;
   std::vector<std::string> family;
   for (const auto& other : vocabulary.family(word)) family.push_back(in_quotes(other));
   if (family.size() > 1) result.family = matching_rows(database, join(family, " OR "));
-  const double frequency = static_cast<double>(result.family.size());
-  const double rarity = std::log((asset_count + 1.0) / (frequency + 1.0));
-  // A word that no asset has cannot tell them apart.
-  result.weight = result.family.empty() ? 0.0 : std::max(0.1, rarity);
   return result;
+}
+
+// The words of a description in all catalogues. Rarer words tell more, and a word that no asset has
+// cannot tell them apart; both are counted over all catalogues, so that their answers compare.
+struct WordIndex {
+  std::vector<double> weights;              ///< by word
+  std::vector<std::vector<WordRows>> rows;  ///< by catalogue, by word
+
+  std::vector<WeightedWord> found(std::size_t catalogue, long long row) const {
+    std::vector<WeightedWord> result;
+    for (std::size_t w = 0; w < weights.size(); ++w)
+      result.push_back({weights[w], rows[catalogue][w].found_in(row)});
+    return result;
+  }
+};
+
+double count_assets(const Database& database) {
+  Statement statement = database.prepare("SELECT count(*) FROM assets");
+  return statement.step() ? statement.number(0) : 0.0;
+}
+
+WordIndex look_up_all(const std::vector<const Database*>& databases, const SearchPlan& plan,
+                      const Vocabulary& vocabulary) {
+  WordIndex index;
+  std::vector<double> counts(plan.words.size(), 0.0);
+  double assets = 0.0;
+  for (const Database* database : databases) {
+    assets += count_assets(*database);
+    auto& rows = index.rows.emplace_back();
+    for (std::size_t w = 0; w < plan.words.size(); ++w) {
+      rows.push_back(look_up(*database, plan.words[w], vocabulary));
+      counts[w] += static_cast<double>(rows.back().family.size());
+    }
+  }
+  for (const double count : counts)
+    index.weights.push_back(count > 0.0 ? std::max(0.1, std::log((assets + 1.0) / (count + 1.0)))
+                                        : 0.0);
+  return index;
 }
 
 // The size of the kind's usual thing tells a doll's chair from a chair when no size is wanted.
@@ -133,11 +168,6 @@ Statement candidates(const Database& database, const SearchPlan& plan) {
   return statement;
 }
 
-double count_assets(const Database& database) {
-  Statement statement = database.prepare("SELECT count(*) FROM assets");
-  return statement.step() ? statement.number(0) : 0.0;
-}
-
 }  // namespace
 
 SearchPlan plan_search(const AssetQuery& query, const Vocabulary& vocabulary) {
@@ -145,36 +175,36 @@ SearchPlan plan_search(const AssetQuery& query, const Vocabulary& vocabulary) {
   plan.query = query;
   const std::string& asked = query.category.empty() ? query.description : query.category;
   const KindPhrase phrase = vocabulary.understand(asked);
-  if (phrase.known) plan.kinds = fitting_kinds(phrase.kind, query.description, vocabulary);
-  else if (!words(phrase.kind).empty()) plan.free_kind = phrase.kind;
-  plan.words = telling_words(query, phrase.kind, vocabulary);
+  if (phrase.known)
+    plan.kinds = fitting_kinds(phrase.kind, query.description, vocabulary);
+  else if (!words(phrase.kind).empty())
+    plan.free_kind = phrase.kind;
+  plan.words = telling_words(query, phrase, vocabulary);
   if (const Category* category = CategoryTable::built_in().find(phrase.kind))
     plan.usual_size = category->size;
   return plan;
 }
 
-Result<std::vector<AssetMatch>> run_search(const Database& database, const SearchPlan& plan,
-                                           const Vocabulary& vocabulary) {
+Result<std::vector<AssetMatch>> run_search(const std::vector<const Database*>& databases,
+                                           const SearchPlan& plan, const Vocabulary& vocabulary) {
   std::vector<AssetMatch> matches;
   if (plan.kinds.empty() && plan.free_kind.empty()) return matches;
-  const double count = count_assets(database);
-  std::vector<WordRows> wanted;
-  for (const auto& word : plan.words) wanted.push_back(look_up(database, word, count, vocabulary));
-
-  Statement rows = candidates(database, plan);
-  while (rows.step()) {
-    AssetMatch match{row_of(rows).info, 0.0};
-    const long long id = rows.integer(21);
-    std::vector<WeightedWord> found;
-    for (const auto& word : wanted) found.push_back({word.weight, word.found_in(id)});
-    match.score = match_score({kind_term(plan, match.asset, vocabulary), text_relevance(found),
-                               size_term(plan, match.asset),
-                               mount_term(plan, match.asset, vocabulary)});
-    if (match.score <= 0.0) continue;
-    match.asset.mount = plan.query.mount.value_or(match.asset.mount);
-    matches.push_back(std::move(match));
+  const WordIndex words = look_up_all(databases, plan, vocabulary);
+  for (std::size_t i = 0; i < databases.size(); ++i) {
+    Statement rows = candidates(*databases[i], plan);
+    while (rows.step()) {
+      AssetMatch match{row_of(rows).info, 0.0};
+      match.score =
+          match_score({kind_term(plan, match.asset, vocabulary),
+                       text_relevance(words.found(i, rows.integer(21))),
+                       size_term(plan, match.asset), mount_term(plan, match.asset, vocabulary)});
+      if (match.score <= 0.0) continue;
+      match.asset.mount = plan.query.mount.value_or(match.asset.mount);
+      matches.push_back(std::move(match));
+    }
+    if (auto status = rows.status(); !status) return status.error();
   }
-  if (auto status = rows.status(); !status) return status.error();
+  rank(matches, plan.query.limit);
   return matches;
 }
 

@@ -16,13 +16,13 @@ struct SearchPlan {
   std::string free_kind;                ///< instead of kinds: a phrase that the vocabulary lacks
   std::vector<std::string> words;       ///< of the description, singular
   AssetQuery query;
-  std::optional<Vec3> usual_size;       ///< of the category, when the query wants none
+  std::optional<Vec3> usual_size;  ///< of the category, when the query wants none
 };
 
 SearchPlan plan_search(const AssetQuery& query, const Vocabulary& vocabulary);
 
-/// The assets of one catalogue that fit, unordered.
-Result<std::vector<AssetMatch>> run_search(const Database& database, const SearchPlan& plan,
-                                           const Vocabulary& vocabulary);
+/// The assets of several catalogues that fit, best first, at most as many as the query wants.
+Result<std::vector<AssetMatch>> run_search(const std::vector<const Database*>& databases,
+                                           const SearchPlan& plan, const Vocabulary& vocabulary);
 
 }  // namespace roomgen::assets

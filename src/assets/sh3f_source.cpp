@@ -97,7 +97,9 @@ std::vector<std::string> tags(const std::string& text) {
   return result;
 }
 
-std::string short_id(const std::string& id) { return id.substr(id.find('#') + 1); }
+std::string short_id(const std::string& id) {
+  return id.substr(id.find('#') + 1);
+}
 
 std::string relative(std::string path) {
   while (path.starts_with('/')) path.erase(0, 1);
@@ -158,8 +160,10 @@ std::vector<SourceAsset> list_sh3f(const FileTree& tree, const std::string& libr
     if (entry.text("name").empty()) break;  // Sweet Home 3D stops at the first gap, too
     if (is_human(entry.text("creator"))) continue;
     auto asset = read_entry(entry, tree, library, library_text(all, "license"));
-    if (asset) assets.push_back(*std::move(asset));
-    else roomgen::log(log, LogLevel::warning, asset.error().message);
+    if (asset)
+      assets.push_back(*std::move(asset));
+    else
+      roomgen::log(log, LogLevel::warning, asset.error().message);
   }
   return assets;
 }

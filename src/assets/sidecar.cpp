@@ -25,14 +25,18 @@ double metres_per_unit(const JsonReader& json, double fallback) {
 
 void read_axes(const JsonReader& root, SourceAsset& asset) {
   const std::string front = root["front"].text_or("");
-  if (front == "none") asset.front = false;
-  else if (!front.empty()) asset.front = true;
+  if (front == "none")
+    asset.front = false;
+  else if (!front.empty())
+    asset.front = true;
   if (!root["up"].exists() && (front.empty() || front == "none")) return;
   const std::string up = root["up"].text_or("+y");
   const std::string usual = up == "+z" ? "-y" : "+z";
   const auto matrix = ours_from_axes(up, front.empty() || front == "none" ? usual : front);
-  if (matrix) asset.frame.ours_from_source = *matrix;
-  else root["front"].report(matrix.error().message);
+  if (matrix)
+    asset.frame.ours_from_source = *matrix;
+  else
+    root["front"].report(matrix.error().message);
 }
 
 }  // namespace

@@ -38,15 +38,17 @@ class Zip {
 Result<FileTree> Zip::list(const LogSink& sink) const {
   const zip_int64_t count = zip_get_num_entries(archive_.get(), 0);
   if (count < 0 || static_cast<std::size_t>(count) > max_tree_files)
-    return Error{Error::Kind::limit, path_ + ": more than " + std::to_string(max_tree_files) +
-                                         " entries"};
+    return Error{Error::Kind::limit,
+                 path_ + ": more than " + std::to_string(max_tree_files) + " entries"};
   FileTree tree;
   for (zip_uint64_t i = 0; i < static_cast<zip_uint64_t>(count); ++i) {
     const char* raw = zip_get_name(archive_.get(), i, ZIP_FL_ENC_GUESS);
     const std::string name = raw ? raw : "";
     if (name.ends_with('/')) continue;
-    if (is_safe_name(name)) tree.names.push_back(name);
-    else log(sink, LogLevel::warning, path_ + ": entry \"" + name + "\" leads outside; left out");
+    if (is_safe_name(name))
+      tree.names.push_back(name);
+    else
+      log(sink, LogLevel::warning, path_ + ": entry \"" + name + "\" leads outside; left out");
   }
   std::sort(tree.names.begin(), tree.names.end());
   tree.names.erase(std::unique(tree.names.begin(), tree.names.end()), tree.names.end());

@@ -8,12 +8,12 @@ namespace roomgen {
 
 namespace {
 
-constexpr double softening = 0.1;     // metres
+constexpr double softening = 0.1;  // metres
 constexpr double largest_ratio = 2.1;
-constexpr double falloff = 1.4;       // a ratio of 1.3 on one axis costs about 7 %
+constexpr double falloff = 1.4;  // a ratio of 1.3 on one axis costs about 7 %
 constexpr double text_share = 0.45;
 constexpr double size_share = 0.6;
-constexpr double low_enough = 0.7;    // metres: stands on the floor or on something
+constexpr double low_enough = 0.7;  // metres: stands on the floor or on something
 
 double axis_similarity(double have, double want) {
   const double ratio = (have + softening) / (want + softening);

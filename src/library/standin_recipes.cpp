@@ -1,5 +1,5 @@
-// How each stand-in is built. Local frame: x to the right, y to the back, z up, the box centred on the
-// z axis with its bottom at 0; lengths in metres.
+// How each stand-in is built. Local frame: x to the right, y to the back, z up, the box centred on
+// the z axis with its bottom at 0; lengths in metres.
 
 #include <algorithm>
 #include <array>
@@ -37,24 +37,29 @@ Rgb shaded(Rgb color, float factor) {
   return color;
 }
 
-Mesh make_frustum(const Vec2& center, double bottom_radius, double top_radius, double low, double high) {
+Mesh make_frustum(const Vec2& center, double bottom_radius, double top_radius, double low,
+                  double high) {
   constexpr int sides = 20;
   Mesh mesh;
   const auto vertex = [&](double angle, double radius, double z, const Vec3& normal) {
-    mesh.positions.push_back(Vec3(center.x() + radius * std::cos(angle),
-                                  center.y() + radius * std::sin(angle), z).cast<float>());
+    mesh.positions.push_back(
+        Vec3(center.x() + radius * std::cos(angle), center.y() + radius * std::sin(angle), z)
+            .cast<float>());
     mesh.normals.push_back(normal.cast<float>());
     mesh.uvs.push_back({static_cast<float>(angle * bottom_radius), static_cast<float>(z)});
     return static_cast<std::uint32_t>(mesh.positions.size() - 1);
   };
   const double slope = (bottom_radius - top_radius) / (high - low);
   for (int i = 0; i < sides; ++i) {
-    const double a = 2 * pi * i / sides, b = 2 * pi * (i + 1) / sides;
+    // The last corner is the first one to the bit, so that the mesh closes.
+    const double a = 2 * pi * i / sides, b = 2 * pi * ((i + 1) % sides) / sides;
     const auto outward = [&](double angle) {
       return Vec3(std::cos(angle), std::sin(angle), slope).normalized();
     };
-    const auto p = vertex(a, bottom_radius, low, outward(a)), q = vertex(b, bottom_radius, low, outward(b));
-    const auto r = vertex(b, top_radius, high, outward(b)), s = vertex(a, top_radius, high, outward(a));
+    const auto p = vertex(a, bottom_radius, low, outward(a)),
+               q = vertex(b, bottom_radius, low, outward(b));
+    const auto r = vertex(b, top_radius, high, outward(b)),
+               s = vertex(a, top_radius, high, outward(a));
     mesh.triangles.push_back({p, q, r});
     mesh.triangles.push_back({p, r, s});
     for (const double z : {low, high}) {
@@ -62,8 +67,10 @@ Mesh make_frustum(const Vec2& center, double bottom_radius, double top_radius, d
       const Vec3 normal(0, 0, z == low ? -1 : 1);
       const auto c = vertex(0, 0, z, normal), d = vertex(a, radius, z, normal),
                  e = vertex(b, radius, z, normal);
-      if (z == low) mesh.triangles.push_back({c, e, d});
-      else mesh.triangles.push_back({c, d, e});
+      if (z == low)
+        mesh.triangles.push_back({c, e, d});
+      else
+        mesh.triangles.push_back({c, d, e});
     }
   }
   return mesh;
@@ -88,7 +95,8 @@ class Builder {
   void box(int material, const Vec3& low, const Vec3& high) {
     if (((high - low).array() > 0.0).all()) append(mesh(material), make_box(low, high));
   }
-  void frustum(int material, const Vec2& center, double bottom, double top, double low, double high) {
+  void frustum(int material, const Vec2& center, double bottom, double top, double low,
+               double high) {
     append(mesh(material), make_frustum(center, bottom, top, low, high));
   }
   Mesh& mesh(int material) { return model.parts[static_cast<std::size_t>(material)].mesh; }
@@ -122,7 +130,8 @@ void build_shelf(Builder& b, const Rgb& color) {
   const double board = std::clamp(0.03 * b.size.z(), 0.018, 0.03);
   if (b.size.z() < 0.3) {  // a board on two brackets
     const double thick = std::min(board, 0.5 * b.size.z());
-    b.box(wood, {-b.half.x(), -b.half.y(), b.size.z() - thick}, {b.half.x(), b.half.y(), b.size.z()});
+    b.box(wood, {-b.half.x(), -b.half.y(), b.size.z() - thick},
+          {b.half.x(), b.half.y(), b.size.z()});
     for (const double x : {-0.6 * b.half.x(), 0.6 * b.half.x()})
       b.box(back, {x - 0.01, -0.5 * b.half.y(), 0}, {x + 0.01, b.half.y(), b.size.z() - thick});
     return;
@@ -141,27 +150,33 @@ void build_shelf(Builder& b, const Rgb& color) {
 }
 
 void build_cabinet(Builder& b, const Rgb& color) {
-  const int body = b.material("body", shaded(color, 0.92f)), front = b.material("fronts", color, 0.55f);
+  const int body = b.material("body", shaded(color, 0.92f)),
+            front = b.material("fronts", color, 0.55f);
   const int knob = b.material("handles", color_of("steel"), 0.35f, 0.6f);
-  const double handle = std::min(0.025, 0.15 * b.size.y()), panel = std::min(0.02, 0.15 * b.size.y());
+  const double handle = std::min(0.025, 0.15 * b.size.y()),
+               panel = std::min(0.02, 0.15 * b.size.y());
   const double plinth = b.size.z() > 0.4 ? 0.06 : 0.0;
   const double face = -b.half.y() + handle;
   b.box(body, {-b.half.x(), face + panel, plinth}, {b.half.x(), b.half.y(), b.size.z()});
-  b.box(body, {-b.half.x() + 0.03, face + panel + 0.04, 0}, {b.half.x() - 0.03, b.half.y(), plinth});
+  b.box(body, {-b.half.x() + 0.03, face + panel + 0.04, 0},
+        {b.half.x() - 0.03, b.half.y(), plinth});
   const bool doors = b.size.z() > 1.1;
-  const int columns = std::clamp(static_cast<int>(std::lround(b.size.x() / (doors ? 0.5 : 0.7))), 1, 8);
+  const int columns =
+      std::clamp(static_cast<int>(std::lround(b.size.x() / (doors ? 0.5 : 0.7))), 1, 8);
   const int rows = doors ? 1 : std::clamp(static_cast<int>(std::lround(b.size.z() / 0.24)), 1, 5);
   const Vec2 cell(b.size.x() / columns, (b.size.z() - plinth) / rows);
   constexpr double seam = 0.004;
   for (int c = 0; c < columns; ++c)
     for (int r = 0; r < rows; ++r) {
       const double x = -b.half.x() + cell.x() * c, z = plinth + cell.y() * r;
-      b.box(front, {x + seam, face, z + seam}, {x + cell.x() - seam, face + panel, z + cell.y() - seam});
+      b.box(front, {x + seam, face, z + seam},
+            {x + cell.x() - seam, face + panel, z + cell.y() - seam});
       const bool hinge_left = c % 2 == 0;
       const double kx = !doors ? x + 0.5 * cell.x() : hinge_left ? x + cell.x() - 0.06 : x + 0.06;
       const double kz = z + (doors ? 0.5 : 0.6) * cell.y();
       const Vec2 reach = doors ? Vec2(0.008, 0.06) : Vec2(0.06, 0.008);
-      b.box(knob, {kx - reach.x(), -b.half.y(), kz - reach.y()}, {kx + reach.x(), face, kz + reach.y()});
+      b.box(knob, {kx - reach.x(), -b.half.y(), kz - reach.y()},
+            {kx + reach.x(), face, kz + reach.y()});
     }
 }
 
@@ -169,7 +184,8 @@ void build_cabinet(Builder& b, const Rgb& color) {
 Vec2 build_frame(Builder& b, int frame, double width) {
   const Vec2 inner(b.half.x() - width, b.half.z() - width);
   b.box(frame, {-b.half.x(), -b.half.y(), 0}, {b.half.x(), b.half.y(), width});
-  b.box(frame, {-b.half.x(), -b.half.y(), b.size.z() - width}, {b.half.x(), b.half.y(), b.size.z()});
+  b.box(frame, {-b.half.x(), -b.half.y(), b.size.z() - width},
+        {b.half.x(), b.half.y(), b.size.z()});
   b.box(frame, {-b.half.x(), -b.half.y(), width}, {-inner.x(), b.half.y(), b.size.z() - width});
   b.box(frame, {inner.x(), -b.half.y(), width}, {b.half.x(), b.half.y(), b.size.z() - width});
   return inner;
@@ -210,7 +226,8 @@ std::shared_ptr<const Image> paint_landscape(std::uint64_t seed) {
 }
 
 void build_picture(Builder& b, const Rgb& color, std::uint64_t seed) {
-  const int frame = b.material("frame", color, 0.5f), mat = b.material("mat", {244, 242, 236}, 0.9f);
+  const int frame = b.material("frame", color, 0.5f),
+            mat = b.material("mat", {244, 242, 236}, 0.9f);
   const int canvas = b.material("picture", {255, 255, 255}, 0.9f);
   b.model.materials[static_cast<std::size_t>(canvas)].texture = paint_landscape(seed);
   const double width = std::clamp(0.05 * std::min(b.size.x(), b.size.z()), 0.01, 0.04);
@@ -227,7 +244,8 @@ void build_picture(Builder& b, const Rgb& color, std::uint64_t seed) {
 }
 
 void build_rug(Builder& b, const Rgb& color) {
-  const int edge = b.material("border", shaded(color, 0.7f), 1.0f), field = b.material("field", color, 1.0f);
+  const int edge = b.material("border", shaded(color, 0.7f), 1.0f),
+            field = b.material("field", color, 1.0f);
   const double border = 0.08 * b.size.head<2>().minCoeff(), pile = 0.75 * b.size.z();
   b.box(edge, {-b.half.x(), -b.half.y(), 0}, {b.half.x(), b.half.y(), pile});
   b.box(field, {-b.half.x() + border, -b.half.y() + border, pile},
@@ -235,7 +253,8 @@ void build_rug(Builder& b, const Rgb& color) {
 }
 
 void build_lamp(Builder& b, const Rgb& color, Mount mount) {
-  const int metal = b.material("metal", color, 0.35f, 0.5f), shade = b.material("shade", color_of("linen"), 0.9f);
+  const int metal = b.material("metal", color, 0.35f, 0.5f),
+            shade = b.material("shade", color_of("linen"), 0.9f);
   const double radius = b.half.head<2>().minCoeff(), top = b.size.z();
   const Vec2 center(0, 0);
   if (mount == Mount::ceiling) {
@@ -248,7 +267,7 @@ void build_lamp(Builder& b, const Rgb& color, Mount mount) {
     b.box(metal, {-0.012, -deep + shade_radius, 0.25 * top}, {0.012, 0.85 * deep, 0.3 * top});
     b.frustum(shade, {0, -deep + shade_radius}, shade_radius, 0.65 * shade_radius, 0.3 * top, top);
   } else {
-    const double shade_height = std::clamp(0.3 * top, 0.12, 0.35);
+    const double shade_height = std::min(std::clamp(0.3 * top, 0.12, 0.35), 0.6 * top);
     b.frustum(metal, center, 0.7 * radius, 0.7 * radius, 0, 0.025 * top);
     b.frustum(metal, center, 0.014, 0.014, 0.025 * top, top - 0.5 * shade_height);
     b.frustum(shade, center, radius, 0.65 * radius, top - shade_height, top);
@@ -256,11 +275,13 @@ void build_lamp(Builder& b, const Rgb& color, Mount mount) {
 }
 
 void build_box(Builder& b, const Rgb& color) {
-  const int body = b.material("body", color, 0.8f), lid = b.material("lid", shaded(color, 0.88f), 0.7f);
+  const int body = b.material("body", color, 0.8f),
+            lid = b.material("lid", shaded(color, 0.88f), 0.7f);
   const int latch = b.material("latch", color_of("brass"), 0.4f, 0.6f);
   const double lip = std::min(0.012, 0.04 * b.size.head<2>().minCoeff());
   const double seam = 0.8 * b.size.z(), knob = lip;
-  b.box(body, {-b.half.x() + lip, -b.half.y() + lip + knob, 0}, {b.half.x() - lip, b.half.y() - lip, seam});
+  b.box(body, {-b.half.x() + lip, -b.half.y() + lip + knob, 0},
+        {b.half.x() - lip, b.half.y() - lip, seam});
   b.box(lid, {-b.half.x(), -b.half.y() + knob, seam}, {b.half.x(), b.half.y(), b.size.z()});
   b.box(latch, {-0.06 * b.size.x(), -b.half.y(), seam - 0.08 * b.size.z()},
         {0.06 * b.size.x(), -b.half.y() + knob, seam + 0.08 * b.size.z()});
@@ -294,14 +315,22 @@ const std::vector<std::string>& standin_recipes() {
 Model build_standin(const StandinSpec& spec) {
   Builder builder(spec);
   const Rgb color = color_of(spec.color);
-  if (spec.recipe == "table") build_table(builder, color);
-  else if (spec.recipe == "shelf") build_shelf(builder, color);
-  else if (spec.recipe == "cabinet") build_cabinet(builder, color);
-  else if (spec.recipe == "mirror") build_mirror(builder, color);
-  else if (spec.recipe == "picture") build_picture(builder, color, spec.seed);
-  else if (spec.recipe == "rug") build_rug(builder, color);
-  else if (spec.recipe == "lamp") build_lamp(builder, color, spec.mount);
-  else if (spec.recipe == "box") build_box(builder, color);
+  if (spec.recipe == "table")
+    build_table(builder, color);
+  else if (spec.recipe == "shelf")
+    build_shelf(builder, color);
+  else if (spec.recipe == "cabinet")
+    build_cabinet(builder, color);
+  else if (spec.recipe == "mirror")
+    build_mirror(builder, color);
+  else if (spec.recipe == "picture")
+    build_picture(builder, color, spec.seed);
+  else if (spec.recipe == "rug")
+    build_rug(builder, color);
+  else if (spec.recipe == "lamp")
+    build_lamp(builder, color, spec.mount);
+  else if (spec.recipe == "box")
+    build_box(builder, color);
   drop_empty_parts(builder.model);
   fill_box(builder.model, spec.size);
   return std::move(builder.model);

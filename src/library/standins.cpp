@@ -23,6 +23,7 @@ constexpr double largest = 20.0;
 /// What a recipe's things usually are, where no category says.
 struct Defaults {
   std::string_view recipe;
+  Mount mount;
   std::array<double, 3> size;
   std::vector<std::string> colors;
   bool supports;  // its top carries things
@@ -31,22 +32,68 @@ struct Defaults {
 };
 
 const std::vector<Defaults>& defaults() {
+  static const std::vector<std::string> woods = {"oak", "walnut", "white", "pine"};
+  static const std::vector<std::string> metals = {"brass", "black", "steel", "white"};
   static const std::vector<Defaults> table = {
-      {"table", {1.2, 0.8, 0.74}, {"oak", "walnut", "white", "pine"}, true, true, false},
-      {"shelf", {0.9, 0.32, 1.8}, {"oak", "white", "walnut", "pine"}, true, true, false},
-      {"cabinet", {0.9, 0.45, 0.9}, {"white", "oak", "walnut", "grey"}, true, true, false},
-      {"mirror", {0.6, 0.03, 0.9}, {"oak", "black", "brass", "white"}, false, true, false},
-      {"picture", {0.6, 0.03, 0.45}, {"black", "oak", "white", "walnut"}, false, true, false},
-      {"rug", {2.0, 1.4, 0.012}, {"beige", "grey", "blue", "red", "green"}, true, false, false},
-      {"lamp", {0.4, 0.4, 1.5}, {"brass", "black", "steel", "white"}, false, false, true},
-      {"box", {0.8, 0.45, 0.45}, {"oak", "walnut", "beige", "white"}, true, true, false}};
+      {"table", Mount::floor, {1.2, 0.8, 0.74}, woods, true, true, false},
+      {"shelf", Mount::floor, {0.9, 0.32, 1.8}, woods, true, true, false},
+      {"shelf", Mount::wall, {0.9, 0.24, 0.2}, woods, true, true, false},
+      {"cabinet",
+       Mount::floor,
+       {0.9, 0.45, 0.9},
+       {"white", "oak", "walnut", "grey"},
+       true,
+       true,
+       false},
+      {"cabinet", Mount::wall, {0.8, 0.35, 0.7}, {"white", "oak", "grey"}, false, true, false},
+      {"mirror",
+       Mount::wall,
+       {0.6, 0.03, 0.9},
+       {"oak", "black", "brass", "white"},
+       false,
+       true,
+       false},
+      {"mirror",
+       Mount::floor,
+       {0.6, 0.04, 1.7},
+       {"oak", "black", "brass", "white"},
+       false,
+       true,
+       false},
+      {"picture",
+       Mount::wall,
+       {0.6, 0.03, 0.45},
+       {"black", "oak", "white", "walnut"},
+       false,
+       true,
+       false},
+      {"rug",
+       Mount::floor,
+       {2.0, 1.4, 0.012},
+       {"beige", "grey", "blue", "red", "green"},
+       true,
+       false,
+       false},
+      {"lamp", Mount::floor, {0.4, 0.4, 1.5}, metals, false, false, true},
+      {"lamp", Mount::surface, {0.28, 0.28, 0.45}, metals, false, false, true},
+      {"lamp", Mount::ceiling, {0.4, 0.4, 0.6}, metals, false, false, true},
+      {"lamp", Mount::wall, {0.2, 0.22, 0.32}, metals, false, true, false},
+      {"box",
+       Mount::floor,
+       {0.8, 0.45, 0.45},
+       {"oak", "walnut", "beige", "white"},
+       true,
+       true,
+       false}};
   return table;
 }
 
-const Defaults* defaults_of(std::string_view recipe) {
+// Those for the mount if there are any, else the recipe's first; null for an unknown recipe.
+const Defaults* defaults_of(std::string_view recipe, Mount mount) {
+  const Defaults* found = nullptr;
   for (const auto& entry : defaults())
-    if (entry.recipe == recipe) return &entry;
-  return nullptr;
+    if (entry.recipe == recipe && (!found || entry.mount == mount)) found = &entry;
+  return found;
 }
 
 // Colours that recipes know, as descriptions spell them.
@@ -74,9 +121,11 @@ const Kind* kind_asked(const AssetQuery& query) {
   return phrase.known ? vocabulary.find(phrase.kind) : nullptr;
 }
 
+// The category's usual size is that of things put up in its usual way.
 Vec3 size_for(const AssetQuery& query, const Kind& kind, const Defaults& entry) {
   Vec3 size(entry.size[0], entry.size[1], entry.size[2]);
-  if (const Category* category = CategoryTable::built_in().find(kind.name)) size = category->size;
+  const Category* category = CategoryTable::built_in().find(kind.name);
+  if (category && category->mount == entry.mount) size = category->size;
   return query.size.value_or(size).cwiseMax(smallest).cwiseMin(largest);
 }
 
@@ -109,13 +158,14 @@ class Standins final : public AssetLibrary {
  public:
   Result<std::vector<AssetMatch>> search(const AssetQuery& query) const override {
     const Kind* kind = kind_asked(query);
-    const Defaults* entry = kind ? defaults_of(kind->standin) : nullptr;
-    if (!entry || query.limit == 0) return std::vector<AssetMatch>{};
+    if (!kind || query.limit == 0) return std::vector<AssetMatch>{};
     const Mount usual = kind->mount.value_or(Mount::floor);
     StandinSpec spec;
+    spec.mount = query.mount.value_or(usual);
+    const Defaults* entry = defaults_of(kind->standin, spec.mount);
+    if (!entry) return std::vector<AssetMatch>{};
     spec.recipe = entry->recipe;
     spec.size = size_for(query, *kind, *entry);
-    spec.mount = query.mount.value_or(usual);
     if (mount_fit(usual, spec.mount, kind->also, spec.size.z()) <= 0.0)
       return std::vector<AssetMatch>{};
     spec.seed = seed_of(query);
@@ -125,7 +175,8 @@ class Standins final : public AssetLibrary {
   }
 
   Result<std::shared_ptr<const Model>> load(const AssetRef& ref) const override {
-    const Defaults* entry = ref.procedural ? defaults_of(ref.procedural->recipe) : nullptr;
+    const Defaults* entry =
+        ref.procedural ? defaults_of(ref.procedural->recipe, Mount::floor) : nullptr;
     if (!entry)
       return Error{Error::Kind::not_found, asset_key(ref) + ": no stand-in is built this way"};
     return std::make_shared<const Model>(build_standin(spec_of(*ref.procedural, *entry)));
@@ -142,10 +193,11 @@ class Standins final : public AssetLibrary {
     info.size = kept.size;
     info.mount = kept.mount;
     const Category* category = CategoryTable::built_in().find(kind.name);
-    if (kept.mount == Mount::wall) info.elevation = category ? category->elevation : 1.2;
+    if (kept.mount == Mount::wall)
+      info.elevation = category && category->elevation > 0.0 ? category->elevation : 1.2;
     if (entry.supports && kept.mount == Mount::floor) info.support_height = kept.size.z();
     info.has_front = category ? category->traits.front : entry.front;
-    info.round = entry.round && kept.mount != Mount::wall;
+    info.round = entry.round;
     info.colors = {spec.color};
     info.triangles = triangle_count(build_standin(kept));
     return info;
@@ -154,6 +206,8 @@ class Standins final : public AssetLibrary {
 
 }  // namespace
 
-std::unique_ptr<AssetLibrary> make_standins() { return std::make_unique<Standins>(); }
+std::unique_ptr<AssetLibrary> make_standins() {
+  return std::make_unique<Standins>();
+}
 
 }  // namespace roomgen

@@ -26,13 +26,13 @@ std::string ending(const std::vector<std::string>& pieces, std::size_t first) {
   return join({pieces.begin() + static_cast<std::ptrdiff_t>(first), pieces.end()}, " ");
 }
 
-// Words formed like adjectives say how a thing is even if no list has them: comfy, padded, rustic.
+// Words formed like adjectives say how a thing is even if no list has them: padded, rustic.
 bool looks_like_adjective(std::string_view word) {
-  static constexpr std::array<std::string_view, 13> endings = {
-      "y", "ed", "ish", "ful", "less", "ous", "ive", "ic", "al", "ern", "ian", "able", "est"};
-  return word.size() > 4 && std::any_of(endings.begin(), endings.end(), [&](std::string_view e) {
-           return word.ends_with(e);
-         });
+  static constexpr std::array<std::string_view, 11> endings = {
+      "ed", "ish", "ful", "less", "ous", "ive", "ic", "al", "ern", "ian", "able"};
+  return word.size() > 4 && word != "table" &&
+         std::any_of(endings.begin(), endings.end(),
+                     [&](std::string_view e) { return word.ends_with(e); });
 }
 
 bool is_number(std::string_view word) {
@@ -42,7 +42,8 @@ bool is_number(std::string_view word) {
 // "lamp with a shade", "table for six": what follows says how, not what.
 std::string_view before_preposition(std::string_view phrase) {
   static constexpr std::array<std::string_view, 12> stops = {
-      " with ", " for ", " in ", " on ", " from ", " made ", " without ", " that ", ",", "(", ";", " by "};
+      " with ",    " for ",  " in ", " on ", " from ", " made ",
+      " without ", " that ", ",",    "(",    ";",      " by "};
   std::size_t cut = phrase.size();
   for (const auto stop : stops) cut = std::min(cut, phrase.find(stop));
   return phrase.substr(0, cut);
@@ -73,7 +74,8 @@ Kind read_kind(const std::string& name, const JsonReader& json) {
     for (const auto& [other, fit] : json["substitutes"].members())
       kind.substitutes[other] = fit.number(0.01, 0.99);
   if (json["mount"].exists()) kind.mount = read_mount(json["mount"]);
-  for (const auto& element : json["also"].elements_or_none(4)) kind.also.push_back(read_mount(element));
+  for (const auto& element : json["also"].elements_or_none(4))
+    kind.also.push_back(read_mount(element));
   return kind;
 }
 
@@ -94,12 +96,15 @@ void inherit(std::map<std::string, Kind, std::less<>>& kinds, Kind& kind) {
 }  // namespace
 
 std::string singular(std::string word) {
-  const auto ends = [&](std::string_view e) { return word.size() > e.size() + 1 && word.ends_with(e); };
+  const auto ends = [&](std::string_view e) {
+    return word.size() > e.size() + 1 && word.ends_with(e);
+  };
   if (ends("shelves")) return word.substr(0, word.size() - 3) + "f";
   if (ends("ches") || ends("shes") || ends("sses") || ends("xes"))
     return word.substr(0, word.size() - 2);
   if (ends("ies") && word != "movies") return word.substr(0, word.size() - 3) + "y";
-  if (ends("s") && !ends("ss") && !ends("us") && !ends("is")) return word.substr(0, word.size() - 1);
+  if (ends("s") && !ends("ss") && !ends("us") && !ends("is"))
+    return word.substr(0, word.size() - 1);
   return word;
 }
 
@@ -157,7 +162,8 @@ const Kind* Vocabulary::find(std::string_view name) const {
 }
 
 KindPhrase Vocabulary::understand(std::string_view phrase) const {
-  if (const Kind* whole = find(phrase)) return {whole->name, true};
+  if (const Kind* whole = find(phrase))
+    return {whole->name, join(singular_words(phrase), " "), true};
   std::vector<std::string> pieces;
   for (auto& piece : singular_words(before_preposition(phrase)))
     if (!is_filler(piece)) pieces.push_back(std::move(piece));
@@ -169,13 +175,13 @@ KindPhrase Vocabulary::understand(std::string_view phrase) const {
     const bool only_modifiers =
         std::all_of(pieces.begin(), pieces.begin() + static_cast<std::ptrdiff_t>(first),
                     [&](const std::string& word) { return is_modifier(word); });
-    if (only_modifiers) return {found->second, true};
+    if (only_modifiers) return {found->second, found->first, true};
     break;
   }
   std::vector<std::string> rest;
   for (const auto& piece : pieces)
     if (&piece == &pieces.back() || !is_modifier(piece)) rest.push_back(piece);
-  return {join(rest, " "), false};
+  return {join(rest, " "), join(rest, " "), false};
 }
 
 std::vector<std::string> Vocabulary::mentioned(std::string_view text) const {
@@ -242,6 +248,8 @@ bool Vocabulary::is_modifier(std::string_view word) const {
          looks_like_adjective(word);
 }
 
-bool Vocabulary::is_filler(std::string_view word) const { return fillers_.count(word) > 0; }
+bool Vocabulary::is_filler(std::string_view word) const {
+  return fillers_.count(word) > 0;
+}
 
 }  // namespace roomgen

@@ -21,8 +21,7 @@ AssetQuery query_of(const Json& json) {
   AssetQuery query;
   query.category = json.value("category", "");
   query.description = json.value("description", "");
-  if (json.contains("size"))
-    query.size = Vec3(json["size"][0], json["size"][1], json["size"][2]);
+  if (json.contains("size")) query.size = Vec3(json["size"][0], json["size"][1], json["size"][2]);
   if (json.contains("mount")) query.mount = parse_mount(json["mount"].get<std::string>());
   return query;
 }
@@ -47,7 +46,8 @@ TEST_CASE("The first answer is what a person would accept for at least 85 of 100
     const auto& accept = entry["accept"];
     const bool accepted = std::find(accept.begin(), accept.end(), answer) != accept.end();
     good += accepted;
-    if (!accepted) UNSCOPED_INFO(entry["category"] << ", " << entry.value("description", "") << ": " << answer);
+    if (!accepted)
+      UNSCOPED_INFO(entry["category"] << ", " << entry.value("description", "") << ": " << answer);
   }
   UNSCOPED_INFO(good << " of " << cases.size());
   CHECK(cases.size() >= 100);

@@ -26,8 +26,8 @@ std::vector<std::filesystem::path> installed_libraries();
 std::filesystem::path default_cache_dir();
 
 struct CatalogueOptions {
-  /// Sweet Home 3D archives (.sh3f) and folders of meshes (docs/assets.md). An asset is known by its
-  /// library's name (file name without extension, folder name) and its id.
+  /// Sweet Home 3D archives (.sh3f) and folders of meshes (docs/assets.md). An asset is known by
+  /// its library's name (file name without extension, folder name) and its id.
   std::vector<std::filesystem::path> libraries = installed_libraries();
   std::filesystem::path cache_dir = default_cache_dir();
   bool rebuild = false;  ///< even if the cached catalogue still holds
@@ -55,9 +55,9 @@ class Catalogue final : public AssetLibrary {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Opens libraries, indexing those whose catalogue is missing or out of date: seconds for hundreds of
-/// meshes the first time, milliseconds later. A library that cannot be read is an error; a broken
-/// asset in it is left out with a warning.
+/// Opens libraries, indexing those whose catalogue is missing or out of date: seconds for hundreds
+/// of meshes the first time, milliseconds later. A library that cannot be read is an error; a
+/// broken asset in it is left out with a warning.
 ///
 ///     auto catalogue = roomgen::assets::open_catalogue({});
 ///     if (!catalogue) return catalogue.error();

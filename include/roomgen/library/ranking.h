@@ -13,7 +13,8 @@ namespace roomgen {
 /// Lengths are compared after adding 0.1 m, so that a thick rug is still a rug.
 double size_similarity(const Vec3& have, const Vec3& want);
 
-/// The share of the wanted words that were found, each counting by its weight; 1 if none was wanted.
+/// The share of the wanted words that were found, each counting by its weight; 1 if none was
+/// wanted.
 struct WeightedWord {
   double weight = 1.0;
   double found = 0.0;  ///< 1: this word; less: one of its family (oak for wood)

@@ -20,9 +20,9 @@ std::unique_ptr<AssetLibrary> make_standins();
 /// The names of the recipes.
 const std::vector<std::string>& standin_recipes();
 
-/// Builds one: closed meshes with outward normals that fill a box of exactly `size`. `mount` matters
-/// to lamps and shelves. `color` is a colour or a wood ("white", "oak"); others read as oak.
-/// Null model (no parts) for an unknown recipe.
+/// Builds one: closed meshes with outward normals that fill a box of exactly `size`. `mount`
+/// matters to lamps and shelves. `color` is a colour or a wood ("white", "oak"); others read as
+/// oak. Null model (no parts) for an unknown recipe.
 struct StandinSpec {
   std::string recipe;
   Vec3 size = Vec3::Ones();

@@ -13,21 +13,23 @@ namespace roomgen {
 
 /// A kind of thing as people name it: what a query asks for and what an asset is.
 struct Kind {
-  std::string name;                           ///< "dining chair"
-  std::string parent;                         ///< "chair": every dining chair is a chair; may be empty
-  std::vector<std::string> names;             ///< other names: "kitchen chair"
+  std::string name;                ///< "dining chair"
+  std::string parent;              ///< "chair": every dining chair is a chair; may be empty
+  std::vector<std::string> names;  ///< other names: "kitchen chair"
   std::map<std::string, double> substitutes;  ///< kinds that will do, and how well, in (0, 1)
-  bool usual = false;     ///< what people mean when they say the parent's name
-  bool supports = false;  ///< its top carries things
+  bool usual = false;                         ///< what people mean when they say the parent's name
+  bool supports = false;                      ///< its top carries things
   std::optional<Mount> mount;
   std::vector<Mount> also;  ///< other ways to put it (a television on the wall)
   std::string standin;      ///< recipe that builds one in place of a mesh; empty: none
 };
 
 /// How a phrase was understood. A phrase whose ending is a known kind but whose other words are
-/// neither colours, materials nor the like names another thing ("dog bed" is no bed): it is not known.
+/// neither colours, materials nor the like names another thing ("dog bed" is no bed): it is not
+/// known.
 struct KindPhrase {
-  std::string kind;    ///< a known kind's name, or the phrase's words without mere adjectives
+  std::string kind;  ///< a known kind's name, or the phrase's words without mere adjectives
+  std::string name;  ///< the words of the phrase that named it, in singular: "writing desk"
   bool known = false;
 };
 
@@ -49,15 +51,16 @@ class Vocabulary {
   /// True if `name` is `ancestor` or one of its descendants.
   bool is_a(std::string_view name, std::string_view ancestor) const;
 
-  /// How well a thing of kind `have` serves who asks for `want`, in [0, 1]; 0 is not at all. Both are
-  /// kinds, or free phrases as understand() gives them.
+  /// How well a thing of kind `have` serves who asks for `want`, in [0, 1]; 0 is not at all. Both
+  /// are kinds, or free phrases as understand() gives them.
   double fit(std::string_view have, std::string_view want) const;
 
   /// All words that mean nearly the same as `word`, itself first: oak, wood, wooden.
   std::vector<std::string> family(std::string_view word) const;
   /// The family that a word belongs to, by its first word ("wood"); empty if none.
   std::string family_name(std::string_view word) const;
-  /// True for words that say how a thing is, not what it is: colours, materials, styles, sizes, rooms.
+  /// True for words that say how a thing is, not what it is: colours, materials, styles, sizes,
+  /// rooms.
   bool is_modifier(std::string_view word) const;
   /// True for words without meaning in a search: a, the, with.
   bool is_filler(std::string_view word) const;
@@ -66,7 +69,7 @@ class Vocabulary {
   const Kind* by_name(std::string_view name) const;
 
   std::map<std::string, Kind, std::less<>> kinds_;
-  std::map<std::string, std::string, std::less<>> names_;     ///< any spelling to a kind
+  std::map<std::string, std::string, std::less<>> names_;      ///< any spelling to a kind
   std::map<std::string, std::size_t, std::less<>> family_of_;  ///< word to index in families_
   std::vector<std::vector<std::string>> families_;
   std::map<std::string, bool, std::less<>> modifiers_;

@@ -1,0 +1,52 @@
+#include "roomgen/library/first_of.h"
+
+#include "catch.h"
+#include "roomgen/library/standins.h"
+
+using namespace roomgen;
+
+namespace {
+
+/// Knows one category and one asset.
+class OneThing final : public AssetLibrary {
+ public:
+  explicit OneThing(std::string category) : category_(std::move(category)) {}
+  Result<std::vector<AssetMatch>> search(const AssetQuery& query) const override {
+    std::vector<AssetMatch> matches;
+    if (query.category != category_) return matches;
+    matches.emplace_back();
+    matches.back().asset.ref.library = "one";
+    matches.back().asset.ref.id = category_;
+    return matches;
+  }
+  Result<std::shared_ptr<const Model>> load(const AssetRef& ref) const override {
+    if (ref.id != category_) return Error{Error::Kind::not_found, ref.id};
+    return std::make_shared<const Model>();
+  }
+
+ private:
+  std::string category_;
+};
+
+}  // namespace
+
+TEST_CASE("The first library that has something answers") {
+  const auto library =
+      make_first_of({std::make_shared<OneThing>("table"), std::shared_ptr(make_standins())});
+  const auto real = library->search({.category = "table"});
+  REQUIRE(real);
+  CHECK(real->front().asset.ref.library == "one");
+  const auto built = library->search({.category = "mirror"});
+  REQUIRE(built);
+  CHECK(built->front().asset.ref.procedural);
+  CHECK(library->load(real->front().asset.ref));
+  CHECK(library->load(built->front().asset.ref));
+}
+
+TEST_CASE("What no library knows is nothing, and cannot be loaded") {
+  const auto library = make_first_of({std::make_shared<OneThing>("table")});
+  const auto matches = library->search({.category = "sofa"});
+  REQUIRE(matches);
+  CHECK(matches->empty());
+  CHECK(library->load({}).error().kind == Error::Kind::not_found);
+}

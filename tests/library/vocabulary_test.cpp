@@ -1,0 +1,63 @@
+#include "roomgen/library/vocabulary.h"
+#include "catch.h"
+#include "roomgen/base/resource.h"
+#include "roomgen/library/standins.h"
+
+using namespace roomgen;
+
+namespace {
+const Vocabulary& vocabulary() {
+  return Vocabulary::built_in();
+}
+}  // namespace
+
+TEST_CASE("The built-in vocabulary parses") {
+  const auto parsed =
+      Vocabulary::parse(resource("data/vocabulary.json").value_or(""), "data/vocabulary.json");
+  if (!parsed) FAIL(parsed.error().message);
+  CHECK(parsed->kinds().size() > 200);
+  for (const auto& [name, kind] : parsed->kinds()) {
+    const auto& recipes = standin_recipes();
+    const bool known = std::find(recipes.begin(), recipes.end(), kind.standin) != recipes.end();
+    CHECK((kind.standin.empty() || known));
+  }
+}
+
+TEST_CASE("A phrase names the kind at its end") {
+  CHECK(vocabulary().understand("couch").kind == "sofa");
+  CHECK(vocabulary().understand("two white oak desks with drawers").kind == "desk");
+  CHECK(vocabulary().understand("a small bedside table").kind == "nightstand");
+  CHECK(vocabulary().understand("Sofa (three seats)").kind == "sofa");
+}
+
+TEST_CASE("A noun before a kind makes it another thing") {
+  for (const auto* phrase : {"dog bed", "chair cushion", "sofa cover", "bookend", "table runner"}) {
+    INFO(phrase);
+    CHECK_FALSE(vocabulary().understand(phrase).known);
+  }
+}
+
+TEST_CASE("Phrases without words name nothing") {
+  CHECK(vocabulary().understand("").kind.empty());
+  CHECK(vocabulary().understand(" ,;( ").kind.empty());
+  CHECK(vocabulary().fit("", "") == 0.0);
+}
+
+TEST_CASE("Special kinds serve who asks for the general one, not the other way round") {
+  CHECK(vocabulary().fit("dining chair", "chair") == 1.0);
+  CHECK(vocabulary().fit("office chair", "chair") < 1.0);
+  CHECK(vocabulary().fit("chair", "office chair") == 0.0);
+  CHECK(vocabulary().fit("sofa", "table") == 0.0);
+}
+
+TEST_CASE("Kinds that the vocabulary lacks match by their last words") {
+  CHECK(vocabulary().fit("tula samovar", "samovar") > 0.0);
+  CHECK(vocabulary().fit("samovar", "tula samovar") == 0.0);
+  CHECK(vocabulary().fit("towel rack", "rack") == 0.0);
+}
+
+TEST_CASE("A vocabulary with an unknown parent is refused with its place") {
+  const auto parsed = Vocabulary::parse(R"({"kinds": {"sofa": {"is": "seat"}}})", "words.json");
+  REQUIRE_FALSE(parsed);
+  CHECK(parsed.error().message.find("/kinds/sofa/is") != std::string::npos);
+}
