@@ -194,7 +194,6 @@ long long JsonReader::integer_or(long long fallback, long long low, long long hi
     report("expected a whole number");
     return fallback;
   }
-  if (value_ && value_->is_number_integer()) return value_->get<long long>();
   return static_cast<long long>(value);
 }
 

@@ -1,5 +1,6 @@
 #include "roomgen/geometry/decimate.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <unordered_map>
@@ -7,6 +8,13 @@
 namespace roomgen {
 
 namespace {
+
+// Triangles that became the same one; each starts with its smallest index afterwards.
+void drop_repeated(std::vector<Triangle>& triangles) {
+  for (auto& t : triangles) std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+  std::sort(triangles.begin(), triangles.end());
+  triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+}
 
 Mesh clustered(const Mesh& mesh, const Vec3& low, double cell) {
   const auto key = [&](const Eigen::Vector3f& p) {
@@ -35,6 +43,7 @@ Mesh clustered(const Mesh& mesh, const Vec3& low, double cell) {
   for (std::size_t c = 0; c < members.size(); ++c) coarse.positions[c] /= members[c];
   for (const auto& t : mesh.triangles)
     coarse.triangles.push_back({cluster[t[0]], cluster[t[1]], cluster[t[2]]});
+  drop_repeated(coarse.triangles);
   remove_degenerate(coarse);
   return coarse;
 }
@@ -48,7 +57,7 @@ Mesh decimated(const Mesh& mesh, std::size_t max_triangles) {
   // On a surface, n x n cells hold about 2 n^2 triangles.
   double cells = std::sqrt(static_cast<double>(max_triangles));
   Mesh coarse = clustered(mesh, box.low, extent / cells);
-  while (coarse.triangles.size() > max_triangles && cells > 2.0) {
+  while (coarse.triangles.size() > max_triangles) {  // ends: one cell has no triangles
     cells *= 0.8;
     coarse = clustered(mesh, box.low, extent / cells);
   }
