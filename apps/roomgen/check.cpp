@@ -1,12 +1,8 @@
-#include <algorithm>
 #include <cstdio>
 #include <memory>
 
 #include "command.h"
-#ifdef ROOMGEN_HAS_ASSETS
-#include "libraries.h"
-#include "roomgen/library/load_models.h"
-#endif
+#include "models.h"
 #include "roomgen/base/file.h"
 #include "roomgen/evaluate/report.h"
 #include "roomgen/scene/plan.h"
@@ -18,26 +14,8 @@ namespace {
 
 struct CheckCommand {
   std::string file;
-#ifdef ROOMGEN_HAS_ASSETS
-  LibraryOptions libraries;
-#endif
+  ModelOptions models;
 };
-
-// Without furniture libraries in this build, boxes decide what overlaps.
-Result<ModelTable> models_of(const Context& context, const CheckCommand& command,
-                             const Scene& scene) {
-#ifdef ROOMGEN_HAS_ASSETS
-  const bool any = std::any_of(scene.objects.begin(), scene.objects.end(),
-                               [](const Object& object) { return !object.asset.is_box(); });
-  if (!any) return ModelTable();
-  auto library = open_all_libraries(command.libraries, context);
-  if (!library) return library.error();
-  return load_models(scene, **library);
-#else
-  (void)context, (void)command, (void)scene;
-  return ModelTable();
-#endif
-}
 
 Json violation_json(const Violation& violation) {
   return {{"fault", name(violation.fault)},
@@ -57,7 +35,7 @@ void print_report(const SceneReport& report) {
 }
 
 Result<int> check_scene(const Context& context, const CheckCommand& command, const Scene& scene) {
-  auto models = models_of(context, command, scene);
+  auto models = models_of(scene, command.models, context);
   if (!models) return models.error();
   const auto report = examine(scene, *models, CategoryTable::built_in());
   if (context.json) {
@@ -123,9 +101,7 @@ void add_check_command(CLI::App& app, Context& context) {
   auto* sub = app.add_subcommand(
       "check", "Check a scene, plan, problem or room file; exit 1 if a scene breaks a rule");
   sub->add_option("file", command->file, "JSON file")->required();
-#ifdef ROOMGEN_HAS_ASSETS
-  add_library_options(*sub, command->libraries);
-#endif
+  add_model_options(*sub, command->models);
   sub->callback([command, &context] {
     context.run = [command, &context] { return run(context, *command); };
   });

@@ -12,6 +12,8 @@
 #include "options.h"
 #include "roomgen/base/file.h"
 #include "roomgen/design/rule_designer.h"
+#include "roomgen/export/attribution.h"
+#include "roomgen/export/glb.h"
 #include "roomgen/generate/output.h"
 #include "roomgen/render/image_file.h"
 #include "roomgen/render/osmesa_renderer.h"
@@ -108,6 +110,14 @@ Status write_marks(const GenerateCommand& command, const fs::path& folder,
 Status write_all(const GenerateCommand& command, const fs::path& folder, const Plan& plan,
                  const Generation& generation) {
   if (auto status = write_documents(folder, plan, generation); !status) return status;
+  if (auto status = write_file(folder / "ATTRIBUTION.md", attribution_markdown(generation.scene));
+      !status)
+    return status;
+  GlbOptions glb;
+  glb.encode_image = encode_texture;
+  if (auto status = GlbExporter(glb).write(generation.scene, generation.models, folder / "scene.glb");
+      !status)
+    return status;
   if (command.no_pictures) return {};
   auto renderer = make_osmesa_renderer();
   if (!renderer) return renderer.error();

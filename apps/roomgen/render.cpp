@@ -3,6 +3,7 @@
 #include <string>
 
 #include "command.h"
+#include "models.h"
 #include "roomgen/render/image_file.h"
 #include "roomgen/render/osmesa_renderer.h"
 #include "roomgen/scene/scene.h"
@@ -15,12 +16,8 @@ struct Options {
   std::string scene, output = "top.png", view = "top", frame = "plan";
   int pixels = 1024;
   bool marks = false;
+  ModelOptions models;
 };
-
-// The meshes of a scene's objects. Without a library every object is drawn as its box.
-Result<ModelTable> load_models(const Scene&) {
-  return ModelTable{};
-}
 
 void report(const Context& context, const Options& options, const Image& image) {
   if (context.json) {
@@ -34,7 +31,7 @@ void report(const Context& context, const Options& options, const Image& image) 
 Result<int> render(const Context& context, const Options& options) {
   const auto scene = read_scene(options.scene);
   if (!scene) return scene.error();
-  const auto models = load_models(*scene);
+  const auto models = models_of(*scene, options.models, context);
   if (!models) return models.error();
   const auto renderer = make_osmesa_renderer();
   if (!renderer) return renderer.error();
@@ -69,6 +66,7 @@ void add_render_command(CLI::App& app, Context& context) {
       ->capture_default_str();
   command->add_option("--pixels", options->pixels, "Length of the picture's longer side")
       ->capture_default_str();
+  add_model_options(*command, options->models);
   command->callback([&context, options] {
     if (options->marks && options->view != "top")
       throw CLI::ValidationError("--marks", "marks need the top view");

@@ -175,6 +175,7 @@ class Generator {
     object.asset = asset.ref;
     object.traits = category.traits;
     object.traits.front = category.traits.front && asset.has_front;
+    object.traits.round = asset.round;
     object.size = asset.size;
     object.mount = item.mount;
     object.relations = item.relations;

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "command.h"
+#include "roomgen/scene/model_table.h"
+#include "roomgen/scene/scene.h"
+#ifdef ROOMGEN_HAS_ASSETS
+#include "libraries.h"
+#endif
+
+namespace roomgen::cli {
+
+/// Where a command that reads scenes finds their meshes. A build without furniture libraries has no
+/// options and no meshes: objects are boxes.
+struct ModelOptions {
+#ifdef ROOMGEN_HAS_ASSETS
+  LibraryOptions libraries;
+#endif
+};
+
+void add_model_options(CLI::App& command, ModelOptions& options);
+
+/// The meshes of a scene. What the libraries do not have is told on stderr and stays a box.
+Result<ModelTable> models_of(const Scene& scene, const ModelOptions& options,
+                             const Context& context);
+
+}  // namespace roomgen::cli
