@@ -30,6 +30,7 @@ int main(int argc, char** argv) {
   app.fallthrough();
   app.add_flag("--json", context.json, "Print a summary for scripts");
   app.add_flag("--quiet", context.quiet, "No progress");
+  add_plan_command(app, context);
 #ifdef ROOMGEN_HAS_ASSETS
   // add_assets_command(app, context);
 #endif
