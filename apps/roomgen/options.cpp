@@ -1,6 +1,8 @@
 #include "options.h"
 
 #include <charconv>
+#include <optional>
+#include <string_view>
 
 #include "roomgen/base/text.h"
 
@@ -8,21 +10,22 @@ namespace roomgen::cli {
 
 namespace {
 
-bool parse_number(const std::string& text, double& value) {
-  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return code == std::errc() && end == text.data() + text.size() && value > 0.0;
+std::optional<double> parse_number(std::string_view text) {
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
 }
 
 }  // namespace
 
-Result<std::optional<Vec2>> parse_size(const std::string& text) {
-  if (text.empty()) return std::optional<Vec2>();
-  const auto pieces = split(lower(text), 'x');
-  Vec2 size;
-  if (pieces.size() != 2 || !parse_number(pieces[0], size.x()) || !parse_number(pieces[1], size.y()))
-    return Error{Error::Kind::invalid_input,
-                 "--size: \"" + text + "\" is no size; write width x depth in metres, as in 4x5"};
-  return std::optional<Vec2>(size);
+Result<Vec2> parse_size(const std::string& text) {
+  const auto sides = split(lower(text), 'x');
+  if (sides.size() == 2)
+    if (const auto width = parse_number(sides[0]), depth = parse_number(sides[1]); width && depth)
+      return Vec2(*width, *depth);
+  return Error{Error::Kind::invalid_input,
+               "\"" + text + "\" is no size; write width and depth in metres, as in 4x5"};
 }
 
 }  // namespace roomgen::cli

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include "roomgen/base/result.h"
@@ -8,7 +7,7 @@
 
 namespace roomgen::cli {
 
-/// "4x5", "4 x 5", "4.2x3.6": width and depth in metres. Empty text gives nothing.
-Result<std::optional<Vec2>> parse_size(const std::string& text);
+/// "4x5", "4.2 x 3.6": width and depth in metres.
+Result<Vec2> parse_size(const std::string& text);
 
 }  // namespace roomgen::cli

@@ -44,8 +44,7 @@ bool thing_follows(const std::vector<Token>& tokens, std::size_t at, const KindN
                    const Vocabulary& words) {
   for (std::size_t i = at; i < tokens.size() && i < at + ahead; ++i) {
     if (tokens[i].kind != Token::Kind::word) return false;
-    if (names.match(tokens, i).length > 0 && !words.materials.count(tokens[i].text) &&
-        !words.attributes.count(tokens[i].text)) return true;
+    if (names.match(tokens, i).length > 0 && !words.materials.count(tokens[i].text)) return true;
     if (words.stops.count(tokens[i].text) || words.room_words.count(tokens[i].text)) return false;
   }
   return false;

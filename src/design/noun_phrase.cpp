@@ -145,7 +145,7 @@ class Reader {
       for (std::size_t k = start + 1; k <= start + head.length && !further; ++k) {
         if (ended(k)) break;
         const bool adjacent = k == start + head.length;
-        if (adjacent && !phrase_.article && !phrase_.definite && !qualifies(token(start).text)) break;
+        if (adjacent && !phrase_.article && !phrase_.definite && !words_.materials.count(token(start).text)) break;
         const KindMatch next = names_.match(tokens_, k);
         if (next.length == 0 || k + next.length <= start + head.length) continue;
         for (std::size_t i = start; i < k; ++i) phrase_.modifiers.push_back(token(i).text);
@@ -157,11 +157,6 @@ class Reader {
     phrase_.kind = head;
     at_ = start + head.length;
     return true;
-  }
-
-  // A noun that says what another is like: "glass table", "computer desk".
-  bool qualifies(const std::string& word) const {
-    return words_.materials.count(word) > 0 || words_.attributes.count(word) > 0;
   }
 
   // "glass" alone, without an article, is what something is made of.

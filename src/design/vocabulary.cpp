@@ -58,7 +58,7 @@ Result<Vocabulary> parse_vocabulary(std::string_view text, const std::string& so
   JsonReader::Problems problems(source);
   const JsonReader root(*json, problems);
   root.allow_only({"about", "numbers", "vague", "definite", "pronouns", "negations", "only",
-                   "measured", "stops", "parts", "no things", "materials", "attributes", "sizes", "people",
+                   "measured", "stops", "parts", "no things", "materials", "sizes", "people",
                    "people words", "room words", "generic rooms", "parts of rooms", "walls",
                    "units", "areas", "placements"});
   Vocabulary words;
@@ -79,7 +79,7 @@ Result<Vocabulary> parse_vocabulary(std::string_view text, const std::string& so
       {"vague", &words.vague}, {"definite", &words.definite}, {"pronouns", &words.pronouns},
       {"negations", &words.negations}, {"only", &words.only}, {"measured", &words.measured},
       {"stops", &words.stops}, {"parts", &words.parts}, {"no things", &words.no_things},
-      {"materials", &words.materials}, {"attributes", &words.attributes}, {"people words", &words.people_words},
+      {"materials", &words.materials}, {"people words", &words.people_words},
       {"room words", &words.room_words}, {"generic rooms", &words.generic_rooms}};
   for (const auto& [key, set] : sets) *set = read_set(root[key]);
   if (problems.first()) return *problems.first();

@@ -1,0 +1,97 @@
+#include <cstdio>
+#include <memory>
+
+#include "command.h"
+#include "options.h"
+#include "roomgen/base/file.h"
+#include "roomgen/base/text.h"
+#include "roomgen/design/rule_designer.h"
+
+namespace roomgen::cli {
+
+namespace {
+
+struct PlanOptions {
+  std::string prompt;
+  std::uint64_t seed = 0;
+  std::string size;
+  std::string room;
+  std::string output;
+};
+
+std::string size_text(const Vec3& size) {
+  return format_number(size.x(), 2) + " x " + format_number(size.y(), 2) + " x " +
+         format_number(size.z(), 2);
+}
+
+void print_room(const Room& room) {
+  const Vec2 box = bounds(room.polygon).size();
+  std::printf("%s, %s x %s m, %s m high\n", room.type.c_str(), format_number(box.x(), 2).c_str(),
+              format_number(box.y(), 2).c_str(), format_number(room.height, 2).c_str());
+  for (const auto& opening : room.openings)
+    std::printf("  %-10s wall %zu, from %s to %s m\n", opening.id.c_str(), opening.wall,
+                format_number(opening.from, 2).c_str(), format_number(opening.to, 2).c_str());
+}
+
+void print_item(const PlanItem& item) {
+  std::printf("%4d  %-18s %-20s %-8s %s%s\n", item.quantity, item.category.c_str(),
+              item.size ? size_text(*item.size).c_str() : "", std::string(name(item.mount)).c_str(),
+              item.description.c_str(), item.asked ? " (asked)" : "");
+  if (!item.relations.empty()) std::printf("        %s\n", to_text(item.relations).c_str());
+}
+
+void print_plan(const Plan& plan) {
+  print_room(plan.room);
+  for (const auto& item : plan.items) print_item(item);
+  if (!plan.excluded.empty()) std::printf("without %s\n", join(plan.excluded, ", ").c_str());
+  for (const auto& note : plan.notes) std::printf("note: %s\n", note.c_str());
+}
+
+Result<PlanRequest> request_of(const PlanOptions& options, const Context& context) {
+  PlanRequest request;
+  request.prompt = options.prompt;
+  request.seed = options.seed;
+  request.cancel = context.cancel;
+  if (!options.size.empty()) {
+    auto size = parse_size(options.size);
+    if (!size) return size.error();
+    request.size = *size;
+  }
+  if (!options.room.empty()) {
+    auto room = read_room_file(options.room);
+    if (!room) return room.error();
+    request.room = *std::move(room);
+  }
+  return request;
+}
+
+Result<int> run_plan(const PlanOptions& options, const Context& context) {
+  const auto request = request_of(options, context);
+  if (!request) return request.error();
+  const auto plan = make_rule_designer()->plan(*request);
+  if (!plan) return plan.error();
+  const std::string json = dump_json(to_json(*plan));
+  if (!options.output.empty()) {
+    if (auto written = write_file(options.output, json); !written) return written.error();
+  }
+  if (context.json) std::fputs(json.c_str(), stdout);
+  else if (options.output.empty() || !context.quiet) print_plan(*plan);
+  return exit_ok;
+}
+
+}  // namespace
+
+void add_plan_command(CLI::App& app, Context& context) {
+  const auto options = std::make_shared<PlanOptions>();
+  auto* command = app.add_subcommand("plan", "Say what a room shall hold, without furnishing it");
+  command->add_option("prompt", options->prompt, "What the room shall be, in English")->required();
+  command->add_option("--seed", options->seed, "Another number, another room")->capture_default_str();
+  command->add_option("--size", options->size, "Width and depth in metres, as in 4x5");
+  command->add_option("--room", options->room, "A floor plan of your own (room.json)");
+  command->add_option("-o,--output", options->output, "Write the plan here (plan.json)");
+  command->callback([options, &context] {
+    context.run = [options, &context] { return run_plan(*options, context); };
+  });
+}
+
+}  // namespace roomgen::cli

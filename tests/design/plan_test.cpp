@@ -1,0 +1,200 @@
+#include <set>
+
+#include "catch.h"
+#include "plans.h"
+
+using namespace roomgen;
+using roomgen::test::count_of;
+using roomgen::test::plan_of;
+
+namespace {
+
+struct Floor {
+  int things = 0;
+  double share = 0.0;
+};
+
+Floor floor_of(const Plan& plan) {
+  Floor floor;
+  for (const auto& item : plan.items) {
+    if (item.mount != Mount::floor) continue;
+    floor.things += item.quantity;
+    if (!CategoryTable::built_in().get(item.category).traits.flat)
+      floor.share += item.quantity * item.size->x() * item.size->y();
+  }
+  floor.share /= area(plan.room.polygon);
+  return floor;
+}
+
+// The targets of fixed relations come earlier in the plan or are parts of the room.
+bool targets_are_placed_before(const Plan& plan) {
+  std::set<std::string> known{"corner"};
+  for (const auto& opening : plan.room.openings) known.insert(opening.id);
+  for (std::size_t k = 0; k < plan.room.polygon.size(); ++k) known.insert("wall-" + std::to_string(k));
+  for (const auto& planned : planned_objects(plan)) {
+    for (const auto& relation : plan.items[planned.item].relations)
+      if (!relation.target.empty() && !known.count(relation.target)) return false;
+    known.insert(planned.id);
+  }
+  return true;
+}
+
+Result<Plan> try_plan(const std::string& prompt, std::optional<Vec2> size = std::nullopt) {
+  PlanRequest request;
+  request.prompt = prompt;
+  request.size = size;
+  return make_rule_designer()->plan(request);
+}
+
+}  // namespace
+
+TEST_CASE("rooms of the six kinds are sound, full enough and not too full") {
+  for (const char* type : test::room_types)
+    for (std::uint64_t seed = 0; seed < 60; ++seed) {
+      INFO(type << ", seed " << seed);
+      const Plan plan = plan_of(type, seed);
+      const Floor floor = floor_of(plan);
+      CHECK(check(plan.room).ok());
+      CHECK(plan.room.type == type);
+      CHECK(find_opening(plan.room, "door-0") != nullptr);
+      CHECK(floor.things >= 8);
+      CHECK(planned_objects(plan).size() <= 30);
+      CHECK(floor.share > 0.1);
+      CHECK(floor.share < 0.5);
+      CHECK(area(plan.room.polygon) <= 48.0 + 1e-6);
+      CHECK(targets_are_placed_before(plan));
+    }
+}
+
+TEST_CASE("what makes a room of its kind is always there") {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    INFO("seed " << seed);
+    CHECK(count_of(plan_of("bedroom", seed), "bed") >= 1);
+    CHECK(count_of(plan_of("living room", seed), "sofa") >= 1);
+    const Plan kitchen = plan_of("kitchen", seed);
+    CHECK(count_of(kitchen, "stove") == 1);
+    CHECK(count_of(kitchen, "kitchen sink") == 1);
+    CHECK(count_of(kitchen, "refrigerator") == 1);
+    const Plan bathroom = plan_of("bathroom", seed);
+    CHECK(count_of(bathroom, "toilet") == 1);
+    CHECK(count_of(bathroom, "washbasin") == 1);
+    const Plan dining_room = plan_of("dining room", seed);
+    CHECK(count_of(dining_room, "dining table") == 1);
+    CHECK(count_of(dining_room, "dining chair") >= 4);
+    CHECK(count_of(plan_of("balcony", seed), "plant") >= 2);
+  }
+}
+
+TEST_CASE("the same seed gives the same plan, another seed another one") {
+  for (const char* type : test::room_types) {
+    const auto bytes = [&](std::uint64_t seed) { return dump_json(to_json(plan_of(type, seed))); };
+    CHECK(bytes(7) == bytes(7));
+    std::set<std::string> different;
+    for (std::uint64_t seed = 0; seed < 20; ++seed) different.insert(bytes(seed));
+    CHECK(different.size() == 20);
+  }
+}
+
+TEST_CASE("a plan survives its file") {
+  const Plan plan = plan_of("a bedroom with a desk by the window, no rug", 3);
+  const Json json = to_json(plan);
+  const auto again = plan_from_json(json, "plan.json");
+  REQUIRE(again.ok());
+  CHECK(dump_json(to_json(*again)) == dump_json(json));
+}
+
+TEST_CASE("what the prompt asks for is in the plan as often as asked") {
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    const Plan plan = plan_of("a living room with two sofas, three armchairs and a piano", seed);
+    CHECK(count_of(plan, "sofa") == 2);
+    CHECK(count_of(plan, "armchair") == 3);
+    CHECK(count_of(plan, "piano") == 1);
+  }
+}
+
+TEST_CASE("what the prompt forbids is not in the plan") {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const Plan plan = plan_of("a living room without chairs, no tv and no plants", seed);
+    CHECK(count_of(plan, "tv") == 0);
+    CHECK(count_of(plan, "tv stand") == 0);
+    CHECK(count_of(plan, "plant") == 0);
+    CHECK(count_of(plan, "chair") == 0);
+  }
+  const Plan bare = plan_of("a bedroom with only a bed and a chair");
+  CHECK(planned_objects(bare).size() == 2);
+}
+
+TEST_CASE("the size of the room is the one that is asked for") {
+  const auto box = [](const Plan& plan) -> Vec2 { return bounds(plan.room.polygon).size(); };
+  CHECK(box(plan_of("a 4x5 m bedroom")).isApprox(Vec2(4, 5)));
+  CHECK(area(plan_of("a bedroom of 15 square metres").room.polygon) == Approx(15).margin(0.1));
+  CHECK(box(*try_plan("a 4x5 m bedroom", Vec2(3, 3))).isApprox(Vec2(3, 3)));
+}
+
+TEST_CASE("placements of the prompt become relations between ids") {
+  const Plan plan = plan_of("a bedroom with a desk by the window and a lamp on the desk");
+  const auto relations = [&](const std::string& category) {
+    for (const auto& item : plan.items)
+      if (item.asked && item.category == category) return to_text(item.relations);
+    return std::string("none");
+  };
+  CHECK(relations("desk") == "near, window-0");
+  CHECK(relations("table lamp").empty() == false);
+  CHECK(relations("desk lamp") + relations("table lamp") == "noneon, desk-0");
+}
+
+TEST_CASE("people decide how many seats there are") {
+  const Plan plan = plan_of("a dining room for eight");
+  CHECK(count_of(plan, "chair") == 8);
+  for (const auto& item : plan.items)
+    if (CategoryTable::built_in().is_a(item.category, "dining table"))
+      CHECK(std::max(item.size->x(), item.size->y()) >= 1.5);
+}
+
+TEST_CASE("an unknown kind of room holds what the prompt names, else a seat and a table") {
+  const Plan tea_house = plan_of("a tea house");
+  CHECK(tea_house.room.type == "tea house");
+  CHECK(count_of(tea_house, "table") >= 1);
+  CHECK(count_of(tea_house, "seat") >= 1);
+  const Plan bakery = plan_of("a bakery with six small round tables");
+  CHECK(count_of(bakery, "bistro table") == 6);
+}
+
+TEST_CASE("an empty prompt is an error, an absurd one gives a room and a note") {
+  CHECK_FALSE(try_plan("").ok());
+  CHECK_FALSE(try_plan(" \n\t ").ok());
+  const auto plan = try_plan("asdf qwer");
+  REQUIRE(plan.ok());
+  CHECK(plan->room.type == "living room");
+  CHECK_FALSE(plan->notes.empty());
+  CHECK_FALSE(try_plan(std::string(max_prompt_bytes + 1, 'a')).ok());
+}
+
+TEST_CASE("bounds on size are errors, small rooms hold little") {
+  CHECK_FALSE(try_plan("bedroom", Vec2(0.1, 3)).ok());
+  CHECK_FALSE(try_plan("bedroom", Vec2(3, 1000)).ok());
+  for (const char* type : test::room_types) {
+    const auto plan = try_plan(type, Vec2(1, 1));
+    REQUIRE(plan.ok());
+    CHECK(check(plan->room).ok());
+    CHECK(floor_of(*plan).things <= 4);
+  }
+}
+
+TEST_CASE("a hundred sofas stay a hundred") {
+  const Plan plan = plan_of("a living room with 100 sofas");
+  CHECK(count_of(plan, "sofa") == 100);
+}
+
+TEST_CASE("a floor plan that is given is kept, and gets a door if it has none") {
+  PlanRequest request;
+  request.prompt = "a living room";
+  Room room;
+  room.polygon.points = {{0, 0}, {6, 0}, {6, 3}, {3, 3}, {3, 5}, {0, 5}};
+  request.room = room;
+  const auto plan = make_rule_designer()->plan(request);
+  REQUIRE(plan.ok());
+  CHECK(plan->room.polygon.points == room.polygon.points);
+  CHECK(plan->room.openings.size() == 1);
+  CHECK(check(plan->room).ok());
+}

@@ -1,0 +1,222 @@
+#include "prompt.h"
+
+#include <algorithm>
+
+#include "catch.h"
+#include "room_kinds.h"
+#include "roomgen/scene/category.h"
+
+using namespace roomgen;
+using namespace roomgen::design;
+
+namespace {
+
+Brief read(const std::string& prompt) {
+  return read_prompt(prompt, *built_in_room_kinds(), CategoryTable::built_in());
+}
+
+// "2 armchair, 1 sofa"
+std::string things(const Brief& brief) {
+  std::string text;
+  for (const auto& mention : brief.mentions)
+    text += (text.empty() ? "" : ", ") + std::to_string(mention.quantity) + " " + mention.category;
+  return text;
+}
+
+std::string excluded(const Brief& brief) {
+  std::string text;
+  for (const auto& category : brief.excluded) text += (text.empty() ? "" : ", ") + category;
+  return text;
+}
+
+// "near table | edge": by the categories of the targets.
+std::string places(const Brief& brief, std::size_t mention) {
+  std::string text;
+  for (const auto& demand : brief.mentions.at(mention).demands) {
+    text += text.empty() ? "" : " | ";
+    text += name(demand.kind);
+    if (demand.mention != Demand::none) text += ", " + brief.mentions[demand.mention].category;
+    else if (!demand.part.empty()) text += ", " + demand.part;
+  }
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("the kind of room is found by any of its names") {
+  struct Case {
+    const char* prompt;
+    const char* type;
+  };
+  const Case cases[] = {
+      {"a cosy bedroom for two", "bedroom"},
+      {"LIVING ROOM", "living room"},
+      {"a lounge with a sofa", "living room"},
+      {"our eat-in kitchen", "kitchen"},
+      {"small restroom", "bathroom"},
+      {"a dining area for six", "dining room"},
+      {"a sunny terrace", "balcony"},
+      {"a kid's room", "kids room"},
+      {"a home office", "study"},
+      {"a tea house", "tea house"},
+      {"a music room with a piano", "music room"},
+      {"a bakery with six small tables", "bakery"},
+      {"a room with a bed and a wardrobe", "bedroom"},
+      {"a room with a bathroom cabinet and a toilet", "bathroom"},
+      {"a kitchen table and a sofa in the living room", "living room"},
+  };
+  for (const auto& one : cases) {
+    INFO(one.prompt);
+    CHECK(read(one.prompt).type == one.type);
+  }
+}
+
+TEST_CASE("sizes are read in metres, feet and areas") {
+  const auto size = [](const char* prompt) { return read(prompt).size.value_or(Vec2::Zero()); };
+  CHECK(size("a 4x5 m bedroom") == Vec2(4, 5));
+  CHECK(size("bedroom, 4.5 by 3.2 metres") == Vec2(4.5, 3.2));
+  CHECK(size("kitchen 4 m x 3 m") == Vec2(4, 3));
+  CHECK(size("bedroom 350 cm x 4 m").isApprox(Vec2(3.5, 4)));
+  CHECK(size("a bedroom of 12 by 15 feet").isApprox(Vec2(12, 15) * 0.3048));
+  CHECK(size("a bedroom of 10\u2019 x 12\u2019").isApprox(Vec2(10, 12) * 0.3048));
+  CHECK(size("a 3\u00d74 bedroom") == Vec2(3, 4));
+  CHECK(read("a bedroom of 20 square metres").area == 20.0);
+  CHECK(read("18 m\u00b2 bedroom").area == 18.0);
+  CHECK(read("200 sq ft office").area.value_or(0) == Approx(18.58).margin(0.01));
+  CHECK_FALSE(read("a bedroom with a 2 x 3 m rug").size);
+  CHECK_FALSE(read("a 5000 x 2 m bedroom").size);
+}
+
+TEST_CASE("things are read with their numbers") {
+  struct Case {
+    const char* prompt;
+    const char* expected;
+  };
+  const Case cases[] = {
+      {"a bed, two nightstands and a wardrobe", "1 bed, 2 nightstand, 1 wardrobe"},
+      {"a pair of armchairs and 6 chairs", "2 armchair, 6 chair"},
+      {"a set of four bar stools", "4 bar stool"},
+      {"a couple of plants, several books", "2 plant, 3 book"},
+      {"a bedside table lamp", "1 table lamp"},
+      {"a glass coffee table", "1 coffee table"},
+      {"a three-drawer dresser", "1 dresser"},
+      {"a two-seat sofa", "1 loveseat"},
+      {"bed desk wardrobe", "1 bed, 1 desk, 1 wardrobe"},
+      {"a large, soft, red and white rug", "1 rug"},
+      {"a round wooden dining table", "1 round table"},
+      {"a desk with drawers", "1 desk"},
+      {"a bed. The bed is red. Next to the bed is a lamp.", "1 bed, 1 lamp"},
+      {"two nightstands, each with a lamp on it", "2 nightstand, 2 table lamp"},
+      {"an armchair and another armchair", "1 armchair, 1 armchair"},
+      {"a bedroom with a samovar", "1 samovar"},
+      {"a room with a modern feel and a view", ""},
+      {"100 sofas", "100 sofa"},
+      {"5000 sofas", "200 sofa"},
+      {"a wall-mounted tv", "1 wall tv"},
+      {"a dining table surrounded by six chairs", "1 dining table, 6 chair"},
+  };
+  for (const auto& one : cases) {
+    INFO(one.prompt);
+    CHECK(things(read(one.prompt)) == one.expected);
+  }
+}
+
+TEST_CASE("what a word means depends on the room") {
+  CHECK(things(read("a kitchen with a sink")) == "1 kitchen sink");
+  CHECK(things(read("a bathroom with a sink")) == "1 washbasin");
+  CHECK(things(read("a balcony with two chairs")) == "2 outdoor chair");
+}
+
+TEST_CASE("looks and sizes stay in the description") {
+  const auto brief = read("a large blue velvet sofa and a 1.8 m oak desk");
+  REQUIRE(brief.mentions.size() == 2);
+  CHECK(brief.mentions[0].description == "large blue velvet sofa");
+  CHECK(brief.mentions[0].size.x() > CategoryTable::built_in().get("sofa").size.x());
+  CHECK(brief.mentions[1].description == "oak desk");
+  CHECK(brief.mentions[1].size.x() == Approx(1.8));
+}
+
+TEST_CASE("absences are read") {
+  struct Case {
+    const char* prompt;
+    const char* expected;
+  };
+  const Case cases[] = {
+      {"living room, no TV", "tv"},
+      {"a bedroom without a desk", "desk"},
+      {"a bedroom with a bed but no rug", "rug"},
+      {"no tv, desk or rug", "tv, desk, rug"},
+      {"no tv, a desk and a rug", "tv"},
+      {"without chairs and without plants", "chair, plant"},
+      {"a bedroom. Do not add a wardrobe.", "wardrobe"},
+      {"no tv stand but a tv", "tv stand"},
+  };
+  for (const auto& one : cases) {
+    INFO(one.prompt);
+    CHECK(excluded(read(one.prompt)) == one.expected);
+  }
+  CHECK(read("a bedroom without windows").windows == 0);
+  CHECK(read("a bedroom with only a bed").bare);
+  CHECK(read("a bed and a desk, nothing else").bare);
+}
+
+TEST_CASE("people are counted") {
+  CHECK(read("a bedroom for two").people == 2);
+  CHECK(read("a dining room for a family of four").people == 4);
+  CHECK(read("a bedroom for a couple").people == 2);
+  CHECK(read("a table for eight people").people == 8);
+  CHECK(read("a dining table that seats six").people == 6);
+  CHECK(read("room for two chairs").people == 0);
+}
+
+TEST_CASE("placements become demands") {
+  struct Case {
+    const char* prompt;
+    std::size_t mention;
+    const char* expected;
+  };
+  const Case cases[] = {
+      {"a desk by the window", 0, "near, window-0"},
+      {"a bed against the wall", 0, "edge"},
+      {"a bed against the left wall", 0, "edge | near, wall-3 | face same as, wall-3"},
+      {"a wardrobe in the corner of the room", 0, "corner"},
+      {"a table in the middle of the room", 0, "middle"},
+      {"a sofa facing the tv stand", 0, "face to, tv stand"},
+      {"a rug under the table", 0, "under, table"},
+      {"a lamp on the nightstand", 0, "on, nightstand"},
+      {"chairs around the dining table", 0, "around, dining table"},
+      {"a sofa across from the fireplace", 0, "in front of, fireplace | face to, fireplace"},
+      {"a plant to the left of the sofa", 0, "left of, sofa"},
+      {"a plant between the sofa and the window", 0, "near, sofa | near, window-0"},
+      {"a sofa with a coffee table in front of it", 1, "in front of, sofa"},
+      {"a bed with a nightstand to its right", 1, "right of, bed"},
+      {"The desk is near the door.", 0, "near, door-0"},
+      {"Next to the bed stands a lamp.", 1, "near, bed | side of, bed"},
+      {"a painting above the sofa", 0, "above, sofa"},
+      {"a chest at the foot of the bed", 0, "in front of, bed | near, bed"},
+      {"a chair behind the desk", 0, "around, desk"},
+      {"a sofa on the rug", 1, "under, sofa"},
+      {"a sofa and an armchair are against the wall", 0, "edge"},
+  };
+  for (const auto& one : cases) {
+    INFO(one.prompt);
+    const auto brief = read(one.prompt);
+    REQUIRE(brief.mentions.size() > one.mention);
+    CHECK(places(brief, one.mention) == one.expected);
+  }
+}
+
+TEST_CASE("a thing on each side makes two") {
+  const auto brief = read("a bed with a nightstand on each side");
+  CHECK(things(brief) == "1 bed, 2 nightstand");
+  CHECK(brief.mentions[1].demands.front().flank);
+}
+
+TEST_CASE("words of style are heard where they speak of the room") {
+  const auto has = [](const Brief& brief, const std::string& style) {
+    return std::find(brief.styles.begin(), brief.styles.end(), style) != brief.styles.end();
+  };
+  CHECK(has(read("a cosy, modern bedroom"), "modern"));
+  CHECK(has(read("a bedroom in a rustic style"), "rustic"));
+  CHECK_FALSE(has(read("a bedroom with a modern lamp"), "modern"));
+}
