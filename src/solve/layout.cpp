@@ -9,7 +9,8 @@ namespace roomgen {
 
 namespace {
 
-constexpr double inside_tolerance = 1e-3;
+// Half of what a finished scene may cross: files round poses and rooms.
+constexpr double inside_tolerance = 5e-4;
 constexpr double touch_tolerance = 1e-4;
 
 std::vector<double> yaws_of_walls(const Room& room) {
@@ -39,7 +40,7 @@ Object at_pose(const Object& object, const Pose& pose) {
   Object placed = object;
   placed.position = {pose.position.x(), pose.position.y(), pose.bottom};
   placed.yaw = pose.yaw;
-  return placed;
+  return with_rounded_pose(std::move(placed));
 }
 
 Layout::Layout(const Room& room, const CategoryTable& categories, const ModelTable& models)

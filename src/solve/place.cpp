@@ -147,7 +147,8 @@ Error refusal(const PlacementTask& task, int candidates, int feasible) {
 
 // Walks through candidates in the order of choice and tests each on meshes and reachability. Near one that
 // failed, others will probably fail too; near one that passed, others are no real alternative: both come
-// after those elsewhere.
+// after those elsewhere. Only when the first to pass ranks clearly below some that were put off are those
+// tried before it: a fine grid, with many failures close together, must not be driven from a suggestion.
 class Chooser {
  public:
   Chooser(Layout& layout, const PlacementTask& task, const std::vector<Scored>& scored,
@@ -160,18 +161,22 @@ class Chooser {
   std::optional<std::size_t> next() {
     while (next_ < order_.size() && tests_left_ > 0) {
       const std::size_t i = order_[next_++];
-      if (failures_near(i) >= 2 || is_like_one_passed(i)) deferred_.push_back(i);
-      else if (passes(i)) return i;
+      if (failures_near(i) >= 2 || is_like_one_passed(i)) {
+        deferred_.push_back(i);
+      } else if (passes(i)) {
+        const auto better = first_deferred_that_passes(scored_[i].terms.fused + worth_going_back);
+        if (better) --next_;
+        return accepted(better.value_or(i));
+      }
     }
-    while (next_deferred_ < deferred_.size() && tests_left_ > 0 && passed_.empty()) {
-      const std::size_t i = deferred_[next_deferred_++];
-      if (passes(i)) return i;
-    }
-    return std::nullopt;
+    const auto last = first_deferred_that_passes(0.0);
+    if (!last) return std::nullopt;
+    return accepted(*last);
   }
 
  private:
   static constexpr double neighbourhood = 0.25;
+  static constexpr double worth_going_back = 5e-5;  // of the fused sum: a rank at the top
 
   std::pair<int, int> cell(std::size_t i) const {
     const Vec2 index = (scored_[i].pose.position / neighbourhood).array().floor();
@@ -189,12 +194,25 @@ class Chooser {
              std::abs(wrap_angle(pose.yaw - other.yaw)) < 0.1;
     });
   }
+  std::size_t accepted(std::size_t i) {
+    passed_.push_back(i);
+    return i;
+  }
+  // Of those put off, while none has been accepted: the first above `bar` that passes.
+  std::optional<std::size_t> first_deferred_that_passes(double bar) {
+    while (passed_.empty() && next_deferred_ < deferred_.size() && tests_left_ > 0) {
+      const std::size_t i = deferred_[next_deferred_];
+      if (scored_[i].terms.fused < bar) break;
+      ++next_deferred_;
+      if (passes(i)) return i;
+    }
+    return std::nullopt;
+  }
   bool passes(std::size_t i) {
     --tests_left_;
     const bool passed =
         layout_.fits_exactly(layout_.candidate(at_pose(task_.object, scored_[i].pose)));
-    if (passed) passed_.push_back(i);
-    else ++failures_[cell(i)];
+    if (!passed) ++failures_[cell(i)];
     return passed;
   }
 

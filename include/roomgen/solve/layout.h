@@ -87,7 +87,7 @@ class Layout {
   std::vector<bool> in_walk_map_;  ///< parallel to objects_; stamped only when an exact test needs it
 };
 
-/// The object at a pose.
+/// The object at a pose, rounded as files hold it: what is tested is what is written.
 Object at_pose(const Object& object, const Pose& pose);
 
 }  // namespace roomgen
