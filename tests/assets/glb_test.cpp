@@ -95,3 +95,21 @@ TEST_CASE("A GLB file with an embedded texture is read, in metres, front +Z to -
   CHECK(material.texture->at(0, 0)[0] == 255);
   CHECK(material.roughness == Approx(0.25f));
 }
+
+TEST_CASE("Damaged GLB files are left out or read, and never crash") {
+  const TemporaryFolder folder;
+  const std::string good = textured_quad_glb();
+  folder.write("mine/good.glb", good);
+  for (std::size_t at = 4; at < good.size(); at += 13) {
+    std::string damaged = good;
+    damaged[at] = static_cast<char>(damaged[at] ^ 0x15);
+    folder.write("mine/damaged" + std::to_string(at) + ".glb", damaged);
+    if (at % 5 == 0) folder.write("mine/short" + std::to_string(at) + ".glb", good.substr(0, at));
+  }
+  assets::CatalogueOptions options;
+  options.libraries = {folder.path() / "mine"};
+  options.cache_dir = folder.path() / "cache";
+  const auto catalogue = assets::open_catalogue(options);
+  REQUIRE(catalogue);
+  CHECK((*catalogue)->find("good"));
+}
