@@ -20,8 +20,9 @@ void print_progress(const assets::IndexProgress& progress) {
 }  // namespace
 
 void add_library_options(CLI::App& command, LibraryOptions& options) {
-  command.add_option("--library", options.more,
-                     "Another furniture library: a .sh3f file or a folder of meshes")
+  command
+      .add_option("--library", options.more,
+                  "Another furniture library: a .sh3f file or a folder of meshes")
       ->allow_extra_args(false);
   command.add_flag("--no-default-libraries", options.only_these,
                    "Leave out the libraries that the system has");

@@ -13,12 +13,11 @@ constexpr double small_side = 0.45;  // metres: what is this small stands on som
 constexpr double small_height = 0.5;
 constexpr double usual_wall_elevation = 1.2;
 
-// A name may end in a number or a material, so the whole name comes first, then its group.
+// The name first; where it says nothing that is known, the id, which often is the older name.
 std::string kind_from_name(const SourceAsset& asset, const Vocabulary& vocabulary) {
-  const auto by_name = vocabulary.understand(asset.info.name);
+  const auto by_name = vocabulary.understand_name(asset.info.name);
   if (by_name.known) return by_name.kind;
-  std::string id = file_name_of(asset.info.ref.id);
-  const auto by_id = vocabulary.understand(id);
+  const auto by_id = vocabulary.understand_name(file_name_of(asset.info.ref.id));
   return by_id.known ? by_id.kind : by_name.kind;
 }
 

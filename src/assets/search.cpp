@@ -131,11 +131,18 @@ WordIndex look_up_all(const std::vector<const Database*>& databases, const Searc
   return index;
 }
 
+// A thing without a front may as well stand the other way round.
+double size_fit(const AssetInfo& asset, const Vec3& want) {
+  const double as_is = size_similarity(asset.size, want);
+  if (asset.has_front) return as_is;
+  return std::max(as_is, size_similarity({asset.size.y(), asset.size.x(), asset.size.z()}, want));
+}
+
 // The size of the kind's usual thing tells a doll's chair from a chair when no size is wanted.
 double size_term(const SearchPlan& plan, const AssetInfo& asset) {
-  if (plan.query.size) return size_similarity(asset.size, *plan.query.size);
+  if (plan.query.size) return size_fit(asset, *plan.query.size);
   if (!plan.usual_size) return 1.0;
-  return 1.0 - usual_size_share + usual_size_share * size_similarity(asset.size, *plan.usual_size);
+  return 1.0 - usual_size_share + usual_size_share * size_fit(asset, *plan.usual_size);
 }
 
 double mount_term(const SearchPlan& plan, const AssetInfo& asset, const Vocabulary& vocabulary) {

@@ -180,8 +180,18 @@ KindPhrase Vocabulary::understand(std::string_view phrase) const {
   }
   std::vector<std::string> rest;
   for (const auto& piece : pieces)
-    if (&piece == &pieces.back() || !is_modifier(piece)) rest.push_back(piece);
+    if (&piece == &pieces.back() || !family_of_.count(piece)) rest.push_back(piece);
   return {join(rest, " "), join(rest, " "), false};
+}
+
+KindPhrase Vocabulary::understand_name(std::string_view name) const {
+  KindPhrase phrase = understand(name);
+  if (phrase.known) return phrase;
+  const auto pieces = singular_words(before_preposition(name));
+  for (std::size_t first = 0; first < pieces.size(); ++first)
+    if (const auto found = names_.find(ending(pieces, first)); found != names_.end())
+      return {found->second, found->first, true};
+  return phrase;
 }
 
 std::vector<std::string> Vocabulary::mentioned(std::string_view text) const {
@@ -216,12 +226,7 @@ double Vocabulary::fit(std::string_view have, std::string_view want) const {
   if (have == want) return have.empty() ? 0.0 : 1.0;
   const Kind* wanted = by_name(want);
   const Kind* owned = by_name(have);
-  if (!wanted) {
-    // Free phrases: "tula samovar" is a samovar, but a samovar need not be a tula samovar.
-    const std::string tail = " " + std::string(want);
-    return !owned && !want.empty() && have.ends_with(tail) ? 0.9 : 0.0;
-  }
-  if (!owned) return 0.0;
+  if (!wanted || !owned) return 0.0;  // what the vocabulary lacks fits itself only
   if (is_a(have, want)) return owned->usual ? 1.0 : other_child_fit;
   double best = 0.0;
   for (const auto& [other, fit] : wanted->substitutes)

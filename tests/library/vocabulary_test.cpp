@@ -50,10 +50,16 @@ TEST_CASE("Special kinds serve who asks for the general one, not the other way r
   CHECK(vocabulary().fit("sofa", "table") == 0.0);
 }
 
-TEST_CASE("Kinds that the vocabulary lacks match by their last words") {
-  CHECK(vocabulary().fit("tula samovar", "samovar") > 0.0);
-  CHECK(vocabulary().fit("samovar", "tula samovar") == 0.0);
+TEST_CASE("Kinds that the vocabulary lacks fit themselves only") {
+  CHECK(vocabulary().understand("a large copper samovar").kind == "samovar");
+  CHECK(vocabulary().fit("samovar", "samovar") == 1.0);
   CHECK(vocabulary().fit("towel rack", "rack") == 0.0);
+  CHECK(vocabulary().fit("kitchen scale", "bathroom scale") == 0.0);
+}
+
+TEST_CASE("A maker's word does not hide what an asset is called") {
+  CHECK_FALSE(vocabulary().understand("Ektorp sofa").known);
+  CHECK(vocabulary().understand_name("Ektorp sofa").kind == "sofa");
 }
 
 TEST_CASE("A vocabulary with an unknown parent is refused with its place") {

@@ -28,7 +28,7 @@ struct Kind {
 /// neither colours, materials nor the like names another thing ("dog bed" is no bed): it is not
 /// known.
 struct KindPhrase {
-  std::string kind;  ///< a known kind's name, or the phrase's words without mere adjectives
+  std::string kind;  ///< a known kind's name, or the phrase without colours, materials and the like
   std::string name;  ///< the words of the phrase that named it, in singular: "writing desk"
   bool known = false;
 };
@@ -46,6 +46,9 @@ class Vocabulary {
 
   /// What a phrase names: "two white oak desks with drawers" is a desk.
   KindPhrase understand(std::string_view phrase) const;
+  /// What an asset's own name says it is: like understand(), but a word that is not known does not
+  /// make it another thing, since it is likely the maker's name for it ("Ektorp sofa").
+  KindPhrase understand_name(std::string_view name) const;
   /// The known kinds that a text mentions anywhere, in order, the longest name at each place.
   std::vector<std::string> mentioned(std::string_view text) const;
   /// True if `name` is `ancestor` or one of its descendants.
