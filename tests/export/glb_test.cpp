@@ -1,0 +1,274 @@
+#include "roomgen/export/glb.h"
+
+#include <Eigen/Geometry>
+#include <cstring>
+#include <filesystem>
+#include <set>
+
+#include "catch.h"
+#include "roomgen/base/file.h"
+#include "support/furnished_room.h"
+
+using namespace roomgen;
+
+namespace {
+
+std::uint32_t word(const std::string& bytes, std::size_t at) {
+  std::uint32_t value = 0;
+  std::memcpy(&value, bytes.data() + at, 4);
+  return value;
+}
+
+// A reader of its own: shares nothing with the writer.
+struct Glb {
+  Json json;
+  std::string binary;
+
+  const Json& node(const std::string& name) const {
+    for (const auto& n : json["nodes"])
+      if (n.value("name", "") == name) return n;
+    throw std::runtime_error("no node " + name);
+  }
+  std::vector<Eigen::Vector3d> vectors(const Json& accessor) const {
+    const Json& view = json["bufferViews"][accessor["bufferView"].get<std::size_t>()];
+    std::size_t at = view.value("byteOffset", 0u) + accessor.value("byteOffset", 0u);
+    std::vector<Eigen::Vector3d> result;
+    for (std::size_t i = 0; i < accessor["count"]; ++i, at += 12) {
+      float v[3];
+      std::memcpy(v, binary.data() + at, 12);
+      result.push_back({v[0], v[1], v[2]});
+    }
+    return result;
+  }
+  std::vector<Eigen::Vector3d> positions_of(const Json& n) const {
+    std::vector<Eigen::Vector3d> all;
+    for (const auto& primitive : json["meshes"][n["mesh"].get<std::size_t>()]["primitives"]) {
+      const auto& accessor = json["accessors"][primitive["attributes"]["POSITION"].get<std::size_t>()];
+      for (const auto& p : vectors(accessor)) all.push_back(p);
+    }
+    return all;
+  }
+};
+
+Glb parse(const std::string& bytes) {
+  REQUIRE(bytes.size() > 20);
+  REQUIRE(bytes.substr(0, 4) == "glTF");
+  REQUIRE(word(bytes, 4) == 2);
+  REQUIRE(word(bytes, 8) == bytes.size());
+  const std::size_t json_size = word(bytes, 12);
+  REQUIRE(json_size % 4 == 0);
+  REQUIRE(bytes.substr(16, 4) == "JSON");
+  Glb glb;
+  glb.json = Json::parse(bytes.substr(20, json_size));
+  const std::size_t next = 20 + json_size;
+  REQUIRE(bytes.substr(next + 4, 3) == "BIN");
+  glb.binary = bytes.substr(next + 8);
+  REQUIRE(word(bytes, next) == glb.binary.size());
+  return glb;
+}
+
+Glb write_and_parse(const Scene& scene, const ModelTable& models, const GlbOptions& options = {}) {
+  const auto bytes = make_glb(scene, models, options);
+  REQUIRE(bytes);
+  return parse(*bytes);
+}
+
+Eigen::Vector3d vector_of(const Json& json) { return {json[0], json[1], json[2]}; }
+
+Eigen::Affine3d transform_of(const Json& node) {
+  Eigen::Affine3d t = Eigen::Affine3d::Identity();
+  if (node.contains("translation")) t.translate(vector_of(node["translation"]));
+  if (node.contains("rotation")) {
+    const auto& q = node["rotation"];
+    t.rotate(Eigen::Quaterniond(q[3], q[0], q[1], q[2]));
+  }
+  if (node.contains("scale")) t.scale(vector_of(node["scale"]));
+  return t;
+}
+
+// The corners of an object's box in glTF's frame, from scene.json's words alone: Y up, front +Z.
+std::vector<Eigen::Vector3d> expected_corners(const Object& o) {
+  std::vector<Eigen::Vector3d> corners;
+  for (const double x : {-0.5, 0.5})
+    for (const double y : {-0.5, 0.5})
+      for (const double z : {0.0, 1.0}) {
+        const double lx = x * o.size.x(), ly = y * o.size.y();
+        const double rx = o.position.x() + std::cos(o.yaw) * lx - std::sin(o.yaw) * ly;
+        const double ry = o.position.y() + std::sin(o.yaw) * lx + std::cos(o.yaw) * ly;
+        corners.push_back({rx, o.position.z() + z * o.size.z(), -ry});
+      }
+  return corners;
+}
+
+ImageEncoder counting_encoder(int& calls) {
+  return [&calls](const Image& image) -> Result<EncodedImage> {
+    ++calls;
+    return EncodedImage{"image/png", std::string(image.pixels.begin(), image.pixels.end())};
+  };
+}
+
+Model textured_box(bool hollow) {
+  Model model = test::colored_box({1, 1, 1}, {255, 255, 255});
+  model.materials[0].texture = test::checkerboard(hollow);
+  return model;
+}
+
+}  // namespace
+
+TEST_CASE("nodes put every object's box where the scene says") {
+  Scene scene = test::furnished_room();
+  ModelTable models;
+  // A model of another size than its object: the node scales it.
+  test::use_model(scene.objects[2], models, "chair", test::colored_box({1, 2, 3}, {200, 0, 0}));
+  const Glb glb = write_and_parse(scene, models);
+  for (const auto& object : scene.objects) {
+    INFO(object.id);
+    const Json& node = glb.node(object.id);
+    const auto transform = transform_of(node);
+    std::vector<Eigen::Vector3d> points;
+    for (const auto& p : glb.positions_of(node)) points.push_back(transform * p);
+    // Round things fill their box without reaching its corners: compare extents for them.
+    if (object.traits.round) {
+      Bounds3 got, want;
+      for (const auto& p : points) got.add(p);
+      for (const auto& p : expected_corners(object)) want.add(p);
+      CHECK((got.low - want.low).norm() + (got.high - want.high).norm() < 0.01);
+      continue;
+    }
+    for (const auto& corner : expected_corners(object)) {
+      double nearest = 1e9;
+      for (const auto& p : points) nearest = std::min(nearest, (p - corner).norm());
+      CHECK(nearest < 1e-5);
+    }
+  }
+}
+
+TEST_CASE("the front of an object looks to +Z of its node") {
+  Scene scene = test::furnished_room();
+  ModelTable models;
+  Model arrow = test::colored_box({1, 1, 1}, {200, 0, 0});
+  // A vertex that marks the front: the only one at half height.
+  for (auto& p : arrow.parts[0].mesh.positions)
+    if (p.y() < 0 && p.x() < 0 && p.z() > 0.5f) p.z() = 0.5f;
+  test::use_model(scene.objects[0], models, "arrow", arrow);
+  const Glb glb = write_and_parse(scene, models);
+  for (const auto& p : glb.positions_of(glb.node("bed-0")))
+    if (std::abs(p.y() - 0.5) < 1e-6) CHECK(p.z() > 0.4);
+}
+
+TEST_CASE("accessors tell the true extent of their positions and normals are unit vectors") {
+  const Glb glb = write_and_parse(test::furnished_room(), {});
+  for (const auto& mesh : glb.json["meshes"])
+    for (const auto& primitive : mesh["primitives"]) {
+      const auto& attributes = primitive["attributes"];
+      const auto& accessor = glb.json["accessors"][attributes["POSITION"].get<std::size_t>()];
+      Bounds3 box;
+      for (const auto& p : glb.vectors(accessor)) box.add(p);
+      CHECK(vector_of(accessor["min"]) == box.low);
+      CHECK(vector_of(accessor["max"]) == box.high);
+      for (const auto& n : glb.vectors(glb.json["accessors"][attributes["NORMAL"].get<std::size_t>()]))
+        CHECK(n.norm() == Approx(1.0).margin(1e-3));
+    }
+}
+
+TEST_CASE("objects of one asset share a mesh") {
+  Scene scene = test::furnished_room();
+  ModelTable models;
+  for (auto& object : scene.objects) test::use_model(object, models, "cube", textured_box(false));
+  const Glb glb = write_and_parse(scene, models);
+  std::set<int> meshes;
+  for (const auto& object : scene.objects) meshes.insert(glb.node(object.id)["mesh"].get<int>());
+  CHECK(meshes.size() == 1);
+}
+
+TEST_CASE("the room is there by name, with its openings as nodes") {
+  const Glb glb = write_and_parse(test::furnished_room(), {});
+  CHECK(glb.node("room")["children"].size() == 7);
+  for (const auto* part : {"floor", "wall-0", "wall-1", "wall-2", "wall-3", "door-0", "window-0"})
+    CHECK(glb.node(part).contains("mesh"));
+  CHECK(glb.node("door-0")["extras"]["category"] == "door");
+}
+
+TEST_CASE("nodes say what the thing is") {
+  Scene scene = test::furnished_room();
+  scene.objects[0].description = "a wide bed";
+  scene.objects[0].relations = {{RelationKind::edge, ""}, {RelationKind::far, "door-0"}};
+  const Glb glb = write_and_parse(scene, {});
+  const Json& extras = glb.node("bed-0")["extras"];
+  CHECK(extras["category"] == "bed");
+  CHECK(extras["description"] == "a wide bed");
+  CHECK(vector_of(extras["size"]) == Vec3(1.6, 2.0, 0.5));
+  CHECK(extras["relations"] == Json({"edge", "far, door-0"}));
+}
+
+TEST_CASE("a texture is embedded once, whoever uses it") {
+  Scene scene = test::furnished_room();
+  ModelTable models;
+  // Two models with images that are equal but not the same.
+  test::use_model(scene.objects[0], models, "a", textured_box(false));
+  test::use_model(scene.objects[1], models, "b", textured_box(false));
+  int calls = 0;
+  GlbOptions options;
+  options.encode_image = counting_encoder(calls);
+  const Glb glb = write_and_parse(scene, models, options);
+  CHECK(calls == 3);                       // with the floor's
+  CHECK(glb.json["images"].size() == 2);
+  CHECK(glb.json["textures"].size() == 2);
+  CHECK(glb.json["images"][0]["mimeType"] == "image/png");
+}
+
+TEST_CASE("without an encoder textures become their mean colour") {
+  Scene scene = test::furnished_room();
+  ModelTable models;
+  test::use_model(scene.objects[0], models, "a", textured_box(false));
+  const Glb glb = write_and_parse(scene, models);
+  CHECK_FALSE(glb.json.contains("images"));
+  const auto& mesh = glb.json["meshes"][glb.node("bed-0")["mesh"].get<std::size_t>()];
+  const auto& material = glb.json["materials"][mesh["primitives"][0]["material"].get<std::size_t>()];
+  const auto& color = material["pbrMetallicRoughness"]["baseColorFactor"];
+  CHECK(color[0].get<double>() == Approx(1.0));
+  CHECK(color[1].get<double>() == Approx(0.5));  // half the squares, in linear light
+  CHECK(color[2].get<double>() == Approx(0.0));
+}
+
+TEST_CASE("glass blends and leaves are cut out") {
+  Scene scene = test::furnished_room();
+  ModelTable models;
+  test::use_model(scene.objects[0], models, "glass", test::colored_box({1, 1, 1}, {9, 9, 9}, 0.3f));
+  test::use_model(scene.objects[1], models, "leaves", textured_box(true));
+  const Glb glb = write_and_parse(scene, models);
+  const auto mode = [&](const char* id) {
+    const auto& mesh = glb.json["meshes"][glb.node(id)["mesh"].get<std::size_t>()];
+    return glb.json["materials"][mesh["primitives"][0]["material"].get<std::size_t>()].value("alphaMode", "OPAQUE");
+  };
+  CHECK(mode("bed-0") == "BLEND");
+  CHECK(mode("desk-0") == "MASK");
+  CHECK(mode("chair-0") == "OPAQUE");
+}
+
+TEST_CASE("the file names creators and licences") {
+  Scene scene = test::furnished_room();
+  ModelTable models;
+  test::use_model(scene.objects[0], models, "a", textured_box(false));
+  const Glb glb = write_and_parse(scene, models);
+  CHECK(glb.json["asset"]["generator"] == "roomgen");
+  CHECK(glb.json["asset"]["copyright"] == "a by nobody (CC0, test)");
+  CHECK_FALSE(write_and_parse(test::furnished_room(), {}).json["asset"].contains("copyright"));
+}
+
+TEST_CASE("equal scenes give equal bytes") {
+  CHECK(*make_glb(test::furnished_room(), {}) == *make_glb(test::furnished_room(), {}));
+}
+
+TEST_CASE("a failing encoder fails the export and leaves no file") {
+  GlbOptions options;
+  options.encode_image = [](const Image&) -> Result<EncodedImage> {
+    return Error{Error::Kind::io, "no ink"};
+  };
+  const auto path = std::filesystem::temp_directory_path() / "roomgen-export-test.glb";
+  std::filesystem::remove(path);
+  const auto status = GlbExporter(options).write(test::furnished_room(), {}, path);
+  REQUIRE_FALSE(status);
+  CHECK(status.error().message.find("no ink") != std::string::npos);
+  CHECK_FALSE(std::filesystem::exists(path));
+}

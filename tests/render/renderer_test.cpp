@@ -1,0 +1,217 @@
+#include "roomgen/render/osmesa_renderer.h"
+
+#include "catch.h"
+#include "roomgen/view/camera.h"
+#include "support/furnished_room.h"
+
+using namespace roomgen;
+
+namespace {
+
+View view_of(View::Kind kind, int pixels = 256, bool marks = false) {
+  View view;
+  view.kind = kind;
+  view.pixels = pixels;
+  view.marks = marks;
+  return view;
+}
+
+std::unique_ptr<Renderer> make_renderer() {
+  auto renderer = make_osmesa_renderer();
+  REQUIRE(renderer);
+  return std::move(*renderer);
+}
+
+Image draw(Renderer& renderer, const Scene& scene, const View& view, const ModelTable& models = {}) {
+  auto image = renderer.render(scene, models, view);
+  if (!image) FAIL(image.error().message);
+  return std::move(*image);
+}
+
+struct Pixel {
+  int r, g, b;
+  bool is_red() const { return r > 120 && g < 100 && b < 100; }
+  int brightness() const { return (r + g + b) / 3; }
+};
+
+// The pixel at a point of the floor, from the picture's scale alone.
+Pixel pixel_at(const Image& image, const Scene& scene, const View& view, const Vec3& point) {
+  const auto camera = make_camera(scene, view);
+  const Vec2 p = camera->pixel(point);
+  const auto* raw = image.at(static_cast<int>(p.x()), static_cast<int>(p.y()));
+  return {raw[0], raw[1], raw[2]};
+}
+
+Scene red_box_scene(ModelTable& models, double yaw = 0.0) {
+  Scene scene;
+  scene.room = test::plain_room();
+  scene.objects = {test::box("box-0", {1.0, 0.5, 0.8}, {2.5, 1.2, 0}, yaw)};
+  test::use_model(scene.objects[0], models, "red", test::colored_box({1.0, 0.5, 0.8}, {220, 20, 20}));
+  return scene;
+}
+
+}  // namespace
+
+TEST_CASE("a red box lies where the plan says, turned as it says") {
+  auto renderer = make_renderer();
+  const View view = view_of(View::Kind::top, 512);
+  for (const double degrees : {0.0, 90.0, 45.0}) {
+    ModelTable models;
+    const Scene scene = red_box_scene(models, radians(degrees));
+    const Image image = draw(*renderer, scene, view, models);
+    for (double x = 1.6; x < 3.4; x += 0.07)
+      for (double y = 0.3; y < 2.1; y += 0.07) {
+        const Vec2 local = rotated(Vec2(x - 2.5, y - 1.2), -radians(degrees)).cwiseAbs();
+        const double outside = std::max(local.x() - 0.5, local.y() - 0.25);
+        if (std::abs(outside) < 0.02) continue;  // the edge itself
+        INFO(degrees << " at " << x << ", " << y);
+        CHECK(pixel_at(image, scene, view, {x, y, 0}).is_red() == (outside < 0));
+      }
+  }
+}
+
+TEST_CASE("the same scene gives the same pixels, from one renderer or another") {
+  auto one = make_renderer(), other = make_renderer();
+  const Scene scene = test::furnished_room();
+  for (const auto& view : {view_of(View::Kind::top), view_of(View::Kind::isometric),
+                           view_of(View::Kind::top, 400, true)}) {
+    const Image first = draw(*one, scene, view);
+    CHECK(draw(*one, scene, view).pixels == first.pixels);
+    CHECK(draw(*other, scene, view).pixels == first.pixels);
+  }
+}
+
+TEST_CASE("drawing only what changed gives what drawing everything gives") {
+  auto kept = make_renderer();
+  const Scene whole = test::furnished_room();
+  for (const auto& view : {view_of(View::Kind::top, 300), view_of(View::Kind::top, 300, true)}) {
+    Scene scene = whole;
+    scene.objects.clear();
+    const auto check = [&](const std::string& what) {
+      INFO(what);
+      auto fresh = make_renderer();
+      CHECK(draw(*kept, scene, view).pixels == draw(*fresh, scene, view).pixels);
+    };
+    for (const auto& object : whole.objects) {
+      scene.objects.push_back(object);
+      check("added " + object.id);
+    }
+    scene.objects[0].position.x() -= 0.3;
+    scene.objects[2].yaw = 1.0;
+    check("moved");
+    (void)draw(*kept, scene, view_of(View::Kind::isometric, 200));  // another sun in between
+    scene.objects.erase(scene.objects.begin() + 1);
+    check("removed");
+    scene.room.openings.pop_back();
+    check("another room");
+  }
+}
+
+TEST_CASE("a large picture made of tiles has no seams") {
+  auto renderer = make_renderer();
+  ModelTable models;
+  const Scene scene = red_box_scene(models);
+  const View view = view_of(View::Kind::top, 1300);
+  const Image image = draw(*renderer, scene, view, models);
+  CHECK(image.width == 1300);
+  // Down the column at the border of two tiles, neighbours differ no more than elsewhere.
+  const auto step = [&](int x) {
+    double sum = 0.0;
+    for (int y = 0; y < image.height; ++y)
+      sum += std::abs(image.at(x, y)[0] - image.at(x - 1, y)[0]);
+    return sum / image.height;
+  };
+  CHECK(step(1024) < 2.0 * (step(1020) + step(1028)) + 1.0);
+}
+
+TEST_CASE("what lies behind glass shows, what lies behind a box does not") {
+  auto renderer = make_renderer();
+  const View view = view_of(View::Kind::top, 256);
+  ModelTable models;
+  Scene scene = red_box_scene(models);
+  scene.objects.push_back(test::box("glass-0", {0.6, 0.4, 0.1}, {2.5, 1.2, 1.0}));
+  test::use_model(scene.objects[1], models, "glass", test::colored_box({0.6, 0.4, 0.1}, {255, 255, 255}, 0.3f));
+  const Pixel through = pixel_at(draw(*renderer, scene, view, models), scene, view, {2.5, 1.2, 0});
+  CHECK(through.r > through.g + 40);
+  test::use_model(scene.objects[1], models, "solid", test::colored_box({0.6, 0.4, 0.1}, {255, 255, 255}));
+  const Pixel on = pixel_at(draw(*renderer, scene, view, models), scene, view, {2.5, 1.2, 0});
+  CHECK(on.r < on.g + 20);
+}
+
+TEST_CASE("a mesh wound the wrong way is not black") {
+  auto renderer = make_renderer();
+  const View view = view_of(View::Kind::top, 256);
+  ModelTable models;
+  Scene scene = red_box_scene(models);
+  const auto bright = [&](Model model, const char* id) {
+    test::use_model(scene.objects[0], models, id, std::move(model));
+    return pixel_at(draw(*renderer, scene, view, models), scene, view, {2.5, 1.2, 0}).brightness();
+  };
+  Model model = test::colored_box({1.0, 0.5, 0.8}, {200, 200, 200});
+  const int usual = bright(model, "usual");
+  for (auto& t : model.parts[0].mesh.triangles) std::swap(t[1], t[2]);
+  for (auto& n : model.parts[0].mesh.normals) n = -n;
+  CHECK(std::abs(bright(model, "inverted") - usual) <= 2);
+}
+
+TEST_CASE("textures lie the right way up") {
+  auto renderer = make_renderer();
+  const View view = view_of(View::Kind::top, 512);
+  ModelTable models;
+  Scene scene = red_box_scene(models);
+  auto image = std::make_shared<Image>(8, 8);  // the upper left quarter is red, the rest blue
+  for (int y = 0; y < 8; ++y)
+    for (int x = 0; x < 8; ++x) {
+      const bool red = x < 4 && y < 4;
+      const std::uint8_t pixel[4] = {static_cast<std::uint8_t>(red ? 255 : 0), 0,
+                                     static_cast<std::uint8_t>(red ? 0 : 255), 255};
+      std::copy(pixel, pixel + 4, image->at(x, y));
+    }
+  Model model;
+  model.materials.resize(1);
+  model.materials[0].base_color = {1, 1, 1, 1};
+  model.materials[0].texture = image;
+  Mesh& top = model.parts.emplace_back().mesh;
+  top.positions = {{-0.5f, -0.5f, 0.5f}, {0.5f, -0.5f, 0.5f}, {0.5f, 0.5f, 0.5f}, {-0.5f, 0.5f, 0.5f}};
+  top.normals.assign(4, {0, 0, 1});
+  top.uvs = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};
+  top.triangles = {{0, 1, 2}, {0, 2, 3}};
+  test::use_model(scene.objects[0], models, "flag", model);
+  const Image picture = draw(*renderer, scene, view, models);
+  CHECK(pixel_at(picture, scene, view, {2.25, 1.32, 0}).is_red());         // back left
+  CHECK_FALSE(pixel_at(picture, scene, view, {2.75, 1.32, 0}).is_red());   // back right
+  CHECK_FALSE(pixel_at(picture, scene, view, {2.25, 1.08, 0}).is_red());   // front left
+}
+
+TEST_CASE("a new model under an old key replaces it") {
+  auto renderer = make_renderer();
+  const View view = view_of(View::Kind::top, 128);
+  ModelTable models;
+  const Scene scene = red_box_scene(models);
+  CHECK(pixel_at(draw(*renderer, scene, view, models), scene, view, {2.5, 1.2, 0}).is_red());
+  models.add(asset_key(scene.objects[0].asset),
+             std::make_shared<Model>(test::colored_box({1, 0.5, 0.8}, {20, 20, 220})));
+  CHECK_FALSE(pixel_at(draw(*renderer, scene, view, models), scene, view, {2.5, 1.2, 0}).is_red());
+}
+
+TEST_CASE("marks are drawn over the top view only") {
+  auto renderer = make_renderer();
+  const Scene scene = test::furnished_room();
+  const auto plain = draw(*renderer, scene, view_of(View::Kind::isometric, 200));
+  CHECK(draw(*renderer, scene, view_of(View::Kind::isometric, 200, true)).pixels == plain.pixels);
+  const auto top = draw(*renderer, scene, view_of(View::Kind::top, 200));
+  CHECK(draw(*renderer, scene, view_of(View::Kind::top, 200, true)).pixels != top.pixels);
+}
+
+TEST_CASE("absurd sizes, empty rooms and empty meshes give an error or a picture") {
+  auto renderer = make_renderer();
+  Scene scene = test::furnished_room();
+  for (const int pixels : {0, -1, 15, 4097, 1 << 30})
+    CHECK_FALSE(renderer->render(scene, {}, view_of(View::Kind::top, pixels)));
+  CHECK_FALSE(renderer->render(Scene{}, {}, view_of(View::Kind::top)));
+  ModelTable models;
+  test::use_model(scene.objects[0], models, "nothing", Model{});
+  CHECK(renderer->render(scene, models, view_of(View::Kind::isometric)));
+  scene.objects.clear();
+  CHECK(renderer->render(scene, models, view_of(View::Kind::top, 16, true)));
+}
