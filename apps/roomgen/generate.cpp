@@ -60,9 +60,11 @@ Result<Plan> make_plan(const GenerateCommand& command, const Context& context, D
   request.prompt = command.prompt;
   request.seed = command.seed;
   request.cancel = context.cancel;
-  auto size = parse_size(command.size);
-  if (!size) return size.error();
-  request.size = *size;
+  if (!command.size.empty()) {
+    auto size = parse_size(command.size);
+    if (!size) return size.error();
+    request.size = *size;
+  }
   if (!command.room_file.empty()) {
     auto room = read_room_file(command.room_file);
     if (!room) return room.error();
