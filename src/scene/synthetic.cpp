@@ -1,0 +1,62 @@
+#include "roomgen/scene/synthetic.h"
+
+#include <cmath>
+#include <string>
+
+#include "roomgen/base/random.h"
+
+namespace roomgen {
+
+namespace {
+
+struct Kind {
+  const char* category;
+  Vec3 size;
+};
+
+const Kind kinds[] = {
+    {"sideboard", {1.0, 0.42, 0.85}},
+    {"table", {1.0, 0.7, 0.74}},
+    {"chair", {0.46, 0.5, 0.9}},
+    {"chair", {0.46, 0.5, 0.9}},
+};
+
+PlacementTask make_task(int index, const std::string& table, Random& random) {
+  const int kind = index % 4;
+  PlacementTask task;
+  Object& object = task.object;
+  object.category = kinds[kind].category;
+  object.id = object.category + "-" + std::to_string(index);
+  object.size = random.uniform(0.9, 1.1) * kinds[kind].size;
+  if (kind == 0) object.relations = {{RelationKind::edge, ""}};
+  if (kind == 1) object.relations = {{RelationKind::middle, ""}};
+  if (kind >= 2) object.relations = {{RelationKind::around, table}};
+  return task;
+}
+
+}  // namespace
+
+Problem synthetic_problem(const SyntheticOptions& options) {
+  Random random(options.seed);
+  const double area = options.area_per_object * options.objects;
+  const double width = std::sqrt(area * 4.0 / 3.0), depth = std::sqrt(area * 3.0 / 4.0);
+  Problem problem;
+  problem.name = "synthetic";
+  problem.room.type = "hall";
+  problem.room.polygon.points = {{0, 0}, {width, 0}, {width, depth}, {0, depth}};
+  Opening door;
+  door.id = "door-0";
+  door.from = 0.4;
+  door.to = 1.3;
+  problem.room.openings.push_back(door);
+  std::string table;
+  for (int i = 0; i < options.objects; ++i) {
+    problem.tasks.push_back(make_task(i, table, random));
+    if (i % 4 == 1) table = problem.tasks.back().object.id;
+    if (options.suggestions)
+      problem.tasks.back().location = Vec2(random.uniform(0, width), random.uniform(0, depth));
+  }
+  return problem;
+}
+
+}  // namespace roomgen
