@@ -96,8 +96,9 @@ void fit(Camera& camera, const std::vector<Vec3>& points, const View& view) {
     camera.far = std::min(camera.far, camera.depth(p) - 0.5);
     camera.near = std::max(camera.near, camera.depth(p) + 0.5);
   }
-  double margin = view.kind == View::Kind::top ? top_margin : iso_margin;
-  if (view.marks) margin = std::max(margin, marks_margin * extent.size().maxCoeff());
+  const bool plan = view.kind == View::Kind::top;
+  double margin = plan ? top_margin : iso_margin;
+  if (plan && view.marks) margin = std::max(margin, marks_margin * extent.size().maxCoeff());
   const Vec2 size = extent.size() + Vec2::Constant(2.0 * margin);
   camera.center = 0.5 * (extent.low + extent.high);
   camera.pixels_per_metre = view.pixels / size.maxCoeff();

@@ -73,14 +73,17 @@ Glb write_and_parse(const Scene& scene, const ModelTable& models, const GlbOptio
   return parse(*bytes);
 }
 
-Eigen::Vector3d vector_of(const Json& json) { return {json[0], json[1], json[2]}; }
+Eigen::Vector3d vector_of(const Json& json) {
+  return Eigen::Vector3d(json[0].get<double>(), json[1].get<double>(), json[2].get<double>());
+}
 
 Eigen::Affine3d transform_of(const Json& node) {
   Eigen::Affine3d t = Eigen::Affine3d::Identity();
   if (node.contains("translation")) t.translate(vector_of(node["translation"]));
   if (node.contains("rotation")) {
     const auto& q = node["rotation"];
-    t.rotate(Eigen::Quaterniond(q[3], q[0], q[1], q[2]));
+    t.rotate(Eigen::Quaterniond(q[3].get<double>(), q[0].get<double>(), q[1].get<double>(),
+                                q[2].get<double>()));
   }
   if (node.contains("scale")) t.scale(vector_of(node["scale"]));
   return t;

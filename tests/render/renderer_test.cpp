@@ -30,7 +30,7 @@ Image draw(Renderer& renderer, const Scene& scene, const View& view, const Model
 
 struct Pixel {
   int r, g, b;
-  bool is_red() const { return r > 120 && g < 100 && b < 100; }
+  bool is_red() const { return r > 100 && r > 2 * g && r > 2 * b; }
   int brightness() const { return (r + g + b) / 3; }
 };
 
@@ -40,6 +40,15 @@ Pixel pixel_at(const Image& image, const Scene& scene, const View& view, const V
   const Vec2 p = camera->pixel(point);
   const auto* raw = image.at(static_cast<int>(p.x()), static_cast<int>(p.y()));
   return {raw[0], raw[1], raw[2]};
+}
+
+// Pixels that are not the same; a number says more than two long lists.
+std::size_t differing(const Image& a, const Image& b) {
+  if (a.pixels.size() != b.pixels.size()) return std::max(a.pixels.size(), b.pixels.size());
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < a.pixels.size(); i += 4)
+    count += !std::equal(&a.pixels[i], &a.pixels[i] + 4, &b.pixels[i]);
+  return count;
 }
 
 Scene red_box_scene(ModelTable& models, double yaw = 0.0) {
@@ -76,8 +85,8 @@ TEST_CASE("the same scene gives the same pixels, from one renderer or another") 
   for (const auto& view : {view_of(View::Kind::top), view_of(View::Kind::isometric),
                            view_of(View::Kind::top, 400, true)}) {
     const Image first = draw(*one, scene, view);
-    CHECK(draw(*one, scene, view).pixels == first.pixels);
-    CHECK(draw(*other, scene, view).pixels == first.pixels);
+    CHECK(differing(draw(*one, scene, view), first) == 0);
+    CHECK(differing(draw(*other, scene, view), first) == 0);
   }
 }
 
@@ -90,7 +99,7 @@ TEST_CASE("drawing only what changed gives what drawing everything gives") {
     const auto check = [&](const std::string& what) {
       INFO(what);
       auto fresh = make_renderer();
-      CHECK(draw(*kept, scene, view).pixels == draw(*fresh, scene, view).pixels);
+      CHECK(differing(draw(*kept, scene, view), draw(*fresh, scene, view)) == 0);
     };
     for (const auto& object : whole.objects) {
       scene.objects.push_back(object);
@@ -198,9 +207,9 @@ TEST_CASE("marks are drawn over the top view only") {
   auto renderer = make_renderer();
   const Scene scene = test::furnished_room();
   const auto plain = draw(*renderer, scene, view_of(View::Kind::isometric, 200));
-  CHECK(draw(*renderer, scene, view_of(View::Kind::isometric, 200, true)).pixels == plain.pixels);
+  CHECK(differing(draw(*renderer, scene, view_of(View::Kind::isometric, 200, true)), plain) == 0);
   const auto top = draw(*renderer, scene, view_of(View::Kind::top, 200));
-  CHECK(draw(*renderer, scene, view_of(View::Kind::top, 200, true)).pixels != top.pixels);
+  CHECK(differing(draw(*renderer, scene, view_of(View::Kind::top, 200, true)), top) > 0);
 }
 
 TEST_CASE("absurd sizes, empty rooms and empty meshes give an error or a picture") {
