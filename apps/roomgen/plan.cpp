@@ -74,8 +74,10 @@ Result<int> run_plan(const PlanOptions& options, const Context& context) {
   if (!options.output.empty()) {
     if (auto written = write_file(options.output, json); !written) return written.error();
   }
-  if (context.json) std::fputs(json.c_str(), stdout);
-  else if (options.output.empty() || !context.quiet) print_plan(*plan);
+  if (context.json)
+    std::fputs(json.c_str(), stdout);
+  else if (options.output.empty() || !context.quiet)
+    print_plan(*plan);
   return exit_ok;
 }
 
@@ -85,8 +87,13 @@ void add_plan_command(CLI::App& app, Context& context) {
   const auto options = std::make_shared<PlanOptions>();
   auto* command = app.add_subcommand("plan", "Say what a room shall hold, without furnishing it");
   command->add_option("prompt", options->prompt, "What the room shall be, in English")->required();
-  command->add_option("--seed", options->seed, "Another number, another room")->capture_default_str();
-  command->add_option("--size", options->size, "Width and depth in metres, as in 4x5");
+  command->add_option("--seed", options->seed, "Another number, another room")
+      ->capture_default_str();
+  command->add_option("--size", options->size, "Width and depth in metres, as in 4x5")
+      ->check([](const std::string& text) {
+        const auto size = parse_size(text);
+        return size ? std::string() : size.error().message;
+      });
   command->add_option("--room", options->room, "A floor plan of your own (room.json)");
   command->add_option("-o,--output", options->output, "Write the plan here (plan.json)");
   command->callback([options, &context] {

@@ -46,8 +46,8 @@ struct Task {
   const std::vector<Relation>& asked;
   std::optional<Vec2> hint;  ///< the location that the plan gives
   double bottom = 0.0;
-  int company = 1;    ///< how many of its kind will share a table
-  bool needed = true; ///< asked for or refused elsewhere: goes anywhere rather than nowhere
+  int company = 1;     ///< how many of its kind will share a table
+  bool needed = true;  ///< asked for or refused elsewhere: goes anywhere rather than nowhere
 };
 
 // 1 inside the preferred range of the pair, less with the distance to it.
@@ -108,7 +108,8 @@ std::vector<Option> options_for(const Task& task, const std::vector<Relation>& w
   all.insert(all.end(), habits.begin(), habits.end());
   auto poses = candidates(task.sketch, task.self, task.arrangement, all, task.company);
   if (!task.asked.empty()) {
-    const auto more = candidates(task.sketch, task.self, task.arrangement, task.asked, task.company);
+    const auto more =
+        candidates(task.sketch, task.self, task.arrangement, task.asked, task.company);
     poses.insert(poses.end(), more.begin(), more.end());
   }
   std::vector<Option> options;
@@ -129,8 +130,8 @@ std::vector<Option> options_for(const Task& task, const std::vector<Relation>& w
   return options;
 }
 
-// The best option at a place of its own, passing over as many places as were refused; one from which
-// everything can still be walked to if there is one among the better.
+// The best option at a place of its own, passing over as many places as were refused; one from
+// which everything can still be walked to if there is one among the better.
 std::optional<Option> choose(const Task& task, const std::vector<Option>& options,
                              std::size_t refused) {
   std::vector<Vec2> passed;
@@ -169,20 +170,23 @@ std::optional<Option> best_place(const Task& task, std::size_t refused) {
       if (option && (!best || option->score > best->score)) best = std::move(option);
     }
     if (best && best->leading) return best;
-    if (best && task.needed && (!fallback || best->score > fallback->score)) fallback = std::move(best);
+    if (best && task.needed && (!fallback || best->score > fallback->score))
+      fallback = std::move(best);
   }
   return fallback;
 }
 
 void drop_wishes(std::vector<Relation>& relations, std::size_t asked, std::size_t refused) {
-  const std::size_t keep = std::max<std::size_t>({asked, 1, relations.size() - std::min(relations.size(), refused)});
+  const std::size_t keep =
+      std::max<std::size_t>({asked, 1, relations.size() - std::min(relations.size(), refused)});
   if (relations.size() > keep) relations.resize(keep);
 }
 
 std::vector<Relation> known_only(const Sketch& sketch, const std::vector<Relation>& relations) {
   std::vector<Relation> known;
   for (const auto& relation : relations)
-    if (relation.target.empty() || relation.target == "corner" || !sketch.find(relation.target).empty())
+    if (relation.target.empty() || relation.target == "corner" ||
+        !sketch.find(relation.target).empty())
       known.push_back(relation);
   return known;
 }
@@ -195,9 +199,10 @@ std::optional<Pose> on_top(const Sketch& sketch, const Object& self, const Targe
     for (double x : {0.0, 0.5, -0.5, 0.85, -0.85}) {
       const Pose pose{fp.to_world({x * room.x(), y * room.y()}), fp.yaw()};
       const Footprint own = footprint_at(self, pose);
-      if (std::none_of(sketch.standing().begin(), sketch.standing().end(), [&](const Standing& one) {
-            return one.object->on == carrier.id && overlaps(own, one.footprint, 0.005);
-          }))
+      if (std::none_of(sketch.standing().begin(), sketch.standing().end(),
+                       [&](const Standing& one) {
+                         return one.object->on == carrier.id && overlaps(own, one.footprint, 0.005);
+                       }))
         return pose;
     }
   return std::nullopt;
@@ -264,15 +269,21 @@ PlaceAdvice advise(const PlaceRequest& request, const CategoryTable& categories,
   if (self.mount == Mount::surface)
     return advise_on(sketch, self, arrangement, asked, item.on, refused);
 
-  const Task task{sketch, self, arrangement, asked, item.location,
+  const Task task{sketch,
+                  self,
+                  arrangement,
+                  asked,
+                  item.location,
                   usual_bottom(self, categories.get(self.category), request.scene.room),
-                  company(request, sketch), item.asked || refused > 0};
+                  company(request, sketch),
+                  item.asked || refused > 0};
   auto option = best_place(task, refused);
   if (!option && refused > 0) option = best_place(task, 0);
   if (!option) {
     // No place is free by this sketch; the solver, which knows the meshes, may find one.
     auto relations = asked;
-    if (relations.empty() && self.mount != Mount::ceiling) relations.push_back({RelationKind::edge, ""});
+    if (relations.empty() && self.mount != Mount::ceiling)
+      relations.push_back({RelationKind::edge, ""});
     return {relations, item.location, std::nullopt, "no place is free in the sketch"};
   }
   drop_wishes(option->relations, asked.size(), refused);

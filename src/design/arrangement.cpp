@@ -49,7 +49,8 @@ void read_likes(const JsonReader& json, Arrangement& arrangement) {
   for (const auto& [word, weight] : json.members()) {
     if (const auto liking = find_liking(word))
       arrangement.likes.push_back({*liking, weight.number(-5, 5)});
-    else json.report("\"" + word + "\" is nothing that a thing can like");
+    else
+      json.report("\"" + word + "\" is nothing that a thing can like");
   }
 }
 
@@ -64,8 +65,10 @@ std::vector<std::vector<Relation>> read_ways(const JsonReader& json) {
   std::vector<std::vector<Relation>> ways;
   for (const auto& way : json.elements_or_none(20)) {
     auto relations = parse_relations(way.text());
-    if (relations) ways.push_back(*std::move(relations));
-    else way.report(relations.error().message);
+    if (relations)
+      ways.push_back(*std::move(relations));
+    else
+      way.report(relations.error().message);
   }
   return ways;
 }
@@ -86,10 +89,14 @@ Arrangement read_arrangement(const JsonReader& json) {
 
 std::string_view fallback_of(Mount mount) {
   switch (mount) {
-    case Mount::wall: return "wall thing";
-    case Mount::ceiling: return "ceiling thing";
-    case Mount::surface: return "surface thing";
-    case Mount::floor: break;
+    case Mount::wall:
+      return "wall thing";
+    case Mount::ceiling:
+      return "ceiling thing";
+    case Mount::surface:
+      return "surface thing";
+    case Mount::floor:
+      break;
   }
   return "room thing";
 }

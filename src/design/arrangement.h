@@ -50,14 +50,14 @@ struct Arrangement {
   /// that category without its descendants, "door" or "window". The first way
   /// whose targets exist is taken.
   std::vector<std::vector<Relation>> ways;
-  /// Ways for what the prompt asks for, or what was refused elsewhere, when no other will do; what was
-  /// merely added is rather left out.
+  /// Ways for what the prompt asks for, or what was refused elsewhere, when no other will do; what
+  /// was merely added is rather left out.
   std::vector<std::vector<Relation>> otherwise;
   std::vector<Like> likes;
   std::array<double, 4> reserve{};  ///< floor to leave open, by Side
   bool seats = false;               ///< shares the sides of its table with its like
-  /// For a rug, by category of its target: how far before the target's front side its centre lies, in
-  /// metres; others lie under the centre of the target.
+  /// For a rug, by category of its target: how far before the target's front side its centre lies,
+  /// in metres; others lie under the centre of the target.
   std::map<std::string, double, std::less<>> over;
 };
 

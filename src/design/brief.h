@@ -27,25 +27,25 @@ struct Mention {
   bool known = true;        ///< in the table
   std::string description;  ///< "white wooden desk"
   int quantity = 1;
-  bool counted = false;     ///< the prompt gives the number
-  bool varied = false;      ///< they shall differ
-  bool sized = false;       ///< the prompt says something about its size
-  Vec3 size = Vec3::Ones(); ///< wanted
+  bool counted = false;      ///< the prompt gives the number
+  bool varied = false;       ///< they shall differ
+  bool sized = false;        ///< the prompt says something about its size
+  Vec3 size = Vec3::Ones();  ///< wanted
   Mount mount = Mount::floor;
   std::vector<Demand> demands;
 };
 
 /// What a prompt says, no more.
 struct Brief {
-  std::string type;                 ///< "bedroom", or words that no room kind is known by
+  std::string type;  ///< "bedroom", or words that no room kind is known by
   bool type_known = false;
-  std::optional<Vec2> size;         ///< width and depth, metres
-  std::optional<double> area;       ///< square metres
-  int people = 0;                   ///< 0: not said
-  std::optional<int> windows;       ///< how many
+  std::optional<Vec2> size;    ///< width and depth, metres
+  std::optional<double> area;  ///< square metres
+  int people = 0;              ///< 0: not said
+  std::optional<int> windows;  ///< how many
   bool wide_windows = false;
   std::vector<Mention> mentions;
-  bool bare = false;                ///< nothing but what is mentioned
+  bool bare = false;                  ///< nothing but what is mentioned
   std::vector<std::string> excluded;  ///< categories
   std::vector<std::string> styles;    ///< words of style, as data/rooms.json knows them
   std::vector<std::string> notes;     ///< what was not understood or was bounded

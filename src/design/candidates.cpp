@@ -67,7 +67,8 @@ void beside(const Sketch& sketch, const Object& self, const Target& target, Side
             std::vector<Pose>& poses) {
   const Footprint& fp = target.footprint;
   const bool across = side == Side::left || side == Side::right;
-  const Vec2 outward = across ? Vec2(side == Side::left ? 1 : -1, 0) : Vec2(0, side == Side::back ? 1 : -1);
+  const Vec2 outward =
+      across ? Vec2(side == Side::left ? 1 : -1, 0) : Vec2(0, side == Side::back ? 1 : -1);
   const Vec2 along = left_of(outward);
   const double reach = across ? fp.half().x() : fp.half().y();
   const double span = across ? fp.half().y() : fp.half().x();
@@ -83,7 +84,8 @@ void beside(const Sketch& sketch, const Object& self, const Target& target, Side
 }
 
 // Facing a target from all around, at a comfortable distance.
-void ring(const Sketch& sketch, const Object& self, const Target& target, std::vector<Pose>& poses) {
+void ring(const Sketch& sketch, const Object& self, const Target& target,
+          std::vector<Pose>& poses) {
   const double reach = target.footprint.half().norm() + 0.5 * self.size.y();
   for (double gap : gaps(sketch, self, target))
     for (int i = 0; i < 24; ++i) {
@@ -92,8 +94,8 @@ void ring(const Sketch& sketch, const Object& self, const Target& target, std::v
     }
 }
 
-// The places of `count` seats at a rectangular table: pairs face each other over the long sides, from
-// the fifth on people sit at the ends too. In the table's frame, by side.
+// The places of `count` seats at a rectangular table: pairs face each other over the long sides,
+// from the fifth on people sit at the ends too. In the table's frame, by side.
 std::vector<std::pair<Side, int>> seats_by_side(const Vec2& half, int count) {
   const bool wide = half.x() >= half.y();
   const Side a = wide ? Side::front : Side::left, b = wide ? Side::back : Side::right;
@@ -127,7 +129,8 @@ void seats(const Object& self, const Target& table, int count, std::vector<Pose>
     const int places = std::clamp(count, 2, 12);
     for (int i = 0; i < 2 * places; ++i) {
       const Vec2 outward = rotated({1, 0}, fp.yaw() + i * pi / places);
-      poses.push_back({fp.center() + reach * outward, yaw_facing(-outward), i % 2 ? 0.0 : seat_merit});
+      poses.push_back(
+          {fp.center() + reach * outward, yaw_facing(-outward), i % 2 ? 0.0 : seat_merit});
     }
     return;
   }
@@ -174,18 +177,23 @@ void all_over(const Sketch& sketch, const Object& self, std::vector<Pose>& poses
 
 // Small things flush into the corners and along walls whichever way they look.
 void at_walls(const Sketch& sketch, const Object& self, std::vector<Pose>& poses) {
-  for (std::size_t k = 0; k < sketch.room().polygon.size(); ++k)
-    along_wall(sketch, self, k, poses);
+  for (std::size_t k = 0; k < sketch.room().polygon.size(); ++k) along_wall(sketch, self, k, poses);
 }
 
 bool wants_side(RelationKind kind, Side side) {
   switch (kind) {
-    case RelationKind::in_front_of: return side == Side::front;
-    case RelationKind::behind: return side == Side::back;
-    case RelationKind::left_of: return side == Side::left;
-    case RelationKind::right_of: return side == Side::right;
-    case RelationKind::side_of: return side == Side::left || side == Side::right;
-    default: return true;
+    case RelationKind::in_front_of:
+      return side == Side::front;
+    case RelationKind::behind:
+      return side == Side::back;
+    case RelationKind::left_of:
+      return side == Side::left;
+    case RelationKind::right_of:
+      return side == Side::right;
+    case RelationKind::side_of:
+      return side == Side::left || side == Side::right;
+    default:
+      return true;
   }
 }
 
@@ -207,8 +215,8 @@ void around_target(const Sketch& sketch, const Object& self, const Arrangement& 
 }  // namespace
 
 std::vector<Pose> candidates(const Sketch& sketch, const Object& self,
-                             const Arrangement& arrangement,
-                             const std::vector<Relation>& relations, int company) {
+                             const Arrangement& arrangement, const std::vector<Relation>& relations,
+                             int company) {
   std::vector<Pose> poses;
   const bool edge = has(relations, RelationKind::edge) || has(relations, RelationKind::corner) ||
                     self.mount == Mount::wall;
@@ -220,10 +228,9 @@ std::vector<Pose> candidates(const Sketch& sketch, const Object& self,
     around_target(sketch, self, arrangement, relation, relations, company, poses);
     targeted = targeted || relation.kind != RelationKind::face_to;
   }
-  const bool keeps_to_walls =
-      std::any_of(arrangement.likes.begin(), arrangement.likes.end(), [](const Like& like) {
-        return like.liking == Liking::wall_near && like.weight >= 1.0;
-      });
+  const bool keeps_to_walls = std::any_of(
+      arrangement.likes.begin(), arrangement.likes.end(),
+      [](const Like& like) { return like.liking == Liking::wall_near && like.weight >= 1.0; });
   if (!targeted && !keeps_to_walls) all_over(sketch, self, poses);
   return poses;
 }

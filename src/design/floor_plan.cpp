@@ -12,11 +12,14 @@ constexpr double door_offset = 0.12;
 constexpr double window_margin = 0.35;
 constexpr double under_ceiling = 0.1;
 
-double to_grid(double metres) { return std::round(metres * 10.0) / 10.0; }
+double to_grid(double metres) {
+  return std::round(metres * 10.0) / 10.0;
+}
 
 // Width and depth of a given area in the proportions of the kind.
 Vec2 of_area(double area, const RoomKind& kind, Random& random) {
-  const double usual = 0.5 * (kind.width.low + kind.width.high) / (0.5 * (kind.depth.low + kind.depth.high));
+  const double usual =
+      0.5 * (kind.width.low + kind.width.high) / (0.5 * (kind.depth.low + kind.depth.high));
   const double ratio = std::clamp(usual * random.uniform(0.9, 1.15), 1.0, 2.5);
   const double depth = std::sqrt(area / ratio);
   return {area / depth, depth};

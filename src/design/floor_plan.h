@@ -17,7 +17,8 @@ inline constexpr double max_chosen_area = 48.0;
 Vec2 choose_size(const RoomKind& kind, const Brief& brief, double scale, double furniture,
                  Random random);
 
-/// A rectangle with one corner at the origin, a door near the corner of a wall and windows in others.
+/// A rectangle with one corner at the origin, a door near the corner of a wall and windows in
+/// others.
 Room make_room(const RoomKind& kind, const Vec2& size, int windows, bool wide_windows,
                Random random);
 

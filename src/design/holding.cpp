@@ -15,14 +15,20 @@ constexpr double around_gap = 0.6;
 constexpr double aligned_offset = 0.05;
 constexpr double angle_tolerance = pi / 180.0;
 
-bool same_yaw(double a, double b) { return std::abs(wrap_angle(a - b)) <= angle_tolerance; }
+bool same_yaw(double a, double b) {
+  return std::abs(wrap_angle(a - b)) <= angle_tolerance;
+}
 
 Vec2 middle_of_side(const Footprint& fp, Side side) {
   switch (side) {
-    case Side::front: return fp.to_world({0, -fp.half().y()});
-    case Side::back: return fp.to_world({0, fp.half().y()});
-    case Side::left: return fp.to_world({fp.half().x(), 0});
-    case Side::right: break;
+    case Side::front:
+      return fp.to_world({0, -fp.half().y()});
+    case Side::back:
+      return fp.to_world({0, fp.half().y()});
+    case Side::left:
+      return fp.to_world({fp.half().x(), 0});
+    case Side::right:
+      break;
   }
   return fp.to_world({-fp.half().x(), 0});
 }
@@ -93,37 +99,52 @@ bool holds_for(const Placed& placed, const Relation& relation, const std::vector
   const Local local{target.footprint.to_local(placed.pose.position), target.footprint.half()};
   const double yaw = target.footprint.yaw();
   switch (relation.kind) {
-    case RelationKind::near: return gap_to(placed, target) <= near_gap;
-    case RelationKind::far: return gap_to(placed, target) >= near_gap;
-    case RelationKind::in_front_of: return ahead(local, -1.0);
-    case RelationKind::behind: return ahead(local, 1.0);
-    case RelationKind::left_of: return beside(local, 1.0);
-    case RelationKind::right_of: return beside(local, -1.0);
-    case RelationKind::side_of: return beside(local, 1.0) || beside(local, -1.0);
-    case RelationKind::around: return gap_to(placed, target) <= around_gap && faces(placed, target);
+    case RelationKind::near:
+      return gap_to(placed, target) <= near_gap;
+    case RelationKind::far:
+      return gap_to(placed, target) >= near_gap;
+    case RelationKind::in_front_of:
+      return ahead(local, -1.0);
+    case RelationKind::behind:
+      return ahead(local, 1.0);
+    case RelationKind::left_of:
+      return beside(local, 1.0);
+    case RelationKind::right_of:
+      return beside(local, -1.0);
+    case RelationKind::side_of:
+      return beside(local, 1.0) || beside(local, -1.0);
+    case RelationKind::around:
+      return gap_to(placed, target) <= around_gap && faces(placed, target);
     case RelationKind::center_aligned:
-    case RelationKind::aligned: return aligned(local, relation, all);
-    case RelationKind::face_to: return faces(placed, target);
-    case RelationKind::face_same_as: return same_yaw(placed.pose.yaw, yaw);
-    case RelationKind::face_opposite_to: return same_yaw(placed.pose.yaw, yaw + pi);
-    case RelationKind::on: return placed.self->mount == Mount::surface && over_each_other(local);
-    case RelationKind::above: return over_each_other(local) && placed.bottom >= target.top - 1e-3;
+    case RelationKind::aligned:
+      return aligned(local, relation, all);
+    case RelationKind::face_to:
+      return faces(placed, target);
+    case RelationKind::face_same_as:
+      return same_yaw(placed.pose.yaw, yaw);
+    case RelationKind::face_opposite_to:
+      return same_yaw(placed.pose.yaw, yaw + pi);
+    case RelationKind::on:
+      return placed.self->mount == Mount::surface && over_each_other(local);
+    case RelationKind::above:
+      return over_each_other(local) && placed.bottom >= target.top - 1e-3;
     case RelationKind::under:
       return over_each_other(local) &&
              (placed.self->traits.flat || placed.bottom + placed.self->size.z() <= target.bottom);
-    case RelationKind::hang_from: return true;
+    case RelationKind::hang_from:
+      return true;
     case RelationKind::edge:
     case RelationKind::middle:
-    case RelationKind::corner: break;
+    case RelationKind::corner:
+      break;
   }
   return false;
 }
 
 bool near_corner(const Sketch& sketch, const Placed& placed) {
   const auto& points = sketch.room().polygon.points;
-  return std::any_of(points.begin(), points.end(), [&](const Vec2& point) {
-    return gap(placed.footprint, point) <= near_gap;
-  });
+  return std::any_of(points.begin(), points.end(),
+                     [&](const Vec2& point) { return gap(placed.footprint, point) <= near_gap; });
 }
 
 }  // namespace
@@ -136,12 +157,14 @@ bool holds(const Sketch& sketch, const Placed& placed, const Relation& relation,
            const std::vector<Relation>& all) {
   const Room& room = sketch.room();
   switch (relation.kind) {
-    case RelationKind::edge: return at_edge(room, placed.footprint);
+    case RelationKind::edge:
+      return at_edge(room, placed.footprint);
     case RelationKind::corner:
       return at_edge(room, placed.footprint) && side_at_wall(room, placed.footprint);
     case RelationKind::middle:
       return distance_to_boundary(room.polygon, placed.footprint) >= off_walls;
-    default: break;
+    default:
+      break;
   }
   if (relation.target == "corner") return near_corner(sketch, placed);
   const auto targets = sketch.find(relation.target);

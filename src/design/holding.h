@@ -13,9 +13,9 @@ struct Placed {
   double bottom = 0.0;
 };
 
-/// Whether a relation would hold there, as docs/constraints.md defines it. `all` are the relations of
-/// the object, since alignment depends on what else is asked. A relation to something that is not
-/// there does not hold.
+/// Whether a relation would hold there, as docs/constraints.md defines it. `all` are the relations
+/// of the object, since alignment depends on what else is asked. A relation to something that is
+/// not there does not hold.
 bool holds(const Sketch& sketch, const Placed& placed, const Relation& relation,
            const std::vector<Relation>& all);
 

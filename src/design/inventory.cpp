@@ -20,10 +20,16 @@ constexpr double widest = 0.75;       ///< of the room's longer side that one th
 class Completion {
  public:
   Completion(std::vector<Draft>& drafts, const Brief& brief, const RoomKinds& kinds,
-             const RoomKind& kind, const Vec2& room, const CategoryTable& table,
-             const Looks& looks, Random random)
-      : drafts_(drafts), brief_(brief), kinds_(kinds), kind_(kind), room_(room), table_(table),
-        looks_(looks), random_(random) {
+             const RoomKind& kind, const Vec2& room, const CategoryTable& table, const Looks& looks,
+             Random random)
+      : drafts_(drafts),
+        brief_(brief),
+        kinds_(kinds),
+        kind_(kind),
+        room_(room),
+        table_(table),
+        looks_(looks),
+        random_(random) {
     for (const auto& word : brief.styles)
       if (const Style* style = kinds.style(word)) styles_.push_back(style);
   }
@@ -35,8 +41,12 @@ class Completion {
     for (const auto& piece : kind_.core)
       if (random_.chance(piece.chance)) add(piece, core_excess * kind_.share.high * area);
     in_core_ = false;
+    // A desk that is asked for gets its chair as well.
+    for (const auto& piece : kind_.extras)
+      if (asked(piece.any.front().first)) add_companions(piece, fullest * area);
     const int wanted = wanted_objects();
-    const double share = random_.uniform(0.6 * kind_.share.low + 0.4 * kind_.share.high, kind_.share.high);
+    const double share =
+        random_.uniform(0.6 * kind_.share.low + 0.4 * kind_.share.high, kind_.share.high);
     add_extras(wanted, share * area * fullness());
     // What is still missing is made up of whatever fits.
     add_extras(fewest, fullest * area);
@@ -202,14 +212,14 @@ class Completion {
     std::vector<const Piece*> left;
     std::vector<double> weights;
     for (const auto& piece : kind_.extras) {
+      if (count_of(piece.any.front().first) > 0 || used_.count(&piece)) continue;
       left.push_back(&piece);
       weights.push_back(piece.weight * taste(piece.any.front().first));
     }
     while (!left.empty() && floor_count() < objects) {
       if (std::none_of(weights.begin(), weights.end(), [](double w) { return w > 0; })) return;
       const std::size_t i = random_.weighted(weights);
-      const bool again = used_.count(left[i]) > 0;
-      if (!again && add(*left[i], budget)) used_.insert(left[i]);
+      if (add(*left[i], budget)) used_.insert(left[i]);
       left.erase(left.begin() + static_cast<std::ptrdiff_t>(i));
       weights.erase(weights.begin() + static_cast<std::ptrdiff_t>(i));
     }

@@ -16,7 +16,7 @@ struct KindMatch {
   const Category* category = nullptr;
   std::size_t length = 0;  ///< tokens; 0 if there is none
   bool plural = false;
-  std::string name;        ///< in the singular: "bedside table"
+  std::string name;  ///< in the singular: "bedside table"
 };
 
 /// Finds names of categories in tokens: whole names and synonyms, in the singular or the plural.

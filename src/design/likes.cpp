@@ -18,7 +18,9 @@ Vec2 box_middle(const Room& room) {
   return 0.5 * (box.low + box.high);
 }
 
-double room_span(const Room& room) { return bounds(room.polygon).size().norm(); }
+double room_span(const Room& room) {
+  return bounds(room.polygon).size().norm();
+}
 
 double nearest_opening(const Sketch& sketch, const Placed& placed, bool entrances) {
   double nearest = 1e9;
@@ -103,7 +105,8 @@ double wall_beside(const Sketch& sketch, const Placed& placed) {
     double free = 0.0;
     for (; free < enough; free += step) {
       const double along = direction * (placed.footprint.half().x() + free + 0.5 * step);
-      const Vec2 foot = placed.footprint.to_world({along, placed.footprint.half().y() - 0.5 * deep});
+      const Vec2 foot =
+          placed.footprint.to_world({along, placed.footprint.half().y() - 0.5 * deep});
       const Footprint part(foot, {step, deep - 0.02}, placed.pose.yaw);
       if (!contains(sketch.room().polygon, part) || sketch.blocked(part)) break;
     }
@@ -185,12 +188,11 @@ double free_flanks(const Sketch& sketch, const Placed& placed) {
   double free = 0.0;
   for (Side side : {Side::left, Side::right}) {
     const Footprint zone = zone_footprint(placed.footprint, {side, 0.25, {}});
-    const bool open = contains(sketch.room().polygon, zone, 0.02) &&
-                      std::none_of(sketch.standing().begin(), sketch.standing().end(),
-                                   [&](const Standing& one) {
-                                     return !one.object->traits.flat &&
-                                            overlaps(one.footprint, zone, 0.02);
-                                   });
+    const bool open =
+        contains(sketch.room().polygon, zone, 0.02) &&
+        std::none_of(sketch.standing().begin(), sketch.standing().end(), [&](const Standing& one) {
+          return !one.object->traits.flat && overlaps(one.footprint, zone, 0.02);
+        });
     free += open ? 0.5 : 0.0;
   }
   return free;
@@ -199,7 +201,8 @@ double free_flanks(const Sketch& sketch, const Placed& placed) {
 // Between a seat and the screen or hearth that it looks at.
 double out_of_screens(const Sketch& sketch, const Placed& placed) {
   for (const auto& screen : sketch.standing()) {
-    if (!sketch.categories().is_any_of(screen.object->category, {"tv stand", "fireplace"})) continue;
+    if (!sketch.categories().is_any_of(screen.object->category, {"tv stand", "fireplace"}))
+      continue;
     for (const auto& seat : sketch.standing())
       if (sketch.categories().is_a(seat.object->category, "sofa") &&
           gap(placed.footprint, Segment{screen.footprint.center(), seat.footprint.center()}) < 0.15)
@@ -235,29 +238,49 @@ double degree(const Sketch& sketch, const Placed& placed, Liking liking) {
   switch (liking) {
     case Liking::door:
       return 1.0 - falling(nearest_opening(sketch, placed, true), 0.3, 0.7 * room_span(room));
-    case Liking::door_line: return in_door_line(sketch, placed);
-    case Liking::window: return falling(nearest_opening(sketch, placed, false), 0.3, 2.5);
-    case Liking::window_behind: return back_at_window(sketch, placed);
-    case Liking::window_ahead: return looks_at_window(sketch, placed);
-    case Liking::window_wall: return window_in_wall(sketch, placed);
-    case Liking::wall_middle: return in_wall_middle(sketch, placed);
-    case Liking::side_wall: return side_at_wall(sketch, placed);
-    case Liking::corner: return near_corner(sketch, placed);
+    case Liking::door_line:
+      return in_door_line(sketch, placed);
+    case Liking::window:
+      return falling(nearest_opening(sketch, placed, false), 0.3, 2.5);
+    case Liking::window_behind:
+      return back_at_window(sketch, placed);
+    case Liking::window_ahead:
+      return looks_at_window(sketch, placed);
+    case Liking::window_wall:
+      return window_in_wall(sketch, placed);
+    case Liking::wall_middle:
+      return in_wall_middle(sketch, placed);
+    case Liking::side_wall:
+      return side_at_wall(sketch, placed);
+    case Liking::corner:
+      return near_corner(sketch, placed);
     case Liking::wall_near:
       return falling(distance_to_boundary(room.polygon, placed.footprint), 0.06, 0.8);
-    case Liking::run: return wall_beside(sketch, placed);
-    case Liking::bare_wall: return bare(sketch, placed);
+    case Liking::run:
+      return wall_beside(sketch, placed);
+    case Liking::bare_wall:
+      return bare(sketch, placed);
     case Liking::center:
-      return 1.0 - std::min(1.0, (placed.pose.position - box_middle(room)).norm() / (0.5 * room_span(room)));
-    case Liking::aside: return out_of_the_way(sketch, placed);
-    case Liking::apart: return far_from_like(sketch, placed);
-    case Liking::view: return view(sketch, placed);
-    case Liking::square: return parallel_to_walls(sketch, placed);
-    case Liking::angle: return 1.0 - parallel_to_walls(sketch, placed);
-    case Liking::long_axis: return along_room(sketch, placed);
-    case Liking::flank: return free_flanks(sketch, placed);
-    case Liking::screen_free: return out_of_screens(sketch, placed);
-    case Liking::rows: return in_rows(sketch, placed);
+      return 1.0 - std::min(1.0, (placed.pose.position - box_middle(room)).norm() /
+                                     (0.5 * room_span(room)));
+    case Liking::aside:
+      return out_of_the_way(sketch, placed);
+    case Liking::apart:
+      return far_from_like(sketch, placed);
+    case Liking::view:
+      return view(sketch, placed);
+    case Liking::square:
+      return parallel_to_walls(sketch, placed);
+    case Liking::angle:
+      return 1.0 - parallel_to_walls(sketch, placed);
+    case Liking::long_axis:
+      return along_room(sketch, placed);
+    case Liking::flank:
+      return free_flanks(sketch, placed);
+    case Liking::screen_free:
+      return out_of_screens(sketch, placed);
+    case Liking::rows:
+      return in_rows(sketch, placed);
   }
   return 0.0;
 }
@@ -288,9 +311,8 @@ double reserves_taken(const Sketch& sketch, const Placed& placed,
                       const std::vector<Relation>& relations) {
   double taken = 0.0;
   for (const auto& one : sketch.standing()) {
-    if (std::any_of(relations.begin(), relations.end(), [&](const Relation& relation) {
-          return relation.target == one.object->id;
-        }))
+    if (std::any_of(relations.begin(), relations.end(),
+                    [&](const Relation& relation) { return relation.target == one.object->id; }))
       continue;
     for (Side side : all_sides) {
       const double depth = one.arrangement->reserve[static_cast<std::size_t>(side)];
@@ -299,8 +321,8 @@ double reserves_taken(const Sketch& sketch, const Placed& placed,
       int hits = 0;
       for (double x : {-0.8, -0.4, 0.0, 0.4, 0.8})
         for (double y : {-0.8, 0.0, 0.8})
-          hits += contains(placed.footprint,
-                           zone.to_world({x * zone.half().x(), y * zone.half().y()}));
+          hits +=
+              contains(placed.footprint, zone.to_world({x * zone.half().x(), y * zone.half().y()}));
       taken += hits / 15.0;
     }
   }
@@ -333,9 +355,8 @@ int slivers(const Sketch& sketch, const Placed& placed, const std::vector<Relati
   int count = narrow(distance_to_boundary(sketch.room().polygon, placed.footprint)) ? 1 : 0;
   for (const auto& one : sketch.standing()) {
     if (one.object->traits.flat || one.object->mount != Mount::floor) continue;
-    if (std::any_of(relations.begin(), relations.end(), [&](const Relation& relation) {
-          return relation.target == one.object->id;
-        }))
+    if (std::any_of(relations.begin(), relations.end(),
+                    [&](const Relation& relation) { return relation.target == one.object->id; }))
       continue;
     count += narrow(gap(one.footprint, placed.footprint)) ? 1 : 0;
   }

@@ -9,8 +9,8 @@ namespace {
 
 constexpr double least_side = 0.5;
 constexpr double greatest_side = 50.0;
-constexpr double metres_up_to = 30.0;   ///< bare numbers up to this are metres
-constexpr std::size_t ahead = 4;        ///< words between a length and its thing
+constexpr double metres_up_to = 30.0;  ///< bare numbers up to this are metres
+constexpr std::size_t ahead = 4;       ///< words between a length and its thing
 
 struct Length {
   double value = 0.0;
@@ -57,7 +57,9 @@ void replace(std::vector<Token>& tokens, std::size_t at, std::size_t count,
   tokens.insert(tokens.begin() + static_cast<std::ptrdiff_t>(at), with.begin(), with.end());
 }
 
-bool sensible(double side) { return side >= least_side && side <= greatest_side; }
+bool sensible(double side) {
+  return side >= least_side && side <= greatest_side;
+}
 
 void set_size(const Vec2& size, Brief& brief) {
   if (!sensible(size.x()) || !sensible(size.y())) {
@@ -80,7 +82,8 @@ bool read_sides(std::vector<Token>& tokens, std::size_t at, const Vocabulary& wo
   if (b->unit == 0 && std::max(a->value, b->value) > metres_up_to) return false;
   const Vec2 size(a->value * unit_a, b->value * unit_b);
   if (thing_follows(tokens, at + count, names, words)) {
-    replace(tokens, at, count, {{Token::Kind::length, "length", size.x()}, {Token::Kind::length, "depth", size.y()}});
+    replace(tokens, at, count,
+            {{Token::Kind::length, "length", size.x()}, {Token::Kind::length, "depth", size.y()}});
     return true;
   }
   // A third side is the height of the room.
@@ -96,8 +99,11 @@ bool read_area(std::vector<Token>& tokens, std::size_t at, const Vocabulary& wor
   const auto unit = longest(words.areas, tokens, at + 1, 2);
   if (!unit) return false;
   const double area = tokens[at].value * *unit.value;
-  if (area >= least_side * least_side && area <= greatest_side * greatest_side) brief.area = area;
-  else brief.notes.push_back("the floor area in the prompt is beyond 0.25 to 2500 m2 and was not used");
+  if (area >= least_side * least_side && area <= greatest_side * greatest_side)
+    brief.area = area;
+  else
+    brief.notes.push_back(
+        "the floor area in the prompt is beyond 0.25 to 2500 m2 and was not used");
   replace(tokens, at, unit.length + 1, {});
   return true;
 }
@@ -105,7 +111,8 @@ bool read_area(std::vector<Token>& tokens, std::size_t at, const Vocabulary& wor
 bool read_length(std::vector<Token>& tokens, std::size_t at, const Vocabulary& words) {
   const auto length = length_at(tokens, at, words);
   if (!length || length->unit == 0) return false;
-  replace(tokens, at, length->length, {{Token::Kind::length, "length", length->value * length->unit}});
+  replace(tokens, at, length->length,
+          {{Token::Kind::length, "length", length->value * length->unit}});
   return true;
 }
 
@@ -136,7 +143,8 @@ People people_at(const std::vector<Token>& tokens, std::size_t at, const Vocabul
   if (i < tokens.size() && tokens[i].is_word("family") && i + 2 < tokens.size() &&
       tokens[i + 1].is_word("of"))
     if (const auto count = number_at(tokens, i + 2, words)) return {*count, i + 3 - at};
-  if (const auto group = longest(words.people, tokens, i, 2)) return {*group.value, i + group.length - at};
+  if (const auto group = longest(words.people, tokens, i, 2))
+    return {*group.value, i + group.length - at};
   const auto count = number_at(tokens, i, words);
   if (!count) return {};
   std::size_t end = i + 1;
@@ -155,8 +163,10 @@ void read_measures(std::vector<Token>& tokens, const Vocabulary& words, const Ki
                    Brief& brief) {
   for (std::size_t i = 0; i < tokens.size(); ++i) {
     if (tokens[i].kind != Token::Kind::number) continue;
-    if (read_area(tokens, i, words, brief) || read_sides(tokens, i, words, names, brief)) --i;
-    else read_length(tokens, i, words);
+    if (read_area(tokens, i, words, brief) || read_sides(tokens, i, words, names, brief))
+      --i;
+    else
+      read_length(tokens, i, words);
   }
 }
 

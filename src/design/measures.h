@@ -9,8 +9,8 @@
 
 namespace roomgen::design {
 
-/// Takes the size of the room ("4 x 5 m", "12 by 15 feet", "20 square metres") out of the tokens and
-/// into the brief; lengths that belong to a thing ("a 1.8 m desk") become single tokens.
+/// Takes the size of the room ("4 x 5 m", "12 by 15 feet", "20 square metres") out of the tokens
+/// and into the brief; lengths that belong to a thing ("a 1.8 m desk") become single tokens.
 void read_measures(std::vector<Token>& tokens, const Vocabulary& words, const KindNames& names,
                    Brief& brief);
 

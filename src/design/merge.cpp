@@ -13,24 +13,30 @@ Group group(RelationKind kind) {
   switch (kind) {
     case RelationKind::edge:
     case RelationKind::middle:
-    case RelationKind::corner: return Group::wall;
+    case RelationKind::corner:
+      return Group::wall;
     case RelationKind::near:
-    case RelationKind::far: return Group::distance;
+    case RelationKind::far:
+      return Group::distance;
     case RelationKind::in_front_of:
     case RelationKind::behind:
     case RelationKind::left_of:
     case RelationKind::right_of:
     case RelationKind::side_of:
-    case RelationKind::around: return Group::position;
+    case RelationKind::around:
+      return Group::position;
     case RelationKind::center_aligned:
-    case RelationKind::aligned: return Group::alignment;
+    case RelationKind::aligned:
+      return Group::alignment;
     case RelationKind::face_to:
     case RelationKind::face_same_as:
-    case RelationKind::face_opposite_to: return Group::facing;
+    case RelationKind::face_opposite_to:
+      return Group::facing;
     case RelationKind::on:
     case RelationKind::above:
     case RelationKind::under:
-    case RelationKind::hang_from: break;
+    case RelationKind::hang_from:
+      break;
   }
   return Group::support;
 }

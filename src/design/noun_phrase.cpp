@@ -56,7 +56,8 @@ class Reader {
 
   bool read_quantity_word() {
     const std::string& word = token(at_).text;
-    if (word == "set" || word == "group" || word == "row" || word == "collection" || word == "series") {
+    if (word == "set" || word == "group" || word == "row" || word == "collection" ||
+        word == "series") {
       if (!is_word(at_ + 1, "of")) return false;
       phrase_.set = true;
       if (!phrase_.counted || phrase_.count == 1) {
@@ -67,7 +68,8 @@ class Reader {
     }
     const auto found = words_.numbers.find(word);
     if (found == words_.numbers.end() || measured_follows()) return false;
-    if ((word == "pair" || word == "couple" || word == "lots") && !is_word(at_ + 1, "of")) return false;
+    if ((word == "pair" || word == "couple" || word == "lots") && !is_word(at_ + 1, "of"))
+      return false;
     phrase_.set = phrase_.set || word == "pair";
     phrase_.another = phrase_.another || word == "another";
     count(found->second, !words_.vague.count(word));
@@ -113,7 +115,8 @@ class Reader {
 
   bool read_measured() {
     const auto number = [&]() -> int {
-      if (token(at_).kind == Token::Kind::number) return static_cast<int>(std::min(token(at_).value, 100.0));
+      if (token(at_).kind == Token::Kind::number)
+        return static_cast<int>(std::min(token(at_).value, 100.0));
       const auto found = words_.numbers.find(token(at_).text);
       return found == words_.numbers.end() ? 0 : found->second;
     }();
@@ -129,7 +132,8 @@ class Reader {
   bool joins_modifiers() const {
     const Token& here = token(at_);
     if (here.kind != Token::Kind::comma && !here.is_word("and")) return false;
-    if (phrase_.modifiers.empty() || ended(at_ + 1) || token(at_ + 1).kind != Token::Kind::word) return false;
+    if (phrase_.modifiers.empty() || ended(at_ + 1) || token(at_ + 1).kind != Token::Kind::word)
+      return false;
     const std::string& next = token(at_ + 1).text;
     return !words_.stops.count(next) && !words_.numbers.count(next) && !words_.definite.count(next);
   }
@@ -145,7 +149,9 @@ class Reader {
       for (std::size_t k = start + 1; k <= start + head.length && !further; ++k) {
         if (ended(k)) break;
         const bool adjacent = k == start + head.length;
-        if (adjacent && !phrase_.article && !phrase_.definite && !words_.materials.count(token(start).text)) break;
+        if (adjacent && !phrase_.article && !phrase_.definite &&
+            !words_.materials.count(token(start).text))
+          break;
         const KindMatch next = names_.match(tokens_, k);
         if (next.length == 0 || k + next.length <= start + head.length) continue;
         for (std::size_t i = start; i < k; ++i) phrase_.modifiers.push_back(token(i).text);
@@ -171,7 +177,8 @@ class Reader {
     if (!ended(at_) && token(at_).kind == Token::Kind::room) return false;
     const std::string noun = phrase_.modifiers.back();
     if (noun.size() < 3 || words_.no_things.count(noun) || words_.parts.count(noun) ||
-        words_.sizes.count(noun) || words_.room_words.count(noun) || words_.people_words.count(noun))
+        words_.sizes.count(noun) || words_.room_words.count(noun) ||
+        words_.people_words.count(noun))
       return false;
     phrase_.noun = noun;
     phrase_.modifiers.pop_back();

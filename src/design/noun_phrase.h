@@ -15,16 +15,16 @@ namespace roomgen::design {
 struct NounPhrase {
   std::size_t begin = 0, end = 0;
   int count = 1;
-  bool counted = false;       ///< an exact number was given
-  bool article = false;       ///< "a", a number, "some": introduces something
-  bool definite = false;      ///< "the", "its": something known
+  bool counted = false;   ///< an exact number was given
+  bool article = false;   ///< "a", a number, "some": introduces something
+  bool definite = false;  ///< "the", "its": something known
   bool another = false;
-  bool set = false;           ///< "set of", "pair of": they are alike
-  KindMatch kind;             ///< length 0: the thing is not known
-  std::string noun;           ///< of an unknown thing
+  bool set = false;  ///< "set of", "pair of": they are alike
+  KindMatch kind;    ///< length 0: the thing is not known
+  std::string noun;  ///< of an unknown thing
   std::vector<std::string> modifiers;
   std::vector<Token> lengths;
-  int seats = 0;              ///< "six-seater"
+  int seats = 0;  ///< "six-seater"
 };
 
 /// Reads a noun phrase that starts at `at`; nothing if there is none. `may_be_unknown` admits nouns

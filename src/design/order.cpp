@@ -13,9 +13,8 @@ constexpr int max_split = 40;
 
 bool waits_for(const Draft& draft, const Draft& other) {
   return other.mention != Demand::none &&
-         std::any_of(draft.demands.begin(), draft.demands.end(), [&](const Demand& demand) {
-           return demand.mention == other.mention;
-         });
+         std::any_of(draft.demands.begin(), draft.demands.end(),
+                     [&](const Demand& demand) { return demand.mention == other.mention; });
 }
 
 double floor_of(const Draft& draft) {
@@ -66,9 +65,8 @@ std::vector<Draft> split_pairs(const std::vector<Draft>& drafts) {
     if (draft.mention != Demand::none) quantity[draft.mention] += draft.item.quantity;
   std::vector<Draft> result;
   for (const auto& draft : drafts) {
-    const bool pairs = std::any_of(
-        draft.demands.begin(), draft.demands.end(),
-        [&](const Demand& demand) {
+    const bool pairs =
+        std::any_of(draft.demands.begin(), draft.demands.end(), [&](const Demand& demand) {
           return demand.mention != Demand::none && (demand.flank || quantity[demand.mention] > 1);
         });
     if (!pairs || draft.item.quantity == 1 || draft.item.quantity > max_split) {

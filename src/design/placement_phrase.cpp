@@ -48,7 +48,8 @@ std::optional<PlacePhrase> read_place(std::span<const Token> tokens, std::size_t
     }
     if (token.kind != Token::Kind::word) return std::nullopt;
     const auto wall = words.walls.find(token.text);
-    if (const auto part = longest(words.room_parts, tokens, i, 2); part && wall == words.walls.end()) {
+    if (const auto part = longest(words.room_parts, tokens, i, 2);
+        part && wall == words.walls.end()) {
       phrase.place = place_of(*part.value);
       i += part.length;
       if (of_the_room(tokens, i)) i += 3;
@@ -65,7 +66,8 @@ std::optional<PlacePhrase> read_place(std::span<const Token> tokens, std::size_t
     }
     phrase.opposite = phrase.opposite || token.is_word("opposite") || token.is_word("opposing");
     const bool stop = words.stops.count(token.text) > 0;
-    if (stop && wall == words.walls.end() && !token.is_word("opposite") && !is_article(token, words))
+    if (stop && wall == words.walls.end() && !token.is_word("opposite") &&
+        !is_article(token, words))
       return std::nullopt;
   }
   return std::nullopt;

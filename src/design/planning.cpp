@@ -17,7 +17,7 @@ namespace {
 
 constexpr const char* default_type = "living room";
 constexpr int max_attempts = 5;
-constexpr double growth = 1.05;   ///< of the sides from attempt to attempt
+constexpr double growth = 1.05;  ///< of the sides from attempt to attempt
 constexpr int fewest = 8;
 constexpr std::size_t most_rehearsed = 80;  ///< things; larger plans are taken as they are
 
@@ -33,8 +33,12 @@ class Planner {
  public:
   Planner(const PlanRequest& request, const RoomKinds& kinds, const CategoryTable& table,
           const Arrangements& arrangements)
-      : request_(request), kinds_(kinds), table_(table), arrangements_(arrangements),
-        brief_(read_prompt(request.prompt, kinds, table)), random_(request.seed) {
+      : request_(request),
+        kinds_(kinds),
+        table_(table),
+        arrangements_(arrangements),
+        brief_(read_prompt(request.prompt, kinds, table)),
+        random_(request.seed) {
     choose_kind();
   }
 
@@ -93,8 +97,9 @@ class Planner {
     if (request_.room) return given_room(plan);
     double scale = size_factor();
     for (int i = 0; i < n; ++i) scale *= growth;
-    const Vec2 size = request_.size ? *request_.size
-                                    : choose_size(kind_, brief_, scale, furniture, random.fork("size"));
+    const Vec2 size = request_.size
+                          ? *request_.size
+                          : choose_size(kind_, brief_, scale, furniture, random.fork("size"));
     return make_room(kind_, size, window_count(random.fork("windows")), brief_.wide_windows,
                      random.fork("openings"));
   }

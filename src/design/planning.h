@@ -8,8 +8,8 @@
 namespace roomgen::design {
 
 /// The plan for a request whose prompt and sizes are sound. Each plan is rehearsed: its things are
-/// placed in a sketch of the room, and where some find no place, another room or another selection is
-/// tried; at last what was not asked for is left out.
+/// placed in a sketch of the room, and where some find no place, another room or another selection
+/// is tried; at last what was not asked for is left out.
 Plan make_plan(const PlanRequest& request, const RoomKinds& kinds, const CategoryTable& table,
                const Arrangements& arrangements);
 

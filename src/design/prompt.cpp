@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "absence.h"
 #include "kind_names.h"
 #include "measures.h"
 #include "noun_phrase.h"
@@ -23,15 +24,22 @@ class PromptReader {
  public:
   PromptReader(std::vector<Token> tokens, const Vocabulary& words, const KindNames& names,
                const CategoryTable& table, const RoomKind& kind, Brief& brief)
-      : tokens_(std::move(tokens)), words_(words), names_(names), table_(table), kind_(kind),
+      : tokens_(std::move(tokens)),
+        words_(words),
+        names_(names),
+        table_(table),
+        kind_(kind),
         brief_(brief) {}
 
   void run() {
     while (at_ < tokens_.size()) {
       const Token& token = tokens_[at_];
-      if (token.kind == Token::Kind::stop) end_sentence();
-      else if (token.kind == Token::Kind::room) subject_.reset();
-      else if (read_only() || read_some_of() || read_negation() || read_windows() || read_placement() || read_thing())
+      if (token.kind == Token::Kind::stop)
+        end_sentence();
+      else if (token.kind == Token::Kind::room)
+        subject_.reset();
+      else if (read_bare() || read_some_of() || read_negation() || read_openings() ||
+               read_placement() || read_thing())
         continue;
       ++at_;
     }
@@ -54,9 +62,10 @@ class PromptReader {
   bool lists(std::size_t i) const {
     if (i == sentence_start_) return true;
     const Token& before = tokens_[i - 1];
-    static const WordSet words = {"with", "and", "has", "have", "contains", "containing", "include",
-                                  "includes", "including", "featuring", "features", "plus", "add",
-                                  "is", "are", "stands", "sits", "hangs", "want", "need", "also"};
+    static const WordSet words = {
+        "with",     "and",       "has",       "have",     "contains", "containing", "include",
+        "includes", "including", "featuring", "features", "plus",     "add",        "is",
+        "are",      "stands",    "sits",      "hangs",    "want",     "need",       "also"};
     return before.kind == Token::Kind::comma || words.count(before.text) > 0;
   }
 
@@ -79,9 +88,10 @@ class PromptReader {
   bool describes_owner(const NounPhrase& phrase) const {
     if (!subject_ || phrase.begin == 0 || phrase.begin - 1 < owner_end_) return false;
     const Token& before = tokens_[phrase.begin - 1];
-    const bool attached = phrase.begin - 1 == owner_end_ &&
-                          (before.is_word("with") || before.is_word("and") || before.is_word("featuring") ||
-                           before.is_word("has") || before.kind == Token::Kind::comma);
+    const bool attached =
+        phrase.begin - 1 == owner_end_ &&
+        (before.is_word("with") || before.is_word("and") || before.is_word("featuring") ||
+         before.is_word("has") || before.kind == Token::Kind::comma);
     const std::string& last = tokens_[phrase.end - 1].text;
     return attached && words_.parts.count(last) > 0;
   }
@@ -94,7 +104,8 @@ class PromptReader {
         continue;
       }
       const std::string name = category_name(phrase.kind);
-      if (mention.known && (table_.is_a(mention.category, name) || table_.is_a(name, mention.category)))
+      if (mention.known &&
+          (table_.is_a(mention.category, name) || table_.is_a(name, mention.category)))
         return i;
     }
     return std::nullopt;
@@ -164,8 +175,9 @@ class PromptReader {
 
   std::vector<std::size_t> subjects() const {
     if (!subject_) return {};
-    const bool all = owner_end_ < tokens_.size() &&
-                     (is_word(owner_end_, "are") || is_word(owner_end_, "both") || is_word(owner_end_, "all"));
+    const bool all =
+        owner_end_ < tokens_.size() &&
+        (is_word(owner_end_, "are") || is_word(owner_end_, "both") || is_word(owner_end_, "all"));
     if (all && group_.size() > 1 &&
         std::find(group_.begin(), group_.end(), *subject_) != group_.end())
       return group_;
@@ -185,11 +197,13 @@ class PromptReader {
 
   // "Next to the bed is a lamp": before any thing of the sentence.
   bool leads_sentence() const {
-    return at_ == sentence_start_ || (at_ == sentence_start_ + 1 && is_word(sentence_start_, "and"));
+    return at_ == sentence_start_ ||
+           (at_ == sentence_start_ + 1 && is_word(sentence_start_, "and"));
   }
 
   void demand(const Demand& what, bool leads) {
-    if (leads) leading_.push_back(what);
+    if (leads)
+      leading_.push_back(what);
     else
       for (std::size_t subject : subjects()) add_demand(subject, what);
   }
@@ -241,7 +255,8 @@ class PromptReader {
     switch (place.place) {
       case Place::window:
         if (!brief_.windows) brief_.windows = 1;
-        if (first == RelationKind::under || first == RelationKind::on || first == RelationKind::in_front_of) {
+        if (first == RelationKind::under || first == RelationKind::on ||
+            first == RelationKind::in_front_of) {
           say(RelationKind::near, "window-0");
           say(RelationKind::in_front_of, "window-0");
         } else {
@@ -256,11 +271,18 @@ class PromptReader {
       case Place::corner:
         if (first == RelationKind::on || first == RelationKind::near) say(RelationKind::corner, "");
         return;
-      case Place::middle: say(RelationKind::middle, ""); return;
-      case Place::wall: wall_demands(first, place, leads); return;
-      case Place::ceiling: mount(Mount::ceiling, leads); return;
+      case Place::middle:
+        say(RelationKind::middle, "");
+        return;
+      case Place::wall:
+        wall_demands(first, place, leads);
+        return;
+      case Place::ceiling:
+        mount(Mount::ceiling, leads);
+        return;
       case Place::room:
-      case Place::floor: return;
+      case Place::floor:
+        return;
     }
   }
 
@@ -273,12 +295,14 @@ class PromptReader {
       demand({RelationKind::near, Demand::none, id, false}, leads);
       demand({RelationKind::face_same_as, Demand::none, id, false}, leads);
     } else if (place.opposite) {
-      if (const auto other = antecedent()) demand({RelationKind::in_front_of, *other, "", false}, leads);
+      if (const auto other = antecedent())
+        demand({RelationKind::in_front_of, *other, "", false}, leads);
     }
   }
 
   void mount(Mount where, bool leads) {
-    if (leads) leading_mount_ = where;
+    if (leads)
+      leading_mount_ = where;
     else
       for (std::size_t subject : subjects()) hang(brief_.mentions[subject], where, table_, names_);
   }
@@ -314,8 +338,10 @@ class PromptReader {
     }
     at_ = end;
     owner_end_ = at_;
-    if (leads) subject_.reset();
-    else if (brief_.mentions.size() > 0 && *target == brief_.mentions.size() - 1 && target_new_) subject_ = *target;
+    if (leads)
+      subject_.reset();
+    else if (brief_.mentions.size() > 0 && *target == brief_.mentions.size() - 1 && target_new_)
+      subject_ = *target;
     return true;
   }
 
@@ -332,7 +358,8 @@ class PromptReader {
     const std::size_t before = brief_.mentions.size();
     const auto group = group_;
     // "on a nightstand" means one of those that are there.
-    const auto known = phrase->count == 1 && !phrase->another ? known_mention(*phrase) : std::nullopt;
+    const auto known =
+        phrase->count == 1 && !phrase->another ? known_mention(*phrase) : std::nullopt;
     const auto target = known ? known : mention_of(*phrase);
     group_ = group;
     target_new_ = brief_.mentions.size() > before;
@@ -358,9 +385,12 @@ class PromptReader {
   // "one of them", "the other": some of what was spoken of; what is said of them is not followed.
   bool read_some_of() {
     const bool one = is_word(at_, "one") && is_word(at_ + 1, "of") && !ended(at_ + 2) &&
-                     (words_.pronouns.count(tokens_[at_ + 2].text) || words_.definite.count(tokens_[at_ + 2].text));
-    const bool other = is_word(at_, "the") && (is_word(at_ + 1, "other") || is_word(at_ + 1, "others")) &&
-                       names_.match(tokens_, at_ + 2).length == 0 && !is_word(at_ + 2, "wall") && !is_word(at_ + 2, "side");
+                     (words_.pronouns.count(tokens_[at_ + 2].text) ||
+                      words_.definite.count(tokens_[at_ + 2].text));
+    const bool other = is_word(at_, "the") &&
+                       (is_word(at_ + 1, "other") || is_word(at_ + 1, "others")) &&
+                       names_.match(tokens_, at_ + 2).length == 0 && !is_word(at_ + 2, "wall") &&
+                       !is_word(at_ + 2, "side");
     if (!one && !other) return false;
     subject_.reset();
     at_ += one ? 3 : 2;
@@ -369,88 +399,38 @@ class PromptReader {
 
   // --- What is forbidden ----------------------------------------------------------------------
 
-  bool read_only() {
-    if (tokens_[at_].kind != Token::Kind::word) return false;
-    const bool nothing_else = is_word(at_, "nothing") && (is_word(at_ + 1, "else") || is_word(at_ + 1, "more"));
-    const bool no_other = is_word(at_, "no") && (is_word(at_ + 1, "other") || is_word(at_ + 1, "more") ||
-                                                 is_word(at_ + 1, "additional"));
-    const bool only = words_.only.count(tokens_[at_].text) && at_ > 0 &&
-                      tokens_[at_ - 1].kind == Token::Kind::word &&
-                      (is_word(at_ - 1, "with") || is_word(at_ - 1, "containing") ||
-                       is_word(at_ - 1, "contains") || is_word(at_ - 1, "has"));
-    if (!nothing_else && !no_other && !only) return false;
+  bool read_bare() {
+    const std::size_t end = read_only(tokens_, at_, words_);
+    if (end == at_) return false;
     brief_.bare = true;
-    at_ += only ? 1 : 2;
+    at_ = end;
     return true;
   }
 
-  // "no TV, desk or rug": bare nouns follow each other; an article or a number begins something new.
   bool read_negation() {
-    if (tokens_[at_].kind != Token::Kind::word || !words_.negations.count(tokens_[at_].text)) return false;
-    std::size_t i = at_ + 1;
-    bool any = false;
-    while (!ended(i)) {
-      const bool joined = tokens_[i].kind == Token::Kind::comma || is_word(i, "or") || is_word(i, "nor") ||
-                          is_word(i, "and") || is_word(i, "any") || is_word(i, "have") ||
-                          is_word(i, "include") || is_word(i, "want") || is_word(i, "add") ||
-                          is_word(i, "put") || words_.negations.count(tokens_[i].text);
-      if (joined && i < at_ + 200) {
-        ++i;
-        continue;
-      }
-      if (is_window(i)) {
-        brief_.windows = 0;
-        any = true;
-        ++i;
-        continue;
-      }
-      const auto phrase = read_noun_phrase(tokens_, i, words_, names_, false);
-      if (!phrase || phrase->kind.length == 0 || (any && phrase->article)) break;
-      exclude(category_name(phrase->kind));
-      any = true;
-      i = phrase->end;
+    const auto absence = read_absence(tokens_, at_, words_, names_);
+    if (!absence) return false;
+    if (absence->windows) brief_.windows = 0;
+    for (const auto& kind : absence->kinds) {
+      const std::string category = category_name(kind);
+      auto& excluded = brief_.excluded;
+      if (std::find(excluded.begin(), excluded.end(), category) == excluded.end())
+        excluded.push_back(category);
     }
-    if (!any) return false;
-    at_ = i;
+    at_ = absence->end;
     return true;
   }
 
-  bool is_window(std::size_t i) const { return is_word(i, "window") || is_word(i, "windows"); }
-
-  void exclude(const std::string& category) {
-    if (std::find(brief_.excluded.begin(), brief_.excluded.end(), category) == brief_.excluded.end())
-      brief_.excluded.push_back(category);
-  }
-
-  // "two large windows"
-  bool read_windows() {
-    std::size_t i = at_;
-    int count = 1;
-    bool wide = false, counted = false;
-    for (std::size_t n = 0; n < 4 && !ended(i); ++n, ++i) {
-      if (is_window(i)) {
-        const bool plural = tokens_[i].text == "windows";
-        if (!brief_.windows || counted)
-          brief_.windows = counted ? count : plural ? 2 : std::max(1, brief_.windows.value_or(1));
-        brief_.wide_windows = brief_.wide_windows || wide;
-        at_ = i + 1;
-        return true;
-      }
-      if (tokens_[i].kind == Token::Kind::number) {
-        count = static_cast<int>(std::min(tokens_[i].value, 10.0));
-        counted = true;
-      } else if (tokens_[i].kind != Token::Kind::word || words_.stops.count(tokens_[i].text)) {
-        if (!is_word(i, "the")) return false;
-      } else if (const auto found = words_.numbers.find(tokens_[i].text); found != words_.numbers.end()) {
-        count = std::min(found->second, 10);
-        counted = count > 1;
-      } else {
-        const auto size = words_.sizes.find(tokens_[i].text);
-        wide = wide || (size != words_.sizes.end() && size->second.x() > 1.0);
-        if (names_.match(tokens_, i).length > 0) return false;
-      }
-    }
-    return false;
+  bool read_openings() {
+    const auto windows = read_windows(tokens_, at_, words_, names_);
+    if (!windows) return false;
+    if (windows->counted)
+      brief_.windows = windows->count;
+    else if (!brief_.windows)
+      brief_.windows = windows->plural ? 2 : 1;
+    brief_.wide_windows = brief_.wide_windows || windows->wide;
+    at_ = windows->end;
+    return true;
   }
 
   std::vector<Token> tokens_;
@@ -462,11 +442,11 @@ class PromptReader {
 
   std::size_t at_ = 0;
   std::size_t sentence_start_ = 0;
-  std::size_t owner_end_ = 0;              ///< behind the last phrase about a thing
-  std::optional<std::size_t> subject_;     ///< the last thing spoken of
-  std::vector<std::size_t> group_;         ///< things listed together
-  bool target_new_ = false;                ///< the last target was a new mention
-  std::vector<Demand> leading_;            ///< for the thing that is yet to come
+  std::size_t owner_end_ = 0;           ///< behind the last phrase about a thing
+  std::optional<std::size_t> subject_;  ///< the last thing spoken of
+  std::vector<std::size_t> group_;      ///< things listed together
+  bool target_new_ = false;             ///< the last target was a new mention
+  std::vector<Demand> leading_;         ///< for the thing that is yet to come
   std::optional<Mount> leading_mount_;
 };
 
@@ -479,7 +459,8 @@ Brief read_prompt(std::string_view prompt, const RoomKinds& kinds, const Categor
   const KindNames names(table);
   auto tokens = tokenize(prompt);
   if (tokens.size() >= max_tokens)
-    brief.notes.push_back("only the first " + std::to_string(max_tokens) + " words of the prompt were read");
+    brief.notes.push_back("only the first " + std::to_string(max_tokens) +
+                          " words of the prompt were read");
   read_measures(tokens, *words, names, brief);
   read_people(tokens, *words, names, brief);
   read_room_type(tokens, *words, names, kinds, brief);

@@ -131,7 +131,8 @@ bool all_reachable(const Sketch& sketch, const Object& self, const Pose& pose, d
     if (opening.is_entrance()) doors.push_back(door_clearance(sketch.room(), opening));
   if (doors.empty()) return true;
   floor.walk_from(doors.front());
-  if (!std::all_of(doors.begin(), doors.end(), [&](const Footprint& d) { return floor.reached(d); }))
+  if (!std::all_of(doors.begin(), doors.end(),
+                   [&](const Footprint& d) { return floor.reached(d); }))
     return false;
   return any_reached(floor, own, sketch.categories().get(self.category).zones) &&
          std::all_of(sketch.standing().begin(), sketch.standing().end(), [&](const Standing& one) {

@@ -30,7 +30,8 @@ void read_count(const JsonReader& json, int& low, int& high) {
 Weighted read_weighted(const JsonReader& json) {
   Weighted words;
   if (!json.exists()) return words;
-  for (const auto& [word, weight] : json.members()) words.emplace_back(word, weight.number(0, 1000));
+  for (const auto& [word, weight] : json.members())
+    words.emplace_back(word, weight.number(0, 1000));
   return words;
 }
 

@@ -23,11 +23,11 @@ using Weighted = std::vector<std::pair<std::string, double>>;
 
 /// Something that a kind of room usually holds.
 struct Piece {
-  Weighted any;                     ///< categories, one of which is drawn
-  Weighted of;                      ///< variants of size, one of which is drawn ("" is the usual one)
-  std::optional<Vec3> size;         ///< instead of the category's
-  int low = 1, high = 1;            ///< how many
-  bool people = false;              ///< one for each person that the prompt speaks of
+  Weighted any;              ///< categories, one of which is drawn
+  Weighted of;               ///< variants of size, one of which is drawn ("" is the usual one)
+  std::optional<Vec3> size;  ///< instead of the category's
+  int low = 1, high = 1;     ///< how many
+  bool people = false;       ///< one for each person that the prompt speaks of
   double chance = 1.0;
   double weight = 1.0;              ///< among the extras
   double area = 0.0;                ///< only in rooms of at least so many square metres
@@ -51,8 +51,8 @@ struct RoomKind {
   std::vector<std::string> names;  ///< others than its type
   Range width, depth;
   double height = default_room_height;
-  double smallest = 3.0;           ///< least side of a room whose size is chosen
-  Range share;                     ///< of the floor that furniture covers
+  double smallest = 3.0;                   ///< least side of a room whose size is chosen
+  Range share;                             ///< of the floor that furniture covers
   int objects_low = 8, objects_high = 12;  ///< on the floor
   WindowHabit windows;
   double door = 0.9;

@@ -12,8 +12,9 @@ constexpr double first_weight = 1.5;
 constexpr std::size_t back = 6;  ///< words of style before a name are looked for so far
 
 const WordSet& style_heads() {
-  static const WordSet heads = {"style", "styled", "vibe", "vibes", "feel", "look", "atmosphere",
-                                "aesthetic", "design", "decor", "mood", "ambiance", "theme"};
+  static const WordSet heads = {"style", "styled",     "vibe",      "vibes",  "feel",
+                                "look",  "atmosphere", "aesthetic", "design", "decor",
+                                "mood",  "ambiance",   "theme"};
   return heads;
 }
 
@@ -60,8 +61,11 @@ void read_compound_rooms(std::vector<Token>& tokens, const Vocabulary& words,
   for (std::size_t i = 1; i < tokens.size(); ++i) {
     if (tokens[i].kind != Token::Kind::word || !words.room_words.count(tokens[i].text)) continue;
     const Token& first = tokens[i - 1];
-    if (!is_plain_word(first, words) || kinds.style(first.text) || words.sizes.count(first.text)) continue;
-    if (words.generic_rooms.count(tokens[i].text) && tokens[i].text != "room" && tokens[i].text != "house") continue;
+    if (!is_plain_word(first, words) || kinds.style(first.text) || words.sizes.count(first.text))
+      continue;
+    if (words.generic_rooms.count(tokens[i].text) && tokens[i].text != "room" &&
+        tokens[i].text != "house")
+      continue;
     // "the bed room divider" and "tv stand area" name things.
     const KindMatch thing = names.match(tokens, i - 1);
     if (thing.length > 1 || names.match(tokens, i).length > 1) continue;
@@ -82,12 +86,15 @@ void read_leading_noun(std::vector<Token>& tokens, const Vocabulary& words, cons
   while (end < tokens.size() && end < 6 && tokens[end].kind == Token::Kind::word &&
          (end == 0 || !words.stops.count(tokens[end].text)))
     ++end;
-  if (end < 2 || end == tokens.size() || !(tokens[end].is_word("with") || tokens[end].is_word("that") ||
-                                            tokens[end].is_word("containing") || tokens[end].is_word("featuring")))
+  if (end < 2 || end == tokens.size() ||
+      !(tokens[end].is_word("with") || tokens[end].is_word("that") ||
+        tokens[end].is_word("containing") || tokens[end].is_word("featuring")))
     return;
-  const bool article = tokens[0].is_word("a") || tokens[0].is_word("an") || tokens[0].is_word("the");
+  const bool article =
+      tokens[0].is_word("a") || tokens[0].is_word("an") || tokens[0].is_word("the");
   const std::string& noun = tokens[end - 1].text;
-  if (!article || words.generic_rooms.count(noun) || words.numbers.count(noun) || kinds.style(noun)) return;
+  if (!article || words.generic_rooms.count(noun) || words.numbers.count(noun) || kinds.style(noun))
+    return;
   for (std::size_t i = 0; i < end; ++i)
     if (names.match(tokens, i).length > 0) return;
   brief.type = noun;
@@ -132,7 +139,8 @@ std::string guess_room_type(const Brief& brief, const RoomKinds& kinds,
         for (const auto& piece : pieces)
           // What comes first in a room's core is what it is for.
           for (const auto& [category, chance] : piece.any)
-            if (table.is_a(mention.category, category)) vote = std::max(vote, &piece == &kind.core.front() ? first_weight : weight);
+            if (table.is_a(mention.category, category))
+              vote = std::max(vote, &piece == &kind.core.front() ? first_weight : weight);
       };
       hears(kind.core, 1.0);
       hears(kind.extras, 0.3);

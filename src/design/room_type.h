@@ -10,9 +10,9 @@
 
 namespace roomgen::design {
 
-/// Finds what room the prompt speaks of: a known kind by any of its names, or else words such as "tea
-/// house" or "a bakery with …". Every name of a room becomes one token; the words of style before it,
-/// and before "style" and its like, go into the brief.
+/// Finds what room the prompt speaks of: a known kind by any of its names, or else words such as
+/// "tea house" or "a bakery with …". Every name of a room becomes one token; the words of style
+/// before it, and before "style" and its like, go into the brief.
 void read_room_type(std::vector<Token>& tokens, const Vocabulary& words, const KindNames& names,
                     const RoomKinds& kinds, Brief& brief);
 

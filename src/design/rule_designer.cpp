@@ -4,8 +4,8 @@
 #include "arrangement.h"
 #include "planning.h"
 #include "room_kinds.h"
-#include "vocabulary.h"
 #include "roomgen/base/text.h"
+#include "vocabulary.h"
 
 namespace roomgen {
 
@@ -16,7 +16,9 @@ using namespace design;
 constexpr double least_side = 0.5;
 constexpr double greatest_side = 50.0;
 
-Error invalid(const std::string& message) { return {Error::Kind::invalid_input, message}; }
+Error invalid(const std::string& message) {
+  return {Error::Kind::invalid_input, message};
+}
 
 Status check_request(const PlanRequest& request) {
   if (trim(request.prompt).empty())
@@ -62,6 +64,8 @@ class RuleDesigner : public Designer {
 
 }  // namespace
 
-std::unique_ptr<Designer> make_rule_designer() { return std::make_unique<RuleDesigner>(); }
+std::unique_ptr<Designer> make_rule_designer() {
+  return std::make_unique<RuleDesigner>();
+}
 
 }  // namespace roomgen

@@ -8,7 +8,7 @@ namespace roomgen::design {
 
 namespace {
 
-constexpr double small_side = 0.7;   ///< what is smaller may stand on other things
+constexpr double small_side = 0.7;  ///< what is smaller may stand on other things
 constexpr int seats_at_a_table = 4;
 constexpr int usual_few = 2;
 const Vec3 unknown_size(0.5, 0.5, 0.8);
@@ -38,18 +38,21 @@ bool is_round(const NounPhrase& phrase) {
 int usual_number(const Mention& mention, const Brief& brief, const CategoryTable& table) {
   const bool seat = table.is_any_of(mention.category, {"chair", "stool"});
   if (seat && brief.people > 0) return brief.people;
-  const bool table_there = std::any_of(brief.mentions.begin(), brief.mentions.end(), [&](const Mention& m) {
-    return table.is_any_of(m.category, {"dining table", "kitchen island"}) || m.category == "table";
-  });
+  const bool table_there =
+      std::any_of(brief.mentions.begin(), brief.mentions.end(), [&](const Mention& m) {
+        return table.is_any_of(m.category, {"dining table", "kitchen island"}) ||
+               m.category == "table";
+      });
   return seat && table_there ? seats_at_a_table : usual_few;
 }
 
 // A lamp on a nightstand is a table lamp, a plant on a desk a small one.
 void stand_on_things(Mention& mention, const Brief& brief, const CategoryTable& table,
                      const KindNames& names) {
-  const auto on = std::find_if(mention.demands.begin(), mention.demands.end(), [](const Demand& demand) {
-    return demand.kind == RelationKind::on && demand.mention != Demand::none;
-  });
+  const auto on =
+      std::find_if(mention.demands.begin(), mention.demands.end(), [](const Demand& demand) {
+        return demand.kind == RelationKind::on && demand.mention != Demand::none;
+      });
   if (on == mention.demands.end()) return;
   const Mention& carrier = brief.mentions[on->mention];
   if (mention.mount == Mount::surface) return;
@@ -64,8 +67,10 @@ void stand_on_things(Mention& mention, const Brief& brief, const CategoryTable& 
       become(mention, *small);
       return;
     }
-  if (!lies && std::max(mention.size.x(), mention.size.y()) <= small_side) mention.mount = Mount::surface;
-  else on->kind = RelationKind::near;
+  if (!lies && std::max(mention.size.x(), mention.size.y()) <= small_side)
+    mention.mount = Mount::surface;
+  else
+    on->kind = RelationKind::near;
 }
 
 // Furniture on a rug: the rug comes last and lies under it.
@@ -74,14 +79,16 @@ void lay_rugs(Brief& brief, const CategoryTable& table) {
     for (auto& demand : brief.mentions[i].demands) {
       if (demand.mention == Demand::none || demand.mention == i) continue;
       Mention& rug = brief.mentions[demand.mention];
-      if (!table.get(rug.category).traits.flat || table.get(brief.mentions[i].category).traits.flat) continue;
+      if (!table.get(rug.category).traits.flat || table.get(brief.mentions[i].category).traits.flat)
+        continue;
       if (demand.kind != RelationKind::near && demand.kind != RelationKind::on) continue;
       if (rug.demands.empty()) rug.demands.push_back({RelationKind::under, i, "", false});
       demand = {RelationKind::near, Demand::none, "", false};
     }
   for (auto& mention : brief.mentions)
     std::erase_if(mention.demands, [](const Demand& demand) {
-      return demand.kind == RelationKind::near && demand.mention == Demand::none && demand.part.empty();
+      return demand.kind == RelationKind::near && demand.mention == Demand::none &&
+             demand.part.empty();
     });
 }
 
@@ -95,7 +102,8 @@ void turn_behind(Brief& brief, const CategoryTable& table) {
       if (demand.kind != RelationKind::behind || demand.mention == Demand::none) continue;
       Mention& other = brief.mentions[demand.mention];
       // A chair "behind" a desk is on its user's side.
-      if (table.is_a(brief.mentions[i].category, "seat") && table.is_any_of(other.category, {"table"})) {
+      if (table.is_a(brief.mentions[i].category, "seat") &&
+          table.is_any_of(other.category, {"table"})) {
         demand.kind = RelationKind::around;
         continue;
       }
@@ -109,7 +117,8 @@ void turn_behind(Brief& brief, const CategoryTable& table) {
 void note_unknown(Brief& brief) {
   for (const auto& mention : brief.mentions)
     if (!mention.known)
-      brief.notes.push_back("\"" + mention.category + "\" is no kind that is known; its size is a guess");
+      brief.notes.push_back("\"" + mention.category +
+                            "\" is no kind that is known; its size is a guess");
 }
 
 }  // namespace
@@ -119,8 +128,10 @@ void shape(Mention& mention, const NounPhrase& phrase, const Vocabulary& words,
   const Category* category = table.find(mention.category);
   if (mention.known && category && is_round(phrase))
     if (const Category* round = names.find("round " + mention.category)) category = round;
-  if (mention.known && category) become(mention, *category);
-  else mention.size = unknown_size;
+  if (mention.known && category)
+    become(mention, *category);
+  else
+    mention.size = unknown_size;
   if (mention.known && is_round(phrase) && !table.get(mention.category).traits.round &&
       table.is_a(mention.category, "table"))
     mention.size.y() = mention.size.x() = std::max(0.5, 0.8 * mention.size.x());
@@ -135,7 +146,8 @@ void shape(Mention& mention, const NounPhrase& phrase, const Vocabulary& words,
   }
   set_length(mention, phrase.lengths);
   const auto said = [&](const char* word) {
-    return std::find(phrase.modifiers.begin(), phrase.modifiers.end(), word) != phrase.modifiers.end();
+    return std::find(phrase.modifiers.begin(), phrase.modifiers.end(), word) !=
+           phrase.modifiers.end();
   };
   mention.varied = said("different") || said("mismatched") || said("various") || said("assorted");
   if (said("mounted") || said("wall")) hang(mention, Mount::wall, table, names);
@@ -149,7 +161,8 @@ void hang(Mention& mention, Mount where, const CategoryTable& table, const KindN
     become(mention, *hanging);
     return;
   }
-  if (mention.mount == Mount::surface || (where == Mount::ceiling && table.is_a(mention.category, "lamp")))
+  if (mention.mount == Mount::surface ||
+      (where == Mount::ceiling && table.is_a(mention.category, "lamp")))
     mention.mount = where;
 }
 
@@ -161,7 +174,8 @@ void settle(Brief& brief, const CategoryTable& table, const KindNames& names) {
   turn_behind(brief, table);
   // What is asked for is not forbidden.
   for (const auto& mention : brief.mentions)
-    std::erase_if(brief.excluded, [&](const std::string& category) { return mention.category == category; });
+    std::erase_if(brief.excluded,
+                  [&](const std::string& category) { return mention.category == category; });
   note_unknown(brief);
 }
 

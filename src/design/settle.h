@@ -15,8 +15,9 @@ void shape(Mention& mention, const NounPhrase& phrase, const Vocabulary& words,
 /// becomes a wall tv, a wardrobe "on the wall" stays what it is.
 void hang(Mention& mention, Mount where, const CategoryTable& table, const KindNames& names);
 
-/// Ends the reading: numbers of uncounted things, small things for what stands on others, rugs under
-/// what stands on them, "behind" turned into "in front of" where the one behind needs the wall.
+/// Ends the reading: numbers of uncounted things, small things for what stands on others, rugs
+/// under what stands on them, "behind" turned into "in front of" where the one behind needs the
+/// wall.
 void settle(Brief& brief, const CategoryTable& table, const KindNames& names);
 
 }  // namespace roomgen::design

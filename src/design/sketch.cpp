@@ -35,12 +35,14 @@ Target target_of(const Room& room, const Opening& opening) {
 
 double usual_bottom(const Object& object, const Category& category, const Room& room) {
   switch (object.mount) {
-    case Mount::ceiling: return std::max(0.0, room.height - object.size.z());
+    case Mount::ceiling:
+      return std::max(0.0, room.height - object.size.z());
     case Mount::wall:
       return std::clamp(category.mount == Mount::wall ? category.elevation : over_hips, 0.0,
                         std::max(0.0, room.height - object.size.z() - 0.05));
     case Mount::floor:
-    case Mount::surface: break;
+    case Mount::surface:
+      break;
   }
   return 0.0;
 }
@@ -49,12 +51,17 @@ Sketch::Sketch(const Scene& scene, const CategoryTable& categories,
                const Arrangements& arrangements)
     : room_(&scene.room), categories_(&categories) {
   for (const auto& opening : room_->openings) {
-    if (opening.is_entrance()) door_strips_.push_back(door_clearance(*room_, opening));
-    else window_strips_.emplace_back(window_clearance(*room_, opening), opening.sill + window_overlap);
+    if (opening.is_entrance())
+      door_strips_.push_back(door_clearance(*room_, opening));
+    else
+      window_strips_.emplace_back(window_clearance(*room_, opening), opening.sill + window_overlap);
   }
   for (const auto& object : scene.objects)
-    standing_.push_back({&object, footprint(object), &categories.get(object.category),
-                         &arrangements.get(categories, object.category, object.mount), {}});
+    standing_.push_back({&object,
+                         footprint(object),
+                         &categories.get(object.category),
+                         &arrangements.get(categories, object.category, object.mount),
+                         {}});
   for (auto& one : standing_)
     for (const auto& zone : one.category->zones)
       if (zone_free(zone_footprint(one.footprint, zone), zone, one.object))

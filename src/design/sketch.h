@@ -36,8 +36,8 @@ struct Standing {
   std::vector<UseZone> zones;  ///< those that are free now
 };
 
-/// The room as a designer sees it from above: boxes, the floor that their use needs, and the walls. It
-/// is coarser than the solver: no meshes, so what it allows is nearly always possible.
+/// The room as a designer sees it from above: boxes, the floor that their use needs, and the walls.
+/// It is coarser than the solver: no meshes, so what it allows is nearly always possible.
 class Sketch {
  public:
   /// `scene` must outlive the sketch.

@@ -10,7 +10,7 @@ namespace roomgen::design {
 namespace {
 
 constexpr double seat_width = 0.61;
-constexpr double end_depth = 0.25;   ///< more length when people sit at the ends as well
+constexpr double end_depth = 0.25;  ///< more length when people sit at the ends as well
 constexpr double longest = 4.0;
 
 bool seats_people(const CategoryTable& table, const std::string& category) {
@@ -37,7 +37,8 @@ Vec3 table_for(const Vec3& usual, bool round, int seats) {
 void fit_tables(std::vector<Draft>& drafts, const Brief& brief, const CategoryTable& table) {
   int seats = brief.people;
   for (const auto& draft : drafts)
-    if (table.is_a(draft.item.category, "chair") && !table.is_a(draft.item.category, "office chair"))
+    if (table.is_a(draft.item.category, "chair") &&
+        !table.is_a(draft.item.category, "office chair"))
       seats = std::max(seats, draft.item.quantity);
   if (seats == 0) return;
   int tables = 0;
@@ -47,7 +48,8 @@ void fit_tables(std::vector<Draft>& drafts, const Brief& brief, const CategoryTa
     if (!seats_people(table, draft.item.category) || !draft.item.size) continue;
     if (brief.mentions.at(draft.mention).sized) continue;
     const int each = std::min(20, (seats + tables - 1) / tables);
-    draft.item.size = table_for(*draft.item.size, table.get(draft.item.category).traits.round, each);
+    draft.item.size =
+        table_for(*draft.item.size, table.get(draft.item.category).traits.round, each);
   }
 }
 

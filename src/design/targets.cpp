@@ -16,8 +16,8 @@ constexpr double place_width = 0.8;
 
 // How many things like `self` the candidate has already.
 int partners(const Sketch& sketch, const Object& self, const Standing& candidate) {
-  return static_cast<int>(std::count_if(
-      sketch.standing().begin(), sketch.standing().end(), [&](const Standing& other) {
+  return static_cast<int>(
+      std::count_if(sketch.standing().begin(), sketch.standing().end(), [&](const Standing& other) {
         if (other.object == candidate.object) return false;
         if (!sketch.categories().is_a(other.object->category, self.category)) return false;
         if (!other.object->on.empty()) return other.object->on == candidate.object->id;
@@ -53,7 +53,8 @@ std::vector<Member> members(const Sketch& sketch, const Object& self, const std:
   }
   const bool seat = sketch.categories().is_a(self.category, "seat");
   for (const auto& one : sketch.standing()) {
-    if (!is_of(sketch.categories(), one.object->category, kind) || one.object->id == self.id) continue;
+    if (!is_of(sketch.categories(), one.object->category, kind) || one.object->id == self.id)
+      continue;
     const double burden = partners(sketch, self, one) / capacity(one, seat);
     if (burden < 1.0) found.push_back({one.object->id, burden});
   }

@@ -11,9 +11,18 @@ namespace {
 
 // Typographic marks and what they stand for.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 12> marks = {{
-    {"\u2019", "'"}, {"\u2018", "'"}, {"\u201c", " "}, {"\u201d", " "}, {"\u2013", "-"},
-    {"\u2014", ","}, {"\u00d7", " x "}, {"\u00b2", "2"}, {"\u2033", " inch "}, {"\u2032", " feet "},
-    {"\u00a0", " "}, {"\u3002", "."},
+    {"\u2019", "'"},
+    {"\u2018", "'"},
+    {"\u201c", " "},
+    {"\u201d", " "},
+    {"\u2013", "-"},
+    {"\u2014", ","},
+    {"\u00d7", " x "},
+    {"\u00b2", "2"},
+    {"\u2033", " inch "},
+    {"\u2032", " feet "},
+    {"\u00a0", " "},
+    {"\u3002", "."},
 }};
 
 std::string plain(std::string_view text) {
@@ -33,8 +42,12 @@ std::string plain(std::string_view text) {
   return lower(result);
 }
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || static_cast<unsigned char>(c) > 127; }
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+bool is_letter(char c) {
+  return (c >= 'a' && c <= 'z') || static_cast<unsigned char>(c) > 127;
+}
 
 class Splitter {
  public:
@@ -43,9 +56,12 @@ class Splitter {
   std::vector<Token> run() {
     while (at_ < text_.size() && tokens_.size() < max_tokens) {
       const char c = text_[at_];
-      if (is_digit(c)) number();
-      else if (is_letter(c)) word();
-      else mark();
+      if (is_digit(c))
+        number();
+      else if (is_letter(c))
+        word();
+      else
+        mark();
     }
     return std::move(tokens_);
   }
@@ -108,6 +124,8 @@ class Splitter {
 
 }  // namespace
 
-std::vector<Token> tokenize(std::string_view text) { return Splitter(plain(text)).run(); }
+std::vector<Token> tokenize(std::string_view text) {
+  return Splitter(plain(text)).run();
+}
 
 }  // namespace roomgen::design

@@ -27,8 +27,8 @@ struct Token {
 /// The longest prompt that is read, in tokens; the rest is ignored.
 inline constexpr std::size_t max_tokens = 4000;
 
-/// Splits a prompt. Hyphens part words, "4x5m" gives 4, x, 5, m, possessives lose their s, and marks
-/// of other scripts that mean the same are understood.
+/// Splits a prompt. Hyphens part words, "4x5m" gives 4, x, 5, m, possessives lose their s, and
+/// marks of other scripts that mean the same are understood.
 std::vector<Token> tokenize(std::string_view text);
 
 }  // namespace roomgen::design

@@ -44,8 +44,10 @@ Placement read_placement(const JsonReader& json) {
       continue;
     }
     auto relation = parse_relation(word + ", target");
-    if (relation) placement.relations.push_back(relation->kind);
-    else element.report(relation.error().message);
+    if (relation)
+      placement.relations.push_back(relation->kind);
+    else
+      element.report(relation.error().message);
   }
   return placement;
 }
@@ -57,10 +59,11 @@ Result<Vocabulary> parse_vocabulary(std::string_view text, const std::string& so
   if (!json) return json.error();
   JsonReader::Problems problems(source);
   const JsonReader root(*json, problems);
-  root.allow_only({"about", "numbers", "vague", "definite", "pronouns", "negations", "only",
-                   "measured", "stops", "parts", "no things", "materials", "sizes", "people",
-                   "people words", "room words", "generic rooms", "parts of rooms", "walls",
-                   "units", "areas", "placements"});
+  root.allow_only({"about",      "numbers",       "vague",          "definite", "pronouns",
+                   "negations",  "only",          "measured",       "stops",    "parts",
+                   "no things",  "materials",     "sizes",          "people",   "people words",
+                   "room words", "generic rooms", "parts of rooms", "walls",    "units",
+                   "areas",      "placements"});
   Vocabulary words;
   words.numbers = read_integers(root["numbers"]);
   words.people = read_integers(root["people"]);
@@ -75,12 +78,19 @@ Result<Vocabulary> parse_vocabulary(std::string_view text, const std::string& so
     words.room_parts[word] = part.text();
   for (const auto& [phrase, relations] : root["placements"].members())
     words.placements[phrase] = read_placement(relations);
-  const std::pair<const char*, WordSet*> sets[] = {
-      {"vague", &words.vague}, {"definite", &words.definite}, {"pronouns", &words.pronouns},
-      {"negations", &words.negations}, {"only", &words.only}, {"measured", &words.measured},
-      {"stops", &words.stops}, {"parts", &words.parts}, {"no things", &words.no_things},
-      {"materials", &words.materials}, {"people words", &words.people_words},
-      {"room words", &words.room_words}, {"generic rooms", &words.generic_rooms}};
+  const std::pair<const char*, WordSet*> sets[] = {{"vague", &words.vague},
+                                                   {"definite", &words.definite},
+                                                   {"pronouns", &words.pronouns},
+                                                   {"negations", &words.negations},
+                                                   {"only", &words.only},
+                                                   {"measured", &words.measured},
+                                                   {"stops", &words.stops},
+                                                   {"parts", &words.parts},
+                                                   {"no things", &words.no_things},
+                                                   {"materials", &words.materials},
+                                                   {"people words", &words.people_words},
+                                                   {"room words", &words.room_words},
+                                                   {"generic rooms", &words.generic_rooms}};
   for (const auto& [key, set] : sets) *set = read_set(root[key]);
   if (problems.first()) return *problems.first();
   return words;

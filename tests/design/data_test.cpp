@@ -14,9 +14,13 @@ using namespace roomgen::design;
 
 namespace {
 
-const CategoryTable& table() { return CategoryTable::built_in(); }
+const CategoryTable& table() {
+  return CategoryTable::built_in();
+}
 
-bool exists(const std::string& category) { return table().all().count(category) > 0; }
+bool exists(const std::string& category) {
+  return table().all().count(category) > 0;
+}
 
 void check_pieces(const std::vector<Piece>& pieces, const RoomKinds& kinds) {
   for (const auto& piece : pieces) {

@@ -14,9 +14,33 @@ using namespace roomgen::design;
 namespace {
 
 std::vector<std::string> word_pool() {
-  std::vector<std::string> pool = {"a", "the", "it", ",", ".", "4x5", "m", "12'", "0x0", "99999999999999999999",
-                                   "\xF0\x9F\x9B\x8F", "\xE3\x81\x82", "\xff\xfe", "\"", "(", "\t", "x", "-", "1e9",
-                                   "one", "each", "other", "NO", "window", "wall", "corner", "&"};
+  std::vector<std::string> pool = {"a",
+                                   "the",
+                                   "it",
+                                   ",",
+                                   ".",
+                                   "4x5",
+                                   "m",
+                                   "12'",
+                                   "0x0",
+                                   "99999999999999999999",
+                                   "\xF0\x9F\x9B\x8F",
+                                   "\xE3\x81\x82",
+                                   "\xff\xfe",
+                                   "\"",
+                                   "(",
+                                   "\t",
+                                   "x",
+                                   "-",
+                                   "1e9",
+                                   "one",
+                                   "each",
+                                   "other",
+                                   "NO",
+                                   "window",
+                                   "wall",
+                                   "corner",
+                                   "&"};
   for (const auto& [phrase, placement] : built_in_vocabulary()->placements) pool.push_back(phrase);
   for (const auto& [name, category] : CategoryTable::built_in().all()) pool.push_back(name);
   for (const auto& [type, kind] : built_in_room_kinds()->types) pool.push_back(type);
@@ -77,8 +101,9 @@ TEST_CASE("a very long prompt takes bounded time") {
   std::string prompt;
   while (prompt.size() < max_prompt_bytes - 100) prompt += random_prompt(pool, random, 50) + ". ";
   prompt.resize(max_prompt_bytes);
-  for (const auto& text : {prompt, std::string(max_prompt_bytes, 'a'), std::string(max_prompt_bytes, '7'),
-                           std::string(max_prompt_bytes / 3, ',')}) {
+  for (const auto& text :
+       {prompt, std::string(max_prompt_bytes, 'a'), std::string(max_prompt_bytes, '7'),
+        std::string(max_prompt_bytes / 3, ',')}) {
     PlanRequest request;
     request.prompt = text;
     const auto start = std::chrono::steady_clock::now();

@@ -98,7 +98,8 @@ TEST_CASE("advice is inside the room, free of overlap and names only what is pla
 TEST_CASE("beds stand with the head at a wall, between their nightstands") {
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
     INFO("seed " << seed);
-    const Scene scene = furnish(plan_of("a bedroom with a double bed and two nightstands", seed)).scene;
+    const Scene scene =
+        furnish(plan_of("a bedroom with a double bed and two nightstands", seed)).scene;
     const Object* bed = first_of(scene, "bed");
     REQUIRE(bed);
     const Footprint fp = footprint(*bed);
@@ -123,7 +124,8 @@ TEST_CASE("televisions face sofas and chairs their tables") {
     REQUIRE(sofa);
     REQUIRE(stand);
     ++televisions;
-    facing += ray_hit(footprint(*sofa), stand->position.head<2>(), front_direction(stand->yaw)) >= 0;
+    facing +=
+        ray_hit(footprint(*sofa), stand->position.head<2>(), front_direction(stand->yaw)) >= 0;
   }
   CHECK(facing == televisions);
   const Scene dining = furnish(plan_of("dining room", 1)).scene;
@@ -131,7 +133,8 @@ TEST_CASE("televisions face sofas and chairs their tables") {
   REQUIRE(table);
   for (const auto& object : dining.objects)
     if (object.category == "dining chair")
-      CHECK(ray_hit(footprint(*table), object.position.head<2>(), front_direction(object.yaw)) >= 0);
+      CHECK(ray_hit(footprint(*table), object.position.head<2>(), front_direction(object.yaw)) >=
+            0);
 }
 
 TEST_CASE("what the prompt says of places comes first in the advice") {

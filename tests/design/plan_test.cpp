@@ -30,7 +30,8 @@ Floor floor_of(const Plan& plan) {
 bool targets_are_placed_before(const Plan& plan) {
   std::set<std::string> known{"corner"};
   for (const auto& opening : plan.room.openings) known.insert(opening.id);
-  for (std::size_t k = 0; k < plan.room.polygon.size(); ++k) known.insert("wall-" + std::to_string(k));
+  for (std::size_t k = 0; k < plan.room.polygon.size(); ++k)
+    known.insert("wall-" + std::to_string(k));
   for (const auto& planned : planned_objects(plan)) {
     for (const auto& relation : plan.items[planned.item].relations)
       if (!relation.target.empty() && !known.count(relation.target)) return false;

@@ -35,8 +35,10 @@ std::string places(const Brief& brief, std::size_t mention) {
   for (const auto& demand : brief.mentions.at(mention).demands) {
     text += text.empty() ? "" : " | ";
     text += name(demand.kind);
-    if (demand.mention != Demand::none) text += ", " + brief.mentions[demand.mention].category;
-    else if (!demand.part.empty()) text += ", " + demand.part;
+    if (demand.mention != Demand::none)
+      text += ", " + brief.mentions[demand.mention].category;
+    else if (!demand.part.empty())
+      text += ", " + demand.part;
   }
   return text;
 }
