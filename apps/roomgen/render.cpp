@@ -21,7 +21,8 @@ struct Options {
 
 void report(const Context& context, const Options& options, const Image& image) {
   if (context.json) {
-    const Json summary = {{"file", options.output}, {"width", image.width}, {"height", image.height}};
+    const Json summary = {
+        {"file", options.output}, {"width", image.width}, {"height", image.height}};
     std::printf("%s\n", summary.dump().c_str());
   } else if (!context.quiet) {
     std::fprintf(stderr, "wrote %s (%d x %d)\n", options.output.c_str(), image.width, image.height);
@@ -60,8 +61,9 @@ void add_render_command(CLI::App& app, Context& context) {
       ->capture_default_str();
   command->add_flag("--marks", options->marks,
                     "Draw the coordinate grid, ids and fronts (top view only)");
-  command->add_option("--frame", options->frame,
-                      "Coordinates of the marks. plan: x right, y up; paper: x down, y left")
+  command
+      ->add_option("--frame", options->frame,
+                   "Coordinates of the marks. plan: x right, y up; paper: x down, y left")
       ->check(CLI::IsMember({"plan", "paper"}))
       ->capture_default_str();
   command->add_option("--pixels", options->pixels, "Length of the picture's longer side")

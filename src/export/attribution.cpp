@@ -29,7 +29,9 @@ std::vector<Credit> credits(const Scene& scene) {
   return result;
 }
 
-std::string or_unknown(const std::string& text) { return text.empty() ? "unknown" : text; }
+std::string or_unknown(const std::string& text) {
+  return text.empty() ? "unknown" : text;
+}
 
 // Text of strangers must not end a table cell or the line.
 std::string cell(const std::string& text) {

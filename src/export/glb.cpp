@@ -21,9 +21,13 @@ using detail::GlbMaterials;
 // The name that the specification reserves for metadata of applications' own.
 constexpr const char* extras = "extras";
 
-Eigen::Matrix3d gltf_from_room() { return find_axis_convention("gltf")->theirs_from_ours; }
+Eigen::Matrix3d gltf_from_room() {
+  return find_axis_convention("gltf")->theirs_from_ours;
+}
 
-Json to_json(const Vec3& v) { return {rounded(v.x(), 6), rounded(v.y(), 6), rounded(v.z(), 6)}; }
+Json to_json(const Vec3& v) {
+  return {rounded(v.x(), 6), rounded(v.y(), 6), rounded(v.z(), 6)};
+}
 
 // What glTF demands of a mesh: triangles with an area, unit normals, finite uvs.
 Mesh sound(const Mesh& mesh) {
@@ -88,8 +92,8 @@ class GlbWriter {
     if (const auto credits = attribution_line(scene); !credits.empty())
       gltf["asset"]["copyright"] = credits;
     gltf["scene"] = 0;
-    gltf["scenes"] = {{{"name", scene.room.type.empty() ? "room" : scene.room.type},
-                       {"nodes", roots_}}};
+    gltf["scenes"] = {
+        {{"name", scene.room.type.empty() ? "room" : scene.room.type}, {"nodes", roots_}}};
     gltf["nodes"] = std::move(nodes_);
     gltf["meshes"] = std::move(meshes_);
     materials_.finish(gltf);
@@ -113,8 +117,8 @@ class GlbWriter {
     for (const auto& part : model.parts) {
       const Mesh mesh = sound(part.mesh);
       if (mesh.triangles.empty()) continue;
-      const auto material =
-          materials_.use(model.materials[static_cast<std::size_t>(part.material)], !mesh.uvs.empty());
+      const auto material = materials_.use(model.materials[static_cast<std::size_t>(part.material)],
+                                           !mesh.uvs.empty());
       if (!material) return material.error();
       primitives.push_back(add_primitive(mesh, *material));
     }
@@ -144,7 +148,8 @@ class GlbWriter {
           turn * Eigen::AngleAxisd(placement.yaw, Vec3::UnitZ()).toRotationMatrix() *
           turn.transpose();
       const Eigen::Quaterniond q = Eigen::Quaterniond(rotation).normalized();
-      node["rotation"] = {rounded(q.x(), 9), rounded(q.y(), 9), rounded(q.z(), 9), rounded(q.w(), 9)};
+      node["rotation"] = {rounded(q.x(), 9), rounded(q.y(), 9), rounded(q.z(), 9),
+                          rounded(q.w(), 9)};
     }
     // Axes swap places; their signs do not matter to a scale.
     const Vec3 scale = turn.cwiseAbs() * placement.scale;

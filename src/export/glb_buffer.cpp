@@ -76,8 +76,10 @@ int GlbBuffer::add_indices(const std::vector<Triangle>& triangles, std::size_t v
                                  3 * triangles.size(), "SCALAR");
   for (const auto& triangle : triangles)
     for (const auto v : triangle) {
-      if (is_short) append_value(data_[kind], static_cast<std::uint16_t>(v));
-      else append_value(data_[kind], v);
+      if (is_short)
+        append_value(data_[kind], static_cast<std::uint16_t>(v));
+      else
+        append_value(data_[kind], v);
     }
   return index;
 }

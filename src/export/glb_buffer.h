@@ -19,7 +19,8 @@ class GlbBuffer {
   /// Returns the index of the image's buffer view, which later calls do not change.
   int add_image(const std::string& bytes);
 
-  /// Fills "accessors", "bufferViews" and "buffers" and returns the chunk. Ends the use of the buffer.
+  /// Fills "accessors", "bufferViews" and "buffers" and returns the chunk. Ends the use of the
+  /// buffer.
   std::string finish(Json& gltf);
 
  private:

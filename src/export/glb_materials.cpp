@@ -10,7 +10,9 @@ namespace {
 
 constexpr double mask_cutoff = 0.4;  // as the renderer's
 
-double unit(float value) { return rounded(std::clamp(static_cast<double>(value), 0.0, 1.0), 5); }
+double unit(float value) {
+  return rounded(std::clamp(static_cast<double>(value), 0.0, 1.0), 5);
+}
 
 // Linear mean of the texels, by their alpha.
 std::array<float, 4> mean_color(const Image& image) {
@@ -71,7 +73,8 @@ Result<GlbMaterials::Use> GlbMaterials::use(const Material& material, bool has_u
   }
   const AlphaMode alpha = material.transparent() ? AlphaMode::blend : surface.alpha;
   Json color = Json::array();
-  for (std::size_t c = 0; c < 4; ++c) color.push_back(unit(material.base_color[c] * surface.mean[c]));
+  for (std::size_t c = 0; c < 4; ++c)
+    color.push_back(unit(material.base_color[c] * surface.mean[c]));
   if (alpha == AlphaMode::opaque) color[3] = 1.0;
 
   Json pbr = {{"baseColorFactor", color}};

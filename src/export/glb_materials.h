@@ -28,7 +28,7 @@ class GlbMaterials {
 
  private:
   struct Surface {
-    int texture = -1;  ///< -1: none
+    int texture = -1;                          ///< -1: none
     std::array<float, 4> mean = {1, 1, 1, 1};  ///< linear, for files without textures
     AlphaMode alpha = AlphaMode::opaque;
   };

@@ -14,7 +14,8 @@ using Rgb = Eigen::Vector3f;
 
 // An integer hash with good avalanche (the finaliser of MurmurHash3), as a number in [0, 1).
 float hash(int x, int y, int salt) {
-  auto h = static_cast<std::uint32_t>(x) * 0x9e3779b1u ^ static_cast<std::uint32_t>(y) * 0x85ebca77u ^
+  auto h = static_cast<std::uint32_t>(x) * 0x9e3779b1u ^
+           static_cast<std::uint32_t>(y) * 0x85ebca77u ^
            static_cast<std::uint32_t>(salt) * 0xc2b2ae3du;
   h ^= h >> 16;
   h *= 0x85ebca6bu;
@@ -122,8 +123,8 @@ class Tiles : public Painter {
 
   // 1 in the middle of a vein, 0 beside it. Every slab is cut from another place.
   float vein(float u, float v, float shift) const {
-    const float bend = broad_.at(u + shift, v) + 0.5f * middle_.at(u, v + shift) +
-                       0.25f * fine_.at(u, v);
+    const float bend =
+        broad_.at(u + shift, v) + 0.5f * middle_.at(u, v + shift) + 0.25f * fine_.at(u, v);
     return std::max(0.0f, 1.0f - 9.0f * std::abs(std::fmod(3.0f * bend + shift, 1.0f) - 0.5f));
   }
 
@@ -136,8 +137,8 @@ class Carpet : public Painter {
  public:
   explicit Carpet(const Rgb& tone) : tone_(tone) {}
   Rgb color(float u, float v) const override {
-    return tone_ * (0.90f + 0.11f * fibre_.at(u, v) + 0.06f * tuft_.at(u, v) +
-                    0.04f * wear_.at(u, v));
+    return tone_ *
+           (0.90f + 0.11f * fibre_.at(u, v) + 0.06f * tuft_.at(u, v) + 0.04f * wear_.at(u, v));
   }
 
  private:
@@ -160,12 +161,18 @@ class Concrete : public Painter {
 
 std::unique_ptr<Painter> make_painter(TexturePattern pattern, const Rgb& tone) {
   switch (pattern) {
-    case TexturePattern::planks: return std::make_unique<Boards>(tone, Boards::Style{0.022f, 0.42f, 0.15f});
-    case TexturePattern::decking: return std::make_unique<Boards>(tone, Boards::Style{0.045f, 0.70f, 0.14f});
-    case TexturePattern::tiles: return std::make_unique<Tiles>(tone, false);
-    case TexturePattern::stone: return std::make_unique<Tiles>(tone, true);
-    case TexturePattern::carpet: return std::make_unique<Carpet>(tone);
-    case TexturePattern::concrete: return std::make_unique<Concrete>(tone);
+    case TexturePattern::planks:
+      return std::make_unique<Boards>(tone, Boards::Style{0.022f, 0.42f, 0.15f});
+    case TexturePattern::decking:
+      return std::make_unique<Boards>(tone, Boards::Style{0.045f, 0.70f, 0.14f});
+    case TexturePattern::tiles:
+      return std::make_unique<Tiles>(tone, false);
+    case TexturePattern::stone:
+      return std::make_unique<Tiles>(tone, true);
+    case TexturePattern::carpet:
+      return std::make_unique<Carpet>(tone);
+    case TexturePattern::concrete:
+      return std::make_unique<Concrete>(tone);
   }
   return std::make_unique<Concrete>(tone);
 }
@@ -177,9 +184,12 @@ double texture_extent(TexturePattern pattern) {
     case TexturePattern::planks:
     case TexturePattern::decking:
     case TexturePattern::stone:
-    case TexturePattern::concrete: return 2.4;
-    case TexturePattern::tiles: return 1.2;
-    case TexturePattern::carpet: return 1.0;
+    case TexturePattern::concrete:
+      return 2.4;
+    case TexturePattern::tiles:
+      return 1.2;
+    case TexturePattern::carpet:
+      return 1.0;
   }
   return 1.0;
 }
@@ -190,7 +200,8 @@ Image paint_texture(TexturePattern pattern, const Eigen::Vector3f& tone) {
   Image image(side, side);
   for (int y = 0; y < side; ++y)
     for (int x = 0; x < side; ++x) {
-      const float u = (static_cast<float>(x) + 0.5f) / side, v = (static_cast<float>(y) + 0.5f) / side;
+      const float u = (static_cast<float>(x) + 0.5f) / side,
+                  v = (static_cast<float>(y) + 0.5f) / side;
       const Rgb color = painter->color(u, v);
       std::uint8_t* pixel = image.at(x, y);
       for (int channel = 0; channel < 3; ++channel)

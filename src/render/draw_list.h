@@ -26,8 +26,8 @@ struct DrawItem {
 
 using DrawList = std::vector<DrawItem>;
 
-/// Models in the renderer's memory by key. Those that the latest scenes did not use go when there are
-/// too many.
+/// Models in the renderer's memory by key. Those that the latest scenes did not use go when there
+/// are too many.
 class GpuCache {
  public:
   explicit GpuCache(const Gl& gl) : gl_(&gl) {}

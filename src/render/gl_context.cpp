@@ -13,12 +13,18 @@ Error unavailable(const std::string& what) {
 }  // namespace
 
 Result<std::unique_ptr<GlContext>> GlContext::create() {
-  const int attributes[] = {OSMESA_FORMAT, OSMESA_RGBA,
-                            OSMESA_DEPTH_BITS, 0,
-                            OSMESA_STENCIL_BITS, 0,
-                            OSMESA_PROFILE, OSMESA_CORE_PROFILE,
-                            OSMESA_CONTEXT_MAJOR_VERSION, 4,
-                            OSMESA_CONTEXT_MINOR_VERSION, 0,
+  const int attributes[] = {OSMESA_FORMAT,
+                            OSMESA_RGBA,
+                            OSMESA_DEPTH_BITS,
+                            0,
+                            OSMESA_STENCIL_BITS,
+                            0,
+                            OSMESA_PROFILE,
+                            OSMESA_CORE_PROFILE,
+                            OSMESA_CONTEXT_MAJOR_VERSION,
+                            4,
+                            OSMESA_CONTEXT_MINOR_VERSION,
+                            0,
                             0};
   const OSMesaContext handle = OSMesaCreateContextAttribs(attributes, nullptr);
   if (!handle) return unavailable("no OpenGL 4.0 core context; Mesa 20.2 or newer is needed");
@@ -33,14 +39,15 @@ GlContext::~GlContext() {
 }
 
 Status GlContext::make_current() {
-  if (!OSMesaMakeCurrent(static_cast<OSMesaContext>(handle_), buffer_.data(), GL_UNSIGNED_BYTE, 4, 4))
+  if (!OSMesaMakeCurrent(static_cast<OSMesaContext>(handle_), buffer_.data(), GL_UNSIGNED_BYTE, 4,
+                         4))
     return unavailable("the context cannot be made current");
   return {};
 }
 
 Status GlContext::load_functions() {
-#define ROOMGEN_LOAD(name)                                                                 \
-  gl_.name = reinterpret_cast<decltype(gl_.name)>(OSMesaGetProcAddress("gl" #name));       \
+#define ROOMGEN_LOAD(name)                                                           \
+  gl_.name = reinterpret_cast<decltype(gl_.name)>(OSMesaGetProcAddress("gl" #name)); \
   if (!gl_.name) return unavailable("lacks gl" #name);
   ROOMGEN_GL_FUNCTIONS(ROOMGEN_LOAD)
 #undef ROOMGEN_LOAD

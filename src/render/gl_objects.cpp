@@ -58,8 +58,8 @@ GlName make_framebuffer(const Gl& gl) {
   return {gl, name, [](const Gl& g, GLuint n) { g.DeleteFramebuffers(1, &n); }};
 }
 
-GlName make_target_texture(const Gl& gl, GLint internal_format, GLenum format, GLenum type, int width,
-                           int height) {
+GlName make_target_texture(const Gl& gl, GLint internal_format, GLenum format, GLenum type,
+                           int width, int height) {
   GlName texture = make_texture(gl);
   gl.TexImage2D(GL_TEXTURE_2D, 0, internal_format, width, height, 0, format, type, nullptr);
   set_filter(gl, GL_NEAREST, GL_NEAREST, GL_CLAMP_TO_EDGE);
@@ -75,7 +75,8 @@ GlName make_image_texture(const Gl& gl, const Image& image) {
   return texture;
 }
 
-Result<GlProgram> GlProgram::build(const Gl& gl, std::string_view vertex, std::string_view fragment) {
+Result<GlProgram> GlProgram::build(const Gl& gl, std::string_view vertex,
+                                   std::string_view fragment) {
   auto vertex_shader = compile(gl, GL_VERTEX_SHADER, vertex);
   if (!vertex_shader) return vertex_shader.error();
   auto fragment_shader = compile(gl, GL_FRAGMENT_SHADER, fragment);

@@ -44,12 +44,13 @@ GlName make_buffer(const Gl& gl);
 GlName make_vertex_array(const Gl& gl);
 GlName make_framebuffer(const Gl& gl);
 /// An empty texture, clamped to its edge and without mipmaps.
-GlName make_target_texture(const Gl& gl, GLint internal_format, GLenum format, GLenum type, int width,
-                           int height);
+GlName make_target_texture(const Gl& gl, GLint internal_format, GLenum format, GLenum type,
+                           int width, int height);
 /// A repeating texture with mipmaps.
 GlName make_image_texture(const Gl& gl, const Image& image);
 
-/// A linked program; uniforms by name. Building one fails only if this code is wrong for the driver.
+/// A linked program; uniforms by name. Building one fails only if this code is wrong for the
+/// driver.
 class GlProgram {
  public:
   GlProgram() = default;

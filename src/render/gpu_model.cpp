@@ -31,10 +31,11 @@ Image halved(const Image& image) {
   for (int y = 0; y < half.height; ++y)
     for (int x = 0; x < half.width; ++x)
       for (int c = 0; c < 4; ++c) {
-        const int x1 = std::min(2 * x + 1, image.width - 1), y1 = std::min(2 * y + 1, image.height - 1);
+        const int x1 = std::min(2 * x + 1, image.width - 1),
+                  y1 = std::min(2 * y + 1, image.height - 1);
         const int sum = image.at(std::min(2 * x, x1), std::min(2 * y, y1))[c] +
-                        image.at(x1, std::min(2 * y, y1))[c] + image.at(std::min(2 * x, x1), y1)[c] +
-                        image.at(x1, y1)[c];
+                        image.at(x1, std::min(2 * y, y1))[c] +
+                        image.at(std::min(2 * x, x1), y1)[c] + image.at(x1, y1)[c];
         half.at(x, y)[c] = static_cast<std::uint8_t>((sum + 2) / 4);
       }
   return half;
@@ -100,7 +101,8 @@ std::map<BatchKey, std::vector<const ModelPart*>> sort_parts(const Model& model)
     const auto index = static_cast<std::size_t>(part.material);
     const Image* image = model.materials[index].texture.get();
     if (part.mesh.uvs.empty()) image = nullptr;
-    int order = texture_order.try_emplace(image, static_cast<int>(texture_order.size())).first->second;
+    int order =
+        texture_order.try_emplace(image, static_cast<int>(texture_order.size())).first->second;
     if (modes[index] == AlphaMode::blend) order = 1000000 + number++;
     sorted[{image, modes[index], order}].push_back(&part);
   }
@@ -109,52 +111,68 @@ std::map<BatchKey, std::vector<const ModelPart*>> sort_parts(const Model& model)
 
 }  // namespace
 
-GpuModel::GpuModel(const Gl& gl, const Model& model) : bounds_(bounds(model)) {
+// What is gathered before it goes to OpenGL.
+struct GpuModel::Arrays {
   std::vector<Vertex> vertices;
   std::vector<std::uint32_t> indices;
-  std::map<const Image*, GLuint> uploaded;
+  std::map<const Image*, GLuint> textures;
+};
+
+GpuModel::GpuModel(const Gl& gl, const Model& model) : bounds_(bounds(model)) {
+  Arrays arrays;
   for (const auto& [key, parts] : sort_parts(model)) {
-    GpuBatch batch;
-    batch.alpha = key.alpha;
-    batch.first = static_cast<GLsizei>(indices.size());
-    Bounds3 extent;
-    for (const auto* part : parts) {
-      const Material& material = model.materials[static_cast<std::size_t>(part->material)];
-      const auto base = static_cast<std::uint32_t>(vertices.size());
-      add_vertices(vertices, part->mesh, material);
-      for (const auto& triangle : part->mesh.triangles)
-        for (const auto v : triangle) indices.push_back(base + v);
-      for (const auto& p : part->mesh.positions) extent.add(p.cast<double>());
-      if (key.alpha == AlphaMode::blend && material.base_color[3] < faintest_shadow)
-        batch.casts_shadow = false;
-    }
-    batch.count = static_cast<GLsizei>(indices.size()) - batch.first;
+    GpuBatch batch = add_batch(model, parts, arrays);
     if (batch.count == 0) continue;
-    batch.center = extent.center();
-    if (key.texture) {
-      auto& texture = uploaded[key.texture];
-      if (!texture) {
-        textures_.push_back(upload_texture(gl, *key.texture));
-        texture = textures_.back().get();
-        bytes_ += key.texture->pixels.size() * 4 / 3;
-      }
-      batch.texture = texture;
-    }
+    batch.alpha = key.alpha;
+    batch.texture = texture_of(gl, key.texture, arrays);
     batches_.push_back(batch);
   }
+  upload(gl, arrays);
+}
 
+GpuBatch GpuModel::add_batch(const Model& model, const std::vector<const ModelPart*>& parts,
+                             Arrays& arrays) {
+  GpuBatch batch;
+  batch.first = static_cast<GLsizei>(arrays.indices.size());
+  Bounds3 extent;
+  for (const auto* part : parts) {
+    const Material& material = model.materials[static_cast<std::size_t>(part->material)];
+    const auto base = static_cast<std::uint32_t>(arrays.vertices.size());
+    add_vertices(arrays.vertices, part->mesh, material);
+    for (const auto& triangle : part->mesh.triangles)
+      for (const auto v : triangle) arrays.indices.push_back(base + v);
+    for (const auto& p : part->mesh.positions) extent.add(p.cast<double>());
+    if (material.base_color[3] < faintest_shadow) batch.casts_shadow = false;
+  }
+  batch.count = static_cast<GLsizei>(arrays.indices.size()) - batch.first;
+  if (!extent.empty()) batch.center = extent.center();
+  return batch;
+}
+
+GLuint GpuModel::texture_of(const Gl& gl, const Image* image, Arrays& arrays) {
+  if (!image || image->empty()) return 0;
+  auto& texture = arrays.textures[image];
+  if (!texture) {
+    textures_.push_back(upload_texture(gl, *image));
+    texture = textures_.back().get();
+    bytes_ += image->pixels.size() * 4 / 3;  // with its mipmaps
+  }
+  return texture;
+}
+
+void GpuModel::upload(const Gl& gl, const Arrays& arrays) {
+  const auto vertex_bytes = arrays.vertices.size() * sizeof(Vertex);
+  const auto index_bytes = arrays.indices.size() * sizeof(std::uint32_t);
   vertex_array_ = make_vertex_array(gl);
   gl.BindVertexArray(vertex_array_.get());
   vertices_ = make_buffer(gl);
   gl.BindBuffer(GL_ARRAY_BUFFER, vertices_.get());
-  const auto vertex_bytes = vertices.size() * sizeof(Vertex);
-  const auto index_bytes = indices.size() * sizeof(std::uint32_t);
-  gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertex_bytes), vertices.data(),
+  gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertex_bytes), arrays.vertices.data(),
                 GL_STATIC_DRAW);
   indices_ = make_buffer(gl);
   gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.get());
-  gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(index_bytes), indices.data(),
-                GL_STATIC_DRAW);
+  gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(index_bytes),
+                arrays.indices.data(), GL_STATIC_DRAW);
   describe_vertices(gl);
   gl.BindVertexArray(0);
   bytes_ += vertex_bytes + index_bytes;

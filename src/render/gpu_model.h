@@ -11,14 +11,14 @@ namespace roomgen::detail {
 /// Triangles that are drawn with one call.
 struct GpuBatch {
   AlphaMode alpha = AlphaMode::opaque;
-  GLuint texture = 0;  ///< 0: none
+  GLuint texture = 0;            ///< 0: none
   GLsizei first = 0, count = 0;  ///< indices
   bool casts_shadow = true;
   Vec3 center = Vec3::Zero();  ///< in model coordinates, to sort transparent ones
 };
 
-/// A model in the renderer's memory. Parts that differ in colour alone share a batch: the colour is in
-/// the vertices.
+/// A model in the renderer's memory. Parts that differ in colour alone share a batch: the colour is
+/// in the vertices.
 class GpuModel {
  public:
   GpuModel(const Gl& gl, const Model& model);
@@ -29,6 +29,12 @@ class GpuModel {
   void bind(const Gl& gl) const { gl.BindVertexArray(vertex_array_.get()); }
 
  private:
+  struct Arrays;
+  GpuBatch add_batch(const Model& model, const std::vector<const ModelPart*>& parts,
+                     Arrays& arrays);
+  GLuint texture_of(const Gl& gl, const Image* image, Arrays& arrays);
+  void upload(const Gl& gl, const Arrays& arrays);
+
   GlName vertex_array_, vertices_, indices_;
   std::vector<GlName> textures_;
   std::vector<GpuBatch> batches_;

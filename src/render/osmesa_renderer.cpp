@@ -21,8 +21,8 @@ const Eigen::Vector3f plan_wall_color(74, 76, 82), wall_top_color(214, 209, 200)
 // Everything a picture depends on but the objects.
 std::string frame_key(const Scene& scene, const View& view, const Camera& camera) {
   Json key = to_json(scene.room);
-  for (const double value : {camera.center.x(), camera.center.y(), camera.pixels_per_metre, camera.near,
-                             camera.far, camera.backward.x(), camera.backward.y()})
+  for (const double value : {camera.center.x(), camera.center.y(), camera.pixels_per_metre,
+                             camera.near, camera.far, camera.backward.x(), camera.backward.y()})
     key["camera"].push_back(value);
   key["kind"] = static_cast<int>(view.kind);
   key["size"] = {camera.width, camera.height};
@@ -87,8 +87,11 @@ std::vector<Bounds3> differences(const DrawList& before, const DrawList& after) 
 class OsmesaRenderer : public Renderer {
  public:
   OsmesaRenderer(std::unique_ptr<GlContext> context, ScenePainter painter, Picture picture)
-      : context_(std::move(context)), cache_(context_->gl()), painter_(std::move(painter)),
-        picture_(std::move(picture)), shadows_(context_->gl()) {}
+      : context_(std::move(context)),
+        cache_(context_->gl()),
+        painter_(std::move(painter)),
+        picture_(std::move(picture)),
+        shadows_(context_->gl()) {}
 
   ~OsmesaRenderer() override { (void)context_->make_current(); }
 
@@ -138,7 +141,8 @@ class OsmesaRenderer : public Renderer {
     DrawList items = draw_list(scene, models, view, camera, frame.key);
     const bool fresh = frame.items.empty();
     PixelRect damage = fresh ? PixelRect{0, 0, camera.width, camera.height} : PixelRect{};
-    PixelRect shadow_damage = fresh || shadow_owner_ != frame.key ? ShadowMap::whole() : PixelRect{};
+    PixelRect shadow_damage =
+        fresh || shadow_owner_ != frame.key ? ShadowMap::whole() : PixelRect{};
     if (fresh) frame.sun = sun_of(scene.room, view, camera);
     for (const auto& box : differences(frame.items, items)) {
       damage.cover(touched_pixels(camera, frame.sun, box));

@@ -29,15 +29,15 @@ void blend(cv::Mat& picture, const cv::Rect& area, const cv::Mat& mask, const In
       if (!coverage[x]) continue;
       const int weight = coverage[x] * strength;  // of 255 * 256
       for (int c = 0; c < 3; ++c)
-        pixel[c] = static_cast<std::uint8_t>(pixel[c] + (color[c] - pixel[c]) * weight / (255 * 256));
+        pixel[c] =
+            static_cast<std::uint8_t>(pixel[c] + (color[c] - pixel[c]) * weight / (255 * 256));
     }
   }
 }
 
 class Pen {
  public:
-  explicit Pen(Image& image)
-      : picture_(image.height, image.width, CV_8UC4, image.pixels.data()) {}
+  explicit Pen(Image& image) : picture_(image.height, image.width, CV_8UC4, image.pixels.data()) {}
 
   void line(const std::vector<Vec2>& points, int thickness, const Ink& ink) {
     Bounds2 extent;
@@ -124,10 +124,14 @@ std::vector<Vec2> box_outline(const Vec2& center, const Vec2& size) {
 void draw_stroke(Pen& pen, const Drawing::Stroke& stroke, int width, double letters) {
   const Vec2 first = stroke.points.front(), last = stroke.points.back();
   switch (stroke.kind) {
-    case Drawing::Line::grid: return pen.line(stroke.points, width, {30, 60, 90, 0.22});
-    case Drawing::Line::outline: return pen.line(stroke.points, width, {20, 40, 70, 0.55});
-    case Drawing::Line::leader: return pen.line(stroke.points, width, {20, 40, 70, 0.85});
-    case Drawing::Line::plan_symbol: return pen.line(stroke.points, width, {64, 66, 72, 0.9});
+    case Drawing::Line::grid:
+      return pen.line(stroke.points, width, {30, 60, 90, 0.22});
+    case Drawing::Line::outline:
+      return pen.line(stroke.points, width, {20, 40, 70, 0.55});
+    case Drawing::Line::leader:
+      return pen.line(stroke.points, width, {20, 40, 70, 0.85});
+    case Drawing::Line::plan_symbol:
+      return pen.line(stroke.points, width, {64, 66, 72, 0.9});
     case Drawing::Line::axis:
       return pen.arrow(first, last, width, 0.7 * letters, {20, 40, 70, 1.0});
     case Drawing::Line::arrow:
@@ -147,7 +151,8 @@ void draw_label(Pen& pen, const Drawing::Label& label, double letters) {
     case Drawing::Text::axis:
       return pen.text(label.text, label.center, label.size, letters, {20, 40, 70, 1.0}, false);
     case Drawing::Text::point:
-      return pen.text(label.text, label.center, label.size, 0.72 * letters, {20, 40, 70, 0.9}, true);
+      return pen.text(label.text, label.center, label.size, 0.72 * letters, {20, 40, 70, 0.9},
+                      true);
   }
 }
 

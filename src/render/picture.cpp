@@ -11,7 +11,7 @@ namespace roomgen::detail {
 namespace {
 
 constexpr int tile_side = 1024;
-constexpr double occlusion_radius = 0.30;  // metres
+constexpr double occlusion_radius = 0.25;  // metres
 constexpr double largest_radius = 80.0;    // pixels
 constexpr int blur = 1;
 
@@ -19,14 +19,16 @@ double radius_in_pixels(const Camera& camera) {
   return std::min(occlusion_radius * camera.pixels_per_metre, largest_radius);
 }
 
-PixelRect whole(const Camera& camera) { return {0, 0, camera.width, camera.height}; }
+PixelRect whole(const Camera& camera) {
+  return {0, 0, camera.width, camera.height};
+}
 
 // Undoes the viewport: samples of a tile and depths in [0, 1] to clip coordinates of the picture.
 Eigen::Matrix4d clip_from_pixel(const Camera& camera, const PixelRect& area) {
   Eigen::Matrix4d m = Eigen::Matrix4d::Identity();
   m.diagonal() << 1.0 / camera.width, 1.0 / camera.height, 2.0, 1.0;
-  m.topRightCorner<3, 1>() << 2.0 * area.x0 / camera.width - 1.0, 2.0 * area.y0 / camera.height - 1.0,
-      -1.0;
+  m.topRightCorner<3, 1>() << 2.0 * area.x0 / camera.width - 1.0,
+      2.0 * area.y0 / camera.height - 1.0, -1.0;
   return m;
 }
 
@@ -70,14 +72,15 @@ void Picture::reserve(int width, int height) {
   width_ = std::max(width, width_);
   height_ = std::max(height, height_);
   color_ = make_target_texture(*gl_, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 2 * width_, 2 * height_);
-  depth_ = make_target_texture(*gl_, GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT, 2 * width_,
-                               2 * height_);
+  depth_ = make_target_texture(*gl_, GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT,
+                               2 * width_, 2 * height_);
   occlusion_ = make_target_texture(*gl_, GL_RG32F, GL_RG, GL_FLOAT, width_, height_);
   result_ = make_target_texture(*gl_, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, width_, height_);
   const auto attach = [&](GlName& framebuffer, const GlName& texture) {
     framebuffer = make_framebuffer(*gl_);
     gl_->BindFramebuffer(GL_FRAMEBUFFER, framebuffer.get());
-    gl_->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture.get(), 0);
+    gl_->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture.get(),
+                              0);
   };
   attach(surface_buffer_, color_);
   gl_->FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth_.get(), 0);
@@ -117,9 +120,9 @@ void Picture::paint(const ScenePainter& painter, const DrawList& items, const Ca
   gl_->Enable(GL_DEPTH_TEST);
   gl_->ClearColor(background[0], background[1], background[2], 1.0f);
   gl_->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  painter.paint_surfaces(items, camera, light, clip_from_pixel(camera, tile.area), [&](const DrawItem& item) {
-    return covered_pixels(camera, item.box).meets(tile.painted);
-  });
+  painter.paint_surfaces(
+      items, camera, light, clip_from_pixel(camera, tile.area),
+      [&](const DrawItem& item) { return covered_pixels(camera, item.box).meets(tile.painted); });
   gl_->Disable(GL_DEPTH_TEST);
 }
 
@@ -133,7 +136,8 @@ void Picture::add_occlusion(const Camera& camera, const Tile& tile) {
   gl_->BindTexture(GL_TEXTURE_2D, depth_.get());
   const double radius = radius_in_pixels(camera) / camera.pixels_per_metre;
   gl_->Uniform1f(program.location("depth_range"), static_cast<float>(camera.near - camera.far));
-  gl_->Uniform1f(program.location("metres_per_pixel"), static_cast<float>(1.0 / camera.pixels_per_metre));
+  gl_->Uniform1f(program.location("metres_per_pixel"),
+                 static_cast<float>(1.0 / camera.pixels_per_metre));
   gl_->Uniform1f(program.location("radius"), static_cast<float>(radius));
   gl_->Uniform2i(program.location("origin"), tile.area.x0, tile.area.y0);
   gl_->Uniform2i(program.location("limit"), tile.area.width(), tile.area.height());

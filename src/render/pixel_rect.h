@@ -18,7 +18,8 @@ struct PixelRect {
   }
   bool meets(const PixelRect& other) const { return !clipped(other).empty(); }
   void cover(const PixelRect& other) {
-    if (empty()) *this = other;
+    if (empty())
+      *this = other;
     else if (!other.empty())
       *this = {std::min(x0, other.x0), std::min(y0, other.y0), std::max(x1, other.x1),
                std::max(y1, other.y1)};

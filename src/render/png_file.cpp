@@ -20,8 +20,8 @@ bool is_opaque(const Image& image) {
   return true;
 }
 
-// libpng reports errors by a long jump: nothing between setjmp and the end may need a destructor that
-// was not constructed before.
+// libpng reports errors by a long jump: nothing between setjmp and the end may need a destructor
+// that was not constructed before.
 void append_bytes(png_structp png, png_bytep data, std::size_t size) {
   static_cast<std::string*>(png_get_io_ptr(png))->append(reinterpret_cast<const char*>(data), size);
 }

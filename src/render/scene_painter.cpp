@@ -50,14 +50,17 @@ Result<ScenePainter> ScenePainter::create(const Gl& gl) {
   };
   const Step steps[] = {
       {&painter.plain_, shaders::surface_vertex, "", shaders::surface_fragment},
-      {&painter.textured_, shaders::surface_vertex, "#define TEXTURED\n", shaders::surface_fragment},
+      {&painter.textured_, shaders::surface_vertex, "#define TEXTURED\n",
+       shaders::surface_fragment},
       {&painter.masked_, shaders::surface_vertex, "#define TEXTURED\n#define MASKED\n",
        shaders::surface_fragment},
       {&painter.depth_, shaders::shadow_vertex, "", shaders::shadow_fragment},
-      {&painter.masked_depth_, shaders::shadow_vertex, "#define MASKED\n", shaders::shadow_fragment},
+      {&painter.masked_depth_, shaders::shadow_vertex, "#define MASKED\n",
+       shaders::shadow_fragment},
   };
   for (const auto& step : steps)
-    if (auto status = painter.build(*step.program, step.vertex, step.defines, step.fragment); !status)
+    if (auto status = painter.build(*step.program, step.vertex, step.defines, step.fragment);
+        !status)
       return status.error();
   return painter;
 }
@@ -90,7 +93,8 @@ const ScenePainter::Program& ScenePainter::surface_program(const GpuBatch& batch
 void ScenePainter::draw(const GpuBatch& batch) const {
   if (batch.texture) gl_->BindTexture(GL_TEXTURE_2D, batch.texture);
   const auto offset = static_cast<std::size_t>(batch.first) * sizeof(std::uint32_t);
-  gl_->DrawElements(GL_TRIANGLES, batch.count, GL_UNSIGNED_INT, reinterpret_cast<const void*>(offset));
+  gl_->DrawElements(GL_TRIANGLES, batch.count, GL_UNSIGNED_INT,
+                    reinterpret_cast<const void*>(offset));
 }
 
 void ScenePainter::paint_depth(const DrawList& items, const Eigen::Matrix4d& clip_from_room,
@@ -114,57 +118,67 @@ void ScenePainter::paint_depth(const DrawList& items, const Eigen::Matrix4d& cli
 void ScenePainter::paint_surfaces(const DrawList& items, const Camera& camera, const Light& light,
                                   const Eigen::Matrix4d& clip_from_pixel,
                                   const Visible& visible) const {
-  const Eigen::Matrix4d clip = clip_from_room(camera);
-  const Eigen::Matrix4f sun_from_pixel = (texture_from_clip() * light.sun->clip_from_room *
-                                          clip.inverse() * clip_from_pixel)
-                                             .cast<float>();
+  Sight sight{&camera, &light, clip_from_room(camera), {}};
+  sight.sun_from_pixel = (texture_from_clip() * light.sun->clip_from_room *
+                          sight.clip_from_room.inverse() * clip_from_pixel)
+                             .cast<float>();
   gl_->ActiveTexture(GL_TEXTURE0 + shadow_unit);
   gl_->BindTexture(GL_TEXTURE_2D, light.shadow_map);
   gl_->ActiveTexture(GL_TEXTURE0 + texture_unit);
+  paint_opaque(items, sight, visible);
+  paint_transparent(items, sight, visible);
+}
 
-  const auto set_vector = [&](GLint uniform, const Vec3& v) {
-    gl_->Uniform3f(uniform, static_cast<float>(v.x()), static_cast<float>(v.y()),
-                   static_cast<float>(v.z()));
-  };
-  const auto use = [&](const Program& program) {
-    program.program.use();
-    gl_->UniformMatrix4fv(program.sun_from_pixel, 1, GL_FALSE, sun_from_pixel.data());
-    set_vector(program.to_viewer, camera.backward);
-    set_vector(program.to_sun, light.sun->direction);
-    set_vector(program.to_sky, (camera.backward + 0.6 * Vec3::UnitZ()).normalized());
-    set_vector(program.halfway, (light.sun->direction + camera.backward).normalized());
-    gl_->Uniform1f(program.shadow_width, static_cast<float>(light.shadow_width));
-  };
-  const auto place = [&](const Program& program, const DrawItem& item) {
-    const Eigen::Matrix4d room = item.room_from_model();
-    const Eigen::Matrix4f from_model = (clip * room).cast<float>();
-    const Eigen::Matrix3f normal = item.room_from_normal().cast<float>();
-    gl_->UniformMatrix4fv(program.clip_from_model, 1, GL_FALSE, from_model.data());
-    gl_->UniformMatrix3fv(program.room_from_normal, 1, GL_FALSE, normal.data());
-    item.model->bind(*gl_);
-  };
+void ScenePainter::set_vector(GLint uniform, const Vec3& value) const {
+  const Eigen::Vector3f v = value.cast<float>();
+  gl_->Uniform3f(uniform, v.x(), v.y(), v.z());
+}
 
+void ScenePainter::use(const Program& program, const Sight& sight) const {
+  const Vec3 &to_viewer = sight.camera->backward, &to_sun = sight.light->sun->direction;
+  program.program.use();
+  gl_->UniformMatrix4fv(program.sun_from_pixel, 1, GL_FALSE, sight.sun_from_pixel.data());
+  set_vector(program.to_viewer, to_viewer);
+  set_vector(program.to_sun, to_sun);
+  set_vector(program.to_sky, (to_viewer + 0.6 * Vec3::UnitZ()).normalized());
+  set_vector(program.halfway, (to_sun + to_viewer).normalized());
+  gl_->Uniform1f(program.shadow_width, static_cast<float>(sight.light->shadow_width));
+}
+
+void ScenePainter::place(const Program& program, const DrawItem& item, const Sight& sight) const {
+  const Eigen::Matrix4f matrix = (sight.clip_from_room * item.room_from_model()).cast<float>();
+  const Eigen::Matrix3f normal = item.room_from_normal().cast<float>();
+  gl_->UniformMatrix4fv(program.clip_from_model, 1, GL_FALSE, matrix.data());
+  gl_->UniformMatrix3fv(program.room_from_normal, 1, GL_FALSE, normal.data());
+  item.model->bind(*gl_);
+}
+
+void ScenePainter::paint_opaque(const DrawList& items, const Sight& sight,
+                                const Visible& visible) const {
   for (const auto* program : {&plain_, &textured_, &masked_}) {
-    use(*program);
+    use(*program, sight);
     for (const auto& item : items) {
       if (!visible(item)) continue;
       bool placed = false;
       for (const auto& batch : item.model->batches()) {
         if (batch.alpha == AlphaMode::blend || &surface_program(batch) != program) continue;
-        if (!placed) place(*program, item);
+        if (!placed) place(*program, item, sight);
         placed = true;
         draw(batch);
       }
     }
   }
+}
 
+void ScenePainter::paint_transparent(const DrawList& items, const Sight& sight,
+                                     const Visible& visible) const {
   gl_->Enable(GL_BLEND);
   gl_->BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   gl_->DepthMask(GL_FALSE);
-  for (const auto& part : sorted_transparent(items, camera, visible)) {
+  for (const auto& part : sorted_transparent(items, *sight.camera, visible)) {
     const Program& program = surface_program(*part.batch);
-    use(program);
-    place(program, *part.item);
+    use(program, sight);
+    place(program, *part.item, sight);
     draw(*part.batch);
   }
   gl_->DepthMask(GL_TRUE);

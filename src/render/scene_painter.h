@@ -38,6 +38,18 @@ class ScenePainter {
   Status build(Program& program, std::string_view vertex, std::string_view defines,
                std::string_view fragment) const;
   const Program& surface_program(const GpuBatch& batch) const;
+  /// What is the same for all surfaces of a picture.
+  struct Sight {
+    const Camera* camera;
+    const Light* light;
+    Eigen::Matrix4d clip_from_room;
+    Eigen::Matrix4f sun_from_pixel;
+  };
+  void use(const Program& program, const Sight& sight) const;
+  void place(const Program& program, const DrawItem& item, const Sight& sight) const;
+  void paint_opaque(const DrawList& items, const Sight& sight, const Visible& visible) const;
+  void paint_transparent(const DrawList& items, const Sight& sight, const Visible& visible) const;
+  void set_vector(GLint uniform, const Vec3& value) const;
   void draw(const GpuBatch& batch) const;
 
   const Gl* gl_;

@@ -71,7 +71,7 @@ void main() {
   float facing = max(dot(n, to_sun), 0.0);
   float sun = facing > 0.0 ? facing * sunlight(facing) : 0.0;
   float side = 0.5 + 0.5 * dot(n, to_sky);
-  vec3 light = mix(vec3(0.30, 0.285, 0.27), vec3(0.56, 0.565, 0.58), side) +
+  vec3 light = mix(vec3(0.36, 0.345, 0.33), vec3(0.58, 0.58, 0.59), side) +
                sun * vec3(0.86, 0.81, 0.74);
   vec3 color = albedo.rgb * light;
   float gloss = (1.0 - roughness) * (1.0 - roughness);

@@ -23,7 +23,9 @@ PixelRect ShadowMap::covered_by(const Sun& sun, const Bounds3& box) {
                  corner & 4 ? box.high.z() : box.low.z());
     extent.add((sun.clip_from_room * p.homogeneous()).head<2>());
   }
-  const auto pixel = [](double clip) { return static_cast<int>(std::floor((0.5 * clip + 0.5) * size)); };
+  const auto pixel = [](double clip) {
+    return static_cast<int>(std::floor((0.5 * clip + 0.5) * size));
+  };
   return PixelRect{pixel(extent.low.x()), pixel(extent.low.y()), pixel(extent.high.x()) + 1,
                    pixel(extent.high.y()) + 1}
       .grown(1)
@@ -42,9 +44,8 @@ void ShadowMap::update(const ScenePainter& painter, const DrawList& items, const
   gl_->Enable(GL_POLYGON_OFFSET_FILL);
   // Against surfaces that shadow themselves; the constant part is 12 mm.
   gl_->PolygonOffset(3.5f, static_cast<float>(0.012 / sun.depth * 16777216.0));
-  painter.paint_depth(items, sun.clip_from_room, [&](const DrawItem& item) {
-    return covered_by(sun, item.box).meets(part);
-  });
+  painter.paint_depth(items, sun.clip_from_room,
+                      [&](const DrawItem& item) { return covered_by(sun, item.box).meets(part); });
   gl_->Disable(GL_POLYGON_OFFSET_FILL);
   gl_->Disable(GL_DEPTH_TEST);
 }

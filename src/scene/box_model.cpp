@@ -84,7 +84,7 @@ Model box_model(const Object& object) {
   const double band = object.traits.front ? std::min(0.05, 0.12 * object.size.y()) : 0.0;
   const double split = low.y() + band;
   add_part(model, make_box({low.x(), split, low.z()}, high), color);
-  if (band > 0) add_part(model, make_box(low, {high.x(), split, high.z()}), 0.62f * color);
+  if (band > 0) add_part(model, make_box(low, {high.x(), split, high.z()}), 0.72f * color);
   return model;
 }
 

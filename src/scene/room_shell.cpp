@@ -41,7 +41,8 @@ Model floor_slab(const Room& room) {
   for (std::size_t k = 0; k < outline.size(); ++k) {
     const Segment e = outline.edge(k);
     const auto at = [](const Vec2& p, double z) { return Vec3(p.x(), p.y(), z); };
-    add_quad(rest, {at(e.a, -floor_thickness), at(e.b, -floor_thickness), at(e.b, 0.0), at(e.a, 0.0)});
+    add_quad(rest,
+             {at(e.a, -floor_thickness), at(e.b, -floor_thickness), at(e.b, 0.0), at(e.a, 0.0)});
   }
   Material edge;
   edge.name = "slab";
@@ -65,7 +66,8 @@ class WallSolid {
       add_face(meshes_.painted, column.from, column.to, true, span);
       const bool at_top = span.high > height_ - tolerance, at_floor = span.low < tolerance;
       add_level(at_top ? meshes_.top : meshes_.reveals, column.from, column.to, span.high, true);
-      add_level(at_floor ? meshes_.painted : meshes_.reveals, column.from, column.to, span.low, false);
+      add_level(at_floor ? meshes_.painted : meshes_.reveals, column.from, column.to, span.low,
+                false);
     }
   }
 
@@ -170,7 +172,8 @@ std::vector<ShellPart> room_shell(const Room& room, const ShellOptions& options)
   for (std::size_t wall = 0; wall < room.polygon.size(); ++wall)
     shell.push_back({"wall-" + std::to_string(wall), wall_model(room, wall, finish, options)});
   for (const auto& opening : room.openings) {
-    Model model = detail::opening_woodwork(room, opening, height_of(room, options, opening.wall), options);
+    Model model =
+        detail::opening_woodwork(room, opening, height_of(room, options, opening.wall), options);
     if (!model.parts.empty()) shell.push_back({opening.id, std::move(model)});
   }
   return shell;

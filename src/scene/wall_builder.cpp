@@ -16,9 +16,9 @@ std::vector<double> cut_positions(const std::vector<const Opening*>& openings, d
     cuts.push_back(std::clamp(opening->to, 0.0, length));
   }
   std::sort(cuts.begin(), cuts.end());
-  cuts.erase(std::unique(cuts.begin(), cuts.end(),
-                         [](double a, double b) { return b - a < tolerance; }),
-             cuts.end());
+  cuts.erase(
+      std::unique(cuts.begin(), cuts.end(), [](double a, double b) { return b - a < tolerance; }),
+      cuts.end());
   cuts.back() = length;
   return cuts;
 }
@@ -27,7 +27,8 @@ void subtract(std::vector<Span>& spans, const Span& hole) {
   std::vector<Span> rest;
   for (const auto& span : spans) {
     if (hole.low > span.low + tolerance) rest.push_back({span.low, std::min(span.high, hole.low)});
-    if (hole.high < span.high - tolerance) rest.push_back({std::max(span.low, hole.high), span.high});
+    if (hole.high < span.high - tolerance)
+      rest.push_back({std::max(span.low, hole.high), span.high});
   }
   spans = std::move(rest);
 }

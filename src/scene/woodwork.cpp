@@ -90,7 +90,8 @@ Model door(const Opening& o, const Joiner& joiner, const ShellOptions& options) 
   if (options.door_frames) {
     joiner.add(frame, o.from, o.from + door_lining, d0, d1, o.sill, o.head);
     joiner.add(frame, o.to - door_lining, o.to, d0, d1, o.sill, o.head);
-    joiner.add(frame, o.from + door_lining, o.to - door_lining, d0, d1, o.head - door_lining, o.head);
+    joiner.add(frame, o.from + door_lining, o.to - door_lining, d0, d1, o.head - door_lining,
+               o.head);
   }
   if (options.door_leaves && o.type == OpeningType::door) {
     const double gap = 0.004, s0 = o.from + door_lining + gap, s1 = o.to - door_lining - gap;

@@ -5,7 +5,8 @@
 
 namespace roomgen::detail {
 
-/// Frame, leaf or pane of an opening in a wall of this height; no parts if the options ask for none.
+/// Frame, leaf or pane of an opening in a wall of this height; no parts if the options ask for
+/// none.
 Model opening_woodwork(const Room& room, const Opening& opening, double height,
                        const ShellOptions& options);
 /// The board along the foot of a wall.

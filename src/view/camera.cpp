@@ -21,8 +21,8 @@ Vec3 horizontal(const Vec2& direction, double z = 0.0) {
   return {direction.x(), direction.y(), z};
 }
 
-// How well the room shows when the viewer looks from `to_viewer`: objects should show their fronts, and
-// tall things should not stand in front of the rest.
+// How well the room shows when the viewer looks from `to_viewer`: objects should show their fronts,
+// and tall things should not stand in front of the rest.
 double corner_score(const Scene& scene, const Vec2& to_viewer) {
   const Bounds2 extent = bounds(scene.room.polygon);
   const Vec2 middle = 0.5 * (extent.low + extent.high);

@@ -47,8 +47,13 @@ class Grid {
  public:
   Grid(const Room& room, const Camera& camera, bool paper_frame, double letter_height,
        LabelPlacer& placer, std::vector<Drawing::Stroke>& strokes)
-      : room_(room), camera_(camera), paper_(paper_frame), letter_(letter_height), placer_(placer),
-        strokes_(strokes), outer_(outer_extent()) {}
+      : room_(room),
+        camera_(camera),
+        paper_(paper_frame),
+        letter_(letter_height),
+        placer_(placer),
+        strokes_(strokes),
+        outer_(outer_extent()) {}
 
   /// Everything about one coordinate of the marks: 0 is x, 1 is y.
   void lay_axis(int mark_axis) {
@@ -78,8 +83,9 @@ class Grid {
     const auto ends = crossings(room_, axis, position);
     for (std::size_t i = 0; i + 1 < ends.size(); i += 2) {
       const Vec2 a = on_line(axis, position, ends[i]), b = on_line(axis, position, ends[i + 1]);
-      strokes_.push_back({Drawing::Line::grid,
-                          {camera_.pixel({a.x(), a.y(), 0.0}), camera_.pixel({b.x(), b.y(), 0.0})}});
+      strokes_.push_back(
+          {Drawing::Line::grid,
+           {camera_.pixel({a.x(), a.y(), 0.0}), camera_.pixel({b.x(), b.y(), 0.0})}});
     }
   }
 
@@ -100,13 +106,14 @@ class Grid {
   void name_axis(int mark_axis, int axis) {
     const std::string text = mark_axis == 0 ? "x (m)" : "y (m)";
     const Vec2 size = label_size(text, letter_);
-    // Plan: x runs to the right along the lower side, y up the left one. Paper: x runs down the right
-    // side, y to the left along the upper one.
+    // Plan: x runs to the right along the lower side, y up the left one. Paper: x runs down the
+    // right side, y to the left along the upper one.
     const Vec2 corner = mark_axis == 0 ? outer_.high : outer_.low;
     const Vec2 outward = (corner - 0.5 * (outer_.low + outer_.high)).cwiseSign();
     Vec2 center = corner + outward.cwiseProduct(0.5 * size + Vec2::Constant(0.3 * letter_));
     const Vec2 picture(camera_.width, camera_.height);
-    center = center.cwiseMin(picture - 0.5 * size - Vec2::Ones()).cwiseMax(0.5 * size + Vec2::Ones());
+    center =
+        center.cwiseMin(picture - 0.5 * size - Vec2::Ones()).cwiseMax(0.5 * size + Vec2::Ones());
     placer_.place({Drawing::Text::axis, text, center, size});
     add_axis_arrow(axis, corner, outward);
   }

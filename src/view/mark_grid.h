@@ -4,7 +4,8 @@
 
 namespace roomgen::detail {
 
-/// Adds grid lines, coordinates beside the room and the axes. Labels that find no place are left out.
+/// Adds grid lines, coordinates beside the room and the axes. Labels that find no place are left
+/// out.
 void lay_grid(const Room& room, const Camera& camera, bool paper_frame, double letter_height,
               LabelPlacer& placer, std::vector<Drawing::Stroke>& strokes);
 

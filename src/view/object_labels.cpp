@@ -61,8 +61,7 @@ Spot best_spot(const std::vector<ObjectMark>& marks, std::size_t own, const Vec2
     for (int i = 0; i < (radius > 0.0 ? directions : 1); ++i) {
       // Labels are wide: stretch the rings so that a step to the side clears as much as one up.
       const Vec2 direction = rotated(Vec2(0, 1), 2.0 * pi * i / directions);
-      const Vec2 center =
-          marks[own].center + radius * Vec2(direction.x() * 1.6, direction.y());
+      const Vec2 center = marks[own].center + radius * Vec2(direction.x() * 1.6, direction.y());
       if (!placer.fits(center, size)) continue;
       const double c = cost(marks, own, center, size);
       if (c < best.cost) best = {center, c};
@@ -105,8 +104,8 @@ bool place_object_labels(const std::vector<ObjectMark>& marks, double letter_hei
     if (!spot.found()) return false;
     placer.place({Drawing::Text::object, marks[i].id, spot.center, size});
     if (contains(marks[i], spot.center)) continue;
-    const Vec2 near = marks[i].center.cwiseMax(spot.center - 0.5 * size)
-                          .cwiseMin(spot.center + 0.5 * size);
+    const Vec2 near =
+        marks[i].center.cwiseMax(spot.center - 0.5 * size).cwiseMin(spot.center + 0.5 * size);
     leaders.push_back({Drawing::Line::leader, {near, marks[i].center}});
   }
   return true;

@@ -15,8 +15,8 @@ struct ObjectMark {
 ObjectMark object_mark(const Object& object, const Camera& camera);
 bool contains(const ObjectMark& mark, const Vec2& pixel);
 
-/// Places one label an object, near it, with leaders where a label had to move away. Fails when there
-/// is no room for one of them at this letter height.
+/// Places one label an object, near it, with leaders where a label had to move away. Fails when
+/// there is no room for one of them at this letter height.
 bool place_object_labels(const std::vector<ObjectMark>& marks, double letter_height,
                          LabelPlacer& placer, std::vector<Drawing::Stroke>& leaders);
 

@@ -43,7 +43,8 @@ struct Glb {
   std::vector<Eigen::Vector3d> positions_of(const Json& n) const {
     std::vector<Eigen::Vector3d> all;
     for (const auto& primitive : json["meshes"][n["mesh"].get<std::size_t>()]["primitives"]) {
-      const auto& accessor = json["accessors"][primitive["attributes"]["POSITION"].get<std::size_t>()];
+      const auto& accessor =
+          json["accessors"][primitive["attributes"]["POSITION"].get<std::size_t>()];
       for (const auto& p : vectors(accessor)) all.push_back(p);
     }
     return all;
@@ -169,7 +170,8 @@ TEST_CASE("accessors tell the true extent of their positions and normals are uni
       for (const auto& p : glb.vectors(accessor)) box.add(p);
       CHECK(vector_of(accessor["min"]) == box.low);
       CHECK(vector_of(accessor["max"]) == box.high);
-      for (const auto& n : glb.vectors(glb.json["accessors"][attributes["NORMAL"].get<std::size_t>()]))
+      for (const auto& n :
+           glb.vectors(glb.json["accessors"][attributes["NORMAL"].get<std::size_t>()]))
         CHECK(n.norm() == Approx(1.0).margin(1e-3));
     }
 }
@@ -214,7 +216,7 @@ TEST_CASE("a texture is embedded once, whoever uses it") {
   GlbOptions options;
   options.encode_image = counting_encoder(calls);
   const Glb glb = write_and_parse(scene, models, options);
-  CHECK(calls == 3);                       // with the floor's
+  CHECK(calls == 3);  // with the floor's
   CHECK(glb.json["images"].size() == 2);
   CHECK(glb.json["textures"].size() == 2);
   CHECK(glb.json["images"][0]["mimeType"] == "image/png");
@@ -227,7 +229,8 @@ TEST_CASE("without an encoder textures become their mean colour") {
   const Glb glb = write_and_parse(scene, models);
   CHECK_FALSE(glb.json.contains("images"));
   const auto& mesh = glb.json["meshes"][glb.node("bed-0")["mesh"].get<std::size_t>()];
-  const auto& material = glb.json["materials"][mesh["primitives"][0]["material"].get<std::size_t>()];
+  const auto& material =
+      glb.json["materials"][mesh["primitives"][0]["material"].get<std::size_t>()];
   const auto& color = material["pbrMetallicRoughness"]["baseColorFactor"];
   CHECK(color[0].get<double>() == Approx(1.0));
   CHECK(color[1].get<double>() == Approx(0.5));  // half the squares, in linear light
@@ -242,7 +245,8 @@ TEST_CASE("glass blends and leaves are cut out") {
   const Glb glb = write_and_parse(scene, models);
   const auto mode = [&](const char* id) {
     const auto& mesh = glb.json["meshes"][glb.node(id)["mesh"].get<std::size_t>()];
-    return glb.json["materials"][mesh["primitives"][0]["material"].get<std::size_t>()].value("alphaMode", "OPAQUE");
+    return glb.json["materials"][mesh["primitives"][0]["material"].get<std::size_t>()].value(
+        "alphaMode", "OPAQUE");
   };
   CHECK(mode("bed-0") == "BLEND");
   CHECK(mode("desk-0") == "MASK");

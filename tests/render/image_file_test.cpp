@@ -46,7 +46,8 @@ TEST_CASE("pictures without pixels are refused") {
 TEST_CASE("what is no PNG gives an error that names the file") {
   const auto path = temporary("roomgen-broken-test.png");
   auto bytes = *encode_png(noise(64, 64, true));
-  for (const auto& broken : {std::string("hello"), std::string(), bytes.substr(0, bytes.size() / 2)}) {
+  for (const auto& broken :
+       {std::string("hello"), std::string(), bytes.substr(0, bytes.size() / 2)}) {
     REQUIRE(write_file(path, broken));
     const auto image = read_png(path);
     REQUIRE_FALSE(image);

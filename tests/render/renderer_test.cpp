@@ -22,7 +22,8 @@ std::unique_ptr<Renderer> make_renderer() {
   return std::move(*renderer);
 }
 
-Image draw(Renderer& renderer, const Scene& scene, const View& view, const ModelTable& models = {}) {
+Image draw(Renderer& renderer, const Scene& scene, const View& view,
+           const ModelTable& models = {}) {
   auto image = renderer.render(scene, models, view);
   if (!image) FAIL(image.error().message);
   return std::move(*image);
@@ -55,7 +56,8 @@ Scene red_box_scene(ModelTable& models, double yaw = 0.0) {
   Scene scene;
   scene.room = test::plain_room();
   scene.objects = {test::box("box-0", {1.0, 0.5, 0.8}, {2.5, 1.2, 0}, yaw)};
-  test::use_model(scene.objects[0], models, "red", test::colored_box({1.0, 0.5, 0.8}, {220, 20, 20}));
+  test::use_model(scene.objects[0], models, "red",
+                  test::colored_box({1.0, 0.5, 0.8}, {220, 20, 20}));
   return scene;
 }
 
@@ -139,10 +141,12 @@ TEST_CASE("what lies behind glass shows, what lies behind a box does not") {
   ModelTable models;
   Scene scene = red_box_scene(models);
   scene.objects.push_back(test::box("glass-0", {0.6, 0.4, 0.1}, {2.5, 1.2, 1.0}));
-  test::use_model(scene.objects[1], models, "glass", test::colored_box({0.6, 0.4, 0.1}, {255, 255, 255}, 0.3f));
+  test::use_model(scene.objects[1], models, "glass",
+                  test::colored_box({0.6, 0.4, 0.1}, {255, 255, 255}, 0.3f));
   const Pixel through = pixel_at(draw(*renderer, scene, view, models), scene, view, {2.5, 1.2, 0});
   CHECK(through.r > through.g + 40);
-  test::use_model(scene.objects[1], models, "solid", test::colored_box({0.6, 0.4, 0.1}, {255, 255, 255}));
+  test::use_model(scene.objects[1], models, "solid",
+                  test::colored_box({0.6, 0.4, 0.1}, {255, 255, 255}));
   const Pixel on = pixel_at(draw(*renderer, scene, view, models), scene, view, {2.5, 1.2, 0});
   CHECK(on.r < on.g + 20);
 }
@@ -181,15 +185,16 @@ TEST_CASE("textures lie the right way up") {
   model.materials[0].base_color = {1, 1, 1, 1};
   model.materials[0].texture = image;
   Mesh& top = model.parts.emplace_back().mesh;
-  top.positions = {{-0.5f, -0.5f, 0.5f}, {0.5f, -0.5f, 0.5f}, {0.5f, 0.5f, 0.5f}, {-0.5f, 0.5f, 0.5f}};
+  top.positions = {
+      {-0.5f, -0.5f, 0.5f}, {0.5f, -0.5f, 0.5f}, {0.5f, 0.5f, 0.5f}, {-0.5f, 0.5f, 0.5f}};
   top.normals.assign(4, {0, 0, 1});
   top.uvs = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};
   top.triangles = {{0, 1, 2}, {0, 2, 3}};
   test::use_model(scene.objects[0], models, "flag", model);
   const Image picture = draw(*renderer, scene, view, models);
-  CHECK(pixel_at(picture, scene, view, {2.25, 1.32, 0}).is_red());         // back left
-  CHECK_FALSE(pixel_at(picture, scene, view, {2.75, 1.32, 0}).is_red());   // back right
-  CHECK_FALSE(pixel_at(picture, scene, view, {2.25, 1.08, 0}).is_red());   // front left
+  CHECK(pixel_at(picture, scene, view, {2.25, 1.32, 0}).is_red());        // back left
+  CHECK_FALSE(pixel_at(picture, scene, view, {2.75, 1.32, 0}).is_red());  // back right
+  CHECK_FALSE(pixel_at(picture, scene, view, {2.25, 1.08, 0}).is_red());  // front left
 }
 
 TEST_CASE("a new model under an old key replaces it") {

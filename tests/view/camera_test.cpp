@@ -15,7 +15,8 @@ View view_of(View::Kind kind, int pixels = 1024) {
 }
 
 bool inside(const Camera& camera, const Vec2& pixel) {
-  return pixel.x() >= 0 && pixel.y() >= 0 && pixel.x() <= camera.width && pixel.y() <= camera.height;
+  return pixel.x() >= 0 && pixel.y() >= 0 && pixel.x() <= camera.width &&
+         pixel.y() <= camera.height;
 }
 
 }  // namespace
@@ -38,7 +39,8 @@ TEST_CASE("both views show the whole room and all objects, the longer side as as
       const auto camera = make_camera(scene, view_of(kind, 640));
       REQUIRE(camera);
       CHECK(std::max(camera->width, camera->height) == 640);
-      for (const auto& p : scene.room.polygon.points) CHECK(inside(*camera, camera->pixel({p.x(), p.y(), 0})));
+      for (const auto& p : scene.room.polygon.points)
+        CHECK(inside(*camera, camera->pixel({p.x(), p.y(), 0})));
       for (const auto& object : scene.objects)
         for (const auto& corner : box_corners(object)) {
           CHECK(inside(*camera, camera->pixel(corner)));

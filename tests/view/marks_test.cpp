@@ -26,7 +26,8 @@ Laid lay(const Scene& scene, bool paper = false, int pixels = 1024) {
 }
 
 bool overlap(const Drawing::Label& a, const Drawing::Label& b) {
-  const double dx = std::abs(a.center.x() - b.center.x()), dy = std::abs(a.center.y() - b.center.y());
+  const double dx = std::abs(a.center.x() - b.center.x()),
+               dy = std::abs(a.center.y() - b.center.y());
   return dx < 0.5 * (a.size.x() + b.size.x()) - 1e-9 && dy < 0.5 * (a.size.y() + b.size.y()) - 1e-9;
 }
 
@@ -79,11 +80,13 @@ TEST_CASE("every object is named once, near itself or tied to it") {
       const Vec2 metres((label.center.x() - center.x()) / camera.pixels_per_metre,
                         (center.y() - label.center.y()) / camera.pixels_per_metre);
       const Vec2 local = rotated(metres, -object.yaw).cwiseAbs();
-      const bool on_object = local.x() <= 0.5 * object.size.x() && local.y() <= 0.5 * object.size.y();
-      const bool tied = std::any_of(
-          drawing.strokes.begin(), drawing.strokes.end(), [&](const Drawing::Stroke& stroke) {
-            return stroke.kind == Drawing::Line::leader && (stroke.points.back() - center).norm() < 0.5;
-          });
+      const bool on_object =
+          local.x() <= 0.5 * object.size.x() && local.y() <= 0.5 * object.size.y();
+      const bool tied = std::any_of(drawing.strokes.begin(), drawing.strokes.end(),
+                                    [&](const Drawing::Stroke& stroke) {
+                                      return stroke.kind == Drawing::Line::leader &&
+                                             (stroke.points.back() - center).norm() < 0.5;
+                                    });
       CHECK((on_object || tied));
     }
   }

@@ -17,7 +17,7 @@ ShellOptions bare() {
 }
 
 struct Solid {
-  double volume = 0.0;       ///< by the divergence theorem: only right if it is closed
+  double volume = 0.0;           ///< by the divergence theorem: only right if it is closed
   Vec3 area_vector = {0, 0, 0};  ///< zero if it is closed
 };
 
@@ -25,7 +25,8 @@ Solid measure(const Model& model) {
   Solid solid;
   for (const auto& part : model.parts)
     for (const auto& t : part.mesh.triangles) {
-      const Vec3 a = part.mesh.positions[t[0]].cast<double>(), b = part.mesh.positions[t[1]].cast<double>(),
+      const Vec3 a = part.mesh.positions[t[0]].cast<double>(),
+                 b = part.mesh.positions[t[1]].cast<double>(),
                  c = part.mesh.positions[t[2]].cast<double>();
       solid.volume += a.dot(b.cross(c)) / 6.0;
       solid.area_vector += 0.5 * (b - a).cross(c - a);
@@ -114,13 +115,13 @@ TEST_CASE("the floor reaches under the walls, its upper face at zero") {
 TEST_CASE("one can walk through a door and look through a window, not through a wall") {
   const Room room = test::plain_room();
   const auto shell = room_shell(room, bare());
-  CHECK_FALSE(hits(shell, {0.95, 1, 1.0}, {0.95, -1, 1.0}));   // through the door
-  CHECK_FALSE(hits(shell, {0.55, 1, 2.0}, {0.55, -1, 2.0}));   // near its upper corner
-  CHECK(hits(shell, {0.95, 1, 2.1}, {0.95, -1, 2.1}));         // above it
-  CHECK(hits(shell, {1.5, 1, 1.0}, {1.5, -1, 1.0}));           // beside it
-  CHECK_FALSE(hits(shell, {2.0, 2, 1.5}, {2.0, 4, 1.5}));      // through the window
-  CHECK(hits(shell, {2.0, 2, 0.5}, {2.0, 4, 0.5}));            // below it
-  CHECK_FALSE(hits(shell, {2.0, 2, 2.8}, {2.0, 4, 2.8}));      // over the wall
+  CHECK_FALSE(hits(shell, {0.95, 1, 1.0}, {0.95, -1, 1.0}));  // through the door
+  CHECK_FALSE(hits(shell, {0.55, 1, 2.0}, {0.55, -1, 2.0}));  // near its upper corner
+  CHECK(hits(shell, {0.95, 1, 2.1}, {0.95, -1, 2.1}));        // above it
+  CHECK(hits(shell, {1.5, 1, 1.0}, {1.5, -1, 1.0}));          // beside it
+  CHECK_FALSE(hits(shell, {2.0, 2, 1.5}, {2.0, 4, 1.5}));     // through the window
+  CHECK(hits(shell, {2.0, 2, 0.5}, {2.0, 4, 0.5}));           // below it
+  CHECK_FALSE(hits(shell, {2.0, 2, 2.8}, {2.0, 4, 2.8}));     // over the wall
 }
 
 TEST_CASE("a closed door stops who walks, a pane stops who climbs") {
@@ -133,8 +134,9 @@ TEST_CASE("normals agree with the winding of their triangles") {
   for (const auto& part : room_shell(slanted_room()))
     for (const auto& piece : part.model.parts)
       for (const auto& t : piece.mesh.triangles) {
-        const Eigen::Vector3f face = (piece.mesh.positions[t[1]] - piece.mesh.positions[t[0]])
-                                         .cross(piece.mesh.positions[t[2]] - piece.mesh.positions[t[0]]);
+        const Eigen::Vector3f face =
+            (piece.mesh.positions[t[1]] - piece.mesh.positions[t[0]])
+                .cross(piece.mesh.positions[t[2]] - piece.mesh.positions[t[0]]);
         CHECK(face.dot(piece.mesh.normals[t[0]]) >= 0.0f);
       }
 }
@@ -147,7 +149,8 @@ TEST_CASE("the inner faces have the area of the walls less the openings") {
   for (const auto& part : shell)
     for (const auto& piece : part.model.parts)
       for (const auto& t : piece.mesh.triangles) {
-        const Vec3 a = piece.mesh.positions[t[0]].cast<double>(), b = piece.mesh.positions[t[1]].cast<double>(),
+        const Vec3 a = piece.mesh.positions[t[0]].cast<double>(),
+                   b = piece.mesh.positions[t[1]].cast<double>(),
                    c = piece.mesh.positions[t[2]].cast<double>();
         const Vec3 middle = (a + b + c) / 3.0;
         const bool inner = part.name == "wall-0" && std::abs(middle.y()) < 1e-6 &&

@@ -13,8 +13,8 @@ class Exporter {
  public:
   virtual ~Exporter() = default;
 
-  /// Writes one file, whole or not at all. Equal scenes and models give equal bytes. Objects without
-  /// a model are written as boxes.
+  /// Writes one file, whole or not at all. Equal scenes and models give equal bytes. Objects
+  /// without a model are written as boxes.
   virtual Status write(const Scene& scene, const ModelTable& models,
                        const std::filesystem::path& path) const = 0;
 };

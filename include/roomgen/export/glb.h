@@ -16,9 +16,9 @@ struct GlbOptions {
 /// The scene as binary glTF 2.0 (Khronos specification 2.0.1): metres, Y up, fronts towards +Z.
 ///
 /// Nodes: "room" with the parts of room_shell() as children, then one node an object, named by its
-/// id, whose extras hold category, size (width, depth, height), description and relations. One mesh an
-/// asset, shared by its objects; a node's scale brings it to the object's size. Textures are embedded
-/// once. asset.copyright names creators and licences.
+/// id, whose extras hold category, size (width, depth, height), description and relations. One mesh
+/// an asset, shared by its objects; a node's scale brings it to the object's size. Textures are
+/// embedded once. asset.copyright names creators and licences.
 Result<std::string> make_glb(const Scene& scene, const ModelTable& models,
                              const GlbOptions& options = {});
 

@@ -16,7 +16,8 @@ inline constexpr std::size_t max_image_pixels = 64u << 20;
 Result<std::string> encode_png(const Image& image, int effort = 3);
 /// Baseline JPEG of an opaque picture; quality 1 to 100.
 Result<std::string> encode_jpeg(const Image& image, int quality = 90);
-/// An ImageEncoder for exporters: JPEG for opaque textures, PNG for small ones and those with alpha.
+/// An ImageEncoder for exporters: JPEG for opaque textures, PNG for small ones and those with
+/// alpha.
 Result<EncodedImage> encode_texture(const Image& image);
 /// Any PNG, as 8-bit RGBA.
 Result<Image> decode_png(std::string_view bytes);

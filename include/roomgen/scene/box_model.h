@@ -12,8 +12,8 @@ namespace roomgen {
 /// A calm colour for things of one category, sRGB 0 to 255; the same for the same word.
 Eigen::Vector3f category_color(std::string_view category);
 
-/// What stands for an object without a mesh: a box (a cylinder if it is round) of exactly its size in
-/// its category's colour; a darker band marks the front.
+/// What stands for an object without a mesh: a box (a cylinder if it is round) of exactly its size
+/// in its category's colour; a darker band marks the front.
 Model box_model(const Object& object);
 
 /// The object's model from the table, or its box; never null.

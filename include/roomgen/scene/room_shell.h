@@ -9,28 +9,28 @@
 
 namespace roomgen {
 
-/// A piece of the room itself: "floor", "wall-0", … one for each wall, then one of each opening's id
-/// that has woodwork. The model is in room coordinates.
+/// A piece of the room itself: "floor", "wall-0", … one for each wall, then one of each opening's
+/// id that has woodwork. The model is in room coordinates.
 struct ShellPart {
   std::string name;
   Model model;
 };
 
 struct ShellOptions {
-  /// Height of each wall, metres; walls beyond the end of the list reach the ceiling. Openings above
-  /// it are cut with it.
+  /// Height of each wall, metres; walls beyond the end of the list reach the ceiling. Openings
+  /// above it are cut with it.
   std::vector<double> wall_heights;
   bool skirting = true;
   bool window_frames = true;  ///< with a glass pane
   bool door_frames = true;
-  bool door_leaves = true;    ///< closed
+  bool door_leaves = true;  ///< closed
   /// Colour of the upper face of walls, sRGB 0 to 255; negative: as the wall.
   Eigen::Vector3f top_color{-1, -1, -1};
 };
 
 /// The room as solids: walls stand outside the polygon, wall_thickness deep, mitred at the corners,
-/// each closed (its volume is its own) with the openings cut out; the floor is a slab under room and
-/// walls, its upper face at z = 0, so that thresholds belong to it. There is no ceiling.
+/// each closed (its volume is its own) with the openings cut out; the floor is a slab under room
+/// and walls, its upper face at z = 0, so that thresholds belong to it. There is no ceiling.
 std::vector<ShellPart> room_shell(const Room& room, const ShellOptions& options = {});
 
 /// Thickness of the floor slab, metres.

@@ -9,8 +9,8 @@
 
 namespace roomgen {
 
-/// An orthographic camera. Its axes are unit vectors in room coordinates; `backward` points from the
-/// scene to the viewer. Pixels count from the top left corner of the picture.
+/// An orthographic camera. Its axes are unit vectors in room coordinates; `backward` points from
+/// the scene to the viewer. Pixels count from the top left corner of the picture.
 struct Camera {
   int width = 0, height = 0;  ///< pixels
   Vec3 right = Vec3::UnitX(), up = Vec3::UnitY(), backward = Vec3::UnitZ();
@@ -37,8 +37,8 @@ Result<Camera> make_camera(const Scene& scene, const View& view);
 /// The eight corners of the object's placed box.
 std::vector<Vec3> box_corners(const Object& object);
 
-/// Heights to draw the walls with: the top view cuts them, the isometric view lowers those that would
-/// hide the room.
+/// Heights to draw the walls with: the top view cuts them, the isometric view lowers those that
+/// would hide the room.
 std::vector<double> wall_heights(const Room& room, const View& view, const Camera& camera);
 
 }  // namespace roomgen

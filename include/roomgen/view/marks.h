@@ -12,12 +12,12 @@ namespace roomgen {
 /// What is drawn over a top view, in pixels from the top left corner of the picture.
 struct Drawing {
   enum class Line {
-    grid,        ///< faint, across the room
-    outline,     ///< of an object's footprint
-    arrow,       ///< an object's front; the head is at the last point
-    leader,      ///< from a label to its object
-    axis,        ///< arrow along which a coordinate grows
-    plan_symbol, ///< door leaves and swings, panes of windows
+    grid,         ///< faint, across the room
+    outline,      ///< of an object's footprint
+    arrow,        ///< an object's front; the head is at the last point
+    leader,       ///< from a label to its object
+    axis,         ///< arrow along which a coordinate grows
+    plan_symbol,  ///< door leaves and swings, panes of windows
   };
   struct Stroke {
     Line kind = Line::grid;
@@ -43,16 +43,17 @@ struct Drawing {
 /// Door leaves with their swing and panes of windows, as architects draw them.
 Drawing plan_symbols(const Room& room, const Camera& camera);
 
-/// The marks of set-of-mark prompting: grid lines every `grid_step` metres with their coordinates, the
-/// axes by name, each object's id, outline and front. No two label boxes overlap, all lie within the
-/// picture, and an object's label is on its object or tied to it by a leader.
+/// The marks of set-of-mark prompting: grid lines every `grid_step` metres with their coordinates,
+/// the axes by name, each object's id, outline and front. No two label boxes overlap, all lie
+/// within the picture, and an object's label is on its object or tied to it by a leader.
 Drawing layout_marks(const Scene& scene, const Camera& camera, const View& view);
 
 /// 0.5 m in rooms up to 6.5 m long, 1 m up to 13 m, else 2 m.
 double grid_step(const Room& room);
 
-/// Coordinates as the marks name them, from those of the scene, and back. The frame `paper` measures
-/// x' = ymax - y and y' = xmax - x from the room's far corner; `plan` is the scene's own frame.
+/// Coordinates as the marks name them, from those of the scene, and back. The frame `paper`
+/// measures x' = ymax - y and y' = xmax - x from the room's far corner; `plan` is the scene's own
+/// frame.
 Vec2 mark_from_room(const Room& room, const Vec2& point, bool paper_frame);
 Vec2 room_from_mark(const Room& room, const Vec2& mark, bool paper_frame);
 
