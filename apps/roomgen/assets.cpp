@@ -6,6 +6,9 @@
 
 #include "command.h"
 #include "libraries.h"
+#ifdef ROOMGEN_HAS_RENDER
+#include "portrait.h"
+#endif
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "roomgen/geometry/model.h"
@@ -22,6 +25,7 @@ struct Options {
   std::string mount;
   std::size_t limit = 10;
   std::string asset;
+  std::string picture;
   bool rebuild = false;
 };
 
@@ -133,6 +137,11 @@ Result<int> show(const Options& options, const Context& context) {
   if (!info) return info.error();
   const auto model = (*catalogue)->load(info->ref);
   if (!model) return model.error();
+#ifdef ROOMGEN_HAS_RENDER
+  if (!options.picture.empty())
+    if (auto status = write_portrait(*info, *model, 512, options.picture); !status)
+      return status.error();
+#endif
   if (context.json) {
     std::fputs(dump_json(to_json(*info)).c_str(), stdout);
     return exit_ok;
@@ -193,6 +202,9 @@ void add_assets_command(CLI::App& app, Context& context) {
 
   CLI::App* one = command->add_subcommand("show", "All that is known about an asset");
   one->add_option("asset", options->asset, "Library/id, or the id alone")->required();
+#ifdef ROOMGEN_HAS_RENDER
+  one->add_option("-o,--picture", options->picture, "Also draw it, into this PNG file");
+#endif
   one->callback([=, &context] { context.run = [=, &context] { return show(*options, context); }; });
 }
 

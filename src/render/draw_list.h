@@ -51,7 +51,8 @@ class GpuCache {
   long long pictures_ = 0;
 };
 
-/// The objects of a scene, in their order.
-DrawList draw_objects(const Scene& scene, const ModelTable& models, GpuCache& cache);
+/// The objects of a scene, in their order; what hangs from the ceiling only `with_ceiling`.
+DrawList draw_objects(const Scene& scene, const ModelTable& models, bool with_ceiling,
+                      GpuCache& cache);
 
 }  // namespace roomgen::detail

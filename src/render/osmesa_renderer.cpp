@@ -125,7 +125,9 @@ class OsmesaRenderer : public Renderer {
 
   DrawList draw_list(const Scene& scene, const ModelTable& models, const View& view,
                      const Camera& camera, const std::string& key) {
-    DrawList items = draw_objects(scene, models, cache_);
+    // From above, lamps would hide what stands under them; their ceiling is off as well.
+    DrawList items =
+        draw_objects(scene, models, view.kind != View::Kind::top, cache_);
     DrawItem shell;
     shell.source = cache_.source(key);
     if (!shell.source) shell.source = shell_model(scene.room, view, camera);
