@@ -10,6 +10,7 @@ namespace roomgen::design {
 namespace {
 
 constexpr int max_split = 40;
+constexpr int tied_stage = 1;
 
 bool waits_for(const Draft& draft, const Draft& other) {
   return other.mention != Demand::none &&
@@ -23,8 +24,16 @@ double floor_of(const Draft& draft) {
 
 void sort_by_stage(std::vector<Draft>& drafts, const CategoryTable& table,
                    const Arrangements& arrangements) {
+  // Who is told to be in a corner or at a window comes before others take it.
   const auto stage = [&](const Draft& draft) {
-    return arrangements.get(table, draft.item.category, draft.item.mount).stage;
+    const int usual = arrangements.get(table, draft.item.category, draft.item.mount).stage;
+    const bool tied =
+        std::any_of(draft.demands.begin(), draft.demands.end(), [](const Demand& demand) {
+          return demand.mention == Demand::none && demand.kind != RelationKind::edge;
+        });
+    const bool stands =
+        draft.item.mount == Mount::floor && !table.get(draft.item.category).traits.flat;
+    return tied && stands ? std::min(usual, tied_stage) : usual;
   };
   std::stable_sort(drafts.begin(), drafts.end(), [&](const Draft& a, const Draft& b) {
     const int sa = stage(a), sb = stage(b);
