@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 
 #include "roomgen/base/text.h"
 
@@ -10,6 +11,7 @@ namespace roomgen::design {
 namespace {
 
 constexpr int max_split = 40;
+constexpr int tied_stage = 2;
 
 bool waits_for(const Draft& draft, const Draft& other) {
   return other.mention != Demand::none &&
@@ -21,16 +23,48 @@ double floor_of(const Draft& draft) {
   return draft.item.size ? draft.item.size->x() * draft.item.size->y() : 0.0;
 }
 
+// The stage of its kind; who is told to be in a corner or at a window comes before others take it.
+int own_stage(const Draft& draft, const CategoryTable& table, const Arrangements& arrangements) {
+  const int usual = arrangements.get(table, draft.item.category, draft.item.mount).stage;
+  const bool tied =
+      std::any_of(draft.demands.begin(), draft.demands.end(), [](const Demand& demand) {
+        return demand.mention == Demand::none && demand.kind != RelationKind::edge;
+      });
+  const bool stands =
+      draft.item.mount == Mount::floor && !table.get(draft.item.category).traits.flat;
+  return tied && stands ? std::min(usual, tied_stage) : usual;
+}
+
+// What others wait for comes as early as they would: a bookshelf before the sofa that is to stand
+// in front of it, so that the sofa is still early enough for its coffee table.
+std::vector<int> stages_of(const std::vector<Draft>& drafts, const CategoryTable& table,
+                           const Arrangements& arrangements) {
+  std::vector<int> stages;
+  for (const auto& draft : drafts) stages.push_back(own_stage(draft, table, arrangements));
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (std::size_t i = 0; i < drafts.size(); ++i)
+      for (std::size_t j = 0; j < drafts.size(); ++j)
+        if (stages[j] > stages[i] && waits_for(drafts[i], drafts[j])) {
+          stages[j] = stages[i];
+          changed = true;
+        }
+  }
+  return stages;
+}
+
 void sort_by_stage(std::vector<Draft>& drafts, const CategoryTable& table,
                    const Arrangements& arrangements) {
-  const auto stage = [&](const Draft& draft) {
-    return arrangements.get(table, draft.item.category, draft.item.mount).stage;
-  };
-  std::stable_sort(drafts.begin(), drafts.end(), [&](const Draft& a, const Draft& b) {
-    const int sa = stage(a), sb = stage(b);
-    if (sa != sb) return sa < sb;
-    return floor_of(a) > floor_of(b) + 1e-9;
+  const auto stages = stages_of(drafts, table, arrangements);
+  std::vector<std::size_t> order(drafts.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    if (stages[a] != stages[b]) return stages[a] < stages[b];
+    return floor_of(drafts[a]) > floor_of(drafts[b]) + 1e-9;
   });
+  std::vector<Draft> sorted;
+  for (std::size_t i : order) sorted.push_back(std::move(drafts[i]));
+  drafts = std::move(sorted);
 }
 
 void drop_demands(Draft& draft, Plan& plan) {

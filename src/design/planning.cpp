@@ -127,7 +127,9 @@ class Planner {
   void judge(Attempt& attempt) const {
     const auto planned = planned_objects(attempt.plan);
     if (planned.size() > most_rehearsed) return;
-    attempt.missed = rehearse(attempt.plan, table_, arrangements_);
+    Rehearsal rehearsal = rehearse(attempt.plan, table_, arrangements_);
+    attempt.missed = std::move(rehearsal.missed);
+    attempt.fault = 2.0 * rehearsal.broken;
     int on_floor = 0;
     for (const auto& object : planned)
       on_floor += attempt.plan.items[object.item].mount == Mount::floor;

@@ -3,130 +3,94 @@
 #include <algorithm>
 
 #include "absence.h"
-#include "kind_names.h"
+#include "discourse.h"
 #include "measures.h"
-#include "noun_phrase.h"
-#include "placement_phrase.h"
 #include "room_type.h"
-#include "roomgen/base/text.h"
 #include "settle.h"
 #include "tokens.h"
-#include "vocabulary.h"
 
 namespace roomgen::design {
 
 namespace {
 
-constexpr std::size_t max_mentions = 120;
+constexpr std::size_t longest_placement = 6;
+constexpr int most_for_each = 40;
 
-/// Reads a prompt from left to right, remembering what it speaks of.
+/// Reads a prompt from left to right.
 class PromptReader {
  public:
-  PromptReader(std::vector<Token> tokens, const Vocabulary& words, const KindNames& names,
-               const CategoryTable& table, const RoomKind& kind, Brief& brief)
+  PromptReader(std::vector<Token> tokens, const Lexicon& lexicon, Brief& brief)
       : tokens_(std::move(tokens)),
-        words_(words),
-        names_(names),
-        table_(table),
-        kind_(kind),
-        brief_(brief) {}
+        words_(lexicon.words),
+        names_(lexicon.names),
+        brief_(brief),
+        talk_(lexicon, brief) {}
 
   void run() {
     while (at_ < tokens_.size()) {
-      const Token& token = tokens_[at_];
-      if (token.kind == Token::Kind::stop)
+      const Token::Kind kind = tokens_[at_].kind;
+      if (kind == Token::Kind::stop) {
         end_sentence();
-      else if (token.kind == Token::Kind::room)
-        subject_.reset();
-      else if (read_bare() || read_some_of() || read_negation() || read_openings() ||
-               read_placement() || read_thing())
+      } else if (kind == Token::Kind::room) {
+        talk_.speak_of(std::nullopt);
+      } else if (read_bare() || read_some_of() || read_negation() || read_openings() ||
+                 read_placement() || read_thing()) {
         continue;
+      }
       ++at_;
     }
   }
 
  private:
-  bool ended(std::size_t i) const { return i >= tokens_.size(); }
   bool is_word(std::size_t i, std::string_view word) const {
-    return !ended(i) && tokens_[i].is_word(word);
+    return i < tokens_.size() && tokens_[i].is_word(word);
   }
 
   void end_sentence() {
-    leading_.clear();
+    talk_.end_sentence();
     sentence_start_ = at_ + 1;
-    leading_mount_.reset();
   }
 
   // --- Things ---------------------------------------------------------------------------------
 
+  // Where a noun may be a thing even if nobody knows it.
   bool lists(std::size_t i) const {
-    if (i == sentence_start_) return true;
-    const Token& before = tokens_[i - 1];
     static const WordSet words = {
         "with",     "and",       "has",       "have",     "contains", "containing", "include",
         "includes", "including", "featuring", "features", "plus",     "add",        "is",
         "are",      "stands",    "sits",      "hangs",    "want",     "need",       "also"};
+    if (i == sentence_start_) return true;
+    const Token& before = tokens_[i - 1];
     return before.kind == Token::Kind::comma || words.count(before.text) > 0;
   }
 
   bool read_thing() {
     const auto phrase = read_noun_phrase(tokens_, at_, words_, names_, lists(at_));
     if (!phrase) return false;
-    const bool is_part = describes_owner(*phrase);
+    const bool part = describes_owner(*phrase);
+    if (!part) talk_.speak_of(refer(*phrase));
     at_ = phrase->end;
-    if (is_part) {
-      owner_end_ = at_;
-      return true;
-    }
-    subject_ = mention_of(*phrase);
     owner_end_ = at_;
-    if (subject_) apply_leading(*subject_);
+    if (!part && talk_.subject()) talk_.apply_leading(*talk_.subject());
     return true;
   }
 
   // "a desk with drawers": drawers are no thing of their own.
   bool describes_owner(const NounPhrase& phrase) const {
-    if (!subject_ || phrase.begin == 0 || phrase.begin - 1 < owner_end_) return false;
+    if (!talk_.subject() || phrase.begin == 0 || phrase.begin - 1 != owner_end_) return false;
+    static const WordSet links = {"with", "and", "featuring", "has"};
     const Token& before = tokens_[phrase.begin - 1];
-    const bool attached =
-        phrase.begin - 1 == owner_end_ &&
-        (before.is_word("with") || before.is_word("and") || before.is_word("featuring") ||
-         before.is_word("has") || before.kind == Token::Kind::comma);
-    const std::string& last = tokens_[phrase.end - 1].text;
-    return attached && words_.parts.count(last) > 0;
+    return (before.kind == Token::Kind::comma || links.count(before.text)) &&
+           words_.parts.count(tokens_[phrase.end - 1].text) > 0;
   }
 
-  std::optional<std::size_t> known_mention(const NounPhrase& phrase) const {
-    for (std::size_t i = brief_.mentions.size(); i-- > 0;) {
-      const Mention& mention = brief_.mentions[i];
-      if (phrase.kind.length == 0) {
-        if (mention.category == phrase.noun) return i;
-        continue;
-      }
-      const std::string name = category_name(phrase.kind);
-      if (mention.known &&
-          (table_.is_a(mention.category, name) || table_.is_a(name, mention.category)))
-        return i;
-    }
-    return std::nullopt;
-  }
-
-  // In a kitchen a "sink" is a kitchen sink.
-  std::string category_name(const KindMatch& kind) const {
-    const auto meant = kind_.means.find(kind.name);
-    return meant == kind_.means.end() ? kind.category->name : meant->second;
-  }
-
-  std::optional<std::size_t> mention_of(const NounPhrase& phrase) {
-    if (!phrase.article || phrase.definite)
-      if (const auto known = known_mention(phrase)) return known;
-    if (brief_.mentions.size() >= max_mentions) return std::nullopt;
-    brief_.mentions.push_back(new_mention(phrase));
-    if (for_each(phrase))
-      brief_.mentions.back().quantity *= brief_.mentions[brief_.mentions.size() - 2].quantity;
-    if (!continues_list(phrase.begin)) group_.clear();
-    group_.push_back(brief_.mentions.size() - 1);
-    return group_.back();
+  std::optional<std::size_t> refer(const NounPhrase& phrase) {
+    const std::size_t before = talk_.count();
+    const auto mention = talk_.refer(phrase);
+    if (talk_.count() == before) return mention;
+    if (for_each(phrase, before)) talk_.multiply_last(talk_.mention(before - 1).quantity);
+    talk_.list(*mention, continues_list(phrase.begin));
+    return mention;
   }
 
   // "a desk, a chair and a lamp": after a comma or an "and" that follows a thing.
@@ -136,96 +100,51 @@ class PromptReader {
   }
 
   // "two nightstands, each with a lamp"
-  bool for_each(const NounPhrase& phrase) const {
-    return brief_.mentions.size() > 1 && phrase.begin >= 2 && is_word(phrase.begin - 2, "each") &&
-           brief_.mentions[brief_.mentions.size() - 2].quantity <= 40;
+  bool for_each(const NounPhrase& phrase, std::size_t before) const {
+    return before > 0 && phrase.begin >= 2 && is_word(phrase.begin - 2, "each") &&
+           talk_.mention(before - 1).quantity <= most_for_each;
   }
 
-  Mention new_mention(const NounPhrase& phrase) const {
-    Mention mention;
-    mention.quantity = phrase.count;
-    mention.counted = phrase.counted;
-    std::vector<std::string> description = phrase.modifiers;
-    if (phrase.kind.length > 0) {
-      mention.category = category_name(phrase.kind);
-      description.push_back(phrase.kind.name);
-      const bool open = phrase.kind.plural && !phrase.article;
-      if (open) mention.quantity = 0;  // to be settled
-    } else {
-      mention.known = false;
-      mention.category = phrase.noun;
-      description.push_back(phrase.noun);
-    }
-    mention.description = join(description, " ");
-    shape(mention, phrase, words_, table_, names_);
-    return mention;
+  // "one of them", "the other": some of what was spoken of; what is said of them is not followed.
+  bool read_some_of() {
+    const auto refers_back = [&](std::size_t i) {
+      return i < tokens_.size() && (words_.pronouns.count(tokens_[i].text) > 0 ||
+                                    words_.definite.count(tokens_[i].text) > 0);
+    };
+    const bool one = is_word(at_, "one") && is_word(at_ + 1, "of") && refers_back(at_ + 2);
+    const bool other = is_word(at_, "the") &&
+                       (is_word(at_ + 1, "other") || is_word(at_ + 1, "others")) &&
+                       names_.match(tokens_, at_ + 2).length == 0 && !is_word(at_ + 2, "wall") &&
+                       !is_word(at_ + 2, "side");
+    if (!one && !other) return false;
+    talk_.speak_of(std::nullopt);
+    at_ += one ? 3 : 2;
+    return true;
   }
 
   // --- Placements -----------------------------------------------------------------------------
 
-  // What "it" means: the last floor thing that is not the subject.
-  std::optional<std::size_t> antecedent() const {
-    std::optional<std::size_t> best;
-    for (std::size_t i = 0; i < brief_.mentions.size(); ++i)
-      if (i != subject_.value_or(brief_.mentions.size()) &&
-          (brief_.mentions[i].mount == Mount::floor || !best))
-        best = i;
-    return best;
-  }
-
-  std::vector<std::size_t> subjects() const {
-    if (!subject_) return {};
-    const bool all =
-        owner_end_ < tokens_.size() &&
-        (is_word(owner_end_, "are") || is_word(owner_end_, "both") || is_word(owner_end_, "all"));
-    if (all && group_.size() > 1 &&
-        std::find(group_.begin(), group_.end(), *subject_) != group_.end())
-      return group_;
-    return {*subject_};
-  }
-
   bool read_placement() {
-    const auto placement = longest(words_.placements, tokens_, at_, 6);
-    if (!placement) return false;
-    const std::size_t after = at_ + placement.length;
-    const bool leads = leads_sentence();
-    if (placement.value->inverse) return read_inverse(*placement.value, after);
-    if (placement.value->pronoun) return read_implied_target(*placement.value, after);
-    if (read_place_target(*placement.value, after, leads)) return true;
-    return read_thing_target(*placement.value, after, leads);
+    const auto match = longest(words_.placements, tokens_, at_, longest_placement);
+    if (!match) return false;
+    const Placement& placement = *match.value;
+    const std::size_t after = at_ + match.length;
+    if (placement.inverse) return read_inverse(placement, after);
+    if (placement.pronoun) return read_implied_target(placement, after);
+    // "Next to the bed is a lamp": before any thing of the sentence.
+    const bool leads =
+        at_ == sentence_start_ || (at_ == sentence_start_ + 1 && is_word(sentence_start_, "and"));
+    hear_plural();
+    const bool read =
+        read_place_target(placement, after, leads) || read_thing_target(placement, after, leads);
+    talk_.speak_of_one();
+    return read;
   }
 
-  // "Next to the bed is a lamp": before any thing of the sentence.
-  bool leads_sentence() const {
-    return at_ == sentence_start_ ||
-           (at_ == sentence_start_ + 1 && is_word(sentence_start_, "and"));
-  }
-
-  void demand(const Demand& what, bool leads) {
-    if (leads)
-      leading_.push_back(what);
-    else
-      for (std::size_t subject : subjects()) add_demand(subject, what);
-  }
-
-  void add_demand(std::size_t subject, const Demand& what) {
-    if (what.mention == subject) return;
-    Mention& mention = brief_.mentions[subject];
-    mention.demands.push_back(what);
-    // "a lamp on each side" is two.
-    if (what.flank) mention.quantity = std::max(2, mention.quantity);
-  }
-
-  void apply_leading(std::size_t subject) {
-    bool used = false;
-    if (leading_mount_) hang(brief_.mentions[subject], *leading_mount_, table_, names_);
-    leading_mount_.reset();
-    for (const auto& what : leading_) {
-      if (what.mention == subject) continue;
-      add_demand(subject, what);
-      used = true;
-    }
-    if (used) leading_.clear();
+  // "… are", "… both": of all that were listed.
+  void hear_plural() {
+    if (is_word(owner_end_, "are") || is_word(owner_end_, "both") || is_word(owner_end_, "all"))
+      talk_.speak_of_all();
   }
 
   bool read_place_target(const Placement& placement, std::size_t after, bool leads) {
@@ -234,170 +153,91 @@ class PromptReader {
     const std::size_t end = after + place->length;
     // "the middle of the table" is on the table.
     if (place->place == Place::middle && is_word(end, "of")) {
-      const std::size_t end_of = end + 1;
-      return read_thing_target({{RelationKind::on}, false, false}, end_of, leads);
+      Placement on;
+      on.relations = {RelationKind::on};
+      return read_thing_target(on, end + 1, leads);
     }
-    if (!subject_ && !leads) {
-      at_ = end;
-      return true;
-    }
-    place_demands(placement, *place, leads);
+    if (talk_.subject() || leads) talk_.locate(placement, *place, leads);
     at_ = end;
-    // "the wall opposite the bed" goes on with a placement of its own.
     return true;
-  }
-
-  void place_demands(const Placement& placement, const PlacePhrase& place, bool leads) {
-    const RelationKind first = placement.relations.front();
-    const auto say = [&](RelationKind kind, std::string part) {
-      demand({kind, Demand::none, std::move(part), false}, leads);
-    };
-    switch (place.place) {
-      case Place::window:
-        if (!brief_.windows) brief_.windows = 1;
-        if (first == RelationKind::under || first == RelationKind::on ||
-            first == RelationKind::in_front_of) {
-          say(RelationKind::near, "window-0");
-          say(RelationKind::in_front_of, "window-0");
-        } else {
-          for (auto kind : placement.relations)
-            if (kind != RelationKind::side_of) say(kind, "window-0");
-        }
-        return;
-      case Place::door:
-        for (auto kind : placement.relations)
-          if (kind != RelationKind::side_of && kind != RelationKind::on) say(kind, "door-0");
-        return;
-      case Place::corner:
-        if (first == RelationKind::on || first == RelationKind::near) say(RelationKind::corner, "");
-        return;
-      case Place::middle:
-        say(RelationKind::middle, "");
-        return;
-      case Place::wall:
-        wall_demands(first, place, leads);
-        return;
-      case Place::ceiling:
-        mount(Mount::ceiling, leads);
-        return;
-      case Place::room:
-      case Place::floor:
-        return;
-    }
-  }
-
-  void wall_demands(RelationKind first, const PlacePhrase& place, bool leads) {
-    if (first == RelationKind::far || first == RelationKind::face_to) return;
-    if (first == RelationKind::on) mount(Mount::wall, leads);
-    demand({RelationKind::edge, Demand::none, "", false}, leads);
-    if (place.wall >= 0) {
-      const std::string id = "wall-" + std::to_string(place.wall);
-      demand({RelationKind::near, Demand::none, id, false}, leads);
-      demand({RelationKind::face_same_as, Demand::none, id, false}, leads);
-    } else if (place.opposite) {
-      if (const auto other = antecedent())
-        demand({RelationKind::in_front_of, *other, "", false}, leads);
-    }
-  }
-
-  void mount(Mount where, bool leads) {
-    if (leads)
-      leading_mount_ = where;
-    else
-      for (std::size_t subject : subjects()) hang(brief_.mentions[subject], where, table_, names_);
   }
 
   // "to its left", "on top": of what was spoken of before.
   bool read_implied_target(const Placement& placement, std::size_t after) {
-    const auto target = antecedent();
-    if (!subject_ || !target || *target == *subject_) return false;
-    for (auto kind : placement.relations) demand({kind, *target, "", placement.flank}, false);
+    const auto target = talk_.antecedent();
+    if (!talk_.subject() || !target) return false;
+    say(placement, *target, false);
     at_ = after;
     return true;
   }
 
+  void say(const Placement& placement, std::size_t target, bool leads) {
+    for (auto kind : placement.relations) talk_.demand({kind, target, "", placement.flank}, leads);
+  }
+
   // The things after a placement: "between the sofa and the window" has two.
   bool read_thing_target(const Placement& placement, std::size_t after, bool leads) {
-    if (!subject_ && !leads) return false;
-    const auto speaker = subject_;
+    const auto speaker = talk_.subject();
+    if (!speaker && !leads) return false;
+    const std::size_t before = talk_.count();
     std::size_t end = after;
-    auto target = target_at(after, end);
-    if (!target || (speaker && *target == *speaker && !leads)) return false;
-    const bool between = tokens_[after - 1].is_word("between");
-    subject_ = speaker;
-    for (auto kind : placement.relations) demand({kind, *target, "", placement.flank}, leads);
-    if (between && is_word(end, "and")) {
-      const std::size_t second = end + 1;
-      if (const auto place = read_place(tokens_, second, words_)) {
-        place_demands(placement, *place, leads);
-        end = second + place->length;
-      } else if (const auto other = target_at(second, end)) {
-        subject_ = speaker;
-        demand({RelationKind::near, *other, "", false}, leads);
-      }
-    }
-    at_ = end;
-    owner_end_ = at_;
+    const auto target = read_target(end);
+    if (!target || (target == speaker && !leads)) return false;
+    say(placement, *target, leads);
+    if (tokens_[after - 1].is_word("between") && is_word(end, "and"))
+      read_second_target(placement, end, leads);
+    at_ = owner_end_ = end;
+    // The text goes on about what it has just introduced.
     if (leads)
-      subject_.reset();
-    else if (brief_.mentions.size() > 0 && *target == brief_.mentions.size() - 1 && target_new_)
-      subject_ = *target;
+      talk_.speak_of(std::nullopt);
+    else if (*target >= before)
+      talk_.speak_of(target);
     return true;
   }
 
-  std::optional<std::size_t> target_at(std::size_t from, std::size_t& end) {
-    target_new_ = false;
-    if (ended(from)) return std::nullopt;
-    if (tokens_[from].kind == Token::Kind::word && words_.pronouns.count(tokens_[from].text)) {
-      end = from + 1;
-      return antecedent();
+  void read_second_target(const Placement& placement, std::size_t& end, bool leads) {
+    std::size_t second = end + 1;
+    if (const auto place = read_place(tokens_, second, words_)) {
+      talk_.locate(placement, *place, leads);
+      end = second + place->length;
+    } else if (const auto other = read_target(second)) {
+      say(placement, *other, leads);
+      end = second;
     }
-    if (tokens_[from].is_word("each") && is_word(from + 1, "other")) return std::nullopt;
-    const auto phrase = read_noun_phrase(tokens_, from, words_, names_, false);
+  }
+
+  // A pronoun or a noun phrase at `end`, which moves behind it.
+  std::optional<std::size_t> read_target(std::size_t& end) {
+    if (end >= tokens_.size() || (is_word(end, "each") && is_word(end + 1, "other")))
+      return std::nullopt;
+    if (words_.pronouns.count(tokens_[end].text)) {
+      ++end;
+      return talk_.antecedent();
+    }
+    const auto phrase = read_noun_phrase(tokens_, end, words_, names_, false);
     if (!phrase) return std::nullopt;
-    const std::size_t before = brief_.mentions.size();
-    const auto group = group_;
-    // "on a nightstand" means one of those that are there.
-    const auto known =
-        phrase->count == 1 && !phrase->another ? known_mention(*phrase) : std::nullopt;
-    const auto target = known ? known : mention_of(*phrase);
-    group_ = group;
-    target_new_ = brief_.mentions.size() > before;
     end = phrase->end;
-    return target;
+    // "on a nightstand" means one of those that are there.
+    if (phrase->count == 1 && !phrase->another)
+      if (const auto known = talk_.known(*phrase)) return known;
+    return talk_.refer(*phrase);
   }
 
   // "flanked by two lamps", "surrounded by chairs": the subject is the target.
   bool read_inverse(const Placement& placement, std::size_t after) {
-    if (!subject_) return false;
-    const std::size_t target = *subject_;
+    const auto target = talk_.subject();
+    if (!target) return false;
     const auto phrase = read_noun_phrase(tokens_, after, words_, names_, true);
     if (!phrase) return false;
-    const auto other = mention_of(*phrase);
-    at_ = phrase->end;
-    owner_end_ = at_;
-    if (!other || *other == target) return true;
-    for (auto kind : placement.relations) add_demand(*other, {kind, target, "", placement.flank});
-    subject_ = other;
+    const auto other = refer(*phrase);
+    at_ = owner_end_ = phrase->end;
+    if (!other || other == target) return true;
+    for (auto kind : placement.relations) talk_.add(*other, {kind, *target, "", placement.flank});
+    talk_.speak_of(other);
     return true;
   }
 
-  // "one of them", "the other": some of what was spoken of; what is said of them is not followed.
-  bool read_some_of() {
-    const bool one = is_word(at_, "one") && is_word(at_ + 1, "of") && !ended(at_ + 2) &&
-                     (words_.pronouns.count(tokens_[at_ + 2].text) ||
-                      words_.definite.count(tokens_[at_ + 2].text));
-    const bool other = is_word(at_, "the") &&
-                       (is_word(at_ + 1, "other") || is_word(at_ + 1, "others")) &&
-                       names_.match(tokens_, at_ + 2).length == 0 && !is_word(at_ + 2, "wall") &&
-                       !is_word(at_ + 2, "side");
-    if (!one && !other) return false;
-    subject_.reset();
-    at_ += one ? 3 : 2;
-    return true;
-  }
-
-  // --- What is forbidden ----------------------------------------------------------------------
+  // --- What is forbidden, and windows ---------------------------------------------------------
 
   bool read_bare() {
     const std::size_t end = read_only(tokens_, at_, words_);
@@ -411,9 +251,9 @@ class PromptReader {
     const auto absence = read_absence(tokens_, at_, words_, names_);
     if (!absence) return false;
     if (absence->windows) brief_.windows = 0;
+    auto& excluded = brief_.excluded;
     for (const auto& kind : absence->kinds) {
-      const std::string category = category_name(kind);
-      auto& excluded = brief_.excluded;
+      const std::string category = talk_.category_name(kind);
       if (std::find(excluded.begin(), excluded.end(), category) == excluded.end())
         excluded.push_back(category);
     }
@@ -436,18 +276,11 @@ class PromptReader {
   std::vector<Token> tokens_;
   const Vocabulary& words_;
   const KindNames& names_;
-  const CategoryTable& table_;
-  const RoomKind& kind_;
   Brief& brief_;
-
+  Discourse talk_;
   std::size_t at_ = 0;
   std::size_t sentence_start_ = 0;
-  std::size_t owner_end_ = 0;           ///< behind the last phrase about a thing
-  std::optional<std::size_t> subject_;  ///< the last thing spoken of
-  std::vector<std::size_t> group_;      ///< things listed together
-  bool target_new_ = false;             ///< the last target was a new mention
-  std::vector<Demand> leading_;         ///< for the thing that is yet to come
-  std::optional<Mount> leading_mount_;
+  std::size_t owner_end_ = 0;  ///< behind the last phrase about a thing
 };
 
 }  // namespace
@@ -464,8 +297,7 @@ Brief read_prompt(std::string_view prompt, const RoomKinds& kinds, const Categor
   read_measures(tokens, *words, names, brief);
   read_people(tokens, *words, names, brief);
   read_room_type(tokens, *words, names, kinds, brief);
-  PromptReader reader(std::move(tokens), *words, names, table, kinds.get(brief.type), brief);
-  reader.run();
+  PromptReader(std::move(tokens), {*words, names, table, kinds.get(brief.type)}, brief).run();
   settle(brief, table, names);
   if (brief.type.empty()) {
     brief.type = guess_room_type(brief, kinds, table);

@@ -1,6 +1,9 @@
 #include "rehearsal.h"
 
+#include <algorithm>
+
 #include "advise.h"
+#include "holding.h"
 #include "sketch.h"
 
 namespace roomgen::design {
@@ -29,13 +32,23 @@ void put(Object& object, const PlaceAdvice& advice, const Category& category, co
       }
 }
 
+int broken_relations(const Scene& scene, const Object& object, const PlanItem& item,
+                     const CategoryTable& table, const Arrangements& arrangements) {
+  if (item.relations.empty()) return 0;
+  const Sketch sketch(scene, table, arrangements);
+  const Placed placed{
+      &object, {object.position.head<2>(), object.yaw}, footprint(object), object.position.z()};
+  return static_cast<int>(std::count_if(
+      item.relations.begin(), item.relations.end(),
+      [&](const Relation& relation) { return !holds(sketch, placed, relation, item.relations); }));
+}
+
 }  // namespace
 
-std::vector<PlannedObject> rehearse(const Plan& plan, const CategoryTable& table,
-                                    const Arrangements& arrangements) {
+Rehearsal rehearse(const Plan& plan, const CategoryTable& table, const Arrangements& arrangements) {
   Scene scene;
   scene.room = plan.room;
-  std::vector<PlannedObject> missed;
+  Rehearsal rehearsal;
   for (const auto& planned : planned_objects(plan)) {
     const PlanItem& item = plan.items[planned.item];
     const Category& category = table.get(item.category);
@@ -43,13 +56,14 @@ std::vector<PlannedObject> rehearse(const Plan& plan, const CategoryTable& table
     const PlaceRequest request{plan, scene, planned, object, {}, {}, {}};
     const PlaceAdvice advice = advise(request, table, arrangements);
     if (!advice.location || !advice.yaw) {
-      missed.push_back(planned);
+      rehearsal.missed.push_back(planned);
       continue;
     }
     put(object, advice, category, scene);
+    rehearsal.broken += broken_relations(scene, object, item, table, arrangements);
     scene.objects.push_back(std::move(object));
   }
-  return missed;
+  return rehearsal;
 }
 
 }  // namespace roomgen::design

@@ -8,9 +8,14 @@
 
 namespace roomgen::design {
 
+/// How a plan went in the sketch.
+struct Rehearsal {
+  std::vector<PlannedObject> missed;  ///< no place was found
+  int broken = 0;                     ///< relations of the plan that did not hold
+};
+
 /// Places the things of a plan one after the other in a sketch, each exactly where it is advised to
-/// go. Returns those for which no place was found.
-std::vector<PlannedObject> rehearse(const Plan& plan, const CategoryTable& table,
-                                    const Arrangements& arrangements);
+/// go.
+Rehearsal rehearse(const Plan& plan, const CategoryTable& table, const Arrangements& arrangements);
 
 }  // namespace roomgen::design

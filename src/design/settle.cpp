@@ -96,6 +96,18 @@ bool needs_wall(const Mention& mention, const CategoryTable& table) {
   return table.is_any_of(mention.category, {"storage", "console table", "room divider", "desk"});
 }
 
+bool stands_at_wall(const Mention& mention) {
+  return std::any_of(mention.demands.begin(), mention.demands.end(), [](const Demand& demand) {
+    return demand.kind == RelationKind::edge || demand.kind == RelationKind::corner;
+  });
+}
+
+bool faces_something(const Mention& mention) {
+  return std::any_of(mention.demands.begin(), mention.demands.end(), [](const Demand& demand) {
+    return demand.kind == RelationKind::face_to || demand.kind == RelationKind::face_same_as;
+  });
+}
+
 void turn_behind(Brief& brief, const CategoryTable& table) {
   for (std::size_t i = 0; i < brief.mentions.size(); ++i)
     for (auto& demand : brief.mentions[i].demands) {
@@ -107,9 +119,10 @@ void turn_behind(Brief& brief, const CategoryTable& table) {
         demand.kind = RelationKind::around;
         continue;
       }
-      if (!needs_wall(brief.mentions[i], table) || !other.demands.empty()) continue;
+      if (!needs_wall(brief.mentions[i], table) || stands_at_wall(other)) continue;
       other.demands.push_back({RelationKind::in_front_of, i, "", false});
-      other.demands.push_back({RelationKind::face_same_as, i, "", false});
+      if (!faces_something(other))
+        other.demands.push_back({RelationKind::face_same_as, i, "", false});
       demand = {RelationKind::edge, Demand::none, "", false};
     }
 }

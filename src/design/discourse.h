@@ -1,0 +1,77 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "brief.h"
+#include "kind_names.h"
+#include "noun_phrase.h"
+#include "placement_phrase.h"
+#include "room_kinds.h"
+#include "vocabulary.h"
+
+namespace roomgen::design {
+
+/// What a reader needs to know to name things.
+struct Lexicon {
+  const Vocabulary& words;
+  const KindNames& names;
+  const CategoryTable& table;
+  const RoomKind& kind;  ///< of the room: what a "sink" is depends on it
+};
+
+/// What a text has spoken of so far: things, the one that it speaks of now, and what is said of the
+/// places of those that are yet to be named.
+class Discourse {
+ public:
+  Discourse(const Lexicon& lexicon, Brief& brief) : lexicon_(lexicon), brief_(brief) {}
+
+  /// The category that a name means in this room.
+  std::string category_name(const KindMatch& kind) const;
+  const Mention& mention(std::size_t index) const { return brief_.mentions[index]; }
+  std::size_t count() const { return brief_.mentions.size(); }
+
+  /// The thing spoken of before that a phrase means.
+  std::optional<std::size_t> known(const NounPhrase& phrase) const;
+  /// That, if the phrase is definite, else a new mention; none when there are too many.
+  std::optional<std::size_t> refer(const NounPhrase& phrase);
+  void multiply_last(int factor) { brief_.mentions.back().quantity *= factor; }
+
+  /// The thing of which the next placement speaks.
+  std::optional<std::size_t> subject() const { return subject_; }
+  void speak_of(std::optional<std::size_t> mention) { subject_ = mention; }
+  /// What "it" means: the last floor thing that is not the subject.
+  std::optional<std::size_t> antecedent() const;
+
+  /// Things listed together; "are against the wall" is said of all.
+  void list(std::size_t mention, bool continues);
+  void speak_of_all() { plural_ = true; }
+  void speak_of_one() { plural_ = false; }
+
+  /// Says something of the subject, or of the next thing when `leads`.
+  void demand(const Demand& what, bool leads);
+  void add(std::size_t mention, const Demand& what);
+  /// Says in what part of the room the subject is.
+  void locate(const Placement& placement, const PlacePhrase& place, bool leads);
+
+  /// What was said beforehand becomes true of this thing.
+  void apply_leading(std::size_t mention);
+  void end_sentence();
+
+ private:
+  Mention new_mention(const NounPhrase& phrase) const;
+  std::vector<std::size_t> subjects() const;
+  void locate_at_window(const Placement& placement, bool leads);
+  void locate_at_wall(RelationKind first, const PlacePhrase& place, bool leads);
+  void mount(Mount where, bool leads);
+
+  Lexicon lexicon_;
+  Brief& brief_;
+  std::optional<std::size_t> subject_;
+  std::vector<std::size_t> group_;
+  bool plural_ = false;
+  std::vector<Demand> leading_;
+  std::optional<Mount> leading_mount_;
+};
+
+}  // namespace roomgen::design
