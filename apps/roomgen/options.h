@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -7,6 +8,9 @@
 #include "roomgen/geometry/vec.h"
 
 namespace roomgen::cli {
+
+/// The largest seed that a JSON file holds exactly (2^53 - 1).
+inline constexpr std::uint64_t max_seed = 9007199254740991;
 
 /// "4x5", "4 x 5", "4.2x3.6": width and depth in metres. Empty text gives nothing.
 Result<std::optional<Vec2>> parse_size(const std::string& text);
