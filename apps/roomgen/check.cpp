@@ -59,7 +59,7 @@ Result<int> check_scene(const Context& context, const CheckCommand& command, con
 }
 
 // A document without a format is a problem if it has what problems have, else a room.
-Result<int> check_other(const CheckCommand& command, const Json& json) {
+Result<int> check_other(const Context& context, const CheckCommand& command, const Json& json) {
   const std::string format = json.is_object() && json.contains("format") && json["format"].is_string()
                                  ? json["format"].get<std::string>()
                                  : "";
@@ -77,7 +77,14 @@ Result<int> check_other(const CheckCommand& command, const Json& json) {
     if (!problem) return problem.error();
     what = "problem of " + std::to_string(problem->tasks.size()) + " objects";
   }
-  std::printf("%s: sound %s\n", command.file.c_str(), what.c_str());
+  if (context.json) {
+    Json summary;
+    summary["file"] = command.file;
+    summary["sound"] = what;
+    std::fputs(dump_json(summary).c_str(), stdout);
+  } else {
+    std::printf("%s: sound %s\n", command.file.c_str(), what.c_str());
+  }
   return exit_ok;
 }
 
@@ -91,7 +98,7 @@ Result<int> run(const Context& context, const CheckCommand& command) {
     if (!scene) return scene.error();
     return check_scene(context, command, *scene);
   }
-  return check_other(command, *json);
+  return check_other(context, command, *json);
 }
 
 }  // namespace

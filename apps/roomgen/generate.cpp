@@ -198,7 +198,9 @@ void add_generate_command(CLI::App& app, Context& context) {
   auto* prompt = sub->add_option("prompt", command->prompt, "What the room shall be");
   sub->add_option("-o,--output", command->output,
                   "Folder to write (default: out/ and the first words of the prompt)");
-  sub->add_option("--seed", command->seed, "Another seed, another room")->capture_default_str();
+  sub->add_option("--seed", command->seed, "Another seed, another room")
+      ->check(CLI::Range(std::uint64_t{0}, max_seed))
+      ->capture_default_str();
   sub->add_option("--size", command->size, "Inner width x depth in metres, as in 4x5");
   sub->add_option("--room", command->room_file, "Floor plan to use (docs/room.schema.json)");
   sub->add_option("--plan", command->plan_file, "Inventory to use (docs/plan.schema.json)")

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "command.h"
+#include "options.h"
 #include "roomgen/base/file.h"
 #include "roomgen/solve/solve.h"
 
@@ -61,7 +62,9 @@ void add_solve_command(CLI::App& app, Context& context) {
   auto* sub = app.add_subcommand("solve", "Place the objects of a problem file, without a designer");
   sub->add_option("problem", command->problem, "problem.json (docs/problem.schema.json)")->required();
   sub->add_option("-o,--output", command->output, "Scene file to write")->capture_default_str();
-  sub->add_option("--seed", command->options.seed, "Seed of the search")->capture_default_str();
+  sub->add_option("--seed", command->options.seed, "Seed of the search")
+      ->check(CLI::Range(std::uint64_t{0}, max_seed))
+      ->capture_default_str();
   sub->add_option("--rounds", command->options.rounds, "Rounds of improvement at most")
       ->capture_default_str();
   sub->add_option("--pitch", command->options.place.pitch, "Grid pitch in metres")

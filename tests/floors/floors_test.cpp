@@ -1,0 +1,101 @@
+// Includes point down only, modules of one floor do not include each other, and third-party headers stay in
+// the adapters that are made for them.
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "catch.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::map<std::string, int> floors = {
+    {"base", 0},   {"geometry", 1}, {"shape", 1},    {"scene", 2},  {"library", 3}, {"collision", 3},
+    {"export", 3}, {"view", 3},     {"design", 4},   {"evaluate", 4}, {"solve", 5}, {"create", 5},
+    {"generate", 6}, {"edit", 6},   {"assets", 7},   {"render", 7}, {"agent", 7},   {"c", 8}};
+
+// Headers of libraries that a user of the core must not need, and the modules that may include them.
+const std::map<std::string, std::vector<std::string>> adapters = {
+    {"fcl/", {"collision"}}, {"assimp/", {"assets"}}, {"sqlite3.h", {"assets"}}, {"zip.h", {"assets"}},
+    {"png.h", {"assets", "render"}}, {"jpeglib.h", {"assets", "render"}}, {"GL/", {"render"}},
+    {"opencv2/", {"render", "assets"}}, {"cpr/", {"agent"}}, {"curl/", {"agent"}}, {"CLI/", {}}};
+
+struct Include {
+  std::string file, module, target;
+  bool is_public = false;
+};
+
+void collect(const fs::path& root, bool is_public, std::vector<Include>& includes) {
+  for (const auto& entry : fs::recursive_directory_iterator(root)) {
+    if (!entry.is_regular_file()) continue;
+    const auto inside = fs::relative(entry.path(), root);
+    std::ifstream stream(entry.path());
+    for (std::string line; std::getline(stream, line);) {
+      const auto start = line.find_first_not_of(" \t");
+      if (start == std::string::npos || line.compare(start, 8, "#include") != 0) continue;
+      const auto open = line.find_first_of("\"<"), close = line.find_first_of("\">", open + 1);
+      if (close == std::string::npos) continue;
+      includes.push_back({inside.string(), inside.begin()->string(),
+                          line.substr(open + 1, close - open - 1), is_public});
+    }
+  }
+}
+
+std::vector<Include> all_includes() {
+  std::vector<Include> includes;
+  collect(fs::path(ROOMGEN_SOURCE_DIR) / "include" / "roomgen", true, includes);
+  collect(fs::path(ROOMGEN_SOURCE_DIR) / "src", false, includes);
+  return includes;
+}
+
+// The module that an include names, empty for the standard library and others.
+std::string module_of(const std::string& target) {
+  constexpr std::string_view prefix = "roomgen/";
+  if (target.rfind(prefix, 0) != 0) return "";
+  return target.substr(prefix.size(), target.find('/', prefix.size()) - prefix.size());
+}
+
+std::string verdict(const Include& include) {
+  const std::string target = module_of(include.target);
+  if (!floors.count(include.module)) return "is in no known module";
+  if (include.target.find("..") != std::string::npos) return "leaves its folder";
+  if (!target.empty()) {
+    if (!floors.count(target)) return "includes no known module";
+    if (target != include.module && floors.at(target) >= floors.at(include.module))
+      return "points to the same floor or up";
+  }
+  for (const auto& [header, allowed] : adapters) {
+    if (include.target.rfind(header, 0) != 0) continue;
+    if (include.is_public) return "shows a third-party library in a public header";
+    if (std::find(allowed.begin(), allowed.end(), include.module) == allowed.end())
+      return "uses a third-party library outside its adapter";
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("Every include points to a lower floor or stays in its module") {
+  const auto includes = all_includes();
+  REQUIRE(includes.size() > 300);
+  for (const auto& include : includes) {
+    INFO(include.file << " includes " << include.target);
+    CHECK(verdict(include) == "");
+  }
+}
+
+TEST_CASE("The check of floors finds what it looks for") {
+  CHECK(verdict({"scene/a.h", "scene", "roomgen/geometry/vec.h", true}) == "");
+  CHECK(verdict({"scene/a.h", "scene", "roomgen/scene/room.h", true}) == "");
+  CHECK(verdict({"scene/a.h", "scene", "roomgen/solve/solve.h", true}) != "");
+  CHECK(verdict({"library/a.cpp", "library", "roomgen/view/view.h", false}) != "");
+  CHECK(verdict({"scene/a.cpp", "scene", "../solve/score.h", false}) != "");
+  CHECK(verdict({"collision/a.h", "collision", "fcl/fcl.h", true}) != "");
+  CHECK(verdict({"collision/a.cpp", "collision", "fcl/fcl.h", false}) == "");
+  CHECK(verdict({"scene/a.cpp", "scene", "fcl/fcl.h", false}) != "");
+  CHECK(verdict({"new/a.cpp", "new", "vector", false}) != "");
+}
