@@ -425,7 +425,7 @@ class Lookup(unittest.TestCase):
             ("Couch", "sofa"),
             ("oak writing desk", "desk"),
             ("bookshelves", "bookshelf"),
-            ("dining chairs", "chair"),
+            ("dining chairs", "dining chair"),
             ("outdoor sofa", "sofa"),
             ("spaceship", None),
         ):
