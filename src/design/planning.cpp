@@ -49,6 +49,8 @@ class Planner {
       if (next.fault < best.fault) best = std::move(next);
     }
     if (!best.missed.empty()) leave_out(best);
+    if (best.plan.items.empty())
+      best.plan.notes.push_back("nothing that such a room usually holds fits into it");
     return std::move(best.plan);
   }
 
