@@ -1,6 +1,7 @@
 #include <array>
 
 #include "roomgen/base/file.h"
+#include "roomgen/base/text.h"
 #include "roomgen/scene/scene.h"
 
 namespace roomgen {
@@ -76,7 +77,8 @@ void move_openings(Room& room, const std::vector<Vec2>& given, const JsonReader&
     }
     const Vec2 from = start + opening.from * along.normalized();
     const Vec2 to = start + opening.to * along.normalized();
-    for (std::size_t k = 0; k < room.polygon.size(); ++k) {
+    bool found = false;
+    for (std::size_t k = 0; k < room.polygon.size() && !found; ++k) {
       const Segment wall = room.polygon.edge(k);
       if (distance(wall, from) > 1e-3 || distance(wall, to) > 1e-3) continue;
       const double a = (from - wall.a).dot(wall.direction());
@@ -85,8 +87,12 @@ void move_openings(Room& room, const std::vector<Vec2>& given, const JsonReader&
       opening.from = std::min(a, b);
       opening.to = std::max(a, b);
       if (b < a) opening.hinge_at_from = !opening.hinge_at_from;
-      break;
+      found = true;
     }
+    if (!found)
+      return json.report("opening \"" + opening.id + "\" reaches from " +
+                         format_number(opening.from) + " to " + format_number(opening.to) +
+                         " on a wall of " + format_number(along.norm()) + " m");
   }
 }
 
