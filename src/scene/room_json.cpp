@@ -1,5 +1,6 @@
 #include <array>
 
+#include "file_walls.h"
 #include "roomgen/base/file.h"
 #include "roomgen/base/text.h"
 #include "roomgen/scene/scene.h"
@@ -120,11 +121,7 @@ Room read_room(const JsonReader& json) {
   Room room;
   room.type = json["type"].text_or("", 200);
   room.height = json["height"].number_or(default_room_height, 1.5, 20.0);
-  std::vector<Vec2> points;
-  for (const auto& element : json["polygon"].elements(max_corners)) {
-    const auto point = element.numbers(2, -max_coordinate, max_coordinate);
-    points.push_back({point[0], point[1]});
-  }
+  const auto points = read_corners(json["polygon"]);
   for (const auto& element : json["openings"].elements_or_none(max_openings))
     room.openings.push_back(read_opening(element));
   const auto materials = json["materials"];
