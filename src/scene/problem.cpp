@@ -59,8 +59,7 @@ void read_opening(const JsonReader& json, OpeningType type, std::size_t number, 
 }
 
 PlacementTask read_task(const JsonReader& json) {
-  json.allow_only({"name", "size", "constraints", "location", "facing", "mount", "on", "traits",
-                   "category"});
+  json.allow_only({"name", "size", "constraints", "location", "facing", "category"});
   PlacementTask task;
   Object& object = task.object;
   object.id = lower(json["name"].text(200));
