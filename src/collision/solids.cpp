@@ -42,6 +42,7 @@ Body make_body(const Mesh& source, const Vec3& scale) {
   Body body;
   append(body.mesh, source, scale);
   body.mesh = decimated(body.mesh, max_triangles);
+  if (body.mesh.triangles.empty()) return body;
   body.tree = make_tree(body.mesh);
   // Area-weighted mean of the surface.
   double area = 0.0;
@@ -109,9 +110,8 @@ struct Solids::Impl {
     if (found != bodies.end()) return found->second;
     const auto model = asset.empty() ? nullptr : models.find(asset);
     Body made;
-    if (model) {
+    if (model && triangle_count(*model) > 0)
       made = make_body(merged_mesh(*model), model_placement(object, bounds(*model)).scale);
-    }
     if (!model || made.mesh.triangles.empty()) {
       const Vec3 half(0.5 * object.size.x(), 0.5 * object.size.y(), 0.0);
       made = make_body(make_box(-half, half + Vec3(0, 0, object.size.z())), Vec3::Ones());
