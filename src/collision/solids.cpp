@@ -42,6 +42,7 @@ Body make_body(const Mesh& source, const Vec3& scale) {
   Body body;
   append(body.mesh, source, scale);
   body.mesh = decimated(body.mesh, max_triangles);
+  if (body.mesh.triangles.empty()) return body;
   body.tree = make_tree(body.mesh);
   // Area-weighted mean of the surface.
   double area = 0.0;
@@ -94,6 +95,21 @@ bool contains(const Body& outer, const fcl::Transform3d& outer_pose, const Body&
   return inside(outer.mesh, outer_pose.inverse() * vertex);
 }
 
+// The pose after a step of 5 mm from the contact towards the body's own centroid.
+fcl::Transform3d retreated(const Body& body, fcl::Transform3d pose, const Vec3& contact) {
+  const Vec3 away = pose * body.centroid - contact;
+  if (away.norm() > 1e-9) pose.translation() += retreat * away.normalized();
+  return pose;
+}
+
+bool still_collide(const Body& a, const fcl::Transform3d& pose_a, const Body& b,
+                   const fcl::Transform3d& pose_b) {
+  const fcl::CollisionRequestd request(1, false);
+  fcl::CollisionResultd result;
+  fcl::collide(a.tree.get(), pose_a, b.tree.get(), pose_b, request, result);
+  return result.isCollision();
+}
+
 }  // namespace
 
 struct Solids::Impl {
@@ -109,9 +125,8 @@ struct Solids::Impl {
     if (found != bodies.end()) return found->second;
     const auto model = asset.empty() ? nullptr : models.find(asset);
     Body made;
-    if (model) {
+    if (model && triangle_count(*model) > 0)
       made = make_body(merged_mesh(*model), model_placement(object, bounds(*model)).scale);
-    }
     if (!model || made.mesh.triangles.empty()) {
       const Vec3 half(0.5 * object.size.x(), 0.5 * object.size.y(), 0.0);
       made = make_body(make_box(-half, half + Vec3(0, 0, object.size.z())), Vec3::Ones());
@@ -125,10 +140,11 @@ Solids::~Solids() = default;
 
 bool Solids::overlap(const Object& a, const Object& b) {
   if (!both_solid(a, b) || !boxes_overlap(a, b)) return false;
+  // Contacts, of which there is a limit, come in another order when the two change places.
+  if (b.id < a.id) return overlap(b, a);
   const Body& body_a = impl_->body(a);
   const Body& body_b = impl_->body(b);
-  const auto pose_a = transform(a);
-  auto pose_b = transform(b);
+  const auto pose_a = transform(a), pose_b = transform(b);
 
   fcl::CollisionRequestd request(max_contacts, true);
   fcl::CollisionResultd result;
@@ -139,13 +155,8 @@ bool Solids::overlap(const Object& a, const Object& b) {
   Vec3 mean = Vec3::Zero();
   for (std::size_t i = 0; i < result.numContacts(); ++i) mean += result.getContact(i).pos;
   mean /= static_cast<double>(result.numContacts());
-  const Vec3 away = pose_b * body_b.centroid - mean;
-  if (away.norm() > 1e-9) pose_b.translation() += retreat * away.normalized();
-
-  fcl::CollisionRequestd again(1, false);
-  fcl::CollisionResultd still;
-  fcl::collide(body_a.tree.get(), pose_a, body_b.tree.get(), pose_b, again, still);
-  return still.isCollision();
+  return still_collide(body_a, retreated(body_a, pose_a, mean), body_b, pose_b) &&
+         still_collide(body_a, pose_a, body_b, retreated(body_b, pose_b, mean));
 }
 
 bool boxes_overlap(const Object& a, const Object& b) {

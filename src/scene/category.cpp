@@ -19,7 +19,7 @@ std::string singular(std::string word) {
   const auto ends = [&](std::string_view ending) {
     return word.size() > ending.size() + 1 && word.ends_with(ending);
   };
-  if (ends("shelves")) return word.substr(0, word.size() - 3) + "f";
+  if (word.ends_with("shelves")) return word.substr(0, word.size() - 3) + "f";
   if (ends("ches") || ends("shes") || ends("sses") || ends("xes"))
     return word.substr(0, word.size() - 2);
   if (ends("ies")) return word.substr(0, word.size() - 3) + "y";

@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "file_walls.h"
 #include "roomgen/base/file.h"
 #include "roomgen/base/text.h"
 #include "roomgen/scene/scene.h"
@@ -107,6 +108,8 @@ Result<Plan> plan_from_json(const Json& json, const std::string& source) {
   for (const auto& element : root["notes"].elements_or_none(max_items))
     plan.notes.push_back(element.text());
   if (problems.first()) return *problems.first();
+  const FileWalls walls(read_corners(root["room"]["polygon"]), plan.room.polygon);
+  for (auto& item : plan.items) walls.rename(item.relations);
   return plan;
 }
 

@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "file_walls.h"
 #include "roomgen/base/file.h"
 #include "roomgen/base/text.h"
 #include "roomgen/scene/category.h"
@@ -58,8 +59,7 @@ void read_opening(const JsonReader& json, OpeningType type, std::size_t number, 
 }
 
 PlacementTask read_task(const JsonReader& json) {
-  json.allow_only({"name", "size", "constraints", "location", "facing", "mount", "on", "traits",
-                   "category"});
+  json.allow_only({"name", "size", "constraints", "location", "facing", "category"});
   PlacementTask task;
   Object& object = task.object;
   object.id = lower(json["name"].text(200));
@@ -111,23 +111,6 @@ void check_targets(const Problem& problem, const JsonReader& objects) {
     }
 }
 
-// The polygon is kept counter-clockwise; wall-k names the file's wall k.
-void rename_walls(Problem& problem, const std::vector<Vec2>& given) {
-  const auto wall_in_polygon = [&](std::size_t k) {
-    const Vec2 middle = 0.5 * (given[k] + given[(k + 1) % given.size()]);
-    for (std::size_t i = 0; i < problem.room.polygon.size(); ++i)
-      if (distance(problem.room.polygon.edge(i), middle) < 1e-6) return i;
-    return k;
-  };
-  for (auto& task : problem.tasks)
-    for (auto& relation : task.object.relations)
-      for (std::size_t k = 0; k < given.size(); ++k)
-        if (relation.target == "wall-" + std::to_string(k)) {
-          relation.target = "wall-" + std::to_string(wall_in_polygon(k));
-          break;
-        }
-}
-
 }  // namespace
 
 Result<Problem> problem_from_json(const Json& json, const std::string& source) {
@@ -140,11 +123,7 @@ Result<Problem> problem_from_json(const Json& json, const std::string& source) {
   problem.name = root["name"].text_or("");
   problem.room.type = root["room_type"].text_or("");
   problem.room.height = root["height"].number_or(default_room_height, 1.5, 20.0);
-  std::vector<Vec2> points;
-  for (const auto& element : root["room"].elements(500)) {
-    const auto point = element.numbers(2, -max_coordinate, max_coordinate);
-    points.push_back({point[0], point[1]});
-  }
+  const auto points = read_corners(root["room"]);
   auto polygon = make_polygon(points);
   if (!polygon) {
     root["room"].report(polygon.error().message);
@@ -164,7 +143,8 @@ Result<Problem> problem_from_json(const Json& json, const std::string& source) {
   if (auto status = check(problem.room); !status) root.report(status.error().message);
   check_targets(problem, root["objects"]);
   if (problems.first()) return *problems.first();
-  rename_walls(problem, points);
+  const FileWalls walls(points, problem.room.polygon);
+  for (auto& task : problem.tasks) walls.rename(task.object.relations);
   if (auto order = placement_order(problem.tasks); !order)
     return with_context(order.error(), source);
   return problem;

@@ -62,6 +62,16 @@ Error relation_error(const std::string& what) {
   return {Error::Kind::invalid_input, what};
 }
 
+std::string with_single_spaces(std::string_view text) {
+  std::string result;
+  for (const char c : trim(text)) {
+    const bool space = c == ' ' || c == '\t' || c == '\n' || c == '\r';
+    if (!space) result += c;
+    else if (result.back() != ' ') result += ' ';
+  }
+  return result;
+}
+
 std::optional<RelationKind> find_kind(std::string_view text) {
   const auto found = std::find_if(vocabulary.begin(), vocabulary.end(),
                                   [&](const Word& word) { return word.text == text; });
@@ -96,7 +106,7 @@ std::string to_text(const std::vector<Relation>& relations) {
 Result<Relation> parse_relation(std::string_view text) {
   const std::string low = lower(text);
   const auto comma = low.find(',');
-  const std::string word = join(split(trim(low.substr(0, comma)), ' '), " ");
+  const std::string word = with_single_spaces(low.substr(0, comma));
   const std::string target(comma == std::string::npos ? "" : trim(low.substr(comma + 1)));
 
   const auto kind = find_kind(word);

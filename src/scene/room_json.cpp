@@ -1,6 +1,8 @@
 #include <array>
 
+#include "file_walls.h"
 #include "roomgen/base/file.h"
+#include "roomgen/base/text.h"
 #include "roomgen/scene/scene.h"
 
 namespace roomgen {
@@ -76,7 +78,8 @@ void move_openings(Room& room, const std::vector<Vec2>& given, const JsonReader&
     }
     const Vec2 from = start + opening.from * along.normalized();
     const Vec2 to = start + opening.to * along.normalized();
-    for (std::size_t k = 0; k < room.polygon.size(); ++k) {
+    bool found = false;
+    for (std::size_t k = 0; k < room.polygon.size() && !found; ++k) {
       const Segment wall = room.polygon.edge(k);
       if (distance(wall, from) > 1e-3 || distance(wall, to) > 1e-3) continue;
       const double a = (from - wall.a).dot(wall.direction());
@@ -85,8 +88,12 @@ void move_openings(Room& room, const std::vector<Vec2>& given, const JsonReader&
       opening.from = std::min(a, b);
       opening.to = std::max(a, b);
       if (b < a) opening.hinge_at_from = !opening.hinge_at_from;
-      break;
+      found = true;
     }
+    if (!found)
+      return json.report("opening \"" + opening.id + "\" reaches from " +
+                         format_number(opening.from) + " to " + format_number(opening.to) +
+                         " on a wall of " + format_number(along.norm()) + " m");
   }
 }
 
@@ -114,11 +121,7 @@ Room read_room(const JsonReader& json) {
   Room room;
   room.type = json["type"].text_or("", 200);
   room.height = json["height"].number_or(default_room_height, 1.5, 20.0);
-  std::vector<Vec2> points;
-  for (const auto& element : json["polygon"].elements(max_corners)) {
-    const auto point = element.numbers(2, -max_coordinate, max_coordinate);
-    points.push_back({point[0], point[1]});
-  }
+  const auto points = read_corners(json["polygon"]);
   for (const auto& element : json["openings"].elements_or_none(max_openings))
     room.openings.push_back(read_opening(element));
   const auto materials = json["materials"];

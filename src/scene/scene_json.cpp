@@ -1,3 +1,4 @@
+#include "file_walls.h"
 #include "roomgen/base/file.h"
 #include "roomgen/scene/scene.h"
 
@@ -153,6 +154,8 @@ Result<Scene> scene_from_json(const Json& json, const std::string& source) {
     scene.unplaced.push_back({element["id"].text(), element["category"].text_or(""),
                               element["reason"].text_or("")});
   if (problems.first()) return *problems.first();
+  const FileWalls walls(read_corners(root["room"]["polygon"]), scene.room.polygon);
+  for (auto& object : scene.objects) walls.rename(object.relations);
   if (auto status = check(scene); !status) return with_context(status.error(), source);
   return scene;
 }

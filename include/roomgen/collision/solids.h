@@ -16,7 +16,8 @@ class Solids {
   explicit Solids(const ModelTable& models);
   ~Solids();
 
-  /// Meshes that still intersect after one is moved 5 mm away from the other, or one inside the other.
+  /// Meshes that still intersect after either of them is moved 5 mm away from the other, or one inside
+  /// the other. The order of the two does not matter.
   bool overlap(const Object& a, const Object& b);
 
  private:

@@ -1,0 +1,58 @@
+#include "support/held.h"
+
+using namespace roomgen;
+
+namespace {
+
+//   ====== ceiling 2.7     [lamp]
+//                          on the
+//          +------+  0.75  table
+//          |table |
+Scene with_table() {
+  return rooms::scene(rooms::box(6, 6), {rooms::thing("table-0", "table", {1.6, 0.8, 0.75}, {3, 3}, 30)});
+}
+
+Object lamp(double bottom, double x = 0.0, double height = 0.4) {
+  Object o = rooms::thing("lamp-0", "thing", {0.3, 0.3, height}, {3 + x, 3}, 30);
+  o.position.z() = bottom;
+  return o;
+}
+
+bool is(const std::string& relation, const Object& object) {
+  return held(with_table(), object, relation + ", table-0");
+}
+
+}  // namespace
+
+TEST_CASE("on: stands on the target, not beside or over it") {
+  CHECK(is("on", lamp(0.75)));
+  CHECK(is("on", lamp(0.5)));  // on a board inside it
+  CHECK_FALSE(is("on", lamp(0.75, 1.2)));
+  CHECK_FALSE(is("on", lamp(1.2)));
+}
+
+TEST_CASE("above: over the target's top, its centre over the target") {
+  CHECK(is("above", lamp(0.75)));
+  CHECK(is("above", lamp(2.0)));
+  CHECK_FALSE(is("above", lamp(0.7)));
+  CHECK_FALSE(is("above", lamp(2.0, 1.2)));
+}
+
+TEST_CASE("under: below the target's bottom; a rug is under what stands on it") {
+  Scene shelf = with_table();
+  shelf.objects[0].position.z() = 1.4;  // hangs
+  CHECK(held(shelf, lamp(0.0, 0.0, 1.4), "under, table-0"));
+  CHECK_FALSE(held(shelf, lamp(0.0, 0.0, 1.5), "under, table-0"));
+  CHECK_FALSE(held(shelf, lamp(0.0, 1.2, 0.5), "under, table-0"));
+  Object rug = rooms::thing("rug-0", "rug", {2.0, 1.4, 0.01}, {3, 3}, 30);
+  rug.traits.flat = true;
+  CHECK(is("under", rug));
+}
+
+TEST_CASE("hang from: at the ceiling or with the back at the wall") {
+  CHECK(is("hang from", lamp(2.3)));
+  CHECK_FALSE(is("hang from", lamp(2.0)));
+  Object picture = rooms::thing("picture-0", "thing", {0.8, 0.04, 0.6}, {3, 5.97}, 0);
+  picture.position.z() = 1.4;
+  CHECK(is("hang from", picture));
+}

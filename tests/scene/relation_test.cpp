@@ -1,0 +1,109 @@
+#include "roomgen/scene/relation.h"
+
+#include <set>
+
+#include "catch.h"
+#include "support/contains.h"
+
+using namespace roomgen;
+
+namespace {
+
+std::vector<RelationKind> all_kinds() {
+  std::vector<RelationKind> kinds;
+  for (int i = 0; i <= static_cast<int>(RelationKind::hang_from); ++i)
+    kinds.push_back(static_cast<RelationKind>(i));
+  return kinds;
+}
+
+RelationKind kind_of(const std::string& text) {
+  const auto relation = parse_relation(text + ", desk-0");
+  INFO(text);
+  REQUIRE(relation);
+  CHECK(relation->target == "desk-0");
+  return relation->kind;
+}
+
+std::string complaint(std::string_view text) {
+  const auto relations = parse_relations(text);
+  if (relations) return "";
+  CHECK(is_one_line(relations.error().message));
+  return relations.error().message;
+}
+
+}  // namespace
+
+TEST_CASE("Every kind has a name of its own that parses back to it") {
+  std::set<std::string> names;
+  for (const auto kind : all_kinds()) {
+    Relation relation{kind, takes_target(kind) ? "bed-0" : ""};
+    names.insert(std::string(name(kind)));
+    const auto parsed = parse_relation(to_text(relation));
+    INFO(to_text(relation));
+    REQUIRE(parsed);
+    CHECK(*parsed == relation);
+  }
+  CHECK(names.size() == 20);
+  CHECK(names.count("") == 0);
+}
+
+TEST_CASE("Only edge, middle and corner take no target") {
+  for (const auto kind : all_kinds())
+    CHECK(takes_target(kind) == (kind != RelationKind::edge && kind != RelationKind::middle &&
+                                 kind != RelationKind::corner));
+}
+
+TEST_CASE("Other common spellings are understood") {
+  CHECK(parse_relation("against wall")->kind == RelationKind::edge);
+  CHECK(parse_relation("center")->kind == RelationKind::middle);
+  CHECK(kind_of("close to") == RelationKind::near);
+  CHECK(kind_of("next to") == RelationKind::near);
+  CHECK(kind_of("far from") == RelationKind::far);
+  CHECK(kind_of("to the left of") == RelationKind::left_of);
+  CHECK(kind_of("to the right of") == RelationKind::right_of);
+  CHECK(kind_of("beside") == RelationKind::side_of);
+  CHECK(kind_of("centre align with") == RelationKind::center_aligned);
+  CHECK(kind_of("center aligned with") == RelationKind::center_aligned);
+  CHECK(kind_of("aligned with") == RelationKind::aligned);
+  CHECK(kind_of("facing") == RelationKind::face_to);
+  CHECK(kind_of("on top of") == RelationKind::on);
+  CHECK(kind_of("below") == RelationKind::under);
+}
+
+TEST_CASE("Case and extra spaces do not matter") {
+  const Relation wanted{RelationKind::in_front_of, "office chair-0"};
+  for (const char* text : {"in front of,office chair-0", "  In Front Of , Office Chair-0 ",
+                           "in  front   of, office chair-0", "in\tfront of,\toffice chair-0"}) {
+    const auto relation = parse_relation(text);
+    INFO(text);
+    REQUIRE(relation);
+    CHECK(*relation == wanted);
+  }
+}
+
+TEST_CASE("A list keeps its order and drops what is empty or repeated") {
+  const auto relations = parse_relations(" edge || near, bed-0 | EDGE | near, bed-0 |");
+  REQUIRE(relations);
+  CHECK(to_text(*relations) == "edge | near, bed-0");
+  CHECK(parse_relations("")->empty());
+  CHECK(parse_relations(" | ")->empty());
+}
+
+TEST_CASE("A list as text parses back to the list") {
+  std::vector<Relation> all;
+  for (const auto kind : all_kinds()) all.push_back({kind, takes_target(kind) ? "wall-0" : ""});
+  CHECK(*parse_relations(to_text(all)) == all);
+}
+
+TEST_CASE("An unknown word suggests the nearest known one") {
+  CHECK(contains_text(complaint("neer, bed-0"), "\"neer\"; did you mean \"near\"?"));
+  CHECK(contains_text(complaint("edge | in fron of, bed-0"), "did you mean \"in front of\"?"));
+  CHECK(contains_text(complaint("levitating, bed-0"), "unknown constraint \"levitating\""));
+  CHECK_FALSE(contains_text(complaint("levitating, bed-0"), "did you mean"));
+}
+
+TEST_CASE("A target too few and one too many are errors") {
+  CHECK(contains_text(complaint("near"), "needs a target"));
+  CHECK(contains_text(complaint("near,"), "needs a target"));
+  CHECK(contains_text(complaint("edge, wall-0"), "takes no target"));
+}
