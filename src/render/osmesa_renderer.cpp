@@ -60,6 +60,12 @@ Sun sun_of(const Room& room, const View& view, const Camera& camera) {
   return make_sun(sun_direction(camera, view.kind), points);
 }
 
+// How far the soft edge of a shadow may lie beside the shadow of a point.
+int shadow_margin(const Camera& camera, const Sun& sun) {
+  const double metres = 2.0 * shadow_width + 3.0 * ShadowMap::texel(sun);
+  return static_cast<int>(std::ceil(metres * camera.pixels_per_metre)) + 2;
+}
+
 // The pixels that change when something in this box comes or goes: the box, its shadow, and around.
 PixelRect touched_pixels(const Camera& camera, const Sun& sun, const Bounds3& box) {
   Bounds3 lit = box;
@@ -68,7 +74,10 @@ PixelRect touched_pixels(const Camera& camera, const Sun& sun, const Bounds3& bo
                  box.high.z());
     lit.add(p - sun.direction * ((p.z() + floor_thickness) / sun.direction.z()));
   }
-  return covered_pixels(camera, lit).grown(Picture::reach(camera) + 4);
+  // Occlusion reaches around the thing itself, not around its shadow.
+  PixelRect touched = covered_pixels(camera, box).grown(Picture::reach(camera));
+  touched.cover(covered_pixels(camera, lit).grown(shadow_margin(camera, sun)));
+  return touched;
 }
 
 // Items of one list that the other lacks, in either direction.
@@ -144,7 +153,7 @@ class OsmesaRenderer : public Renderer {
     const bool fresh = frame.items.empty();
     PixelRect damage = fresh ? PixelRect{0, 0, camera.width, camera.height} : PixelRect{};
     PixelRect shadow_damage =
-        fresh || shadow_owner_ != frame.key ? ShadowMap::whole() : PixelRect{};
+        fresh || buffers_owner_ != frame.key ? ShadowMap::whole() : PixelRect{};
     if (fresh) frame.sun = sun_of(scene.room, view, camera);
     for (const auto& box : differences(frame.items, items)) {
       damage.cover(touched_pixels(camera, frame.sun, box));
@@ -152,11 +161,12 @@ class OsmesaRenderer : public Renderer {
     }
     damage = damage.clipped({0, 0, camera.width, camera.height});
     if (!damage.empty()) {
+      const bool continued = !fresh && buffers_owner_ == frame.key;
       shadows_.update(painter_, items, frame.sun, shadow_damage);
-      shadow_owner_ = frame.key;
+      buffers_owner_ = frame.key;
       picture_.draw(painter_, items, camera,
                     {&frame.sun, shadows_.texture(), shadow_width / frame.sun.extent}, damage,
-                    frame.image);
+                    continued, frame.image);
     }
     frame.items = std::move(items);
     cache_.drop_unused();
@@ -167,8 +177,8 @@ class OsmesaRenderer : public Renderer {
   ScenePainter painter_;
   Picture picture_;
   ShadowMap shadows_;
-  std::string shadow_owner_;  ///< key of the frame whose shadows the map holds
-  std::list<Frame> frames_;   ///< latest first
+  std::string buffers_owner_;  ///< key of the frame whose shadows and depths the buffers hold
+  std::list<Frame> frames_;    ///< latest first
 };
 
 }  // namespace

@@ -89,8 +89,12 @@ void Picture::reserve(int width, int height) {
 }
 
 void Picture::draw(const ScenePainter& painter, const DrawList& items, const Camera& camera,
-                   const ScenePainter::Light& light, const PixelRect& part, Image& image) {
+                   const ScenePainter::Light& light, const PixelRect& part, bool continued,
+                   Image& image) {
   const int margin = reach(camera);
+  // Ambient occlusion looks at depths around; those of a picture in one piece are still there.
+  const bool one_tile = std::max(camera.width, camera.height) <= tile_side;
+  const int redrawn_margin = continued && one_tile ? 0 : margin;
   for (int y = 0; y < camera.height; y += tile_side)
     for (int x = 0; x < camera.width; x += tile_side) {
       const PixelRect square = PixelRect{x, y, x + tile_side, y + tile_side}.clipped(whole(camera));
@@ -98,7 +102,7 @@ void Picture::draw(const ScenePainter& painter, const DrawList& items, const Cam
       tile.wanted = square.clipped(part);
       if (tile.wanted.empty()) continue;
       tile.area = square.grown(margin).clipped(whole(camera));
-      tile.painted = tile.wanted.grown(margin).clipped(tile.area);
+      tile.painted = tile.wanted.grown(redrawn_margin).clipped(tile.area);
       reserve(tile.area.width(), tile.area.height());
       paint(painter, items, camera, light, tile);
       add_occlusion(camera, tile);

@@ -10,9 +10,10 @@ class Picture {
  public:
   static Result<Picture> create(const Gl& gl);
 
-  /// Replaces the pixels of `part` of the image, which has the camera's size.
+  /// Replaces the pixels of `part` of the image, which has the camera's size. `continued` says that
+  /// the last call drew this picture too and that depths outside `part` are as they were.
   void draw(const ScenePainter& painter, const DrawList& items, const Camera& camera,
-            const ScenePainter::Light& light, const PixelRect& part, Image& image);
+            const ScenePainter::Light& light, const PixelRect& part, bool continued, Image& image);
 
   /// How far an object changes pixels around it.
   static int reach(const Camera& camera);

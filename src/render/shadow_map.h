@@ -10,6 +10,8 @@ class ShadowMap {
   explicit ShadowMap(const Gl& gl);
 
   static PixelRect whole() { return {0, 0, size, size}; }
+  /// Metres between its samples.
+  static double texel(const Sun& sun) { return sun.extent / size; }
   /// The part that a box of the room covers.
   static PixelRect covered_by(const Sun& sun, const Bounds3& box);
   /// Draws the items into this part, which forgets what it held.

@@ -118,6 +118,26 @@ TEST_CASE("drawing only what changed gives what drawing everything gives") {
   }
 }
 
+TEST_CASE("repainting is exact in crowded rooms of any size") {
+  for (const int seed : {2, 5, 9}) {
+    auto kept = make_renderer(), fresh = make_renderer();
+    Scene scene = test::random_scene(seed);
+    scene.objects.resize(std::min<std::size_t>(scene.objects.size(), 12));
+    const auto all = scene.objects;
+    scene.objects.pop_back();
+    const View view = view_of(View::Kind::top, 400);
+    (void)draw(*kept, scene, view);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      scene.objects = all;
+      scene.objects.erase(scene.objects.begin() + static_cast<std::ptrdiff_t>(i));
+      (void)draw(*kept, scene, view);
+    }
+    scene.objects = all;
+    INFO("seed " << seed);
+    CHECK(differing(draw(*kept, scene, view), draw(*fresh, scene, view)) == 0);
+  }
+}
+
 TEST_CASE("a large picture made of tiles has no seams") {
   auto renderer = make_renderer();
   ModelTable models;
