@@ -18,7 +18,7 @@ namespace roomgen::detail {
   X(GenTextures) X(GenVertexArrays) X(GenerateMipmap) X(GetError) X(GetIntegerv)                    \
   X(GetProgramInfoLog) X(GetProgramiv) X(GetShaderInfoLog) X(GetShaderiv) X(GetUniformLocation)     \
   X(LinkProgram) X(PixelStorei) X(PolygonOffset) X(ReadBuffer) X(ReadPixels) X(Scissor)             \
-  X(ShaderSource) X(TexImage2D) X(TexParameterf) X(TexParameteri) X(Uniform1f) X(Uniform1i)         \
+  X(ShaderSource) X(TexImage2D) X(TexParameterfv) X(TexParameteri) X(Uniform1f) X(Uniform1i)         \
   X(Uniform2f) X(Uniform2i) X(Uniform3f) X(UniformMatrix3fv) X(UniformMatrix4fv) X(UseProgram)      \
   X(VertexAttribPointer) X(Viewport)
 

@@ -153,7 +153,7 @@ class OsmesaRenderer : public Renderer {
     const bool fresh = frame.items.empty();
     PixelRect damage = fresh ? PixelRect{0, 0, camera.width, camera.height} : PixelRect{};
     PixelRect shadow_damage =
-        fresh || buffers_owner_ != frame.key ? ShadowMap::whole() : PixelRect{};
+        fresh || shadow_owner_ != frame.key ? ShadowMap::whole() : PixelRect{};
     if (fresh) frame.sun = sun_of(scene.room, view, camera);
     for (const auto& box : differences(frame.items, items)) {
       damage.cover(touched_pixels(camera, frame.sun, box));
@@ -161,9 +161,11 @@ class OsmesaRenderer : public Renderer {
     }
     damage = damage.clipped({0, 0, camera.width, camera.height});
     if (!damage.empty()) {
-      const bool continued = !fresh && buffers_owner_ == frame.key;
+      const bool continued = !fresh && depth_owner_ == frame.key;
       shadows_.update(painter_, items, frame.sun, shadow_damage);
-      buffers_owner_ = frame.key;
+      shadow_owner_ = frame.key;
+      // A picture that was partly drawn after another one has strange depths around that part.
+      if (!continued) depth_owner_ = fresh ? frame.key : std::string();
       picture_.draw(painter_, items, camera,
                     {&frame.sun, shadows_.texture(), shadow_width / frame.sun.extent}, damage,
                     continued, frame.image);
@@ -177,8 +179,9 @@ class OsmesaRenderer : public Renderer {
   ScenePainter painter_;
   Picture picture_;
   ShadowMap shadows_;
-  std::string buffers_owner_;  ///< key of the frame whose shadows and depths the buffers hold
-  std::list<Frame> frames_;    ///< latest first
+  std::string shadow_owner_;  ///< key of the frame whose shadows the map holds
+  std::string depth_owner_;   ///< key of the frame whose depths the buffers hold
+  std::list<Frame> frames_;   ///< latest first
 };
 
 }  // namespace
