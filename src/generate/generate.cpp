@@ -104,8 +104,11 @@ class Generator {
     std::vector<std::string> refusals;
     std::optional<PlacementTask> first;
     record["attempts"] = Json::array();
-    for (int answer = 0; answer < options_.answers_per_object; ++answer) {
-      const std::size_t count = answer == 0 ? assets.size() : 1;
+    // When one of a kind found no place after all, the next ones are not worth the same pains.
+    const bool brief = hopeless_items_.count(planned.item) > 0;
+    const int answers = brief ? 1 : options_.answers_per_object;
+    for (int answer = 0; answer < answers; ++answer) {
+      const std::size_t count = answer == 0 && !brief ? assets.size() : 1;
       for (std::size_t a = 0; a < count; ++a) {
         if (options_.cancel.cancelled()) return "stopped before it was tried";
         auto task = prepare(planned, assets[a]);
@@ -128,6 +131,7 @@ class Generator {
         record["attempts"].push_back(std::move(attempt));
       }
     }
+    if (brief) return refusals.back();
     return repair(planned, assets.front(), *first, refusals.back(), record);
   }
 
@@ -256,6 +260,7 @@ class Generator {
       record["repaired"] = true;
       return "";
     }
+    hopeless_items_.insert(planned.item);
     return refusal;
   }
 
@@ -313,6 +318,7 @@ class Generator {
   Layout layout_;
   std::vector<PlacementTask> tasks_;              ///< of all objects that have an asset, in order
   std::map<std::string, std::string> reasons_;    ///< why objects are not in the layout
+  std::set<std::size_t> hopeless_items_;          ///< of which one found no place
   std::map<std::string, AssetInfo> assets_;       ///< by object
   std::map<std::string, double> support_heights_; ///< of things that carry others, by object
 };
