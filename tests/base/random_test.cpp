@@ -52,7 +52,7 @@ TEST_CASE("Neighbouring seeds and streams have nothing in common") {
   CHECK(seen.size() == 2000);
 }
 
-TEST_CASE("Uniform numbers lie in [0, 1) with the moments of the uniform distribution") {
+TEST_CASE("Uniform numbers are at least 0 and below 1, with the moments of the uniform distribution") {
   Random random(11);
   double low = 1.0, high = 0.0;
   const auto found = moments(200000, [&] {

@@ -38,7 +38,7 @@ TEST_CASE("above: over the target's top, its centre over the target") {
   CHECK_FALSE(is("above", lamp(2.0, 1.2)));
 }
 
-TEST_CASE("under: below the target's bottom; a rug is under what stands on it") {
+TEST_CASE("under: below the target's bottom, and a rug is under what stands on it") {
   Scene shelf = with_table();
   shelf.objects[0].position.z() = 1.4;  // hangs
   CHECK(held(shelf, lamp(0.0, 0.0, 1.4), "under, table-0"));

@@ -23,7 +23,7 @@ TEST_CASE("The yaw that faces a direction looks along it, whatever its length") 
   }
 }
 
-TEST_CASE("A wrapped angle is the same direction in (-180, 180] degrees") {
+TEST_CASE("A wrapped angle is the same direction, over -180 and up to 180 degrees") {
   Random random(2);
   for (int i = 0; i < 500; ++i) {
     const double angle = random.uniform(-50.0, 50.0), wrapped = wrap_angle(angle);

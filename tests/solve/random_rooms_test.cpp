@@ -8,9 +8,9 @@ using namespace roomgen;
 
 TEST_CASE("Nothing invalid is ever placed") {
   std::size_t placed = 0, wanted = 0;
-  for (std::uint64_t seed = 0; seed < 30; ++seed) {
+  for (std::uint64_t seed = 0; seed < 24; ++seed) {
     const auto problem = rooms::random_problem(seed);
-    const auto solution = solved(problem, seed, 4);
+    const auto solution = solved(problem, seed, 2);
     INFO("random problem " << seed);
     CHECK(violations(solution.scene) == std::vector<std::string>{});
     CHECK(brute_force::faults(solution.scene) == std::vector<std::string>{});
