@@ -30,14 +30,19 @@ std::vector<FloorThing> floor_things(std::span<const Object> objects,
   return things;
 }
 
+bool blocks_zone(const FloorThing& other, const FloorThing& owner, const UseZone& zone,
+                 const Footprint& area) {
+  return other.object != owner.object && blocks_floor(*other.object) &&
+         overlaps(area, other.footprint, zone_tolerance) &&
+         !is_any_of(*other.category, zone.partners);
+}
+
 bool zone_is_free(const Room& room, std::span<const FloorThing> things, const FloorThing& owner,
                   const UseZone& zone) {
   const Footprint area = zone_footprint(owner.footprint, zone);
   if (!contains(room.polygon, area, zone_tolerance)) return false;
   return std::none_of(things.begin(), things.end(), [&](const FloorThing& other) {
-    return other.object != owner.object && blocks_floor(*other.object) &&
-           overlaps(area, other.footprint, zone_tolerance) &&
-           !is_any_of(*other.category, zone.partners);
+    return blocks_zone(other, owner, zone, area);
   });
 }
 
@@ -52,8 +57,7 @@ bool needs_no_zone(const FloorThing& thing) {
 
 bool has_free_zone(const Room& room, std::span<const FloorThing> things, const FloorThing& thing) {
   const auto& zones = thing.category->zones;
-  return needs_no_zone(thing) ||
-         std::any_of(zones.begin(), zones.end(), [&](const UseZone& zone) {
+  return needs_no_zone(thing) || std::any_of(zones.begin(), zones.end(), [&](const UseZone& zone) {
            return zone_is_free(room, things, thing, zone);
          });
 }
@@ -61,8 +65,7 @@ bool has_free_zone(const Room& room, std::span<const FloorThing> things, const F
 bool is_usable(const Room& room, std::span<const FloorThing> things, const FloorThing& thing,
                const WalkMap& flooded) {
   const auto& zones = thing.category->zones;
-  return needs_no_zone(thing) ||
-         std::any_of(zones.begin(), zones.end(), [&](const UseZone& zone) {
+  return needs_no_zone(thing) || std::any_of(zones.begin(), zones.end(), [&](const UseZone& zone) {
            return flooded.reaches(zone_footprint(thing.footprint, zone)) &&
                   zone_is_free(room, things, thing, zone);
          });

@@ -44,6 +44,17 @@ bool rectangles_overlap(const Footprint& a, const Footprint& b, double tolerance
          std::abs(between.dot(b.y_axis())) < q.y() + s * p.x() + c * p.y() - tolerance;
 }
 
+// Most things stand square to the walls and to each other: then distances are those of boxes.
+constexpr double parallel = 1e-9;
+
+bool are_square(const Vec2& axis, const Vec2& other) {
+  return std::abs(axis.dot(other)) < parallel || std::abs(cross(axis, other)) < parallel;
+}
+
+double box_distance(const Vec2& point, const Vec2& half) {
+  return (point.cwiseAbs() - half).cwiseMax(0.0).norm();
+}
+
 // Liang-Barsky clipping of the segment against a box around the origin.
 bool clips(const Vec2& a, const Vec2& b, const Vec2& half) {
   double enter = 0.0, leave = 1.0;
@@ -78,8 +89,8 @@ Footprint::Footprint(const Vec2& center, const Vec2& size, double yaw, bool roun
     const double stretch = 1.0 / std::cos(pi / round_sides);
     for (std::size_t i = 0; i < round_sides; ++i) {
       const double angle = 2.0 * pi * (static_cast<double>(i) + 0.5) / round_sides;
-      corners_[i] = to_world({stretch * half_.x() * std::cos(angle),
-                              stretch * half_.y() * std::sin(angle)});
+      corners_[i] =
+          to_world({stretch * half_.x() * std::cos(angle), stretch * half_.y() * std::sin(angle)});
     }
   } else {
     const Vec2 x = half_.x() * x_axis(), y = half_.y() * y_axis();
@@ -89,6 +100,16 @@ Footprint::Footprint(const Vec2& center, const Vec2& size, double yaw, bool roun
     corners_[3] = center_ + x - y;
   }
   for (const auto& corner : outline()) bounds_.add(corner);
+}
+
+Footprint Footprint::moved_to(const Vec2& center) const {
+  Footprint moved = *this;
+  const Vec2 shift = center - center_;
+  moved.center_ = center;
+  for (std::size_t i = 0; i < count_; ++i) moved.corners_[i] += shift;
+  moved.bounds_.low += shift;
+  moved.bounds_.high += shift;
+  return moved;
 }
 
 Vec2 Footprint::to_local(const Vec2& point) const {
@@ -112,6 +133,11 @@ bool overlaps(const Footprint& a, const Footprint& b, double tolerance) {
 }
 
 double gap(const Footprint& a, const Footprint& b) {
+  if (!a.round() && !b.round() && are_square(a.x_axis(), b.x_axis())) {
+    const bool quarter = std::abs(a.x_axis().dot(b.x_axis())) < 0.5;
+    const Vec2 other = quarter ? Vec2(b.half().y(), b.half().x()) : b.half();
+    return box_distance(a.to_local(b.center()), a.half() + other);
+  }
   if (overlaps(a, b, 0.0)) return 0.0;
   // Convex and apart: the nearest points are a corner of one and some point of the other.
   double best = std::numeric_limits<double>::max();
@@ -121,6 +147,11 @@ double gap(const Footprint& a, const Footprint& b) {
 }
 
 double gap(const Footprint& footprint, const Segment& segment) {
+  if (!footprint.round()) {
+    const Vec2 a = footprint.to_local(segment.a), b = footprint.to_local(segment.b);
+    if ((a - b).cwiseAbs().minCoeff() < parallel)
+      return box_distance(0.5 * (a + b), footprint.half() + 0.5 * (a - b).cwiseAbs());
+  }
   if (contains(footprint, segment.a) || contains(footprint, segment.b)) return 0.0;
   if (!footprint.round() && passes_through(footprint, segment)) return 0.0;
   const auto outline = footprint.outline();
@@ -133,10 +164,7 @@ double gap(const Footprint& footprint, const Segment& segment) {
 }
 
 double gap(const Footprint& footprint, const Vec2& point) {
-  if (!footprint.round()) {
-    const Vec2 outside = (footprint.to_local(point).cwiseAbs() - footprint.half()).cwiseMax(0.0);
-    return outside.norm();
-  }
+  if (!footprint.round()) return box_distance(footprint.to_local(point), footprint.half());
   if (contains(footprint, point)) return 0.0;
   const auto outline = footprint.outline();
   double best = std::numeric_limits<double>::max();

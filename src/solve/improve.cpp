@@ -51,15 +51,20 @@ class Search {
         break;
       const bool start_anew = barren >= patience;
       lost_allowed_ = start_anew ? wanted : wanted - current.quality.held;
-      if (start_anew) recreate(everything());
-      else if (round % 2 == 0) eject();
-      else recreate(choose_ruin());
+      if (start_anew)
+        recreate(everything());
+      else if (round % 2 == 0)
+        eject();
+      else
+        recreate(choose_ruin());
       const LayoutQuality now = quality(layout_, tasks_);
       const bool gained = now.placed > current.quality.placed || now.held > current.quality.held;
       barren = start_anew || gained ? 0 : barren + 1;
       // Sideways steps lead out of dead ends, and so does a new start, however it ends.
-      if (start_anew || now.as_good_as(current.quality)) current = state();
-      else restore(current);
+      if (start_anew || now.as_good_as(current.quality))
+        current = state();
+      else
+        restore(current);
       if (now.better_than(best.quality)) best = current;
     }
     if (round == 0) return 0;
@@ -76,7 +81,8 @@ class Search {
   };
 
   State state() const {
-    return {{layout_.objects().begin(), layout_.objects().end()}, reasons_, quality(layout_, tasks_)};
+    return {
+        {layout_.objects().begin(), layout_.objects().end()}, reasons_, quality(layout_, tasks_)};
   }
 
   // Touches only what moved.
@@ -86,9 +92,8 @@ class Search {
     };
     std::vector<std::string> moved;
     for (const auto& object : layout_.objects()) {
-      const auto before =
-          std::find_if(state.objects.begin(), state.objects.end(),
-                       [&](const Object& other) { return other.id == object.id; });
+      const auto before = std::find_if(state.objects.begin(), state.objects.end(),
+                                       [&](const Object& other) { return other.id == object.id; });
       if (before == state.objects.end() || !same_pose(*before, object)) moved.push_back(object.id);
     }
     for (const auto& id : moved) layout_.remove(id);
@@ -99,8 +104,7 @@ class Search {
 
   bool is_troubled(const PlacementTask& task) const {
     const Object* placed = layout_.find(task.object.id);
-    return !placed ||
-           held_by(layout_, *placed) < static_cast<int>(task.object.relations.size());
+    return !placed || held_by(layout_, *placed) < static_cast<int>(task.object.relations.size());
   }
 
   bool is_fixed(const std::string& id) const {
@@ -166,8 +170,8 @@ class Search {
     return troubled.empty() ? random_.pick(tasks_) : *random_.pick(troubled);
   }
 
-  // Gives a troubled object a pose where all its constraints hold, whoever stands there: those are put
-  // elsewhere (an ejection chain).
+  // Gives a troubled object a pose where all its constraints hold, whoever stands there: those are
+  // put elsewhere (an ejection chain).
   void eject() {
     const PlacementTask& task = choose_troubled();
     if (is_fixed(task.object.id)) return;
@@ -212,9 +216,9 @@ class Search {
       const auto grid = propose_grid(context, eject_pitch);
       poses.insert(poses.end(), grid.begin(), grid.end());
     }
+    const FootprintAt footprint_at(task.object);
     for (const auto& pose : poses) {
-      const Footprint area(pose.position, task.object.size.head<2>(), pose.yaw,
-                           task.object.traits.round);
+      const Footprint area = footprint_at(pose);
       if (!layout_.fits_room(candidate, area, pose.bottom)) continue;
       if (!holds_all(context, area, pose.bottom)) continue;
       const auto blockers = in_the_way(task, pose);
@@ -285,8 +289,7 @@ LayoutQuality quality(const Layout& layout, const std::vector<PlacementTask>& ta
   for (const auto& task : tasks) {
     const Object* object = layout.find(task.object.id);
     if (!object) continue;
-    const auto relations =
-        resolve(*object, layout.room(), layout.objects(), layout.categories());
+    const auto relations = resolve(*object, layout.room(), layout.objects(), layout.categories());
     const ProposalContext context{layout, task, relations,
                                   count_around(task.object, layout.objects())};
     const auto terms = score(context, footprint(*object), bottom(*object));

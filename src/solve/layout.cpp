@@ -43,6 +43,15 @@ Object at_pose(const Object& object, const Pose& pose) {
   return with_rounded_pose(std::move(placed));
 }
 
+Footprint FootprintAt::operator()(const Pose& pose) const {
+  for (const auto& known : turned_)
+    if (known.yaw() == pose.yaw) return known.moved_to(pose.position);
+  constexpr std::size_t most_remembered = 16;
+  if (turned_.size() == most_remembered) turned_.clear();
+  turned_.emplace_back(Vec2::Zero(), size_, pose.yaw, round_);
+  return turned_.back().moved_to(pose.position);
+}
+
 Layout::Layout(const Room& room, const CategoryTable& categories, const ModelTable& models)
     : room_(room),
       categories_(categories),
@@ -150,37 +159,56 @@ bool Layout::fits(const Candidate& candidate, const Footprint& footprint, double
          });
 }
 
-bool Layout::fits_exactly(const Candidate& candidate) {
+Layout::Verdict Layout::fits_exactly(const Candidate& candidate) {
   const Object& object = candidate.object;
   const Footprint own = footprint(object);
-  for (const auto& other : things_)
-    if (own.bounds().overlaps(other.footprint.bounds()) && solids_.overlap(object, *other.object))
-      return false;
-  if (!blocks_floor(object)) return true;
+  for (std::size_t i = 0; i < things_.size(); ++i)
+    if (own.bounds().overlaps(things_[i].footprint.bounds()) &&
+        solids_.overlap(object, *things_[i].object))
+      return {false, {i}};
+  if (!blocks_floor(object)) return {};
 
   things_.push_back({&object, candidate.category, own});
-  const bool usable = all_have_a_free_zone() && all_are_usable_with(own);
+  Verdict verdict = all_have_a_free_zone();
+  if (verdict) verdict = all_are_usable_with(own);
   things_.pop_back();
-  return usable;
+  return verdict;
 }
 
 // Cheaper than the walk, and what most bad poses fail.
-bool Layout::all_have_a_free_zone() const {
-  return std::all_of(things_.begin(), things_.end(), [&](const FloorThing& thing) {
-    return has_free_zone(room_, things_, thing);
-  });
+Layout::Verdict Layout::all_have_a_free_zone() const {
+  for (std::size_t i = 0; i < things_.size(); ++i)
+    if (!has_free_zone(room_, things_, things_[i])) return blame(i);
+  return {};
 }
 
-bool Layout::all_are_usable_with(const Footprint& newcomer) {
+Layout::Verdict Layout::all_are_usable_with(const Footprint& newcomer) {
   bring_walk_map_up_to_date();
   walk_map_.add(newcomer);
   walk_map_.flood();
-  const bool usable = walk_map_.doors_connected() &&
-                      std::all_of(things_.begin(), things_.end(), [&](const FloorThing& thing) {
-                        return is_usable(room_, things_, thing, walk_map_);
-                      });
+  Verdict verdict;
+  if (!walk_map_.doors_connected()) verdict = {false};
+  for (std::size_t i = 0; i < things_.size() && verdict; ++i)
+    if (!is_usable(room_, things_, things_[i], walk_map_)) verdict = blame(i);
   walk_map_.remove(newcomer);
-  return usable;
+  return verdict;
+}
+
+// A thing that the newcomer, the last of things_, makes useless could stand elsewhere; for a
+// newcomer that is useless itself, those in its zones could.
+Layout::Verdict Layout::blame(std::size_t useless) const {
+  const std::size_t newcomer = things_.size() - 1;
+  if (useless != newcomer) return {false, {useless}};
+  Verdict verdict{false};
+  const FloorThing& own = things_.back();
+  for (std::size_t i = 0; i < newcomer; ++i) {
+    const auto stands_in = [&](const UseZone& zone) {
+      return blocks_zone(things_[i], own, zone, zone_footprint(own.footprint, zone));
+    };
+    if (std::any_of(own.category->zones.begin(), own.category->zones.end(), stands_in))
+      verdict.blamed.push_back(i);
+  }
+  return verdict;
 }
 
 }  // namespace roomgen

@@ -18,14 +18,14 @@ struct Scored {
   PlacementTerms terms;
 };
 
-// The poses that pass the cheap tests, with their scores. Without a suggestion the constraints come first,
-// and a pose that loses more of them than another is dropped as soon as that is known.
+// The poses that pass the cheap tests, with their scores. Without a suggestion the constraints come
+// first, and a pose that loses more of them than another is dropped as soon as that is known.
 void score_feasible(const ProposalContext& context, const Layout::Candidate& candidate,
                     const std::vector<Pose>& poses, std::vector<Scored>& scored) {
-  const Object& object = context.task.object;
+  const FootprintAt footprint_at(context.task.object);
   int most_lost = std::numeric_limits<int>::max();
   for (const auto& pose : poses) {
-    const Footprint footprint(pose.position, object.size.head<2>(), pose.yaw, object.traits.round);
+    const Footprint footprint = footprint_at(pose);
     if (!context.layout.fits(candidate, footprint, pose.bottom)) continue;
     const auto terms = score_relations(context, footprint, pose.bottom, most_lost);
     if (!terms) continue;
@@ -40,19 +40,15 @@ bool one_holds_all(const std::vector<Scored>& scored) {
                      [](const Scored& s) { return s.terms.lost == 0; });
 }
 
-// Without a suggestion the number of lost constraints comes first, and the dearer terms are only asked of
-// those that can win.
+// Without a suggestion the number of lost constraints comes first, and the dearer terms are only
+// asked of those that can win.
 void add_general_terms(const ProposalContext& context, std::vector<Scored>& scored) {
   int least = std::numeric_limits<int>::max();
   for (const auto& s : scored) least = std::min(least, s.terms.lost);
-  for (auto& s : scored) {
-    if (!context.task.location && s.terms.lost > least) continue;
-    const Object& object = context.task.object;
-    add_general_terms(context,
-                      Footprint(s.pose.position, object.size.head<2>(), s.pose.yaw,
-                                object.traits.round),
-                      s.terms);
-  }
+  const FootprintAt footprint_at(context.task.object);
+  for (auto& s : scored)
+    if (context.task.location || s.terms.lost == least)
+      add_general_terms(context, footprint_at(s.pose), s.terms);
 }
 
 std::vector<std::size_t> rank(const ProposalContext& context, std::vector<Scored>& scored,
@@ -88,18 +84,19 @@ bool depends_on(const Object& object, const std::string& id) {
 }
 
 // Places a task by the cheap tests alone where all its constraints hold, if it can.
-bool place_roughly(Layout& layout, const PlacementTask& task, std::span<const PlacementTask> later) {
+bool place_roughly(Layout& layout, const PlacementTask& task,
+                   std::span<const PlacementTask> later) {
   auto relations = resolve(task.object, layout.room(), layout.objects(), layout.categories());
   // What waits for a target of its own cannot be judged yet.
   std::erase_if(relations, [](const ResolvedRelation& r) { return r.targets.empty(); });
   const ProposalContext context{layout, task, relations,
                                 count_around(task, layout.objects(), later)};
   const auto candidate = layout.candidate(task.object);
+  const FootprintAt footprint_at(task.object);
   std::optional<Pose> best;
   double best_degree = 0.0;
   for (const auto& pose : propose_exact(context)) {
-    const Footprint area(pose.position, task.object.size.head<2>(), pose.yaw,
-                         task.object.traits.round);
+    const Footprint area = footprint_at(pose);
     if (!layout.fits(candidate, area, pose.bottom)) continue;
     if (!holds_all(context, area, pose.bottom)) continue;
     const double degree = total_degree(score(context, area, pose.bottom));
@@ -109,9 +106,9 @@ bool place_roughly(Layout& layout, const PlacementTask& task, std::span<const Pl
   return best.has_value();
 }
 
-// How many of the tasks that depend on an object just added, directly or through each other, do not find
-// a place that holds all their constraints. The layout is left as it was.
-// Counts no further than `limit`.
+// How many of the tasks that depend on an object just added, directly or through each other, do not
+// find a place that holds all their constraints. The layout is left as it was. Counts no further
+// than `limit`.
 int count_homeless(Layout& layout, const std::string& id, std::span<const PlacementTask> later,
                    int limit) {
   int homeless = 0;
@@ -122,8 +119,10 @@ int count_homeless(Layout& layout, const std::string& id, std::span<const Placem
     });
     if (!related) continue;
     if (homeless >= limit) break;
-    if (place_roughly(layout, task, later)) family.push_back(task.object.id);
-    else ++homeless;
+    if (place_roughly(layout, task, later))
+      family.push_back(task.object.id);
+    else
+      ++homeless;
   }
   for (std::size_t i = 1; i < family.size(); ++i) layout.remove(family[i]);
   return homeless;
@@ -145,15 +144,19 @@ Error refusal(const PlacementTask& task, int candidates, int feasible) {
   return {Error::Kind::not_found, why};
 }
 
-// Walks through candidates in the order of choice and tests each on meshes and reachability. Near one that
-// failed, others will probably fail too; near one that passed, others are no real alternative: both come
-// after those elsewhere. Only when the first to pass ranks clearly below some that were put off are those
-// tried before it: a fine grid, with many failures close together, must not be driven from a suggestion.
+// Walks through candidates in the order of choice and tests each on meshes and reachability. Near
+// one that failed, others will probably fail too; near one that passed, others are no real
+// alternative: both come after those elsewhere. Only when the first to pass ranks clearly below
+// some that were put off are those tried before it: a fine grid, with many failures close together,
+// must not be driven from a suggestion.
 class Chooser {
  public:
   Chooser(Layout& layout, const PlacementTask& task, const std::vector<Scored>& scored,
           std::vector<std::size_t> order, int max_tests)
-      : layout_(layout), task_(task), scored_(scored), order_(std::move(order)),
+      : layout_(layout),
+        task_(task),
+        scored_(scored),
+        order_(std::move(order)),
         tests_left_(max_tests),
         alternative_distance_(std::clamp(0.5 * task.object.size.head<2>().minCoeff(), 0.2, 0.6)) {}
 
@@ -210,8 +213,8 @@ class Chooser {
   }
   bool passes(std::size_t i) {
     --tests_left_;
-    const bool passed =
-        layout_.fits_exactly(layout_.candidate(at_pose(task_.object, scored_[i].pose)));
+    const bool passed{
+        layout_.fits_exactly(layout_.candidate(at_pose(task_.object, scored_[i].pose)))};
     if (!passed) ++failures_[cell(i)];
     return passed;
   }
@@ -226,8 +229,8 @@ class Chooser {
   double alternative_distance_;
 };
 
-// The first candidate that passes; when others depend on the object, of the first few that pass the one
-// that costs the fewest constraints, its own and those of dependants without a place.
+// The first candidate that passes; when others depend on the object, of the first few that pass the
+// one that costs the fewest constraints, its own and those of dependants without a place.
 std::optional<std::size_t> choose(Layout& layout, const PlacementTask& task,
                                   std::span<const PlacementTask> later,
                                   const std::vector<Scored>& scored,
@@ -235,10 +238,9 @@ std::optional<std::size_t> choose(Layout& layout, const PlacementTask& task,
                                   const PlaceOptions& options) {
   Chooser chooser(layout, task, scored, order, options.max_exact_tests);
   const auto first = chooser.next();
-  const bool has_dependants =
-      std::any_of(later.begin(), later.end(), [&](const PlacementTask& other) {
-        return depends_on(other.object, task.object.id);
-      });
+  const bool has_dependants = std::any_of(
+      later.begin(), later.end(),
+      [&](const PlacementTask& other) { return depends_on(other.object, task.object.id); });
   if (!first || !has_dependants) return first;
   std::optional<std::size_t> best;
   int best_cost = 0;
@@ -270,8 +272,7 @@ Status PlaceOptions::validate() const {
 Result<Placement> place(Layout& layout, const PlacementTask& task,
                         std::span<const PlacementTask> later, const PlaceOptions& options,
                         Random& random) {
-  const auto relations =
-      resolve(task.object, layout.room(), layout.objects(), layout.categories());
+  const auto relations = resolve(task.object, layout.room(), layout.objects(), layout.categories());
   const int around = count_around(task, layout.objects(), later);
   const ProposalContext context{layout, task, relations, around};
   const auto candidate = layout.candidate(task.object);
@@ -281,8 +282,8 @@ Result<Placement> place(Layout& layout, const PlacementTask& task,
   auto proposed = static_cast<int>(poses.size());
   score_feasible(context, candidate, poses, scored);
 
-  // Without a suggestion, a meaningful pose that holds everything needs no grid beside it, and no grid
-  // point is flush with a wall.
+  // Without a suggestion, a meaningful pose that holds everything needs no grid beside it, and no
+  // grid point is flush with a wall.
   std::optional<std::size_t> best;
   std::vector<std::size_t> order;
   const bool may_skip_grid = options.grid_as_last_resort || !task.location;
@@ -306,8 +307,7 @@ Result<Placement> place(Layout& layout, const PlacementTask& task,
   Placement placement;
   placement.object = at_pose(task.object, scored[*best].pose);
   placement.terms = scored[*best].terms;
-  if (order.size() > 1)
-    placement.runner_up = scored[order[0] == *best ? order[1] : order[0]].terms;
+  if (order.size() > 1) placement.runner_up = scored[order[0] == *best ? order[1] : order[0]].terms;
   placement.candidates = proposed;
   placement.feasible = static_cast<int>(scored.size());
   return placement;

@@ -22,8 +22,8 @@ double mounting_height(const ProposalContext& context) {
   return context.task.object.position.z();
 }
 
-// The centres along a wall, measured from its start, at which a thing of this width is worth trying:
-// regular steps, both ends, the middle, beside openings and neighbours, opposite targets.
+// The centres along a wall, measured from its start, at which a thing of this width is worth
+// trying: regular steps, both ends, the middle, beside openings and neighbours, opposite targets.
 std::vector<double> stations(const ProposalContext& context, std::size_t wall, double width) {
   const Room& room = context.layout.room();
   const Segment line = room.polygon.edge(wall);
@@ -47,15 +47,17 @@ std::vector<double> stations(const ProposalContext& context, std::size_t wall, d
   add(0.5 * length);
   for (const auto& opening : room.openings)
     if (opening.wall == wall) add_beside(opening.from, opening.to);
-  const auto project = [&](const Footprint& footprint) {
-    double low = 1e300, high = -1e300;
-    for (const auto& corner : footprint.outline()) {
-      const double s = (corner - line.a).dot(line.direction());
+  const Vec2 along = line.direction(), inward = left_of(along);
+  const double depth = size_of(context).y() + flush;
+  for (const auto& thing : context.layout.things()) {
+    double low = 1e300, high = -1e300, off = 1e300;
+    for (const auto& corner : thing.footprint.outline()) {
+      const double s = (corner - line.a).dot(along);
       low = std::min(low, s), high = std::max(high, s);
+      off = std::min(off, (corner - line.a).dot(inward));
     }
-    add_beside(low, high);
-  };
-  for (const auto& thing : context.layout.things()) project(thing.footprint);
+    if (off < depth) add_beside(low, high);  // others stand clear of the wall
+  }
   for (const auto& relation : context.relations)
     for (const auto& target : relation.targets)
       if (takes_target(relation.kind)) add((target.center() - line.a).dot(line.direction()));
@@ -77,8 +79,13 @@ void propose_at_walls(const ProposalContext& context, std::vector<Pose>& poses) 
 
 // The gaps to a target that are worth trying.
 std::vector<double> useful_gaps(const ProposalContext& context, const ResolvedRelation& relation) {
-  std::vector<double> gaps = {relation.gap_low + flush, 0.5 * (relation.gap_low + relation.gap_high),
-                              relation.gap_high, 0.3, 0.6, 0.9, 1.2};
+  std::vector<double> gaps = {relation.gap_low + flush,
+                              0.5 * (relation.gap_low + relation.gap_high),
+                              relation.gap_high,
+                              0.3,
+                              0.6,
+                              0.9,
+                              1.2};
   if (context.layout.may_tuck(context.layout.categories().get(context.task.object.category),
                               context.layout.categories().get("table")))
     gaps.insert(gaps.end(), {-0.10, -0.20});
@@ -111,15 +118,32 @@ Beside beside_target(const ProposalContext& context, const Vec2& target) {
         relation.targets.front().center() != target)
       continue;
     switch (relation.kind) {
-      case RelationKind::in_front_of: keep_only(beside.sides, {0}); break;
-      case RelationKind::behind: keep_only(beside.sides, {1}); break;
-      case RelationKind::left_of: keep_only(beside.sides, {2}); break;
-      case RelationKind::right_of: keep_only(beside.sides, {3}); break;
-      case RelationKind::side_of: keep_only(beside.sides, {2, 3}); break;
-      case RelationKind::face_same_as: keep_only(beside.turns, {0}); break;
-      case RelationKind::face_opposite_to: keep_only(beside.turns, {2}); break;
-      case RelationKind::face_to: beside.faces_target = true; break;
-      default: break;
+      case RelationKind::in_front_of:
+        keep_only(beside.sides, {0});
+        break;
+      case RelationKind::behind:
+        keep_only(beside.sides, {1});
+        break;
+      case RelationKind::left_of:
+        keep_only(beside.sides, {2});
+        break;
+      case RelationKind::right_of:
+        keep_only(beside.sides, {3});
+        break;
+      case RelationKind::side_of:
+        keep_only(beside.sides, {2, 3});
+        break;
+      case RelationKind::face_same_as:
+        keep_only(beside.turns, {0});
+        break;
+      case RelationKind::face_opposite_to:
+        keep_only(beside.turns, {2});
+        break;
+      case RelationKind::face_to:
+        beside.faces_target = true;
+        break;
+      default:
+        break;
     }
   }
   const Vec3& size = context.task.object.size;
@@ -129,8 +153,8 @@ Beside beside_target(const ProposalContext& context, const Vec2& target) {
   return beside;
 }
 
-// Beside the sides of the target that the relations allow, at several gaps, centred or flush with its
-// ends, each way round.
+// Beside the sides of the target that the relations allow, at several gaps, centred or flush with
+// its ends, each way round.
 void propose_beside(const ProposalContext& context, const ResolvedRelation& relation,
                     const Footprint& target, std::vector<Pose>& poses) {
   const Vec2 size = size_of(context);
@@ -164,8 +188,8 @@ void propose_seats(const ProposalContext& context, const ResolvedRelation& relat
   const auto seat = [&](const Vec2& outward, const Vec2& rim) {
     for (double gap : gaps) {
       if (gap > 0.5) continue;
-      poses.push_back({rim + (gap + 0.5 * size.y()) * outward, mounting_height(context),
-                       yaw_facing(-outward)});
+      poses.push_back(
+          {rim + (gap + 0.5 * size.y()) * outward, mounting_height(context), yaw_facing(-outward)});
     }
   };
   if (target.round()) {
@@ -199,10 +223,9 @@ void propose_facing(const ProposalContext& context, const Footprint& target,
   for (double distance : {0.4, 0.8, 1.2, 1.8, 2.4, 3.0})
     for (int i = 0; i < 8; ++i) {
       const Vec2 direction = rotated({1, 0}, target.yaw() + i * pi / 4);
-      const double rim = std::abs(direction.dot(target.to_world({1, 0}) - target.center())) *
-                             target.half().x() +
-                         std::abs(direction.dot(target.to_world({0, 1}) - target.center())) *
-                             target.half().y();
+      const double rim =
+          std::abs(direction.dot(target.to_world({1, 0}) - target.center())) * target.half().x() +
+          std::abs(direction.dot(target.to_world({0, 1}) - target.center())) * target.half().y();
       poses.push_back({target.center() + (rim + distance + reach) * direction,
                        mounting_height(context), yaw_facing(-direction)});
     }
@@ -247,22 +270,29 @@ bool places_beside(RelationKind kind) {
     case RelationKind::center_aligned:
     case RelationKind::aligned:
     case RelationKind::face_same_as:
-    case RelationKind::face_opposite_to: return true;
-    default: return false;
+    case RelationKind::face_opposite_to:
+      return true;
+    default:
+      return false;
   }
 }
 
 void propose_for_relation(const ProposalContext& context, const ResolvedRelation& relation,
                           const Footprint& target, std::vector<Pose>& poses) {
   switch (relation.kind) {
-    case RelationKind::around: propose_seats(context, relation, target, poses); break;
-    case RelationKind::face_to: propose_facing(context, target, poses); break;
+    case RelationKind::around:
+      propose_seats(context, relation, target, poses);
+      break;
+    case RelationKind::face_to:
+      propose_facing(context, target, poses);
+      break;
     case RelationKind::under:
     case RelationKind::above:
       for (double turn : {0.0, pi / 2})
         poses.push_back({target.center(), mounting_height(context), target.yaw() + turn});
       break;
-    default: break;
+    default:
+      break;
   }
 }
 
@@ -289,16 +319,14 @@ bool wants(const ProposalContext& context, RelationKind kind) {
 }
 
 int count_around(const Object& object, std::span<const Object> others) {
-  const auto around = std::find_if(
-      object.relations.begin(), object.relations.end(),
-      [](const Relation& relation) { return relation.kind == RelationKind::around; });
+  const auto around =
+      std::find_if(object.relations.begin(), object.relations.end(),
+                   [](const Relation& relation) { return relation.kind == RelationKind::around; });
   if (around == object.relations.end()) return 1;
-  return 1 + static_cast<int>(
-                 std::count_if(others.begin(), others.end(), [&](const Object& other) {
-                   return other.id != object.id &&
-                          std::find(other.relations.begin(), other.relations.end(), *around) !=
-                              other.relations.end();
-                 }));
+  return 1 + static_cast<int>(std::count_if(others.begin(), others.end(), [&](const Object& other) {
+           return other.id != object.id && std::find(other.relations.begin(), other.relations.end(),
+                                                     *around) != other.relations.end();
+         }));
 }
 
 std::vector<double> useful_yaws(const ProposalContext& context) {
@@ -328,9 +356,14 @@ std::vector<Pose> propose_exact(const ProposalContext& context) {
       if (const Object* support = context.layout.find(object.on))
         propose_on_surface(context, *support, poses);
       return poses;
-    case Mount::ceiling: propose_above_targets(context, poses); return poses;
-    case Mount::wall: propose_at_walls(context, poses); return poses;
-    case Mount::floor: break;
+    case Mount::ceiling:
+      propose_above_targets(context, poses);
+      return poses;
+    case Mount::wall:
+      propose_at_walls(context, poses);
+      return poses;
+    case Mount::floor:
+      break;
   }
   if (context.task.location)
     for (double yaw : useful_yaws(context))

@@ -23,9 +23,9 @@ int count_around(const Object& object, std::span<const Object> others);
 
 bool wants(const ProposalContext& context, RelationKind kind);
 
-/// Poses with meaning: flush to each wall, in corners, against openings and neighbours, beside and in
-/// front of targets at useful gaps, on seats around them, centred; and the suggested place itself.
-/// Not yet tested for anything.
+/// Poses with meaning: flush to each wall, in corners, against openings and neighbours, beside and
+/// in front of targets at useful gaps, on seats around them, centred; and the suggested place
+/// itself. Not yet tested for anything.
 std::vector<Pose> propose_exact(const ProposalContext& context);
 
 /// Grid points over the room times orientations.

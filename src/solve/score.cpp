@@ -35,8 +35,8 @@ double spread_degree(const ProposalContext& context, const Footprint& footprint)
   return std::max(degree, 0.0);
 }
 
-// Those that stand around the same target keep their distance from each other: 1 when this one has its
-// share of the target's circumference to itself.
+// Those that stand around the same target keep their distance from each other: 1 when this one has
+// its share of the target's circumference to itself.
 double evenness_degree(const ProposalContext& context, const Footprint& footprint) {
   double degree = 1.0;
   for (const auto& relation : context.task.object.relations) {
@@ -61,8 +61,7 @@ double closeness_degree(const ProposalContext& context, const Footprint& footpri
   double degree = 0.0;
   if (task.location)
     degree = 1.0 - std::min((footprint.center() - *task.location).norm() / location_comfort, 1.0);
-  if (task.facing)
-    degree += 0.5 * std::cos(footprint.yaw() - *task.facing);
+  if (task.facing) degree += 0.5 * std::cos(footprint.yaw() - *task.facing);
   return degree;
 }
 

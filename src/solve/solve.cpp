@@ -1,7 +1,9 @@
 #include "roomgen/solve/solve.h"
 
+#include <algorithm>
 #include <map>
 
+#include "arrange.h"
 #include "roomgen/evaluate/relations.h"
 
 namespace roomgen {
@@ -20,13 +22,47 @@ Scene scene_of(const Problem& problem, const Layout& layout,
       scene.objects.push_back(with_rounded_pose(*placed));
     } else {
       const auto reason = reasons.find(task.object.id);
-      scene.unplaced.push_back({task.object.id, task.object.category,
-                                reason == reasons.end() ? "stopped before it was tried"
-                                                        : reason->second});
+      scene.unplaced.push_back(
+          {task.object.id, task.object.category,
+           reason == reasons.end() ? "stopped before it was tried" : reason->second});
     }
   }
   scene.incomplete = options.cancel.cancelled();
   return scene;
+}
+
+// Places everything with all constraints held, or nothing. Not for tasks with a suggested location:
+// being near it may be worth a constraint.
+bool place_all_at_once(Layout& layout, const std::vector<PlacementTask>& tasks,
+                       const SolveOptions& options, Random& random) {
+  std::vector<const PlacementTask*> all;
+  for (const auto& task : tasks) {
+    if (task.location) return false;
+    all.push_back(&task);
+  }
+  ArrangeOptions arrange_options;
+  arrange_options.pitch = 2.0 * options.place.pitch;
+  arrange_options.cancel = options.cancel;
+  return arrange(layout, all, arrange_options, random);
+}
+
+// One thing after the other, each with an eye on those to come, then repairs.
+int place_one_by_one(Layout& layout, const std::vector<PlacementTask>& tasks,
+                     std::map<std::string, std::string>& reasons, const SolveOptions& options,
+                     Random& random) {
+  for (std::size_t i = 0; i < tasks.size() && !options.cancel.cancelled(); ++i) {
+    const std::span<const PlacementTask> later(tasks.data() + i + 1, tasks.size() - i - 1);
+    auto placed = place(layout, tasks[i], later, options.place, random);
+    if (placed)
+      layout.add(placed->object);
+    else
+      reasons[tasks[i].object.id] = placed.error().message;
+  }
+  ImproveOptions improve_options;
+  improve_options.place = options.place;
+  improve_options.rounds = options.rounds;
+  improve_options.cancel = options.cancel;
+  return improve(layout, tasks, reasons, improve_options, random);
 }
 
 }  // namespace
@@ -42,19 +78,9 @@ Result<Solution> solve(const Problem& problem, const ModelTable& models,
   Layout layout(problem.room, categories, models);
   Random random(options.seed);
   std::map<std::string, std::string> reasons;
-  for (std::size_t i = 0; i < tasks.size() && !options.cancel.cancelled(); ++i) {
-    const std::span<const PlacementTask> later(tasks.data() + i + 1, tasks.size() - i - 1);
-    auto placed = place(layout, tasks[i], later, options.place, random);
-    if (placed) layout.add(placed->object);
-    else reasons[tasks[i].object.id] = placed.error().message;
-  }
-
-  ImproveOptions improve_options;
-  improve_options.place = options.place;
-  improve_options.rounds = options.rounds;
-  improve_options.cancel = options.cancel;
   Solution solution;
-  solution.rounds = improve(layout, tasks, reasons, improve_options, random);
+  if (!place_all_at_once(layout, tasks, options, random))
+    solution.rounds = place_one_by_one(layout, tasks, reasons, options, random);
   solution.scene = scene_of(problem, layout, tasks, reasons, options);
   for (const auto& task : tasks)
     solution.constraints += static_cast<int>(task.object.relations.size());

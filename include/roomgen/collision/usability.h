@@ -19,9 +19,13 @@ FloorThing floor_thing(const Object& object, const CategoryTable& categories);
 std::vector<FloorThing> floor_things(std::span<const Object> objects,
                                      const CategoryTable& categories);
 
-/// Does the thing stand in the way of a person's feet or body? Not rugs, things on tables, lamps on the
-/// ceiling and pictures on the wall.
+/// Does the thing stand in the way of a person's feet or body? Not rugs, things on tables, lamps on
+/// the ceiling and pictures on the wall.
 bool blocks_floor(const Object& object);
+
+/// Does the other thing stand in `area`, the zone's footprint, where it must not?
+bool blocks_zone(const FloorThing& other, const FloorThing& owner, const UseZone& zone,
+                 const Footprint& area);
 
 /// Is the zone inside the room and free of others than the object itself and the zone's partners?
 bool zone_is_free(const Room& room, std::span<const FloorThing> things, const FloorThing& owner,
@@ -30,8 +34,8 @@ bool zone_is_free(const Room& room, std::span<const FloorThing> things, const Fl
 /// Has the thing a free zone, reachable or not? True for things without zones.
 bool has_free_zone(const Room& room, std::span<const FloorThing> things, const FloorThing& thing);
 
-/// Is one of the object's use zones free and, in the flooded map, reachable? Things without zones always
-/// are, and so are things that stand on others or hang.
+/// Is one of the object's use zones free and, in the flooded map, reachable? Things without zones
+/// always are, and so are things that stand on others or hang.
 bool is_usable(const Room& room, std::span<const FloorThing> things, const FloorThing& thing,
                const WalkMap& flooded);
 

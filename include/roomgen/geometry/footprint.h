@@ -24,8 +24,9 @@ struct Bounds2 {
   }
 };
 
-/// What an object covers of the floor: the rectangle of its box, or the ellipse inscribed in it when
-/// the object is round (as a polygon of 24 sides that contains the ellipse and touches the box).
+/// What an object covers of the floor: the rectangle of its box, or the ellipse inscribed in it
+/// when the object is round (as a polygon of 24 sides that contains the ellipse and touches the
+/// box).
 ///
 /// The local frame is that of objects: width along X, depth along Y, front towards -Y.
 class Footprint {
@@ -33,6 +34,9 @@ class Footprint {
   Footprint() : Footprint(Vec2::Zero(), Vec2::Zero(), 0.0) {}
   /// `size` is width and depth in metres; `yaw` is counter-clockwise.
   Footprint(const Vec2& center, const Vec2& size, double yaw, bool round = false);
+
+  /// The same elsewhere; cheaper than a new one.
+  Footprint moved_to(const Vec2& center) const;
 
   const Vec2& center() const { return center_; }
   const Vec2& half() const { return half_; }

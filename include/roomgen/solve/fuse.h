@@ -8,14 +8,14 @@
 
 namespace roomgen {
 
-/// How two rankings become one (papers: RoomGen, equation 1; reciprocal rank fusion after Cormack et
-/// al. 2009).
+/// How two rankings become one (papers: RoomGen, equation 1; reciprocal rank fusion after Cormack
+/// et al. 2009).
 struct FusionOptions {
   double alpha = 0.5;      ///< weight of the constraints against the suggested location, in [0, 1]
   double c = 60.0;         ///< the fusion's constant
   double lost_step = 120;  ///< ranks that one lost constraint costs
-  /// The literal form: ordinal ranks over all candidates, first come first in ties. Its choice depends
-  /// on the pitch of the grid.
+  /// The literal form: ordinal ranks over all candidates, first come first in ties. Its choice
+  /// depends on the pitch of the grid.
   bool ordinal_ranks = false;
 };
 
@@ -31,7 +31,8 @@ struct Ranked {
 
 /// Fills the ranks and the fused score of feasible candidates.
 ///   rank_c = 1 + lost_step * (lost - least lost)
-///   rank_l = 1 + number of distinct 0.20 m cells that hold a candidate and lie nearer to `location` by
+///   rank_l = 1 + number of distinct 0.20 m cells that hold a candidate and lie nearer to
+///   `location` by
 ///            more than 0.10 m; without a location the term is 0
 ///   fused  = alpha / (rank_c + c) + (1 - alpha) / (rank_l + c)
 void fuse(std::span<Ranked> candidates, const std::optional<Vec2>& location,

@@ -19,8 +19,8 @@ struct ImproveOptions {
   CancelToken cancel;
 };
 
-/// What a layout is worth: first how many things found a place, then how many constraints hold, then how
-/// well.
+/// What a layout is worth: first how many things found a place, then how many constraints hold,
+/// then how well.
 struct LayoutQuality {
   int placed = 0;
   int held = 0;
@@ -32,10 +32,11 @@ struct LayoutQuality {
 };
 LayoutQuality quality(const Layout& layout, const std::vector<PlacementTask>& tasks);
 
-/// Wins back objects without a place and lost constraints: takes a troubled object, what it depends on
-/// and some neighbours out (never locked ones), puts them back in another way, and keeps the result if it
-/// is better (large neighbourhood search, Shaw 1998). `tasks` are all objects in placement order;
-/// `reasons` says why some are not in the layout, and is kept up to date. Returns the rounds used.
+/// Wins back objects without a place and lost constraints: takes a troubled object, what it depends
+/// on and some neighbours out (never locked ones), puts them back in another way, and keeps the
+/// result if it is better (large neighbourhood search, Shaw 1998). `tasks` are all objects in
+/// placement order; `reasons` says why some are not in the layout, and is kept up to date. Returns
+/// the rounds used.
 int improve(Layout& layout, const std::vector<PlacementTask>& tasks,
             std::map<std::string, std::string>& reasons, const ImproveOptions& options,
             Random& random);

@@ -20,8 +20,22 @@ struct Pose {
   double yaw = 0.0;
 };
 
-/// A room that is being furnished: what stands where, and fast answers to "may this stand there too?".
-/// Nothing that breaks docs/constraints.md ("Valid") gets in through place() and its callers.
+/// The footprints of one object at many poses. Remembers each turn: sines and cosines are dear.
+class FootprintAt {
+ public:
+  explicit FootprintAt(const Object& object)
+      : size_(object.size.head<2>()), round_(object.traits.round) {}
+  Footprint operator()(const Pose& pose) const;
+
+ private:
+  Vec2 size_;
+  bool round_;
+  mutable std::vector<Footprint> turned_;  // one for each yaw seen, at the origin
+};
+
+/// A room that is being furnished: what stands where, and fast answers to "may this stand there
+/// too?". Nothing that breaks docs/constraints.md ("Valid") gets in through place() and its
+/// callers.
 class Layout {
  public:
   /// `room`, `categories` and `models` must outlive the layout.
@@ -48,16 +62,25 @@ class Layout {
   };
   Candidate candidate(const Object& object) const;
 
-  /// The cheap test: inside, boxes apart, openings free. Boxes that overlap pass only where one thing may
-  /// slide under the other; fits_exactly() then asks the meshes.
+  /// The cheap test: inside, boxes apart, openings free. Boxes that overlap pass only where one
+  /// thing may slide under the other; fits_exactly() then asks the meshes.
   bool fits(const Candidate& candidate, const Footprint& footprint, double bottom) const;
   /// The two halves of fits(): the room itself, and one other thing.
   bool fits_room(const Candidate& candidate, const Footprint& footprint, double bottom) const;
   bool collides(const Candidate& candidate, const Footprint& footprint, double bottom,
                 const FloorThing& other) const;
+  /// The answer of fits_exactly().
+  struct Verdict {
+    bool fits = true;
+    /// If not, some of things() one of which would have to stand elsewhere; none if that is not
+    /// clear.
+    std::vector<std::size_t> blamed = {};
+
+    explicit operator bool() const { return fits; }
+  };
   /// The rest, for an object with its pose: meshes, and everybody's use zones and the doors stay
   /// reachable.
-  bool fits_exactly(const Candidate& candidate);
+  Verdict fits_exactly(const Candidate& candidate);
   /// May the two overlap as boxes because one slides under the other?
   bool may_tuck(const Category& a, const Category& b) const;
 
@@ -69,8 +92,9 @@ class Layout {
   };
   void refresh_things();
   void bring_walk_map_up_to_date();
-  bool all_have_a_free_zone() const;
-  bool all_are_usable_with(const Footprint& newcomer);
+  Verdict all_have_a_free_zone() const;
+  Verdict all_are_usable_with(const Footprint& newcomer);
+  Verdict blame(std::size_t useless) const;
 
   const Room& room_;
   const CategoryTable& categories_;
@@ -84,7 +108,8 @@ class Layout {
   std::vector<Object> objects_;
   std::vector<FloorThing> things_;
   WalkMap walk_map_;
-  std::vector<bool> in_walk_map_;  ///< parallel to objects_; stamped only when an exact test needs it
+  std::vector<bool>
+      in_walk_map_;  ///< parallel to objects_; stamped only when an exact test needs it
 };
 
 /// The object at a pose, rounded as files hold it: what is tested is what is written.

@@ -17,7 +17,8 @@ struct PlaceOptions {
   double pitch = 0.10;  ///< of the grid, metres
   /// Candidates whose meshes and reachability are tested before giving up.
   int max_exact_tests = 300;
-  /// Best candidates for which it is tried whether what depends on the object still finds its place.
+  /// Best candidates for which it is tried whether what depends on the object still finds its
+  /// place.
   int lookahead = 12;
   /// Leave the grid out although a location is suggested, when meaningful poses do.
   bool grid_as_last_resort = false;
@@ -29,7 +30,7 @@ struct PlaceOptions {
 
 /// Why a candidate stands where it does: degrees in [0, 1], for the trace.
 struct PlacementTerms {
-  int held = 0;            ///< constraints
+  int held = 0;  ///< constraints
   int lost = 0;
   double relations = 0.0;  ///< mean degree of the constraints
   double walkway = 0.0;    ///< distance to the doors' clearances
@@ -45,14 +46,14 @@ struct Placement {
   Object object;  ///< with its pose
   PlacementTerms terms;
   std::optional<PlacementTerms> runner_up;  ///< the best of the others, by rank alone
-  int candidates = 0;  ///< proposed
-  int feasible = 0;    ///< of them, passed the cheap tests
+  int candidates = 0;                       ///< proposed
+  int feasible = 0;                         ///< of them, passed the cheap tests
 };
 
 /// Finds the pose for one object: propose, score, rank, fuse, and take the best candidate that the
-/// meshes and everybody's reachability allow. `later` are tasks still to come: those that depend on this
-/// object are looked after. Does not change the layout in the end. Fails with a reason for people when
-/// nothing is feasible.
+/// meshes and everybody's reachability allow. `later` are tasks still to come: those that depend on
+/// this object are looked after. Does not change the layout in the end. Fails with a reason for
+/// people when nothing is feasible.
 Result<Placement> place(Layout& layout, const PlacementTask& task,
                         std::span<const PlacementTask> later, const PlaceOptions& options,
                         Random& random);

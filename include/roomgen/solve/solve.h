@@ -13,8 +13,8 @@ namespace roomgen {
 
 struct SolveOptions {
   PlaceOptions place;
-  /// Rounds of improvement after the first pass; counted, not timed, so that equal input gives equal
-  /// output on any machine.
+  /// Rounds of improvement when not everything could be had at once; counted, not timed, so that
+  /// equal input gives equal output on any machine.
   int rounds = 300;
   std::uint64_t seed = 0;
   CancelToken cancel;
@@ -27,8 +27,9 @@ struct Solution {
   int rounds = 0;
 };
 
-/// Places all objects of a problem: one after the other with an eye on those to come, then repairs.
-/// Never fails for want of space; fails when the problem itself is unsound.
+/// Places all objects of a problem: all at once by a search that holds every constraint, if it
+/// finds such a layout in bounded time; else one after the other with an eye on those to come, then
+/// repairs. Never fails for want of space; fails when the problem itself is unsound.
 Result<Solution> solve(const Problem& problem, const ModelTable& models,
                        const CategoryTable& categories, const SolveOptions& options = {});
 
