@@ -4,6 +4,7 @@
 #include <optional>
 #include <set>
 
+#include "arrange.h"
 #include "propose.h"
 #include "roomgen/evaluate/relations.h"
 #include "score.h"
@@ -52,11 +53,11 @@ class Search {
       const bool start_anew = barren >= patience;
       lost_allowed_ = start_anew ? wanted : wanted - current.quality.held;
       if (start_anew)
-        recreate(everything());
+        put_elsewhere(everything(), 7);
       else if (round % 2 == 0)
         eject();
       else
-        recreate(choose_ruin());
+        put_elsewhere(choose_ruin(), 1);
       const LayoutQuality now = quality(layout_, tasks_);
       const bool gained = now.placed > current.quality.placed || now.held > current.quality.held;
       barren = start_anew || gained ? 0 : barren + 1;
@@ -69,7 +70,7 @@ class Search {
     }
     if (round == 0) return 0;
     restore(best);
-    polish();
+    polish(layout_, tasks_, options_.place, options_.cancel, random_);
     return round;
   }
 
@@ -144,25 +145,6 @@ class Search {
     }
   }
 
-  // Each thing once more by itself, without chance: repairs leave some a little off.
-  void polish() {
-    PlaceOptions place_options = options_.place;
-    place_options.grid_as_last_resort = true;
-    for (const auto& task : tasks_) {
-      if (options_.cancel.cancelled()) return;
-      const Object* placed = layout_.find(task.object.id);
-      if (!placed || placed->locked) continue;
-      const Object before = *placed;
-      const LayoutQuality quality_before = quality(layout_, tasks_);
-      layout_.remove(before.id);
-      auto again = place(layout_, task, {}, place_options, random_);
-      if (again) layout_.add(again->object);
-      if (again && quality(layout_, tasks_).better_than(quality_before)) continue;
-      layout_.remove(before.id);
-      layout_.add(before);
-    }
-  }
-
   const PlacementTask& choose_troubled() {
     std::vector<const PlacementTask*> troubled;
     for (const auto& task : tasks_)
@@ -228,6 +210,20 @@ class Search {
       if (!fixed && cost < best_cost) best = pose, best_cost = cost;
     }
     return best;
+  }
+
+  // So that every constraint of the ruin holds, or else in a way that may lead there.
+  void put_elsewhere(const std::set<std::string>& ruin, int tries) {
+    std::vector<const PlacementTask*> moving;
+    for (const auto& task : tasks_)
+      if (ruin.count(task.object.id)) moving.push_back(&task);
+    for (const auto& id : ruin) layout_.remove(id);
+    ArrangeOptions arrange_options;
+    arrange_options.pitch = 2.0 * options_.place.pitch;
+    arrange_options.tries = tries;
+    arrange_options.cancel = options_.cancel;
+    if (!arrange(layout_, moving, arrange_options, random_)) return recreate(ruin);
+    for (const auto& id : ruin) reasons_.erase(id);
   }
 
   void recreate(const std::set<std::string>& ruin) {
@@ -298,6 +294,25 @@ LayoutQuality quality(const Layout& layout, const std::vector<PlacementTask>& ta
     result.degree += total_degree(terms);
   }
   return result;
+}
+
+void polish(Layout& layout, const std::vector<PlacementTask>& tasks, PlaceOptions options,
+            const CancelToken& cancel, Random& random) {
+  options.grid_as_last_resort = true;
+  options.max_exact_tests = 12;
+  for (const auto& task : tasks) {
+    if (cancel.cancelled()) return;
+    const Object* placed = layout.find(task.object.id);
+    if (!placed || placed->locked) continue;
+    const Object before = *placed;
+    const LayoutQuality quality_before = quality(layout, tasks);
+    layout.remove(before.id);
+    const auto again = place(layout, task, {}, options, random);
+    if (again) layout.add(again->object);
+    if (again && quality(layout, tasks).better_than(quality_before)) continue;
+    layout.remove(before.id);
+    layout.add(before);
+  }
 }
 
 int improve(Layout& layout, const std::vector<PlacementTask>& tasks,

@@ -43,7 +43,9 @@ bool place_all_at_once(Layout& layout, const std::vector<PlacementTask>& tasks,
   ArrangeOptions arrange_options;
   arrange_options.pitch = 2.0 * options.place.pitch;
   arrange_options.cancel = options.cancel;
-  return arrange(layout, all, arrange_options, random);
+  if (!arrange(layout, all, arrange_options, random)) return false;
+  polish(layout, tasks, options.place, options.cancel, random);
+  return true;
 }
 
 // One thing after the other, each with an eye on those to come, then repairs.

@@ -41,4 +41,9 @@ int improve(Layout& layout, const std::vector<PlacementTask>& tasks,
             std::map<std::string, std::string>& reasons, const ImproveOptions& options,
             Random& random);
 
+/// Places each thing once more by itself, without chance, and keeps what is better: searches leave
+/// some a little off.
+void polish(Layout& layout, const std::vector<PlacementTask>& tasks, PlaceOptions options,
+            const CancelToken& cancel, Random& random);
+
 }  // namespace roomgen
