@@ -52,9 +52,11 @@ struct Member {
   // Points of the grid that the room allows, found when first needed.
   std::optional<std::vector<Pose>> grid;
   std::size_t depth = nowhere;
-  // What remains for it, known as soon as all its targets are placed.
+  // What remains for it, known as soon as all its targets are placed; a sample where there is
+  // plenty.
   std::size_t known_at = nowhere;
   std::vector<Choice> domain;
+  bool is_sample = false;
   Depths culprits;  // whoever took something from the domain before it was known, and its targets
 };
 
@@ -200,6 +202,7 @@ class Arrangement {
         learn(member);
       else if (!turns_.empty())
         take_what_is_covered(member);
+      if (remaining(member) == 0 && member.is_sample) learn(member);
       if (remaining(member) > 0) continue;
       Depths culprits = member.culprits;
       for (const auto& choice : member.domain)
@@ -220,20 +223,32 @@ class Arrangement {
     member.culprits.assign(members_.size(), false);
     for (std::size_t target : member.targets) member.culprits[members_[target].depth] = true;
     const auto relations = relations_of(member);
-    const ProposalContext context{layout_, *member.task, relations, member.around};
+    const ProposalContext context(layout_, *member.task, relations, member.around);
     member.domain = allowed(context, propose_exact(context), Asked::all, member.culprits);
     if (member.domain.size() < few && may_stand_anywhere(context)) {
       const auto more = allowed(context, grid_of(member, context), Asked::things, member.culprits);
       member.domain.insert(member.domain.end(), more.begin(), more.end());
     }
+    member.is_sample = member.domain.size() > plenty;
+    thin(member.domain, plenty);
+  }
+
+  // Leaves at most `count`, evenly chosen.
+  static void thin(std::vector<Choice>& choices, std::size_t count) {
+    if (choices.size() <= count) return;
+    for (std::size_t i = 0; i < count; ++i) choices[i] = choices[i * choices.size() / count];
+    choices.resize(count);
   }
 
   void take_what_is_covered(Member& member) {
     const FloorThing& newcomer = layout_.things().back();
     const auto candidate = layout_.candidate(member.task->object);
     const FootprintAt footprint_at(member.task->object);
+    const double reach =
+        0.5 * (member.task->object.size.head<2>().norm() + newcomer.object->size.head<2>().norm());
     for (auto& choice : member.domain)
       if (choice.taken_at == nowhere &&
+          (choice.pose.position - newcomer.footprint.center()).squaredNorm() < reach * reach &&
           layout_.collides(candidate, footprint_at(choice.pose), choice.pose.bottom, newcomer))
         choice.taken_at = turns_.size() - 1;
   }
@@ -310,7 +325,7 @@ class Arrangement {
     turn.culprits.assign(members_.size(), false);
     for (std::size_t target : member.targets) turn.culprits[members_[target].depth] = true;
     const auto relations = relations_of(member);
-    const ProposalContext context{layout_, *member.task, relations, member.around};
+    const ProposalContext context(layout_, *member.task, relations, member.around);
     turn.grid_is_left = may_stand_anywhere(context);
     add_choices(context, propose_exact(context), Asked::all, turn);
     turns_.push_back(std::move(turn));
@@ -319,6 +334,7 @@ class Arrangement {
   void add_choices(const ProposalContext& context, const std::vector<Pose>& poses, Asked asked,
                    Turn& turn) {
     auto choices = allowed(context, poses, asked, turn.culprits);
+    thin(choices, most_scored);
     const FootprintAt footprint_at(context.task.object);
     for (auto& choice : choices) {
       const double noise = noise_ > 0.0 ? noise_ * random_.uniform() : 0.0;
@@ -338,7 +354,7 @@ class Arrangement {
     turn.grid_is_left = false;
     Member& member = members_[turn.member];
     const auto relations = relations_of(member);
-    const ProposalContext context{layout_, *member.task, relations, member.around};
+    const ProposalContext context(layout_, *member.task, relations, member.around);
     add_choices(context, grid_of(member, context), Asked::things, turn);
     return next_among_choices(turn);
   }
@@ -366,6 +382,8 @@ class Arrangement {
   }
 
   static constexpr std::size_t few = 4;
+  static constexpr std::size_t plenty = 100;
+  static constexpr std::size_t most_scored = 500;
 
   Layout& layout_;
   const ArrangeOptions& options_;

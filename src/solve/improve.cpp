@@ -189,7 +189,7 @@ class Search {
   std::optional<Pose> pose_with_least_in_the_way(const PlacementTask& task) {
     const auto relations =
         resolve(task.object, layout_.room(), layout_.objects(), layout_.categories());
-    const ProposalContext context{layout_, task, relations, 1};
+    const ProposalContext context(layout_, task, relations, 1);
     const auto candidate = layout_.candidate(task.object);
     std::optional<Pose> best;
     double best_cost = 1e9;
@@ -238,7 +238,7 @@ class Search {
     for (const auto& id : ruin) layout_.remove(id);
     PlaceOptions place_options = options_.place;
     // Many rough rounds find more than few fine ones.
-    place_options.grid_as_last_resort = true;
+    place_options.grid = GridUse::last_resort;
     place_options.lookahead = random_.integer(1, std::max(1, options_.place.lookahead / 2));
     place_options.noise = options_.noise * random_.uniform();
     for (std::size_t i = 0; i < tasks_.size(); ++i) {
@@ -268,6 +268,19 @@ class Search {
   int lost_allowed_ = 0;  ///< a round that loses more constraints is given up
 };
 
+// The task and those whose constraints name it.
+std::vector<PlacementTask> with_dependants(const PlacementTask& task,
+                                           const std::vector<PlacementTask>& tasks) {
+  std::vector<PlacementTask> result = {task};
+  for (const auto& other : tasks) {
+    const auto& relations = other.object.relations;
+    if (std::any_of(relations.begin(), relations.end(),
+                    [&](const Relation& r) { return r.target == task.object.id; }))
+      result.push_back(other);
+  }
+  return result;
+}
+
 }  // namespace
 
 bool LayoutQuality::as_good_as(const LayoutQuality& other) const {
@@ -286,8 +299,8 @@ LayoutQuality quality(const Layout& layout, const std::vector<PlacementTask>& ta
     const Object* object = layout.find(task.object.id);
     if (!object) continue;
     const auto relations = resolve(*object, layout.room(), layout.objects(), layout.categories());
-    const ProposalContext context{layout, task, relations,
-                                  count_around(task.object, layout.objects())};
+    const ProposalContext context(layout, task, relations,
+                                  count_around(task.object, layout.objects()));
     const auto terms = score(context, footprint(*object), bottom(*object));
     ++result.placed;
     result.held += terms.held;
@@ -298,18 +311,19 @@ LayoutQuality quality(const Layout& layout, const std::vector<PlacementTask>& ta
 
 void polish(Layout& layout, const std::vector<PlacementTask>& tasks, PlaceOptions options,
             const CancelToken& cancel, Random& random) {
-  options.grid_as_last_resort = true;
+  options.grid = GridUse::never;
   options.max_exact_tests = 12;
   for (const auto& task : tasks) {
     if (cancel.cancelled()) return;
     const Object* placed = layout.find(task.object.id);
     if (!placed || placed->locked) continue;
     const Object before = *placed;
-    const LayoutQuality quality_before = quality(layout, tasks);
+    const auto affected = with_dependants(task, tasks);
+    const LayoutQuality quality_before = quality(layout, affected);
     layout.remove(before.id);
     const auto again = place(layout, task, {}, options, random);
     if (again) layout.add(again->object);
-    if (again && quality(layout, tasks).better_than(quality_before)) continue;
+    if (again && quality(layout, affected).better_than(quality_before)) continue;
     layout.remove(before.id);
     layout.add(before);
   }

@@ -89,8 +89,8 @@ bool place_roughly(Layout& layout, const PlacementTask& task,
   auto relations = resolve(task.object, layout.room(), layout.objects(), layout.categories());
   // What waits for a target of its own cannot be judged yet.
   std::erase_if(relations, [](const ResolvedRelation& r) { return r.targets.empty(); });
-  const ProposalContext context{layout, task, relations,
-                                count_around(task, layout.objects(), later)};
+  const ProposalContext context(layout, task, relations,
+                                count_around(task, layout.objects(), later));
   const auto candidate = layout.candidate(task.object);
   const FootprintAt footprint_at(task.object);
   std::optional<Pose> best;
@@ -257,6 +257,13 @@ std::optional<std::size_t> choose(Layout& layout, const PlacementTask& task,
   return best;
 }
 
+// Metres about the suggested location that are looked at first.
+constexpr double about_suggestion = 2.0;
+
+bool near_suggestion_is_enough(const PlacementTask& task, const FusionOptions& fusion) {
+  return task.location && !fusion.ordinal_ranks && fusion.alpha < 1.0;
+}
+
 }  // namespace
 
 Status PlaceOptions::validate() const {
@@ -274,34 +281,44 @@ Result<Placement> place(Layout& layout, const PlacementTask& task,
                         Random& random) {
   const auto relations = resolve(task.object, layout.room(), layout.objects(), layout.categories());
   const int around = count_around(task, layout.objects(), later);
-  const ProposalContext context{layout, task, relations, around};
+  const ProposalContext context(layout, task, relations, around);
   const auto candidate = layout.candidate(task.object);
 
   std::vector<Scored> scored;
-  auto poses = propose_exact(context);
-  auto proposed = static_cast<int>(poses.size());
-  score_feasible(context, candidate, poses, scored);
+  const auto exact = propose_exact(context);
+  score_feasible(context, candidate, exact, scored);
+  const std::size_t exact_count = scored.size();
+  auto proposed = static_cast<int>(exact.size());
+  std::optional<std::size_t> best;
+  std::vector<std::size_t> order;
+  const auto decide = [&] {
+    order = rank(context, scored, options, random);
+    best = choose(layout, task, later, scored, order, options);
+  };
+  const auto decide_with = [&](const std::vector<Pose>& grid) {
+    scored.resize(exact_count);
+    score_feasible(context, candidate, grid, scored);
+    proposed = static_cast<int>(exact.size() + grid.size());
+    decide();
+  };
 
   // Without a suggestion, a meaningful pose that holds everything needs no grid beside it, and no
   // grid point is flush with a wall.
-  std::optional<std::size_t> best;
-  std::vector<std::size_t> order;
-  const bool may_skip_grid = options.grid_as_last_resort || !task.location;
+  const bool may_skip_grid = options.grid != GridUse::near_suggestions || !task.location;
   const bool exact_is_enough =
-      may_skip_grid && (one_holds_all(scored) || wants(context, RelationKind::edge) ||
-                        wants(context, RelationKind::corner));
-  if (exact_is_enough) {
-    order = rank(context, scored, options, random);
-    best = choose(layout, task, later, scored, order, options);
+      options.grid == GridUse::never ||
+      (may_skip_grid && (one_holds_all(scored) || wants(context, RelationKind::edge) ||
+                         wants(context, RelationKind::corner)));
+  if (exact_is_enough) decide();
+  // Where everything holds near the suggestion, nothing farther away has a higher sum.
+  const bool may_use_grid = options.grid != GridUse::never;
+  if (!best && may_use_grid && near_suggestion_is_enough(task, options.fusion)) {
+    decide_with(propose_grid(context, options.pitch, about_suggestion));
+    if (best && scored[*best].terms.lost > 0) best.reset();
   }
-  if (!best) {
-    // A suggestion is followed closely; without one the meaningful poses are the fine ones.
-    poses = propose_grid(context, task.location ? options.pitch : 2.0 * options.pitch);
-    proposed += static_cast<int>(poses.size());
-    score_feasible(context, candidate, poses, scored);
-    order = rank(context, scored, options, random);
-    best = choose(layout, task, later, scored, order, options);
-  }
+  // A suggestion is followed closely; without one the meaningful poses are the fine ones.
+  if (!best && may_use_grid)
+    decide_with(propose_grid(context, task.location ? options.pitch : 2.0 * options.pitch));
   if (!best) return refusal(task, proposed, static_cast<int>(scored.size()));
 
   Placement placement;

@@ -311,7 +311,29 @@ void propose_for_relations(const ProposalContext& context, std::vector<Pose>& po
   }
 }
 
+Company company_around(const ProposalContext& context, const Relation& relation,
+                       const Object& target) {
+  Company company;
+  company.share = 2.0 * (target.size.x() + target.size.y()) / context.around_count;
+  for (const auto& other : context.layout.objects()) {
+    const auto& theirs = other.relations;
+    if (other.id != context.task.object.id &&
+        std::find(theirs.begin(), theirs.end(), relation) != theirs.end())
+      company.positions.push_back(other.position.head<2>());
+  }
+  return company;
+}
+
 }  // namespace
+
+ProposalContext::ProposalContext(const Layout& layout, const PlacementTask& task,
+                                 const std::vector<ResolvedRelation>& relations, int around_count)
+    : layout(layout), task(task), relations(relations), around_count(around_count) {
+  for (const auto& relation : task.object.relations)
+    if (relation.kind == RelationKind::around)
+      if (const Object* target = layout.find(relation.target))
+        companies.push_back(company_around(*this, relation, *target));
+}
 
 bool wants(const ProposalContext& context, RelationKind kind) {
   return std::any_of(context.relations.begin(), context.relations.end(),
@@ -373,7 +395,8 @@ std::vector<Pose> propose_exact(const ProposalContext& context) {
   return poses;
 }
 
-std::vector<Pose> propose_grid(const ProposalContext& context, double pitch) {
+std::vector<Pose> propose_grid(const ProposalContext& context, double pitch,
+                               std::optional<double> radius) {
   std::vector<Pose> poses;
   if (context.task.object.mount != Mount::floor) return poses;
   const Bounds2 box = bounds(context.layout.room().polygon);
@@ -381,9 +404,11 @@ std::vector<Pose> propose_grid(const ProposalContext& context, double pitch) {
   const Vec2 cells = (box.size() / pitch).array().floor();
   const Vec2 start = box.low + 0.5 * (box.size() - pitch * cells);
   for (int j = 0; j <= static_cast<int>(cells.y()); ++j)
-    for (int i = 0; i <= static_cast<int>(cells.x()); ++i)
-      for (double yaw : yaws)
-        poses.push_back({start + pitch * Vec2(i, j), mounting_height(context), yaw});
+    for (int i = 0; i <= static_cast<int>(cells.x()); ++i) {
+      const Vec2 point = start + pitch * Vec2(i, j);
+      if (radius && (point - *context.task.location).norm() > *radius) continue;
+      for (double yaw : yaws) poses.push_back({point, mounting_height(context), yaw});
+    }
   return poses;
 }
 

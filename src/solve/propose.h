@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -9,13 +10,23 @@
 
 namespace roomgen {
 
-/// What is proposed for one object and what the proposals draw on.
+/// Those that stand around the same target as an object.
+struct Company {
+  std::vector<Vec2> positions;  ///< centres of the others
+  double share = 1.0;           ///< of the target's circumference for each, metres
+};
+
+/// What is proposed for one object and what the proposals draw on. The parts must outlive it.
 struct ProposalContext {
+  /// `around_count`: how many will stand around the same target in the end, this one included.
+  ProposalContext(const Layout& layout, const PlacementTask& task,
+                  const std::vector<ResolvedRelation>& relations, int around_count);
+
   const Layout& layout;
   const PlacementTask& task;
   const std::vector<ResolvedRelation>& relations;
-  /// How many objects stand around the same target, this one included: they share its sides.
   int around_count = 1;
+  std::vector<Company> companies;  ///< one for each target that the object stands around
 };
 
 /// How many of the objects stand around the same target as this one, itself included.
@@ -28,8 +39,10 @@ bool wants(const ProposalContext& context, RelationKind kind);
 /// itself. Not yet tested for anything.
 std::vector<Pose> propose_exact(const ProposalContext& context);
 
-/// Grid points over the room times orientations.
-std::vector<Pose> propose_grid(const ProposalContext& context, double pitch);
+/// Grid points over the room times orientations; with a radius (metres) only those about the
+/// suggested location, which must be there then.
+std::vector<Pose> propose_grid(const ProposalContext& context, double pitch,
+                               std::optional<double> radius = std::nullopt);
 
 /// The orientations worth trying: fewer for things without a front.
 std::vector<double> useful_yaws(const ProposalContext& context);

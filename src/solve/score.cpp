@@ -26,8 +26,8 @@ double spread_degree(const ProposalContext& context, const Footprint& footprint)
   double degree = 1.0;
   const Bounds2& box = footprint.bounds();
   for (const auto& other : context.layout.things()) {
-    if (other.object->id == context.task.object.id || other.object->traits.flat ||
-        !box.overlaps(other.footprint.bounds(), slot_high))
+    if (!box.overlaps(other.footprint.bounds(), slot_high) || other.object->traits.flat ||
+        other.object->id == context.task.object.id)
       continue;
     const double slot = gap(footprint, other.footprint);
     if (slot > slot_low && slot < slot_high) degree -= 0.3;
@@ -39,20 +39,9 @@ double spread_degree(const ProposalContext& context, const Footprint& footprint)
 // its share of the target's circumference to itself.
 double evenness_degree(const ProposalContext& context, const Footprint& footprint) {
   double degree = 1.0;
-  for (const auto& relation : context.task.object.relations) {
-    if (relation.kind != RelationKind::around) continue;
-    const Object* target = context.layout.find(relation.target);
-    if (!target) continue;
-    const double share = 2.0 * (target->size.x() + target->size.y()) / context.around_count;
-    for (const auto& other : context.layout.objects()) {
-      const auto& theirs = other.relations;
-      if (other.id == context.task.object.id ||
-          std::find(theirs.begin(), theirs.end(), relation) == theirs.end())
-        continue;
-      const double apart = (other.position.head<2>() - footprint.center()).norm();
-      degree = std::min(degree, apart / share);
-    }
-  }
+  for (const auto& company : context.companies)
+    for (const auto& other : company.positions)
+      degree = std::min(degree, (other - footprint.center()).norm() / company.share);
   return degree;
 }
 

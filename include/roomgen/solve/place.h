@@ -12,6 +12,12 @@
 
 namespace roomgen {
 
+enum class GridUse {
+  near_suggestions,  ///< always when a location is suggested, else as a last resort
+  last_resort,       ///< when no pose with a meaning will do
+  never,
+};
+
 struct PlaceOptions {
   FusionOptions fusion;
   double pitch = 0.10;  ///< of the grid, metres
@@ -20,8 +26,8 @@ struct PlaceOptions {
   /// Best candidates for which it is tried whether what depends on the object still finds its
   /// place.
   int lookahead = 12;
-  /// Leave the grid out although a location is suggested, when meaningful poses do.
-  bool grid_as_last_resort = false;
+  /// When the points of the grid are looked at, beside the poses that mean something.
+  GridUse grid = GridUse::near_suggestions;
   /// Added to degrees, uniform in [0, noise): makes repeated searches differ.
   double noise = 0.0;
 
