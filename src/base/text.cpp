@@ -81,6 +81,19 @@ std::string format_number(double value, int decimals) {
   return fraction.empty() ? result : result + "." + fraction;
 }
 
+std::string singular(std::string word) {
+  const auto ends = [&](std::string_view ending) {
+    return word.size() > ending.size() + 1 && word.ends_with(ending);
+  };
+  if (word.ends_with("shelves")) return word.substr(0, word.size() - 3) + "f";
+  if (ends("ches") || ends("shes") || ends("sses") || ends("xes"))
+    return word.substr(0, word.size() - 2);
+  if (ends("ies") && word != "movies") return word.substr(0, word.size() - 3) + "y";
+  if (ends("s") && !ends("ss") && !ends("us") && !ends("is"))
+    return word.substr(0, word.size() - 1);
+  return word;
+}
+
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});

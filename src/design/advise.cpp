@@ -83,16 +83,17 @@ double comfort(const Task& task, const Placed& placed, const std::vector<Relatio
   return score;
 }
 
+// `all` are those asked for, then the habits.
 Option judge(const Task& task, const Pose& pose, const std::vector<Relation>& habits,
-             const std::vector<Relation>& all) {
+             const std::vector<ResolvedRelation>& all) {
   const Placed placed{&task.self, pose, footprint_at(task.self, pose), task.bottom};
   Option option{pose, pose.merit, true, {}};
-  for (const auto& relation : task.asked) {
-    option.relations.push_back(relation);
-    if (holds(task.sketch, placed, relation, all)) option.score += asked_weight;
+  for (std::size_t i = 0; i < task.asked.size(); ++i) {
+    option.relations.push_back(task.asked[i]);
+    if (holds(task.sketch, placed, all[i])) option.score += asked_weight;
   }
   for (std::size_t i = 0; i < habits.size(); ++i) {
-    if (holds(task.sketch, placed, habits[i], all)) {
+    if (holds(task.sketch, placed, all[task.asked.size() + i])) {
       option.score += habit_weight - habit_step * static_cast<double>(std::min<std::size_t>(i, 6));
       option.relations.push_back(habits[i]);
     } else if (i == 0) {
@@ -113,11 +114,12 @@ std::vector<Option> options_for(const Task& task, const std::vector<Relation>& w
         candidates(task.sketch, task.self, task.arrangement, task.asked, task.company);
     poses.insert(poses.end(), more.begin(), more.end());
   }
+  const auto resolved = resolve_all(task.sketch, task.self, all);
   std::vector<Option> options;
   double best = 0.0;
   for (const auto& pose : poses) {
     if (!task.sketch.allows(task.self, pose, task.bottom)) continue;
-    options.push_back(judge(task, pose, habits, all));
+    options.push_back(judge(task, pose, habits, resolved));
     best = std::max(best, options.back().score);
   }
   // Comfort is dear to tell and never makes up for more than this.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "roomgen/scene/relation.h"
+#include "roomgen/scene/judgement.h"
 #include "sketch.h"
 
 namespace roomgen::design {
@@ -13,11 +13,14 @@ struct Placed {
   double bottom = 0.0;
 };
 
-/// Whether a relation would hold there, as docs/constraints.md defines it. `all` are the relations
-/// of the object, since alignment depends on what else is asked. A relation to something that is
-/// not there does not hold.
-bool holds(const Sketch& sketch, const Placed& placed, const Relation& relation,
-           const std::vector<Relation>& all);
+/// Relations of an object with their targets, ready to be judged at many places. They belong
+/// together: alignment depends on what else is asked.
+std::vector<ResolvedRelation> resolve_all(const Sketch& sketch, Object self,
+                                          const std::vector<Relation>& relations);
+
+/// Whether a relation would hold there (docs/constraints.md). A relation to something that is not
+/// there does not hold.
+bool holds(const Sketch& sketch, const Placed& placed, const ResolvedRelation& relation);
 
 /// Distance between the footprints, by kinds of targets.
 double gap_to(const Placed& placed, const Target& target);

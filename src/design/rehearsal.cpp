@@ -38,9 +38,10 @@ int broken_relations(const Scene& scene, const Object& object, const PlanItem& i
   const Sketch sketch(scene, table, arrangements);
   const Placed placed{
       &object, {object.position.head<2>(), object.yaw}, footprint(object), object.position.z()};
+  const auto resolved = resolve_all(sketch, object, item.relations);
   return static_cast<int>(std::count_if(
-      item.relations.begin(), item.relations.end(),
-      [&](const Relation& relation) { return !holds(sketch, placed, relation, item.relations); }));
+      resolved.begin(), resolved.end(),
+      [&](const ResolvedRelation& relation) { return !holds(sketch, placed, relation); }));
 }
 
 }  // namespace

@@ -49,7 +49,7 @@ double usual_bottom(const Object& object, const Category& category, const Room& 
 
 Sketch::Sketch(const Scene& scene, const CategoryTable& categories,
                const Arrangements& arrangements)
-    : room_(&scene.room), categories_(&categories) {
+    : room_(&scene.room), objects_(scene.objects), categories_(&categories) {
   for (const auto& opening : room_->openings) {
     if (opening.is_entrance())
       door_strips_.push_back(door_clearance(*room_, opening));

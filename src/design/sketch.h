@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -45,6 +46,7 @@ class Sketch {
 
   const Room& room() const { return *room_; }
   const CategoryTable& categories() const { return *categories_; }
+  std::span<const Object> objects() const { return objects_; }
   const std::vector<Standing>& standing() const { return standing_; }
 
   /// True if `self` can be there, at height `bottom`: inside, apart from solids and from doors and
@@ -68,6 +70,7 @@ class Sketch {
   bool leaves_others_usable(const Object& self, const Footprint& footprint, double bottom) const;
 
   const Room* room_;
+  std::span<const Object> objects_;
   const CategoryTable* categories_;
   std::vector<Standing> standing_;
   std::vector<Footprint> door_strips_;

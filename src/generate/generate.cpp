@@ -6,7 +6,7 @@
 #include <set>
 
 #include "retrieve.h"
-#include "roomgen/evaluate/relations.h"
+#include "roomgen/scene/judgement.h"
 #include "roomgen/solve/improve.h"
 
 namespace roomgen {

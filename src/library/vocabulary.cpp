@@ -95,19 +95,6 @@ void inherit(std::map<std::string, Kind, std::less<>>& kinds, Kind& kind) {
 
 }  // namespace
 
-std::string singular(std::string word) {
-  const auto ends = [&](std::string_view e) {
-    return word.size() > e.size() + 1 && word.ends_with(e);
-  };
-  if (ends("shelves")) return word.substr(0, word.size() - 3) + "f";
-  if (ends("ches") || ends("shes") || ends("sses") || ends("xes"))
-    return word.substr(0, word.size() - 2);
-  if (ends("ies") && word != "movies") return word.substr(0, word.size() - 3) + "y";
-  if (ends("s") && !ends("ss") && !ends("us") && !ends("is"))
-    return word.substr(0, word.size() - 1);
-  return word;
-}
-
 Result<Vocabulary> Vocabulary::parse(std::string_view text, const std::string& source) {
   auto json = parse_json(text, source);
   if (!json) return json.error();

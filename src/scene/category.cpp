@@ -15,18 +15,6 @@ std::string normalised(std::string_view name) {
 }
 
 // Enough English for names of furniture: shelves, benches, chairs.
-std::string singular(std::string word) {
-  const auto ends = [&](std::string_view ending) {
-    return word.size() > ending.size() + 1 && word.ends_with(ending);
-  };
-  if (word.ends_with("shelves")) return word.substr(0, word.size() - 3) + "f";
-  if (ends("ches") || ends("shes") || ends("sses") || ends("xes"))
-    return word.substr(0, word.size() - 2);
-  if (ends("ies")) return word.substr(0, word.size() - 3) + "y";
-  if (ends("s") && !ends("ss")) return word.substr(0, word.size() - 1);
-  return word;
-}
-
 Side read_side(const JsonReader& json) {
   const std::string text = json.text();
   if (text == "back") return Side::back;

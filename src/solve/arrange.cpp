@@ -223,7 +223,7 @@ class Arrangement {
     member.culprits.assign(members_.size(), false);
     for (std::size_t target : member.targets) member.culprits[members_[target].depth] = true;
     const auto relations = relations_of(member);
-    const ProposalContext context(layout_, *member.task, relations, member.around);
+    const auto context = make_context(layout_, *member.task, relations, member.around);
     member.domain = allowed(context, propose_exact(context), Asked::all, member.culprits);
     if (member.domain.size() < few && may_stand_anywhere(context)) {
       const auto more = allowed(context, grid_of(member, context), Asked::things, member.culprits);
@@ -325,7 +325,7 @@ class Arrangement {
     turn.culprits.assign(members_.size(), false);
     for (std::size_t target : member.targets) turn.culprits[members_[target].depth] = true;
     const auto relations = relations_of(member);
-    const ProposalContext context(layout_, *member.task, relations, member.around);
+    const auto context = make_context(layout_, *member.task, relations, member.around);
     turn.grid_is_left = may_stand_anywhere(context);
     add_choices(context, propose_exact(context), Asked::all, turn);
     turns_.push_back(std::move(turn));
@@ -354,7 +354,7 @@ class Arrangement {
     turn.grid_is_left = false;
     Member& member = members_[turn.member];
     const auto relations = relations_of(member);
-    const ProposalContext context(layout_, *member.task, relations, member.around);
+    const auto context = make_context(layout_, *member.task, relations, member.around);
     add_choices(context, grid_of(member, context), Asked::things, turn);
     return next_among_choices(turn);
   }

@@ -6,7 +6,7 @@
 
 #include "arrange.h"
 #include "propose.h"
-#include "roomgen/evaluate/relations.h"
+#include "roomgen/scene/judgement.h"
 #include "score.h"
 
 namespace roomgen {
@@ -189,7 +189,7 @@ class Search {
   std::optional<Pose> pose_with_least_in_the_way(const PlacementTask& task) {
     const auto relations =
         resolve(task.object, layout_.room(), layout_.objects(), layout_.categories());
-    const ProposalContext context(layout_, task, relations, 1);
+    const auto context = make_context(layout_, task, relations, 1);
     const auto candidate = layout_.candidate(task.object);
     std::optional<Pose> best;
     double best_cost = 1e9;
@@ -299,8 +299,8 @@ LayoutQuality quality(const Layout& layout, const std::vector<PlacementTask>& ta
     const Object* object = layout.find(task.object.id);
     if (!object) continue;
     const auto relations = resolve(*object, layout.room(), layout.objects(), layout.categories());
-    const ProposalContext context(layout, task, relations,
-                                  count_around(task.object, layout.objects()));
+    const auto context =
+        make_context(layout, task, relations, count_around(task.object, layout.objects()));
     const auto terms = score(context, footprint(*object), bottom(*object));
     ++result.placed;
     result.held += terms.held;

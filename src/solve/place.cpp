@@ -89,8 +89,8 @@ bool place_roughly(Layout& layout, const PlacementTask& task,
   auto relations = resolve(task.object, layout.room(), layout.objects(), layout.categories());
   // What waits for a target of its own cannot be judged yet.
   std::erase_if(relations, [](const ResolvedRelation& r) { return r.targets.empty(); });
-  const ProposalContext context(layout, task, relations,
-                                count_around(task, layout.objects(), later));
+  const auto context =
+      make_context(layout, task, relations, count_around(task, layout.objects(), later));
   const auto candidate = layout.candidate(task.object);
   const FootprintAt footprint_at(task.object);
   std::optional<Pose> best;
@@ -281,7 +281,7 @@ Result<Placement> place(Layout& layout, const PlacementTask& task,
                         Random& random) {
   const auto relations = resolve(task.object, layout.room(), layout.objects(), layout.categories());
   const int around = count_around(task, layout.objects(), later);
-  const ProposalContext context(layout, task, relations, around);
+  const auto context = make_context(layout, task, relations, around);
   const auto candidate = layout.candidate(task.object);
 
   std::vector<Scored> scored;

@@ -326,13 +326,14 @@ Company company_around(const ProposalContext& context, const Relation& relation,
 
 }  // namespace
 
-ProposalContext::ProposalContext(const Layout& layout, const PlacementTask& task,
-                                 const std::vector<ResolvedRelation>& relations, int around_count)
-    : layout(layout), task(task), relations(relations), around_count(around_count) {
+ProposalContext make_context(const Layout& layout, const PlacementTask& task,
+                             const std::vector<ResolvedRelation>& relations, int around_count) {
+  ProposalContext context{layout, task, relations, around_count};
   for (const auto& relation : task.object.relations)
     if (relation.kind == RelationKind::around)
       if (const Object* target = layout.find(relation.target))
-        companies.push_back(company_around(*this, relation, *target));
+        context.companies.push_back(company_around(context, relation, *target));
+  return context;
 }
 
 bool wants(const ProposalContext& context, RelationKind kind) {

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "roomgen/evaluate/relations.h"
+#include "roomgen/scene/judgement.h"
 #include "roomgen/scene/problem.h"
 #include "roomgen/solve/layout.h"
 
@@ -18,16 +18,15 @@ struct Company {
 
 /// What is proposed for one object and what the proposals draw on. The parts must outlive it.
 struct ProposalContext {
-  /// `around_count`: how many will stand around the same target in the end, this one included.
-  ProposalContext(const Layout& layout, const PlacementTask& task,
-                  const std::vector<ResolvedRelation>& relations, int around_count);
-
   const Layout& layout;
   const PlacementTask& task;
   const std::vector<ResolvedRelation>& relations;
+  /// How many will stand around the same target in the end, this one included.
   int around_count = 1;
-  std::vector<Company> companies;  ///< one for each target that the object stands around
+  std::vector<Company> companies = {};  ///< one for each target that the object stands around
 };
+ProposalContext make_context(const Layout& layout, const PlacementTask& task,
+                             const std::vector<ResolvedRelation>& relations, int around_count);
 
 /// How many of the objects stand around the same target as this one, itself included.
 int count_around(const Object& object, std::span<const Object> others);

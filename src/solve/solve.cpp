@@ -4,7 +4,7 @@
 #include <map>
 
 #include "arrange.h"
-#include "roomgen/evaluate/relations.h"
+#include "roomgen/scene/judgement.h"
 
 namespace roomgen {
 

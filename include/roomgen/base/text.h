@@ -20,6 +20,8 @@ std::vector<std::string> words(std::string_view text);
 /// Shortest decimal text of a number with at most `decimals` places, '.' as the point whatever the
 /// locale: 1.5, 2, -0.25.
 std::string format_number(double value, int decimals = 3);
+/// An English noun in the singular, by its ending alone: shelves gives shelf, boxes box, glass glass.
+std::string singular(std::string word);
 /// Levenshtein distance in bytes.
 std::size_t edit_distance(std::string_view a, std::string_view b);
 /// Of `names`, the one nearest to `name` if it is close enough to be a misspelling, else empty.

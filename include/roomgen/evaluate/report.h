@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "roomgen/evaluate/relations.h"
+#include "roomgen/scene/judgement.h"
 #include "roomgen/scene/category.h"
 #include "roomgen/scene/model_table.h"
 #include "roomgen/scene/scene.h"

@@ -79,7 +79,4 @@ class Vocabulary {
   std::map<std::string, bool, std::less<>> fillers_;
 };
 
-/// Enough English for names of furniture: shelves, benches, chairs.
-std::string singular(std::string word);
-
 }  // namespace roomgen

@@ -8,7 +8,7 @@
 
 namespace roomgen {
 
-/// The constraint vocabulary. docs/constraints.md says when each holds; evaluate/relations.h decides it.
+/// The constraint vocabulary. docs/constraints.md says when each holds; scene/judgement.h decides it.
 enum class RelationKind {
   edge,
   middle,

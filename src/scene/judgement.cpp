@@ -1,4 +1,4 @@
-#include "roomgen/evaluate/relations.h"
+#include "roomgen/scene/judgement.h"
 
 #include <algorithm>
 #include <cmath>
@@ -94,8 +94,8 @@ Judgement judge_far(double gap) {
   return {gap >= near_gap - rounding, clamp01(gap / (2.0 * near_gap))};
 }
 
-// Beyond one side of the target (`beyond` is the signed distance past it), at most `allowed` off the
-// middle of that side.
+// Beyond one side of the target (`beyond` is the signed distance past it), at most `allowed` off
+// the middle of that side.
 Judgement judge_side(double beyond, double offset, double allowed) {
   const bool held = beyond >= -rounding && std::abs(offset) <= allowed + rounding;
   const double excess = std::max(0.0, std::abs(offset) - allowed);
@@ -110,11 +110,16 @@ Judgement judge_position(RelationKind kind, const Footprint& subject, const Foot
   const auto left = judge_side(local.x() - half.x(), local.y(), half.y());
   const auto right = judge_side(-local.x() - half.x(), local.y(), half.y());
   switch (kind) {
-    case RelationKind::in_front_of: return judge_side(-local.y() - half.y(), local.x(), half.x());
-    case RelationKind::behind: return judge_side(local.y() - half.y(), local.x(), half.x());
-    case RelationKind::left_of: return left;
-    case RelationKind::right_of: return right;
-    default: break;
+    case RelationKind::in_front_of:
+      return judge_side(-local.y() - half.y(), local.x(), half.x());
+    case RelationKind::behind:
+      return judge_side(local.y() - half.y(), local.x(), half.x());
+    case RelationKind::left_of:
+      return left;
+    case RelationKind::right_of:
+      return right;
+    default:
+      break;
   }
   if (left.held != right.held) return left.held ? left : right;
   return left.degree >= right.degree ? left : right;
@@ -163,31 +168,42 @@ Judgement judge_against(const ResolvedRelation& relation, const Subject& subject
                         const Footprint& target, const Room& room) {
   const Footprint& own = subject.footprint;
   switch (relation.kind) {
-    case RelationKind::edge: return judge_edge(own, room);
-    case RelationKind::middle: return judge_middle(own, room);
-    case RelationKind::corner: return judge_corner(own, room);
-    case RelationKind::near: return judge_near(relation, gap(own, target));
-    case RelationKind::far: return judge_far(gap(own, target));
+    case RelationKind::edge:
+      return judge_edge(own, room);
+    case RelationKind::middle:
+      return judge_middle(own, room);
+    case RelationKind::corner:
+      return judge_corner(own, room);
+    case RelationKind::near:
+      return judge_near(relation, gap(own, target));
+    case RelationKind::far:
+      return judge_far(gap(own, target));
     case RelationKind::in_front_of:
     case RelationKind::behind:
     case RelationKind::left_of:
     case RelationKind::right_of:
-    case RelationKind::side_of: return judge_position(relation.kind, own, target);
-    case RelationKind::around: return judge_around(relation, own, target);
+    case RelationKind::side_of:
+      return judge_position(relation.kind, own, target);
+    case RelationKind::around:
+      return judge_around(relation, own, target);
     case RelationKind::center_aligned:
-    case RelationKind::aligned: return judge_aligned(relation.axis, own, target);
-    case RelationKind::face_to: return judge_face_to(own, target);
-    case RelationKind::face_same_as: return judge_yaw(own, target.yaw());
-    case RelationKind::face_opposite_to: return judge_yaw(own, target.yaw() + pi);
+    case RelationKind::aligned:
+      return judge_aligned(relation.axis, own, target);
+    case RelationKind::face_to:
+      return judge_face_to(own, target);
+    case RelationKind::face_same_as:
+      return judge_yaw(own, target.yaw());
+    case RelationKind::face_opposite_to:
+      return judge_yaw(own, target.yaw() + pi);
     case RelationKind::on:
-      return judge_over(subject.bottom <= relation.target_top + 0.02 &&
-                            subject.bottom >= relation.target_bottom,
-                        own, target);
+      return judge_over(
+          subject.bottom <= relation.target_top + 0.02 && subject.bottom >= relation.target_bottom,
+          own, target);
     case RelationKind::above:
       return judge_over(subject.bottom >= relation.target_top - rounding, own, target);
     case RelationKind::under:
-      return judge_over(subject.top <= std::max(relation.target_bottom, flat_height) + rounding, own,
-                        target);
+      return judge_over(subject.top <= std::max(relation.target_bottom, flat_height) + rounding,
+                        own, target);
     case RelationKind::hang_from: {
       const bool at_ceiling = std::abs(subject.top - room.height) < 0.02;
       return {at_ceiling || judge_edge(own, room).held, 1.0};
@@ -213,11 +229,14 @@ AlignAxis align_axis(const Object& object, const std::string& target) {
     if (relation.target != target) continue;
     switch (relation.kind) {
       case RelationKind::in_front_of:
-      case RelationKind::behind: return AlignAxis::lateral;
+      case RelationKind::behind:
+        return AlignAxis::lateral;
       case RelationKind::left_of:
       case RelationKind::right_of:
-      case RelationKind::side_of: return AlignAxis::longitudinal;
-      default: break;
+      case RelationKind::side_of:
+        return AlignAxis::longitudinal;
+      default:
+        break;
     }
   }
   return AlignAxis::either;

@@ -23,17 +23,17 @@ enum class AlignAxis { either, lateral, longitudinal };
 /// A relation whose target has been looked up, ready to judge many poses of one object.
 struct ResolvedRelation {
   RelationKind kind = RelationKind::edge;
-  std::vector<Footprint> targets;    ///< one; several for "corner", of which the best counts; none
-                                     ///< when the target is not there: then no pose can hold it
-  double target_bottom = 0.0;        ///< vertical range of the target, metres above the floor
+  std::vector<Footprint> targets;  ///< one; several for "corner", of which the best counts; none
+                                   ///< when the target is not there: then no pose can hold it
+  double target_bottom = 0.0;      ///< vertical range of the target, metres above the floor
   double target_top = 0.0;
-  double gap_low = 0.0;              ///< preferred range of the gap
+  double gap_low = 0.0;  ///< preferred range of the gap
   double gap_high = 0.5;
   AlignAxis axis = AlignAxis::either;
 };
 
-/// Looks up the targets of an object's relations among the placed objects and the parts of the room,
-/// in the order of the relations.
+/// Looks up the targets of an object's relations among the placed objects and the parts of the
+/// room, in the order of the relations.
 std::vector<ResolvedRelation> resolve(const Object& object, const Room& room,
                                       std::span<const Object> placed,
                                       const CategoryTable& categories);
@@ -45,8 +45,8 @@ struct Subject {
   double top = 0.0;
 };
 
-/// The meaning of every relation (docs/constraints.md): one definition for the solver, the reports and
-/// the metrics.
+/// The meaning of every relation (docs/constraints.md): one definition for the solver, the reports
+/// and the metrics.
 Judgement judge(const ResolvedRelation& relation, const Subject& subject, const Room& room);
 
 /// The part of the room that a name means, as a thin footprint whose front looks into the room:
