@@ -89,7 +89,6 @@ Result<Polygon> make_polygon(std::vector<Vec2> points) {
   drop_needless_points(points);
   if (points.size() < 3) return polygon_error("needs at least three corners that are not in line");
   const double signed_size = signed_area(points);
-  if (std::abs(signed_size) < 1e-4) return polygon_error("has no area");
   if (signed_size < 0) std::reverse(points.begin(), points.end());
 
   Polygon polygon{std::move(points)};
@@ -101,6 +100,7 @@ Result<Polygon> make_polygon(std::vector<Vec2> points) {
         return polygon_error("the edge from " + coordinates(polygon.points[i]) + " crosses the edge from " +
                              coordinates(polygon.points[j]) + "; give the corners in order");
     }
+  if (std::abs(signed_size) < 1e-4) return polygon_error("has no area");
   return polygon;
 }
 

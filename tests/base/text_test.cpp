@@ -22,8 +22,11 @@ std::size_t distance_by_recursion(const std::string& a, const std::string& b) {
   if (a.empty() || b.empty()) return a.size() + b.size();
   const std::string rest_a = a.substr(1), rest_b = b.substr(1);
   if (a[0] == b[0]) return distance_by_recursion(rest_a, rest_b);
-  return 1 + std::min({distance_by_recursion(rest_a, b), distance_by_recursion(a, rest_b),
-                       distance_by_recursion(rest_a, rest_b)});
+  std::size_t best = std::min({distance_by_recursion(rest_a, b), distance_by_recursion(a, rest_b),
+                               distance_by_recursion(rest_a, rest_b)});
+  if (a.size() > 1 && b.size() > 1 && a[0] == b[1] && a[1] == b[0])
+    best = std::min(best, distance_by_recursion(a.substr(2), b.substr(2)));
+  return 1 + best;
 }
 
 }  // namespace
@@ -84,8 +87,10 @@ TEST_CASE("A written number is the nearest with that many places") {
   }
 }
 
-TEST_CASE("The edit distance is the least number of changed, added and dropped letters") {
+TEST_CASE("The edit distance is the least number of changed, added, dropped and swapped letters") {
   CHECK(edit_distance("kitten", "sitting") == 3);
+  CHECK(edit_distance("wadrrobe", "wardrobe") == 1);
+  CHECK(edit_distance("dekss", "desks") == 1);
   Random random(3);
   for (int i = 0; i < 300; ++i) {
     const auto a = random_word(random, 5), b = random_word(random, 5);
@@ -99,6 +104,7 @@ TEST_CASE("A misspelt name finds its neighbour and a strange one finds none") {
   const std::vector<std::string> names = {"sofa-0", "desk-0", "wardrobe-0"};
   CHECK(closest_name("desk-1", names) == "desk-0");
   CHECK(closest_name("wardobe-0", names) == "wardrobe-0");
+  CHECK(closest_name("dsek-0", names) == "desk-0");
   CHECK(closest_name("piano-0", names).empty());
   CHECK(closest_name("desk-0", {}).empty());
 }

@@ -22,7 +22,7 @@ std::vector<std::string> words(std::string_view text);
 std::string format_number(double value, int decimals = 3);
 /// An English noun in the singular, by its ending alone: shelves gives shelf, boxes box, glass glass.
 std::string singular(std::string word);
-/// Levenshtein distance in bytes.
+/// Bytes inserted, dropped, replaced or swapped with their neighbour (optimal string alignment).
 std::size_t edit_distance(std::string_view a, std::string_view b);
 /// Of `names`, the one nearest to `name` if it is close enough to be a misspelling, else empty.
 std::string closest_name(std::string_view name, const std::vector<std::string>& names);
