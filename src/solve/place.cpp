@@ -257,12 +257,119 @@ std::optional<std::size_t> choose(Layout& layout, const PlacementTask& task,
   return best;
 }
 
+// The grid is looked at coarsely first, so that the choice of a neighbourhood does not depend on
+// the pitch that was asked for.
+constexpr double coarse_pitch = 0.20;
 // Metres about the suggested location that are looked at first.
 constexpr double about_suggestion = 2.0;
 
-bool near_suggestion_is_enough(const PlacementTask& task, const FusionOptions& fusion) {
-  return task.location && !fusion.ordinal_ranks && fusion.alpha < 1.0;
-}
+// One object's way to its pose: from the poses that mean something over those near the suggestion
+// to all of the grid, each step only if the one before does not settle it.
+class Placing {
+ public:
+  Placing(Layout& layout, const PlacementTask& task, std::span<const PlacementTask> later,
+          const PlaceOptions& options, Random& random)
+      : layout_(layout),
+        task_(task),
+        later_(later),
+        options_(options),
+        random_(random),
+        relations_(resolve(task.object, layout.room(), layout.objects(), layout.categories())),
+        context_(
+            make_context(layout, task, relations_, count_around(task, layout.objects(), later))),
+        candidate_(layout.candidate(task.object)) {}
+
+  Result<Placement> run() {
+    add(propose_exact(context_));
+    meaningful_ = scored_.size();
+    if (meaningful_poses_are_enough()) decide();
+    if (!best_ && options_.grid != GridUse::never) look_at_grid();
+    if (!best_) return refusal(task_, proposed_, static_cast<int>(scored_.size()));
+    return placement();
+  }
+
+ private:
+  // Without a suggestion, a meaningful pose that holds everything needs no grid beside it, and no
+  // grid point is flush with a wall.
+  bool meaningful_poses_are_enough() const {
+    if (options_.grid == GridUse::never) return true;
+    if (options_.grid == GridUse::near_suggestions && task_.location) return false;
+    return one_holds_all(scored_) || wants(context_, RelationKind::edge) ||
+           wants(context_, RelationKind::corner);
+  }
+
+  void look_at_grid() {
+    // Without a suggestion the meaningful poses are the fine ones.
+    const double pitch = task_.location && options_.fusion.ordinal_ranks
+                             ? options_.pitch
+                             : std::max(coarse_pitch, options_.pitch);
+    if (near_suggestion_may_be_enough()) {
+      decide_with(propose_grid(context_, pitch, Disc{*task_.location, about_suggestion}));
+      if (best_ && scored_[*best_].terms.lost > 0) best_.reset();
+    }
+    if (!best_) decide_with(propose_grid(context_, pitch));
+    if (best_ && task_.location && options_.pitch < pitch) refine();
+  }
+
+  // Where everything holds near the suggestion, nothing farther away has a higher sum.
+  bool near_suggestion_may_be_enough() const {
+    return task_.location && !options_.fusion.ordinal_ranks && options_.fusion.alpha < 1.0;
+  }
+
+  // A suggestion is followed closely: once more about the choice, as finely as was asked.
+  void refine() {
+    const Disc part{scored_[*best_].pose.position, coarse_pitch};
+    const auto coarse = scored_[*best_];
+    add(propose_grid(context_, options_.pitch, part));
+    decide(part);
+    if (!best_) scored_.push_back(coarse), best_ = scored_.size() - 1;
+  }
+
+  void add(const std::vector<Pose>& poses) {
+    proposed_ += static_cast<int>(poses.size());
+    score_feasible(context_, candidate_, poses, scored_);
+  }
+
+  void decide(const std::optional<Disc>& part = std::nullopt) {
+    order_ = rank(context_, scored_, options_, random_);
+    if (part)
+      std::erase_if(order_, [&](std::size_t i) {
+        return (scored_[i].pose.position - part->center).norm() > part->radius + 1e-9;
+      });
+    best_ = choose(layout_, task_, later_, scored_, order_, options_);
+  }
+
+  void decide_with(const std::vector<Pose>& grid) {
+    scored_.resize(meaningful_);
+    add(grid);
+    decide();
+  }
+
+  Placement placement() const {
+    Placement placement;
+    placement.object = at_pose(task_.object, scored_[*best_].pose);
+    placement.terms = scored_[*best_].terms;
+    if (order_.size() > 1)
+      placement.runner_up = scored_[order_[0] == *best_ ? order_[1] : order_[0]].terms;
+    placement.candidates = proposed_;
+    placement.feasible = static_cast<int>(scored_.size());
+    return placement;
+  }
+
+  Layout& layout_;
+  const PlacementTask& task_;
+  std::span<const PlacementTask> later_;
+  const PlaceOptions& options_;
+  Random& random_;
+  std::vector<ResolvedRelation> relations_;
+  ProposalContext context_;
+  Layout::Candidate candidate_;
+  std::vector<Scored> scored_;
+  std::size_t meaningful_ = 0;  ///< the first of scored_ that are no grid points
+  std::vector<std::size_t> order_;
+  std::optional<std::size_t> best_;
+  int proposed_ = 0;
+};
 
 }  // namespace
 
@@ -279,55 +386,7 @@ Status PlaceOptions::validate() const {
 Result<Placement> place(Layout& layout, const PlacementTask& task,
                         std::span<const PlacementTask> later, const PlaceOptions& options,
                         Random& random) {
-  const auto relations = resolve(task.object, layout.room(), layout.objects(), layout.categories());
-  const int around = count_around(task, layout.objects(), later);
-  const auto context = make_context(layout, task, relations, around);
-  const auto candidate = layout.candidate(task.object);
-
-  std::vector<Scored> scored;
-  const auto exact = propose_exact(context);
-  score_feasible(context, candidate, exact, scored);
-  const std::size_t exact_count = scored.size();
-  auto proposed = static_cast<int>(exact.size());
-  std::optional<std::size_t> best;
-  std::vector<std::size_t> order;
-  const auto decide = [&] {
-    order = rank(context, scored, options, random);
-    best = choose(layout, task, later, scored, order, options);
-  };
-  const auto decide_with = [&](const std::vector<Pose>& grid) {
-    scored.resize(exact_count);
-    score_feasible(context, candidate, grid, scored);
-    proposed = static_cast<int>(exact.size() + grid.size());
-    decide();
-  };
-
-  // Without a suggestion, a meaningful pose that holds everything needs no grid beside it, and no
-  // grid point is flush with a wall.
-  const bool may_skip_grid = options.grid != GridUse::near_suggestions || !task.location;
-  const bool exact_is_enough =
-      options.grid == GridUse::never ||
-      (may_skip_grid && (one_holds_all(scored) || wants(context, RelationKind::edge) ||
-                         wants(context, RelationKind::corner)));
-  if (exact_is_enough) decide();
-  // Where everything holds near the suggestion, nothing farther away has a higher sum.
-  const bool may_use_grid = options.grid != GridUse::never;
-  if (!best && may_use_grid && near_suggestion_is_enough(task, options.fusion)) {
-    decide_with(propose_grid(context, options.pitch, about_suggestion));
-    if (best && scored[*best].terms.lost > 0) best.reset();
-  }
-  // A suggestion is followed closely; without one the meaningful poses are the fine ones.
-  if (!best && may_use_grid)
-    decide_with(propose_grid(context, task.location ? options.pitch : 2.0 * options.pitch));
-  if (!best) return refusal(task, proposed, static_cast<int>(scored.size()));
-
-  Placement placement;
-  placement.object = at_pose(task.object, scored[*best].pose);
-  placement.terms = scored[*best].terms;
-  if (order.size() > 1) placement.runner_up = scored[order[0] == *best ? order[1] : order[0]].terms;
-  placement.candidates = proposed;
-  placement.feasible = static_cast<int>(scored.size());
-  return placement;
+  return Placing(layout, task, later, options, random).run();
 }
 
 }  // namespace roomgen

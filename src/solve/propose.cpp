@@ -397,7 +397,7 @@ std::vector<Pose> propose_exact(const ProposalContext& context) {
 }
 
 std::vector<Pose> propose_grid(const ProposalContext& context, double pitch,
-                               std::optional<double> radius) {
+                               const std::optional<Disc>& part) {
   std::vector<Pose> poses;
   if (context.task.object.mount != Mount::floor) return poses;
   const Bounds2 box = bounds(context.layout.room().polygon);
@@ -407,7 +407,7 @@ std::vector<Pose> propose_grid(const ProposalContext& context, double pitch,
   for (int j = 0; j <= static_cast<int>(cells.y()); ++j)
     for (int i = 0; i <= static_cast<int>(cells.x()); ++i) {
       const Vec2 point = start + pitch * Vec2(i, j);
-      if (radius && (point - *context.task.location).norm() > *radius) continue;
+      if (part && (point - part->center).norm() > part->radius) continue;
       for (double yaw : yaws) poses.push_back({point, mounting_height(context), yaw});
     }
   return poses;

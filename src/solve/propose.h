@@ -38,10 +38,14 @@ bool wants(const ProposalContext& context, RelationKind kind);
 /// itself. Not yet tested for anything.
 std::vector<Pose> propose_exact(const ProposalContext& context);
 
-/// Grid points over the room times orientations; with a radius (metres) only those about the
-/// suggested location, which must be there then.
+struct Disc {
+  Vec2 center = Vec2::Zero();
+  double radius = 0.0;
+};
+
+/// Grid points over the room, or over a part of it, times orientations.
 std::vector<Pose> propose_grid(const ProposalContext& context, double pitch,
-                               std::optional<double> radius = std::nullopt);
+                               const std::optional<Disc>& part = std::nullopt);
 
 /// The orientations worth trying: fewer for things without a front.
 std::vector<double> useful_yaws(const ProposalContext& context);

@@ -87,7 +87,7 @@ int stable_cases(Suggest suggest) {
 
 }  // namespace
 
-TEST_CASE("Refining the grid moves the choice near a fair suggestion by at most 0.2 m in 95 of 100 cases") {
+TEST_CASE("Refining the grid moves the choice near a fair suggestion by at most 0.2 m in 98 of 100 cases") {
   // Suggestions off by a standard deviation of 0.5 m from a place that is good.
   const int stable = stable_cases([](const Furnished& furnished, const PlacementTask& task, Random& random) {
     const auto good = furnished.place_at(task, 0.10);
@@ -96,10 +96,10 @@ TEST_CASE("Refining the grid moves the choice near a fair suggestion by at most 
     return Vec2(*good + Vec2(dx, random.normal(0.0, 0.5)));
   });
   WARN(stable << " of 200 stable");
-  CHECK(stable >= 190);
+  CHECK(stable >= 196);
 }
 
-TEST_CASE("Refining the grid moves the choice for suggestions anywhere by at most 0.2 m in 90 of 100 cases") {
+TEST_CASE("Refining the grid moves the choice for suggestions anywhere by at most 0.2 m in 95 of 100 cases") {
   // Where the constraints hold only far from the suggestion, places on an arc around it are equally good,
   // and the cells between depend a little on the grid.
   const int stable = stable_cases([](const Furnished&, const PlacementTask&, Random& random) {
@@ -107,5 +107,5 @@ TEST_CASE("Refining the grid moves the choice for suggestions anywhere by at mos
     return Vec2(x, random.uniform(0.3, 3.7));
   });
   WARN(stable << " of 200 stable");
-  CHECK(stable >= 180);
+  CHECK(stable >= 190);
 }
