@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <utility>
 
 #include "roomgen/base/text.h"
@@ -15,7 +16,7 @@ long long estimated_tokens(std::size_t bytes) {
   return static_cast<long long>(bytes) / bytes_per_token + 1;
 }
 
-long long estimated_input(const ChatRequest& request) {
+long long estimated_by_size(const ChatRequest& request) {
   long long tokens = request.schema.is_null() ? 0 : estimated_tokens(request.schema.dump().size());
   for (const auto& message : request.messages)
     tokens += estimated_tokens(message.text.size()) +
@@ -40,9 +41,15 @@ Result<ChatReply> LimitedModel::chat(const ChatRequest& request) {
   if (auto error = refusal(request)) return *error;
   ++totals_.calls;
   auto reply = inner_->chat(request);
-  if (reply) count(request, *reply);
-  else if (reply.error().kind == Error::Kind::limit) count_worst(request);
+  if (reply)
+    count(request, *reply);
+  else if (reply.error().kind == Error::Kind::limit)
+    count_worst(request);
   return reply;
+}
+
+long long LimitedModel::estimated_input(const ChatRequest& request) const {
+  return static_cast<long long>(correction_ * static_cast<double>(estimated_by_size(request)));
 }
 
 std::optional<Error> LimitedModel::refusal(const ChatRequest& request) const {
@@ -65,6 +72,8 @@ void LimitedModel::count(const ChatRequest& request, const ChatReply& reply) {
   const long long input = counted ? reply.input_tokens : estimated_input(request);
   const long long output = counted ? reply.output_tokens : estimated_tokens(reply.text.size());
   add(input, output);
+  const auto estimate = static_cast<double>(estimated_by_size(request));
+  correction_ = std::max(correction_, static_cast<double>(input) / estimate);
 }
 
 void LimitedModel::count_worst(const ChatRequest& request) {

@@ -34,11 +34,11 @@ int read_port(int descriptor) {
 }  // namespace
 
 bool has_python() {
-  return std::system("python3 -c pass >/dev/null 2>&1") == 0;
+  return std::system("command -v python3 >/dev/null 2>&1") == 0;
 }
 
 Server::Server(Security security) : security_(security) {
-  std::vector<std::string> words = {"python3", here + "server.py", folder_ / "log"};
+  std::vector<std::string> words = {"python3", "-S", here + "server.py", folder_ / "log"};
   if (security == Security::self_signed) words.push_back(here + "self_signed.pem");
   int input[2], output[2];
   if (::pipe2(input, O_CLOEXEC) != 0 || ::pipe2(output, O_CLOEXEC) != 0) return;

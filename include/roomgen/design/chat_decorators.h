@@ -64,6 +64,7 @@ class LimitedModel final : public ChatModel {
   const ChatTotals& totals() const { return totals_; }
 
  private:
+  long long estimated_input(const ChatRequest& request) const;
   std::optional<Error> refusal(const ChatRequest& request) const;
   void count(const ChatRequest& request, const ChatReply& reply);
   void count_worst(const ChatRequest& request);
@@ -73,6 +74,7 @@ class LimitedModel final : public ChatModel {
   ChatLimits limits_;
   std::optional<Price> price_;
   ChatTotals totals_;
+  double correction_ = 1.0;  ///< of estimates, as answers show them too low: images differ by model
 };
 
 /// `model` is what the table is asked for. Fails with invalid_input for a limit on money without a
