@@ -31,7 +31,7 @@ if(NOT cpr_FOUND AND ROOMGEN_FETCH_CPR)
 endif()
 
 if(NOT cpr_FOUND)
-  message(STATUS "roomgen: no cpr found, so no language models over HTTP; scripts/setup.sh installs it, "
-                 "ROOMGEN_FETCH_CPR=ON downloads it (third_party/README.md)")
+  message(STATUS "roomgen: no cpr found, so no language models over HTTP (agent); scripts/test installs "
+                 "it, ROOMGEN_FETCH_CPR=ON downloads it (third_party/README.md)")
   set(ROOMGEN_AGENT OFF)
 endif()

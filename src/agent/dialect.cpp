@@ -4,6 +4,14 @@
 
 namespace roomgen {
 
+bool refuses_option(int status, std::string_view complaint) {
+  if (status == 400 || status == 422) return true;
+  const std::string words = lower(complaint);
+  const auto names = [&](std::string_view word) { return words.find(word) != words.npos; };
+  return (status == 500 || status == 501) &&
+         (names("grammar") || names("json_schema") || names("response_format"));
+}
+
 std::optional<Dialect> concede(const Dialect& refused, const ChatRequest& request,
                                std::string_view complaint) {
   using TokenLimit = Dialect::TokenLimit;

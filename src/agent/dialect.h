@@ -17,6 +17,10 @@ struct Dialect {
   bool token_limit_settled = false;  ///< the other name was tried already, or there is none
 };
 
+/// Whether a status and the endpoint's complaint say that it did not take an option: 400 and 422 by
+/// rule; some servers fail with 5xx over a schema that they cannot turn into a grammar.
+bool refuses_option(int status, std::string_view complaint);
+
 /// The next dialect to try after an endpoint refused a request with a `complaint`; nothing when
 /// there is nothing left to give up. A complaint that names no option costs the schema, the least
 /// common of them.

@@ -78,6 +78,7 @@ TEST_CASE("What an endpoint refuses is left out, and not tried again") {
   const Server server;
   const auto [scenario, option] =
       GENERATE(table<std::string, std::string>({{"no-schema", "response_format"},
+                                                {"no-grammar", "response_format"},
                                                 {"no-old-limit", "max_tokens"},
                                                 {"no-temperature", "temperature"}}));
   const auto model = make_http_model(quick_options(server.url(scenario)));

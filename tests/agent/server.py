@@ -136,9 +136,9 @@ class Handler(http.server.BaseHTTPRequestHandler):
     def redirect(self, port):
         self.answer(307, b"", Location=f"http://127.0.0.1:{port}/ok/v1/chat/completions?token=t")
 
-    def unless(self, option, message):
+    def unless(self, option, message, status=400):
         if option in self.request_json:
-            self.answer(400, failure(message))
+            self.answer(status, failure(message))
         else:
             self.ok()
 
@@ -207,6 +207,7 @@ SCENARIOS = {
     "cut": Handler.cut,
     "redirect": Handler.redirect,
     "no-schema": lambda h: h.unless("response_format", "response_format is not supported here"),
+    "no-grammar": lambda h: h.unless("response_format", "failed to parse grammar", 500),
     "no-old-limit": lambda h: h.unless("max_tokens", "use max_completion_tokens"),
     "no-temperature": lambda h: h.unless("temperature", "temperature: only 1 is supported"),
     "schema": Handler.schema,
