@@ -4,15 +4,15 @@
 #include <curl/curl.h>
 
 #include <chrono>
-#include <cstring>
+#include <exception>
 #include <optional>
 #include <string_view>
 
+#include "inbox.h"
 #include "roomgen/base/text.h"
 
-// cpr describes the request; the loop around it is ours, because curl_easy_perform looks at a
-// progress callback only once a second while nothing arrives, and a cancelled call must end at
-// once.
+// cpr describes the request; the loop around it is ours: libcurl's own looks at its callbacks only
+// once a second while nothing arrives, and a cancelled call must end at once.
 
 namespace roomgen {
 
@@ -21,46 +21,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Kind = HttpFailure::Kind;
 
-constexpr std::size_t max_header_bytes = 64u << 10;
 constexpr int poll_ms = 50;
-
-// What arrives, within its bounds.
-class Inbox {
- public:
-  explicit Inbox(std::size_t limit) : limit_(limit) {}
-
-  bool header(std::string_view line) {
-    header_bytes_ += line.size();
-    if (line.starts_with("HTTP/")) answer.location = answer.retry_after = "";
-    const auto colon = line.find(':');
-    const std::string name = lower(line.substr(0, colon));
-    if (name == "location") answer.location = trim(line.substr(colon + 1));
-    if (name == "retry-after") answer.retry_after = trim(line.substr(colon + 1));
-    too_long = header_bytes_ > max_header_bytes;
-    return !too_long;
-  }
-
-  bool body(std::string_view bytes) {
-    too_long = answer.body.size() + bytes.size() > limit_;
-    if (!too_long) answer.body += bytes;
-    return !too_long;
-  }
-
-  void moved(long long bytes) {
-    if (bytes == bytes_moved_) return;
-    bytes_moved_ = bytes;
-    last_moved = Clock::now();
-  }
-
-  HttpAnswer answer;
-  bool too_long = false;
-  Clock::time_point last_moved = Clock::now();
-
- private:
-  std::size_t limit_;
-  std::size_t header_bytes_ = 0;
-  long long bytes_moved_ = 0;
-};
 
 std::chrono::milliseconds milliseconds(HttpLimits::Seconds seconds) {
   return std::chrono::ceil<std::chrono::milliseconds>(seconds);
@@ -156,7 +117,7 @@ class Transport::Connections {
     const auto holder = session.GetCurlHolder();
     const InFlight in_flight(multi_, holder->handle);
     if (auto failure = drive(inbox, limits, cancel)) {
-      if (inbox.too_long)
+      if (inbox.too_long())
         return HttpFailure{Kind::too_long, "the answer is longer than " +
                                                std::to_string(limits.answer_bytes) + " bytes"};
       if (failure->what.empty()) failure->what = holder->error.data();
@@ -164,8 +125,9 @@ class Transport::Connections {
     }
     long status = 0;
     curl_easy_getinfo(holder->handle, CURLINFO_RESPONSE_CODE, &status);
-    inbox.answer.status = static_cast<int>(status);
-    return std::move(inbox.answer);
+    HttpAnswer answer = inbox.take();
+    answer.status = static_cast<int>(status);
+    return answer;
   }
 
  private:
@@ -182,7 +144,7 @@ class Transport::Connections {
       const auto now = Clock::now();
       if (now - start > limits.call)
         return HttpFailure{Kind::timed_out, within("no whole answer within", limits.call)};
-      if (now - inbox.last_moved > limits.idle)
+      if (now - inbox.last_moved() > limits.idle)
         return HttpFailure{Kind::timed_out, within("not a byte for", limits.idle)};
       curl_multi_poll(multi_, nullptr, 0, poll_ms, nullptr);
     }

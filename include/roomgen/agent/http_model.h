@@ -39,7 +39,7 @@ struct RetryPolicy {
   Seconds longest_wait{20};
   Seconds longest_retry_after{60};  ///< a server that asks for a longer wait ends the call
   Seconds total{600};               ///< over all attempts and waits
-  std::uint64_t seed = 0;           ///< of the random part of the waits
+  std::uint64_t seed = 0;           ///< of the random part; best another one for each client
 };
 
 struct HttpModelOptions {

@@ -43,8 +43,8 @@ struct ChatLimits {
 };
 
 /// What has been used. Calls count whether they succeeded or not; tokens are the endpoint's, or
-/// estimated from the text where it counts none. An answer that was too long or too slow was worked for
-/// all the same, and counts as the worst it could be; other failures count no tokens.
+/// estimated from the text where it counts none. An answer that was too long or too slow was worked
+/// for all the same, and counts as the worst it could be; other failures count no tokens.
 struct ChatTotals {
   int calls = 0;
   long long input_tokens = 0;

@@ -30,8 +30,7 @@ class PriceTable {
   static Result<PriceTable> parse(std::string_view text, const std::string& source);
 
   /// The entry with the longest name that `model` is a version of: "gpt-4o" is for gpt-4o and
-  /// gpt-4o-2024-08-06, not for gpt-4o-audio. A vendor before a slash ("openai/gpt-4o") is passed
-  /// over.
+  /// gpt-4o-2024-08-06, not for gpt-4o-audio. A vendor before a slash (openai/gpt-4o) is ignored.
   std::optional<Price> find(std::string_view model) const;
 
  private:
