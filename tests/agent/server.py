@@ -215,7 +215,7 @@ SCENARIOS = {
     "anthropic": Handler.anthropic,
     "anthropic-image": Handler.anthropic_image,
     "echo": lambda h: h.answer(200, openai(f"your key is {h.secret()}")),
-    "echo-error": lambda h: h.answer(400, f"your key is {'.' * 280} {h.secret()}".encode()),
+    "echo-error": lambda h: h.answer(400, f"your key is {'.' * 270} {h.secret()}".encode()),
 }
 
 
