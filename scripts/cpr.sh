@@ -4,7 +4,8 @@
 
 cpr_prefix="$root/build/third_party/cpr"
 
-# The sources.list line of the source packages of Debian testing, on the mirror this system uses already.
+# The sources.list line of the source packages of Debian testing, on the mirror this system uses already;
+# fails if its package lists are not there.
 debian_testing_sources() {
   local mirror
   mirror="$(apt-get indextargets --format '$(ORIGIN)|$(LABEL)|$(REPO_URI)' 'Created-By: Packages' \
@@ -17,7 +18,8 @@ debian_testing_sources() {
 fetch_debian_source() {
   local package="$1" folder="$2" options
   mkdir -p "$folder/apt/lists/partial" "$folder/apt/cache/archives/partial"
-  debian_testing_sources >"$folder/apt/sources.list" || return 1
+  debian_testing_sources >"$folder/apt/sources.list" ||
+    { as_root apt-get update -qq && debian_testing_sources >"$folder/apt/sources.list"; } || return 1
   options=(-qq -o "Dir::Etc::sourcelist=$folder/apt/sources.list" -o Dir::Etc::sourceparts=-
     -o "Dir::State::lists=$folder/apt/lists" -o "Dir::Cache=$folder/apt/cache"
     -o APT::Sandbox::User=root -o Acquire::Languages=none)
@@ -37,13 +39,14 @@ unpack_upstream() {
   tar -xf "$folder/${sums#*  }" -C "$folder/source" --strip-components=1
 }
 
-# -Wno-error: cpr turns warnings into errors, which a newer compiler would trip over.
+# cpr turns warnings into errors, which a newer compiler would trip over; the flags of the build type come
+# after its own.
 build_cpr() {
   local folder="$1"
   cmake -S "$folder/source" -B "$folder/build" -G Ninja -DCMAKE_BUILD_TYPE=Release \
     -DCMAKE_INSTALL_PREFIX="$cpr_prefix.part" -DCMAKE_INSTALL_LIBDIR=lib -DBUILD_SHARED_LIBS=OFF \
     -DCMAKE_POSITION_INDEPENDENT_CODE=ON -DCPR_USE_SYSTEM_CURL=ON -DCPR_BUILD_TESTS=OFF \
-    -DCPR_ENABLE_LINTING=OFF -DCMAKE_CXX_FLAGS=-Wno-error &&
+    -DCPR_ENABLE_LINTING=OFF "-DCMAKE_CXX_FLAGS_RELEASE=-O2 -DNDEBUG -Wno-error" &&
     cmake --build "$folder/build" &&
     cmake --install "$folder/build"
 }
