@@ -15,7 +15,8 @@ as_root() {
 # What the program needs, and what its tests need besides.
 build_packages="g++ cmake ninja-build ccache pkg-config libeigen3-dev libfcl-dev libassimp-dev
   nlohmann-json3-dev libosmesa6-dev libopencv-core-dev libopencv-imgproc-dev libpng-dev libjpeg-dev
-  libsqlite3-dev libzip-dev libcli11-dev catch2 sweethome3d-furniture"
+  libsqlite3-dev libzip-dev libcli11-dev catch2 sweethome3d-furniture libcurl4-openssl-dev libssl-dev
+  dpkg-dev"
 test_packages="python3 python3-venv"
 
 install_packages() {
@@ -33,10 +34,13 @@ install_packages() {
     $missing >&2
 }
 
+. "$root/scripts/cpr.sh"
+
 # build PRESET TARGET: into build/PRESET, with a line of progress on a terminal and the log beside it.
 build() {
   local preset="$1" target="$2" log
   cd "$root" || exit 1
+  install_cpr
   mkdir -p "build/$preset"
   log="build/$preset/build.log"
   if [ ! -f "build/$preset/build.ninja" ]; then

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "roomgen/base/log.h"
+#include "roomgen/base/result.h"
+#include "roomgen/design/chat_model.h"
+
+namespace roomgen {
+
+/// How questions and answers look on the wire.
+enum class ChatProtocol {
+  openai,  ///< POST BASE/chat/completions: OpenAI, vLLM, llama.cpp, Ollama, OpenRouter, Gemini, …
+  anthropic,  ///< POST BASE/v1/messages
+};
+
+/// Bounds on one HTTP request.
+struct HttpLimits {
+  using Seconds = std::chrono::duration<double>;
+  Seconds connect{10};  ///< name look-up, TCP and TLS handshakes
+  Seconds idle{180};    ///< without a byte in either direction; models think in silence
+  Seconds call{300};    ///< from start to the last byte
+  std::size_t answer_bytes = 16u << 20;  ///< of the body, unpacked
+};
+
+/// When a request that failed for the moment is sent again: after 408, 409, 429, 5xx, a time limit,
+/// or a broken connection. Waits double from `first_wait` to `longest_wait`, each shortened by up
+/// to a half at random, so that many clients do not come back at once.
+struct RetryPolicy {
+  using Seconds = std::chrono::duration<double>;
+  int attempts = 5;  ///< of one question, the first one included
+  Seconds first_wait{0.5};
+  Seconds longest_wait{20};
+  Seconds longest_retry_after{60};  ///< a server that asks for a longer wait ends the call
+  Seconds total{600};               ///< over all attempts and waits
+  std::uint64_t seed = 0;           ///< of the random part; best another one for each client
+};
+
+struct HttpModelOptions {
+  std::string base_url = "https://api.openai.com/v1";  ///< http or https; a query is kept
+  std::string model;                                   ///< as the endpoint names it
+  std::optional<ChatProtocol> protocol;                ///< unless given: told from the host
+  /// A file of mode 600 that holds the key and nothing else. Unless given, the key is the
+  /// environment's ROOMGEN_API_KEY, or else OPENAI_API_KEY or ANTHROPIC_API_KEY by protocol.
+  /// ROOMGEN_API_KEY set to nothing says that the server wants none; one on this machine may always
+  /// go without.
+  std::filesystem::path key_file;
+  HttpLimits limits;
+  RetryPolicy retry;
+  LogSink log;  ///< told of retries and of what the endpoint does not take
+};
+
+/// A model behind an HTTP endpoint; needs the network at `chat`, not before. Redirects are not
+/// followed: the key goes to the host of `base_url` and to no other, over plain http only to this
+/// machine. It appears in no error, reply or log.
+///
+/// An endpoint that refuses an option of the request (a schema, a temperature, the name of the
+/// bound on tokens) is asked again without it, and not with it again.
+///
+/// Fails with invalid_input for a URL, an option or a key that cannot be right, unavailable without
+/// a needed key. One call at a time; several models may work at once.
+Result<std::unique_ptr<ChatModel>> make_http_model(const HttpModelOptions& options);
+
+}  // namespace roomgen

@@ -1,0 +1,90 @@
+#include "anthropic_wire.h"
+
+#include <algorithm>
+
+#include "base64.h"
+
+namespace roomgen {
+
+namespace {
+
+constexpr std::size_t max_text = 64u << 20;  // the transport bounds it before
+constexpr long long max_count = 1'000'000'000'000;
+
+Json content_of(const ChatMessage& message) {
+  if (message.images.empty()) return message.text;
+  Json parts = Json::array({{{"type", "text"}, {"text", message.text}}});
+  for (const auto& png : message.images)
+    parts.push_back(
+        {{"type", "image"},
+         {"source", {{"type", "base64"}, {"media_type", "image/png"}, {"data", base64(png)}}}});
+  return parts;
+}
+
+// System messages stand apart from the conversation.
+std::string system_text(const ChatRequest& request) {
+  std::string text;
+  for (const auto& message : request.messages) {
+    if (message.role != ChatMessage::Role::system) continue;
+    if (!text.empty()) text += "\n\n";
+    text += message.text;
+  }
+  return text;
+}
+
+void add_tool(const ChatRequest& request, Json& body) {
+  body["tools"] = Json::array({{{"name", request.schema_name},
+                                {"description", "Give the answer in this form."},
+                                {"input_schema", request.schema}}});
+  body["tool_choice"] = {{"type", "tool"}, {"name", request.schema_name}};
+}
+
+// A tool's input is the answer; prose beside it is not.
+std::string text_of(const std::vector<JsonReader>& blocks) {
+  std::string text;
+  for (const auto& block : blocks) {
+    const std::string type = block["type"].text_or("");
+    if (type == "tool_use" && block["input"].exists())
+      return block["input"].raw()->dump(-1, ' ', false, Json::error_handler_t::replace);
+    if (type == "text") text += block["text"].text_or("", max_text);
+  }
+  return text;
+}
+
+}  // namespace
+
+Json anthropic_body(const ChatRequest& request, const std::string& model, const Dialect& dialect) {
+  Json body = {{"model", model}, {"max_tokens", request.max_tokens}};
+  if (auto system = system_text(request); !system.empty()) body["system"] = std::move(system);
+  for (const auto& message : request.messages) {
+    if (message.role == ChatMessage::Role::system) continue;
+    const bool assistant = message.role == ChatMessage::Role::assistant;
+    body["messages"].push_back(
+        {{"role", assistant ? "assistant" : "user"}, {"content", content_of(message)}});
+  }
+  // Its scale ends at 1, that of others at 2.
+  if (dialect.temperature) body["temperature"] = std::min(request.temperature, 1.0);
+  if (dialect.schema && !request.schema.is_null()) add_tool(request, body);
+  return body;
+}
+
+Result<ChatReply> read_anthropic_reply(const Json& answer, const std::string& source) {
+  AnswerReader reader(answer, source);
+  const auto content = reader.root["content"];
+  if (!content.exists()) content.report("missing");
+
+  ChatReply reply;
+  reply.model = reader.root["model"].text_or("");
+  const auto usage = reader.root["usage"];
+  if (usage.exists()) {
+    reply.input_tokens = usage["input_tokens"].integer_or(0, 0, max_count);
+    reply.output_tokens = usage["output_tokens"].integer_or(0, 0, max_count);
+  }
+  const std::string reason = reader.root["stop_reason"].text_or("");
+  if (reason == "refusal") return refused(source, "");
+  if (reason == "max_tokens") return cut_off(source, reply.output_tokens);
+  if (content.exists()) reply.text = text_of(content.elements());
+  return reader.finish(std::move(reply), source);
+}
+
+}  // namespace roomgen

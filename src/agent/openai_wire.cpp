@@ -1,0 +1,107 @@
+#include "openai_wire.h"
+
+#include <algorithm>
+
+#include "base64.h"
+
+namespace roomgen {
+
+namespace {
+
+constexpr std::size_t max_text = 64u << 20;  // the transport bounds it before
+constexpr long long max_count = 1'000'000'000'000;
+
+const char* role_name(ChatMessage::Role role) {
+  switch (role) {
+    case ChatMessage::Role::system:
+      return "system";
+    case ChatMessage::Role::assistant:
+      return "assistant";
+    case ChatMessage::Role::user:
+      break;
+  }
+  return "user";
+}
+
+// A plain string where there are no images: the form that every server knows.
+Json content_of(const ChatMessage& message) {
+  if (message.images.empty()) return message.text;
+  Json parts = Json::array({{{"type", "text"}, {"text", message.text}}});
+  for (const auto& png : message.images)
+    parts.push_back(
+        {{"type", "image_url"}, {"image_url", {{"url", "data:image/png;base64," + base64(png)}}}});
+  return parts;
+}
+
+// OpenAI enforces a schema only as `strict`, and takes as strict only one whose objects list all
+// their members as required and allow no others.
+bool may_be_strict(const Json& schema) {
+  if (schema.is_array()) return std::all_of(schema.begin(), schema.end(), may_be_strict);
+  if (!schema.is_object()) return true;
+  if (const auto properties = schema.find("properties");
+      properties != schema.end() && properties->is_object()) {
+    const auto required = schema.find("required");
+    if (schema.value("additionalProperties", Json(true)) != Json(false)) return false;
+    if (required == schema.end() || required->size() != properties->size()) return false;
+  }
+  return std::all_of(schema.begin(), schema.end(), may_be_strict);
+}
+
+Json response_format(const ChatRequest& request) {
+  Json schema = {{"name", request.schema_name}, {"schema", request.schema}};
+  if (may_be_strict(request.schema)) schema["strict"] = true;
+  return {{"type", "json_schema"}, {"json_schema", schema}};
+}
+
+std::string text_of(const JsonReader& content) {
+  if (!content.is_array()) return content.text_or("", max_text);
+  std::string text;
+  for (const auto& part : content.elements()) text += part["text"].text_or("", max_text);
+  return text;
+}
+
+}  // namespace
+
+Json openai_body(const ChatRequest& request, const std::string& model, const Dialect& dialect) {
+  Json body = {{"model", model}};
+  for (const auto& message : request.messages)
+    body["messages"].push_back(
+        {{"role", role_name(message.role)}, {"content", content_of(message)}});
+  const bool completion = dialect.token_limit == Dialect::TokenLimit::max_completion_tokens;
+  body[completion ? "max_completion_tokens" : "max_tokens"] = request.max_tokens;
+  if (dialect.temperature) body["temperature"] = request.temperature;
+  if (dialect.schema && !request.schema.is_null())
+    body["response_format"] = response_format(request);
+  return body;
+}
+
+Result<ChatReply> read_openai_reply(const Json& answer, const std::string& source) {
+  // Gateways report failures of the server behind them with status 200.
+  if (answer.is_object() && answer.contains("error") && !answer["error"].is_null())
+    return Error{Error::Kind::io, source + ": " + complaint_in(answer.dump())};
+
+  AnswerReader reader(answer, source);
+  const auto choices = reader.root["choices"].elements();
+  if (choices.empty()) reader.root["choices"].report("missing; expected at least one choice");
+
+  ChatReply reply;
+  reply.model = reader.root["model"].text_or("");
+  const auto usage = reader.root["usage"];
+  if (usage.exists()) {
+    reply.input_tokens = usage["prompt_tokens"].integer_or(0, 0, max_count);
+    reply.output_tokens = usage["completion_tokens"].integer_or(0, 0, max_count);
+  }
+  if (!choices.empty()) {
+    const auto message = choices.front()["message"];
+    if (!message.exists()) message.report("missing");
+    const std::string reason = choices.front()["finish_reason"].text_or("");
+    const std::string refusal =
+        message.exists() ? message["refusal"].text_or("", max_text) : std::string();
+    if (!refusal.empty() || reason == "content_filter") return refused(source, refusal);
+    if (reason == "length") return cut_off(source, reply.output_tokens);
+    if (message.exists()) reply.text = text_of(message["content"]);
+  }
+  return reader.finish(std::move(reply), source);
+}
+
+}  // namespace roomgen

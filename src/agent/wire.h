@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "dialect.h"
+#include "roomgen/base/json.h"
+#include "roomgen/base/result.h"
+#include "roomgen/design/chat_model.h"
+
+namespace roomgen {
+
+// What both protocols share; the rest is in openai_wire.h and anthropic_wire.h. Pure functions: no
+// network here.
+
+/// An answer's body as JSON. `source` names the endpoint in errors, which say what came instead: a
+/// web page, a text cut short, bytes that are no UTF-8.
+Result<Json> parse_answer(std::string_view body, const std::string& source);
+
+/// The endpoint's own words about a failure: the message in its JSON, or the beginning of the text;
+/// empty for a web page.
+std::string complaint_in(std::string_view body);
+
+/// A reader of an answer and the first thing that was wrong with it.
+struct AnswerReader {
+  AnswerReader(const Json& answer, const std::string& source)
+      : problems(source), root(answer, problems) {}
+
+  JsonReader::Problems problems;
+  JsonReader root;
+
+  /// What `reply` says if the answer was as the protocol has it and says anything.
+  Result<ChatReply> finish(ChatReply reply, const std::string& source) const;
+};
+
+Error cut_off(const std::string& source, long long output_tokens);
+Error refused(const std::string& source, std::string_view why);
+
+}  // namespace roomgen
