@@ -43,7 +43,8 @@ build() {
   install_cpr
   mkdir -p "build/$preset"
   log="build/$preset/build.log"
-  if [ ! -f "build/$preset/build.ninja" ]; then
+  # A tree that was configured before cpr was there knows nothing of it.
+  if [ ! -f "build/$preset/build.ninja" ] || [ "$cpr_prefix" -nt "build/$preset/build.ninja" ]; then
     say "Configuring build/$preset"
     cmake --preset "$preset" >"$log" 2>&1 || { cat "$log" >&2; exit 1; }
   fi

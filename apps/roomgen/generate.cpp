@@ -8,10 +8,10 @@
 #include <memory>
 
 #include "command.h"
+#include "designers.h"
 #include "libraries.h"
 #include "options.h"
 #include "roomgen/base/file.h"
-#include "roomgen/design/rule_designer.h"
 #include "roomgen/export/attribution.h"
 #include "roomgen/export/glb.h"
 #include "roomgen/generate/output.h"
@@ -29,8 +29,9 @@ struct GenerateCommand {
   std::uint64_t seed = 0;
   bool force = false, strict = false, marks = false, no_pictures = false;
   int pixels = 1024;
-  double alpha = 0.5, pitch = 0.10;
+  double alpha = 0.5, rrf_c = 60.0, pitch = 0.10;
   LibraryOptions libraries;
+  DesignerOptions designer;
 };
 
 // A bar with the object's name, on a terminal only.
@@ -98,6 +99,7 @@ Status write_marks(const GenerateCommand& command, const fs::path& folder,
   View view;
   view.pixels = command.pixels;
   view.marks = true;
+  view.paper_frame = command.designer.paper_frame();
   for (std::size_t step = 0; step <= generation.scene.objects.size(); ++step) {
     if (step > 0) partial.objects.push_back(generation.scene.objects[step - 1]);
     const auto image = renderer.render(partial, generation.models, view);
@@ -127,8 +129,36 @@ Status write_all(const GenerateCommand& command, const fs::path& folder, const P
   return command.marks ? write_marks(command, folder, generation, **renderer) : Status();
 }
 
+Json suggestions_json(const SuggestionFigures& figures) {
+  return {{"located", figures.located},
+          {"within_0.5_m", figures.within_half},
+          {"within_1_m", figures.within_one},
+          {"faced", figures.faced},
+          {"facing_kept", figures.facing_kept}};
+}
+
+Json model_json(const Generation& generation) {
+  const ModelUse& use = generation.model_use;
+  return {{"calls", use.calls},
+          {"input_tokens", use.input_tokens},
+          {"output_tokens", use.output_tokens},
+          {"seconds", rounded(use.seconds, 3)},
+          {"fallbacks", use.fallbacks},
+          {"stopped", generation.stopped}};
+}
+
+void print_model_use(const Generation& generation) {
+  const ModelUse& use = generation.model_use;
+  const SuggestionFigures& figures = generation.suggestions;
+  std::printf("  the model placed with %d calls, %lld + %lld tokens, %.1f s; rules decided for %d objects\n",
+              use.calls, use.input_tokens, use.output_tokens, use.seconds, use.fallbacks);
+  std::printf("  of %d suggested places %d were followed within 0.5 m, %d within 1 m\n", figures.located,
+              figures.within_half, figures.within_one);
+  if (!generation.stopped.empty()) std::printf("  stopped: %s\n", generation.stopped.c_str());
+}
+
 void print_summary(const Context& context, const fs::path& folder, const Plan& plan,
-                   const Generation& generation, double seconds) {
+                   const Generation& generation, bool has_model, double seconds) {
   const Scene& scene = generation.scene;
   if (context.json) {
     Json json;
@@ -142,6 +172,8 @@ void print_summary(const Context& context, const fs::path& folder, const Plan& p
     json["constraints"] = generation.constraints;
     json["held"] = generation.held;
     json["incomplete"] = scene.incomplete;
+    json["suggestions"] = suggestions_json(generation.suggestions);
+    if (has_model) json["model"] = model_json(generation);
     json["seconds"] = rounded(seconds, 3);
     std::fputs(dump_json(json).c_str(), stdout);
     return;
@@ -150,8 +182,17 @@ void print_summary(const Context& context, const fs::path& folder, const Plan& p
   std::printf("%s: %s with %zu objects, %d of %d constraints held (%.1f s)\n",
               folder.string().c_str(), scene.room.type.c_str(), scene.objects.size(),
               generation.held, generation.constraints, seconds);
+  if (has_model) print_model_use(generation);
   for (const auto& missing : scene.unplaced)
     std::printf("  left out: %s: %s\n", missing.id.c_str(), missing.reason.c_str());
+}
+
+// What a model looks at; none for designers without eyes.
+Result<std::unique_ptr<Renderer>> renderer_for(const GenerateCommand& command,
+                                               const ComposedDesigner& composed) {
+  if (!composed.model || command.designer.model_mode() == ModelMode::constraints)
+    return std::unique_ptr<Renderer>();
+  return make_osmesa_renderer();
 }
 
 Result<int> run(const Context& context, const GenerateCommand& command) {
@@ -161,8 +202,15 @@ Result<int> run(const Context& context, const GenerateCommand& command) {
                                                                   ? command.prompt
                                                                   : command.plan_file)
                               : fs::path(command.output);
-  const auto designer = make_rule_designer();
-  auto plan = make_plan(command, context, *designer);
+  const fs::path cache = command.libraries.cache.empty() ? assets::default_cache_dir()
+                                                         : fs::path(command.libraries.cache);
+  auto composed = compose_designer(command.designer, context, cache.string());
+  if (!composed) return composed.error();
+  Designer& designer = *composed->designer;
+  const ProgressBar bar(context.quiet);
+  if (composed->model) bar.show(0, 1, "asking for a plan");
+  auto plan = make_plan(command, context, designer);
+  bar.clear();
   if (!plan) return plan.error();
   if (auto status = prepare_output_folder(folder, command.force); !status) return status.error();
   auto library = open_all_libraries(command.libraries, context);
@@ -172,21 +220,27 @@ Result<int> run(const Context& context, const GenerateCommand& command) {
   options.seed = plan->seed;
   options.cancel = context.cancel;
   options.place.fusion.alpha = command.alpha;
+  options.place.fusion.c = command.rrf_c;
+  apply(command.designer, options.place.fusion);
   options.place.pitch = command.pitch;
-  const ProgressBar bar(context.quiet);
+  auto renderer = renderer_for(command, *composed);
+  if (!renderer) return renderer.error();
+  options.renderer = renderer->get();
+  options.marks_view.pixels = command.pixels;
+  options.marks_view.paper_frame = command.designer.paper_frame();
   options.on_step = [&](const StepProgress& progress) {
     bar.show(progress.step, progress.total, progress.object);
   };
   auto generation =
-      generate(*plan, *designer, **library, CategoryTable::built_in(), options);
+      generate(*plan, designer, **library, CategoryTable::built_in(), options);
   if (!generation) return generation.error();
   bar.show(1, 1, "writing files");
   if (auto status = write_all(command, folder, *plan, *generation); !status) return status.error();
   bar.clear();
 
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-  print_summary(context, folder, *plan, *generation, elapsed.count());
-  if (generation->scene.incomplete) return exit_interrupted;
+  print_summary(context, folder, *plan, *generation, composed->model != nullptr, elapsed.count());
+  if (context.cancel.cancelled()) return exit_interrupted;
   return command.strict && !generation->scene.unplaced.empty() ? exit_failure : exit_ok;
 }
 
@@ -214,7 +268,9 @@ void add_generate_command(CLI::App& app, Context& context) {
   sub->add_option("--alpha", command->alpha,
                   "Weight of constraints against suggested locations, 0 to 1")
       ->capture_default_str();
+  sub->add_option("--rrf-c", command->rrf_c, "The fusion's constant")->capture_default_str();
   sub->add_option("--pitch", command->pitch, "Grid pitch in metres")->capture_default_str();
+  add_designer_options(*sub, command->designer);
   add_library_options(*sub, command->libraries);
   sub->callback([command, &context] {
     if (command->prompt.empty() && command->plan_file.empty())

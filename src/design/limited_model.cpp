@@ -38,7 +38,7 @@ LimitedModel::LimitedModel(std::unique_ptr<ChatModel> inner, const ChatLimits& l
 }
 
 Result<ChatReply> LimitedModel::chat(const ChatRequest& request) {
-  if (auto error = refusal(request)) return *error;
+  if (auto error = refusal(request)) return refused_ = true, *error;
   ++totals_.calls;
   auto reply = inner_->chat(request);
   if (reply)

@@ -16,6 +16,9 @@ namespace {
 // A picture or mirror hangs this far above what it is above.
 constexpr double gap_above = 0.15;
 
+// A yaw this far from the suggested one still follows it.
+constexpr double facing_tolerance = pi / 12;
+
 using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) {
@@ -33,6 +36,19 @@ Json terms_json(const PlacementTerms& terms) {
           {"rank_c", rounded(terms.rank_c)},
           {"rank_l", rounded(terms.rank_l)},
           {"fused", rounded(terms.fused, 8)}};
+}
+
+// What a language model was asked for an answer; nothing if none was.
+Json consultation_json(const Consultation& consultation) {
+  if (consultation.calls == 0 && consultation.notes.empty()) return nullptr;
+  return {{"calls", consultation.calls},
+          {"input_tokens", consultation.input_tokens},
+          {"output_tokens", consultation.output_tokens},
+          {"seconds", rounded(consultation.seconds)},
+          {"prompt_sha256", consultation.prompt_sha256},
+          {"image_sha256", consultation.image_sha256},
+          {"notes", consultation.notes},
+          {"fell_back", consultation.fell_back}};
 }
 
 Json advice_json(const PlaceAdvice& advice) {
@@ -61,11 +77,11 @@ class Generator {
 
   Result<Generation> run() {
     const auto objects = planned_objects(plan_);
-    for (std::size_t i = 0; i < objects.size() && !options_.cancel.cancelled(); ++i) {
+    for (std::size_t i = 0; i < objects.size() && !has_stopped(); ++i) {
       if (options_.on_step) options_.on_step({i, objects.size(), objects[i].id});
       step(objects[i]);
     }
-    if (!options_.cancel.cancelled()) {
+    if (!has_stopped()) {
       if (options_.on_step) options_.on_step({objects.size(), objects.size(), "improving"});
       improve_all(options_.improve_rounds);
     }
@@ -74,6 +90,8 @@ class Generator {
   }
 
  private:
+  bool has_stopped() const { return options_.cancel.cancelled() || !result_.stopped.empty(); }
+
   // One planned object from retrieval to its place. Failures end in reasons_, never in an error.
   void step(const PlannedObject& planned) {
     const auto start = Clock::now();
@@ -115,9 +133,15 @@ class Generator {
         if (!task) return task.error().message;
         Json attempt;
         auto advice = ask(planned, *task, refusals);
-        if (!advice) return advice.error().message;
+        if (!advice) {
+          if (advice.error().kind == Error::Kind::limit) result_.stopped = advice.error().message;
+          return advice.error().message;
+        }
+        tally(advice->consultation);
         attempt["asset"] = asset_key(assets[a].ref);
         attempt["answer"] = advice_json(*advice);
+        if (Json asked = consultation_json(advice->consultation); !asked.is_null())
+          attempt["model"] = std::move(asked);
         if (auto status = apply(*advice, planned, *task); !status) return status.error().message;
         auto placed = place(layout_, *task, {}, options_.place, random_);
         if (!first) first = *task;
@@ -144,6 +168,15 @@ class Generator {
         return options_.renderer->render(scene, result_.models, options_.marks_view);
       };
     return designer_.place(request);
+  }
+
+  void tally(const Consultation& consultation) {
+    ModelUse& use = result_.model_use;
+    use.calls += consultation.calls;
+    use.input_tokens += consultation.input_tokens;
+    use.output_tokens += consultation.output_tokens;
+    use.seconds += consultation.seconds;
+    use.fallbacks += consultation.fell_back ? 1 : 0;
   }
 
   // The advice decides what carries the object or what it hangs above, and so its height.
@@ -286,7 +319,7 @@ class Generator {
     Scene& scene = result_.scene;
     scene = current_scene();
     scene.objects.clear();
-    scene.incomplete = options_.cancel.cancelled();
+    scene.incomplete = has_stopped();
     std::set<std::string> seen;
     for (const auto& planned : planned_objects) {
       const PlanItem& item = plan_.items[planned.item];
@@ -305,6 +338,24 @@ class Generator {
       result_.constraints += static_cast<int>(task.object.relations.size());
     for (const auto& verdict : judge_scene(scene, categories_))
       result_.held += verdict.judgement.held ? 1 : 0;
+    for (const auto& task : tasks_)
+      if (const Object* placed = layout_.find(task.object.id)) compare(task, *placed);
+  }
+
+  // How far the object ended from where it was suggested.
+  void compare(const PlacementTask& task, const Object& placed) {
+    SuggestionFigures& figures = result_.suggestions;
+    if (task.location) {
+      const double distance = (placed.position.head<2>() - *task.location).norm();
+      ++figures.located;
+      figures.within_half += distance <= 0.5 ? 1 : 0;
+      figures.within_one += distance <= 1.0 ? 1 : 0;
+    }
+    if (task.facing) {
+      ++figures.faced;
+      figures.facing_kept +=
+          std::abs(wrap_angle(placed.yaw - *task.facing)) <= facing_tolerance ? 1 : 0;
+    }
   }
 
   const Plan& plan_;

@@ -62,6 +62,8 @@ class LimitedModel final : public ChatModel {
 
   Result<ChatReply> chat(const ChatRequest& request) override;
   const ChatTotals& totals() const { return totals_; }
+  /// Has a call been refused for its limits?
+  bool refused() const { return refused_; }
 
  private:
   long long estimated_input(const ChatRequest& request) const;
@@ -74,6 +76,7 @@ class LimitedModel final : public ChatModel {
   ChatLimits limits_;
   std::optional<Price> price_;
   ChatTotals totals_;
+  bool refused_ = false;
   double correction_ = 1.0;  ///< of estimates, as answers show them too low: images differ by model
 };
 

@@ -35,12 +35,25 @@ struct PlaceRequest {
   CancelToken cancel;
 };
 
+/// How an answer came about, for the trace; empty for rules.
+struct Consultation {
+  int calls = 0;               ///< of a language model
+  long long input_tokens = 0;
+  long long output_tokens = 0;
+  double seconds = 0.0;        ///< waiting for it
+  std::string prompt_sha256;   ///< of the text it was shown last
+  std::string image_sha256;    ///< of the picture, if any
+  std::vector<std::string> notes;  ///< what was repaired or refused
+  bool fell_back = false;      ///< the model had no usable answer: rules decided
+};
+
 /// Where an object shall go, roughly; the solver finds the exact pose.
 struct PlaceAdvice {
   std::vector<Relation> relations;
   std::optional<Vec2> location;  ///< centre, in the scene's frame
   std::optional<double> yaw;     ///< radians
   std::string reasoning;         ///< for the trace
+  Consultation consultation = {};
 };
 
 /// Decides what a room holds and roughly where each thing goes: rules, or a language model.
@@ -52,7 +65,8 @@ class Designer {
   /// anchors first, what depends on others after them.
   virtual Result<Plan> plan(const PlanRequest& request) = 0;
 
-  /// Relations only name what is placed or a part of the room.
+  /// Relations only name what is placed or a part of the room. Fails with limit when no more may be asked:
+  /// then the room ends with what is placed.
   virtual Result<PlaceAdvice> place(const PlaceRequest& request) = 0;
 };
 

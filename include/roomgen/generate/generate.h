@@ -45,6 +45,25 @@ struct Step {
   Json record;  ///< what was asked, answered, proposed and chosen (docs/trace.md)
 };
 
+/// How closely suggestions were followed (papers: RoomGen, table 3): numbers of objects in the finished
+/// scene.
+struct SuggestionFigures {
+  int located = 0;      ///< placed, and a location was suggested
+  int within_half = 0;  ///< of them, 0.5 m from it at most
+  int within_one = 0;   ///< 1 m at most
+  int faced = 0;        ///< placed, and a yaw was suggested
+  int facing_kept = 0;  ///< of them, 15 degrees from it at most
+};
+
+/// What was asked of a language model while placing; zero for rules.
+struct ModelUse {
+  int calls = 0;
+  long long input_tokens = 0;
+  long long output_tokens = 0;
+  double seconds = 0.0;
+  int fallbacks = 0;  ///< objects for which rules decided in the end
+};
+
 struct Generation {
   Scene scene;
   ModelTable models;  ///< of all objects placed
@@ -52,13 +71,16 @@ struct Generation {
   std::vector<Step> trace;
   int constraints = 0;
   int held = 0;
+  SuggestionFigures suggestions;
+  ModelUse model_use;
+  std::string stopped;  ///< why the designer was not asked any more, if so
 };
 
 /// Furnishes a room step by step: for each planned object retrieve an asset, ask the designer, propose,
 /// score, fuse, place; when it does not fit, the next asset, then the designer again with the reason, then
 /// a repair, then it is left out with the reason. A last improvement wins back what was lost.
-/// One object that fails never costs another its place. When cancelled, what is placed so far is returned
-/// and the scene is marked incomplete.
+/// One object that fails never costs another its place. When cancelled, or when the designer may ask no more
+/// (Error::Kind::limit), what is placed so far is returned and the scene is marked incomplete.
 Result<Generation> generate(const Plan& plan, Designer& designer, const AssetLibrary& library,
                             const CategoryTable& categories, const GenerateOptions& options = {});
 

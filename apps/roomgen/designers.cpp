@@ -1,0 +1,168 @@
+#include "designers.h"
+
+#include <cstdio>
+#include <filesystem>
+
+#include "roomgen/base/file.h"
+#include "roomgen/design/rule_designer.h"
+#include "roomgen/render/image_file.h"
+#include "roomgen/scene/category.h"
+#ifdef ROOMGEN_HAS_AGENT
+#include "roomgen/agent/http_model.h"
+#endif
+
+namespace roomgen::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+#ifdef ROOMGEN_HAS_AGENT
+Result<std::unique_ptr<ChatModel>> open_endpoint(const DesignerOptions& options,
+                                                 const Context& context) {
+  if (options.model.empty())
+    return Error{Error::Kind::invalid_input,
+                 "--designer model needs --model NAME, as the endpoint calls it"};
+  HttpModelOptions http;
+  http.model = options.model;
+  if (!options.base_url.empty()) http.base_url = options.base_url;
+  if (options.protocol == "openai") http.protocol = ChatProtocol::openai;
+  if (options.protocol == "anthropic") http.protocol = ChatProtocol::anthropic;
+  if (options.protocol == "anthropic" && options.base_url.empty())
+    http.base_url = "https://api.anthropic.com";
+  http.key_file = options.key_file;
+  http.limits.call = HttpLimits::Seconds(options.seconds_per_call);
+  if (!context.quiet)
+    http.log = [](LogLevel, std::string_view message) {
+      std::fprintf(stderr, "roomgen: %.*s\n", static_cast<int>(message.size()), message.data());
+    };
+  return make_http_model(http);
+}
+#else
+Result<std::unique_ptr<ChatModel>> open_endpoint(const DesignerOptions&, const Context&) {
+  return Error{Error::Kind::unavailable,
+               "this build speaks to no language model: cpr was not found when it was configured "
+               "(third_party/README.md); --designer rules and --replay work"};
+}
+#endif
+
+Result<PriceTable> read_prices(const DesignerOptions& options) {
+  if (options.prices.empty()) return PriceTable::built_in();
+  const auto text = read_file(options.prices);
+  if (!text) return text.error();
+  return PriceTable::parse(*text, options.prices);
+}
+
+// From the inside out: HTTP, limits, cache, recording.
+Status open_model(const DesignerOptions& options, const Context& context,
+                  const std::string& cache_folder, ComposedDesigner& composed) {
+  if (!options.replay.empty()) {
+    auto replay = make_replaying_model(options.replay);
+    if (!replay) return replay.error();
+    composed.model = *std::move(replay);
+    return {};
+  }
+  auto endpoint = open_endpoint(options, context);
+  if (!endpoint) return endpoint.error();
+  const auto prices = read_prices(options);
+  if (!prices) return prices.error();
+  auto limited = make_limited_model(*std::move(endpoint),
+                                    {options.max_calls, options.max_tokens, options.max_dollars},
+                                    *prices, options.model);
+  if (!limited) return limited.error();
+  composed.limited = limited->get();
+  composed.model = *std::move(limited);
+  if (options.cache_answers)
+    composed.model =
+        make_caching_model(std::move(composed.model), fs::path(cache_folder) / "answers",
+                           options.model + " at " + options.base_url);
+  if (options.record.empty()) return {};
+  auto recording = make_recording_model(std::move(composed.model), options.record);
+  if (!recording) return recording.error();
+  composed.model = *std::move(recording);
+  return {};
+}
+
+}  // namespace
+
+ModelMode DesignerOptions::model_mode() const {
+  if (mode == "constraints") return ModelMode::constraints;
+  return mode == "image" ? ModelMode::image : ModelMode::fused;
+}
+
+void add_designer_options(CLI::App& command, DesignerOptions& options) {
+  const std::string group = "Designer";
+  const auto add = [&](const char* name, std::string& value, const char* help) {
+    return command.add_option(name, value, help)->group(group);
+  };
+  add("--designer", options.designer, "rules: works offline; model: asks a language model")
+      ->check(CLI::IsMember({"rules", "model"}))
+      ->capture_default_str();
+  add("--model", options.model, "Name of the model at its endpoint");
+  add("--base-url", options.base_url,
+      "Endpoint, as in http://localhost:8080/v1 (default: OpenAI's). The key comes from "
+      "ROOMGEN_API_KEY, "
+      "OPENAI_API_KEY or ANTHROPIC_API_KEY");
+  add("--protocol", options.protocol, "openai or anthropic (default: by the host)")
+      ->check(CLI::IsMember({"openai", "anthropic"}));
+  add("--key-file", options.key_file, "A file of mode 600 that holds the key");
+  add("--mode", options.mode, "What the model sees and says: constraints (text only), image, fused")
+      ->check(CLI::IsMember({"constraints", "image", "fused"}))
+      ->capture_default_str();
+  add("--frame", options.frame,
+      "Coordinates of the marks: plan (x right, y up) or paper (x down, y left)")
+      ->check(CLI::IsMember({"plan", "paper"}))
+      ->capture_default_str();
+  add("--fusion", options.fusion, "How rankings are made: scaled, or ordinal as in the paper")
+      ->check(CLI::IsMember({"scaled", "paper"}))
+      ->capture_default_str();
+  add("--prompts", options.prompts, "Folder with prompts of your own (names as in prompts/)");
+  add("--record", options.record, "Append all questions and answers to this file");
+  add("--replay", options.replay, "Take the answers from a recording; no network");
+  command
+      .add_flag("--cache-answers", options.cache_answers,
+                "Ask no question twice (the user's cache folder)")
+      ->group(group);
+  command.add_option("--max-calls", options.max_calls, "Calls of the model for one room")
+      ->group(group);
+  command.add_option("--max-tokens", options.max_tokens, "Tokens for one room, in and out")
+      ->group(group);
+  command.add_option("--max-dollars", options.max_dollars, "Money for one room (data/prices.json)")
+      ->group(group);
+  add("--prices", options.prices, "A price table of your own, in the form of data/prices.json");
+  command.add_option("--call-seconds", options.seconds_per_call, "Longest time for one call")
+      ->group(group)
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+}
+
+void apply(const DesignerOptions& options, FusionOptions& fusion) {
+  fusion.ordinal_ranks = options.fusion == "paper";
+  if (options.designer == "model" && options.model_mode() != ModelMode::fused) fusion.alpha = 1.0;
+}
+
+Result<ComposedDesigner> compose_designer(const DesignerOptions& options, const Context& context,
+                                          const std::string& cache_folder) {
+  ComposedDesigner composed;
+  if (options.designer != "model") {
+    composed.designer = make_rule_designer();
+    return composed;
+  }
+  auto prompts = options.prompts.empty() ? Result<Prompts>(Prompts::built_in())
+                                         : Prompts::from_folder(options.prompts);
+  if (!prompts) return prompts.error();
+  if (auto status = open_model(options, context, cache_folder, composed); !status)
+    return status.error();
+  ModelDesignerOptions model_options;
+  model_options.mode = options.model_mode();
+  model_options.paper_frame = options.paper_frame();
+  model_options.encode_png = [](const Image& image) { return encode_png(image); };
+  if (const LimitedModel* limited = composed.limited)
+    model_options.budget_is_spent = [limited] { return limited->refused(); };
+  composed.designer =
+      make_model_designer(*composed.model, make_rule_designer(), *std::move(prompts),
+                          CategoryTable::built_in(), std::move(model_options));
+  return composed;
+}
+
+}  // namespace roomgen::cli

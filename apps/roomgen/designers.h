@@ -1,0 +1,50 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "command.h"
+#include "roomgen/design/chat_decorators.h"
+#include "roomgen/design/designer.h"
+#include "roomgen/design/model_designer.h"
+#include "roomgen/solve/fuse.h"
+
+namespace roomgen::cli {
+
+/// Who plans the room and suggests places.
+struct DesignerOptions {
+  std::string designer = "rules";
+  std::string model, base_url, protocol, key_file, prompts, prices;
+  std::string mode = "fused", frame = "plan", fusion = "scaled";
+  std::string record, replay;
+  bool cache_answers = false;
+  std::optional<int> max_calls;
+  std::optional<long long> max_tokens;
+  std::optional<double> max_dollars;
+  double seconds_per_call = 300.0;
+
+  ModelMode model_mode() const;
+  bool paper_frame() const { return frame == "paper"; }
+};
+
+/// Adds --designer and what belongs to a language model.
+void add_designer_options(CLI::App& command, DesignerOptions& options);
+
+/// A designer with what it needs to live.
+struct ComposedDesigner {
+  std::unique_ptr<ChatModel> model;       ///< null for rules
+  const LimitedModel* limited = nullptr;  ///< part of `model`, unless answers are replayed
+  std::unique_ptr<Designer> designer;
+};
+
+/// The rules, or the model that the options name with recording, replay, cache and limits around
+/// it. `cache_folder` is where answers are kept.
+Result<ComposedDesigner> compose_designer(const DesignerOptions& options, const Context& context,
+                                          const std::string& cache_folder);
+
+/// What the mode makes of the fusion: without a suggestion there is nothing to weigh.
+void apply(const DesignerOptions& options, FusionOptions& fusion);
+
+}  // namespace roomgen::cli

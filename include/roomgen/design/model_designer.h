@@ -1,0 +1,45 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "roomgen/design/chat_model.h"
+#include "roomgen/design/designer.h"
+#include "roomgen/design/prompts.h"
+#include "roomgen/scene/category.h"
+
+namespace roomgen {
+
+/// What the model sees and says of each object (papers: RoomGen, section 4.3). The fusion's alpha
+/// belongs to it: 1 for the first two, where there is no suggestion to follow.
+enum class ModelMode {
+  constraints,  ///< the room as text; constraints come back
+  image,        ///< the room as text and picture; constraints come back
+  fused,        ///< the same, and a location besides
+};
+
+struct ModelDesignerOptions {
+  ModelMode mode = ModelMode::fused;
+  /// The frame of the picture's marks and of the answers: the scene's own, or x down from the top
+  /// and y left from the right, as the paper has it.
+  bool paper_frame = false;
+  int answers = 3;  ///< asked for at most, for one plan or object, when answers cannot be used
+  /// Makes a PNG of a picture; without it no picture is shown.
+  std::function<Result<std::string>(const Image&)> encode_png;
+  /// True when the calls, tokens or money that were granted are spent: then the designer fails with
+  /// limit.
+  std::function<bool()> budget_is_spent;
+};
+
+/// A designer that asks a language model. Answers are repaired where they are clear; else the model
+/// is asked again with the reason; else `fallback` decides and the advice says so. A model that
+/// cannot be reached when the plan is asked for is an error; later the fallback takes over for
+/// good.
+///
+/// The model must outlive the designer.
+std::unique_ptr<Designer> make_model_designer(ChatModel& model, std::unique_ptr<Designer> fallback,
+                                              Prompts prompts, const CategoryTable& categories,
+                                              ModelDesignerOptions options = {});
+
+}  // namespace roomgen

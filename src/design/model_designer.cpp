@@ -1,0 +1,248 @@
+#include "roomgen/design/model_designer.h"
+
+#include <algorithm>
+
+#include "place_reply.h"
+#include "plan_reply.h"
+#include "roomgen/base/sha256.h"
+#include "roomgen/base/text.h"
+#include "scene_text.h"
+
+namespace roomgen {
+
+namespace {
+
+using design::SceneText;
+
+// Kinds still to come are named up to here: enough to leave room for them.
+constexpr std::size_t most_named_later = 12;
+constexpr int place_tokens = 1024;
+constexpr int plan_tokens = 8192;
+
+Json parse_schema(const char* text) {
+  return Json::parse(text);
+}
+
+const Json& place_schema(bool with_location) {
+  static const Json constraints = parse_schema(R"({"type": "object", "additionalProperties": false,
+    "properties": {"reasoning": {"type": "string"}, "constraints": {"type": "string"}},
+    "required": ["reasoning", "constraints"]})");
+  static const Json both = parse_schema(R"({"type": "object", "additionalProperties": false,
+    "properties": {"reasoning": {"type": "string"}, "constraints": {"type": "string"},
+      "location": {"type": "array", "items": {"type": "number"}},
+      "facing": {"anyOf": [{"type": "string"}, {"type": "number"}, {"type": "null"}]}},
+    "required": ["reasoning", "constraints", "location", "facing"]})");
+  return with_location ? both : constraints;
+}
+
+class ModelDesigner : public Designer {
+ public:
+  ModelDesigner(ChatModel& model, std::unique_ptr<Designer> fallback, Prompts prompts,
+                const CategoryTable& categories, ModelDesignerOptions options)
+      : model_(model),
+        fallback_(std::move(fallback)),
+        prompts_(std::move(prompts)),
+        categories_(categories),
+        options_(std::move(options)) {}
+
+  Result<Plan> plan(const PlanRequest& request) override {
+    auto question = plan_question(request);
+    if (!question) return question.error();
+    Consultation consultation;
+    const auto read = [&](const std::string& text) {
+      return design::read_plan_reply(text, request, categories_);
+    };
+    auto reply = converse(*question, read, consultation);
+    if (!reply && reply.error().kind != Error::Kind::invalid_input) return reply.error();
+    if (reply) {
+      note(reply->plan, reply->repairs);
+      note(reply->plan, consultation.notes);
+      return std::move(reply->plan);
+    }
+    auto plan = fallback_->plan(request);
+    if (!plan) return plan;
+    note(*plan, {"the model gave no plan that can be used (" + reply.error().message +
+                 "); rules made this one"});
+    return plan;
+  }
+
+  Result<PlaceAdvice> place(const PlaceRequest& request) override {
+    Consultation consultation;
+    if (model_is_lost_.empty()) {
+      auto advice = ask(request, consultation);
+      if (advice) {
+        advice->consultation = std::move(consultation);
+        return advice;
+      }
+      if (advice.error().kind == Error::Kind::cancelled || is_spent()) return advice;
+      if (advice.error().kind == Error::Kind::unavailable) model_is_lost_ = advice.error().message;
+      consultation.notes.push_back(advice.error().message);
+    }
+    auto advice = fallback_->place(request);
+    if (!advice) return advice;
+    consultation.fell_back = true;
+    if (!model_is_lost_.empty()) consultation.notes.push_back("rules take over: " + model_is_lost_);
+    advice->consultation = std::move(consultation);
+    return advice;
+  }
+
+ private:
+  static void note(Plan& plan, const std::vector<std::string>& notes) {
+    plan.notes.insert(plan.notes.end(), notes.begin(), notes.end());
+  }
+
+  bool is_spent() const { return options_.budget_is_spent && options_.budget_is_spent(); }
+
+  Result<ChatRequest> make_question(std::string_view name, const Prompts::Slots& system,
+                                    const Prompts::Slots& user) const {
+    auto introduction = prompts_.render(std::string(name) + "-system", system);
+    if (!introduction) return introduction.error();
+    auto task = prompts_.render(std::string(name) + "-user", user);
+    if (!task) return task.error();
+    ChatRequest question;
+    question.messages = {{ChatMessage::Role::system, *std::move(introduction), {}},
+                         {ChatMessage::Role::user, *std::move(task), {}}};
+    return question;
+  }
+
+  Result<ChatRequest> plan_question(const PlanRequest& request) const {
+    std::string room;
+    if (request.room)
+      room = "The room is given: " + SceneText(*request.room, false).room() + ".";
+    else if (request.size)
+      room = "The room is given: " + format_number(request.size->x(), 2) + " x " +
+             format_number(request.size->y(), 2) + " m.";
+    auto question = make_question("plan", {}, {{"prompt", request.prompt}, {"room", room}});
+    if (!question) return question;
+    question->max_tokens = plan_tokens;
+    question->cancel = request.cancel;
+    return question;
+  }
+
+  Result<PlaceAdvice> ask(const PlaceRequest& request, Consultation& consultation) {
+    auto question = place_question(request);
+    if (!question) return question.error();
+    consultation.prompt_sha256 = sha256_hex(question->messages.back().text);
+    if (auto status = show_picture(request, *question, consultation); !status)
+      return status.error();
+    const bool located = options_.mode == ModelMode::fused;
+    const auto read = [&](const std::string& text) {
+      return design::read_place_reply(
+          text, design::PlaceReplyContext{request.scene, request.object, options_.paper_frame});
+    };
+    auto reply = converse(*question, read, consultation);
+    if (!reply) return reply.error();
+    consultation.notes.insert(consultation.notes.end(), reply->repairs.begin(),
+                              reply->repairs.end());
+    if (!located) reply->advice.location.reset(), reply->advice.yaw.reset();
+    return std::move(reply->advice);
+  }
+
+  Result<ChatRequest> place_question(const PlaceRequest& request) const {
+    const SceneText text(request.scene.room, options_.paper_frame);
+    auto question = make_question("place", {{"frame", text.frame()}},
+                                  {{"prompt", request.plan.prompt},
+                                   {"room", text.room()},
+                                   {"parts", text.parts()},
+                                   {"placed", text.placed(request.scene.objects)},
+                                   {"later", later(request)},
+                                   {"id", request.object.id},
+                                   {"description", request.object.description},
+                                   {"size", design::size_text(request.object.size)},
+                                   {"mount", where(request)},
+                                   {"refusals", refusals(request)}});
+    if (!question) return question;
+    question->schema = place_schema(options_.mode == ModelMode::fused);
+    question->schema_name = "placement";
+    question->max_tokens = place_tokens;
+    question->cancel = request.cancel;
+    return question;
+  }
+
+  Status show_picture(const PlaceRequest& request, ChatRequest& question,
+                      Consultation& consultation) const {
+    if (options_.mode == ModelMode::constraints || !request.marks || !options_.encode_png)
+      return {};
+    const auto image = request.marks();
+    if (!image) return image.error();
+    auto png = options_.encode_png(*image);
+    if (!png) return png.error();
+    consultation.image_sha256 = sha256_hex(*png);
+    question.messages.back().images.push_back(*std::move(png));
+    return {};
+  }
+
+  static std::string where(const PlaceRequest& request) {
+    const PlanItem& item = request.plan.items[request.planned.item];
+    switch (item.mount) {
+      case Mount::floor:
+        return "on the floor";
+      case Mount::wall:
+        return "on a wall";
+      case Mount::ceiling:
+        return "under the ceiling";
+      case Mount::surface:
+        return item.on.empty() ? "on a table or cabinet" : "on " + item.on;
+    }
+    return "";
+  }
+
+  static std::string later(const PlaceRequest& request) {
+    std::vector<std::string> kinds;
+    for (std::size_t i = request.planned.item + 1; i < request.plan.items.size(); ++i) {
+      if (kinds.size() == most_named_later) break;
+      const PlanItem& item = request.plan.items[i];
+      kinds.push_back(item.quantity > 1 ? std::to_string(item.quantity) + " " + item.category
+                                        : item.category);
+    }
+    return kinds.empty() ? "nothing" : join(kinds, ", ");
+  }
+
+  static std::string refusals(const PlaceRequest& request) {
+    std::string text;
+    for (const auto& refusal : request.refusals)
+      text += "An earlier answer did not work: " + refusal + "\n";
+    return text;
+  }
+
+  // Asks, and asks again with what was wrong, until `read` can use an answer.
+  template <typename Read>
+  auto converse(ChatRequest& question, Read read, Consultation& consultation)
+      -> decltype(read(std::string())) {
+    for (int answer = 1;; ++answer) {
+      auto reply = model_.chat(question);
+      if (!reply) return reply.error();
+      consultation.calls += 1;
+      consultation.input_tokens += reply->input_tokens;
+      consultation.output_tokens += reply->output_tokens;
+      consultation.seconds += reply->seconds;
+      auto understood = read(reply->text);
+      if (understood) return understood;
+      if (answer >= options_.answers)
+        return Error{Error::Kind::invalid_input, understood.error().message};
+      consultation.notes.push_back("asked again: " + understood.error().message);
+      auto again = prompts_.render("again-user", {{"error", understood.error().message}});
+      if (!again) return again.error();
+      question.messages.push_back({ChatMessage::Role::assistant, reply->text.substr(0, 4000), {}});
+      question.messages.push_back({ChatMessage::Role::user, *std::move(again), {}});
+    }
+  }
+
+  ChatModel& model_;
+  std::unique_ptr<Designer> fallback_;
+  Prompts prompts_;
+  const CategoryTable& categories_;
+  ModelDesignerOptions options_;
+  std::string model_is_lost_;  ///< why it is not asked any more
+};
+
+}  // namespace
+
+std::unique_ptr<Designer> make_model_designer(ChatModel& model, std::unique_ptr<Designer> fallback,
+                                              Prompts prompts, const CategoryTable& categories,
+                                              ModelDesignerOptions options) {
+  return std::make_unique<ModelDesigner>(model, std::move(fallback), std::move(prompts), categories,
+                                         std::move(options));
+}
+
+}  // namespace roomgen

@@ -1,0 +1,89 @@
+#include "scene_text.h"
+
+#include <cmath>
+
+#include "roomgen/base/text.h"
+
+namespace roomgen::design {
+
+namespace {
+
+std::string metres(double value) {
+  return format_number(value, 2);
+}
+
+std::string_view kind_of(const Opening& opening) {
+  switch (opening.type) {
+    case OpeningType::door:
+      return "door";
+    case OpeningType::window:
+      return "window";
+    case OpeningType::passage:
+      return "passage";
+  }
+  return "opening";
+}
+
+}  // namespace
+
+SceneText::SceneText(const Room& room, bool paper_frame)
+    : room_(room), paper_frame_(paper_frame), bounds_(bounds(room.polygon)) {}
+
+std::string SceneText::point(const Vec2& position) const {
+  const Vec2 shown = paper_frame_
+                         ? Vec2(bounds_.high.y() - position.y(), bounds_.high.x() - position.x())
+                         : position;
+  return "(" + metres(shown.x()) + ", " + metres(shown.y()) + ")";
+}
+
+std::string SceneText::frame() const {
+  if (paper_frame_)
+    return "Metres. The origin is the top right corner of the room in the picture; x grows "
+           "downwards, y grows "
+           "to the left.";
+  return "Metres. x grows to the right of the picture, y grows upwards; the bottom left corner of "
+         "the room is " +
+         point(bounds_.low) + ", its top right corner " + point(bounds_.high) + ".";
+}
+
+std::string SceneText::room() const {
+  const Vec2 size = bounds_.size();
+  std::string text = room_.type + ", " + metres(size.x()) + " m from left to right, " +
+                     metres(size.y()) + " m from bottom to top, " + metres(room_.height) +
+                     " m high; corners";
+  for (const auto& corner : room_.polygon.points) text += " " + point(corner);
+  return text;
+}
+
+std::string SceneText::parts() const {
+  std::string text;
+  for (std::size_t k = 0; k < room_.polygon.size(); ++k) {
+    const Segment wall = room_.polygon.edge(k);
+    text += "wall-" + std::to_string(k) + " from " + point(wall.a) + " to " + point(wall.b) + "\n";
+  }
+  for (const auto& opening : room_.openings) {
+    const Segment line = segment(room_, opening);
+    text += opening.id + ": a " + std::string(kind_of(opening)) + " in wall-" +
+            std::to_string(opening.wall) + " from " + point(line.a) + " to " + point(line.b) + "\n";
+  }
+  return text;
+}
+
+std::string SceneText::placed(const std::vector<Object>& objects) const {
+  if (objects.empty()) return "nothing yet";
+  std::string text;
+  for (const auto& object : objects) {
+    const double yaw = std::fmod(std::round(degrees(object.yaw)) + 360.0, 360.0);
+    text += object.id + "; " + object.category + "; " + size_text(object.size) + "; " +
+            point(object.position.head<2>()) + "; " + metres(yaw) + "; " +
+            to_text(object.relations) + "\n";
+  }
+  text.pop_back();
+  return text;
+}
+
+std::string size_text(const Vec3& size) {
+  return metres(size.x()) + " x " + metres(size.y()) + " x " + metres(size.z());
+}
+
+}  // namespace roomgen::design

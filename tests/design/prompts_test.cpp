@@ -1,0 +1,75 @@
+#include "roomgen/design/prompts.h"
+
+#include <fstream>
+
+#include "catch.h"
+#include "support/contains.h"
+#include "support/temporary_folder.h"
+
+using namespace roomgen;
+
+namespace {
+
+void write(const std::filesystem::path& path, const std::string& text) {
+  std::ofstream(path) << text;
+}
+
+}  // namespace
+
+TEST_CASE("Every prompt is rendered whole when its slots are filled, and not otherwise") {
+  const Prompts prompts = Prompts::built_in();
+  const Prompts::Slots plan = {{"prompt", "a study"}, {"room", ""}};
+  const Prompts::Slots place = {{"prompt", "a study"}, {"room", "r"},        {"parts", "p"},
+                                {"placed", "o"},       {"later", "l"},       {"id", "desk-0"},
+                                {"description", "d"},  {"size", "1 x 1 x 1"}, {"mount", "on the floor"},
+                                {"refusals", ""}};
+  const std::vector<std::pair<std::string, Prompts::Slots>> cases = {
+      {"plan-system", {}},
+      {"plan-user", plan},
+      {"place-system", {{"frame", "metres"}}},
+      {"place-user", place},
+      {"again-user", {{"error", "no JSON"}}}};
+  for (const auto& [name, slots] : cases) {
+    INFO(name);
+    const auto text = prompts.render(name, slots);
+    REQUIRE(text);
+    CHECK(text->find("{{") == std::string::npos);
+    for (const auto& [slot, value] : slots) {
+      INFO(slot);
+      CHECK(contains_text(*text, value));
+      auto fewer = slots;
+      fewer.erase(slot);
+      const auto incomplete = prompts.render(name, fewer);
+      REQUIRE(!incomplete);
+      CHECK(contains_text(incomplete.error().message, slot));
+    }
+  }
+}
+
+TEST_CASE("What fills a slot is not searched for slots") {
+  const auto text = Prompts::built_in().render("again-user", {{"error", "{{prompt}} {{error}}"}});
+  REQUIRE(text);
+  CHECK(contains_text(*text, "{{prompt}} {{error}}"));
+}
+
+TEST_CASE("A folder replaces the prompts that it holds") {
+  const TemporaryFolder folder;
+  write(folder.path() / "again-user.md", "No: {{ error }}!");
+  const auto prompts = Prompts::from_folder(folder.path());
+  REQUIRE(prompts);
+  CHECK(*prompts->render("again-user", {{"error", "late"}}) == "No: late!");
+  CHECK(prompts->version() != Prompts::built_in().version());
+  CHECK(*prompts->render("plan-system", {}) == *Prompts::built_in().render("plan-system", {}));
+}
+
+TEST_CASE("A slot that nothing fills and a folder without prompts are refused") {
+  const TemporaryFolder folder;
+  const auto empty = Prompts::from_folder(folder.path());
+  REQUIRE(!empty);
+  CHECK(empty.error().kind == Error::Kind::not_found);
+  write(folder.path() / "place-user.md", "Put {{id}} at {{mood}}.");
+  const auto strange = Prompts::from_folder(folder.path());
+  REQUIRE(!strange);
+  CHECK(contains_text(strange.error().message, "mood"));
+  CHECK(contains_text(strange.error().message, "refusals"));
+}

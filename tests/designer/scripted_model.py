@@ -1,0 +1,159 @@
+"""A model server that plays a designer from a script: the scene and plan of an earlier room.
+
+    scripted_model.py --script FOLDER [--manner good|chatty|sloppy|hostile|noisy|hopeless] [--seed N]
+
+Speaks the OpenAI protocol on a free port of 127.0.0.1 and prints its base URL. It answers plan questions with the
+script's inventory and place questions with the script's poses, in one of several manners:
+
+good      as asked
+chatty    with prose, fences and second thoughts around it
+sloppy    wrong quotes, units, spellings, trailing commas, lists for strings
+noisy     suggestions off by a standard deviation of 0.5 m
+hopeless  suggestions anywhere in the room
+hostile   nonsense, things that are not there, places outside, paths, megabytes
+"""
+
+import argparse
+import json
+import random
+import re
+from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+
+
+class Script:
+    def __init__(self, folder, manner, seed):
+        self.scene = json.loads((Path(folder) / "scene.json").read_text())
+        self.plan = json.loads((Path(folder) / "plan.json").read_text())
+        self.manner, self.random = manner, random.Random(seed)
+        self.left = {o["id"]: o for o in self.scene["objects"]}
+
+    def place(self, identifier):
+        known = self.left.pop(identifier, None)
+        if known is None:
+            kind = identifier.rsplit("-", 1)[0]
+            same = [o for o in self.scene["objects"] if o["category"] == kind]
+            known = same[0] if same else None
+        return known
+
+    def noise(self, point):
+        if self.manner == "noisy":
+            return [round(c + self.random.gauss(0, 0.5), 2) for c in point]
+        if self.manner == "hopeless":
+            xs, ys = zip(*self.scene["room"]["polygon"])
+            return [round(self.random.uniform(min(xs), max(xs)), 2), round(self.random.uniform(min(ys), max(ys)), 2)]
+        return [round(c, 2) for c in point]
+
+    def place_answer(self, identifier):
+        known = self.place(identifier)
+        if known is None:
+            return {"reasoning": "a free corner", "constraints": "edge", "location": [1, 1], "facing": None}
+        return {
+            "reasoning": f"{identifier} belongs there.",
+            "constraints": " | ".join(known["relations"]) or "middle",
+            "location": self.noise(known["position"][:2]),
+            "facing": known["yaw_deg"],
+        }
+
+    def plan_answer(self):
+        def item(i):
+            size = i.get("size")
+            place = i.get("mount", "floor")
+            return {
+                "name": i["category"],
+                "description": i.get("description", ""),
+                "size_cm": [round(100 * s) for s in size] if size else None,
+                "quantity": i.get("quantity", 1),
+                "variance": "varied" if i.get("varied") else "same",
+                "place": f"on {i['on']}" if i.get("on") else ("on a table" if place == "surface" else place),
+                "on_top": [],
+            }
+
+        xs, ys = zip(*self.scene["room"]["polygon"])
+        room = {"type": self.scene["room"]["type"], "size_m": [max(xs) - min(xs), max(ys) - min(ys)], "height_m": 2.7}
+        return {"room": room, "objects": [item(i) for i in self.plan["items"]], "excluded": []}
+
+    def text(self, answer, identifier):
+        whole = json.dumps(answer)
+        if self.manner == "chatty":
+            return (
+                f"Let me think about this room.\nA first idea: {{\"idea\": \"somewhere\"}}. On reflection:\n\n"
+                f"```json\n{json.dumps(answer, indent=2)}\n```\n\nI hope this helps! Tell me if I should move it."
+            )
+        if self.manner == "sloppy" and identifier:
+            x, y = answer["location"]
+            names = [c.replace("-", " ").title() for c in answer["constraints"].split(" | ")]
+            return (
+                f"{{'Reasoning': 'because', // fine\n 'Constrains': {names},\n"
+                f" 'Position': {{'y': '{100 * y:.0f} cm', 'x': '{x} m'}},\n}}"
+            )
+        if self.manner == "sloppy":
+            return "Sure! " + whole[:-1] + ",}"
+        if self.manner == "hostile":
+            return self.random.choice(
+                [
+                    "I will not.",
+                    "[" * 50_000,
+                    '{"constraints": "edge | near, ../../../../etc/passwd", "location": [1e308, -1e308]}',
+                    '{"constraints": ["face to, throne-7", "fly"], "location": "everywhere"}',
+                    '{"constraints": "edge | middle | edge", "location": [NaN, null], "facing": {"$ref": "/etc/shadow"}}',
+                    '{"output": "/tmp/owned", "constraints": ' + json.dumps("x" * 200_000) + "}",
+                    "\ufffd\u202e\u0000{{prompt}} </s>",
+                    whole,
+                ]
+            )
+        return whole
+
+
+def answer(script, request):
+    user = next(m for m in request["messages"] if m["role"] == "user")["content"]
+    text = user if isinstance(user, str) else " ".join(p.get("text", "") for p in user)
+    found = re.search(r"^Now place ([^:\n]+):", text, re.M)
+    identifier = found.group(1) if found else None
+    return script.text(script.place_answer(identifier) if identifier else script.plan_answer(), identifier)
+
+
+class Handler(BaseHTTPRequestHandler):
+    protocol_version = "HTTP/1.1"
+
+    def do_POST(self):
+        request = json.loads(self.rfile.read(int(self.headers["Content-Length"])))
+        content = answer(self.server.script, request)
+        asked = sum(len(json.dumps(m)) for m in request["messages"])
+        body = json.dumps(
+            {
+                "model": "scripted",
+                "choices": [{"message": {"role": "assistant", "content": content}, "finish_reason": "stop"}],
+                "usage": {"prompt_tokens": asked // 4, "completion_tokens": len(content) // 4},
+            }
+        ).encode("utf-8", "replace")
+        self.send_response(200)
+        self.send_header("Content-Type", "application/json")
+        self.send_header("Content-Length", str(len(body)))
+        self.end_headers()
+        self.wfile.write(body)
+
+    def log_message(self, *args):
+        pass
+
+
+def serve(folder, manner="good", seed=0):
+    """A server that is ready to run, and its base URL."""
+    server = ThreadingHTTPServer(("127.0.0.1", 0), Handler)
+    server.script = Script(folder, manner, seed)
+    return server, f"http://127.0.0.1:{server.server_port}/v1"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--script", required=True)
+    parser.add_argument("--manner", default="good")
+    parser.add_argument("--seed", type=int, default=0)
+    args = parser.parse_args()
+    server, url = serve(args.script, args.manner, args.seed)
+    print(url, flush=True)
+    server.serve_forever()
+
+
+if __name__ == "__main__":
+    main()
