@@ -36,16 +36,17 @@ std::vector<Candidate> objects_in(std::string_view text) {
 // The text without what the model said to itself; a thought without a beginning starts the answer.
 std::string without_thoughts(std::string_view text) {
   std::string spoken;
+  std::size_t at = 0, begin = text.find(thought_begin);
   while (true) {
-    const auto begin = text.find(thought_begin), end = text.find(thought_end);
-    if (end == std::string_view::npos) return spoken.append(text);
+    const auto end = text.find(thought_end, at);
+    if (end == std::string_view::npos) return spoken.append(text.substr(at));
+    // Looked for once only when there is none: the time stays linear.
+    if (begin < at) begin = text.find(thought_begin, at);
     if (begin < end)
-      spoken.append(text.substr(0, begin));
+      spoken.append(text.substr(at, begin - at));
     else
       spoken.clear();
-    const auto close = text.find('>', end);
-    if (close == std::string_view::npos) return spoken;
-    text.remove_prefix(close + 1);
+    at = end + thought_end.size();
   }
 }
 

@@ -83,6 +83,11 @@ std::string first_kind(const std::string& text, const KindNames& names) {
   return "";
 }
 
+bool names_side(const Measure& measure) {
+  return std::any_of(std::begin(side_words), std::end(side_words),
+                     [&](const SideWord& side) { return side.word == measure.label; });
+}
+
 // Three sides; NaN for those that are not said.
 Vec3 sides_of(const std::vector<Measure>& measures) {
   Vec3 sides = Vec3::Constant(std::nan(""));
@@ -194,9 +199,11 @@ class ItemReader {
     const Category* kind = lexicon_.names.find(item.category);
     if (kind) item.size = kind->size;
     const Json* given = member(value, size_keys);
-    const auto measures = measures_in(given ? *given : value);
+    auto measures = measures_in(given ? *given : value);
+    // {"name": "bed", "width": 160, …}
+    if (!given) std::erase_if(measures, [](const Measure& one) { return !names_side(one); });
     Vec3 sides = sides_of(measures);
-    if (std::isnan(sides.x() + sides.y()) || (!given && measures.front().label.empty())) {
+    if (std::isnan(sides.x() + sides.y())) {
       if (given) note("the size of the " + item.category + " is not three numbers");
       if (!item.size) item.size = lexicon_.table.get(item.category).size;
       return;

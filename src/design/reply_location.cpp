@@ -10,6 +10,7 @@ namespace roomgen::design {
 namespace {
 
 constexpr double farthest_outside = 1.0;
+constexpr double off_the_wall = 1e-3;  ///< of what is moved into the room
 
 /// Two coordinates as they are written.
 struct Given {
@@ -59,19 +60,22 @@ Vec2 nearest_inside(const Polygon& room, const Vec2& point) {
     least = (on_wall - point).norm();
     best = on_wall;
   }
+  for (std::size_t k = 0; k < room.size(); ++k)
+    if (distance(room.edge(k), best) < off_the_wall) best += off_the_wall * room.inward(k);
   return best;
 }
 
-/// Another way to understand coordinates.
+/// A way to understand coordinates.
 struct Reading {
   double scale;
   bool swap;
+  double least;        ///< the larger coordinate must be at least so large
   const char* repair;  ///< empty: as it is given
 };
-constexpr Reading as_given = {1.0, false, ""};
-constexpr Reading centimetres = {0.01, false, "the location was read as centimetres"};
-constexpr Reading millimetres = {0.001, false, "the location was read as millimetres"};
-constexpr Reading swapped = {1.0, true, "the coordinates of the location were swapped"};
+constexpr Reading as_given = {1.0, false, 0.0, ""};
+constexpr Reading swapped = {1.0, true, 0.0, "the coordinates of the location were swapped"};
+constexpr Reading centimetres = {0.01, false, 20.0, "the location was read as centimetres"};
+constexpr Reading millimetres = {0.001, false, 200.0, "the location was read as millimetres"};
 
 Vec2 under(const Reading& reading, const Given& given, const Polygon& room, MarksFrame frame) {
   const Vec2 point = reading.swap ? Vec2(given.point.y(), given.point.x()) : given.point;
@@ -80,11 +84,8 @@ Vec2 under(const Reading& reading, const Given& given, const Polygon& room, Mark
 
 std::vector<Reading> readings(const Given& given) {
   std::vector<Reading> all = {as_given};
-  if (!given.units) {
-    all.push_back(centimetres);
-    all.push_back(millimetres);
-  }
   if (!given.labels) all.push_back(swapped);
+  if (!given.units) all.insert(all.end(), {centimetres, millimetres});
   return all;
 }
 
@@ -103,13 +104,13 @@ std::optional<Vec2> read_reply_location(const Json& value, const Polygon& room, 
   }
   for (const auto& reading : readings(*given)) {
     const Vec2 point = under(reading, *given, room, frame);
-    if (!contains(room, point)) continue;
+    if (given->point.cwiseAbs().maxCoeff() < reading.least || !contains(room, point)) continue;
     if (*reading.repair) repairs.emplace_back(reading.repair);
     return point;
   }
   const Vec2 point = under(as_given, *given, room, frame);
   const Vec2 inside = nearest_inside(room, point);
-  if ((inside - point).norm() <= farthest_outside) {
+  if ((inside - point).norm() <= farthest_outside && contains(room, inside)) {
     repairs.push_back("the location " + as_text(given->point) +
                       " lies outside the room; it was moved to the wall");
     return inside;

@@ -278,7 +278,8 @@ class RelationReader {
       repairs_.push_back("\"" + std::string(name(kind_)) + "\" was dropped: " + target.repair);
       return;
     }
-    if (!target.repair.empty() && alone) repairs_.push_back(target.repair);
+    if (!target.repair.empty() && (alone || words(target.id) != pieces))
+      repairs_.push_back(target.repair);
     add_relation(relations_, {kind_, target.id}, repairs_);
   }
 

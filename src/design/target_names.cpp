@@ -65,30 +65,36 @@ std::string TargetNames::spelt(const std::vector<std::string>& words) const {
   return "";
 }
 
-// Things of this kind or a kind of it; of this number if one is given.
-std::vector<const TargetNames::Entry*> TargetNames::of_kind(const std::string& base,
-                                                            const std::string& number) const {
-  std::vector<const Entry*> same, alike;
+TargetNames::Entries TargetNames::of_base(const std::string& base,
+                                          const std::string& number) const {
+  std::vector<const Entry*> found;
+  for (const auto& entry : entries_)
+    if ((number.empty() || entry.number == number) &&
+        (entry.base == base || entry.base == singular(base)))
+      found.push_back(&entry);
+  return found;
+}
+
+// A couch may be a sofa, and so may a corner sofa.
+TargetNames::Entries TargetNames::of_kind(const std::string& base,
+                                          const std::string& number) const {
+  std::vector<const Entry*> found;
   const Category* kind = categories_.find(base);
-  for (const auto& entry : entries_) {
-    if (!number.empty() && entry.number != number) continue;
-    if (entry.base == base || entry.base == singular(base))
-      same.push_back(&entry);
-    else if (kind && entry.thing && categories_.is_a(entry.base, kind->name))
-      alike.push_back(&entry);
-  }
-  return same.empty() ? alike : same;
+  for (const auto& entry : entries_)
+    if (kind && entry.thing && (number.empty() || entry.number == number) &&
+        categories_.is_a(entry.base, kind->name))
+      found.push_back(&entry);
+  return found;
 }
 
 // Only among names of the same number: "chair-3" is no misspelling of "chair-2".
-const TargetNames::Entry* TargetNames::misspelt(const std::string& base,
-                                                const std::string& number) const {
-  if (base.size() < 3) return nullptr;
+TargetNames::Entries TargetNames::misspelt(const std::string& base,
+                                           const std::string& number) const {
+  if (base.size() < 3) return {};
   std::vector<std::string> known;
   for (const auto& entry : entries_)
     if (entry.number == number || number.empty()) known.push_back(entry.base);
-  const auto near = of_kind(closest_name(base, known), number);
-  return near.size() == 1 ? near.front() : nullptr;
+  return of_base(closest_name(base, known), number);
 }
 
 NamedTarget TargetNames::find(std::string_view text) const {
@@ -100,10 +106,12 @@ NamedTarget TargetNames::find(std::string_view text) const {
   if (const std::string id = spelt(pieces); !id.empty())
     return {id, id == text ? "" : in_quotes(text) + " was read as " + in_quotes(id)};
   const Name name = name_of(pieces);
-  const auto same = of_kind(name.base, name.number);
-  if (same.size() > 1) return {"", in_quotes(text) + " may mean several objects; use their ids"};
-  const Entry* meant = same.empty() ? misspelt(name.base, name.number) : same.front();
-  if (meant) return {meant->id, in_quotes(text) + " was read as " + in_quotes(meant->id)};
+  auto meant = of_base(name.base, name.number);
+  if (meant.empty()) meant = misspelt(name.base, name.number);
+  if (meant.empty()) meant = of_kind(name.base, name.number);
+  if (meant.size() > 1) return {"", in_quotes(text) + " may mean several objects; use their ids"};
+  if (!meant.empty())
+    return {meant.front()->id, in_quotes(text) + " was read as " + in_quotes(meant.front()->id)};
   return {"", in_quotes(text) + " is not in the room; name only what is placed already"};
 }
 

@@ -37,8 +37,11 @@ class TargetNames {
   };
 
   void add(const std::string& id, bool thing);
-  std::vector<const Entry*> of_kind(const std::string& base, const std::string& number) const;
-  const Entry* misspelt(const std::string& base, const std::string& number) const;
+  // Of this number if one is given.
+  using Entries = std::vector<const Entry*>;
+  Entries of_base(const std::string& base, const std::string& number) const;
+  Entries of_kind(const std::string& base, const std::string& number) const;
+  Entries misspelt(const std::string& base, const std::string& number) const;
 
   const CategoryTable& categories_;
   std::vector<Entry> entries_;
