@@ -80,6 +80,23 @@ std::size_t choose_door_wall(const RoomKind& kind, const Vec2& size, Random& ran
   return static_cast<std::size_t>(random.integer(0, 3));
 }
 
+// The longest wall without openings; the number of walls if there is none.
+std::size_t longest_bare_wall(const Room& room) {
+  std::size_t longest = room.polygon.size();
+  for (std::size_t k = 0; k < room.polygon.size(); ++k) {
+    const bool free = std::none_of(room.openings.begin(), room.openings.end(),
+                                   [&](const Opening& opening) { return opening.wall == k; });
+    if (free && (longest == room.polygon.size() ||
+                 room.polygon.edge(k).length() > room.polygon.edge(longest).length()))
+      longest = k;
+  }
+  return longest;
+}
+
+bool takes_window(const Room& room, std::size_t wall) {
+  return room.polygon.edge(wall).length() >= 2.0 * window_margin + 0.4;
+}
+
 }  // namespace
 
 Vec2 choose_size(const RoomKind& kind, const Brief& brief, double scale, double furniture,
@@ -114,7 +131,7 @@ Room make_room(const RoomKind& kind, const Vec2& size, int windows, bool wide_wi
   const auto walls = window_walls(wall, random);
   for (int i = 0; i < windows && i < static_cast<int>(walls.size()); ++i) {
     const std::size_t at = walls[static_cast<std::size_t>(i)];
-    if (room.polygon.edge(at).length() < 2.0 * window_margin + 0.4) continue;
+    if (!takes_window(room, at)) continue;
     Opening window = window_in(room, kind, at, wide_windows, random);
     window.id = "window-" + std::to_string(room.openings.size() - 1);
     room.openings.push_back(window);
@@ -129,19 +146,22 @@ bool ensure_door(Room& room, const RoomKind& kind) {
   if (std::any_of(room.openings.begin(), room.openings.end(),
                   [](const Opening& opening) { return opening.is_entrance(); }))
     return false;
-  std::size_t longest = room.polygon.size();
-  for (std::size_t k = 0; k < room.polygon.size(); ++k) {
-    const bool free = std::none_of(room.openings.begin(), room.openings.end(),
-                                   [&](const Opening& opening) { return opening.wall == k; });
-    if (free && (longest == room.polygon.size() ||
-                 room.polygon.edge(k).length() > room.polygon.edge(longest).length()))
-      longest = k;
-  }
+  const std::size_t longest = longest_bare_wall(room);
   if (longest == room.polygon.size()) return false;
   Opening door = door_in(room, kind, longest, true);
   for (int n = 0; find_opening(room, door.id); ++n) door.id = "door-" + std::to_string(n + 1);
   room.openings.push_back(door);
   return true;
+}
+
+void add_windows(Room& room, const RoomKind& kind, int count, bool wide, Random random) {
+  for (int i = 0; i < count; ++i) {
+    const std::size_t wall = longest_bare_wall(room);
+    if (wall == room.polygon.size() || !takes_window(room, wall)) return;
+    Opening window = window_in(room, kind, wall, wide, random);
+    window.id = "window-" + std::to_string(i);
+    room.openings.push_back(window);
+  }
 }
 
 }  // namespace roomgen::design

@@ -25,4 +25,7 @@ Room make_room(const RoomKind& kind, const Vec2& size, int windows, bool wide_wi
 /// Puts a door into the longest wall of a floor plan that has none. True if it did.
 bool ensure_door(Room& room, const RoomKind& kind);
 
+/// Puts windows into the longest walls without openings.
+void add_windows(Room& room, const RoomKind& kind, int count, bool wide, Random random);
+
 }  // namespace roomgen::design

@@ -1,0 +1,106 @@
+#include "place_reply.h"
+
+#include <algorithm>
+
+#include "loose_json.h"
+#include "reply_facing.h"
+#include "reply_location.h"
+#include "reply_relations.h"
+#include "roomgen/base/text.h"
+#include "target_names.h"
+
+namespace roomgen::design {
+
+namespace {
+
+constexpr std::size_t max_repairs = 40;
+constexpr std::size_t max_repair = 300;      ///< bytes
+constexpr std::size_t max_reasoning = 4000;  ///< bytes
+
+// The keys that tell an answer from other objects in the text; then all their spellings.
+const std::vector<std::string> wanted_keys = {"constraints", "location", "constraint", "position"};
+const std::vector<std::string> constraint_keys = {
+    "constraints",           "constraint",         "relations", "relation",
+    "placement constraints", "spatial constraints"};
+const std::vector<std::string> location_keys = {"location",    "position",
+                                                "coordinates", "coordinate",
+                                                "pos",         "point",
+                                                "center",      "centre",
+                                                "xy",          "location m",
+                                                "place",       "placement",
+                                                "location xy", "suggested location"};
+const std::vector<std::string> facing_keys = {"facing",    "yaw",   "orientation",    "rotation",
+                                              "direction", "angle", "facing degrees", "face to"};
+const std::vector<std::string> reasoning_keys = {"reasoning", "reason",    "reasons",    "thought",
+                                                 "thoughts",  "rationale", "explanation"};
+
+// A cut text must not end within a UTF-8 character.
+std::string cut(std::string text, std::size_t limit) {
+  if (text.size() <= limit) return text;
+  while (limit > 0 && (static_cast<unsigned char>(text[limit]) & 0xC0) == 0x80) --limit;
+  text.resize(limit);
+  return text;
+}
+
+void bound(std::vector<std::string>& repairs) {
+  if (repairs.size() > max_repairs) repairs.resize(max_repairs);
+  for (auto& repair : repairs) repair = cut(std::move(repair), max_repair);
+}
+
+std::optional<Vec2> read_location(const Json& json, const PlaceReplyContext& context,
+                                  std::vector<std::string>& repairs) {
+  const auto frame = context.paper_frame ? MarksFrame::paper : MarksFrame::plan;
+  const Polygon& room = context.scene.room.polygon;
+  if (const Json* value = member(json, location_keys))
+    return read_reply_location(*value, room, frame, repairs);
+  if (member(json, {"x"}) && member(json, {"y"})) {
+    const Json pair = {{"x", *member(json, {"x"})}, {"y", *member(json, {"y"})}};
+    return read_reply_location(pair, room, frame, repairs);
+  }
+  repairs.emplace_back("the answer has no location");
+  return std::nullopt;
+}
+
+Error unusable(const PlaceReplyContext& context, const std::vector<std::string>& repairs) {
+  const Bounds2 box = bounds(context.scene.room.polygon);
+  const Vec2 size = box.size();
+  const Vec2 low = context.paper_frame ? Vec2(0, 0) : Vec2(box.low);
+  const Vec2 high = context.paper_frame ? Vec2(size.y(), size.x()) : Vec2(box.high);
+  const auto range = [](double from, double to) {
+    return format_number(from) + " to " + format_number(to);
+  };
+  return {Error::Kind::invalid_input,
+          "the answer for " + context.object.id + " has neither a constraint nor a location that " +
+              "can be used: " + join(repairs, "; ") +
+              ". Give \"constraints\" as in \"edge | near, bed-0\" and \"location\" as [x, y] in " +
+              "metres, x from " + range(low.x(), high.x()) + ", y from " +
+              range(low.y(), high.y())};
+}
+
+}  // namespace
+
+Result<PlaceReply> read_place_reply(std::string_view text, const PlaceReplyContext& context) {
+  auto found = find_json(text, wanted_keys);
+  if (!found) return found.error();
+  const Json& json = found->json;
+  PlaceReply reply{{}, std::move(found->repairs)};
+  PlaceAdvice& advice = reply.advice;
+  const TargetNames targets(context.scene, context.object, CategoryTable::built_in());
+
+  if (const Json* constraints = member(json, constraint_keys))
+    advice.relations = read_reply_relations(*constraints, targets, reply.repairs);
+  advice.location = read_location(json, context, reply.repairs);
+  if (const Json* facing = member(json, facing_keys)) {
+    const auto read =
+        read_reply_facing(*facing, context.scene, targets, advice.location, reply.repairs);
+    advice.yaw = read.yaw;
+    if (read.relation) add_relation(advice.relations, *read.relation, reply.repairs);
+  }
+  if (const Json* reasoning = member(json, reasoning_keys); reasoning && reasoning->is_string())
+    advice.reasoning = cut(reasoning->get<std::string>(), max_reasoning);
+  bound(reply.repairs);
+  if (advice.relations.empty() && !advice.location) return unusable(context, reply.repairs);
+  return reply;
+}
+
+}  // namespace roomgen::design

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "roomgen/design/designer.h"
+
+namespace roomgen::design {
+
+struct PlaceReply {
+  PlaceAdvice advice;
+  std::vector<std::string> repairs;  ///< what was understood otherwise than it was written
+};
+
+struct PlaceReplyContext {
+  const Scene& scene;        ///< what is placed already
+  const Object& object;      ///< whose place was asked for
+  bool paper_frame = false;  ///< locations are [down from the top, left from the right], metres
+};
+
+/// What a model answered about one object: {"reasoning", "constraints", "location", "facing"}, or
+/// what comes near to it. Relations only name what is there, the location lies in the room. Errors
+/// (invalid_input) say exactly what is wrong, in words meant for the model, so that they can be
+/// sent back.
+Result<PlaceReply> read_place_reply(std::string_view text, const PlaceReplyContext& context);
+
+}  // namespace roomgen::design

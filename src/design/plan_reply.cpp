@@ -1,0 +1,127 @@
+#include "plan_reply.h"
+
+#include <algorithm>
+
+#include "arrangement.h"
+#include "loose_json.h"
+#include "order.h"
+#include "prompt.h"
+#include "reply_items.h"
+#include "reply_room.h"
+#include "roomgen/base/text.h"
+
+namespace roomgen::design {
+
+namespace {
+
+constexpr const char* default_type = "living room";
+constexpr std::size_t max_excluded = 60;
+constexpr std::size_t max_repairs = 60;
+
+const std::vector<std::string> wanted_keys = {"objects", "items", "inventory", "furniture"};
+const std::vector<std::string> excluded_keys = {"excluded", "exclude", "forbidden", "not wanted"};
+
+Error invalid(const std::string& message) {
+  return {Error::Kind::invalid_input, message};
+}
+
+std::string choose_type(const Json& json, const PlanRequest& request, const Brief& brief,
+                        std::vector<std::string>& repairs) {
+  for (const auto& type :
+       {room_type_in(json), brief.type, request.room ? request.room->type : std::string()})
+    if (!type.empty()) return type;
+  repairs.push_back(std::string("the answer names no kind of room; taken for a ") + default_type);
+  return default_type;
+}
+
+// What the prompt and the answer forbid.
+std::vector<std::string> read_excluded(const Json& json, const Brief& brief,
+                                       const ItemLexicon& lexicon) {
+  std::vector<std::string> excluded = brief.excluded;
+  const Json* list = member(json, excluded_keys);
+  if (!list || !list->is_array()) return excluded;
+  for (const auto& element : *list) {
+    if (!element.is_string() || excluded.size() >= max_excluded) continue;
+    const std::string kind = category_named(element.get<std::string>(), "", lexicon);
+    if (!kind.empty() && std::find(excluded.begin(), excluded.end(), kind) == excluded.end())
+      excluded.push_back(kind);
+  }
+  return excluded;
+}
+
+bool is_mentioned(const PlanItem& item, const Brief& brief, const CategoryTable& table) {
+  return std::any_of(brief.mentions.begin(), brief.mentions.end(), [&](const Mention& mention) {
+    return table.is_a(item.category, mention.category) ||
+           table.is_a(mention.category, item.category);
+  });
+}
+
+void leave_out_excluded(std::vector<Draft>& drafts, const std::vector<std::string>& excluded,
+                        const CategoryTable& table, std::vector<std::string>& repairs) {
+  std::erase_if(drafts, [&](const Draft& draft) {
+    const bool forbidden = table.is_any_of(draft.item.category, excluded);
+    if (forbidden)
+      repairs.push_back("the " + draft.item.category + " is excluded and was left out");
+    return forbidden;
+  });
+  // What stood on it goes elsewhere.
+  for (auto& draft : drafts)
+    std::erase_if(draft.demands, [&](const Demand& demand) {
+      return std::none_of(drafts.begin(), drafts.end(),
+                          [&](const Draft& other) { return other.mention == demand.mention; });
+    });
+}
+
+// Nothing is larger than its room.
+void fit_into(const Room& room, std::vector<Draft>& drafts, std::vector<std::string>& repairs) {
+  const double longest = bounds(room.polygon).size().maxCoeff();
+  const Vec3 most(longest, longest, room.height);
+  for (auto& draft : drafts) {
+    if (!draft.item.size || (draft.item.size->array() <= most.array()).all()) continue;
+    draft.item.size = draft.item.size->cwiseMin(most);
+    repairs.push_back("the size of the " + draft.item.category + " was bounded by the room");
+  }
+}
+
+}  // namespace
+
+Result<PlanReply> read_plan_reply(std::string_view text, const PlanRequest& request,
+                                  const CategoryTable& categories) {
+  if (!built_in_room_kinds()) return built_in_room_kinds().error();
+  if (!built_in_vocabulary()) return built_in_vocabulary().error();
+  if (!built_in_arrangements()) return built_in_arrangements().error();
+  auto found = find_json(text, wanted_keys);
+  if (!found) return found.error();
+  const Json& json = found->json;
+  const Json* objects = member(json, wanted_keys);
+  if (!objects)
+    return invalid(
+        "the answer lists no objects; give \"objects\": [{\"name\": \"bed\", "
+        "\"description\": \"…\", \"size_cm\": [160, 210, 90], \"quantity\": 1}, …]");
+
+  PlanReply reply{{}, std::move(found->repairs)};
+  Plan& plan = reply.plan;
+  plan.prompt = request.prompt;
+  plan.seed = request.seed;
+  const Brief brief = read_prompt(request.prompt, *built_in_room_kinds(), categories);
+  const RoomKind kind =
+      kind_of_room(choose_type(json, request, brief, reply.repairs), *built_in_room_kinds());
+  const KindNames names(categories);
+  const ItemLexicon lexicon{categories, names, kind};
+
+  auto drafts = read_reply_items(*objects, lexicon, reply.repairs);
+  plan.excluded = read_excluded(json, brief, lexicon);
+  leave_out_excluded(drafts, plan.excluded, categories, reply.repairs);
+  if (drafts.empty())
+    return invalid("the answer's \"objects\" name nothing that can be placed: " +
+                   join(reply.repairs, "; "));
+  for (auto& draft : drafts) draft.item.asked = is_mentioned(draft.item, brief, categories);
+  plan.room =
+      read_reply_room(json, request, kind, brief, floor_area(drafts, categories), reply.repairs);
+  fit_into(plan.room, drafts, reply.repairs);
+  order_items(std::move(drafts), categories, *built_in_arrangements(), plan);
+  if (reply.repairs.size() > max_repairs) reply.repairs.resize(max_repairs);
+  return reply;
+}
+
+}  // namespace roomgen::design

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "roomgen/design/designer.h"
+#include "roomgen/scene/category.h"
+
+namespace roomgen::design {
+
+struct PlanReply {
+  Plan plan;
+  std::vector<std::string> repairs;  ///< what was understood otherwise than it was written
+};
+
+/// What a model answered about a whole room: {"room", "objects", "excluded"}, or what comes near to
+/// it. The items are in the order of placement. What the request says about the room wins. Errors
+/// (invalid_input) say what is wrong in words meant for the model.
+Result<PlanReply> read_plan_reply(std::string_view text, const PlanRequest& request,
+                                  const CategoryTable& categories);
+
+}  // namespace roomgen::design

@@ -1,0 +1,292 @@
+#include "reply_items.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "loose_json.h"
+#include "reply_measure.h"
+#include "roomgen/base/text.h"
+
+namespace roomgen::design {
+
+namespace {
+
+constexpr std::size_t max_items = 60;
+constexpr int max_objects = 200;
+constexpr int max_quantity = 50;
+constexpr int max_nesting = 4;                ///< of things on things
+constexpr std::size_t max_words = 60;         ///< bytes of a name
+constexpr std::size_t max_description = 300;  ///< bytes
+constexpr double least_side = 0.02;
+constexpr double greatest_side = 10.0;
+constexpr double centimetre = 0.01;
+
+const std::vector<std::string> name_keys = {"name", "category", "object", "item",
+                                            "type", "label",    "kind"};
+const std::vector<std::string> description_keys = {"description", "desc", "details", "style"};
+const std::vector<std::string> size_keys = {"size cm",    "size",         "dimensions cm",
+                                            "dimensions", "size m",       "dimensions m",
+                                            "size in cm", "bounding box", "dims"};
+const std::vector<std::string> quantity_keys = {"quantity", "count", "number", "amount", "qty"};
+const std::vector<std::string> variance_keys = {"variance", "variation", "varied"};
+const std::vector<std::string> place_keys = {"place", "placement", "location",
+                                             "mount", "where",     "on"};
+const std::vector<std::string> on_top_keys = {"on top", "objects on top", "items on top",
+                                              "children", "on it"};
+
+struct PlaceWord {
+  std::string_view word;
+  Mount mount;
+};
+constexpr PlaceWord place_words[] = {{"floor", Mount::floor},     {"ground", Mount::floor},
+                                     {"wall", Mount::wall},       {"walls", Mount::wall},
+                                     {"ceiling", Mount::ceiling}, {"hanging", Mount::ceiling}};
+
+struct SideWord {
+  std::string_view word;
+  int axis;
+};
+constexpr SideWord side_words[] = {{"width", 0},  {"w", 0},     {"x", 0}, {"length", 1},
+                                   {"l", 1},      {"depth", 1}, {"d", 1}, {"y", 1},
+                                   {"height", 2}, {"h", 2},     {"z", 2}, {"thickness", 1}};
+
+std::string text_of(const Json* value) {
+  return value && value->is_string() ? std::string(trim(value->get_ref<const std::string&>())) : "";
+}
+
+// A cut text must not end within a UTF-8 character.
+std::string cut(std::string text, std::size_t limit) {
+  if (text.size() <= limit) return text;
+  while (limit > 0 && (static_cast<unsigned char>(text[limit]) & 0xC0) == 0x80) --limit;
+  text.resize(limit);
+  return text;
+}
+
+bool is_number(const std::string& word) {
+  return word.find_first_not_of("0123456789") == std::string::npos;
+}
+
+// "Bed_1" is a bed.
+std::string plain_name(const std::string& name) {
+  auto pieces = words(name);
+  if (pieces.size() > 1 && is_number(pieces.back())) pieces.pop_back();
+  return cut(join(pieces, " "), max_words);
+}
+
+// The first kind that is named in a text.
+std::string first_kind(const std::string& text, const KindNames& names) {
+  const auto tokens = tokenize(text);
+  for (std::size_t i = 0; i < tokens.size(); ++i)
+    if (const KindMatch match = names.match(tokens, i); match.length > 0)
+      return match.category->name;
+  return "";
+}
+
+bool names_side(const Measure& measure) {
+  return std::any_of(std::begin(side_words), std::end(side_words),
+                     [&](const SideWord& side) { return side.word == measure.label; });
+}
+
+// Three sides; NaN for those that are not said.
+Vec3 sides_of(const std::vector<Measure>& measures) {
+  Vec3 sides = Vec3::Constant(std::nan(""));
+  bool labelled = false;
+  for (const auto& measure : measures)
+    for (const auto& side : side_words)
+      if (measures.size() >= 2 && measure.label == side.word && measure.label != "x") {
+        sides[side.axis] = measure.value;
+        labelled = true;
+      }
+  if (labelled && !std::isnan(sides.x() + sides.y())) return sides;
+  for (std::size_t i = 0; i < std::min<std::size_t>(3, measures.size()); ++i)
+    sides[static_cast<int>(i)] = measures[i].value;
+  return sides;
+}
+
+double unlikeness(double sum_of_logs, const Vec3& usual) {
+  return std::abs(sum_of_logs - std::log(usual.x() * usual.y()));
+}
+
+// Models forget in which unit they were asked to answer; the usual size of the kind tells.
+double unit_of(const Vec3& sides, const Category* kind) {
+  const double greatest = std::max(sides.x(), sides.y());
+  if (!kind) return greatest < 10.0 ? 1.0 : centimetre;
+  const double logs = std::log(std::max(1e-6, sides.x() * sides.y()));
+  const double shift = 2.0 * std::log(centimetre);
+  return unlikeness(logs, kind->size) < unlikeness(logs + shift, kind->size) ? 1.0 : centimetre;
+}
+
+/// Reads objects and what stands on them, up to the bounds.
+class ItemReader {
+ public:
+  ItemReader(const ItemLexicon& lexicon, std::vector<std::string>& repairs)
+      : lexicon_(lexicon), repairs_(repairs) {}
+
+  // `carrier` is a draft, or Demand::none.
+  void read_list(const Json& objects, std::size_t carrier, int nesting) {
+    if (nesting > max_nesting) return;
+    if (objects.is_string()) return read_item("", objects, carrier, nesting);
+    if (!objects.is_structured()) return;
+    // An object alone instead of a list.
+    if (objects.is_object() && member(objects, name_keys) &&
+        !member(objects, name_keys)->is_structured())
+      return read_item("", objects, carrier, nesting);
+    for (const auto& [key, value] : objects.items())
+      read_item(objects.is_object() ? key : "", value, carrier, nesting);
+  }
+
+  std::vector<Draft> take() {
+    for (std::size_t i = 0; i < carriers_.size(); ++i) resolve_carrier(i);
+    return std::move(drafts_);
+  }
+
+ private:
+  void note(const std::string& what) {
+    if (std::find(repairs_.begin(), repairs_.end(), what) == repairs_.end())
+      repairs_.push_back(what);
+  }
+
+  void read_item(const std::string& key, const Json& value, std::size_t carrier, int nesting) {
+    if (drafts_.size() >= max_items || objects_ >= max_objects)
+      return note("only the first " + std::to_string(drafts_.size()) + " items were kept");
+    const Json* name_value = value.is_string() ? &value : member(value, name_keys);
+    const std::string description = text_of(member(value, description_keys));
+    std::string name = text_of(name_value);
+    if (name.empty()) name = key.empty() ? description : key;
+    if (plain_name(name).empty()) return note("an object without a name was left out");
+
+    Draft draft;
+    PlanItem& item = draft.item;
+    item.category = category_named(name, description, lexicon_);
+    if (item.category.empty()) {
+      item.category = plain_name(name);
+      note("\"" + item.category + "\" is no known kind of thing");
+    }
+    item.description = cut(description.empty() ? plain_name(name) : description, max_description);
+    item.quantity = quantity_of(value, item.category);
+    const Json* variance = member(value, variance_keys);
+    item.varied = variance && (*variance == Json(true) || text_of(variance).starts_with("var") ||
+                               text_of(variance).starts_with("diff"));
+    read_size(value, item);
+    std::string on = read_mount(value, item);
+    draft.mention = drafts_.size();
+    if (carrier != Demand::none) {
+      item.mount = Mount::surface;
+      carry(draft, carrier);
+      on.clear();
+    }
+    objects_ += item.quantity;
+    drafts_.push_back(std::move(draft));
+    carriers_.push_back(std::move(on));
+    const std::size_t self = drafts_.size() - 1;
+    if (const Json* top = member(value, on_top_keys)) read_list(*top, self, nesting + 1);
+  }
+
+  int quantity_of(const Json& value, const std::string& category) {
+    const Json* given = member(value, quantity_keys);
+    const auto count = given ? count_in(*given) : std::optional(1);
+    if (!count) note("the quantity of the " + category + " is no number; one is taken");
+    const int wanted = count.value_or(1);
+    const int kept = std::clamp(wanted, 1, std::min(max_quantity, max_objects - objects_));
+    if (kept != wanted)
+      note("instead of " + std::to_string(wanted) + " of the " + category + " " +
+           std::to_string(kept) + " are taken");
+    return kept;
+  }
+
+  void read_size(const Json& value, PlanItem& item) {
+    const Category* kind = lexicon_.names.find(item.category);
+    if (kind) item.size = kind->size;
+    const Json* given = member(value, size_keys);
+    auto measures = measures_in(given ? *given : value);
+    // {"name": "bed", "width": 160, …}
+    if (!given) std::erase_if(measures, [](const Measure& one) { return !names_side(one); });
+    Vec3 sides = sides_of(measures);
+    if (std::isnan(sides.x() + sides.y())) {
+      if (given) note("the size of the " + item.category + " is not three numbers");
+      if (!item.size) item.size = lexicon_.table.get(item.category).size;
+      return;
+    }
+    const bool in_units =
+        std::any_of(measures.begin(), measures.end(), [](const Measure& m) { return m.has_unit; });
+    if (!in_units) sides *= unit_of(sides, kind);
+    if (std::isnan(sides.z())) sides.z() = lexicon_.table.get(item.category).size.z();
+    const Vec3 bounded = sides.cwiseMax(least_side).cwiseMin(greatest_side);
+    if (bounded != sides) note("the size of the " + item.category + " was bounded");
+    item.size = bounded;
+  }
+
+  // Sets the mount; the answer is the name of what carries it.
+  std::string read_mount(const Json& value, PlanItem& item) {
+    item.mount = lexicon_.table.get(item.category).mount;
+    const auto pieces = words(text_of(member(value, place_keys)));
+    for (const auto& piece : pieces)
+      for (const auto& known : place_words)
+        if (piece == known.word) {
+          item.mount = known.mount;
+          return "";
+        }
+    if (pieces.empty()) return "";
+    const bool on = pieces.front() == "on" || member(value, {"on"});
+    if (!on) {
+      note("the place \"" + cut(join(pieces, " "), max_words) + "\" is not known");
+      return "";
+    }
+    std::size_t skipped = 0;
+    while (skipped < pieces.size() &&
+           (pieces[skipped] == "on" || pieces[skipped] == "the" || pieces[skipped] == "top" ||
+            pieces[skipped] == "of" || pieces[skipped] == "a"))
+      ++skipped;
+    return join({pieces.begin() + static_cast<std::ptrdiff_t>(skipped), pieces.end()}, " ");
+  }
+
+  void carry(Draft& draft, std::size_t carrier) const {
+    draft.item.on = drafts_[carrier].item.category;
+    draft.demands.push_back({RelationKind::on, carrier, "", false});
+  }
+
+  // "on desk": of the things in the list the first desk.
+  void resolve_carrier(std::size_t i) {
+    const std::string name = plain_name(carriers_[i]);
+    if (name.empty()) return;
+    const std::string kind = category_named(name, "", lexicon_);
+    for (std::size_t j = 0; j < drafts_.size(); ++j) {
+      const std::string& other = drafts_[j].item.category;
+      if (j == i || (other != name && (kind.empty() || !lexicon_.table.is_a(other, kind))))
+        continue;
+      drafts_[i].item.mount = Mount::surface;
+      return carry(drafts_[i], j);
+    }
+    note("\"" + name + "\", which shall carry the " + drafts_[i].item.category +
+         ", is not among the objects");
+  }
+
+  const ItemLexicon& lexicon_;
+  std::vector<std::string>& repairs_;
+  std::vector<Draft> drafts_;
+  std::vector<std::string> carriers_;  ///< by name, of the drafts
+  int objects_ = 0;
+};
+
+}  // namespace
+
+std::string category_named(const std::string& name, const std::string& description,
+                           const ItemLexicon& lexicon) {
+  const std::string plain = plain_name(name);
+  if (const auto meant = lexicon.kind.means.find(plain); meant != lexicon.kind.means.end())
+    return meant->second;
+  // English puts the kind last: an "oak writing desk" is a desk.
+  if (const Category* category = lexicon.table.find(plain)) return category->name;
+  const std::string inside = first_kind(plain, lexicon.names);
+  return inside.empty() ? first_kind(cut(description, max_description), lexicon.names) : inside;
+}
+
+std::vector<Draft> read_reply_items(const Json& objects, const ItemLexicon& lexicon,
+                                    std::vector<std::string>& repairs) {
+  ItemReader reader(lexicon, repairs);
+  reader.read_list(objects, Demand::none, 0);
+  return reader.take();
+}
+
+}  // namespace roomgen::design

@@ -1,0 +1,397 @@
+#include "reply_relations.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string_view>
+
+#include "loose_json.h"
+#include "roomgen/base/text.h"
+
+namespace roomgen::design {
+
+namespace {
+
+constexpr std::size_t max_relations = 12;
+constexpr std::size_t max_pieces = 64;
+constexpr std::size_t max_piece = 400;  ///< bytes
+constexpr std::size_t least_misspelt = 4;
+
+struct Phrase {
+  std::string_view text;
+  RelationKind kind;
+};
+
+// How models say it beside the names themselves, without articles. Longer phrases win.
+constexpr std::array synonyms = {
+    Phrase{"against wall", RelationKind::edge},
+    Phrase{"against one wall", RelationKind::edge},
+    Phrase{"against", RelationKind::edge},
+    Phrase{"along wall", RelationKind::edge},
+    Phrase{"at wall", RelationKind::edge},
+    Phrase{"on wall", RelationKind::edge},
+    Phrase{"at edge", RelationKind::edge},
+    Phrase{"on edge", RelationKind::edge},
+    Phrase{"edge of room", RelationKind::edge},
+    Phrase{"at edge of room", RelationKind::edge},
+    Phrase{"room edge", RelationKind::edge},
+    Phrase{"back to wall", RelationKind::edge},
+    Phrase{"wall aligned", RelationKind::edge},
+    Phrase{"centre", RelationKind::middle},
+    Phrase{"center", RelationKind::middle},
+    Phrase{"in middle", RelationKind::middle},
+    Phrase{"in center", RelationKind::middle},
+    Phrase{"in centre", RelationKind::middle},
+    Phrase{"middle of room", RelationKind::middle},
+    Phrase{"center of room", RelationKind::middle},
+    Phrase{"centre of room", RelationKind::middle},
+    Phrase{"in middle of room", RelationKind::middle},
+    Phrase{"in center of room", RelationKind::middle},
+    Phrase{"in centre of room", RelationKind::middle},
+    Phrase{"in corner", RelationKind::corner},
+    Phrase{"at corner", RelationKind::corner},
+    Phrase{"corner of room", RelationKind::corner},
+    Phrase{"in corner of room", RelationKind::corner},
+    Phrase{"near to", RelationKind::near},
+    Phrase{"next to", RelationKind::near},
+    Phrase{"close to", RelationKind::near},
+    Phrase{"close", RelationKind::near},
+    Phrase{"adjacent to", RelationKind::near},
+    Phrase{"adjacent", RelationKind::near},
+    Phrase{"nearby", RelationKind::near},
+    Phrase{"by", RelationKind::near},
+    Phrase{"far from", RelationKind::far},
+    Phrase{"far away from", RelationKind::far},
+    Phrase{"away from", RelationKind::far},
+    Phrase{"in front", RelationKind::in_front_of},
+    Phrase{"front of", RelationKind::in_front_of},
+    Phrase{"before", RelationKind::in_front_of},
+    Phrase{"in back of", RelationKind::behind},
+    Phrase{"left", RelationKind::left_of},
+    Phrase{"to left of", RelationKind::left_of},
+    Phrase{"on left of", RelationKind::left_of},
+    Phrase{"left side of", RelationKind::left_of},
+    Phrase{"on left side of", RelationKind::left_of},
+    Phrase{"right", RelationKind::right_of},
+    Phrase{"to right of", RelationKind::right_of},
+    Phrase{"on right of", RelationKind::right_of},
+    Phrase{"right side of", RelationKind::right_of},
+    Phrase{"on right side of", RelationKind::right_of},
+    Phrase{"beside", RelationKind::side_of},
+    Phrase{"at side of", RelationKind::side_of},
+    Phrase{"by side of", RelationKind::side_of},
+    Phrase{"side", RelationKind::side_of},
+    Phrase{"surrounding", RelationKind::around},
+    Phrase{"center align", RelationKind::center_aligned},
+    Phrase{"center align with", RelationKind::center_aligned},
+    Phrase{"center aligned with", RelationKind::center_aligned},
+    Phrase{"centre align", RelationKind::center_aligned},
+    Phrase{"centre align with", RelationKind::center_aligned},
+    Phrase{"centre aligned", RelationKind::center_aligned},
+    Phrase{"centre aligned with", RelationKind::center_aligned},
+    Phrase{"centered on", RelationKind::center_aligned},
+    Phrase{"centered with", RelationKind::center_aligned},
+    Phrase{"align", RelationKind::aligned},
+    Phrase{"align with", RelationKind::aligned},
+    Phrase{"aligned with", RelationKind::aligned},
+    Phrase{"aligned to", RelationKind::aligned},
+    Phrase{"face", RelationKind::face_to},
+    Phrase{"faces", RelationKind::face_to},
+    Phrase{"facing", RelationKind::face_to},
+    Phrase{"facing to", RelationKind::face_to},
+    Phrase{"facing towards", RelationKind::face_to},
+    Phrase{"face towards", RelationKind::face_to},
+    Phrase{"face toward", RelationKind::face_to},
+    Phrase{"towards", RelationKind::face_to},
+    Phrase{"facing same as", RelationKind::face_same_as},
+    Phrase{"face same direction as", RelationKind::face_same_as},
+    Phrase{"same direction as", RelationKind::face_same_as},
+    Phrase{"face opposite", RelationKind::face_opposite_to},
+    Phrase{"facing opposite to", RelationKind::face_opposite_to},
+    Phrase{"on top of", RelationKind::on},
+    Phrase{"on top", RelationKind::on},
+    Phrase{"over", RelationKind::above},
+    Phrase{"below", RelationKind::under},
+    Phrase{"beneath", RelationKind::under},
+    Phrase{"underneath", RelationKind::under},
+    Phrase{"hanging from", RelationKind::hang_from},
+    Phrase{"hung from", RelationKind::hang_from},
+};
+
+constexpr RelationKind last_kind = RelationKind::hang_from;
+
+constexpr std::array fillers = {"the", "a",          "an",       "place",     "placed",
+                                "put", "must",       "should",   "be",        "is",
+                                "it",  "constraint", "position", "positioned"};
+constexpr std::array connectors = {"to", "of", "with", "from", "at", "target"};
+
+const std::vector<Phrase>& phrases() {
+  static const std::vector<Phrase> all = [] {
+    std::vector<Phrase> result;
+    for (int k = 0; k <= static_cast<int>(last_kind); ++k) {
+      const auto kind = static_cast<RelationKind>(k);
+      result.push_back({name(kind), kind});
+    }
+    result.insert(result.end(), synonyms.begin(), synonyms.end());
+    return result;
+  }();
+  return all;
+}
+
+template <typename Words>
+bool is_one_of(const std::string& word, const Words& list) {
+  return std::find(list.begin(), list.end(), word) != list.end();
+}
+
+using Pieces = std::vector<std::string>;
+
+std::string spoken(const Pieces& words, std::size_t begin, std::size_t end) {
+  return join(Pieces(words.begin() + static_cast<std::ptrdiff_t>(begin),
+                     words.begin() + static_cast<std::ptrdiff_t>(end)),
+              " ");
+}
+
+struct KindWords {
+  RelationKind kind;
+  std::size_t length;  ///< words
+  bool misspelt = false;
+};
+
+constexpr std::size_t longest_phrase = 5;
+
+std::optional<KindWords> leading_kind(const Pieces& words) {
+  for (std::size_t n = std::min(longest_phrase, words.size()); n > 0; --n) {
+    const std::string text = spoken(words, 0, n);
+    for (const auto& phrase : phrases())
+      if (phrase.text == text) return KindWords{phrase.kind, n};
+  }
+  return std::nullopt;
+}
+
+std::optional<KindWords> misspelt_kind(const Pieces& words) {
+  std::vector<std::string> known;
+  for (const auto& phrase : phrases()) known.emplace_back(phrase.text);
+  for (std::size_t n = std::min(longest_phrase, words.size()); n > 0; --n) {
+    const std::string text = spoken(words, 0, n);
+    if (text.size() < least_misspelt) continue;
+    const std::string close = closest_name(text, known);
+    for (const auto& phrase : phrases())
+      if (!close.empty() && phrase.text == close) return KindWords{phrase.kind, n, true};
+  }
+  return std::nullopt;
+}
+
+/// Reads segments ("near", "bed-0", "left of the bed-0") one after the other: names of constraints
+/// and their targets.
+class RelationReader {
+ public:
+  RelationReader(const TargetNames& targets, std::vector<std::string>& repairs)
+      : targets_(targets), repairs_(repairs) {}
+
+  /// "near, bed-0": what stands between two bars.
+  void read(std::string_view piece) {
+    if (!waiting_) state_ = State::none;
+    std::string text(piece.substr(0, max_piece));
+    for (char& c : text)
+      if (std::string_view(":()=[]").find(c) != std::string_view::npos) c = ',';
+    for (const auto& part : split(text, ','))
+      for (const auto& segment : split_at_and(part)) read_segment(segment);
+  }
+
+  std::vector<Relation> take() {
+    end_waiting();
+    return std::move(relations_);
+  }
+
+ private:
+  enum class State { none, kind, unknown };
+
+  static Pieces split_at_and(std::string_view part) {
+    Pieces result;
+    for (auto at = part.find(" and "); at != std::string_view::npos; at = part.find(" and ")) {
+      result.emplace_back(part.substr(0, at));
+      part.remove_prefix(at + 5);
+    }
+    result.emplace_back(part);
+    return result;
+  }
+
+  // Without articles, numbers of lists and the name of the object in front.
+  Pieces meaningful(const std::string& segment) const {
+    Pieces all = words(segment);
+    for (std::size_t n = 1; n <= all.size(); ++n)
+      if (targets_.is_self({all.begin(), all.begin() + static_cast<std::ptrdiff_t>(n)})) {
+        // Alone it may be a target that must be refused.
+        if (n == all.size() && waiting_) return all;
+        all.erase(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(n));
+        break;
+      }
+    const auto is_digit_word = [](const std::string& word) {
+      return word.find_first_not_of("0123456789") == std::string::npos;
+    };
+    if (all.size() > 1 && is_digit_word(all.front())) all.erase(all.begin());
+    while (!all.empty() && is_one_of(all.front(), fillers)) all.erase(all.begin());
+    std::erase_if(
+        all, [](const std::string& word) { return word == "the" || word == "a" || word == "an"; });
+    return all;
+  }
+
+  void read_segment(const std::string& segment) {
+    const Pieces pieces = meaningful(segment);
+    if (pieces.empty()) return;
+    if (waiting_ && !targets_.spelt(pieces).empty()) return read_target(segment, pieces);
+    if (const auto kind = leading_kind(pieces)) return read_kind(*kind, segment, pieces);
+    if (state_ == State::unknown) return;
+    if (state_ == State::kind) return read_target(segment, pieces);
+    if (const auto kind = misspelt_kind(pieces)) return read_kind(*kind, segment, pieces);
+    repairs_.push_back("the unknown constraint \"" + segment + "\" was dropped");
+    state_ = State::unknown;
+  }
+
+  void read_kind(const KindWords& found, const std::string& segment, const Pieces& pieces) {
+    end_waiting();
+    kind_ = found.kind;
+    state_ = State::kind;
+    const std::string given = spoken(pieces, 0, found.length);
+    if (found.misspelt || given != name(kind_))
+      repairs_.push_back("\"" + given + "\" was read as \"" + std::string(name(kind_)) + "\"");
+    waiting_ = takes_target(kind_);
+    if (!waiting_) add_relation(relations_, {kind_, ""}, repairs_);
+    std::size_t rest = found.length;
+    while (rest < pieces.size() && is_one_of(pieces[rest], connectors)) ++rest;
+    if (rest == pieces.size()) return;
+    read_target(segment, {pieces.begin() + static_cast<std::ptrdiff_t>(rest), pieces.end()});
+  }
+
+  void read_target(const std::string& segment, const Pieces& pieces) {
+    if (!takes_target(kind_)) {
+      repairs_.push_back("\"" + std::string(name(kind_)) + "\" takes no target; \"" +
+                         join(pieces, " ") + "\" was dropped");
+      return;
+    }
+    waiting_ = false;
+    // As it was written if nothing else was: then the id needs no note.
+    const bool alone = words(segment) == pieces;
+    const NamedTarget target =
+        targets_.find(alone ? std::string_view(segment) : std::string_view(join(pieces, " ")));
+    if (target.id.empty()) {
+      repairs_.push_back("\"" + std::string(name(kind_)) + "\" was dropped: " + target.repair);
+      return;
+    }
+    if (!target.repair.empty() && (alone || words(target.id) != pieces))
+      repairs_.push_back(target.repair);
+    add_relation(relations_, {kind_, target.id}, repairs_);
+  }
+
+  void end_waiting() {
+    if (waiting_)
+      repairs_.push_back("\"" + std::string(name(kind_)) + "\" was dropped: it has no target");
+    waiting_ = false;
+  }
+
+  const TargetNames& targets_;
+  std::vector<std::string>& repairs_;
+  std::vector<Relation> relations_;
+  State state_ = State::none;
+  RelationKind kind_ = RelationKind::edge;
+  bool waiting_ = false;  ///< for a target of kind_
+};
+
+std::string plain_text(const Json& value) {
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_number()) return value.dump();
+  return "";
+}
+
+// The texts of a value and its elements, with commas between them.
+std::string comma_text(const Json& value) {
+  if (!value.is_array()) return plain_text(value);
+  Pieces texts;
+  for (const auto& element : value)
+    if (texts.size() < max_pieces) texts.push_back(plain_text(element));
+  return join(texts, ", ");
+}
+
+const std::vector<std::string> type_keys = {"type", "constraint", "relation", "kind", "name"};
+const std::vector<std::string> target_keys = {"target", "targets", "object",          "reference",
+                                              "to",     "anchor",  "reference object"};
+
+Pieces pieces_of_object(const Json& value) {
+  if (const Json* type = member(value, type_keys)) {
+    const Json* target = member(value, target_keys);
+    return {plain_text(*type) + (target ? ", " + comma_text(*target) : "")};
+  }
+  Pieces pieces;
+  for (const auto& [key, element] : value.items()) {
+    const bool denied = element.is_null() || (element.is_boolean() && !element.get<bool>());
+    if (!denied) pieces.push_back(key + ", " + comma_text(element));
+  }
+  return pieces;
+}
+
+Pieces pieces_of_text(const std::string& text) {
+  std::string bars = text;
+  for (char& c : bars)
+    if (c == '\n' || c == ';' || c == '&') c = '|';
+  return split(bars, '|');
+}
+
+Pieces pieces_of(const Json& value) {
+  if (value.is_object()) return pieces_of_object(value);
+  if (!value.is_array()) return pieces_of_text(plain_text(value));
+  Pieces pieces;
+  for (const auto& element : value) {
+    if (pieces.size() >= max_pieces) break;
+    const Pieces more = element.is_object()  ? pieces_of_object(element)
+                        : element.is_array() ? Pieces{comma_text(element)}
+                                             : pieces_of_text(plain_text(element));
+    pieces.insert(pieces.end(), more.begin(), more.end());
+  }
+  return pieces;
+}
+
+bool is_at_wall(RelationKind kind) {
+  return kind == RelationKind::edge || kind == RelationKind::corner;
+}
+
+bool contradict(RelationKind a, RelationKind b) {
+  return (a == RelationKind::middle && is_at_wall(b)) ||
+         (b == RelationKind::middle && is_at_wall(a));
+}
+
+}  // namespace
+
+void add_relation(std::vector<Relation>& relations, const Relation& relation,
+                  std::vector<std::string>& repairs) {
+  if (std::find(relations.begin(), relations.end(), relation) != relations.end()) {
+    repairs.push_back("\"" + to_text(relation) + "\" was said twice");
+    return;
+  }
+  for (const auto& other : relations)
+    if (contradict(other.kind, relation.kind)) {
+      repairs.push_back("\"" + to_text(relation) + "\" was dropped: it contradicts \"" +
+                        to_text(other) + "\"");
+      return;
+    }
+  if (relations.size() >= max_relations) {
+    repairs.push_back("\"" + to_text(relation) + "\" was dropped: only the first " +
+                      std::to_string(max_relations) + " constraints are kept");
+    return;
+  }
+  relations.push_back(relation);
+}
+
+std::vector<Relation> read_reply_relations(const Json& value, const TargetNames& targets,
+                                           std::vector<std::string>& repairs) {
+  RelationReader reader(targets, repairs);
+  Pieces pieces = pieces_of(value);
+  if (pieces.size() > max_pieces) {
+    pieces.resize(max_pieces);
+    repairs.emplace_back("only the first " + std::to_string(max_pieces) +
+                         " constraints were looked at");
+  }
+  for (const auto& piece : pieces) reader.read(piece);
+  return reader.take();
+}
+
+}  // namespace roomgen::design

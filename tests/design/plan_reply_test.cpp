@@ -1,0 +1,242 @@
+#include "plan_reply.h"
+
+#include "catch.h"
+#include "roomgen/base/random.h"
+#include "roomgen/base/text.h"
+#include "support/contains.h"
+#include "support/rooms.h"
+
+using namespace roomgen;
+using namespace roomgen::design;
+
+namespace {
+
+PlanReply read(const std::string& answer,
+               const PlanRequest& request = {"a bedroom", 1, {}, {}, {}}) {
+  INFO(answer);
+  auto reply = read_plan_reply(answer, request, CategoryTable::built_in());
+  if (!reply) INFO(reply.error().message);
+  REQUIRE(reply);
+  REQUIRE(check(reply->plan.room));
+  return *std::move(reply);
+}
+
+const PlanItem& item(const Plan& plan, const std::string& category) {
+  for (const auto& one : plan.items)
+    if (one.category == category) return one;
+  FAIL("no " + category);
+  return plan.items.front();
+}
+
+std::string with_room(const std::string& room) {
+  return R"({"room": )" + room + R"(, "objects": [{"name": "bed"}]})";
+}
+
+std::string with_object(const std::string& object) {
+  return R"({"room": {"type": "bedroom", "size_m": [5, 4]}, "objects": [)" + object + "]}";
+}
+
+const char* const good =
+    R"({"room": {"type": "bedroom", "size_m": [4.2, 3.6], "height_m": 2.6},
+        "objects": [
+          {"name": "nightstand", "description": "a small oak nightstand", "size_cm": [45, 40, 50],
+           "quantity": 2, "variance": "same", "place": "floor",
+           "on_top": [{"name": "table lamp", "size_cm": [25, 25, 45], "quantity": 2}]},
+          {"name": "bed", "description": "a double bed with a blue quilt",
+           "size_cm": [160, 210, 90], "quantity": 1, "place": "floor"},
+          {"name": "painting", "size_cm": [80, 4, 60], "quantity": 3, "variance": "varied",
+           "place": "wall"}],
+        "excluded": ["television"]})";
+
+}  // namespace
+
+TEST_CASE("A well-formed plan is taken as it is") {
+  const PlanReply reply = read(good);
+  const Plan& plan = reply.plan;
+  CHECK(reply.repairs.empty());
+  CHECK(plan.room.type == "bedroom");
+  CHECK(bounds(plan.room.polygon).size().isApprox(Vec2(4.2, 3.6)));
+  CHECK(plan.room.height == Approx(2.6));
+  CHECK(find_opening(plan.room, "door-0"));
+  CHECK(plan.items.front().category == "bed");
+  CHECK(item(plan, "bed").size->isApprox(Vec3(1.6, 2.1, 0.9)));
+  CHECK(item(plan, "bed").description == "a double bed with a blue quilt");
+  CHECK(item(plan, "nightstand").quantity == 2);
+  const PlanItem& lamp = item(plan, "table lamp");
+  CHECK(lamp.mount == Mount::surface);
+  CHECK(lamp.on == "nightstand");
+  CHECK(to_text(lamp.relations) == "on, nightstand-0");
+  CHECK(plan.items.size() == 5);  // each lamp with a nightstand of its own
+  CHECK(plan.excluded.size() == 1);
+}
+
+TEST_CASE("Rooms are understood however they are written") {
+  struct Written {
+    const char* room;
+    double width, depth;
+    bool repaired;
+  };
+  const Written cases[] = {
+      {R"({"size_m": [4, 3]})", 4, 3, false},
+      {R"({"Size": "4 x 3 m"})", 4, 3, false},
+      {R"({"size_m": ["4 m", "300 cm"]})", 4, 3, false},
+      {R"({"size_m": {"width": 4, "depth": 3}})", 4, 3, false},
+      {R"({"width": 4, "length": 3})", 4, 3, false},
+      {R"({"dimensions": [400, 300]})", 4, 3, false},
+      {R"({"size_m": [0.1, 3]})", 0.5, 3, true},
+      {R"({"polygon_m": [[0, 0], [4, 0], [4, 3], [0, 3]]})", 4, 3, false},
+      {R"({"polygon_m": [[1, 1], [1, 4], [3, 4], [3, 3], [5, 3], [5, 1]]})", 4, 3, false},
+      {R"({"polygon_m": [[0, 0], [4, 3], [4, 0], [0, 3]]})", 4, 3, true},
+      {R"({"vertices": [{"x": 0, "y": 0}, {"x": 4, "y": 0}, {"x": 4, "y": 3}]})", 4, 3, false},
+  };
+  for (const auto& one : cases) {
+    const PlanReply reply = read(with_room(one.room));
+    INFO(one.room << " " << join(reply.repairs, "; "));
+    CHECK(bounds(reply.plan.room.polygon).size().isApprox(Vec2(one.width, one.depth)));
+    CHECK(!reply.repairs.empty() == one.repaired);
+  }
+  CHECK(!read(with_room("\"bedroom\"")).repairs.empty());
+  CHECK(read(with_room("{\"height_m\": 300}")).plan.room.height == Approx(3.0));
+}
+
+TEST_CASE("The request wins over the answer") {
+  PlanRequest request{"a bedroom without a desk", 1, Vec2(6, 5), {}, {}};
+  const auto sized = read(R"({"room": {"size_m": [4, 3]}, "objects": ["bed", "desk"]})", request);
+  CHECK(bounds(sized.plan.room.polygon).size().isApprox(Vec2(6, 5)));
+  CHECK(sized.plan.items.size() == 1);
+  request.room = rooms::box(7, 3);
+  CHECK(bounds(read(good, request).plan.room.polygon).size().isApprox(Vec2(7, 3)));
+}
+
+TEST_CASE("Objects are understood however they are written") {
+  struct Written {
+    const char* object;
+    const char* category;
+    Vec3 size;
+    int quantity;
+    Mount mount;
+    bool repaired;
+  };
+  const Vec3 bed(1.6, 2.05, 0.9);
+  const Written cases[] = {
+      {R"("bed")", "bed", bed, 1, Mount::floor, false},
+      {R"({"name": "Bed_1", "quantity": "2"})", "bed", bed, 2, Mount::floor, false},
+      {R"({"name": "Beds", "count": "two"})", "bed", bed, 2, Mount::floor, false},
+      {R"({"object": "bed", "size": [1.4, 2, 0.5]})", "bed", {1.4, 2, 0.5}, 1, Mount::floor, false},
+      {R"({"name": "bed", "size_cm": [1.4, 2, 0.5]})",
+       "bed",
+       {1.4, 2, 0.5},
+       1,
+       Mount::floor,
+       false},
+      {R"({"name": "bed", "size_cm": "140 x 200 x 50 cm"})",
+       "bed",
+       {1.4, 2, 0.5},
+       1,
+       Mount::floor,
+       false},
+      {R"({"name": "bed", "dimensions": {"height": 50, "width": 140, "depth": 200}})",
+       "bed",
+       {1.4, 2, 0.5},
+       1,
+       Mount::floor,
+       false},
+      {R"({"name": "bed", "size_cm": "large"})", "bed", bed, 1, Mount::floor, true},
+      {R"({"name": "bed", "quantity": 70})", "bed", bed, 50, Mount::floor, true},
+      {R"({"name": "bed", "quantity": "lots of them"})", "bed", bed, 4, Mount::floor, false},
+      {R"({"name": "bed", "quantity": -3})", "bed", bed, 1, Mount::floor, true},
+      {R"({"name": "bed", "size_cm": [900, 210, 0.1]})",
+       "bed",
+       {5, 2.1, 0.02},
+       1,
+       Mount::floor,
+       true},
+      {R"({"name": "thing for sleeping", "description": "a bed"})", "bed", bed, 1, Mount::floor,
+       false},
+      {R"({"name": "Flux Capacitor", "size_cm": [50, 50, 50]})",
+       "flux capacitor",
+       {.5, .5, .5},
+       1,
+       Mount::floor,
+       true},
+      {R"({"name": "bed", "place": "hung from the ceiling"})", "bed", bed, 1, Mount::ceiling,
+       false},
+      {R"({"name": "bed", "place": "on piano"})", "bed", bed, 1, Mount::floor, true},
+  };
+  for (const auto& one : cases) {
+    const PlanReply reply = read(with_object(one.object));
+    INFO(one.object << " " << join(reply.repairs, "; "));
+    REQUIRE(reply.plan.items.size() == 1);
+    const PlanItem& read = reply.plan.items.front();
+    CHECK(read.category == one.category);
+    INFO(read.size->transpose());
+    CHECK(read.size->isApprox(one.size));
+    CHECK(read.quantity == one.quantity);
+    CHECK(read.mount == one.mount);
+    CHECK(!reply.repairs.empty() == one.repaired);
+  }
+}
+
+TEST_CASE("What stands on others is told by their name") {
+  const PlanReply reply =
+      read(with_object(R"({"name": "vase", "place": "on the writing desk"}, {"name": "desk"})"));
+  const PlanItem& vase = item(reply.plan, "vase");
+  CHECK(vase.mount == Mount::surface);
+  CHECK(to_text(vase.relations) == "on, desk-0");
+  CHECK(reply.plan.items.front().category == "desk");
+}
+
+TEST_CASE("Plans are bounded") {
+  std::string many;
+  for (int i = 0; i < 100; ++i)
+    many += std::string(i ? "," : "") + R"({"name": "chair", "quantity": 9})";
+  const PlanReply reply = read(with_object(many));
+  CHECK(reply.plan.items.size() <= 60);
+  CHECK(planned_objects(reply.plan).size() == 200);
+  CHECK(!reply.repairs.empty());
+}
+
+TEST_CASE("A plan without objects is an error") {
+  for (const char* text : {"", "{}", R"({"room": {"size_m": [4, 3]}})", R"({"objects": []})",
+                           R"({"objects": [{}, 3, null]})"}) {
+    INFO(text);
+    const auto reply =
+        read_plan_reply(text, {"a bedroom", 1, {}, {}, {}}, CategoryTable::built_in());
+    REQUIRE(!reply);
+    CHECK(reply.error().kind == Error::Kind::invalid_input);
+  }
+}
+
+TEST_CASE("Damaged plans do no harm") {
+  Random random(6);
+  int understood = 0;
+  for (int i = 0; i < 500; ++i) {
+    std::string text = good;
+    for (int n = random.integer(1, 8); n > 0; --n) {
+      const auto at =
+          static_cast<std::size_t>(random.integer(0, static_cast<int>(text.size()) - 1));
+      const auto length = static_cast<std::size_t>(random.integer(1, 12));
+      const int how = random.integer(0, 2);
+      if (how == 0 && text.size() > 50)
+        text.erase(at, length);
+      else if (how == 1)
+        text.insert(at, 1, static_cast<char>(random.integer(0, 255)));
+      else
+        text.insert(at, text.substr(at, length));
+    }
+    INFO(text);
+    const auto reply = read_plan_reply(text, {"a room", 1, {}, {}, {}}, CategoryTable::built_in());
+    if (!reply) continue;
+    ++understood;
+    REQUIRE(check(reply->plan.room));
+    REQUIRE(!reply->plan.items.empty());
+    REQUIRE(planned_objects(reply->plan).size() <= 200);
+    for (const auto& one : reply->plan.items) {
+      REQUIRE(!one.category.empty());
+      REQUIRE(one.size->allFinite());
+      REQUIRE(one.size->minCoeff() >= 0.02);
+      REQUIRE(one.size->maxCoeff() <= 10.0);
+    }
+  }
+  CHECK(understood > 300);
+}
