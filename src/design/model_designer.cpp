@@ -17,10 +17,35 @@ using design::SceneText;
 // Kinds still to come are named up to here: enough to leave room for them.
 constexpr std::size_t most_named_later = 12;
 constexpr int place_tokens = 1024;
-constexpr int plan_tokens = 8192;
+constexpr int plan_tokens = 4096;
 
 Json parse_schema(const char* text) {
   return Json::parse(text);
+}
+
+const Json& plan_schema() {
+  static const Json schema = [] {
+    const Json thing = parse_schema(R"({"type": "object", "additionalProperties": false,
+      "properties": {"name": {"type": "string"}, "description": {"type": "string"},
+        "size_cm": {"type": "array", "items": {"type": "number"}, "minItems": 3, "maxItems": 3},
+        "quantity": {"type": "integer"}, "variance": {"type": "string", "enum": ["same", "varied"]},
+        "place": {"type": "string"}},
+      "required": ["name", "description", "size_cm", "quantity", "variance", "place"]})");
+    Json carrier = thing;
+    carrier["properties"]["on_top"] = {{"type", "array"}, {"items", thing}, {"maxItems", 6}};
+    carrier["required"].push_back("on_top");
+    Json result = parse_schema(R"({"type": "object", "additionalProperties": false,
+      "properties": {"room": {"type": "object", "additionalProperties": false,
+        "properties": {"type": {"type": "string"},
+          "size_m": {"type": "array", "items": {"type": "number"}, "minItems": 2, "maxItems": 2},
+          "height_m": {"type": "number"}},
+        "required": ["type", "size_m", "height_m"]},
+        "excluded": {"type": "array", "items": {"type": "string"}, "maxItems": 20}},
+      "required": ["room", "objects", "excluded"]})");
+    result["properties"]["objects"] = {{"type", "array"}, {"items", carrier}, {"maxItems", 40}};
+    return result;
+  }();
+  return schema;
 }
 
 const Json& place_schema(bool with_location) {
@@ -114,6 +139,9 @@ class ModelDesigner : public Designer {
              format_number(request.size->y(), 2) + " m.";
     auto question = make_question("plan", {}, {{"prompt", request.prompt}, {"room", room}});
     if (!question) return question;
+    // With a schema the room can only be a rectangle, which is what nearly all answers are.
+    question->schema = plan_schema();
+    question->schema_name = "plan";
     question->max_tokens = plan_tokens;
     question->cancel = request.cancel;
     return question;

@@ -18,10 +18,16 @@ constexpr std::size_t max_repair = 300;      ///< bytes
 constexpr std::size_t max_reasoning = 4000;  ///< bytes
 
 // The keys that tell an answer from other objects in the text; then all their spellings.
-const std::vector<std::string> wanted_keys = {"constraints", "location", "constraint", "position"};
-const std::vector<std::string> constraint_keys = {
-    "constraints",           "constraint",         "relations", "relation",
-    "placement constraints", "spatial constraints"};
+const std::vector<std::string> wanted_keys = {"constraints", "location", "constraint", "constrains",
+                                              "position"};
+const std::vector<std::string> constraint_keys = {"constraints",
+                                                  "constraint",
+                                                  "constrains",
+                                                  "constrain",
+                                                  "relations",
+                                                  "relation",
+                                                  "placement constraints",
+                                                  "spatial constraints"};
 const std::vector<std::string> location_keys = {"location",    "position",
                                                 "coordinates", "coordinate",
                                                 "pos",         "point",

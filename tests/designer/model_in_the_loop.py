@@ -102,7 +102,7 @@ def main():
             failures.append(f"{manner}: {t['violations']} violations")
         if manner in ("good", "chatty") and (t["half"] < 0.85 or t["held"] < 0.95 or t["fallbacks"]):
             failures.append(f"{manner}: the suggestions were not followed")
-        if manner == "sloppy" and t["fallbacks"] > 0.1 * t["objects"]:
+        if manner == "sloppy" and (t["fallbacks"] > 0.1 * t["objects"] or t["held"] < 0.9):
             failures.append("sloppy: too many answers could not be read")
     for failure in failures:
         print(failure, file=sys.stderr)

@@ -64,14 +64,14 @@ class Script:
                 "description": i.get("description", ""),
                 "size_cm": [round(100 * s) for s in size] if size else None,
                 "quantity": i.get("quantity", 1),
-                "variance": "varied" if i.get("varied") else "same",
+                "variance": i.get("variance", "same"),
                 "place": f"on {i['on']}" if i.get("on") else ("on a table" if place == "surface" else place),
                 "on_top": [],
             }
 
         xs, ys = zip(*self.scene["room"]["polygon"])
         room = {"type": self.scene["room"]["type"], "size_m": [max(xs) - min(xs), max(ys) - min(ys)], "height_m": 2.7}
-        return {"room": room, "objects": [item(i) for i in self.plan["items"]], "excluded": []}
+        return {"room": room, "objects": [item(i) for i in self.plan["objects"]], "excluded": []}
 
     def text(self, answer, identifier):
         whole = json.dumps(answer)
@@ -105,9 +105,13 @@ class Script:
         return whole
 
 
+def text_of(message):
+    content = message["content"]
+    return content if isinstance(content, str) else " ".join(p.get("text", "") for p in content)
+
+
 def answer(script, request):
-    user = next(m for m in request["messages"] if m["role"] == "user")["content"]
-    text = user if isinstance(user, str) else " ".join(p.get("text", "") for p in user)
+    text = text_of(next(m for m in request["messages"] if m["role"] == "user"))
     found = re.search(r"^Now place ([^:\n]+):", text, re.M)
     identifier = found.group(1) if found else None
     return script.text(script.place_answer(identifier) if identifier else script.plan_answer(), identifier)
@@ -119,7 +123,7 @@ class Handler(BaseHTTPRequestHandler):
     def do_POST(self):
         request = json.loads(self.rfile.read(int(self.headers["Content-Length"])))
         content = answer(self.server.script, request)
-        asked = sum(len(json.dumps(m)) for m in request["messages"])
+        asked = sum(len(text_of(m)) for m in request["messages"])
         body = json.dumps(
             {
                 "model": "scripted",
