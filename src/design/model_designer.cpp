@@ -38,8 +38,10 @@ const Json& plan_schema() {
       "properties": {"room": {"type": "object", "additionalProperties": false,
         "properties": {"type": {"type": "string"},
           "size_m": {"type": "array", "items": {"type": "number"}, "minItems": 2, "maxItems": 2},
+          "polygon_m": {"anyOf": [{"type": "null"}, {"type": "array", "maxItems": 24,
+            "items": {"type": "array", "items": {"type": "number"}, "minItems": 2, "maxItems": 2}}]},
           "height_m": {"type": "number"}},
-        "required": ["type", "size_m", "height_m"]},
+        "required": ["type", "size_m", "polygon_m", "height_m"]},
         "excluded": {"type": "array", "items": {"type": "string"}, "maxItems": 20}},
       "required": ["room", "objects", "excluded"]})");
     result["properties"]["objects"] = {{"type", "array"}, {"items", carrier}, {"maxItems", 40}};
@@ -139,7 +141,6 @@ class ModelDesigner : public Designer {
              format_number(request.size->y(), 2) + " m.";
     auto question = make_question("plan", {}, {{"prompt", request.prompt}, {"room", room}});
     if (!question) return question;
-    // With a schema the room can only be a rectangle, which is what nearly all answers are.
     question->schema = plan_schema();
     question->schema_name = "plan";
     question->max_tokens = plan_tokens;
