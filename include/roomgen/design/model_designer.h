@@ -11,7 +11,7 @@
 
 namespace roomgen {
 
-/// What the model sees and says of each object (papers: RoomGen, section 4.3). The fusion's alpha
+/// What the model sees and says of each object (papers: RoomGen, section 4.4.1). The fusion's alpha
 /// belongs to it: 1 for the first two, where there is no suggestion to follow.
 enum class ModelMode {
   constraints,  ///< the room as text; constraints come back
