@@ -8,9 +8,6 @@ namespace roomgen {
 
 namespace {
 
-constexpr std::size_t max_text = 64u << 20;  // the transport bounds it before
-constexpr long long max_count = 1'000'000'000'000;
-
 Json content_of(const ChatMessage& message) {
   if (message.images.empty()) return message.text;
   Json parts = Json::array({{{"type", "text"}, {"text", message.text}}});
@@ -46,7 +43,7 @@ std::string text_of(const std::vector<JsonReader>& blocks) {
     const std::string type = block["type"].text_or("");
     if (type == "tool_use" && block["input"].exists())
       return block["input"].raw()->dump(-1, ' ', false, Json::error_handler_t::replace);
-    if (type == "text") text += block["text"].text_or("", max_text);
+    if (type == "text") text += block["text"].text_or("", max_answer_text);
   }
   return text;
 }
@@ -58,9 +55,7 @@ Json anthropic_body(const ChatRequest& request, const std::string& model, const 
   if (auto system = system_text(request); !system.empty()) body["system"] = std::move(system);
   for (const auto& message : request.messages) {
     if (message.role == ChatMessage::Role::system) continue;
-    const bool assistant = message.role == ChatMessage::Role::assistant;
-    body["messages"].push_back(
-        {{"role", assistant ? "assistant" : "user"}, {"content", content_of(message)}});
+    body["messages"].push_back({{"role", name(message.role)}, {"content", content_of(message)}});
   }
   // Its scale ends at 1, that of others at 2.
   if (dialect.temperature) body["temperature"] = std::min(request.temperature, 1.0);
@@ -75,11 +70,7 @@ Result<ChatReply> read_anthropic_reply(const Json& answer, const std::string& so
 
   ChatReply reply;
   reply.model = reader.root["model"].text_or("");
-  const auto usage = reader.root["usage"];
-  if (usage.exists()) {
-    reply.input_tokens = usage["input_tokens"].integer_or(0, 0, max_count);
-    reply.output_tokens = usage["output_tokens"].integer_or(0, 0, max_count);
-  }
+  reader.read_usage("input_tokens", "output_tokens", reply);
   const std::string reason = reader.root["stop_reason"].text_or("");
   if (reason == "refusal") return refused(source, "");
   if (reason == "max_tokens") return cut_off(source, reply.output_tokens);

@@ -8,21 +8,6 @@ namespace roomgen {
 
 namespace {
 
-constexpr std::size_t max_text = 64u << 20;  // the transport bounds it before
-constexpr long long max_count = 1'000'000'000'000;
-
-const char* role_name(ChatMessage::Role role) {
-  switch (role) {
-    case ChatMessage::Role::system:
-      return "system";
-    case ChatMessage::Role::assistant:
-      return "assistant";
-    case ChatMessage::Role::user:
-      break;
-  }
-  return "user";
-}
-
 // A plain string where there are no images: the form that every server knows.
 Json content_of(const ChatMessage& message) {
   if (message.images.empty()) return message.text;
@@ -54,9 +39,9 @@ Json response_format(const ChatRequest& request) {
 }
 
 std::string text_of(const JsonReader& content) {
-  if (!content.is_array()) return content.text_or("", max_text);
+  if (!content.is_array()) return content.text_or("", max_answer_text);
   std::string text;
-  for (const auto& part : content.elements()) text += part["text"].text_or("", max_text);
+  for (const auto& part : content.elements()) text += part["text"].text_or("", max_answer_text);
   return text;
 }
 
@@ -65,8 +50,7 @@ std::string text_of(const JsonReader& content) {
 Json openai_body(const ChatRequest& request, const std::string& model, const Dialect& dialect) {
   Json body = {{"model", model}};
   for (const auto& message : request.messages)
-    body["messages"].push_back(
-        {{"role", role_name(message.role)}, {"content", content_of(message)}});
+    body["messages"].push_back({{"role", name(message.role)}, {"content", content_of(message)}});
   const bool completion = dialect.token_limit == Dialect::TokenLimit::max_completion_tokens;
   body[completion ? "max_completion_tokens" : "max_tokens"] = request.max_tokens;
   if (dialect.temperature) body["temperature"] = request.temperature;
@@ -86,17 +70,13 @@ Result<ChatReply> read_openai_reply(const Json& answer, const std::string& sourc
 
   ChatReply reply;
   reply.model = reader.root["model"].text_or("");
-  const auto usage = reader.root["usage"];
-  if (usage.exists()) {
-    reply.input_tokens = usage["prompt_tokens"].integer_or(0, 0, max_count);
-    reply.output_tokens = usage["completion_tokens"].integer_or(0, 0, max_count);
-  }
+  reader.read_usage("prompt_tokens", "completion_tokens", reply);
   if (!choices.empty()) {
     const auto message = choices.front()["message"];
     if (!message.exists()) message.report("missing");
     const std::string reason = choices.front()["finish_reason"].text_or("");
     const std::string refusal =
-        message.exists() ? message["refusal"].text_or("", max_text) : std::string();
+        message.exists() ? message["refusal"].text_or("", max_answer_text) : std::string();
     if (!refusal.empty() || reason == "content_filter") return refused(source, refusal);
     if (reason == "length") return cut_off(source, reply.output_tokens);
     if (message.exists()) reply.text = text_of(message["content"]);

@@ -9,6 +9,7 @@ namespace {
 
 constexpr std::size_t complaint_bytes = 300;
 constexpr std::size_t excerpt_bytes = 80;
+constexpr long long max_count = 1'000'000'000'000;
 
 bool is_web_page(std::string_view body) {
   return trim(body).starts_with('<');
@@ -51,6 +52,13 @@ std::string complaint_in(std::string_view body) {
   if (root && root->is_array() && !root->empty()) root = &root->front();
   const std::string message = root ? message_in(*root) : std::string();
   return excerpt(message.empty() ? body : message, complaint_bytes);
+}
+
+void AnswerReader::read_usage(const char* input, const char* output, ChatReply& reply) const {
+  const auto usage = root["usage"];
+  if (!usage.exists()) return;
+  reply.input_tokens = usage[input].integer_or(0, 0, max_count);
+  reply.output_tokens = usage[output].integer_or(0, 0, max_count);
 }
 
 Result<ChatReply> AnswerReader::finish(ChatReply reply, const std::string& source) const {

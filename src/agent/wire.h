@@ -13,6 +13,9 @@ namespace roomgen {
 // What both protocols share; the rest is in openai_wire.h and anthropic_wire.h. Pure functions: no
 // network here.
 
+/// Longest text of an answer, bytes; the transport bounds the whole of it before.
+inline constexpr std::size_t max_answer_text = 64u << 20;
+
 /// An answer's body as JSON. `source` names the endpoint in errors, which say what came instead: a
 /// web page, a text cut short, bytes that are no UTF-8.
 Result<Json> parse_answer(std::string_view body, const std::string& source);
@@ -29,6 +32,8 @@ struct AnswerReader {
   JsonReader::Problems problems;
   JsonReader root;
 
+  /// The tokens that "usage" counts under these names; none where the endpoint does not count.
+  void read_usage(const char* input, const char* output, ChatReply& reply) const;
   /// What `reply` says if the answer was as the protocol has it and says anything.
   Result<ChatReply> finish(ChatReply reply, const std::string& source) const;
 };

@@ -81,6 +81,13 @@ std::string format_number(double value, int decimals) {
   return fraction.empty() ? result : result + "." + fraction;
 }
 
+std::string shortened(std::string text, std::size_t limit) {
+  if (text.size() <= limit) return text;
+  while (limit > 0 && (static_cast<unsigned char>(text[limit]) & 0xC0) == 0x80) --limit;
+  text.resize(limit);
+  return text;
+}
+
 std::string singular(std::string word) {
   const auto ends = [&](std::string_view ending) {
     return word.size() > ending.size() + 1 && word.ends_with(ending);

@@ -9,20 +9,8 @@ namespace {
 constexpr std::size_t max_text = 64u << 20;
 constexpr long long max_count = 1'000'000'000'000;
 
-const char* role_name(ChatMessage::Role role) {
-  switch (role) {
-    case ChatMessage::Role::system:
-      return "system";
-    case ChatMessage::Role::assistant:
-      return "assistant";
-    case ChatMessage::Role::user:
-      break;
-  }
-  return "user";
-}
-
 Json message_json(const ChatMessage& message) {
-  Json json = {{"role", role_name(message.role)}, {"text", message.text}};
+  Json json = {{"role", name(message.role)}, {"text", message.text}};
   for (const auto& png : message.images) json["images"].push_back(sha256_hex(png));
   return json;
 }

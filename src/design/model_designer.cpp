@@ -16,6 +16,7 @@ using design::SceneText;
 
 // Kinds still to come are named up to here: enough to leave room for them.
 constexpr std::size_t most_named_later = 12;
+constexpr std::size_t most_quoted = 4000;  // bytes of an answer that cannot be used
 constexpr int place_tokens = 1024;
 constexpr int plan_tokens = 4096;
 
@@ -252,7 +253,8 @@ class ModelDesigner : public Designer {
       consultation.notes.push_back("asked again: " + understood.error().message);
       auto again = prompts_.render("again-user", {{"error", understood.error().message}});
       if (!again) return again.error();
-      question.messages.push_back({ChatMessage::Role::assistant, reply->text.substr(0, 4000), {}});
+      question.messages.push_back(
+          {ChatMessage::Role::assistant, shortened(reply->text, most_quoted), {}});
       question.messages.push_back({ChatMessage::Role::user, *std::move(again), {}});
     }
   }

@@ -40,17 +40,9 @@ const std::vector<std::string> facing_keys = {"facing",    "yaw",   "orientation
 const std::vector<std::string> reasoning_keys = {"reasoning", "reason",    "reasons",    "thought",
                                                  "thoughts",  "rationale", "explanation"};
 
-// A cut text must not end within a UTF-8 character.
-std::string cut(std::string text, std::size_t limit) {
-  if (text.size() <= limit) return text;
-  while (limit > 0 && (static_cast<unsigned char>(text[limit]) & 0xC0) == 0x80) --limit;
-  text.resize(limit);
-  return text;
-}
-
 void bound(std::vector<std::string>& repairs) {
   if (repairs.size() > max_repairs) repairs.resize(max_repairs);
-  for (auto& repair : repairs) repair = cut(std::move(repair), max_repair);
+  for (auto& repair : repairs) repair = shortened(std::move(repair), max_repair);
 }
 
 std::optional<Vec2> read_location(const Json& json, const PlaceReplyContext& context,
@@ -103,7 +95,7 @@ Result<PlaceReply> read_place_reply(std::string_view text, const PlaceReplyConte
     if (read.relation) add_relation(advice.relations, *read.relation, reply.repairs);
   }
   if (const Json* reasoning = member(json, reasoning_keys); reasoning && reasoning->is_string())
-    advice.reasoning = cut(reasoning->get<std::string>(), max_reasoning);
+    advice.reasoning = shortened(reasoning->get<std::string>(), max_reasoning);
   bound(reply.repairs);
   if (advice.relations.empty() && !advice.location) return unusable(context, reply.repairs);
   return reply;

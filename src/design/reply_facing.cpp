@@ -7,6 +7,7 @@
 
 #include "reply_measure.h"
 #include "roomgen/base/text.h"
+#include "roomgen/scene/judgement.h"
 
 namespace roomgen::design {
 
@@ -63,23 +64,16 @@ std::string target_text(const std::string& text) {
   return join({pieces.begin() + static_cast<std::ptrdiff_t>(skipped), pieces.end()}, " ");
 }
 
-std::optional<std::size_t> wall_of(const Room& room, const std::string& id) {
-  for (std::size_t k = 0; k < room.polygon.size(); ++k)
-    if (id == "wall-" + std::to_string(k)) return k;
-  return std::nullopt;
-}
-
 std::optional<Vec2> centre_of(const Scene& scene, const std::string& id) {
   if (const Object* object = find_object(scene, id)) return Vec2(object->position.head<2>());
-  if (const Opening* opening = find_opening(scene.room, id))
-    return segment(scene.room, *opening).middle();
+  if (const auto part = part_of_room(scene.room, id)) return part->center();
   return std::nullopt;
 }
 
 ReplyFacing facing_target(const std::string& id, const Scene& scene,
                           const std::optional<Vec2>& location) {
-  if (const auto wall = wall_of(scene.room, id))
-    return {yaw_facing(-scene.room.polygon.inward(*wall)), std::nullopt};
+  const auto part = part_of_room(scene.room, id);
+  if (part && !find_opening(scene.room, id)) return {yaw_facing(-part->front()), std::nullopt};
   const auto centre = centre_of(scene, id);
   if (location && centre && (*centre - *location).norm() > least_distance)
     return {yaw_facing(*centre - *location), std::nullopt};

@@ -55,14 +55,6 @@ std::string text_of(const Json* value) {
   return value && value->is_string() ? std::string(trim(value->get_ref<const std::string&>())) : "";
 }
 
-// A cut text must not end within a UTF-8 character.
-std::string cut(std::string text, std::size_t limit) {
-  if (text.size() <= limit) return text;
-  while (limit > 0 && (static_cast<unsigned char>(text[limit]) & 0xC0) == 0x80) --limit;
-  text.resize(limit);
-  return text;
-}
-
 bool is_number(const std::string& word) {
   return word.find_first_not_of("0123456789") == std::string::npos;
 }
@@ -71,7 +63,7 @@ bool is_number(const std::string& word) {
 std::string plain_name(const std::string& name) {
   auto pieces = words(name);
   if (pieces.size() > 1 && is_number(pieces.back())) pieces.pop_back();
-  return cut(join(pieces, " "), max_words);
+  return shortened(join(pieces, " "), max_words);
 }
 
 // The first kind that is named in a text.
@@ -163,7 +155,8 @@ class ItemReader {
       item.category = plain_name(name);
       note("\"" + item.category + "\" is no known kind of thing");
     }
-    item.description = cut(description.empty() ? plain_name(name) : description, max_description);
+    item.description =
+        shortened(description.empty() ? plain_name(name) : description, max_description);
     item.quantity = quantity_of(value, item.category);
     const Json* variance = member(value, variance_keys);
     item.varied = variance && (*variance == Json(true) || text_of(variance).starts_with("var") ||
@@ -230,7 +223,7 @@ class ItemReader {
     if (pieces.empty()) return "";
     const bool on = pieces.front() == "on" || member(value, {"on"});
     if (!on) {
-      note("the place \"" + cut(join(pieces, " "), max_words) + "\" is not known");
+      note("the place \"" + shortened(join(pieces, " "), max_words) + "\" is not known");
       return "";
     }
     std::size_t skipped = 0;
@@ -279,7 +272,8 @@ std::string category_named(const std::string& name, const std::string& descripti
   // English puts the kind last: an "oak writing desk" is a desk.
   if (const Category* category = lexicon.table.find(plain)) return category->name;
   const std::string inside = first_kind(plain, lexicon.names);
-  return inside.empty() ? first_kind(cut(description, max_description), lexicon.names) : inside;
+  return inside.empty() ? first_kind(shortened(description, max_description), lexicon.names)
+                        : inside;
 }
 
 std::vector<Draft> read_reply_items(const Json& objects, const ItemLexicon& lexicon,

@@ -1,5 +1,6 @@
 #include "roomgen/scene/object.h"
 
+#include <algorithm>
 #include <array>
 
 #include "roomgen/base/json.h"
@@ -31,6 +32,12 @@ std::optional<Mount> parse_mount(std::string_view text) {
   for (std::size_t i = 0; i < mount_names.size(); ++i)
     if (mount_names[i] == text) return static_cast<Mount>(i);
   return std::nullopt;
+}
+
+bool depends_on(const Object& object, std::string_view id) {
+  return object.on == id ||
+         std::any_of(object.relations.begin(), object.relations.end(),
+                     [&](const Relation& relation) { return relation.target == id; });
 }
 
 }  // namespace roomgen

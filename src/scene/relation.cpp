@@ -10,52 +10,47 @@ namespace roomgen {
 
 namespace {
 
-struct Word {
-  std::string_view text;
-  RelationKind kind;
-};
-
 // The first spelling of each kind is its name.
 constexpr std::array vocabulary = {
-    Word{"edge", RelationKind::edge},
-    Word{"middle", RelationKind::middle},
-    Word{"corner", RelationKind::corner},
-    Word{"near", RelationKind::near},
-    Word{"far", RelationKind::far},
-    Word{"in front of", RelationKind::in_front_of},
-    Word{"behind", RelationKind::behind},
-    Word{"left of", RelationKind::left_of},
-    Word{"right of", RelationKind::right_of},
-    Word{"side of", RelationKind::side_of},
-    Word{"around", RelationKind::around},
-    Word{"center aligned", RelationKind::center_aligned},
-    Word{"aligned", RelationKind::aligned},
-    Word{"face to", RelationKind::face_to},
-    Word{"face same as", RelationKind::face_same_as},
-    Word{"face opposite to", RelationKind::face_opposite_to},
-    Word{"on", RelationKind::on},
-    Word{"above", RelationKind::above},
-    Word{"under", RelationKind::under},
-    Word{"hang from", RelationKind::hang_from},
+    RelationSpelling{"edge", RelationKind::edge},
+    RelationSpelling{"middle", RelationKind::middle},
+    RelationSpelling{"corner", RelationKind::corner},
+    RelationSpelling{"near", RelationKind::near},
+    RelationSpelling{"far", RelationKind::far},
+    RelationSpelling{"in front of", RelationKind::in_front_of},
+    RelationSpelling{"behind", RelationKind::behind},
+    RelationSpelling{"left of", RelationKind::left_of},
+    RelationSpelling{"right of", RelationKind::right_of},
+    RelationSpelling{"side of", RelationKind::side_of},
+    RelationSpelling{"around", RelationKind::around},
+    RelationSpelling{"center aligned", RelationKind::center_aligned},
+    RelationSpelling{"aligned", RelationKind::aligned},
+    RelationSpelling{"face to", RelationKind::face_to},
+    RelationSpelling{"face same as", RelationKind::face_same_as},
+    RelationSpelling{"face opposite to", RelationKind::face_opposite_to},
+    RelationSpelling{"on", RelationKind::on},
+    RelationSpelling{"above", RelationKind::above},
+    RelationSpelling{"under", RelationKind::under},
+    RelationSpelling{"hang from", RelationKind::hang_from},
     // Other spellings.
-    Word{"against wall", RelationKind::edge},
-    Word{"center", RelationKind::middle},
-    Word{"close to", RelationKind::near},
-    Word{"next to", RelationKind::near},
-    Word{"far from", RelationKind::far},
-    Word{"to the left of", RelationKind::left_of},
-    Word{"to the right of", RelationKind::right_of},
-    Word{"beside", RelationKind::side_of},
-    Word{"center align with", RelationKind::center_aligned},
-    Word{"center aligned with", RelationKind::center_aligned},
-    Word{"centre aligned", RelationKind::center_aligned},
-    Word{"centre aligned with", RelationKind::center_aligned},
-    Word{"centre align with", RelationKind::center_aligned},
-    Word{"aligned with", RelationKind::aligned},
-    Word{"facing", RelationKind::face_to},
-    Word{"face", RelationKind::face_to},
-    Word{"on top of", RelationKind::on},
-    Word{"below", RelationKind::under},
+    RelationSpelling{"against wall", RelationKind::edge},
+    RelationSpelling{"center", RelationKind::middle},
+    RelationSpelling{"close to", RelationKind::near},
+    RelationSpelling{"next to", RelationKind::near},
+    RelationSpelling{"far from", RelationKind::far},
+    RelationSpelling{"to the left of", RelationKind::left_of},
+    RelationSpelling{"to the right of", RelationKind::right_of},
+    RelationSpelling{"beside", RelationKind::side_of},
+    RelationSpelling{"center align with", RelationKind::center_aligned},
+    RelationSpelling{"center aligned with", RelationKind::center_aligned},
+    RelationSpelling{"centre aligned", RelationKind::center_aligned},
+    RelationSpelling{"centre aligned with", RelationKind::center_aligned},
+    RelationSpelling{"centre align with", RelationKind::center_aligned},
+    RelationSpelling{"aligned with", RelationKind::aligned},
+    RelationSpelling{"facing", RelationKind::face_to},
+    RelationSpelling{"face", RelationKind::face_to},
+    RelationSpelling{"on top of", RelationKind::on},
+    RelationSpelling{"below", RelationKind::under},
 };
 
 Error relation_error(const std::string& what) {
@@ -74,12 +69,16 @@ std::string with_single_spaces(std::string_view text) {
 
 std::optional<RelationKind> find_kind(std::string_view text) {
   const auto found = std::find_if(vocabulary.begin(), vocabulary.end(),
-                                  [&](const Word& word) { return word.text == text; });
+                                  [&](const RelationSpelling& word) { return word.text == text; });
   if (found == vocabulary.end()) return std::nullopt;
   return found->kind;
 }
 
 }  // namespace
+
+std::span<const RelationSpelling> relation_spellings() {
+  return vocabulary;
+}
 
 std::string_view name(RelationKind kind) {
   for (const auto& word : vocabulary)

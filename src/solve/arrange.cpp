@@ -34,9 +34,6 @@ int luby(int i) {
   return 2 * power - 1 == i ? power : luby(i - power + 1);
 }
 
-// Which constraints are looked at: those with the room alone, or those with a target.
-enum class Asked { all, room, things };
-
 // A pose at which all constraints of a thing hold.
 struct Choice {
   Pose pose;
@@ -131,11 +128,7 @@ class Arrangement {
     for (std::size_t i = 0; i < tasks.size(); ++i) {
       const Object& other = tasks[i]->object;
       member.around += count_around(task.object, {&other, 1}) - 1;
-      const auto& relations = task.object.relations;
-      if (task.object.on == other.id ||
-          std::any_of(relations.begin(), relations.end(),
-                      [&](const Relation& relation) { return relation.target == other.id; }))
-        member.targets.push_back(i);
+      if (depends_on(task.object, other.id)) member.targets.push_back(i);
     }
     return member;
   }
@@ -146,14 +139,14 @@ class Arrangement {
                        [&](std::size_t i) { return members_[i].depth != nowhere; });
   }
 
-  std::vector<ResolvedRelation> relations_of(const Member& member) const {
+  ProposalContext context_of(const Member& member) const {
     auto relations =
         resolve(member.task->object, layout_.room(), layout_.objects(), layout_.categories());
     std::stable_sort(relations.begin(), relations.end(),
                      [](const ResolvedRelation& a, const ResolvedRelation& b) {
                        return cost(a.kind) < cost(b.kind);
                      });
-    return relations;
+    return make_context(layout_, *member.task, std::move(relations), member.around);
   }
 
   // What is quickly judged and rarely holds comes first.
@@ -222,8 +215,7 @@ class Arrangement {
     member.known_at = layout_.objects().size() - settled_;
     member.culprits.assign(members_.size(), false);
     for (std::size_t target : member.targets) member.culprits[members_[target].depth] = true;
-    const auto relations = relations_of(member);
-    const auto context = make_context(layout_, *member.task, relations, member.around);
+    const auto context = context_of(member);
     member.domain = allowed(context, propose_exact(context), Asked::all, member.culprits);
     if (member.domain.size() < few && may_stand_anywhere(context)) {
       const auto more = allowed(context, grid_of(member, context), Asked::things, member.culprits);
@@ -261,21 +253,9 @@ class Arrangement {
     std::erase_if(*member.grid, [&](const Pose& pose) {
       const Footprint area = footprint_at(pose);
       return !layout_.fits_room(candidate, area, pose.bottom) ||
-             !holds(context, area, pose.bottom, Asked::room);
+             !holds_all(context, area, pose.bottom, Asked::room);
     });
     return *member.grid;
-  }
-
-  // Do the constraints hold that are asked for?
-  bool holds(const ProposalContext& context, const Footprint& area, double bottom,
-             Asked asked) const {
-    const Subject subject{area, bottom, bottom + context.task.object.size.z()};
-    return std::all_of(
-        context.relations.begin(), context.relations.end(), [&](const ResolvedRelation& relation) {
-          const Asked needs = takes_target(relation.kind) ? Asked::things : Asked::room;
-          return (asked != Asked::all && asked != needs) ||
-                 judge(relation, subject, layout_.room()).held;
-        });
   }
 
   static bool may_stand_anywhere(const ProposalContext& context) {
@@ -291,7 +271,7 @@ class Arrangement {
     const FootprintAt footprint_at(context.task.object);
     for (const auto& pose : poses) {
       const Footprint area = footprint_at(pose);
-      if (!holds(context, area, pose.bottom, asked) ||
+      if (!holds_all(context, area, pose.bottom, asked) ||
           (asked == Asked::all && !layout_.fits_room(candidate, area, pose.bottom)))
         continue;
       const auto blocker = first_in_the_way(candidate, area, pose.bottom);
@@ -324,8 +304,7 @@ class Arrangement {
     const Member& member = members_[turn.member];
     turn.culprits.assign(members_.size(), false);
     for (std::size_t target : member.targets) turn.culprits[members_[target].depth] = true;
-    const auto relations = relations_of(member);
-    const auto context = make_context(layout_, *member.task, relations, member.around);
+    const auto context = context_of(member);
     turn.grid_is_left = may_stand_anywhere(context);
     add_choices(context, propose_exact(context), Asked::all, turn);
     turns_.push_back(std::move(turn));
@@ -353,21 +332,18 @@ class Arrangement {
     if (object || !turn.grid_is_left) return object;
     turn.grid_is_left = false;
     Member& member = members_[turn.member];
-    const auto relations = relations_of(member);
-    const auto context = make_context(layout_, *member.task, relations, member.around);
+    const auto context = context_of(member);
     add_choices(context, grid_of(member, context), Asked::things, turn);
     return next_among_choices(turn);
   }
 
   std::optional<Object> next_among_choices(Turn& turn) {
     const Object& object = members_[turn.member].task->object;
-    const double apart = std::clamp(0.5 * object.size.head<2>().minCoeff(), 0.2, 0.6);
     while (turn.next < turn.choices.size() &&
            static_cast<int>(turn.tried.size()) < options_.choices) {
       const Pose& pose = turn.choices[turn.next++].pose;
       const bool known = std::any_of(turn.tried.begin(), turn.tried.end(), [&](const Pose& other) {
-        return (other.position - pose.position).norm() < apart &&
-               std::abs(wrap_angle(other.yaw - pose.yaw)) < 0.1;
+        return are_alike(object, pose, other);
       });
       if (known) continue;
       turn.tried.push_back(pose);

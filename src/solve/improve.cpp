@@ -137,11 +137,9 @@ class Search {
   void add_dependants(std::set<std::string>& ruin) const {
     for (const auto& task : tasks_) {  // in placement order: one pass reaches all
       const Object& object = task.object;
-      const bool depends =
-          ruin.count(object.on) ||
-          std::any_of(object.relations.begin(), object.relations.end(),
-                      [&](const Relation& relation) { return ruin.count(relation.target) > 0; });
-      if (depends) ruin.insert(object.id);
+      if (std::any_of(ruin.begin(), ruin.end(),
+                      [&](const std::string& id) { return depends_on(object, id); }))
+        ruin.insert(object.id);
     }
   }
 
@@ -187,9 +185,9 @@ class Search {
   }
 
   std::optional<Pose> pose_with_least_in_the_way(const PlacementTask& task) {
-    const auto relations =
-        resolve(task.object, layout_.room(), layout_.objects(), layout_.categories());
-    const auto context = make_context(layout_, task, relations, 1);
+    const auto context = make_context(
+        layout_, task,
+        resolve(task.object, layout_.room(), layout_.objects(), layout_.categories()), 1);
     const auto candidate = layout_.candidate(task.object);
     std::optional<Pose> best;
     double best_cost = 1e9;
@@ -268,16 +266,12 @@ class Search {
   int lost_allowed_ = 0;  ///< a round that loses more constraints is given up
 };
 
-// The task and those whose constraints name it.
+// The task and those that depend on it.
 std::vector<PlacementTask> with_dependants(const PlacementTask& task,
                                            const std::vector<PlacementTask>& tasks) {
   std::vector<PlacementTask> result = {task};
-  for (const auto& other : tasks) {
-    const auto& relations = other.object.relations;
-    if (std::any_of(relations.begin(), relations.end(),
-                    [&](const Relation& r) { return r.target == task.object.id; }))
-      result.push_back(other);
-  }
+  for (const auto& other : tasks)
+    if (depends_on(other.object, task.object.id)) result.push_back(other);
   return result;
 }
 
@@ -298,9 +292,9 @@ LayoutQuality quality(const Layout& layout, const std::vector<PlacementTask>& ta
   for (const auto& task : tasks) {
     const Object* object = layout.find(task.object.id);
     if (!object) continue;
-    const auto relations = resolve(*object, layout.room(), layout.objects(), layout.categories());
-    const auto context =
-        make_context(layout, task, relations, count_around(task.object, layout.objects()));
+    const auto context = make_context(
+        layout, task, resolve(*object, layout.room(), layout.objects(), layout.categories()),
+        count_around(task.object, layout.objects()));
     const auto terms = score(context, footprint(*object), bottom(*object));
     ++result.placed;
     result.held += terms.held;

@@ -77,12 +77,6 @@ int count_around(const PlacementTask& task, std::span<const Object> placed,
   return count;
 }
 
-bool depends_on(const Object& object, const std::string& id) {
-  return object.on == id ||
-         std::any_of(object.relations.begin(), object.relations.end(),
-                     [&](const Relation& relation) { return relation.target == id; });
-}
-
 // Places a task by the cheap tests alone where all its constraints hold, if it can.
 bool place_roughly(Layout& layout, const PlacementTask& task,
                    std::span<const PlacementTask> later) {
@@ -90,7 +84,7 @@ bool place_roughly(Layout& layout, const PlacementTask& task,
   // What waits for a target of its own cannot be judged yet.
   std::erase_if(relations, [](const ResolvedRelation& r) { return r.targets.empty(); });
   const auto context =
-      make_context(layout, task, relations, count_around(task, layout.objects(), later));
+      make_context(layout, task, std::move(relations), count_around(task, layout.objects(), later));
   const auto candidate = layout.candidate(task.object);
   const FootprintAt footprint_at(task.object);
   std::optional<Pose> best;
@@ -157,8 +151,7 @@ class Chooser {
         task_(task),
         scored_(scored),
         order_(std::move(order)),
-        tests_left_(max_tests),
-        alternative_distance_(std::clamp(0.5 * task.object.size.head<2>().minCoeff(), 0.2, 0.6)) {}
+        tests_left_(max_tests) {}
 
   /// The next candidate that passes, if any.
   std::optional<std::size_t> next() {
@@ -190,11 +183,8 @@ class Chooser {
     return found == failures_.end() ? 0 : found->second;
   }
   bool is_like_one_passed(std::size_t i) const {
-    const Pose& pose = scored_[i].pose;
     return std::any_of(passed_.begin(), passed_.end(), [&](std::size_t j) {
-      const Pose& other = scored_[j].pose;
-      return (pose.position - other.position).norm() < alternative_distance_ &&
-             std::abs(wrap_angle(pose.yaw - other.yaw)) < 0.1;
+      return are_alike(task_.object, scored_[i].pose, scored_[j].pose);
     });
   }
   std::size_t accepted(std::size_t i) {
@@ -226,7 +216,6 @@ class Chooser {
   std::map<std::pair<int, int>, int> failures_;
   std::size_t next_ = 0, next_deferred_ = 0;
   int tests_left_;
-  double alternative_distance_;
 };
 
 // The first candidate that passes; when others depend on the object, of the first few that pass the
@@ -274,9 +263,10 @@ class Placing {
         later_(later),
         options_(options),
         random_(random),
-        relations_(resolve(task.object, layout.room(), layout.objects(), layout.categories())),
         context_(
-            make_context(layout, task, relations_, count_around(task, layout.objects(), later))),
+            make_context(layout, task,
+                         resolve(task.object, layout.room(), layout.objects(), layout.categories()),
+                         count_around(task, layout.objects(), later))),
         candidate_(layout.candidate(task.object)) {}
 
   Result<Placement> run() {
@@ -361,7 +351,6 @@ class Placing {
   std::span<const PlacementTask> later_;
   const PlaceOptions& options_;
   Random& random_;
-  std::vector<ResolvedRelation> relations_;
   ProposalContext context_;
   Layout::Candidate candidate_;
   std::vector<Scored> scored_;

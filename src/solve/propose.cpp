@@ -327,13 +327,18 @@ Company company_around(const ProposalContext& context, const Relation& relation,
 }  // namespace
 
 ProposalContext make_context(const Layout& layout, const PlacementTask& task,
-                             const std::vector<ResolvedRelation>& relations, int around_count) {
-  ProposalContext context{layout, task, relations, around_count};
+                             std::vector<ResolvedRelation> relations, int around_count) {
+  ProposalContext context{layout, task, std::move(relations), around_count};
   for (const auto& relation : task.object.relations)
     if (relation.kind == RelationKind::around)
       if (const Object* target = layout.find(relation.target))
         context.companies.push_back(company_around(context, relation, *target));
   return context;
+}
+
+bool are_alike(const Object& object, const Pose& a, const Pose& b) {
+  const double apart = std::clamp(0.5 * object.size.head<2>().minCoeff(), 0.2, 0.6);
+  return (a.position - b.position).norm() < apart && std::abs(wrap_angle(a.yaw - b.yaw)) < 0.1;
 }
 
 bool wants(const ProposalContext& context, RelationKind kind) {

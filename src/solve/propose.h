@@ -16,17 +16,17 @@ struct Company {
   double share = 1.0;           ///< of the target's circumference for each, metres
 };
 
-/// What is proposed for one object and what the proposals draw on. The parts must outlive it.
+/// What is proposed for one object and what the proposals draw on. Layout and task must outlive it.
 struct ProposalContext {
   const Layout& layout;
   const PlacementTask& task;
-  const std::vector<ResolvedRelation>& relations;
+  std::vector<ResolvedRelation> relations;
   /// How many will stand around the same target in the end, this one included.
   int around_count = 1;
   std::vector<Company> companies = {};  ///< one for each target that the object stands around
 };
 ProposalContext make_context(const Layout& layout, const PlacementTask& task,
-                             const std::vector<ResolvedRelation>& relations, int around_count);
+                             std::vector<ResolvedRelation> relations, int around_count);
 
 /// How many of the objects stand around the same target as this one, itself included.
 int count_around(const Object& object, std::span<const Object> others);
@@ -37,6 +37,9 @@ bool wants(const ProposalContext& context, RelationKind kind);
 /// in front of targets at useful gaps, on seats around them, centred; and the suggested place
 /// itself. Not yet tested for anything.
 std::vector<Pose> propose_exact(const ProposalContext& context);
+
+/// Are the two poses of an object no real alternatives, so near each other and turned alike?
+bool are_alike(const Object& object, const Pose& a, const Pose& b);
 
 struct Disc {
   Vec2 center = Vec2::Zero();

@@ -56,12 +56,15 @@ double closeness_degree(const ProposalContext& context, const Footprint& footpri
 
 }  // namespace
 
-bool holds_all(const ProposalContext& context, const Footprint& footprint, double bottom) {
+bool holds_all(const ProposalContext& context, const Footprint& footprint, double bottom,
+               Asked asked) {
   const Subject subject{footprint, bottom, bottom + context.task.object.size.z()};
-  return std::all_of(context.relations.begin(), context.relations.end(),
-                     [&](const ResolvedRelation& relation) {
-                       return judge(relation, subject, context.layout.room()).held;
-                     });
+  return std::all_of(
+      context.relations.begin(), context.relations.end(), [&](const ResolvedRelation& relation) {
+        const Asked needs = takes_target(relation.kind) ? Asked::things : Asked::room;
+        return (asked != Asked::all && asked != needs) ||
+               judge(relation, subject, context.layout.room()).held;
+      });
 }
 
 std::optional<PlacementTerms> score_relations(const ProposalContext& context,

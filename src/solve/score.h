@@ -20,7 +20,11 @@ void add_general_terms(const ProposalContext& context, const Footprint& footprin
 /// The terms as one number: what decides between candidates that the fusion ranks alike.
 double total_degree(const PlacementTerms& terms);
 
-/// Do all constraints hold at the pose?
-bool holds_all(const ProposalContext& context, const Footprint& footprint, double bottom);
+/// Which constraints are looked at: those with the room alone, those with a target, or both.
+enum class Asked { all, room, things };
+
+/// Do all of these constraints hold at the pose?
+bool holds_all(const ProposalContext& context, const Footprint& footprint, double bottom,
+               Asked asked = Asked::all);
 
 }  // namespace roomgen

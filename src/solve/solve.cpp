@@ -1,6 +1,5 @@
 #include "roomgen/solve/solve.h"
 
-#include <algorithm>
 #include <map>
 
 #include "arrange.h"

@@ -137,12 +137,8 @@ TEST_CASE("A connection that is cut halfway is tried again, then reported") {
   CHECK(asked.seconds < 1.5);
 }
 
-TEST_CASE("A cancelled call ends at once") {
-  REQUIRE_PYTHON();
-  const Environment environment;
-  const Server server;
-  auto options = quick_options(server.url("slow"));
-  options.limits.call = options.limits.idle = HttpLimits::Seconds(60);
+// What comes of a question that is called off after 0.3 s.
+Asked ask_and_cancel(const HttpModelOptions& options) {
   const auto model = make_http_model(options);
   REQUIRE(model);
   auto request = question();
@@ -150,8 +146,18 @@ TEST_CASE("A cancelled call ends at once") {
     std::this_thread::sleep_for(std::chrono::milliseconds(300));
     cancel.cancel();
   });
-  const auto asked = ask(**model, request);
+  auto asked = ask(**model, request);
   canceller.join();
+  return asked;
+}
+
+TEST_CASE("A cancelled call ends at once") {
+  REQUIRE_PYTHON();
+  const Environment environment;
+  const Server server;
+  auto options = quick_options(server.url("slow"));
+  options.limits.call = options.limits.idle = HttpLimits::Seconds(60);
+  const auto asked = ask_and_cancel(options);
   CHECK(contains_text(asked.error(), "cancelled: "));
   CHECK(asked.seconds > 0.29);
   CHECK(asked.seconds < 0.6);
@@ -174,15 +180,7 @@ TEST_CASE("A wait before the next attempt can be cancelled") {
   auto options = quick_options(server.url("500"));
   options.retry.first_wait = options.retry.longest_wait = RetryPolicy::Seconds(60);
   options.retry.total = RetryPolicy::Seconds(600);
-  const auto model = make_http_model(options);
-  REQUIRE(model);
-  auto request = question();
-  std::thread canceller([cancel = request.cancel]() mutable {
-    std::this_thread::sleep_for(std::chrono::milliseconds(300));
-    cancel.cancel();
-  });
-  const auto asked = ask(**model, request);
-  canceller.join();
+  const auto asked = ask_and_cancel(options);
   CHECK(contains_text(asked.error(), "cancelled: "));
   CHECK(asked.seconds < 0.6);
 }

@@ -6,6 +6,7 @@
 #include "catch.h"
 #include "roomgen/base/random.h"
 #include "support/contains.h"
+#include "support/damaged.h"
 #include "support/rooms.h"
 
 using namespace roomgen;
@@ -302,19 +303,7 @@ TEST_CASE("Damaged answers do no harm") {
   Random random(5);
   int understood = 0;
   for (int i = 0; i < 2000; ++i) {
-    std::string text = random.pick(answers);
-    for (int n = random.integer(1, 8); n > 0 && !text.empty(); --n) {
-      const auto at =
-          static_cast<std::size_t>(random.integer(0, static_cast<int>(text.size()) - 1));
-      const auto length = static_cast<std::size_t>(random.integer(1, 6));
-      const int how = random.integer(0, 2);
-      if (how == 0)
-        text.erase(at, length);
-      else if (how == 1)
-        text.insert(at, 1, static_cast<char>(random.integer(0, 255)));
-      else
-        text.insert(at, text.substr(at, length));
-    }
+    const std::string text = damaged(random.pick(answers), random, 6);
     INFO(text);
     const auto reply = read_place_reply(text, {scene, nightstand, i % 2 == 0});
     if (!reply) continue;

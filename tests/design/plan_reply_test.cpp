@@ -4,6 +4,7 @@
 #include "roomgen/base/random.h"
 #include "roomgen/base/text.h"
 #include "support/contains.h"
+#include "support/damaged.h"
 #include "support/rooms.h"
 
 using namespace roomgen;
@@ -211,19 +212,7 @@ TEST_CASE("Damaged plans do no harm") {
   Random random(6);
   int understood = 0;
   for (int i = 0; i < 500; ++i) {
-    std::string text = good;
-    for (int n = random.integer(1, 8); n > 0; --n) {
-      const auto at =
-          static_cast<std::size_t>(random.integer(0, static_cast<int>(text.size()) - 1));
-      const auto length = static_cast<std::size_t>(random.integer(1, 12));
-      const int how = random.integer(0, 2);
-      if (how == 0 && text.size() > 50)
-        text.erase(at, length);
-      else if (how == 1)
-        text.insert(at, 1, static_cast<char>(random.integer(0, 255)));
-      else
-        text.insert(at, text.substr(at, length));
-    }
+    const std::string text = damaged(good, random, 12, 50);
     INFO(text);
     const auto reply = read_plan_reply(text, {"a room", 1, {}, {}, {}}, CategoryTable::built_in());
     if (!reply) continue;

@@ -13,6 +13,8 @@ std::string lower(std::string_view text);
 std::string_view trim(std::string_view text);
 /// The pieces between separators, each trimmed; empty pieces are kept.
 std::vector<std::string> split(std::string_view text, char separator);
+/// At most `limit` bytes, ending with a whole UTF-8 character.
+std::string shortened(std::string text, std::size_t limit);
 std::string join(const std::vector<std::string>& pieces, std::string_view separator);
 /// Lower-case words of letters and digits; everything else separates ("Coffee-Table 2" gives coffee,
 /// table, 2).

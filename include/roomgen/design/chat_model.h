@@ -17,6 +17,9 @@ struct ChatMessage {
   std::vector<std::string> images;  ///< whole PNG files, shown after the text; only from the user
 };
 
+/// "system", "user" or "assistant".
+const char* name(ChatMessage::Role role);
+
 /// What a model is asked. Two requests with equal fields, `cancel` aside, are the same question.
 struct ChatRequest {
   std::vector<ChatMessage> messages;
@@ -24,9 +27,9 @@ struct ChatRequest {
   /// messages say the same in words, for those that cannot.
   Json schema;
   std::string schema_name = "answer";
-  int max_tokens = 4096;     ///< of the answer
+  int max_tokens = 4096;  ///< of the answer
   double temperature = 0.0;
-  CancelToken cancel;        ///< ends the call at once
+  CancelToken cancel;  ///< ends the call at once
 };
 
 struct ChatReply {
@@ -34,7 +37,7 @@ struct ChatReply {
   std::string model;           ///< as the endpoint names it
   long long input_tokens = 0;  ///< as the endpoint counts them, over all attempts
   long long output_tokens = 0;
-  double seconds = 0.0;        ///< all attempts and the waits between them
+  double seconds = 0.0;  ///< all attempts and the waits between them
   int attempts = 1;
 };
 
@@ -45,8 +48,8 @@ class ChatModel {
   virtual ~ChatModel() = default;
 
   /// Fails with
-  ///   unavailable    the endpoint cannot be used at all: no such host, wrong key, unknown model; asking
-  ///                  again will not help
+  ///   unavailable    the endpoint cannot be used at all (no such host, wrong key, unknown model):
+  ///                  asking again will not help
   ///   io             this call failed, after the retries that make sense; another one may succeed
   ///   limit          a bound on time, size, calls, tokens or money was reached
   ///   cancelled      the request's token was set

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "roomgen/geometry/footprint.h"
@@ -75,5 +76,8 @@ Object with_rounded_pose(Object object);
 
 std::string_view name(Mount mount);
 std::optional<Mount> parse_mount(std::string_view text);
+
+/// Does the object stand on the thing of that id, or does a relation of it name it?
+bool depends_on(const Object& object, std::string_view id);
 
 }  // namespace roomgen

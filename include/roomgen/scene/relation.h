@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -40,6 +41,14 @@ struct Relation {
 
   bool operator==(const Relation&) const = default;
 };
+
+/// A way to write a relation.
+struct RelationSpelling {
+  std::string_view text;
+  RelationKind kind;
+};
+/// All that files may use; the first of each kind is its name.
+std::span<const RelationSpelling> relation_spellings();
 
 /// "in front of"
 std::string_view name(RelationKind kind);

@@ -108,8 +108,8 @@ class Layout {
   std::vector<Object> objects_;
   std::vector<FloorThing> things_;
   WalkMap walk_map_;
-  std::vector<bool>
-      in_walk_map_;  ///< parallel to objects_; stamped only when an exact test needs it
+  /// Parallel to objects_; stamped only when an exact test needs it.
+  std::vector<bool> in_walk_map_;
 };
 
 /// The object at a pose, rounded as files hold it: what is tested is what is written.
