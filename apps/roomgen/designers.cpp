@@ -32,6 +32,7 @@ Result<std::unique_ptr<ChatModel>> open_endpoint(const DesignerOptions& options,
     http.base_url = "https://api.anthropic.com";
   http.key_file = options.key_file;
   http.limits.call = HttpLimits::Seconds(options.seconds_per_call);
+  http.retry.total = RetryPolicy::Seconds(options.seconds_per_call);
   if (!context.quiet)
     http.log = [](LogLevel, std::string_view message) {
       std::fprintf(stderr, "roomgen: %.*s\n", static_cast<int>(message.size()), message.data());
@@ -116,6 +117,15 @@ void add_designer_options(CLI::App& command, DesignerOptions& options) {
   add("--fusion", options.fusion, "How rankings are made: scaled, or ordinal as in the paper")
       ->check(CLI::IsMember({"scaled", "paper"}))
       ->capture_default_str();
+  command
+      .add_option("--lost-step", options.lost_step,
+                  "Ranks that one lost constraint costs, with --fusion scaled")
+      ->group(group)
+      ->check(CLI::Range(1.0, 1e9))
+      ->capture_default_str();
+  add("--order", options.order, "Which object comes next: as planned, or as the model says")
+      ->check(CLI::IsMember({"plan", "model"}))
+      ->capture_default_str();
   add("--prompts", options.prompts, "Folder with prompts of your own (names as in prompts/)");
   add("--record", options.record, "Append all questions and answers to this file");
   add("--replay", options.replay, "Take the answers from a recording; no network");
@@ -127,10 +137,20 @@ void add_designer_options(CLI::App& command, DesignerOptions& options) {
       ->group(group);
   command.add_option("--max-tokens", options.max_tokens, "Tokens for one room, in and out")
       ->group(group);
+  command
+      .add_option("--plan-tokens", options.plan_tokens,
+                  "Longest plan, in tokens; what a model thinks before it answers counts too")
+      ->group(group)
+      ->check(CLI::Range(100, 1'000'000))
+      ->capture_default_str();
+  command.add_option("--place-tokens", options.place_tokens, "Longest answer about one place")
+      ->group(group)
+      ->check(CLI::Range(50, 1'000'000))
+      ->capture_default_str();
   command.add_option("--max-dollars", options.max_dollars, "Money for one room (data/prices.json)")
       ->group(group);
   add("--prices", options.prices, "A price table of your own, in the form of data/prices.json");
-  command.add_option("--call-seconds", options.seconds_per_call, "Longest time for one call")
+  command.add_option("--call-seconds", options.seconds_per_call, "Longest time for one question, retries included")
       ->group(group)
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
@@ -138,6 +158,7 @@ void add_designer_options(CLI::App& command, DesignerOptions& options) {
 
 void apply(const DesignerOptions& options, FusionOptions& fusion) {
   fusion.ordinal_ranks = options.fusion == "paper";
+  fusion.lost_step = options.lost_step;
   if (options.designer == "model" && options.model_mode() != ModelMode::fused) fusion.alpha = 1.0;
 }
 
@@ -156,6 +177,9 @@ Result<ComposedDesigner> compose_designer(const DesignerOptions& options, const 
   ModelDesignerOptions model_options;
   model_options.mode = options.model_mode();
   model_options.paper_frame = options.paper_frame();
+  model_options.plan_tokens = options.plan_tokens;
+  model_options.place_tokens = options.place_tokens;
+  model_options.chooses_order = options.order == "model";
   model_options.encode_png = [](const Image& image) { return encode_png(image); };
   if (const LimitedModel* limited = composed.limited)
     model_options.budget_is_spent = [limited] { return limited->refused(); };

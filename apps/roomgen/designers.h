@@ -17,12 +17,15 @@ namespace roomgen::cli {
 struct DesignerOptions {
   std::string designer = "rules";
   std::string model, base_url, protocol, key_file, prompts, prices;
-  std::string mode = "fused", frame = "plan", fusion = "scaled";
+  std::string mode = "fused", frame = "plan", fusion = "scaled", order = "plan";
   std::string record, replay;
   bool cache_answers = false;
   std::optional<int> max_calls;
   std::optional<long long> max_tokens;
   std::optional<double> max_dollars;
+  int plan_tokens = ModelDesignerOptions().plan_tokens;
+  int place_tokens = ModelDesignerOptions().place_tokens;
+  double lost_step = FusionOptions().lost_step;
   double seconds_per_call = 300.0;
 
   ModelMode model_mode() const;

@@ -137,28 +137,46 @@ Json suggestions_json(const SuggestionFigures& figures) {
           {"facing_kept", figures.facing_kept}};
 }
 
-Json model_json(const Generation& generation) {
-  const ModelUse& use = generation.model_use;
-  return {{"calls", use.calls},
-          {"input_tokens", use.input_tokens},
-          {"output_tokens", use.output_tokens},
-          {"seconds", rounded(use.seconds, 3)},
-          {"fallbacks", use.fallbacks},
-          {"stopped", generation.stopped}};
+// The whole job's: of the plan and of all places.
+ModelUse total_use(const Consultation& planning, const Generation& generation) {
+  ModelUse use = generation.model_use;
+  use.calls += planning.calls;
+  use.input_tokens += planning.input_tokens;
+  use.output_tokens += planning.output_tokens;
+  use.seconds += planning.seconds;
+  return use;
 }
 
-void print_model_use(const Generation& generation) {
-  const ModelUse& use = generation.model_use;
+Json model_json(const ComposedDesigner& composed, const Generation& generation) {
+  const Consultation planning = composed.designer->plan_consultation();
+  const ModelUse use = total_use(planning, generation);
+  Json json = {{"calls", use.calls},
+               {"input_tokens", use.input_tokens},
+               {"output_tokens", use.output_tokens},
+               {"seconds", rounded(use.seconds, 3)},
+               {"plan_by_rules", planning.fell_back},
+               {"fallbacks", use.fallbacks},
+               {"stopped", generation.stopped}};
+  if (composed.limited && composed.limited->totals().dollars)
+    json["dollars"] = rounded(*composed.limited->totals().dollars);
+  return json;
+}
+
+void print_model_use(const ComposedDesigner& composed, const Generation& generation) {
+  const Consultation planning = composed.designer->plan_consultation();
+  const ModelUse use = total_use(planning, generation);
   const SuggestionFigures& figures = generation.suggestions;
-  std::printf("  the model placed with %d calls, %lld + %lld tokens, %.1f s; rules decided for %d objects\n",
-              use.calls, use.input_tokens, use.output_tokens, use.seconds, use.fallbacks);
+  std::printf("  the model: %d calls, %lld + %lld tokens, %.1f s; rules made %s%d of the places\n",
+              use.calls, use.input_tokens, use.output_tokens, use.seconds,
+              planning.fell_back ? "the plan and " : "", use.fallbacks);
   std::printf("  of %d suggested places %d were followed within 0.5 m, %d within 1 m\n", figures.located,
               figures.within_half, figures.within_one);
   if (!generation.stopped.empty()) std::printf("  stopped: %s\n", generation.stopped.c_str());
 }
 
 void print_summary(const Context& context, const fs::path& folder, const Plan& plan,
-                   const Generation& generation, bool has_model, double seconds) {
+                   const Generation& generation, const ComposedDesigner& composed,
+                   double seconds) {
   const Scene& scene = generation.scene;
   if (context.json) {
     Json json;
@@ -173,7 +191,7 @@ void print_summary(const Context& context, const fs::path& folder, const Plan& p
     json["held"] = generation.held;
     json["incomplete"] = scene.incomplete;
     json["suggestions"] = suggestions_json(generation.suggestions);
-    if (has_model) json["model"] = model_json(generation);
+    if (composed.model) json["model"] = model_json(composed, generation);
     json["seconds"] = rounded(seconds, 3);
     std::fputs(dump_json(json).c_str(), stdout);
     return;
@@ -182,7 +200,7 @@ void print_summary(const Context& context, const fs::path& folder, const Plan& p
   std::printf("%s: %s with %zu objects, %d of %d constraints held (%.1f s)\n",
               folder.string().c_str(), scene.room.type.c_str(), scene.objects.size(),
               generation.held, generation.constraints, seconds);
-  if (has_model) print_model_use(generation);
+  if (composed.model) print_model_use(composed, generation);
   for (const auto& missing : scene.unplaced)
     std::printf("  left out: %s: %s\n", missing.id.c_str(), missing.reason.c_str());
 }
@@ -239,7 +257,7 @@ Result<int> run(const Context& context, const GenerateCommand& command) {
   bar.clear();
 
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-  print_summary(context, folder, *plan, *generation, composed->model != nullptr, elapsed.count());
+  print_summary(context, folder, *plan, *generation, *composed, elapsed.count());
   if (context.cancel.cancelled()) return exit_interrupted;
   return command.strict && !generation->scene.unplaced.empty() ? exit_failure : exit_ok;
 }

@@ -73,7 +73,7 @@ Result<ChatReply> read_anthropic_reply(const Json& answer, const std::string& so
   reader.read_usage("input_tokens", "output_tokens", reply);
   const std::string reason = reader.root["stop_reason"].text_or("");
   if (reason == "refusal") return refused(source, "");
-  if (reason == "max_tokens") return cut_off(source, reply.output_tokens);
+  reply.cut_off = reason == "max_tokens";
   if (content.exists()) reply.text = text_of(content.elements());
   return reader.finish(std::move(reply), source);
 }

@@ -78,7 +78,7 @@ Result<ChatReply> read_openai_reply(const Json& answer, const std::string& sourc
     const std::string refusal =
         message.exists() ? message["refusal"].text_or("", max_answer_text) : std::string();
     if (!refusal.empty() || reason == "content_filter") return refused(source, refusal);
-    if (reason == "length") return cut_off(source, reply.output_tokens);
+    reply.cut_off = reason == "length";
     if (message.exists()) reply.text = text_of(message["content"]);
   }
   return reader.finish(std::move(reply), source);

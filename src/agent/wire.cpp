@@ -63,15 +63,13 @@ void AnswerReader::read_usage(const char* input, const char* output, ChatReply& 
 
 Result<ChatReply> AnswerReader::finish(ChatReply reply, const std::string& source) const {
   if (const auto& problem = problems.first()) return Error{Error::Kind::io, problem->message};
-  if (trim(reply.text).empty())
-    return Error{Error::Kind::io, source + ": the model answered with nothing"};
-  return reply;
-}
-
-Error cut_off(const std::string& source, long long output_tokens) {
-  return {Error::Kind::limit, source + ": the answer was cut off after " +
-                                  std::to_string(output_tokens) +
-                                  " tokens; allow more tokens for an answer"};
+  if (!trim(reply.text).empty()) return reply;
+  // Models that think aloud first can spend all of it on that.
+  if (reply.cut_off)
+    return Error{Error::Kind::io, source + ": the answer was cut off after " +
+                                      std::to_string(reply.output_tokens) +
+                                      " tokens, before it said anything"};
+  return Error{Error::Kind::io, source + ": the model answered with nothing"};
 }
 
 Error refused(const std::string& source, std::string_view why) {

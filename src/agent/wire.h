@@ -38,7 +38,6 @@ struct AnswerReader {
   Result<ChatReply> finish(ChatReply reply, const std::string& source) const;
 };
 
-Error cut_off(const std::string& source, long long output_tokens);
 Error refused(const std::string& source, std::string_view why);
 
 }  // namespace roomgen

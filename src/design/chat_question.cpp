@@ -32,12 +32,14 @@ std::string question_key(const Json& question) {
 }
 
 Json reply_json(const ChatReply& reply) {
-  return {{"text", reply.text},
-          {"model", reply.model},
-          {"input_tokens", reply.input_tokens},
-          {"output_tokens", reply.output_tokens},
-          {"seconds", rounded(reply.seconds)},
-          {"attempts", reply.attempts}};
+  Json json = {{"text", reply.text},
+               {"model", reply.model},
+               {"input_tokens", reply.input_tokens},
+               {"output_tokens", reply.output_tokens},
+               {"seconds", rounded(reply.seconds)},
+               {"attempts", reply.attempts}};
+  if (reply.cut_off) json["cut_off"] = true;
+  return json;
 }
 
 ChatReply read_reply(const JsonReader& json) {
@@ -48,6 +50,7 @@ ChatReply read_reply(const JsonReader& json) {
   reply.output_tokens = json["output_tokens"].integer_or(0, 0, max_count);
   reply.seconds = json["seconds"].number_or(0, 0, 1e9);
   reply.attempts = static_cast<int>(json["attempts"].integer_or(1, 0, 1000000));
+  reply.cut_off = json["cut_off"].boolean_or(false);
   return reply;
 }
 

@@ -260,13 +260,14 @@ std::vector<Draft> asked_items(const Brief& brief, const CategoryTable& table) {
   return drafts;
 }
 
+double floor_area(const PlanItem& item, const CategoryTable& table) {
+  if (item.mount != Mount::floor || table.get(item.category).traits.flat || !item.size) return 0.0;
+  return item.quantity * item.size->x() * item.size->y();
+}
+
 double floor_area(const std::vector<Draft>& drafts, const CategoryTable& table) {
   double area = 0.0;
-  for (const auto& draft : drafts) {
-    const PlanItem& item = draft.item;
-    if (item.mount != Mount::floor || table.get(item.category).traits.flat || !item.size) continue;
-    area += item.quantity * item.size->x() * item.size->y();
-  }
+  for (const auto& draft : drafts) area += floor_area(draft.item, table);
   return area;
 }
 

@@ -23,7 +23,8 @@ struct Draft {
 /// What the prompt asks for.
 std::vector<Draft> asked_items(const Brief& brief, const CategoryTable& table);
 
-/// Floor that the drafts cover: no rugs, nothing on walls or on other things.
+/// Floor that things cover: no rugs, nothing on walls or on other things.
+double floor_area(const PlanItem& item, const CategoryTable& table);
 double floor_area(const std::vector<Draft>& drafts, const CategoryTable& table);
 
 /// Adds what such a room usually holds and the prompt neither names nor forbids: its core, then

@@ -95,21 +95,23 @@ const Json* member(const Json& object, const std::vector<std::string>& names) {
   return nullptr;
 }
 
-Result<LooseJson> find_json(std::string_view text, const std::vector<std::string>& wanted_keys) {
+Result<LooseJson> find_json(std::string_view text, const WantedKeys& wanted) {
   if (text.size() > max_reply_bytes)
     return Error{Error::Kind::limit,
                  "the answer is longer than " + std::to_string(max_reply_bytes) + " bytes"};
   const std::string readable = as_utf8(text);
   const std::string spoken = without_thoughts(readable);
-  auto found = choose(objects_in(spoken), wanted_keys);
+  std::vector<std::string> keys = wanted.names;
+  keys.insert(keys.end(), wanted.spellings.begin(), wanted.spellings.end());
+  auto found = choose(objects_in(spoken), keys);
   if (!found && spoken.size() < readable.size()) {
-    found = choose(objects_in(readable), wanted_keys);
+    found = choose(objects_in(readable), keys);
     if (found) found->repairs.emplace_back("the answer was taken from the thoughts");
   }
   if (!found)
     return Error{Error::Kind::invalid_input,
                  "the answer holds no JSON object; answer with one object that has the keys \"" +
-                     join(wanted_keys, "\", \"") + "\""};
+                     join(wanted.names, "\", \"") + "\""};
   if (readable.size() != text.size() || readable != text)
     found->repairs.emplace_back("bytes that are no UTF-8 were replaced");
   return *std::move(found);

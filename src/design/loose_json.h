@@ -17,10 +17,16 @@ struct LooseJson {
   std::vector<std::string> repairs;  ///< what was not as it should be, one sentence each
 };
 
+/// Keys that tell the answer from other objects in the text: as they were asked for, and as they are
+/// written besides.
+struct WantedKeys {
+  std::vector<std::string> names, spellings;
+};
+
 /// The JSON object in a language model's answer, among prose, code fences, thoughts and other
 /// objects: the last whole one that has one of the wanted keys, also inside another one; else the
 /// largest. What is nearly JSON is repaired. Errors tell the model what is missing.
-Result<LooseJson> find_json(std::string_view text, const std::vector<std::string>& wanted_keys);
+Result<LooseJson> find_json(std::string_view text, const WantedKeys& wanted);
 
 /// The member of an object under any of these names, whatever the case and the separators ("size
 /// cm" finds "Size_CM"); null if there is none or its value is null.

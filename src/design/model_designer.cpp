@@ -16,9 +16,10 @@ using design::SceneText;
 
 // Kinds still to come are named up to here: enough to leave room for them.
 constexpr std::size_t most_named_later = 12;
+constexpr std::size_t most_offered = 30;  // ids among which the model chooses the next
 constexpr std::size_t most_quoted = 4000;  // bytes of an answer that cannot be used
-constexpr int place_tokens = 1024;
-constexpr int plan_tokens = 4096;
+// Calls that fail one after the other before the model is given up: each may take all its time.
+constexpr int most_failures = 3;
 
 Json parse_schema(const char* text) {
   return Json::parse(text);
@@ -51,16 +52,20 @@ const Json& plan_schema() {
   return schema;
 }
 
-const Json& place_schema(bool with_location) {
-  static const Json constraints = parse_schema(R"({"type": "object", "additionalProperties": false,
+Json place_schema(const ModelDesignerOptions& options) {
+  Json schema = parse_schema(R"({"type": "object", "additionalProperties": false,
     "properties": {"reasoning": {"type": "string"}, "constraints": {"type": "string"}},
     "required": ["reasoning", "constraints"]})");
-  static const Json both = parse_schema(R"({"type": "object", "additionalProperties": false,
-    "properties": {"reasoning": {"type": "string"}, "constraints": {"type": "string"},
-      "location": {"type": "array", "items": {"type": "number"}},
-      "facing": {"anyOf": [{"type": "string"}, {"type": "number"}, {"type": "null"}]}},
-    "required": ["reasoning", "constraints", "location", "facing"]})");
-  return with_location ? both : constraints;
+  const auto require = [&](const char* key, const char* form) {
+    schema["properties"][key] = parse_schema(form);
+    schema["required"].push_back(key);
+  };
+  if (options.mode == ModelMode::fused) {
+    require("location", R"({"type": "array", "items": {"type": "number"}})");
+    require("facing", R"({"anyOf": [{"type": "string"}, {"type": "number"}, {"type": "null"}]})");
+  }
+  if (options.chooses_order) require("next", R"({"type": "string"})");
+  return schema;
 }
 
 class ModelDesigner : public Designer {
@@ -76,23 +81,31 @@ class ModelDesigner : public Designer {
   Result<Plan> plan(const PlanRequest& request) override {
     auto question = plan_question(request);
     if (!question) return question.error();
-    Consultation consultation;
-    const auto read = [&](const std::string& text) {
-      return design::read_plan_reply(text, request, categories_);
+    planning_ = {};
+    planning_.prompt_sha256 = sha256_hex(question->messages.back().text);
+    const auto read = [&](const std::string& text) -> Result<design::PlanReply> {
+      auto answer = design::read_plan_reply(text, request, categories_);
+      if (!answer) return answer;
+      if (auto status = design::check_floor(answer->plan, categories_); !status)
+        return status.error();
+      return answer;
     };
-    auto reply = converse(*question, read, consultation);
-    if (!reply && reply.error().kind != Error::Kind::invalid_input) return reply.error();
+    auto reply = converse(*question, read, planning_);
+    if (!reply && ends_the_room(reply.error())) return reply.error();
     if (reply) {
       note(reply->plan, reply->repairs);
-      note(reply->plan, consultation.notes);
+      note(reply->plan, planning_.notes);
       return std::move(reply->plan);
     }
     auto plan = fallback_->plan(request);
     if (!plan) return plan;
+    planning_.fell_back = true;
     note(*plan, {"the model gave no plan that can be used (" + reply.error().message +
                  "); rules made this one"});
     return plan;
   }
+
+  Consultation plan_consultation() const override { return planning_; }
 
   Result<PlaceAdvice> place(const PlaceRequest& request) override {
     Consultation consultation;
@@ -103,7 +116,6 @@ class ModelDesigner : public Designer {
         return advice;
       }
       if (advice.error().kind == Error::Kind::cancelled || is_spent()) return advice;
-      if (advice.error().kind == Error::Kind::unavailable) model_is_lost_ = advice.error().message;
       consultation.notes.push_back(advice.error().message);
     }
     auto advice = fallback_->place(request);
@@ -117,6 +129,12 @@ class ModelDesigner : public Designer {
  private:
   static void note(Plan& plan, const std::vector<std::string>& notes) {
     plan.notes.insert(plan.notes.end(), notes.begin(), notes.end());
+  }
+
+  // Before anything is placed, what keeps the model from answering at all is worth knowing.
+  bool ends_the_room(const Error& error) const {
+    return error.kind == Error::Kind::unavailable || error.kind == Error::Kind::cancelled ||
+           is_spent();
   }
 
   bool is_spent() const { return options_.budget_is_spent && options_.budget_is_spent(); }
@@ -144,7 +162,7 @@ class ModelDesigner : public Designer {
     if (!question) return question;
     question->schema = plan_schema();
     question->schema_name = "plan";
-    question->max_tokens = plan_tokens;
+    question->max_tokens = options_.plan_tokens;
     question->cancel = request.cancel;
     return question;
   }
@@ -158,7 +176,9 @@ class ModelDesigner : public Designer {
     const bool located = options_.mode == ModelMode::fused;
     const auto read = [&](const std::string& text) {
       return design::read_place_reply(
-          text, design::PlaceReplyContext{request.scene, request.object, options_.paper_frame});
+          text, design::PlaceReplyContext{request.scene, request.object, options_.paper_frame,
+                                          options_.chooses_order ? request.later
+                                                                 : std::vector<std::string>()});
     };
     auto reply = converse(*question, read, consultation);
     if (!reply) return reply.error();
@@ -180,11 +200,12 @@ class ModelDesigner : public Designer {
                                    {"description", request.object.description},
                                    {"size", design::size_text(request.object.size)},
                                    {"mount", where(request)},
-                                   {"refusals", refusals(request)}});
+                                   {"refusals", refusals(request, text)},
+                                   {"order", order(request)}});
     if (!question) return question;
-    question->schema = place_schema(options_.mode == ModelMode::fused);
+    question->schema = place_schema(options_);
     question->schema_name = "placement";
-    question->max_tokens = place_tokens;
+    question->max_tokens = options_.place_tokens;
     question->cancel = request.cancel;
     return question;
   }
@@ -217,22 +238,39 @@ class ModelDesigner : public Designer {
     return "";
   }
 
+  // Kinds with their numbers: enough to leave room for them.
   static std::string later(const PlaceRequest& request) {
-    std::vector<std::string> kinds;
-    for (std::size_t i = request.planned.item + 1; i < request.plan.items.size(); ++i) {
-      if (kinds.size() == most_named_later) break;
-      const PlanItem& item = request.plan.items[i];
-      kinds.push_back(item.quantity > 1 ? std::to_string(item.quantity) + " " + item.category
-                                        : item.category);
+    std::vector<std::pair<std::string, int>> kinds;
+    for (const auto& id : request.later) {
+      const std::string kind = id.substr(0, id.rfind('-'));
+      const auto known = std::find_if(kinds.begin(), kinds.end(),
+                                      [&](const auto& other) { return other.first == kind; });
+      if (known != kinds.end()) ++known->second;
+      else if (kinds.size() < most_named_later) kinds.push_back({kind, 1});
     }
-    return kinds.empty() ? "nothing" : join(kinds, ", ");
+    std::vector<std::string> names;
+    for (const auto& [kind, count] : kinds)
+      names.push_back(count > 1 ? std::to_string(count) + " " + kind : kind);
+    return names.empty() ? "nothing" : join(names, ", ");
   }
 
-  static std::string refusals(const PlaceRequest& request) {
-    std::string text;
+  static std::string refusals(const PlaceRequest& request, const SceneText& text) {
+    std::string lines;
     for (const auto& refusal : request.refusals)
-      text += "An earlier answer did not work: " + refusal + "\n";
-    return text;
+      lines += "An earlier answer did not work: " + refusal + "\n";
+    if (!request.refusals.empty())
+      lines += "Free floor (shaded green in the picture): " + text.free_floor(request.free_floor) +
+               "\n";
+    return lines;
+  }
+
+  std::string order(const PlaceRequest& request) const {
+    if (!options_.chooses_order || request.later.empty()) return "";
+    std::vector<std::string> ids = request.later;
+    if (ids.size() > most_offered) ids.resize(most_offered);
+    return "Give also \"next\": which one shall be placed after this. Large things and those that "
+           "others refer to come first. Of: " +
+           join(ids, ", ") + ".";
   }
 
   // Asks, and asks again with what was wrong, until `read` can use an answer.
@@ -241,17 +279,24 @@ class ModelDesigner : public Designer {
       -> decltype(read(std::string())) {
     for (int answer = 1;; ++answer) {
       auto reply = model_.chat(question);
+      note_success(reply);
       if (!reply) return reply.error();
       consultation.calls += 1;
       consultation.input_tokens += reply->input_tokens;
       consultation.output_tokens += reply->output_tokens;
       consultation.seconds += reply->seconds;
       auto understood = read(reply->text);
+      const std::string ending =
+          reply->cut_off ? "the answer was cut off after " + std::to_string(question.max_tokens) +
+                               " tokens; be brief"
+                         : "";
+      if (!ending.empty()) consultation.notes.push_back(ending);
       if (understood) return understood;
-      if (answer >= options_.answers)
-        return Error{Error::Kind::invalid_input, understood.error().message};
-      consultation.notes.push_back("asked again: " + understood.error().message);
-      auto again = prompts_.render("again-user", {{"error", understood.error().message}});
+      std::string error = understood.error().message;
+      if (!ending.empty()) error += "; " + ending;
+      if (answer >= options_.answers) return Error{Error::Kind::invalid_input, error};
+      consultation.notes.push_back("asked again: " + error);
+      auto again = prompts_.render("again-user", {{"error", error}});
       if (!again) return again.error();
       question.messages.push_back(
           {ChatMessage::Role::assistant, shortened(reply->text, most_quoted), {}});
@@ -259,11 +304,21 @@ class ModelDesigner : public Designer {
     }
   }
 
+  // A model that cannot be used, or fails again and again, is not asked any more.
+  void note_success(const Result<ChatReply>& reply) {
+    failures_ = reply ? 0 : failures_ + 1;
+    if (reply || reply.error().kind == Error::Kind::cancelled) return;
+    if (reply.error().kind == Error::Kind::unavailable || failures_ >= most_failures)
+      model_is_lost_ = reply.error().message;
+  }
+
   ChatModel& model_;
   std::unique_ptr<Designer> fallback_;
   Prompts prompts_;
   const CategoryTable& categories_;
   ModelDesignerOptions options_;
+  Consultation planning_;
+  int failures_ = 0;           ///< calls that failed since the last answer
   std::string model_is_lost_;  ///< why it is not asked any more
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "loose_json.h"
+#include "plain_reply.h"
 #include "reply_facing.h"
 #include "reply_location.h"
 #include "reply_relations.h"
@@ -18,8 +19,8 @@ constexpr std::size_t max_repair = 300;      ///< bytes
 constexpr std::size_t max_reasoning = 4000;  ///< bytes
 
 // The keys that tell an answer from other objects in the text; then all their spellings.
-const std::vector<std::string> wanted_keys = {"constraints", "location", "constraint", "constrains",
-                                              "position"};
+const WantedKeys wanted_keys = {{"constraints", "location"},
+                                {"constraint", "constrains", "position"}};
 const std::vector<std::string> constraint_keys = {"constraints",
                                                   "constraint",
                                                   "constrains",
@@ -40,6 +41,18 @@ const std::vector<std::string> facing_keys = {"facing",    "yaw",   "orientation
 const std::vector<std::string> reasoning_keys = {"reasoning", "reason",    "reasons",    "thought",
                                                  "thoughts",  "rationale", "explanation"};
 
+// The id that an answer means, whatever its case and separators; empty if it is none of them.
+std::string read_next(const Json& json, const std::vector<std::string>& later,
+                      std::vector<std::string>& repairs) {
+  const Json* value = member(json, {"next", "next object", "next thing"});
+  if (!value || !value->is_string() || later.empty()) return "";
+  const auto wanted = words(value->get_ref<const std::string&>());
+  for (const auto& id : later)
+    if (words(id) == wanted) return id;
+  repairs.emplace_back("the answer's \"next\" is none of those that may come next");
+  return "";
+}
+
 void bound(std::vector<std::string>& repairs) {
   if (repairs.size() > max_repairs) repairs.resize(max_repairs);
   for (auto& repair : repairs) repair = shortened(std::move(repair), max_repair);
@@ -57,6 +70,14 @@ std::optional<Vec2> read_location(const Json& json, const PlaceReplyContext& con
   }
   repairs.emplace_back("the answer has no location");
   return std::nullopt;
+}
+
+Result<LooseJson> find_answer(std::string_view text) {
+  auto found = find_json(text, wanted_keys);
+  if (found || found.error().kind != Error::Kind::invalid_input) return found;
+  if (auto plain = read_plain_reply(text))
+    return LooseJson{*std::move(plain), {"the answer was no JSON; its list of constraints was taken"}};
+  return found;
 }
 
 Error unusable(const PlaceReplyContext& context, const std::vector<std::string>& repairs) {
@@ -78,7 +99,7 @@ Error unusable(const PlaceReplyContext& context, const std::vector<std::string>&
 }  // namespace
 
 Result<PlaceReply> read_place_reply(std::string_view text, const PlaceReplyContext& context) {
-  auto found = find_json(text, wanted_keys);
+  auto found = find_answer(text);
   if (!found) return found.error();
   const Json& json = found->json;
   PlaceReply reply{{}, std::move(found->repairs)};
@@ -94,6 +115,7 @@ Result<PlaceReply> read_place_reply(std::string_view text, const PlaceReplyConte
     advice.yaw = read.yaw;
     if (read.relation) add_relation(advice.relations, *read.relation, reply.repairs);
   }
+  advice.next = read_next(json, context.later, reply.repairs);
   if (const Json* reasoning = member(json, reasoning_keys); reasoning && reasoning->is_string())
     advice.reasoning = shortened(reasoning->get<std::string>(), max_reasoning);
   bound(reply.repairs);

@@ -17,6 +17,7 @@ struct PlaceReplyContext {
   const Scene& scene;        ///< what is placed already
   const Object& object;      ///< whose place was asked for
   bool paper_frame = false;  ///< locations are [down from the top, left from the right], metres
+  std::vector<std::string> later = {};  ///< ids of which "next" may name one
 };
 
 /// What a model answered about one object: {"reasoning", "constraints", "location", "facing"}, or

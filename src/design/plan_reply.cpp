@@ -18,7 +18,8 @@ constexpr const char* default_type = "living room";
 constexpr std::size_t max_excluded = 60;
 constexpr std::size_t max_repairs = 60;
 
-const std::vector<std::string> wanted_keys = {"objects", "items", "inventory", "furniture"};
+const std::vector<std::string> object_keys = {"objects", "items", "inventory", "furniture"};
+const WantedKeys wanted_keys = {{"objects"}, object_keys};
 const std::vector<std::string> excluded_keys = {"excluded", "exclude", "forbidden", "not wanted"};
 
 Error invalid(const std::string& message) {
@@ -93,7 +94,7 @@ Result<PlanReply> read_plan_reply(std::string_view text, const PlanRequest& requ
   auto found = find_json(text, wanted_keys);
   if (!found) return found.error();
   const Json& json = found->json;
-  const Json* objects = member(json, wanted_keys);
+  const Json* objects = member(json, object_keys);
   if (!objects)
     return invalid(
         "the answer lists no objects; give \"objects\": [{\"name\": \"bed\", "
@@ -122,6 +123,15 @@ Result<PlanReply> read_plan_reply(std::string_view text, const PlanRequest& requ
   order_items(std::move(drafts), categories, *built_in_arrangements(), plan);
   if (reply.repairs.size() > max_repairs) reply.repairs.resize(max_repairs);
   return reply;
+}
+
+Status check_floor(const Plan& plan, const CategoryTable& categories) {
+  double covered = 0.0;
+  for (const auto& item : plan.items) covered += floor_area(item, categories);
+  const double floor = area(plan.room.polygon);
+  if (covered <= floor) return {};
+  return invalid("the objects cover " + format_number(covered, 1) + " m2, but the room has only " +
+                 format_number(floor, 1) + " m2 of floor; list fewer things, and each kind once");
 }
 
 }  // namespace roomgen::design

@@ -20,4 +20,8 @@ struct PlanReply {
 Result<PlanReply> read_plan_reply(std::string_view text, const PlanRequest& request,
                                   const CategoryTable& categories);
 
+/// Fails, in words meant for the model, when the things cover more than the whole floor: weak models
+/// repeat themselves until they are stopped.
+Status check_floor(const Plan& plan, const CategoryTable& categories);
+
 }  // namespace roomgen::design

@@ -54,7 +54,7 @@ Rehearsal rehearse(const Plan& plan, const CategoryTable& table, const Arrangeme
     const PlanItem& item = plan.items[planned.item];
     const Category& category = table.get(item.category);
     Object object = object_of(planned, item, category);
-    const PlaceRequest request{plan, scene, planned, object, {}, {}, {}};
+    const PlaceRequest request{plan, scene, planned, object};
     const PlaceAdvice advice = advise(request, table, arrangements);
     if (!advice.location || !advice.yaw) {
       rehearsal.missed.push_back(planned);

@@ -82,6 +82,16 @@ std::string SceneText::placed(const std::vector<Object>& objects) const {
   return text;
 }
 
+std::string SceneText::free_floor(const std::vector<Bounds2>& parts) const {
+  std::vector<std::string> texts;
+  for (const auto& part : parts) {
+    const Vec2 size = paper_frame_ ? Vec2(part.size().y(), part.size().x()) : part.size();
+    texts.push_back(metres(size.x()) + " x " + metres(size.y()) + " about " +
+                    point(0.5 * (part.low + part.high)));
+  }
+  return texts.empty() ? "none" : join(texts, "; ");
+}
+
 std::string size_text(const Vec3& size) {
   return metres(size.x()) + " x " + metres(size.y()) + " x " + metres(size.z());
 }

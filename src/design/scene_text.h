@@ -20,6 +20,8 @@ class SceneText {
   std::string parts() const;
   /// A line for each object.
   std::string placed(const std::vector<Object>& objects) const;
+  /// Sizes and centres, in one line.
+  std::string free_floor(const std::vector<Bounds2>& parts) const;
 
  private:
   std::string point(const Vec2& position) const;

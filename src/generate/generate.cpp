@@ -6,6 +6,7 @@
 #include <set>
 
 #include "retrieve.h"
+#include "roomgen/geometry/free_rectangles.h"
 #include "roomgen/scene/judgement.h"
 #include "roomgen/solve/improve.h"
 
@@ -15,6 +16,10 @@ namespace {
 
 // A picture or mirror hangs this far above what it is above.
 constexpr double gap_above = 0.15;
+
+// Of the free parts of the floor that a designer is told of: metres, and how many.
+constexpr double least_free_side = 0.3;
+constexpr std::size_t most_free_parts = 6;
 
 // A yaw this far from the suggested one still follows it.
 constexpr double facing_tolerance = pi / 12;
@@ -77,9 +82,11 @@ class Generator {
 
   Result<Generation> run() {
     const auto objects = planned_objects(plan_);
+    left_ = objects;
     for (std::size_t i = 0; i < objects.size() && !has_stopped(); ++i) {
-      if (options_.on_step) options_.on_step({i, objects.size(), objects[i].id});
-      step(objects[i]);
+      const PlannedObject planned = take_next();
+      if (options_.on_step) options_.on_step({i, objects.size(), planned.id});
+      step(planned);
     }
     if (!has_stopped()) {
       if (options_.on_step) options_.on_step({objects.size(), objects.size(), "improving"});
@@ -91,6 +98,36 @@ class Generator {
 
  private:
   bool has_stopped() const { return options_.cancel.cancelled() || !result_.stopped.empty(); }
+
+  // The one that the designer asked for, else the first in the plan's order.
+  PlannedObject take_next() {
+    auto next = std::find_if(left_.begin(), left_.end(),
+                             [&](const PlannedObject& planned) { return planned.id == next_; });
+    if (next == left_.end()) next = left_.begin();
+    PlannedObject planned = std::move(*next);
+    left_.erase(next);
+    next_.clear();
+    return planned;
+  }
+
+  // Things that may come next: what stands on others waits for all that might carry it.
+  std::vector<std::string> later() const {
+    std::vector<std::string> ids;
+    for (const auto& planned : left_) {
+      const PlanItem& item = plan_.items[planned.item];
+      const bool waits = item.mount == Mount::surface &&
+                         std::any_of(left_.begin(), left_.end(), [&](const PlannedObject& other) {
+                           return could_carry(plan_.items[other.item].category, item.on);
+                         });
+      if (!waits) ids.push_back(planned.id);
+    }
+    return ids;
+  }
+
+  bool could_carry(const std::string& category, const std::string& wanted) const {
+    return wanted.empty() ? categories_.is_any_of(category, {"table", "storage"})
+                          : categories_.is_a(category, wanted);
+  }
 
   // One planned object from retrieval to its place. Failures end in reasons_, never in an error.
   void step(const PlannedObject& planned) {
@@ -138,6 +175,7 @@ class Generator {
           return advice.error().message;
         }
         tally(advice->consultation);
+        next_ = advice->next;
         attempt["asset"] = asset_key(assets[a].ref);
         attempt["answer"] = advice_json(*advice);
         if (Json asked = consultation_json(advice->consultation); !asked.is_null())
@@ -162,12 +200,26 @@ class Generator {
   Result<PlaceAdvice> ask(const PlannedObject& planned, const PlacementTask& task,
                           const std::vector<std::string>& refusals) {
     const Scene scene = current_scene();
-    PlaceRequest request{plan_, scene, planned, task.object, refusals, {}, options_.cancel};
+    PlaceRequest request{plan_, scene, planned, task.object, refusals};
+    request.later = later();
+    request.cancel = options_.cancel;
+    if (!refusals.empty()) request.free_floor = free_floor();
     if (options_.renderer)
       request.marks = [&] {
-        return options_.renderer->render(scene, result_.models, options_.marks_view);
+        View view = options_.marks_view;
+        view.free_floor = request.free_floor;
+        return options_.renderer->render(scene, result_.models, view);
       };
     return designer_.place(request);
+  }
+
+  // Where there is room left, for a designer whose answer did not fit.
+  std::vector<Bounds2> free_floor() const {
+    const auto doors = layout_.door_areas();
+    std::vector<Footprint> taken(doors.begin(), doors.end());
+    for (const auto& thing : layout_.things())
+      if (blocks_floor(*thing.object)) taken.push_back(thing.footprint);
+    return free_rectangles(plan_.room.polygon, taken, least_free_side, most_free_parts);
   }
 
   void tally(const Consultation& consultation) {
@@ -252,9 +304,7 @@ class Generator {
     double best_room = 0.0;
     for (const auto& object : layout_.objects()) {
       if (!support_heights_.count(object.id)) continue;
-      const bool suits = wanted.empty() ? categories_.is_any_of(object.category, {"table", "storage"})
-                                        : object.id == wanted ||
-                                              categories_.is_a(object.category, wanted);
+      const bool suits = object.id == wanted || could_carry(object.category, wanted);
       if (!suits || object.size.x() < size.x() || object.size.y() < size.y()) continue;
       double room = object.size.x() * object.size.y();
       for (const auto& other : layout_.objects())
@@ -367,6 +417,8 @@ class Generator {
   Random random_;
   Generation result_;
   Layout layout_;
+  std::vector<PlannedObject> left_;               ///< still to be tried, in the plan's order
+  std::string next_;                              ///< of them, what the designer wants next
   std::vector<PlacementTask> tasks_;              ///< of all objects that have an asset, in order
   std::map<std::string, std::string> reasons_;    ///< why objects are not in the layout
   std::set<std::size_t> hopeless_items_;          ///< of which one found no place

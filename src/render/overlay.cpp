@@ -128,6 +128,9 @@ void draw_stroke(Pen& pen, const Drawing::Stroke& stroke, int width, double lett
       return pen.line(stroke.points, width, {30, 60, 90, 0.22});
     case Drawing::Line::outline:
       return pen.line(stroke.points, width, {20, 40, 70, 0.55});
+    case Drawing::Line::free:
+      pen.fill(stroke.points, {60, 170, 90, 0.22});
+      return pen.line(stroke.points, width, {30, 120, 60, 0.8});
     case Drawing::Line::leader:
       return pen.line(stroke.points, width, {20, 40, 70, 0.85});
     case Drawing::Line::plan_symbol:

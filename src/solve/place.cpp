@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 
 #include "propose.h"
 #include "roomgen/base/text.h"
@@ -127,7 +128,24 @@ std::string size_text(const Vec3& size) {
          format_number(size.z(), 2) + " m";
 }
 
-Error refusal(const PlacementTask& task, int candidates, int feasible) {
+// What is in the way at the suggested place, whichever way the object is turned there.
+std::string blocked_by(const Layout& layout, const Layout::Candidate& candidate,
+                       const Vec2& location) {
+  const FootprintAt footprint_at(candidate.object);
+  const double bottom = candidate.object.position.z();
+  std::set<std::string> names;
+  for (const double yaw : layout.wall_yaws()) {
+    const Footprint footprint = footprint_at({location, bottom, yaw});
+    if (!layout.fits_room(candidate, footprint, bottom))
+      names.insert("a wall, a door or a window");
+    for (const auto& thing : layout.things())
+      if (layout.collides(candidate, footprint, bottom, thing)) names.insert(thing.object->id);
+  }
+  return join({names.begin(), names.end()}, ", ");
+}
+
+Error refusal(const Layout& layout, const PlacementTask& task, const Layout::Candidate& candidate,
+              int candidates, int feasible) {
   std::string why = "no place for " + task.object.id + " (" + size_text(task.object.size) + "): ";
   if (feasible == 0)
     why += "none of " + std::to_string(candidates) +
@@ -135,6 +153,9 @@ Error refusal(const PlacementTask& task, int candidates, int feasible) {
   else
     why += "each of the " + std::to_string(feasible) +
            " clear positions would leave something unusable or out of reach";
+  if (!task.location) return {Error::Kind::not_found, why};
+  const std::string blockers = blocked_by(layout, candidate, *task.location);
+  if (!blockers.empty()) why += "; in the way at the suggested place: " + blockers;
   return {Error::Kind::not_found, why};
 }
 
@@ -274,7 +295,7 @@ class Placing {
     meaningful_ = scored_.size();
     if (meaningful_poses_are_enough()) decide();
     if (!best_ && options_.grid != GridUse::never) look_at_grid();
-    if (!best_) return refusal(task_, proposed_, static_cast<int>(scored_.size()));
+    if (!best_) return refusal(layout_, task_, candidate_, proposed_, static_cast<int>(scored_.size()));
     return placement();
   }
 

@@ -30,6 +30,14 @@ void add_object_strokes(const detail::ObjectMark& mark, std::vector<Drawing::Str
     strokes.push_back({Drawing::Line::arrow, {mark.center, mark.arrow_end}});
 }
 
+std::vector<Vec2> outline_of(const Bounds2& box, const Camera& camera) {
+  std::vector<Vec2> corners;
+  for (const Vec2& p : {box.low, Vec2(box.high.x(), box.low.y()), box.high,
+                        Vec2(box.low.x(), box.high.y()), box.low})
+    corners.push_back(camera.pixel({p.x(), p.y(), 0.0}));
+  return corners;
+}
+
 // The whole layout with letters of this height, or nothing if the labels do not fit.
 std::optional<Drawing> try_layout(const Scene& scene, const Camera& camera, const View& view,
                                   double letters) {
@@ -37,6 +45,9 @@ std::optional<Drawing> try_layout(const Scene& scene, const Camera& camera, cons
   Drawing drawing;
   drawing.text_height = letters;
   detail::lay_grid(scene.room, camera, view.paper_frame, letters, placer, drawing.strokes);
+
+  for (const auto& box : view.free_floor)
+    drawing.strokes.push_back({Drawing::Line::free, outline_of(box, camera)});
 
   std::vector<detail::ObjectMark> marks;
   for (const auto& object : scene.objects) marks.push_back(detail::object_mark(object, camera));

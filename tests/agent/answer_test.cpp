@@ -22,7 +22,7 @@ TEST_CASE("What is no answer is reported as what it is, and not asked for again"
       {"gateway", {"io: ", "the provider is down"}},
       {"empty", {"io: ", "the model answered with nothing"}},
       {"filtered", {"io: ", "the model declined to answer"}},
-      {"long", {"limit: ", "cut off after 3 tokens"}},
+      {"long", {"io: ", "cut off after 3 tokens"}},
   };
   std::size_t requests = 0;
   for (const auto& [scenario, error] : expected) {

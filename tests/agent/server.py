@@ -200,7 +200,7 @@ SCENARIOS = {
     "gateway": plain(200, failure("the provider is down")),
     "empty": plain(200, openai("  ")),
     "filtered": plain(200, openai(None, finish_reason="content_filter")),
-    "long": plain(200, openai("hel", finish_reason="length")),
+    "long": plain(200, openai("", finish_reason="length")),
     "huge": Handler.huge,
     "drip": Handler.drip,
     "slow": Handler.slow,

@@ -91,11 +91,21 @@ TEST_CASE("Answers of the wrong shape are located") {
                       "/content/0/text: expected a text"));
 }
 
-TEST_CASE("With Anthropic an answer that was cut off is an error") {
-  const auto reply = anthropic_reply(
+TEST_CASE("An answer that was cut off says so, and is an error when nothing came before the cut") {
+  const auto anthropic = anthropic_reply(
       R"({"content": [{"type": "text", "text": "a"}], "stop_reason": "max_tokens"})");
-  REQUIRE_FALSE(reply);
-  CHECK(reply.error().kind == Error::Kind::limit);
+  REQUIRE(anthropic);
+  CHECK(anthropic->cut_off);
+  const auto openai = openai_reply(
+      R"({"choices": [{"message": {"content": "a"}, "finish_reason": "length"}]})");
+  REQUIRE(openai);
+  CHECK(openai->cut_off);
+  CHECK_FALSE(openai_reply(R"({"choices": [{"message": {"content": "a"}, "finish_reason": "stop"}]})")
+                  ->cut_off);
+  const auto silent = openai_reply(
+      R"({"choices": [{"message": {"content": ""}, "finish_reason": "length"}]})");
+  REQUIRE_FALSE(silent);
+  CHECK(contains_text(silent.error().message, "cut off"));
 }
 
 TEST_CASE("The endpoint's complaint is found in all its forms") {

@@ -15,7 +15,7 @@ struct Case {
   bool repaired;
 };
 
-const std::vector<std::string> keys = {"constraints", "location"};
+const WantedKeys keys = {{"constraints", "location"}, {}};
 
 double seconds_to_read(const std::string& text) {
   const auto begin = std::chrono::steady_clock::now();

@@ -23,7 +23,7 @@ Object object_of(const Plan& plan, const PlannedObject& planned) {
 
 PlaceAdvice place(const Plan& plan, const Scene& scene, const PlannedObject& planned,
                   const Object& object, std::vector<std::string> refusals = {}) {
-  const PlaceRequest request{plan, scene, planned, object, std::move(refusals), {}, {}};
+  const PlaceRequest request{plan, scene, planned, object, std::move(refusals)};
   return *make_rule_designer()->place(request);
 }
 

@@ -22,7 +22,7 @@ TEST_CASE("Every prompt is rendered whole when its slots are filled, and not oth
   const Prompts::Slots place = {{"prompt", "a study"}, {"room", "r"},        {"parts", "p"},
                                 {"placed", "o"},       {"later", "l"},       {"id", "desk-0"},
                                 {"description", "d"},  {"size", "1 x 1 x 1"}, {"mount", "on the floor"},
-                                {"refusals", ""}};
+                                {"refusals", ""},       {"order", ""}};
   const std::vector<std::pair<std::string, Prompts::Slots>> cases = {
       {"plan-system", {}},
       {"plan-user", plan},

@@ -39,6 +39,7 @@ struct ChatReply {
   long long output_tokens = 0;
   double seconds = 0.0;  ///< all attempts and the waits between them
   int attempts = 1;
+  bool cut_off = false;  ///< it ended where ChatRequest::max_tokens were spent
 };
 
 /// A language model, or whoever plays one. Wrappers add recording, replay, caching and limits

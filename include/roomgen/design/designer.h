@@ -15,6 +15,18 @@
 
 namespace roomgen {
 
+/// How an answer came about, for the trace and the summary; empty for rules.
+struct Consultation {
+  int calls = 0;               ///< of a language model
+  long long input_tokens = 0;
+  long long output_tokens = 0;
+  double seconds = 0.0;        ///< waiting for it
+  std::string prompt_sha256;   ///< of the text it was shown last
+  std::string image_sha256;    ///< of the picture, if any
+  std::vector<std::string> notes;  ///< what was repaired or refused
+  bool fell_back = false;      ///< the model had no usable answer: rules decided
+};
+
 /// What a room shall become.
 struct PlanRequest {
   std::string prompt;
@@ -30,21 +42,11 @@ struct PlaceRequest {
   const Scene& scene;
   const PlannedObject& planned;  ///< its item is plan.items[planned.item]
   const Object& object;          ///< id, category and real size are known, position and yaw are not
-  std::vector<std::string> refusals;  ///< why earlier answers for this object did not fit
-  std::function<Result<Image>()> marks;  ///< draws the room with coordinate marks; may be empty
-  CancelToken cancel;
-};
-
-/// How an answer came about, for the trace; empty for rules.
-struct Consultation {
-  int calls = 0;               ///< of a language model
-  long long input_tokens = 0;
-  long long output_tokens = 0;
-  double seconds = 0.0;        ///< waiting for it
-  std::string prompt_sha256;   ///< of the text it was shown last
-  std::string image_sha256;    ///< of the picture, if any
-  std::vector<std::string> notes;  ///< what was repaired or refused
-  bool fell_back = false;      ///< the model had no usable answer: rules decided
+  std::vector<std::string> refusals = {};  ///< why earlier answers for this object did not fit
+  std::vector<Bounds2> free_floor = {};  ///< with refusals: the largest free parts of the floor
+  std::vector<std::string> later = {};  ///< ids of what is still to be placed, in the plan's order
+  std::function<Result<Image>()> marks = {};  ///< draws the room with coordinate marks; may be empty
+  CancelToken cancel = {};
 };
 
 /// Where an object shall go, roughly; the solver finds the exact pose.
@@ -53,6 +55,7 @@ struct PlaceAdvice {
   std::optional<Vec2> location;  ///< centre, in the scene's frame
   std::optional<double> yaw;     ///< radians
   std::string reasoning;         ///< for the trace
+  std::string next = {};         ///< which of PlaceRequest::later shall come next; empty: the first
   Consultation consultation = {};
 };
 
@@ -64,6 +67,8 @@ class Designer {
   /// Equal requests give equal plans. The items are in the order in which they shall be placed:
   /// anchors first, what depends on others after them.
   virtual Result<Plan> plan(const PlanRequest& request) = 0;
+  /// How the last plan came about.
+  virtual Consultation plan_consultation() const { return {}; }
 
   /// Relations only name what is placed or a part of the room. Fails with limit when no more may be asked:
   /// then the room ends with what is placed.

@@ -24,7 +24,11 @@ struct ModelDesignerOptions {
   /// The frame of the picture's marks and of the answers: the scene's own, or x down from the top
   /// and y left from the right, as the paper has it.
   bool paper_frame = false;
+  bool chooses_order = false;  ///< each answer also says which thing shall come next
   int answers = 3;  ///< asked for at most, for one plan or object, when answers cannot be used
+  /// Longest answers, in tokens; what a model thinks before it answers counts too.
+  int plan_tokens = 4096;
+  int place_tokens = 1024;
   /// Makes a PNG of a picture; without it no picture is shown.
   std::function<Result<std::string>(const Image&)> encode_png;
   /// True when the calls, tokens or money that were granted are spent: then the designer fails with

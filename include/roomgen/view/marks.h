@@ -14,6 +14,7 @@ struct Drawing {
   enum class Line {
     grid,         ///< faint, across the room
     outline,      ///< of an object's footprint
+    free,         ///< around a part of the floor that is free, which is shaded
     arrow,        ///< an object's front; the head is at the last point
     leader,       ///< from a label to its object
     axis,         ///< arrow along which a coordinate grows
@@ -21,7 +22,7 @@ struct Drawing {
   };
   struct Stroke {
     Line kind = Line::grid;
-    std::vector<Vec2> points;  ///< open polyline; outlines repeat their first point
+    std::vector<Vec2> points;  ///< open polyline; closed ones repeat their first point
   };
   enum class Text {
     tick,    ///< a coordinate beside the room

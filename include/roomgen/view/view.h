@@ -1,6 +1,9 @@
 #pragma once
 
+#include <vector>
+
 #include "roomgen/base/result.h"
+#include "roomgen/geometry/footprint.h"
 #include "roomgen/geometry/image.h"
 #include "roomgen/scene/model_table.h"
 #include "roomgen/scene/scene.h"
@@ -17,6 +20,7 @@ struct View {
   int pixels = 1024;
   bool marks = false;       ///< top only: coordinate grid, axes, ids and fronts (set-of-mark)
   bool paper_frame = false; ///< marks count x' = ymax - y down and y' = xmax - x to the left
+  std::vector<Bounds2> free_floor = {};  ///< with marks: parts of the floor to be shaded as free
 };
 
 /// Draws a scene.
