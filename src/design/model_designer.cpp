@@ -17,6 +17,7 @@ using design::SceneText;
 // Kinds still to come are named up to here: enough to leave room for them.
 constexpr std::size_t most_named_later = 12;
 constexpr std::size_t most_offered = 30;  // ids among which the model chooses the next
+constexpr double second_temperature = 0.5;  // weak models repeat a bad answer word for word
 constexpr std::size_t most_quoted = 4000;  // bytes of an answer that cannot be used
 // Calls that fail one after the other before the model is given up: each may take all its time.
 constexpr int most_failures = 3;
@@ -25,6 +26,7 @@ Json parse_schema(const char* text) {
   return Json::parse(text);
 }
 
+// Long lists are bounded when they are read: grammar samplers grow slow with such bounds.
 const Json& plan_schema() {
   static const Json schema = [] {
     const Json thing = parse_schema(R"({"type": "object", "additionalProperties": false,
@@ -34,19 +36,19 @@ const Json& plan_schema() {
         "place": {"type": "string"}},
       "required": ["name", "description", "size_cm", "quantity", "variance", "place"]})");
     Json carrier = thing;
-    carrier["properties"]["on_top"] = {{"type", "array"}, {"items", thing}, {"maxItems", 6}};
+    carrier["properties"]["on_top"] = {{"type", "array"}, {"items", thing}};
     carrier["required"].push_back("on_top");
     Json result = parse_schema(R"({"type": "object", "additionalProperties": false,
       "properties": {"room": {"type": "object", "additionalProperties": false,
         "properties": {"type": {"type": "string"},
           "size_m": {"type": "array", "items": {"type": "number"}, "minItems": 2, "maxItems": 2},
-          "polygon_m": {"anyOf": [{"type": "null"}, {"type": "array", "maxItems": 24,
+          "polygon_m": {"anyOf": [{"type": "null"}, {"type": "array",
             "items": {"type": "array", "items": {"type": "number"}, "minItems": 2, "maxItems": 2}}]},
           "height_m": {"type": "number"}},
         "required": ["type", "size_m", "polygon_m", "height_m"]},
-        "excluded": {"type": "array", "items": {"type": "string"}, "maxItems": 20}},
+        "excluded": {"type": "array", "items": {"type": "string"}}},
       "required": ["room", "objects", "excluded"]})");
-    result["properties"]["objects"] = {{"type", "array"}, {"items", carrier}, {"maxItems", 40}};
+    result["properties"]["objects"] = {{"type", "array"}, {"items", carrier}};
     return result;
   }();
   return schema;
@@ -301,6 +303,7 @@ class ModelDesigner : public Designer {
       question.messages.push_back(
           {ChatMessage::Role::assistant, shortened(reply->text, most_quoted), {}});
       question.messages.push_back({ChatMessage::Role::user, *std::move(again), {}});
+      question.temperature = second_temperature;
     }
   }
 

@@ -23,6 +23,10 @@ from scripted_model import serve  # noqa: E402
 ROOMS = ["a living room", "a bedroom", "a kitchen", "a bathroom", "a dining room", "a balcony"]
 
 
+def folder_of(folder, prompt):
+    return folder / prompt.replace(" ", "-")
+
+
 def run(roomgen, *arguments):
     done = subprocess.run([roomgen, "--quiet", "--json", "generate", *arguments], capture_output=True, text=True)
     if done.returncode != 0:
@@ -34,18 +38,20 @@ def write_room(scene, path):
     path.write_text(json.dumps(json.loads(scene.read_text())["room"]))
 
 
-def one_room(args, prompt, manner, folder):
+def one_room(roomgen, prompt, manner, folder, more=()):
+    """Furnishes a room with a model of this manner, whose script is the rules' room; the summary."""
+    folder.mkdir(parents=True, exist_ok=True)
     script = folder / "script"
     if not (script / "scene.json").exists():
-        run(args.roomgen, prompt, "--seed", "5", "-o", str(script), "--no-pictures")
+        run(roomgen, prompt, "--seed", "5", "-o", str(script), "--no-pictures")
         write_room(script / "scene.json", folder / "room.json")
     server, url = serve(script, manner)
     threading.Thread(target=server.serve_forever, daemon=True).start()
     output = folder / manner
     try:
         summary = run(
-            args.roomgen, prompt, "--seed", "5", "-o", str(output), "--no-pictures", "--room", str(folder / "room.json"),
-            "--designer", "model", "--model", "scripted", "--base-url", url, *args.more,
+            roomgen, prompt, "--seed", "5", "-o", str(output), "--no-pictures", "--force",
+            "--room", str(folder / "room.json"), "--designer", "model", "--model", "scripted", "--base-url", url, *more,
         )  # fmt: skip
     finally:
         server.shutdown()
@@ -89,9 +95,7 @@ def main():
     for manner in args.manners.split(","):
         summaries = []
         for prompt in ROOMS[: args.rooms]:
-            folder = args.folder / prompt.replace(" ", "-")
-            folder.mkdir(parents=True, exist_ok=True)
-            summaries.append(one_room(args, prompt, manner, folder))
+            summaries.append(one_room(args.roomgen, prompt, manner, folder_of(args.folder, prompt), args.more))
         t = total(summaries)
         print(
             f"| {manner} | {t['objects']} | {t['left out']} | {t['held']:.1%} | {t['half']:.1%} | {t['one']:.1%} | "
