@@ -26,6 +26,8 @@ bool is_name(std::string_view text) {
 class CopyIndex {
  public:
   CopyIndex(Scope& scope, int index, int count) : scope_(scope), before_(scope.values) {
+    if (const auto outer = before_.find("i"); outer != before_.end())
+      scope_.values["j"] = outer->second;
     scope_.values["i"] = static_cast<double>(index);
     scope_.values["n"] = static_cast<double>(count);
   }
@@ -119,21 +121,26 @@ void ComponentReader::read_into(std::vector<Component>& list, const JsonReader& 
     return;
   }
   const int count = numbers_.whole(copies->settings["count"], 1, max_count);
-  const bool used_outside = numbers_.index_used;
+  const Numbers::Used around = std::exchange(numbers_.used, {});
+  read_copied(list, json, copies->operation, count);
+  // The j of the copies is the i around them.
+  numbers_.used = {around.i || numbers_.used.j, around.j};
+}
+
+void ComponentReader::read_copied(std::vector<Component>& list, const JsonReader& json,
+                                  std::size_t operation, int count) {
   const std::size_t components_before = numbers_.budget().components;
-  numbers_.index_used = false;
   std::optional<Component> first;
   {
     const CopyIndex bound(*numbers_.scope(), 0, count);
     first = read_one(json);
   }
-  const bool differ = numbers_.index_used;
-  numbers_.index_used = used_outside;
-  if (differ) {
+  if (numbers_.used.i) {
     numbers_.budget().components = components_before;  // that one was only a look
-    return read_copies(list, json, copies->operation, count);
+    read_copies(list, json, operation, count);
+  } else if (first) {
+    list.push_back(*std::move(first));
   }
-  if (first) list.push_back(*std::move(first));
 }
 
 void ComponentReader::read_copies(std::vector<Component>& list, const JsonReader& json,
@@ -144,12 +151,10 @@ void ComponentReader::read_copies(std::vector<Component>& list, const JsonReader
       operations[operation].report(
           "copies that differ (they say \"i\") must be made by the first operation after cuts");
   std::vector<Component> copies;
-  const bool outer_index = numbers_.index_used;
   for (int i = 0; i < count && !numbers_.failed(); ++i) {
     const CopyIndex bound(*numbers_.scope(), i, count);
     if (auto copy = read_copy(json, operation, i, count)) copies.push_back(*std::move(copy));
   }
-  numbers_.index_used = outer_index;
   if (copies.empty()) return;
   // What acts on all copies together needs them in a group.
   Component all;

@@ -31,6 +31,8 @@ class ComponentReader {
   bool spend(const JsonReader& json);
   void bound_copies(const JsonReader& json, const std::vector<Component>& made) const;
   void read_into(std::vector<Component>& list, const JsonReader& json);
+  void read_copied(std::vector<Component>& list, const JsonReader& json, std::size_t operation,
+                   int count);
   void read_copies(std::vector<Component>& list, const JsonReader& json, std::size_t operation,
                    int count);
   std::optional<Component> read_one(const JsonReader& json,

@@ -61,13 +61,14 @@ std::optional<Expression> Numbers::compiled(const JsonReader& json, std::size_t 
     return std::nullopt;
   }
   if (!spend(json, expression->size())) return std::nullopt;
+  used.i = used.i || expression->mentions("i");
+  used.j = used.j || expression->mentions("j");
   return *std::move(expression);
 }
 
 std::optional<Value> Numbers::evaluated(const JsonReader& json) const {
   const auto expression = compiled(json, Expression::max_length);
   if (!expression) return std::nullopt;
-  if (expression->mentions("i")) index_used = true;
   auto value = expression->value(*scope_);
   if (value) return *std::move(value);
   json.report("\"" + json.text() + "\": " + value.error().message);
@@ -177,7 +178,6 @@ std::string Numbers::height(const JsonReader& json) const {
   if (!json.is_string()) return Json(number(json, 0.0, greatest_length)).dump();
   const auto expression = compiled(json, scope_ ? Expression::max_length : max_bound_length);
   if (!expression) return "0";
-  if (expression->mentions("i")) index_used = true;
   auto text = expression->bound(scope_ ? *scope_ : none, {"u", "v"});
   if (text && text->size() <= max_bound_length) return *std::move(text);
   json.report("\"" + json.text().substr(0, 60) +

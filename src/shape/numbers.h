@@ -56,8 +56,11 @@ class Numbers {
   /// A formula in the free names u and v with everything else put in.
   std::string height(const JsonReader& json) const;
 
-  /// Was a formula read, since this was last cleared, that says `i`?
-  mutable bool index_used = false;
+  /// Which indices of copies the formulas said that were read since this was last cleared.
+  struct Used {
+    bool i = false, j = false;
+  };
+  mutable Used used;
 
  private:
   std::vector<JsonReader> tuple(const JsonReader& json, std::size_t count) const;

@@ -26,7 +26,7 @@ bool is_identifier(std::string_view text) {
 }
 
 void require_free_name(const JsonReader& json, const std::string& name) {
-  static const std::set<std::string, std::less<>> taken = {"i",  "n",  "u",   "v",
+  static const std::set<std::string, std::less<>> taken = {"i",  "j",  "n",   "u",  "v",
                                                            "pi", "or", "and", "not"};
   if (!is_identifier(name))
     json.report("\"" + name.substr(0, 60) + "\" is no name; use letters, digits and _");

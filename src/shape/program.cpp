@@ -60,7 +60,8 @@ std::vector<std::string> pattern_names() {
 }
 
 std::vector<std::string> picture_themes() {
-  return {"landscape", "abstract", "still life", "map", "screen", "mirror", "plain"};
+  return {"landscape", "abstract", "still life", "botanical", "map",
+          "screen",    "mirror",   "clock",      "plain"};
 }
 
 std::size_t component_count(const std::vector<Component>& components) {

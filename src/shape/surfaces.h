@@ -1,9 +1,14 @@
 #pragma once
 
+#include <map>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "roomgen/geometry/model.h"
+#include "roomgen/shape/color.h"
+#include "roomgen/shape/pattern.h"
 #include "roomgen/shape/program.h"
 
 namespace roomgen::shape::detail {
@@ -27,10 +32,13 @@ class Surfaces {
   const std::vector<Painted>& all() const { return painted_; }
 
  private:
+  Painted painted(const Surface& surface);
   int add(Painted painted);
 
   std::vector<Painted> painted_;
   std::vector<std::pair<std::string, int>> names_;
+  std::map<std::tuple<Pattern, Rgb, Rgb>, std::shared_ptr<const Image>> patterns_;
+  std::map<std::tuple<std::string, std::uint64_t, double, int>, int> pictures_;
 };
 
 }  // namespace roomgen::shape::detail
