@@ -235,9 +235,9 @@ Image map(const Canvas& c, Random& random, std::uint64_t seed) {
 
 Image screen(const Canvas& c, Random& random, std::uint64_t seed) {
   const Clouds glow(2, 2, seed);
-  const double base = random.uniform(0.45, 0.85);
+  const double base = random.uniform(0.48, 0.68);
   const Rgb dark = hue(base, 0.70, 0.30),
-            light = hue(base + random.uniform(0.06, 0.25), 0.55, 0.85);
+            light = hue(base + random.uniform(-0.10, 0.14), 0.55, 0.85);
   const int cards = random.integer(3, 5);
   const double row = random.uniform(0.52, 0.66), tall = random.uniform(0.16, 0.24);
   std::vector<Rgb> colors;
