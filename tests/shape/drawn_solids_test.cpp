@@ -219,7 +219,7 @@ TEST_CASE("Lofts between any outlines are sound") {
   }
 }
 
-TEST_CASE("A straight loft of circles is a cylinder") {
+TEST_CASE("A smooth loft of equal circles is a cylinder") {
   const auto round = ellipse({0.5, 0.5}, 1e-5);
   const Mesh body = sound(mesh(Loft{{{0, round}, {0.2, round}, {0.6, round}}, false}, 1e-5));
   CHECK(volume(body) == Approx(pi * 0.0625 * 0.6).epsilon(1e-3));
