@@ -34,16 +34,30 @@ Point at(const Piece<Point>& b, double t) {
   return s * s * s * b[0] + 3 * s * s * t * b[1] + 3 * s * t * t * b[2] + t * t * t * b[3];
 }
 
+// Three quarters of how far the handles end aside of the chord bound how far the piece does, as
+// long as they end beside it.
+template <typename Point>
+bool is_near_chord(const Piece<Point>& b, double tolerance) {
+  const Point chord = b[3] - b[0];
+  const double length = chord.norm();
+  for (int k : {1, 2}) {
+    const double along = (b[k] - b[0]).dot(chord) / length;
+    const double aside = (b[k] - b[0] - along / length * chord).norm();
+    if (along < 0 || along > length || 0.75 * aside > tolerance) return false;
+  }
+  return true;
+}
+
 // So many chords that none is further than the tolerance from the piece (from the bound on its
 // second derivative) nor turns too much.
 template <typename Point>
 int steps(const Piece<Point>& b, double tolerance, double max_turn) {
-  const double bend = std::max((b[0] - 2 * b[1] + b[2]).norm(), (b[1] - 2 * b[2] + b[3]).norm());
   const double turn = angle_between<Point>(b[1] - b[0], b[2] - b[1]) +
                       angle_between<Point>(b[2] - b[1], b[3] - b[2]);
   if (turn < 1e-6) return 1;
-  const double by_distance = std::sqrt(0.75 * bend / tolerance), by_turn = turn / max_turn;
-  return std::clamp(static_cast<int>(std::ceil(std::max(by_distance, by_turn) - 0.01)), 1,
+  const double bend = std::max((b[0] - 2 * b[1] + b[2]).norm(), (b[1] - 2 * b[2] + b[3]).norm());
+  const double by_distance = is_near_chord(b, tolerance) ? 1.0 : std::sqrt(0.75 * bend / tolerance);
+  return std::clamp(static_cast<int>(std::ceil(std::max(by_distance, turn / max_turn) - 0.01)), 1,
                     most_steps);
 }
 

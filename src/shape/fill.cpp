@@ -80,8 +80,8 @@ class Bridge {
 
 Ring bridged(const std::vector<Vec2>& points, Ring ring, std::vector<Ring> holes) {
   const auto is_further_left = [&](Index a, Index b) { return points[a].x() < points[b].x(); };
-  // Holes begin at their rightmost points and are taken from the right, so that each finds the ring or
-  // a hole that is already part of it.
+  // Holes begin at their rightmost points and are taken from the right, so that each finds the ring
+  // or a hole that is already part of it.
   for (auto& hole : holes)
     std::rotate(hole.begin(), std::max_element(hole.begin(), hole.end(), is_further_left),
                 hole.end());

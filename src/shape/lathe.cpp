@@ -33,21 +33,66 @@ Vec3 placed(const Vec2& profile_point, const Vec2& direction) {
   return {profile_point.x() * direction.x(), profile_point.x() * direction.y(), profile_point.y()};
 }
 
+// The areas beside the axis that the profile goes around, each counter-clockwise; a profile that
+// comes back to the axis has several.
+std::vector<Loop> lobes(const Chain2& profile) {
+  if (profile.closed) return {profile.points};
+  std::vector<Loop> result;
+  Loop lobe;
+  for (const auto& p : profile.points) {
+    lobe.push_back(p);
+    if (p.x() > 0.0) continue;
+    if (lobe.size() > 2) result.push_back(lobe);
+    lobe = {p};
+  }
+  return result;
+}
+
 // The flat faces at the start and end of a part of a turn.
 void add_faces(Surface& surface, const Chain2& profile, const Vec2& first, const Vec2& last) {
-  Loop loop = profile.points;
+  auto loops = lobes(profile);
   std::vector<Vec3> points;
-  for (const auto& p : loop) points.push_back(placed(p, first));
+  for (const auto& loop : loops)
+    for (const auto& p : loop) points.push_back(placed(p, first));
   const Vec2 start = -left_of(first), end = left_of(last);
-  add_cap(surface, {loop}, points, {start.x(), start.y(), 0.0});
+  add_cap(surface, loops, points, {start.x(), start.y(), 0.0});
 
-  std::reverse(loop.begin(), loop.end());
   points.clear();
-  for (auto& p : loop) {
-    points.push_back(placed(p, last));
-    p.x() = -p.x();  // the other face is seen from the other side
+  for (auto& loop : loops) {
+    std::reverse(loop.begin(), loop.end());
+    for (auto& p : loop) {
+      points.push_back(placed(p, last));
+      p.x() = -p.x();  // the other face is seen from the other side
+    }
   }
-  add_cap(surface, {loop}, points, {end.x(), end.y(), 0.0});
+  add_cap(surface, loops, points, {end.x(), end.y(), 0.0});
+}
+
+bool is_disc(const Vec2& end, const Vec2& next) {
+  return end.x() == 0.0 && next.x() > 0.0 && end.y() == next.y();
+}
+
+// Flat ends become caps, whose texture is not drawn together towards the axis.
+void replace_discs(Surface& surface, Skin& skin, const Chain2& profile,
+                   const std::vector<Vec2>& columns) {
+  const auto add_disc = [&](const Vec2& rim, bool upward) {
+    Loop loop;
+    for (const auto& direction : columns) loop.push_back(rim.x() * direction);
+    add_level_cap(surface, {loop}, rim.y(), upward);
+  };
+  const std::size_t n = profile.size();
+  if (n > 3 && is_disc(profile.points[n - 1], profile.points[n - 2])) {
+    add_disc(profile.points[n - 2], true);
+    if (!profile.crease[n - 2]) skin.last_normal = Vec3::UnitZ();
+    skin.rows.pop_back();
+    skin.row_crease.pop_back();
+  }
+  if (skin.rows.size() > 2 && is_disc(profile.points[0], profile.points[1])) {
+    add_disc(profile.points[1], false);
+    if (!profile.crease[1]) skin.first_normal = -Vec3::UnitZ();
+    skin.rows.erase(skin.rows.begin());
+    skin.row_crease.erase(skin.row_crease.begin());
+  }
 }
 
 Result<Chain2> checked_profile(const Lathe& solid, double tolerance) {
@@ -95,8 +140,11 @@ Mesh turned(const Chain2& profile, double angle, double tolerance) {
     auto& row = skin.rows.emplace_back();
     for (const auto& direction : columns) row.push_back(placed(p, direction));
   }
+  if (!is_full(angle))
+    add_faces(surface, profile, columns.front(), columns.back());
+  else if (!profile.closed)
+    replace_discs(surface, skin, profile, columns);
   add_skin(surface, skin);
-  if (!is_full(angle)) add_faces(surface, profile, columns.front(), columns.back());
   return surface.mesh();
 }
 
@@ -108,8 +156,9 @@ Result<Mesh> mesh(const Lathe& solid, double tolerance) {
   if (!profile->closed) join_to_axis(*profile);
   const double area = signed_area(profile->points);
   if (std::abs(area) < 1e-9) return input_error("lathe: the profile encloses no area");
-  if (!is_simple(profile->points)) return input_error("lathe: the profile crosses itself");
   if (area < 0) reverse(*profile);
+  for (const auto& lobe : lobes(*profile))
+    if (!is_simple(lobe)) return input_error("lathe: the profile crosses itself");
   return turned(*profile, solid.angle, tolerance);
 }
 

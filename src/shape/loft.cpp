@@ -165,8 +165,8 @@ bool is_crease(const std::vector<Vec3>& below, const std::vector<Vec3>& here,
 }
 
 // Smooth columns through the levels' points; all have the rows that the most bent one needs.
-Result<std::vector<std::vector<Vec3>>> smoothed(const std::vector<std::vector<Vec3>>& rows,
-                                                double tolerance) {
+std::vector<std::vector<Vec3>> smoothed(const std::vector<std::vector<Vec3>>& rows,
+                                        double tolerance) {
   const std::size_t columns = rows.front().size(), spans = rows.size() - 1;
   std::vector<std::size_t> steps(spans, 1);
   const auto piece = [&](std::size_t column, std::size_t span, double t) -> Vec3 {
@@ -259,9 +259,7 @@ Result<Mesh> mesh(const Loft& solid, double tolerance) {
     for (std::size_t i = 1; i + 1 < skin.rows.size(); ++i)
       skin.row_crease[i] = is_crease(skin.rows[i - 1], skin.rows[i], skin.rows[i + 1]);
   } else {
-    auto rows = smoothed(skin.rows, tolerance);
-    if (!rows) return rows.error();
-    skin.rows = std::move(*rows);
+    skin.rows = smoothed(skin.rows, tolerance);
   }
   Surface surface;
   add_skin(surface, skin);

@@ -44,8 +44,8 @@ Curve<Vec2> rectangle(const Vec2& size, double bevel, double tolerance) {
   const Vec2 half = 0.5 * size;
   const double radius = std::min(bevel, half.minCoeff());
   if (!(radius > 0))
-    return straight(
-        std::vector<Vec2>{half, {-half.x(), half.y()}, -half, {half.x(), -half.y()}}, true);
+    return straight(std::vector<Vec2>{half, {-half.x(), half.y()}, -half, {half.x(), -half.y()}},
+                    true);
   return rounded_rectangle(half, Vec2::Constant(radius), tolerance);
 }
 

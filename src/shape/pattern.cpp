@@ -27,10 +27,10 @@ double ridge(double x) {
 
 Image grain(const Colors& c, std::uint64_t seed) {
   const Noise fibre(5, 128, seed), pore(24, 200, seed + 1);
-  const Clouds wave(2, 5, seed + 2), tone(1, 4, seed + 3);
+  const Clouds wave(1, 4, seed + 2), tone(1, 4, seed + 3);
   return painted(side, side, [&](double u, double v) -> Rgb {
     // Year rings, cut at a slant: bands along u that wander.
-    const double ring = fraction(7.0 * v + 2.2 * wave(u, v));
+    const double ring = fraction(9.0 * v + 1.3 * wave(u, v));
     const double band = smooth_step(0.0, 0.75, ring) * (1.0 - smooth_step(0.88, 1.0, ring));
     const double pores = smooth_step(0.72, 1.0, pore(u, v));
     const double shade =

@@ -23,13 +23,8 @@ Loop corners(int sides, double radius) {
 Result<Mesh> mesh(const Prism& solid, double tolerance) {
   if (auto s = check_tolerance(tolerance); !s) return s.error();
   if (solid.sides < 3 || solid.sides > 64) return input_error("prism: needs 3 to 64 sides");
-  if (auto s =
-          check_sizes("prism", {solid.height, std::max(solid.bottom_radius, solid.top_radius)});
-      !s)
-    return s.error();
-  const double least = std::min(solid.bottom_radius, solid.top_radius);
-  if (least != 0.0 && !(least >= smallest_size))
-    return input_error("prism: a radius must be 0 or at least 0.0001 m");
+  if (auto s = check_sizes("prism", {solid.height}); !s) return s.error();
+  if (auto s = check_radii("prism", solid.bottom_radius, solid.top_radius); !s) return s.error();
 
   const Loop bottom = corners(solid.sides, solid.bottom_radius);
   const Loop top = corners(solid.sides, solid.top_radius);

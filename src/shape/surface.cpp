@@ -5,6 +5,7 @@
 #include <map>
 #include <numeric>
 #include <tuple>
+#include <unordered_map>
 #include <utility>
 
 #include "weld.h"
@@ -63,6 +64,146 @@ class Vertices {
   std::map<std::tuple<std::uint32_t, float, float, float, float, float>, std::uint32_t> known_;
 };
 
+using Ids = std::array<std::uint32_t, 3>;
+
+// Turns faces with corners into triangles between points.
+class Assembly {
+ public:
+  explicit Assembly(std::vector<std::array<Corner, 3>> faces) : faces_(std::move(faces)) {
+    weld_points();
+    turn_slivers();
+    sum_normals();
+  }
+
+  Mesh mesh() const {
+    Mesh result;
+    Vertices vertices(result);
+    for (std::size_t f = 0; f < faces_.size(); ++f) {
+      const Vec3 face_normal = area_normal(ids_[f]).normalized();
+      Triangle triangle{};
+      for (int k = 0; k < 3; ++k) {
+        const Corner& corner = faces_[f][k];
+        const auto id = ids_[f][k];
+        Vec3 normal = corner.normal.isZero() ? sums_.at({id, corner.group}) : corner.normal;
+        normal.normalize();
+        // A fold this sharp is an edge, whoever asked for smoothness.
+        if (!(normal.dot(face_normal) > 0.05)) normal = face_normal;
+        triangle[k] =
+            vertices.add(id, positions_[id], corner.uv.cast<float>(), normal.cast<float>());
+      }
+      result.triangles.push_back(triangle);
+    }
+    return result;
+  }
+
+ private:
+  Vec3 position(std::uint32_t id) const { return positions_[id].cast<double>(); }
+  Vec3 area_normal(const Ids& t) const {
+    return (position(t[1]) - position(t[0])).cross(position(t[2]) - position(t[0]));
+  }
+
+  void weld_points() {
+    Weld weld;
+    std::vector<Ids> all;
+    for (const auto& face : faces_) {
+      auto& ids = all.emplace_back();
+      for (int k = 0; k < 3; ++k) ids[k] = weld(face[k].position.cast<float>());
+    }
+    positions_ = weld.positions();
+    Merged merged(positions_.size());
+    for (const auto& ids : all)
+      for (int k = 0; k < 3; ++k) {
+        const auto a = ids[k], b = ids[(k + 1) % 3];
+        if (a != b && (positions_[a] - positions_[b]).norm() < shortest_edge) merged.merge(a, b);
+      }
+    std::vector<std::array<Corner, 3>> kept;
+    for (std::size_t f = 0; f < faces_.size(); ++f) {
+      Ids ids = all[f];
+      for (auto& id : ids) id = merged.find(id);
+      if (ids[0] == ids[1] || ids[1] == ids[2] || ids[2] == ids[0]) continue;
+      kept.push_back(faces_[f]);
+      ids_.push_back(ids);
+    }
+    faces_ = std::move(kept);
+  }
+
+  // A triangle without area whose corners differ has one corner on its longest edge. It goes, and
+  // its neighbour over that edge is divided at the corner.
+  void turn_slivers() {
+    std::unordered_map<std::uint64_t, std::size_t> owner;
+    const auto remember = [&](std::size_t f) {
+      for (int k = 0; k < 3; ++k) owner[directed_edge(ids_[f][k], ids_[f][(k + 1) % 3])] = f;
+    };
+    bool any = false;
+    for (std::size_t f = 0; f < faces_.size(); ++f) any = any || is_sliver(f);
+    if (!any) return;
+    for (std::size_t f = 0; f < faces_.size(); ++f) remember(f);
+    for (int round = 0; round < 4; ++round)
+      for (std::size_t f = 0; f < faces_.size(); ++f) {
+        if (!is_sliver(f)) continue;
+        const int k = longest_edge(ids_[f]);
+        const auto a = ids_[f][k], b = ids_[f][(k + 1) % 3];
+        const auto beyond = owner.find(directed_edge(b, a));
+        if (beyond == owner.end()) continue;
+        const std::size_t other = beyond->second;
+        owner.erase(directed_edge(a, b));
+        owner.erase(directed_edge(b, a));
+        divide(other, f, a, b, ids_[f][(k + 2) % 3]);
+        remember(f);
+        remember(other);
+      }
+  }
+
+  bool is_sliver(std::size_t f) const { return area_normal(ids_[f]).norm() < 4e-12; }
+
+  int longest_edge(const Ids& t) const {
+    int best = 0;
+    for (int k = 1; k < 3; ++k)
+      if ((positions_[t[k]] - positions_[t[(k + 1) % 3]]).norm() >
+          (positions_[t[best]] - positions_[t[(best + 1) % 3]]).norm())
+        best = k;
+    return best;
+  }
+
+  // Face `other` has the edge from b to a; c lies on it. Its halves become `other` and `free`.
+  void divide(std::size_t other, std::size_t free, std::uint32_t a, std::uint32_t b,
+              std::uint32_t c) {
+    int at_b = 0;
+    while (ids_[other][at_b] != b) ++at_b;
+    const auto d = ids_[other][(at_b + 2) % 3];
+    const Corner cb = faces_[other][at_b], ca = faces_[other][(at_b + 1) % 3],
+                 cd = faces_[other][(at_b + 2) % 3];
+    const Vec3 way = position(b) - position(a);
+    const double t = (position(c) - position(a)).dot(way) / way.squaredNorm();
+    Corner cc = ca;
+    cc.position = position(c);
+    cc.uv = ca.uv + t * (cb.uv - ca.uv);
+    cc.normal = ca.normal + t * (cb.normal - ca.normal);
+    faces_[other] = {cc, ca, cd};
+    ids_[other] = {c, a, d};
+    faces_[free] = {cb, cc, cd};
+    ids_[free] = {b, c, d};
+  }
+
+  // The mean normal of a point within a group: by angle, so that it does not depend on how quads
+  // are split, and by area, so that a narrow bevel leaves the flat face beside it flat.
+  void sum_normals() {
+    for (std::size_t f = 0; f < faces_.size(); ++f)
+      for (int k = 0; k < 3; ++k) {
+        const auto& t = ids_[f];
+        const double angle =
+            angle_at(position(t[k]), position(t[(k + 1) % 3]), position(t[(k + 2) % 3]));
+        sums_.try_emplace({t[k], faces_[f][k].group}, Vec3::Zero()).first->second +=
+            angle * area_normal(t);
+      }
+  }
+
+  std::vector<std::array<Corner, 3>> faces_;
+  std::vector<Ids> ids_;  // as long as faces_
+  std::vector<Vec3f> positions_;
+  std::map<std::pair<std::uint32_t, int>, Vec3> sums_;
+};
+
 }  // namespace
 
 void Surface::triangle(const Corner& a, const Corner& b, const Corner& c) {
@@ -82,52 +223,7 @@ void Surface::quad(const Corner& a, const Corner& b, const Corner& c, const Corn
 }
 
 Mesh Surface::mesh() const {
-  Weld weld;
-  std::vector<std::array<std::uint32_t, 3>> points;
-  for (const auto& face : faces_) {
-    auto& ids = points.emplace_back();
-    for (int k = 0; k < 3; ++k) ids[k] = weld(face[k].position.cast<float>());
-  }
-  Merged merged(weld.positions().size());
-  for (const auto& ids : points)
-    for (int k = 0; k < 3; ++k) {
-      const auto a = ids[k], b = ids[(k + 1) % 3];
-      if (a != b && (weld.positions()[a] - weld.positions()[b]).norm() < shortest_edge)
-        merged.merge(a, b);
-    }
-
-  // The mean normal of a point within a group: by angle, so that it does not depend on how quads
-  // are split, and by area, so that a narrow bevel leaves the flat face beside it flat.
-  std::map<std::pair<std::uint32_t, int>, Vec3> sums;
-  std::vector<std::size_t> kept;
-  for (std::size_t f = 0; f < faces_.size(); ++f) {
-    auto& ids = points[f];
-    for (auto& id : ids) id = merged.find(id);
-    if (ids[0] == ids[1] || ids[1] == ids[2] || ids[2] == ids[0]) continue;
-    kept.push_back(f);
-    std::array<Vec3, 3> p;
-    for (int k = 0; k < 3; ++k) p[k] = weld.positions()[ids[k]].cast<double>();
-    const Vec3 normal = (p[1] - p[0]).cross(p[2] - p[0]);
-    for (int k = 0; k < 3; ++k)
-      sums.try_emplace({ids[k], faces_[f][k].group}, Vec3::Zero()).first->second +=
-          angle_at(p[k], p[(k + 1) % 3], p[(k + 2) % 3]) * normal;
-  }
-
-  Mesh result;
-  Vertices vertices(result);
-  for (const auto f : kept) {
-    const auto& face = faces_[f];
-    Triangle indices{};
-    for (int k = 0; k < 3; ++k) {
-      const auto& corner = face[k];
-      const auto point = points[f][k];
-      const Vec3 normal = corner.normal.isZero() ? sums.at({point, corner.group}) : corner.normal;
-      indices[k] = vertices.add(point, weld.positions()[point], corner.uv.cast<float>(),
-                                normal.normalized().cast<float>());
-    }
-    result.triangles.push_back(indices);
-  }
-  return result;
+  return Assembly(faces_).mesh();
 }
 
 }  // namespace roomgen::shape

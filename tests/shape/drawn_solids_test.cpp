@@ -108,9 +108,10 @@ TEST_CASE("A turned profile has the volume that Pappus found, whichever way it i
 }
 
 TEST_CASE("An open profile is closed along the axis") {
-  const std::vector<Points> profiles = {
-      {{0, 0}, {0.2, 0}, {0.2, 0.5}, {0, 0.5}}, {{0.2, 0}, {0.2, 0.5}},
-      {{0.2, 0}, {0.2, 0.5}, {0, 0.5}},         {{0.2, 0.5}, {0.2, 0.25}, {0.2, 0}}};
+  const std::vector<Points> profiles = {{{0, 0}, {0.2, 0}, {0.2, 0.5}, {0, 0.5}},
+                                        {{0.2, 0}, {0.2, 0.5}},
+                                        {{0.2, 0}, {0.2, 0.5}, {0, 0.5}},
+                                        {{0.2, 0.5}, {0.2, 0.25}, {0.2, 0}}};
   for (const auto& profile : profiles)
     for (double angle : {2 * pi, 1.0, pi}) {
       const Mesh body = sound(mesh(Lathe{straight(profile, false), angle}, 1e-5));
@@ -133,7 +134,8 @@ TEST_CASE("Profiles that come back to the axis, start at a point or swing over l
 }
 
 TEST_CASE("A part of a turn opens to the front") {
-  const Mesh part = sound(mesh(Lathe{straight({Vec2(0.3, 0), Vec2(0.4, 0), Vec2(0.4, 0.2), Vec2(0.3, 0.2)}, true), pi}, tolerance));
+  const Mesh part = sound(mesh(
+      Lathe{straight(Points{{0.3, 0}, {0.4, 0}, {0.4, 0.2}, {0.3, 0.2}}, true), pi}, tolerance));
   CHECK(bounds(part).low.y() == Approx(0).margin(1e-6));
   CHECK(bounds(part).high.y() == Approx(0.4));
 }
@@ -180,7 +182,8 @@ TEST_CASE("Points in the middle of straight sides do no harm to caps") {
   for (int k = 0; k < 10; ++k) points.push_back({1, 0.1 * k});
   for (int k = 0; k < 10; ++k) points.push_back({1 - 0.1 * k, 1});
   for (int k = 0; k < 10; ++k) points.push_back({0, 1 - 0.1 * k});
-  CHECK(volume(sound(mesh(Extrusion{straight(points, true), {}, 0.3, 0}, tolerance))) == Approx(0.3));
+  CHECK(volume(sound(mesh(Extrusion{straight(points, true), {}, 0.3, 0}, tolerance))) ==
+        Approx(0.3));
 }
 
 TEST_CASE("A straight loft between like rectangles is a frustum of a pyramid") {
@@ -216,7 +219,7 @@ TEST_CASE("Lofts between any outlines are sound") {
   }
 }
 
-TEST_CASE("A straight loft of circles is a cylinder") {
+TEST_CASE("A smooth loft of equal circles is a cylinder") {
   const auto round = ellipse({0.5, 0.5}, 1e-5);
   const Mesh body = sound(mesh(Loft{{{0, round}, {0.2, round}, {0.6, round}}, false}, 1e-5));
   CHECK(volume(body) == Approx(pi * 0.0625 * 0.6).epsilon(1e-3));
@@ -239,7 +242,9 @@ TEST_CASE("A height field is as high as its formula, within its bounds") {
 TEST_CASE("A height field of any divisions is sound") {
   for (int divisions : {2, 3, 17, 64, 128})
     for (Vec2 size : {Vec2(1, 1), Vec2(2, 0.05), Vec2(0.3, 1)}) {
-      const auto wave = [](double u, double v) { return 0.05 + 0.03 * std::sin(7 * u) * std::cos(5 * v); };
+      const auto wave = [](double u, double v) {
+        return 0.05 + 0.03 * std::sin(7 * u) * std::cos(5 * v);
+      };
       sound(mesh(HeightField{size, wave, divisions}, tolerance));
     }
 }
@@ -276,13 +281,16 @@ TEST_CASE("Drawings that make no solid are refused") {
   CHECK(mesh(Extrusion{straight(square, true), {}, 0.1, 0}, tolerance));
   CHECK_FALSE(mesh(Extrusion{straight(bow, true), {}, 0.1, 0}, tolerance));
   CHECK_FALSE(mesh(Extrusion{straight(square, true), {}, -0.1, 0}, tolerance));
-  CHECK_FALSE(mesh(Extrusion{straight(Points{{0, 0}, {1, 0}, {2, 0}}, true), {}, 0.1, 0}, tolerance));
-  CHECK_FALSE(mesh(Extrusion{straight(Points{{0, 0}, {1, nan}, {2, 0}}, true), {}, 0.1, 0}, tolerance));
+  CHECK_FALSE(
+      mesh(Extrusion{straight(Points{{0, 0}, {1, 0}, {2, 0}}, true), {}, 0.1, 0}, tolerance));
+  CHECK_FALSE(
+      mesh(Extrusion{straight(Points{{0, 0}, {1, nan}, {2, 0}}, true), {}, 0.1, 0}, tolerance));
   CHECK_FALSE(mesh(Extrusion{Curve<Vec2>{square, {7}, true}, {}, 0.1, 0}, tolerance));
   const auto small = moved(straight(square, true), {0.4, 0.4}, 0.1);
   CHECK(mesh(Extrusion{straight(square, true), {small}, 0.1, 0}, tolerance));
   CHECK_FALSE(mesh(Extrusion{straight(square, true), {moved(small, {5, 5})}, 0.1, 0}, tolerance));
-  CHECK_FALSE(mesh(Extrusion{straight(square, true), {moved(small, {0.55, 0})}, 0.1, 0}, tolerance));
+  CHECK_FALSE(
+      mesh(Extrusion{straight(square, true), {moved(small, {0.55, 0})}, 0.1, 0}, tolerance));
   CHECK_FALSE(mesh(Extrusion{straight(square, true), {small, small}, 0.1, 0}, tolerance));
 
   CHECK_FALSE(mesh(Lathe{straight(Points{{-0.1, 0}, {0.3, 1}}, false)}, tolerance));
@@ -293,7 +301,8 @@ TEST_CASE("Drawings that make no solid are refused") {
   CHECK_FALSE(mesh(Lathe{straight(Points{}, false)}, tolerance));
 
   CHECK_FALSE(mesh(Loft{{{0, straight(square, true)}}, false}, tolerance));
-  CHECK_FALSE(mesh(Loft{{{0, straight(square, true)}, {0, straight(square, true)}}, false}, tolerance));
+  CHECK_FALSE(
+      mesh(Loft{{{0, straight(square, true)}, {0, straight(square, true)}}, false}, tolerance));
   CHECK_FALSE(mesh(HeightField{}, tolerance));
   CHECK_FALSE(mesh(HeightField{{1, 1}, [=](double, double) { return nan; }}, tolerance));
   CHECK_FALSE(mesh(HeightField{{1, 1}, [](double, double) { return 1.0; }, 1}, tolerance));

@@ -39,8 +39,8 @@ std::string problem(const std::string& text) {
   return value.error().message;
 }
 
-// A random formula and, computed beside it, what it is. All numbers are positive and at least 0.1, so
-// that every operation is defined.
+// A random formula and, computed beside it, what it is. All numbers are positive and at least 0.1,
+// so that every operation is defined.
 struct Formula {
   std::string text;
   double value = 0.0;
@@ -54,16 +54,26 @@ Formula random_formula(Random& random, int depth) {
   }
   const Formula x = random_formula(random, depth - 1), y = random_formula(random, depth - 1);
   switch (random.integer(0, 9)) {
-    case 0: return {"(" + x.text + " + " + y.text + ")", x.value + y.value};
-    case 1: return {"(" + x.text + ") * (" + y.text + ")", x.value * y.value};
-    case 2: return {"(" + x.text + ") / (" + y.text + ")", x.value / y.value};
-    case 3: return {"abs(" + x.text + " - (" + y.text + ")) + 0.1", std::abs(x.value - y.value) + 0.1};
-    case 4: return {"min(" + x.text + ", " + y.text + ")", std::min(x.value, y.value)};
-    case 5: return {"if(" + x.text + " < (" + y.text + "), 1, 2)", x.value < y.value ? 1.0 : 2.0};
-    case 6: return {"sqrt(" + x.text + ")", std::sqrt(x.value)};
-    case 7: return {"ceil(" + x.text + ")", std::ceil(x.value)};
-    case 8: return {"mix(" + x.text + ", " + y.text + ", 0.5)", (x.value + y.value) / 2};
-    default: return {"(0.1 - -(" + x.text + "))", 0.1 + x.value};
+    case 0:
+      return {"(" + x.text + " + " + y.text + ")", x.value + y.value};
+    case 1:
+      return {"(" + x.text + ") * (" + y.text + ")", x.value * y.value};
+    case 2:
+      return {"(" + x.text + ") / (" + y.text + ")", x.value / y.value};
+    case 3:
+      return {"abs(" + x.text + " - (" + y.text + ")) + 0.1", std::abs(x.value - y.value) + 0.1};
+    case 4:
+      return {"min(" + x.text + ", " + y.text + ")", std::min(x.value, y.value)};
+    case 5:
+      return {"if(" + x.text + " < (" + y.text + "), 1, 2)", x.value < y.value ? 1.0 : 2.0};
+    case 6:
+      return {"sqrt(" + x.text + ")", std::sqrt(x.value)};
+    case 7:
+      return {"ceil(" + x.text + ")", std::ceil(x.value)};
+    case 8:
+      return {"mix(" + x.text + ", " + y.text + ", 0.5)", (x.value + y.value) / 2};
+    default:
+      return {"(0.1 - -(" + x.text + "))", 0.1 + x.value};
   }
 }
 
@@ -134,7 +144,8 @@ TEST_CASE("Errors name the column and what is wrong") {
   CHECK(contains_text(problem("sqrt(b)"), "sqrt of a negative number"));
   CHECK(contains_text(problem("pow(-1, 0.5)"), "no finite number"));
   CHECK(contains_text(problem("pow(10, 400)"), "no finite number"));
-  CHECK(contains_text(problem("1 + widht"), "column 5: unknown name \"widht\"; did you mean \"width\"?"));
+  CHECK(contains_text(problem("1 + widht"),
+                      "column 5: unknown name \"widht\"; did you mean \"width\"?"));
   CHECK(contains_text(problem("maxx(1)"), "did you mean \"max\"?"));
   CHECK(contains_text(problem("min()"), "column 5"));
   CHECK(contains_text(problem("clamp(1, 2)"), "clamp takes 3 arguments, not 2"));
@@ -166,7 +177,8 @@ TEST_CASE("Hostile formulas end at once") {
   for (int k = 0; k < 20000; ++k) {
     std::string text;
     for (int length = random.integer(0, 30); length > 0; --length)
-      text += letters[static_cast<std::size_t>(random.integer(0, static_cast<int>(letters.size()) - 1))];
+      text += letters[static_cast<std::size_t>(
+          random.integer(0, static_cast<int>(letters.size()) - 1))];
     if (const auto compiled = Expression::compile(text)) (void)compiled->value(some_scope());
   }
 }
@@ -187,9 +199,9 @@ TEST_CASE("Random formulas give what an independent evaluation gives") {
 TEST_CASE("A bound formula has numbers in place of names and means the same") {
   auto scope = some_scope();
   Random random(3);
-  for (const char* text : {"a * u + b * v", "(a + u) * (b - v)", "u - (v - a)", "-(u + a) / (1 + v * v)",
-                           "if(u < b, a, a * v)", "not (u < 0 or v > b)", "pow(abs(u), a) + hash(a)",
-                           "a - b * u", "u / (v + 3) / a"}) {
+  for (const char* text : {"a * u + b * v", "(a + u) * (b - v)", "u - (v - a)",
+                           "-(u + a) / (1 + v * v)", "if(u < b, a, a * v)", "not (u < 0 or v > b)",
+                           "pow(abs(u), a) + hash(a)", "a - b * u", "u / (v + 3) / a"}) {
     const auto formula = Expression::compile(text);
     REQUIRE(formula);
     const auto bound = formula->bound(scope, {"u", "v"});

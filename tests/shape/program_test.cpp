@@ -37,7 +37,11 @@ const char* const everything = R"(
 }  // namespace
 
 TEST_CASE("A written program reads back to the same bytes") {
-  const auto first = read_program(document(everything, R"("name": "x", "about": "y", "connections": [["a", "b"], ["top", "floor"], ["p.knob", "p.front"]],)"), "test");
+  const auto first = read_program(
+      document(
+          everything,
+          R"("name": "x", "about": "y", "connections": [["a", "b"], ["top", "floor"], ["p.knob", "p.front"]],)"),
+      "test");
   INFO((first ? "" : first.error().message));
   REQUIRE(first);
   const std::string text = dump_json(write_program(*first));
@@ -66,41 +70,65 @@ TEST_CASE("Errors of a concrete program name the place") {
   const auto error = [](const std::string& component) { return read_error(document(component)); };
   CHECK(error(R"({"name": "a", "box": {"size": [1, 2]}})") ==
         "test: /components/0/box/size: expected an array of 3 numbers");
-  CHECK(contains_text(error(R"({"name": "a", "box": {"size": [1, 2, 21]}})"),
-                      "/components/0/box/size/2: 21 is out of range; expected a number from 0 to 20"));
+  CHECK(contains_text(
+      error(R"({"name": "a", "box": {"size": [1, 2, 21]}})"),
+      "/components/0/box/size/2: 21 is out of range; expected a number from 0 to 20"));
   CHECK(contains_text(error(R"({"name": "a", "box": {"size": [1, 2, 3], "bevle": 1}})"),
                       "/components/0/box: unknown key \"bevle\"; did you mean \"bevel\"?"));
   CHECK(contains_text(error(R"({"name": "a", "box": {"size": ["w", 2, 3]}})"),
                       "/components/0/box/size/0: expected a number"));
-  CHECK(contains_text(error(R"({"name": "a", "box": {"size": ["w", 2, 3]}})"), "formulas belong in recipes"));
+  CHECK(contains_text(error(R"({"name": "a", "box": {"size": ["w", 2, 3]}})"),
+                      "formulas belong in recipes"));
   CHECK(contains_text(error(R"({"name": "a", "use": "leg"})"), "belongs in recipes"));
-  CHECK(contains_text(error(R"({"name": "a", "when": "1", "box": {"size": [1, 1, 1]}})"), "belongs in recipes"));
+  CHECK(contains_text(error(R"({"name": "a", "when": "1", "box": {"size": [1, 1, 1]}})"),
+                      "belongs in recipes"));
   CHECK(contains_text(error(R"({"name": "a"})"), "/components/0: has no solid"));
-  CHECK(contains_text(error(R"({"name": "a", "box": {"size": [1, 1, 1]}, "ellipsoid": {"size": [1, 1, 1]}})"),
-                      "more than one solid (box, ellipsoid)"));
+  CHECK(contains_text(
+      error(R"({"name": "a", "box": {"size": [1, 1, 1]}, "ellipsoid": {"size": [1, 1, 1]}})"),
+      "more than one solid (box, ellipsoid)"));
   CHECK(contains_text(error(R"({"box": {"size": [1, 1, 1]}})"), "/components/0/name: missing"));
-  CHECK(contains_text(error(R"({"name": "a.b", "box": {"size": [1, 1, 1]}})"), "/components/0/name"));
+  CHECK(
+      contains_text(error(R"({"name": "a.b", "box": {"size": [1, 1, 1]}})"), "/components/0/name"));
   CHECK(contains_text(error(R"({"name": "a", "box": {"size": [1, 1, 1]}, "material": "n"})"),
                       "/components/0/material: no material \"n\""));
-  CHECK(contains_text(error(R"({"name": "a", "box": {"size": [1, 1, 1]}, "scale": 0})"), "/components/0/scale"));
-  CHECK(contains_text(error(R"({"name": "a", "box": {"size": [1, 1, 1]}, "operations": [{"mirror": "z"}]})"),
-                      "/components/0/operations/0/mirror: expected \"x\" or \"y\""));
-  CHECK(contains_text(error(R"({"name": "a", "box": {"size": [1, 1, 1]}, "operations": [{"mirror": "x", "join": true}]})"),
-                      "expected exactly one"));
-  CHECK(contains_text(error(R"({"name": "a", "box": {"size": [1, 1, 1]}, "operations": [{"cut": {"point": [0,0,0], "normal": [0,0,0]}}]})"),
-                      "/components/0/operations/0/cut/normal"));
-  CHECK(contains_text(error(R"({"name": "a", "sweep": {"path": [[0,0,0],[0,0,1]], "radius": 0.1, "section": [1, 1]}})"),
-                      "expected one of \"radius\", \"section\" and \"outline\""));
-  CHECK(contains_text(error(R"({"name": "a", "lathe": {"profile": [[0, 0], [-1, 1]]}})"), "negative"));
-  CHECK(contains_text(error(R"({"name": "a", "lathe": {"profile": [[0, 0]]}})"), "2 points or more"));
-  CHECK(contains_text(error(R"({"name": "a", "lathe": {"profile": [[0, 0], [1, 1]], "corners": [2]}})"), "/corners/0"));
-  CHECK(contains_text(error(R"({"name": "a", "loft": {"levels": [{"z": 1, "size": [1, 1]}, {"z": 1, "size": [1, 1]}]}})"), "not above"));
-  CHECK(contains_text(error(R"({"name": "a", "height_field": {"size": [1, 1], "height": "w * u"}})"), "/height"));
-  CHECK(contains_text(error(R"({"name": "a", "picture": {"size": [1, 1], "theme": "letters"}})"), "there are landscape"));
-  CHECK(contains_text(error(R"({"name": "a", "group": {"components": [{"name": "b", "box": {"size": 3}}]}})"),
-                      "/components/0/group/components/0/box/size"));
-  CHECK(contains_text(error(R"({"name": "a", "box": {"size": [1,1,1]}}, {"name": "a", "box": {"size": [1,1,1]}})"),
-                      "two components are called \"a\""));
+  CHECK(contains_text(error(R"({"name": "a", "box": {"size": [1, 1, 1]}, "scale": 0})"),
+                      "/components/0/scale"));
+  CHECK(contains_text(
+      error(R"({"name": "a", "box": {"size": [1, 1, 1]}, "operations": [{"mirror": "z"}]})"),
+      "/components/0/operations/0/mirror: expected \"x\" or \"y\""));
+  CHECK(contains_text(
+      error(
+          R"({"name": "a", "box": {"size": [1, 1, 1]}, "operations": [{"mirror": "x", "join": true}]})"),
+      "expected exactly one"));
+  CHECK(contains_text(
+      error(
+          R"({"name": "a", "box": {"size": [1, 1, 1]}, "operations": [{"cut": {"point": [0,0,0], "normal": [0,0,0]}}]})"),
+      "/components/0/operations/0/cut/normal"));
+  CHECK(contains_text(
+      error(
+          R"({"name": "a", "sweep": {"path": [[0,0,0],[0,0,1]], "radius": 0.1, "section": [1, 1]}})"),
+      "expected one of \"radius\", \"section\" and \"outline\""));
+  CHECK(contains_text(error(R"({"name": "a", "lathe": {"profile": [[0, 0], [-1, 1]]}})"),
+                      "negative"));
+  CHECK(
+      contains_text(error(R"({"name": "a", "lathe": {"profile": [[0, 0]]}})"), "2 points or more"));
+  CHECK(contains_text(
+      error(R"({"name": "a", "lathe": {"profile": [[0, 0], [1, 1]], "corners": [2]}})"),
+      "/corners/0"));
+  CHECK(contains_text(
+      error(
+          R"({"name": "a", "loft": {"levels": [{"z": 1, "size": [1, 1]}, {"z": 1, "size": [1, 1]}]}})"),
+      "not above"));
+  CHECK(contains_text(
+      error(R"({"name": "a", "height_field": {"size": [1, 1], "height": "w * u"}})"), "/height"));
+  CHECK(contains_text(error(R"({"name": "a", "picture": {"size": [1, 1], "theme": "letters"}})"),
+                      "there are landscape"));
+  CHECK(contains_text(
+      error(R"({"name": "a", "group": {"components": [{"name": "b", "box": {"size": 3}}]}})"),
+      "/components/0/group/components/0/box/size"));
+  CHECK(contains_text(
+      error(R"({"name": "a", "box": {"size": [1,1,1]}}, {"name": "a", "box": {"size": [1,1,1]}})"),
+      "two components are called \"a\""));
 }
 
 TEST_CASE("Errors of the document around the components name the place") {
@@ -110,9 +138,12 @@ TEST_CASE("Errors of the document around the components name the place") {
   CHECK(contains_text(read_error(parsed(R"({"format": "roomgen-shape"})")), "/components"));
   CHECK(contains_text(read_error(document(box, R"("parameters": {},)")), "a recipe"));
   CHECK(contains_text(read_error(document(box, R"("part": {},)")), "unknown key \"part\""));
-  CHECK(contains_text(read_error(document(box, R"("connections": [["a", "c"]],)")), "/connections/0/1: no component"));
-  CHECK(contains_text(read_error(document(box, R"("connections": [["a"]],)")), "/connections/0: expected two names"));
-  CHECK(contains_text(read_error(document(box, R"("connections": [["floor", "a"]],)")), "/connections/0/0"));
+  CHECK(contains_text(read_error(document(box, R"("connections": [["a", "c"]],)")),
+                      "/connections/0/1: no component"));
+  CHECK(contains_text(read_error(document(box, R"("connections": [["a"]],)")),
+                      "/connections/0: expected two names"));
+  CHECK(contains_text(read_error(document(box, R"("connections": [["floor", "a"]],)")),
+                      "/connections/0/0"));
   auto colored = document(box);
   colored["materials"]["m"]["color"] = "okk";
   CHECK(contains_text(read_error(colored), "/materials/m/color: \"okk\" is no colour; "));
@@ -126,14 +157,17 @@ TEST_CASE("Errors of the document around the components name the place") {
 
 TEST_CASE("Copies beyond the limit are refused before they are made") {
   const auto copies = [](const std::string& operations) {
-    return read_error(document(R"({"name": "a", "box": {"size": [1, 1, 1]}, "operations": [)" + operations + "]}"));
+    return read_error(document(R"({"name": "a", "box": {"size": [1, 1, 1]}, "operations": [)" +
+                               operations + "]}"));
   };
-  CHECK(contains_text(copies(R"({"array": {"count": 1000000, "step": [1, 0, 0]}})"), "/operations/0/array/count"));
+  CHECK(contains_text(copies(R"({"array": {"count": 1000000, "step": [1, 0, 0]}})"),
+                      "/operations/0/array/count"));
   const std::string hundred = R"({"array": {"count": 100, "step": [0.01, 0, 0]}})";
   CHECK(contains_text(copies(hundred + "," + hundred), "more than 4096 components"));
   std::string nested = R"({"name": "a", "box": {"size": [1, 1, 1]}})";
   for (int k = 0; k < 8; ++k)
-    nested = R"({"name": "g", "group": {"components": [)" + nested + R"(]}, "operations": [)" + hundred + "]}";
+    nested = R"({"name": "g", "group": {"components": [)" + nested + R"(]}, "operations": [)" +
+             hundred + "]}";
   CHECK(contains_text(read_error(document(nested)), "more than 4096 components"));
 }
 

@@ -8,8 +8,8 @@
 
 /// What the tests of shape programs share.
 inline const std::string shapes_folder = ROOMGEN_TEST_DATA "/shapes";
-inline const std::vector<std::string> shape_names = {"bar-stool", "bookshelf", "chair", "floor-lamp",
-                                                     "leg",       "sofa",      "vase"};
+inline const std::vector<std::string> shape_names = {
+    "bar-stool", "bookshelf", "chair", "floor-lamp", "leg", "sofa", "vase"};
 
 inline roomgen::Json shape_file(const std::string& name) {
   auto json = roomgen::shape::read_recipe(shapes_folder + "/" + name + ".json");
@@ -26,8 +26,9 @@ inline roomgen::Json parsed(const std::string& text) {
 
 /// A document with this list of components and the material "m".
 inline roomgen::Json document(const std::string& components, const std::string& rest = "") {
-  return parsed(R"({"format": "roomgen-shape", "version": 1, "materials": {"m": {"color": "oak"}},)" +
-                rest + R"("components": [)" + components + "]}");
+  return parsed(
+      R"({"format": "roomgen-shape", "version": 1, "materials": {"m": {"color": "oak"}},)" + rest +
+      R"("components": [)" + components + "]}");
 }
 
 inline roomgen::shape::Program concrete(const roomgen::Json& recipe,

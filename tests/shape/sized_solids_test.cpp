@@ -59,7 +59,8 @@ TEST_CASE("A rounded box has the volume of a box swept by a ball") {
     const double r = random.uniform(0.01, 0.5) * size.minCoeff();
     const Mesh box = sound(mesh(Box{size, r}, 1e-4 * r + 1e-6));
     const Vec3 in = (size.array() - 2 * r).matrix();
-    const double expected = in.prod() + 2 * r * (in.x() * in.y() + in.y() * in.z() + in.z() * in.x()) +
+    const double expected = in.prod() +
+                            2 * r * (in.x() * in.y() + in.y() * in.z() + in.z() * in.x()) +
                             pi * r * r * in.sum() + 4.0 / 3 * pi * r * r * r;
     CHECK(volume(box) == Approx(expected).epsilon(4e-3));
     check_fills(box, size);
@@ -95,7 +96,8 @@ TEST_CASE("Frustums of all kinds have their volume and stand on the floor") {
 TEST_CASE("A frustum's rims are rounded, never by more than there is room") {
   Random random(4);
   for (int i = 0; i < 150; ++i) {
-    Frustum solid{random.uniform(0.01, 0.4), random.uniform(0.01, 0.4), random.uniform(0.02, 1.0), 0.0};
+    Frustum solid{random.uniform(0.01, 0.4), random.uniform(0.01, 0.4), random.uniform(0.02, 1.0),
+                  0.0};
     if (i % 6 == 0) solid.top_radius = 0.0;
     const double sharp = volume(sound(mesh(solid, 1e-4)));
     solid.bevel = random.uniform(0.001, 0.6);
@@ -111,7 +113,8 @@ TEST_CASE("A frustum's rims are rounded, never by more than there is room") {
 
 TEST_CASE("Cylinders have as many sides as the tolerance asks for") {
   const auto sides = [](double radius) {
-    return sound(mesh(Frustum{radius, radius, 0.5, 0.0}, tolerance)).triangles.size() / 4;
+    // Two triangles a side and two caps of two less than the sides.
+    return (sound(mesh(Frustum{radius, radius, 0.5, 0.0}, tolerance)).triangles.size() + 4) / 4;
   };
   CHECK(sides(0.002) == 8);
   CHECK(sides(0.02) >= 12);
@@ -125,7 +128,7 @@ TEST_CASE("No chord is further from a cylinder than the tolerance") {
     for (double chord : {1e-4, 1e-3, 1e-2}) {
       const Mesh cylinder = sound(mesh(Frustum{radius, radius, 0.5, 0.0}, chord));
       for (const auto& t : cylinder.triangles)
-        for (int k = 0; k < 3; ++k) {
+        for (int k = 0; std::abs(cylinder.normals[t[0]].z()) < 0.5f && k < 3; ++k) {
           const Eigen::Vector3f middle =
               0.5f * (cylinder.positions[t[k]] + cylinder.positions[t[(k + 1) % 3]]);
           const Eigen::Vector2f a = cylinder.positions[t[k]].head<2>(),

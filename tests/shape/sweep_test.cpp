@@ -58,11 +58,9 @@ TEST_CASE("The section's y is up along a level path and to the back along an upr
 
 TEST_CASE("A sweep around a circle has the volume that Pappus found") {
   for (double radius : {0.2, 0.5, 1.0}) {
-    const Mesh torus =
-        sound(mesh(Sweep{ring(radius, 12), ellipse({0.06, 0.06}, 1e-5)}, 1e-5));
+    const Mesh torus = sound(mesh(Sweep{ring(radius, 12), ellipse({0.06, 0.06}, 1e-5)}, 1e-5));
     CHECK(volume(torus) == Approx(2 * pi * radius * pi * 0.0009).epsilon(3e-3));
-    const Mesh band =
-        sound(mesh(Sweep{ring(radius, 12), rectangle({0.02, 0.3}, 0.0, 1e-5)}, 1e-5));
+    const Mesh band = sound(mesh(Sweep{ring(radius, 12), rectangle({0.02, 0.3}, 0.0, 1e-5)}, 1e-5));
     CHECK(volume(band) == Approx(2 * pi * radius * 0.006).epsilon(3e-3));
     CHECK(bounds(band).size().z() == Approx(0.3).epsilon(1e-4));
   }
@@ -133,7 +131,9 @@ TEST_CASE("Paths that cannot be swept are refused") {
   const auto square = rectangle({0.02, 0.02}, 0.0, tolerance);
   const auto path = straight(std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}}, false);
   CHECK(mesh(Sweep{path, square}, tolerance));
-  CHECK_FALSE(mesh(Sweep{straight(std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 0, 0}}, false), square}, tolerance));
+  CHECK_FALSE(
+      mesh(Sweep{straight(std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 0, 0}}, false), square},
+           tolerance));
   CHECK_FALSE(mesh(Sweep{straight(std::vector<Vec3>{{0, 0, 0}}, false), square}, tolerance));
   CHECK_FALSE(mesh(Sweep{path, square, -1.0}, tolerance));
   CHECK_FALSE(mesh(Sweep{path, square, 1.0, 1e9}, tolerance));
