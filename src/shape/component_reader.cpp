@@ -16,7 +16,7 @@ constexpr std::size_t max_operations = 32;
 constexpr double max_scale = 1000.0;
 
 bool is_name(std::string_view text) {
-  return !text.empty() && text.size() <= 64 && std::all_of(text.begin(), text.end(), [](char c) {
+  return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
            c == '_';
   });
@@ -69,7 +69,7 @@ void place_copy(Component& component, const Operation& operation, int index, int
   const double angle = copy_angle(radial, index, count);
   const Vec2 offset = rotated(Vec2(component.at.head<2>() - radial.center), angle);
   component.at.head<2>() = radial.center + offset;
-  component.rotate.z() += angle;
+  component.rotate.z() = wrap_angle(component.rotate.z() + angle);
 }
 
 Vec3 read_scale(const JsonReader& json, const Numbers& numbers) {
@@ -183,6 +183,9 @@ std::optional<Component> ComponentReader::read_copy(const JsonReader& json, std:
   const auto made =
       read_operation(json["operations"].elements(max_operations)[operation], numbers_);
   place_copy(*component, made, index, count);
+  if (component->at.cwiseAbs().maxCoeff() > greatest_length)
+    json["operations"].report("copy " + std::to_string(index) + " is more than " +
+                              format_number(greatest_length) + " m away");
   component->name += "-" + std::to_string(index);
   return component;
 }
@@ -206,7 +209,8 @@ void ComponentReader::allow_keys(const JsonReader& json) const {
 }
 
 std::string ComponentReader::name(const JsonReader& json) const {
-  const std::string text = json.text(64);
+  // Copies of a recipe's component have numbers after its name.
+  const std::string text = json.text(numbers_.scope() ? 64 : 80);
   if (json.exists() && !is_name(text)) json.report("a name has letters, digits, - and _ only");
   return text;
 }

@@ -11,12 +11,14 @@ namespace {
 
 constexpr int max_nesting = 32;
 constexpr std::size_t max_materials = 256;
-constexpr std::size_t max_connections = 4096;
+constexpr std::size_t max_connections = 1024;
+constexpr std::size_t max_reference = 1000;
 
-int nesting(const Json& json) {
+int nesting(const Json& json, std::size_t& values) {
+  ++values;
   int deepest = 0;
   if (json.is_structured())
-    for (const auto& element : json) deepest = std::max(deepest, 1 + nesting(element));
+    for (const auto& element : json) deepest = std::max(deepest, 1 + nesting(element, values));
   return deepest;
 }
 
@@ -78,10 +80,13 @@ std::string_view without_number(std::string_view part) {
 
 }  // namespace
 
-void check_head(const JsonReader& document) {
+void check_head(const JsonReader& document, const Numbers& numbers) {
   if (!document.is_object()) return document.report("expected a shape program, an object");
-  if (nesting(*document.raw()) > max_nesting)
+  std::size_t values = 0;
+  if (nesting(*document.raw(), values) > max_nesting)
     return document.report("nested more than " + std::to_string(max_nesting) + " deep");
+  // A large recipe that is used often is as much work as many formulas.
+  if (!numbers.spend(document, values)) return;
   if (document["format"].text_or("") != "roomgen-shape")
     document.report("not a shape program: \"format\" must be \"roomgen-shape\"");
   if (document["version"].integer_or(1, 1, 1000) != 1)
@@ -95,7 +100,8 @@ std::vector<Surface> read_surfaces(const JsonReader& materials, const Numbers& n
       materials.report("more than " + std::to_string(max_materials) + " materials");
       break;
     }
-    if (name.empty() || name.size() > 200) json.report("a material needs a name of 1 to 200 bytes");
+    if (name.empty() || name.size() > max_reference)
+      json.report("a material needs a name of at most 1000 bytes");
     surfaces.push_back(read_surface(name, json, numbers));
   }
   return surfaces;
@@ -108,19 +114,20 @@ std::map<std::string, std::string> same_names(const std::vector<Surface>& surfac
 }
 
 std::vector<std::pair<std::string, std::string>> read_connections(
-    const JsonReader& document, const std::vector<Component>& components) {
+    const JsonReader& document, const std::vector<Component>& components, const Numbers& numbers) {
   std::vector<std::pair<std::string, std::string>> connections;
   if (!document["connections"].exists()) return connections;
   std::vector<Named> written, made;
   collect((*document.raw())["components"], "", written);
   collect(components, "", made);
   for (const auto& pair : document["connections"].elements(max_connections)) {
+    if (!numbers.spend(pair, written.size() + made.size())) break;
     const auto ends = pair.elements();
     if (ends.size() != 2) {
       pair.report("expected two names");
       return connections;
     }
-    const std::string first = ends[0].text(200), second = ends[1].text(200);
+    const std::string first = ends[0].text(max_reference), second = ends[1].text(max_reference);
     const bool of_room = is_part_of_room(second) && !has(written, second);
     if (!has(written, first)) report_unknown(ends[0], first, written);
     if (!of_room && !has(written, second)) report_unknown(ends[1], second, written);

@@ -14,6 +14,9 @@ constexpr std::size_t max_work = 4'000'000;
 // A bound formula is longer than what was written: numbers stand in place of names.
 constexpr std::size_t max_bound_length = 8000;
 
+// Names of materials of recipes that use each other are joined.
+constexpr std::size_t max_reference = 1000;
+
 std::string range(double low, double high) {
   return "from " + format_number(low, 6) + " to " + format_number(high, 6);
 }
@@ -160,7 +163,7 @@ Value Numbers::value(const JsonReader& json) const {
 }
 
 std::string Numbers::word(const JsonReader& json, std::string fallback) const {
-  const std::string text = json.text_or(std::move(fallback), 200);
+  const std::string text = json.text_or(std::move(fallback), max_reference);
   if (!scope_ || text.empty() || text[0] != '$') return text;
   const auto found = scope_->values.find(text.substr(1));
   if (found == scope_->values.end()) {

@@ -78,14 +78,14 @@ std::size_t component_count(const std::vector<Component>& components) {
 Result<Program> read_program(const Json& json, const std::string& source) {
   JsonReader::Problems problems(source);
   const JsonReader root(json, problems);
-  check_head(root);
+  Budget budget;
+  const Numbers numbers(nullptr, budget, problems);
+  check_head(root, numbers);
   if (problems.first()) return *problems.first();
   for (const char* key : {"parameters", "let"})
     if (root[key].exists())
       root.report(std::string("a recipe (it has \"") + key + "\"), not a concrete program");
   root.allow_only({"format", "version", "name", "about", "materials", "components", "connections"});
-  Budget budget;
-  const Numbers numbers(nullptr, budget, problems);
   Program program;
   program.name = root["name"].text_or("", 200);
   program.about = root["about"].text_or("", 2000);
@@ -94,7 +94,7 @@ Result<Program> read_program(const Json& json, const std::string& source) {
   ComponentReader reader(numbers, same_names(program.materials), nullptr);
   program.components = reader.read(root["components"]);
   if (problems.first()) return *problems.first();
-  program.connections = read_connections(root, program.components);
+  program.connections = read_connections(root, program.components, numbers);
   if (problems.first()) return *problems.first();
   return program;
 }

@@ -54,7 +54,7 @@ class Builder {
               JsonReader::Problems& problems) {
     Built built;
     const JsonReader root(json, problems);
-    check_head(root);
+    check_head(root, Numbers(nullptr, budget_, problems));
     if (problems.first()) return built;
     root.allow_only({"format", "version", "name", "about", "parameters", "let", "materials",
                      "components", "connections"});
@@ -77,7 +77,7 @@ class Builder {
     reader_ = &reader;
     built.components = reader.read(root["components"]);
     if (problems.first()) return built;
-    built.connections = read_connections(root, built.components);
+    built.connections = read_connections(root, built.components, numbers);
     for (auto& [first, second] : inner) built.connections.emplace_back(first, second);
     return built;
   }

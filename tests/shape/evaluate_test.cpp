@@ -209,11 +209,12 @@ TEST_CASE("A height field's formula is evaluated, and its faults are told") {
       R"({"name": "a", "height_field": {"size": [2, 2], "height": "0.2 + 0.1 * u", "divisions": 4}})");
   CHECK(bounds(shape).high.z() == Approx(0.3).margin(1e-5));
   require_sound(shape);
-  const auto broken = evaluate(concrete(document(R"({"name": "a", "height_field": {"size": [2, 2], "height": "1 / (u + 1)"
+  const auto broken = evaluate(
+      concrete(document(R"({"name": "a", "height_field": {"size": [2, 2], "height": "1 / (u + 1) "
 }
 })")));
   REQUIRE_FALSE(broken);
-CHECK(contains_text(broken.error().message, "component \"a\": \"height\": column"));
+  CHECK(contains_text(broken.error().message, "component \"a\": \"height\": column"));
 }
 
 TEST_CASE("Errors of solids name the component; nothing is an error too") {

@@ -126,7 +126,7 @@ TEST_CASE("Chance depends on the seed and its argument alone") {
   CHECK(*hash->number(scope) != first);
   double sum = 0;
   for (int k = 0; k < 1000; ++k) {
-    scope.values["a"] = k;
+    scope.values["a"] = static_cast<double>(k);
     sum += *hash->number(scope);
   }
   CHECK(sum == Approx(500).margin(40));

@@ -44,7 +44,7 @@ RecipeSource from(std::map<std::string, Json> recipes) {
 }  // namespace
 
 TEST_CASE("Parameters and lets are put in") {
-  const auto program = concrete(recipe(box(R"(, "at": [0, 0, "if(seat == square, 1, q)"])")),
+  const auto program = concrete(recipe(box(R"(, "at": [0, 0, "q + (1 - q) * (seat == square) "])")),
                                 {{"w", 0.5}, {"seat", std::string("square")}});
   REQUIRE(program.components.size() == 1);
   CHECK(size_of(program.components[0]) == Vec3(0.5, 0.25, 0.1));
@@ -138,17 +138,17 @@ TEST_CASE("Copies that say i become components of their own; others stay one") {
   CHECK(std::get<Array>(same.components[0].operations[0]).count == 3);
 
   const auto differ = concrete(recipe(
-      R"({"name": "a", "box": {"size": ["0.1 * (i + 1)", "n", 1]
+      R"({"name": "a", "box": {"size": ["0.1 * i + 0.1", "n", 1]
 }
 , "at" : [ 1, 0, 0 ], "operations" : [ {"array" : {"count" : "k", "step" : [ "w", 0, 0 ]}} ]
 })"));
   REQUIRE(differ.components.size() == 3);
-for (int i = 0; i < 3; ++i) {
-  CHECK(differ.components[i].name == "a-" + std::to_string(i));
-  CHECK(size_of(differ.components[i]).isApprox(Vec3(0.1 * (i + 1), 3, 1)));
-  CHECK(differ.components[i].at.isApprox(Vec3(1 + 0.4 * i, 0, 0)));
-  CHECK(differ.components[i].operations.empty());
-}
+  for (int i = 0; i < 3; ++i) {
+    CHECK(differ.components[i].name == "a-" + std::to_string(i));
+    CHECK(size_of(differ.components[i]).isApprox(Vec3(0.1 * (i + 1), 3, 1)));
+    CHECK(differ.components[i].at.isApprox(Vec3(1 + 0.4 * i, 0, 0)));
+    CHECK(differ.components[i].operations.empty());
+  }
 }
 
 TEST_CASE("Copies written out stand where the operation would have put them") {
