@@ -1,4 +1,5 @@
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 
 #include "command.h"
@@ -7,6 +8,8 @@
 #include "roomgen/evaluate/report.h"
 #include "roomgen/scene/plan.h"
 #include "roomgen/scene/problem.h"
+#include "roomgen/shape/evaluate.h"
+#include "roomgen/shape/recipe.h"
 
 namespace roomgen::cli {
 
@@ -18,9 +21,8 @@ struct CheckCommand {
 };
 
 Json violation_json(const Violation& violation) {
-  return {{"fault", name(violation.fault)},
-          {"object", violation.object},
-          {"other", violation.other}};
+  return {
+      {"fault", name(violation.fault)}, {"object", violation.object}, {"other", violation.other}};
 }
 
 void print_report(const SceneReport& report) {
@@ -58,16 +60,31 @@ Result<int> check_scene(const Context& context, const CheckCommand& command, con
   return report.violations.empty() ? exit_ok : exit_failure;
 }
 
+// With default parameters.
+Result<std::string> check_shape(const CheckCommand& command, const Json& json) {
+  const auto folder = std::filesystem::path(command.file).parent_path();
+  const auto program = shape::instantiate(json, {}, 0, shape::recipes_in(folder), command.file);
+  if (!program) return program.error();
+  const auto made = shape::evaluate_within(*program);
+  if (!made) return with_context(made.error(), command.file);
+  return "shape of " + std::to_string(made->bodies.size()) + " bodies";
+}
+
 // A document without a format is a problem if it has what problems have, else a room.
 Result<int> check_other(const Context& context, const CheckCommand& command, const Json& json) {
-  const std::string format = json.is_object() && json.contains("format") && json["format"].is_string()
-                                 ? json["format"].get<std::string>()
-                                 : "";
+  const std::string format =
+      json.is_object() && json.contains("format") && json["format"].is_string()
+          ? json["format"].get<std::string>()
+          : "";
   std::string what;
   if (format == "roomgen-plan") {
     auto plan = plan_from_json(json, command.file);
     if (!plan) return plan.error();
     what = "plan of " + std::to_string(planned_objects(*plan).size()) + " objects";
+  } else if (format == "roomgen-shape") {
+    auto shape = check_shape(command, json);
+    if (!shape) return shape.error();
+    what = *shape;
   } else if (json.is_object() && json.contains("polygon")) {
     auto room = read_room_file(command.file);
     if (!room) return room.error();
@@ -106,7 +123,7 @@ Result<int> run(const Context& context, const CheckCommand& command) {
 void add_check_command(CLI::App& app, Context& context) {
   auto command = std::make_shared<CheckCommand>();
   auto* sub = app.add_subcommand(
-      "check", "Check a scene, plan, problem or room file; exit 1 if a scene breaks a rule");
+      "check", "Check a scene, plan, problem, room or shape file; exit 1 if a scene breaks a rule");
   sub->add_option("file", command->file, "JSON file")->required();
   add_model_options(*sub, command->models);
   sub->callback([command, &context] {

@@ -33,6 +33,7 @@ int main(int argc, char** argv) {
   add_solve_command(app, context);
   add_check_command(app, context);
   add_plan_command(app, context);
+  add_create_command(app, context);
 #ifdef ROOMGEN_HAS_ASSETS
   add_assets_command(app, context);
 #endif

@@ -86,14 +86,23 @@ class GlbWriter {
     return {};
   }
 
-  std::string finish(const Scene& scene) {
+  Status add_model(const std::string& name, const Model& model) {
+    const auto mesh = add_mesh(name, model);
+    if (!mesh) return mesh.error();
+    Json node = {{"name", name}};
+    if (*mesh) node["mesh"] = **mesh;
+    node[extras] = {{"size", to_json(bounds(model).size())}};
+    roots_.push_back(nodes_.size());
+    nodes_.push_back(std::move(node));
+    return {};
+  }
+
+  std::string finish(const std::string& name, const std::string& credits) {
     Json gltf;
     gltf["asset"] = {{"version", "2.0"}, {"generator", "roomgen"}};
-    if (const auto credits = attribution_line(scene); !credits.empty())
-      gltf["asset"]["copyright"] = credits;
+    if (!credits.empty()) gltf["asset"]["copyright"] = credits;
     gltf["scene"] = 0;
-    gltf["scenes"] = {
-        {{"name", scene.room.type.empty() ? "room" : scene.room.type}, {"nodes", roots_}}};
+    gltf["scenes"] = {{{"name", name}, {"nodes", roots_}}};
     gltf["nodes"] = std::move(nodes_);
     gltf["meshes"] = std::move(meshes_);
     materials_.finish(gltf);
@@ -181,7 +190,14 @@ Result<std::string> make_glb(const Scene& scene, const ModelTable& models,
   if (auto status = writer.add_room(scene); !status) return status.error();
   for (const auto& object : scene.objects)
     if (auto status = writer.add_object(object, models); !status) return status.error();
-  return writer.finish(scene);
+  return writer.finish(scene.room.type.empty() ? "room" : scene.room.type, attribution_line(scene));
+}
+
+Result<std::string> make_glb(const std::string& name, const Model& model,
+                             const GlbOptions& options) {
+  GlbWriter writer(options);
+  if (auto status = writer.add_model(name, model); !status) return status.error();
+  return writer.finish(name, "");
 }
 
 Status GlbExporter::write(const Scene& scene, const ModelTable& models,

@@ -279,3 +279,21 @@ TEST_CASE("a failing encoder fails the export and leaves no file") {
   CHECK(status.error().message.find("no ink") != std::string::npos);
   CHECK_FALSE(std::filesystem::exists(path));
 }
+
+TEST_CASE("A model alone is one node in the axes of glTF") {
+  Model model;
+  model.materials.emplace_back();
+  model.parts.push_back({make_box({-0.5, -0.2, 0}, {0.5, 0.3, 2}), 0});
+  const auto bytes = make_glb("stool", model);
+  REQUIRE(bytes);
+  const Glb glb = parse(*bytes);
+  CHECK(glb.json["nodes"].size() == 1);
+  CHECK(glb.json["asset"].count("copyright") == 0);
+  double highest = 0, front = -1;
+  for (const auto& p : glb.positions_of(glb.node("stool"))) {
+    highest = std::max(highest, p.y());
+    front = std::max(front, p.z());
+  }
+  CHECK(highest == Approx(2));
+  CHECK(front == Approx(0.2).margin(1e-6));
+}

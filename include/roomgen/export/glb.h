@@ -22,6 +22,10 @@ struct GlbOptions {
 Result<std::string> make_glb(const Scene& scene, const ModelTable& models,
                              const GlbOptions& options = {});
 
+/// One model alone: a single node of this name in the model's frame, whose extras hold its size.
+Result<std::string> make_glb(const std::string& name, const Model& model,
+                             const GlbOptions& options = {});
+
 class GlbExporter final : public Exporter {
  public:
   explicit GlbExporter(GlbOptions options = {}) : options_(std::move(options)) {}

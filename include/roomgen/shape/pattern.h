@@ -1,0 +1,34 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+
+#include "roomgen/geometry/image.h"
+
+namespace roomgen::shape {
+
+/// What the surface of a material shows beside its colour. All tile seamlessly.
+enum class Pattern {
+  none,
+  grain,    ///< wood, its fibres along u
+  weave,    ///< cloth
+  marble,   ///< veins
+  leather,  ///< small pebbles
+  brushed,  ///< metal, scratches along u
+  wicker,   ///< a basket of broad strands
+  stripes,
+  checks,
+  speckle,  ///< terrazzo
+  rug,      ///< an ornament in a grid of diamonds
+  tiles,
+};
+
+/// Metres that one image covers in both directions.
+double pattern_extent(Pattern pattern);
+
+/// An opaque image of 256 x 256 in the first colour (sRGB, 0 to 255), the second where the pattern
+/// has two: veins, stripes, grout, ornament. Equal arguments give equal pixels.
+Image paint_pattern(Pattern pattern, const Eigen::Vector3f& first, const Eigen::Vector3f& second,
+                    std::uint64_t seed);
+
+}  // namespace roomgen::shape

@@ -1,0 +1,94 @@
+#include "roomgen/render/model_picture.h"
+
+#include <algorithm>
+
+#include "gl_context.h"
+#include "picture.h"
+#include "shadow_map.h"
+
+namespace roomgen {
+
+namespace {
+
+using namespace detail;
+
+constexpr double shadow_width = 0.008;     // metres, of a shadow's soft edge
+constexpr double floor_thickness = 0.002;  // thin: it must not hide anything in a level view
+
+std::shared_ptr<const Model> floor_under(const Bounds3& box) {
+  const double around = 0.2 * box.size().head<2>().norm() + 0.15 * box.size().z();
+  const Vec3 low(box.low.x() - around, box.low.y() - around, box.low.z() - floor_thickness);
+  const Vec3 high(box.high.x() + around, box.high.y() + around, box.low.z());
+  auto model = std::make_shared<Model>();
+  Material material;
+  material.base_color = {0.78f, 0.77f, 0.75f, 1.0f};
+  model->materials.push_back(material);
+  model->parts.push_back({make_box(low, high), 0});
+  return model;
+}
+
+DrawItem item_of(const std::string& key, const std::shared_ptr<const Model>& model,
+                 GpuCache& cache) {
+  DrawItem item;
+  item.source = model;
+  item.model = cache.get(key, model);
+  item.box = item.model->model_bounds();
+  return item;
+}
+
+std::vector<Vec3> corners(const Bounds3& box) {
+  std::vector<Vec3> points;
+  for (int k = 0; k < 8; ++k)
+    points.push_back({k & 1 ? box.high.x() : box.low.x(), k & 2 ? box.high.y() : box.low.y(),
+                      k & 4 ? box.high.z() : box.low.z()});
+  return points;
+}
+
+}  // namespace
+
+Result<std::vector<Image>> draw_model(const std::shared_ptr<const Model>& model,
+                                      const std::vector<Camera>& cameras) {
+  auto context = GlContext::create();
+  if (!context) return context.error();
+  if (auto status = (*context)->make_current(); !status) return status.error();
+  const auto& gl = (*context)->gl();
+  auto painter = ScenePainter::create(gl);
+  if (!painter) return painter.error();
+  auto picture = Picture::create(gl);
+  if (!picture) return picture.error();
+  ShadowMap shadows(gl);
+  GpuCache cache(gl);
+  const Bounds3 box = bounds(*model);
+  const auto floor = floor_under(box);
+  const DrawList items = {item_of("model", model, cache), item_of("floor", floor, cache)};
+
+  Bounds3 all = items[1].box;
+  all.add(box.high);
+  const std::vector<Vec3> lit = corners(all);
+  std::vector<Image> images;
+  for (const auto& camera : cameras) {
+    const Sun sun = make_sun(sun_direction(camera, View::Kind::isometric), lit);
+    shadows.update(*painter, items, sun, ShadowMap::whole());
+    Image image(camera.width, camera.height);
+    picture->draw(*painter, items, camera, {&sun, shadows.texture(), shadow_width / sun.extent},
+                  {0, 0, camera.width, camera.height}, false, image);
+    images.push_back(std::move(image));
+  }
+  return images;
+}
+
+Image contact_sheet(const std::vector<Image>& pictures, int columns) {
+  if (pictures.empty()) return {};
+  const int width = pictures[0].width, height = pictures[0].height;
+  const int rows = (static_cast<int>(pictures.size()) + columns - 1) / columns;
+  Image sheet(columns * width, rows * height);
+  std::fill(sheet.pixels.begin(), sheet.pixels.end(), std::uint8_t{255});
+  for (std::size_t k = 0; k < pictures.size(); ++k) {
+    const int x = static_cast<int>(k) % columns * width, y = static_cast<int>(k) / columns * height;
+    for (int row = 0; row < height; ++row)
+      std::copy_n(pictures[k].at(0, row), 4 * width, sheet.at(x, y + row));
+  }
+  return sheet;
+}
+
+}  // namespace roomgen

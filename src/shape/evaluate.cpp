@@ -1,0 +1,204 @@
+#include "roomgen/shape/evaluate.h"
+
+#include <algorithm>
+
+#include "placing.h"
+#include "roomgen/shape/primitives.h"
+#include "solid_mesh.h"
+#include "surfaces.h"
+
+namespace roomgen::shape {
+
+namespace {
+
+using namespace detail;
+
+constexpr int max_coarser = 6;
+
+// What a component takes from the groups around it.
+struct Around {
+  std::string path;  ///< for messages
+  std::string label, material;
+  std::vector<std::size_t> source;
+  double tolerance = default_tolerance;
+};
+
+std::size_t triangles_in(const std::vector<Body>& bodies) {
+  std::size_t count = 0;
+  for (const auto& body : bodies) count += body.mesh.triangles.size();
+  return count;
+}
+
+std::size_t times(const Operation& operation) {
+  if (std::holds_alternative<Mirror>(operation)) return 2;
+  if (const auto* array = std::get_if<Array>(&operation)) return std::max(array->count, 0);
+  if (const auto* radial = std::get_if<Radial>(&operation)) return std::max(radial->count, 0);
+  return 1;
+}
+
+class Evaluator {
+ public:
+  explicit Evaluator(const Program& program) : surfaces_(program) {}
+
+  Result<std::vector<Body>> all(const std::vector<Component>& components, const Around& around) {
+    std::vector<Body> result;
+    std::size_t triangles = 0;
+    for (std::size_t k = 0; k < components.size(); ++k) {
+      Around own = around;
+      own.source.push_back(k);
+      own.path += (around.path.empty() ? "" : ".") + components[k].name;
+      auto bodies = one(components[k], own);
+      if (!bodies) return bodies.error();
+      triangles += triangles_in(*bodies);
+      if (triangles > max_triangles) return too_many(own);
+      std::move(bodies->begin(), bodies->end(), std::back_inserter(result));
+    }
+    return result;
+  }
+
+  const Surfaces& surfaces() const { return surfaces_; }
+
+ private:
+  static Error too_many(const Around& around) {
+    return {Error::Kind::limit, "component \"" + around.path + "\": more than " +
+                                    std::to_string(max_triangles) +
+                                    " triangles; use fewer copies or a coarser tolerance"};
+  }
+
+  Result<std::vector<Body>> one(const Component& component, Around around) {
+    if (!component.label.empty()) around.label = component.label;
+    if (!component.material.empty()) around.material = component.material;
+    const double grows = component.scale.cwiseAbs().maxCoeff();
+    around.tolerance = std::clamp(around.tolerance / std::max(grows, 1e-6), 1e-5, 1.0);
+    auto bodies = own_frame(component, around);
+    if (!bodies) return bodies;
+    for (auto& body : *bodies) detail::place(body.mesh, placement(component));
+
+    Copies copies = {*std::move(bodies)};
+    for (const auto& operation : component.operations) {
+      std::size_t triangles = 0;
+      for (const auto& copy : copies) triangles += triangles_in(copy);
+      if (triangles * times(operation) > max_triangles) return too_many(around);
+      apply(operation, copies);
+    }
+    return named(component, std::move(copies));
+  }
+
+  Result<std::vector<Body>> own_frame(const Component& component, const Around& around) {
+    auto bodies = solid(component, around);
+    if (!bodies) return bodies;
+    for (const auto& operation : component.operations) {
+      const auto* plane = std::get_if<Cut>(&operation);
+      if (!plane) continue;
+      for (auto& body : *bodies) {
+        auto rest = cut(body.mesh, plane->point, plane->normal);
+        if (!rest) return with_context(rest.error(), "component \"" + around.path + "\": cut");
+        body.mesh = *std::move(rest);
+      }
+      std::erase_if(*bodies, [](const Body& body) { return body.mesh.triangles.empty(); });
+    }
+    return bodies;
+  }
+
+  Result<std::vector<Body>> solid(const Component& component, const Around& around) {
+    if (const auto* group = std::get_if<Group>(&component.solid))
+      return all(group->components, around);
+    auto made = solid_mesh(component.solid, around.tolerance);
+    if (!made) return with_context(made.error(), "component \"" + around.path + "\"");
+    Body body;
+    body.label = around.label.empty() ? component.name : around.label;
+    body.mesh = *std::move(made);
+    body.material = surfaces_.find(around.material);
+    if (const auto* picture = std::get_if<PicturePart>(&component.solid))
+      body.material = surfaces_.picture(*picture, body.material);
+    body.source = around.source;
+    return std::vector<Body>{std::move(body)};
+  }
+
+  static std::vector<Body> named(const Component& component, Copies copies) {
+    std::vector<Body> result;
+    for (std::size_t k = 0; k < copies.size(); ++k) {
+      const std::string name =
+          component.name + (copies.size() > 1 ? "-" + std::to_string(k) : std::string());
+      for (auto& body : copies[k]) {
+        body.name = body.name.empty() ? name : name + "." + body.name;
+        result.push_back(std::move(body));
+      }
+    }
+    return result;
+  }
+
+  Surfaces surfaces_;
+};
+
+}  // namespace
+
+Result<Shape> evaluate(const Program& program, double tolerance) {
+  if (!(tolerance >= 1e-5 && tolerance <= 1.0))
+    return Error{Error::Kind::invalid_input, "the tolerance must be from 0.00001 to 1 m"};
+  if (component_count(program.components) > max_components)
+    return Error{Error::Kind::limit,
+                 "more than " + std::to_string(max_components) + " components, copies counted"};
+  Evaluator evaluator(program);
+  Around around;
+  around.tolerance = tolerance;
+  auto bodies = evaluator.all(program.components, around);
+  if (!bodies) return bodies.error();
+  if (bodies->empty()) return Error{Error::Kind::invalid_input, "the program makes no solid"};
+  Shape shape;
+  shape.bodies = *std::move(bodies);
+  for (const auto& painted : evaluator.surfaces().all())
+    shape.materials.push_back(painted.material);
+  for (auto& body : shape.bodies) {
+    const double extent = evaluator.surfaces().all()[body.material].extent;
+    if (extent > 0.0)
+      for (auto& uv : body.mesh.uvs) uv /= static_cast<float>(extent);
+  }
+  return shape;
+}
+
+Result<Shape> evaluate_within(const Program& program, std::size_t triangles, double tolerance) {
+  auto shape = evaluate(program, tolerance);
+  for (int k = 0; k < max_coarser; ++k) {
+    const bool fits = shape && triangle_count(*shape) <= triangles;
+    const bool hopeless = !shape && shape.error().kind != Error::Kind::limit;
+    if (fits || hopeless) break;
+    tolerance *= 2;
+    shape = evaluate(program, tolerance);
+  }
+  return shape;
+}
+
+Bounds3 bounds(const Shape& shape) {
+  Bounds3 box;
+  for (const auto& body : shape.bodies)
+    for (const auto& p : body.mesh.positions) box.add(p.cast<double>());
+  return box;
+}
+
+std::size_t triangle_count(const Shape& shape) {
+  return triangles_in(shape.bodies);
+}
+
+Model to_model(const Shape& shape) {
+  const Bounds3 box = bounds(shape);
+  const Eigen::Vector3f origin =
+      Vec3(box.center().x(), box.center().y(), box.low.z()).cast<float>();
+  Model model;
+  std::vector<int> part_of(shape.materials.size(), -1);
+  for (const auto& body : shape.bodies) {
+    int& part = part_of[static_cast<std::size_t>(body.material)];
+    if (part < 0) {
+      part = static_cast<int>(model.parts.size());
+      model.parts.push_back({{}, static_cast<int>(model.materials.size())});
+      model.materials.push_back(shape.materials[static_cast<std::size_t>(body.material)]);
+    }
+    Mesh& mesh = model.parts[static_cast<std::size_t>(part)].mesh;
+    const std::size_t first = mesh.positions.size();
+    append_mesh(mesh, body.mesh);
+    for (std::size_t k = first; k < mesh.positions.size(); ++k) mesh.positions[k] -= origin;
+  }
+  return model;
+}
+
+}  // namespace roomgen::shape

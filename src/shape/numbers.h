@@ -1,0 +1,81 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "roomgen/base/json.h"
+#include "roomgen/shape/expression.h"
+#include "roomgen/shape/primitives.h"
+
+namespace roomgen::shape::detail {
+
+inline constexpr std::size_t max_curve_points = 256;
+inline constexpr double max_degrees = 36000.0;
+
+/// Shared by a document and everything that it uses: what bounds the work of reading it.
+struct Budget {
+  std::size_t components = 0;
+  std::size_t work = 0;
+};
+
+/// Reads numbers of a document. With a scope they may be formulas; without, numbers only.
+/// Everything is rounded to six decimals, so that the concrete program is short and reads back the
+/// same.
+class Numbers {
+ public:
+  /// `problems`: of the document that is read.
+  Numbers(Scope* scope, Budget& budget, JsonReader::Problems& problems)
+      : scope_(scope), budget_(&budget), problems_(&problems) {}
+
+  Scope* scope() const { return scope_; }
+  Budget& budget() const { return *budget_; }
+  /// Was anything reported? Then the rest need not be read.
+  bool failed() const { return problems_->first().has_value(); }
+  /// Counts work; false, and a report, once there was too much of it.
+  bool spend(const JsonReader& json, std::size_t work) const;
+
+  double number(const JsonReader& json, double low, double high) const;
+  double number_or(const JsonReader& json, double fallback, double low, double high) const;
+  int whole(const JsonReader& json, int low, int high) const;
+  int whole_or(const JsonReader& json, int fallback, int low, int high) const;
+  /// A size within the limits of the format.
+  double length(const JsonReader& json) const;
+  /// A size that may also be 0 (a bevel, the tip of a cone).
+  double length_or_zero(const JsonReader& json, double fallback) const;
+  double angle_or(const JsonReader& json, double fallback_degrees, double low, double high) const;
+  Vec2 vec2(const JsonReader& json, double low, double high) const;
+  Vec3 vec3(const JsonReader& json, double low, double high) const;
+  Vec2 size2(const JsonReader& json) const;
+  Vec3 size3(const JsonReader& json) const;
+
+  /// The value of a formula, a bare number or a word.
+  Value value(const JsonReader& json) const;
+  /// A text; "$name" is the parameter or let of that name, which must be a word.
+  std::string word(const JsonReader& json, std::string fallback) const;
+  /// A formula in the free names u and v with everything else put in.
+  std::string height(const JsonReader& json) const;
+
+  /// Which indices of copies the formulas said that were read since this was last cleared.
+  struct Used {
+    bool i = false, j = false;
+  };
+  mutable Used used;
+
+ private:
+  std::vector<JsonReader> tuple(const JsonReader& json, std::size_t count) const;
+  std::optional<Expression> compiled(const JsonReader& json, std::size_t limit) const;
+  std::optional<Value> evaluated(const JsonReader& json) const;
+
+  Scope* scope_;
+  Budget* budget_;
+  JsonReader::Problems* problems_;
+};
+
+/// A curve of `json[points_key]` with its corners in `json[corners_key]`: indices or "all".
+Curve<Vec2> read_curve2(const JsonReader& json, const Numbers& numbers,
+                        const std::string& points_key, const std::string& corners_key, bool closed);
+Curve<Vec3> read_curve3(const JsonReader& json, const Numbers& numbers,
+                        const std::string& points_key, const std::string& corners_key, bool closed);
+
+}  // namespace roomgen::shape::detail

@@ -1,0 +1,92 @@
+#include "solid_mesh.h"
+
+#include <limits>
+#include <optional>
+
+#include "roomgen/shape/expression.h"
+#include "roomgen/shape/primitives.h"
+
+namespace roomgen::shape::detail {
+
+namespace {
+
+constexpr std::size_t max_bound_length = 8000;
+
+Curve<Vec2> outline(const std::variant<Disc, Rectangle, Curve<Vec2>>& section, double tolerance) {
+  if (const auto* disc = std::get_if<Disc>(&section))
+    return ellipse(Vec2::Constant(2 * disc->radius), tolerance);
+  if (const auto* rect = std::get_if<Rectangle>(&section))
+    return rectangle(rect->size, rect->bevel, tolerance);
+  return std::get<Curve<Vec2>>(section);
+}
+
+Curve<Vec2> outline(const std::variant<RoundedSize, Curve<Vec2>>& level, double tolerance) {
+  if (const auto* size = std::get_if<RoundedSize>(&level))
+    return rounded(size->size, size->round, tolerance);
+  return std::get<Curve<Vec2>>(level);
+}
+
+Result<Mesh> height_mesh(const HeightPart& part, double tolerance) {
+  const auto formula = Expression::compile(part.height, max_bound_length);
+  if (!formula) return with_context(formula.error(), "\"height\"");
+  Scope scope;
+  double& u = std::get<double>(scope.values["u"]);
+  double& v = std::get<double>(scope.values["v"]);
+  std::optional<Error> wrong;
+  HeightField field{part.size, nullptr, part.divisions, part.least, part.most};
+  field.height = [&](double x, double y) {
+    u = x, v = y;
+    const auto height = formula->number(scope);
+    if (height) return *height;
+    if (!wrong) wrong = with_context(height.error(), "\"height\"");
+    return part.least;
+  };
+  auto result = mesh(field, tolerance);
+  if (wrong) return *wrong;
+  return result;
+}
+
+// The whole picture on the front; sides and back continue its edge, as a canvas on a frame does.
+Result<Mesh> picture_mesh(const PicturePart& part, double tolerance) {
+  auto result = mesh(Box{{part.size.x(), part.thickness, part.size.y()}, 0.0}, tolerance);
+  if (!result) return result;
+  result->uvs.clear();
+  constexpr float inset = 0.004f;  // stays inside the picture when the texture is filtered
+  for (const auto& p : result->positions) {
+    const float u = p.x() / static_cast<float>(part.size.x()) + 0.5f;
+    const float v = 1.0f - p.z() / static_cast<float>(part.size.y());
+    result->uvs.emplace_back(inset + u * (1 - 2 * inset), inset + v * (1 - 2 * inset));
+  }
+  return result;
+}
+
+struct Maker {
+  double tolerance;
+
+  template <typename T>
+  Result<Mesh> operator()(const T& solid) const {
+    return mesh(solid, tolerance);
+  }
+  Result<Mesh> operator()(const SweptPart& part) const {
+    return mesh(Sweep{part.path, outline(part.section, tolerance), part.taper, part.twist},
+                tolerance);
+  }
+  Result<Mesh> operator()(const LoftedPart& part) const {
+    Loft loft;
+    loft.straight = part.straight;
+    for (const auto& level : part.levels)
+      loft.levels.push_back({level.z, outline(level.outline, tolerance)});
+    return mesh(loft, tolerance);
+  }
+  Result<Mesh> operator()(const HeightPart& part) const { return height_mesh(part, tolerance); }
+  Result<Mesh> operator()(const PicturePart& part) const { return picture_mesh(part, tolerance); }
+  Result<Mesh> operator()(const Group&) const { return Mesh{}; }
+};
+
+}  // namespace
+
+Result<Mesh> solid_mesh(const Solid& solid, double tolerance) {
+  return std::visit(Maker{tolerance}, solid);
+}
+
+}  // namespace roomgen::shape::detail

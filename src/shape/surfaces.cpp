@@ -1,0 +1,98 @@
+#include "surfaces.h"
+
+#include <algorithm>
+
+#include "roomgen/shape/picture.h"
+
+namespace roomgen::shape::detail {
+
+namespace {
+
+std::array<float, 4> linear(const Rgb& color, double opacity) {
+  return {linear_from_srgb(color[0]), linear_from_srgb(color[1]), linear_from_srgb(color[2]),
+          static_cast<float>(opacity)};
+}
+
+Eigen::Vector3f floats(const Rgb& color) {
+  return {static_cast<float>(color[0]), static_cast<float>(color[1]), static_cast<float>(color[2])};
+}
+
+Pattern pattern_of(const std::string& name) {
+  const auto names = pattern_names();  // in the order of the enumeration
+  const auto found = std::find(names.begin(), names.end(), name);
+  return found == names.end() ? Pattern::none : static_cast<Pattern>(found - names.begin());
+}
+
+Theme theme_of(const std::string& name) {
+  const auto names = picture_themes();
+  const auto found = std::find(names.begin(), names.end(), name);
+  return found == names.end() ? Theme::plain : static_cast<Theme>(found - names.begin());
+}
+
+Rgb darker(const Rgb& color) {
+  Rgb result;
+  for (std::size_t k = 0; k < 3; ++k) result[k] = static_cast<std::uint8_t>(color[k] * 0.68);
+  return result;
+}
+
+}  // namespace
+
+Surfaces::Surfaces(const Program& program) {
+  for (const auto& surface : program.materials)
+    names_.emplace_back(surface.name, add(painted(surface)));
+}
+
+// The image of a pattern carries both colours, so the base colour is white then.
+Painted Surfaces::painted(const Surface& surface) {
+  Painted result;
+  result.material.name = surface.name;
+  result.material.roughness = static_cast<float>(surface.roughness);
+  result.material.metallic = static_cast<float>(surface.metalness);
+  const Rgb color = parse_color(surface.color).value_or(Rgb{204, 204, 204});
+  const Pattern pattern = pattern_of(surface.pattern);
+  if (pattern == Pattern::none) {
+    result.material.base_color = linear(color, surface.opacity);
+    return result;
+  }
+  const Rgb second = parse_color(surface.second).value_or(darker(color));
+  result.extent = pattern_extent(pattern) * surface.scale;
+  result.material.base_color = {1, 1, 1, static_cast<float>(surface.opacity)};
+  auto& image = patterns_[{pattern, color, second}];
+  if (!image)
+    image = std::make_shared<Image>(paint_pattern(pattern, floats(color), floats(second), 0));
+  result.material.texture = image;
+  return result;
+}
+
+int Surfaces::add(Painted painted) {
+  painted_.push_back(std::move(painted));
+  return static_cast<int>(painted_.size()) - 1;
+}
+
+int Surfaces::find(const std::string& name) {
+  for (const auto& [known, index] : names_)
+    if (known == name) return index;
+  Surface plain;
+  plain.name = name;
+  names_.emplace_back(name, add(painted(plain)));
+  return names_.back().second;
+}
+
+int Surfaces::picture(const PicturePart& picture, int frame) {
+  const double aspect = std::clamp(picture.size.x() / picture.size.y(), 0.2, 5.0);
+  const auto key = std::make_tuple(picture.theme, picture.seed, aspect, frame);
+  if (const auto known = pictures_.find(key); known != pictures_.end()) return known->second;
+  const Theme theme = theme_of(picture.theme);
+  Painted result;
+  result.material = painted_[static_cast<std::size_t>(frame)].material;
+  result.material.name = picture.theme;
+  result.material.base_color = {1, 1, 1, 1};
+  result.material.texture = std::make_shared<Image>(paint_picture(theme, picture.seed, aspect));
+  if (theme == Theme::mirror) {
+    result.material.roughness = 0.05f;
+    result.material.metallic = 0.9f;
+  }
+  return pictures_[key] = add(std::move(result));
+}
+
+}  // namespace roomgen::shape::detail
