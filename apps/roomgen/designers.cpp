@@ -150,7 +150,9 @@ void add_designer_options(CLI::App& command, DesignerOptions& options) {
   command.add_option("--max-dollars", options.max_dollars, "Money for one room (data/prices.json)")
       ->group(group);
   add("--prices", options.prices, "A price table of your own, in the form of data/prices.json");
-  command.add_option("--call-seconds", options.seconds_per_call, "Longest time for one question, retries included")
+  command
+      .add_option("--call-seconds", options.seconds_per_call,
+                  "Longest time for one question, retries included")
       ->group(group)
       ->check(CLI::PositiveNumber)
       ->capture_default_str();

@@ -119,7 +119,8 @@ Status write_all(const GenerateCommand& command, const fs::path& folder, const P
     return status;
   GlbOptions glb;
   glb.encode_image = encode_texture;
-  if (auto status = GlbExporter(glb).write(generation.scene, generation.models, folder / "scene.glb");
+  if (auto status =
+          GlbExporter(glb).write(generation.scene, generation.models, folder / "scene.glb");
       !status)
     return status;
   if (command.no_pictures) return {};
@@ -169,14 +170,13 @@ void print_model_use(const ComposedDesigner& composed, const Generation& generat
   std::printf("  the model: %d calls, %lld + %lld tokens, %.1f s; rules made %s%d of the places\n",
               use.calls, use.input_tokens, use.output_tokens, use.seconds,
               planning.fell_back ? "the plan and " : "", use.fallbacks);
-  std::printf("  of %d suggested places %d were followed within 0.5 m, %d within 1 m\n", figures.located,
-              figures.within_half, figures.within_one);
+  std::printf("  of %d suggested places %d were followed within 0.5 m, %d within 1 m\n",
+              figures.located, figures.within_half, figures.within_one);
   if (!generation.stopped.empty()) std::printf("  stopped: %s\n", generation.stopped.c_str());
 }
 
 void print_summary(const Context& context, const fs::path& folder, const Plan& plan,
-                   const Generation& generation, const ComposedDesigner& composed,
-                   double seconds) {
+                   const Generation& generation, const ComposedDesigner& composed, double seconds) {
   const Scene& scene = generation.scene;
   if (context.json) {
     Json json;
@@ -215,11 +215,11 @@ Result<std::unique_ptr<Renderer>> renderer_for(const GenerateCommand& command,
 
 Result<int> run(const Context& context, const GenerateCommand& command) {
   const auto start = std::chrono::steady_clock::now();
-  const fs::path folder = command.output.empty()
-                              ? fs::path("out") / folder_name(command.plan_file.empty()
-                                                                  ? command.prompt
-                                                                  : command.plan_file)
-                              : fs::path(command.output);
+  const fs::path folder =
+      command.output.empty()
+          ? fs::path("out") /
+                folder_name(command.plan_file.empty() ? command.prompt : command.plan_file)
+          : fs::path(command.output);
   const fs::path cache = command.libraries.cache.empty() ? assets::default_cache_dir()
                                                          : fs::path(command.libraries.cache);
   auto composed = compose_designer(command.designer, context, cache.string());
@@ -249,8 +249,7 @@ Result<int> run(const Context& context, const GenerateCommand& command) {
   options.on_step = [&](const StepProgress& progress) {
     bar.show(progress.step, progress.total, progress.object);
   };
-  auto generation =
-      generate(*plan, designer, **library, CategoryTable::built_in(), options);
+  auto generation = generate(*plan, designer, **library, CategoryTable::built_in(), options);
   if (!generation) return generation.error();
   bar.show(1, 1, "writing files");
   if (auto status = write_all(command, folder, *plan, *generation); !status) return status.error();
@@ -266,7 +265,8 @@ Result<int> run(const Context& context, const GenerateCommand& command) {
 
 void add_generate_command(CLI::App& app, Context& context) {
   auto command = std::make_shared<GenerateCommand>();
-  auto* sub = app.add_subcommand("generate", "Furnish a room from a sentence and write all its files");
+  auto* sub =
+      app.add_subcommand("generate", "Furnish a room from a sentence and write all its files");
   auto* prompt = sub->add_option("prompt", command->prompt, "What the room shall be");
   sub->add_option("-o,--output", command->output,
                   "Folder to write (default: out/ and the first words of the prompt)");
@@ -279,7 +279,8 @@ void add_generate_command(CLI::App& app, Context& context) {
       ->excludes(prompt);
   sub->add_flag("--force", command->force, "Write into a folder that holds other files");
   sub->add_flag("--strict", command->strict, "Exit with 1 if something found no place");
-  sub->add_flag("--marks", command->marks, "Also draw the room with coordinate marks after each step");
+  sub->add_flag("--marks", command->marks,
+                "Also draw the room with coordinate marks after each step");
   sub->add_flag("--no-pictures", command->no_pictures, "Leave out the pictures");
   sub->add_option("--pixels", command->pixels, "Length of the pictures' longer side")
       ->capture_default_str();

@@ -16,9 +16,9 @@ using design::SceneText;
 
 // Kinds still to come are named up to here: enough to leave room for them.
 constexpr std::size_t most_named_later = 12;
-constexpr std::size_t most_offered = 30;  // ids among which the model chooses the next
+constexpr std::size_t most_offered = 30;    // ids among which the model chooses the next
 constexpr double second_temperature = 0.5;  // weak models repeat a bad answer word for word
-constexpr std::size_t most_quoted = 4000;  // bytes of an answer that cannot be used
+constexpr std::size_t most_quoted = 4000;   // bytes of an answer that cannot be used
 // Calls that fail one after the other before the model is given up: each may take all its time.
 constexpr int most_failures = 3;
 
@@ -178,9 +178,9 @@ class ModelDesigner : public Designer {
     const bool located = options_.mode == ModelMode::fused;
     const auto read = [&](const std::string& text) {
       return design::read_place_reply(
-          text, design::PlaceReplyContext{request.scene, request.object, options_.paper_frame,
-                                          options_.chooses_order ? request.later
-                                                                 : std::vector<std::string>()});
+          text, design::PlaceReplyContext{
+                    request.scene, request.object, options_.paper_frame,
+                    options_.chooses_order ? request.later : std::vector<std::string>()});
     };
     auto reply = converse(*question, read, consultation);
     if (!reply) return reply.error();
@@ -247,8 +247,10 @@ class ModelDesigner : public Designer {
       const std::string kind = id.substr(0, id.rfind('-'));
       const auto known = std::find_if(kinds.begin(), kinds.end(),
                                       [&](const auto& other) { return other.first == kind; });
-      if (known != kinds.end()) ++known->second;
-      else if (kinds.size() < most_named_later) kinds.push_back({kind, 1});
+      if (known != kinds.end())
+        ++known->second;
+      else if (kinds.size() < most_named_later)
+        kinds.push_back({kind, 1});
     }
     std::vector<std::string> names;
     for (const auto& [kind, count] : kinds)
@@ -261,8 +263,8 @@ class ModelDesigner : public Designer {
     for (const auto& refusal : request.refusals)
       lines += "An earlier answer did not work: " + refusal + "\n";
     if (!request.refusals.empty())
-      lines += "Free floor (shaded green in the picture): " + text.free_floor(request.free_floor) +
-               "\n";
+      lines +=
+          "Free floor (shaded green in the picture): " + text.free_floor(request.free_floor) + "\n";
     return lines;
   }
 
@@ -288,10 +290,10 @@ class ModelDesigner : public Designer {
       consultation.output_tokens += reply->output_tokens;
       consultation.seconds += reply->seconds;
       auto understood = read(reply->text);
-      const std::string ending =
-          reply->cut_off ? "the answer was cut off after " + std::to_string(question.max_tokens) +
-                               " tokens; be brief"
-                         : "";
+      const std::string ending = reply->cut_off
+                                     ? "the answer was cut off after " +
+                                           std::to_string(question.max_tokens) + " tokens; be brief"
+                                     : "";
       if (!ending.empty()) consultation.notes.push_back(ending);
       if (understood) return understood;
       std::string error = understood.error().message;

@@ -76,7 +76,8 @@ Result<LooseJson> find_answer(std::string_view text) {
   auto found = find_json(text, wanted_keys);
   if (found || found.error().kind != Error::Kind::invalid_input) return found;
   if (auto plain = read_plain_reply(text))
-    return LooseJson{*std::move(plain), {"the answer was no JSON; its list of constraints was taken"}};
+    return LooseJson{*std::move(plain),
+                     {"the answer was no JSON; its list of constraints was taken"}};
   return found;
 }
 

@@ -60,9 +60,8 @@ Json advice_json(const PlaceAdvice& advice) {
   Json json;
   json["reasoning"] = advice.reasoning;
   json["constraints"] = to_text(advice.relations);
-  json["location"] = advice.location
-                         ? Json{rounded(advice.location->x()), rounded(advice.location->y())}
-                         : Json();
+  json["location"] =
+      advice.location ? Json{rounded(advice.location->x()), rounded(advice.location->y())} : Json();
   json["facing_deg"] = advice.yaw ? Json(rounded(degrees(*advice.yaw), 2)) : Json();
   return json;
 }
@@ -138,9 +137,12 @@ class Generator {
     record["asked"] = {{"category", item.category}, {"description", item.description}};
     std::string reason;
     auto assets = retriever_.candidates(item, planned, options_.assets_per_object);
-    if (!assets) reason = assets.error().message;
-    else if (assets->empty()) reason = "no asset is a " + item.category + " of this size";
-    else reason = try_assets(planned, *assets, record);
+    if (!assets)
+      reason = assets.error().message;
+    else if (assets->empty())
+      reason = "no asset is a " + item.category + " of this size";
+    else
+      reason = try_assets(planned, *assets, record);
     if (reason.empty()) {
       record["outcome"] = "placed";
     } else {
@@ -152,8 +154,8 @@ class Generator {
     result_.trace.push_back({planned, std::move(record)});
   }
 
-  // Each asset, and for the first one again with other answers, then a repair. Returns why it failed, or
-  // nothing.
+  // Each asset, and for the first one again with other answers, then a repair. Returns why it
+  // failed, or nothing.
   std::string try_assets(const PlannedObject& planned, const std::vector<AssetInfo>& assets,
                          Json& record) {
     std::vector<std::string> refusals;
@@ -298,7 +300,8 @@ class Generator {
     return {};
   }
 
-  // The placed thing of the wanted kind, or else a table or cabinet, with the most free room on top.
+  // The placed thing of the wanted kind, or else a table or cabinet, with the most free room on
+  // top.
   const Object* find_support(const std::string& wanted, const Vec3& size) const {
     const Object* best = nullptr;
     double best_room = 0.0;
@@ -379,9 +382,9 @@ class Generator {
         if (seen.insert(asset_key(asset.ref)).second) result_.assets.push_back(asset);
       } else {
         const auto reason = reasons_.find(planned.id);
-        scene.unplaced.push_back({planned.id, item.category,
-                                  reason == reasons_.end() ? "stopped before it was tried"
-                                                           : reason->second});
+        scene.unplaced.push_back(
+            {planned.id, item.category,
+             reason == reasons_.end() ? "stopped before it was tried" : reason->second});
       }
     }
     for (const auto& task : tasks_)
@@ -417,13 +420,13 @@ class Generator {
   Random random_;
   Generation result_;
   Layout layout_;
-  std::vector<PlannedObject> left_;               ///< still to be tried, in the plan's order
-  std::string next_;                              ///< of them, what the designer wants next
-  std::vector<PlacementTask> tasks_;              ///< of all objects that have an asset, in order
-  std::map<std::string, std::string> reasons_;    ///< why objects are not in the layout
-  std::set<std::size_t> hopeless_items_;          ///< of which one found no place
-  std::map<std::string, AssetInfo> assets_;       ///< by object
-  std::map<std::string, double> support_heights_; ///< of things that carry others, by object
+  std::vector<PlannedObject> left_;                ///< still to be tried, in the plan's order
+  std::string next_;                               ///< of them, what the designer wants next
+  std::vector<PlacementTask> tasks_;               ///< of all objects that have an asset, in order
+  std::map<std::string, std::string> reasons_;     ///< why objects are not in the layout
+  std::set<std::size_t> hopeless_items_;           ///< of which one found no place
+  std::map<std::string, AssetInfo> assets_;        ///< by object
+  std::map<std::string, double> support_heights_;  ///< of things that carry others, by object
 };
 
 }  // namespace

@@ -161,7 +161,8 @@ TEST_CASE("A plan that was cut off is used as far as it goes") {
 TEST_CASE("A plan with more furniture than floor is sent back") {
   std::string many = R"({"room": {"type": "study", "size_m": [3, 3]}, "objects": [)";
   for (int i = 0; i < 12; ++i)
-    many += std::string(i ? "," : "") + R"({"name": "bed", "size_cm": [160, 210, 50], "quantity": 1})";
+    many +=
+        std::string(i ? "," : "") + R"({"name": "bed", "size_cm": [160, 210, 50], "quantity": 1})";
   Conversation talk({reply_saying(many + "]}"), reply_saying(good_plan)});
   const auto plan = talk.make_plan();
   REQUIRE(plan);
@@ -189,7 +190,8 @@ TEST_CASE("What is shown and kept depends on the mode") {
 TEST_CASE("In the paper's frame coordinates are told and read from the top right corner") {
   ModelDesignerOptions options;
   options.paper_frame = true;
-  Conversation talk({reply_saying(R"({"constraints": "middle", "location": [1.0, 0.5]})")}, options);
+  Conversation talk({reply_saying(R"({"constraints": "middle", "location": [1.0, 0.5]})")},
+                    options);
   const auto advice = talk.place({"it was full"}, {{Vec2(0, 0), Vec2(1, 2)}});
   REQUIRE(advice);
   REQUIRE(advice->location);
@@ -207,7 +209,8 @@ TEST_CASE("A refusal is told with what floor is left") {
 }
 
 TEST_CASE("The model chooses what comes next only when it may") {
-  const std::string answer = R"({"constraints": "middle", "location": [2, 1], "next": "Floor_Lamp 0"})";
+  const std::string answer =
+      R"({"constraints": "middle", "location": [2, 1], "next": "Floor_Lamp 0"})";
   ModelDesignerOptions options;
   Conversation planned({reply_saying(answer)}, options);
   CHECK(planned.place()->next.empty());
@@ -232,8 +235,9 @@ TEST_CASE("When the budget is spent the designer says so instead of asking") {
 }
 
 TEST_CASE("An answer in plain words is read when it holds a list of constraints") {
-  Conversation talk({reply_saying("I think it goes by the desk.\n\n**Constraints:** middle | near, "
-                                  "desk-0 | face to, desk-0\nat (2.0, 1.8)\n")});
+  Conversation talk(
+      {reply_saying("I think it goes by the desk.\n\n**Constraints:** middle | near, "
+                    "desk-0 | face to, desk-0\nat (2.0, 1.8)\n")});
   const auto advice = talk.place();
   REQUIRE(advice);
   CHECK(advice->consultation.calls == 1);

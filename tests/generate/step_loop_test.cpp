@@ -77,9 +77,9 @@ std::vector<std::string> order(const Recorder& designer) {
 }  // namespace
 
 TEST_CASE("The designer may choose what comes next, among what can stand already") {
-  const Plan plan = plan_of({item("bookshelf"), item("desk"), item("table lamp", Mount::surface),
-                             item("wardrobe")},
-                            room_with_door(5, 4));
+  const Plan plan = plan_of(
+      {item("bookshelf"), item("desk"), item("table lamp", Mount::surface), item("wardrobe")},
+      room_with_door(5, 4));
   Recorder designer([](const PlaceRequest& request) {
     PlaceAdvice answer = advice();
     if (request.object.id == "bookshelf-0") answer.next = "wardrobe-0";
@@ -139,7 +139,8 @@ TEST_CASE("One object that fails costs no other its place") {
 }
 
 TEST_CASE("A designer that may ask no more ends the room with what is placed") {
-  const Plan plan = plan_of({item("bookshelf"), item("desk"), item("wardrobe")}, room_with_door(5, 4));
+  const Plan plan =
+      plan_of({item("bookshelf"), item("desk"), item("wardrobe")}, room_with_door(5, 4));
   Recorder designer([](const PlaceRequest& request) -> Result<PlaceAdvice> {
     if (request.object.id == "desk-0") return Error{Error::Kind::limit, "no money left"};
     return advice();

@@ -237,6 +237,28 @@ TEST_CASE("marks are drawn over the top view only") {
   CHECK(differing(draw(*renderer, scene, view_of(View::Kind::top, 200, true)), top) > 0);
 }
 
+TEST_CASE("free floor is shaded green where it is, under the marks only") {
+  Scene scene;
+  scene.room = test::plain_room();
+  auto renderer = make_renderer();
+  View view = view_of(View::Kind::top, 512, true);
+  const Image before = draw(*renderer, scene, view);
+  view.free_floor = {{Vec2(2.1, 0.6), Vec2(2.9, 1.4)}};
+  const Image after = draw(*renderer, scene, view);
+  const auto greener = [&](double x, double y) {
+    const auto a = pixel_at(before, scene, view, {x, y, 0}), b = pixel_at(after, scene, view, {x, y, 0});
+    return (b.g - b.r) - (a.g - a.r);
+  };
+  CHECK(greener(2.7, 1.2) > 10);
+  CHECK(greener(2.3, 0.8) > 10);
+  CHECK(greener(2.3, 1.7) == 0);
+  CHECK(greener(1.2, 0.8) == 0);
+  view.marks = false;
+  const Image plain = draw(*renderer, scene, view);
+  view.free_floor.clear();
+  CHECK(differing(plain, draw(*renderer, scene, view)) == 0);
+}
+
 TEST_CASE("absurd sizes, empty rooms and empty meshes give an error or a picture") {
   auto renderer = make_renderer();
   Scene scene = test::furnished_room();
