@@ -6,10 +6,15 @@
 #include <vector>
 
 #include "command.h"
+#include "libraries.h"
 #include "options.h"
 #include "roomgen/base/file.h"
 #include "roomgen/base/text.h"
+#include "roomgen/create/create.h"
+#include "roomgen/create/created_library.h"
+#include "roomgen/create/rule_maker.h"
 #include "roomgen/export/glb.h"
+#include "roomgen/generate/set_out.h"
 #include "roomgen/shape/evaluate.h"
 #include "roomgen/shape/recipe.h"
 #ifdef ROOMGEN_HAS_RENDER
@@ -25,9 +30,15 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int view_pixels = 512;
+constexpr int most_variants = 64;
+constexpr int sheet_columns = 4;
 
 struct Options {
-  std::string program, output, write_program, views;
+  std::string prompt, program, refine, size, output, write_program, views;
+  std::string variant = "full";
+  int variants = 1;
+  bool add = false;
+  std::string cache;
   std::vector<std::string> set;
   std::uint64_t seed = 0;
   double tolerance = shape::default_tolerance;
@@ -62,23 +73,135 @@ Result<shape::Program> load(const Options& options) {
                             options.program);
 }
 
+/// An object with all that the command says about it.
+struct Made {
+  shape::Program program;
+  shape::Shape shape;
+  create::Soundness soundness;
+  bool judged = false;  ///< from words: it was validated
+  std::vector<std::string> repairs, notes;
+};
+
+/// What the command makes: objects, the main one first, and all of them as one model.
+struct MadeAll {
+  std::vector<Made> objects;
+  Model model;
+  std::vector<std::string> notes;  ///< about how they stand together
+};
+
+Result<Made> from_program(const Options& options) {
+  auto program = load(options);
+  if (!program) return program.error();
+  auto shape = shape::evaluate_within(*program, shape::default_triangles, options.tolerance);
+  if (!shape) return with_context(shape.error(), options.program);
+  return Made{*std::move(program), *std::move(shape), {}, false, {}, {}};
+}
+
+Made made_of(create::CreatedObject object) {
+  return {std::move(object.program), std::move(object.shape), std::move(object.soundness), true,
+          std::move(object.repairs), std::move(object.notes)};
+}
+
+Result<create::CreateOptions> create_options(const Context& context, const Options& options) {
+  create::CreateOptions result;
+  result.seed = options.seed;
+  result.cancel = context.cancel;
+  if (options.variant == "no-validation") result.variant = create::Variant::no_validation;
+  if (options.variant == "no-decomposition") result.variant = create::Variant::no_decomposition;
+  if (!options.size.empty()) {
+    auto size = parse_size3(options.size);
+    if (!size) return size.error();
+    result.size = *size;
+  }
+  return result;
+}
+
+// One thing alone stands for itself; several are set out by the solver.
+Status stand_together(const create::Creation& creation, std::uint64_t seed, MadeAll& made) {
+  const auto& objects = creation.objects;
+  if (objects.size() == 1 && objects[0].description.count <= 1) {
+    made.model = to_model(objects[0].shape);
+    return {};
+  }
+  const auto group = set_out(creation, CategoryTable::built_in(), seed);
+  if (!group) return group.error();
+  made.model = merged_model(group->scene, group->models);
+  for (const auto& missing : group->scene.unplaced)
+    made.notes.push_back(missing.id + " was left out: " + missing.reason);
+  return {};
+}
+
+Result<MadeAll> from_words(const Context& context, const Options& options) {
+  const auto chosen = create_options(context, options);
+  if (!chosen) return chosen.error();
+  const auto maker = create::make_rule_maker();
+  MadeAll result;
+  if (!options.refine.empty()) {
+    const auto program = load(options);
+    if (!program) return program.error();
+    auto object = create::refine(*program, options.refine, *maker, *chosen);
+    if (!object) return object.error();
+    result.model = to_model(object->shape);
+    result.objects.push_back(made_of(*std::move(object)));
+    return result;
+  }
+  auto creation = create::create(options.prompt, *maker, *chosen);
+  if (!creation) return creation.error();
+  if (!creation->verdict.passes)
+    return Error{Error::Kind::invalid_input, creation->verdict.reason};
+  if (auto status = stand_together(*creation, options.seed, result); !status)
+    return status.error();
+  for (auto& object : creation->objects) result.objects.push_back(made_of(std::move(object)));
+  return result;
+}
+
+Result<MadeAll> make(const Context& context, const Options& options) {
+  if (!options.prompt.empty() || !options.refine.empty()) return from_words(context, options);
+  auto made = from_program(options);
+  if (!made) return made.error();
+  MadeAll result;
+  result.model = to_model(made->shape);
+  result.objects.push_back(*std::move(made));
+  return result;
+}
+
 #ifdef ROOMGEN_HAS_RENDER
-Status write_views(const Context& context, const fs::path& folder, const Model& model) {
+Result<std::vector<Image>> draw_views(const Model& model) {
   std::vector<Camera> cameras;
   for (const auto& view : model_views())
     cameras.push_back(model_camera(bounds(model), view, view_pixels));
-  const auto pictures = draw_model(std::make_shared<Model>(model), cameras);
-  if (!pictures) return pictures.error();
-  if (context.cancel.cancelled()) return cancelled();
+  return draw_model(std::make_shared<Model>(model), cameras);
+}
+
+Status make_folder(const fs::path& folder) {
   std::error_code code;
   fs::create_directories(folder, code);
-  if (code)
-    return Error{Error::Kind::io, folder.string() + ": cannot make the folder: " + code.message()};
+  if (!code) return {};
+  return Error{Error::Kind::io, folder.string() + ": cannot make the folder: " + code.message()};
+}
+
+Status write_views(const Context& context, const fs::path& folder, const Model& model) {
+  const auto pictures = draw_views(model);
+  if (!pictures) return pictures.error();
+  if (context.cancel.cancelled()) return cancelled();
+  if (auto status = make_folder(folder); !status) return status;
   for (std::size_t k = 0; k < pictures->size(); ++k) {
     const auto path = folder / (std::string(model_views()[k].name) + ".png");
     if (auto status = write_png(path, (*pictures)[k]); !status) return status;
   }
   return write_png(folder / "views.png", contact_sheet(*pictures, 2));
+}
+
+// All variants from above, side by side.
+Status write_sheet(const fs::path& folder, const std::vector<Model>& models) {
+  std::vector<Image> pictures;
+  for (const auto& model : models) {
+    auto views = draw_views(model);
+    if (!views) return views.error();
+    pictures.push_back(std::move(views->back()));
+  }
+  if (auto status = make_folder(folder); !status) return status;
+  return write_png(folder / "variants.png", contact_sheet(pictures, sheet_columns));
 }
 #endif
 
@@ -110,59 +233,155 @@ Status write_all(const Context& context, const Options& options, const shape::Pr
   return {};
 }
 
-void report(const Context& context, const Options& options, const shape::Program& program,
-            const shape::Shape& made) {
-  const Vec3 size = shape::bounds(made).size();
+Json bodies_json(const shape::Shape& made) {
+  Json json = Json::array();
+  for (const auto& body : made.bodies) {
+    const Vec3 size = bounds(body.mesh).size();
+    json.push_back({{"name", body.name},
+                    {"label", body.label},
+                    {"triangles", body.mesh.triangles.size()},
+                    {"size", {rounded(size.x()), rounded(size.y()), rounded(size.z())}}});
+  }
+  return json;
+}
+
+Json object_json(const Made& made) {
+  const Vec3 size = shape::bounds(made.shape).size();
+  Json json;
+  json["name"] = made.program.name;
+  json["size"] = {rounded(size.x()), rounded(size.y()), rounded(size.z())};
+  json["components"] = made.shape.bodies.size();
+  json["triangles"] = shape::triangle_count(made.shape);
+  json["materials"] = made.program.materials.size();
+  if (made.judged) {
+    json["pieces"] = made.soundness.pieces;
+    json["grounded"] = made.soundness.grounded;
+    json["stable"] = made.soundness.stable;
+    json["problems"] = made.soundness.problems;
+    json["repairs"] = made.repairs;
+    json["notes"] = made.notes;
+  }
+  json["bodies"] = bodies_json(made.shape);
+  return json;
+}
+
+void report(const Context& context, const Options& options, const MadeAll& all) {
+  const auto& objects = all.objects;
   if (context.json) {
-    Json json;
-    json["name"] = program.name;
-    json["size"] = {rounded(size.x()), rounded(size.y()), rounded(size.z())};
-    json["components"] = made.bodies.size();
-    json["triangles"] = shape::triangle_count(made);
-    json["materials"] = program.materials.size();
+    Json json = object_json(objects.front());
+    for (std::size_t i = 1; i < objects.size(); ++i)
+      json["others"].push_back(object_json(objects[i]));
+    if (!all.notes.empty()) json["together"] = all.notes;
     for (const auto& [key, path] :
          {std::pair<const char*, const std::string&>{"output", options.output},
           {"program", options.write_program},
           {"views", options.views}})
       if (!path.empty()) json[key] = path;
     std::fputs(dump_json(json).c_str(), stdout);
-  } else if (!context.quiet) {
-    std::fprintf(stderr, "%s: %s x %s x %s m, %zu bodies, %zu triangles\n",
-                 program.name.empty() ? options.program.c_str() : program.name.c_str(),
-                 format_number(size.x()).c_str(), format_number(size.y()).c_str(),
-                 format_number(size.z()).c_str(), made.bodies.size(), shape::triangle_count(made));
+    return;
   }
+  if (context.quiet) return;
+  for (const auto& made : objects) {
+    const Vec3 size = shape::bounds(made.shape).size();
+    std::fprintf(stderr, "%s: %s x %s x %s m, %zu bodies, %zu triangles\n",
+                 made.program.name.empty() ? options.program.c_str() : made.program.name.c_str(),
+                 format_number(size.x()).c_str(), format_number(size.y()).c_str(),
+                 format_number(size.z()).c_str(), made.shape.bodies.size(),
+                 shape::triangle_count(made.shape));
+    for (const auto& note : made.notes) std::fprintf(stderr, "  note: %s\n", note.c_str());
+    for (const auto& repair : made.repairs) std::fprintf(stderr, "  repaired: %s\n", repair.c_str());
+    for (const auto& problem : made.soundness.problems)
+      std::fprintf(stderr, "  left as it is: %s\n", problem.c_str());
+  }
+  for (const auto& note : all.notes) std::fprintf(stderr, "  note: %s\n", note.c_str());
 }
 
-Result<int> create(const Context& context, const Options& options) {
-  const auto program = load(options);
-  if (!program) return program.error();
+Result<int> make_one(const Context& context, const Options& options) {
+  const auto made = make(context, options);
+  if (!made) return made.error();
   if (context.cancel.cancelled()) return cancelled();
-  const auto made = shape::evaluate_within(*program, shape::default_triangles, options.tolerance);
-  if (!made) return with_context(made.error(), options.program);
-  if (context.cancel.cancelled()) return cancelled();
-  if (auto status = write_all(context, options, *program, shape::to_model(*made)); !status)
+  const Made& main = made->objects.front();
+  if (auto status = write_all(context, options, main.program, made->model); !status)
     return status.error();
-  report(context, options, *program, *made);
+  if (options.add) {
+    const auto kept = create::keep_program(main.program, kept_folder(options.cache));
+    if (!kept) return kept.error();
+    if (!context.quiet && !context.json) std::fprintf(stderr, "kept as %s\n", kept->c_str());
+  }
+  report(context, options, *made);
   return exit_ok;
+}
+
+// "stool.glb" of variant 2 is "stool-2.glb".
+std::string numbered(const std::string& path, int number) {
+  if (path.empty()) return path;
+  const fs::path whole(path);
+  return (whole.parent_path() / (whole.stem().string() + "-" + std::to_string(number) +
+                                 whole.extension().string()))
+      .string();
+}
+
+// The same words with other seeds, and a picture of all.
+Result<int> make_variants(const Context& context, const Options& options) {
+  std::vector<Model> models;
+  for (int k = 0; k < options.variants; ++k) {
+    Options one = options;
+    one.seed = options.seed + static_cast<std::uint64_t>(k);
+    one.output = numbered(options.output, k);
+    one.write_program = numbered(options.write_program, k);
+    one.views.clear();
+    const auto made = make(context, one);
+    if (!made) return made.error();
+    if (context.cancel.cancelled()) return cancelled();
+    if (auto status = write_all(context, one, made->objects.front().program, made->model); !status)
+      return status.error();
+    report(context, one, *made);
+    models.push_back(made->model);
+  }
+#ifdef ROOMGEN_HAS_RENDER
+  if (!options.views.empty())
+    if (auto status = write_sheet(options.views, models); !status) return status.error();
+#endif
+  return exit_ok;
+}
+
+Result<int> create_command(const Context& context, const Options& options) {
+  return options.variants > 1 ? make_variants(context, options) : make_one(context, options);
 }
 
 void check_usage(const Options& options) {
   for (const auto& setting : options.set)
     if (const auto equals = setting.find('='); equals == std::string::npos || equals == 0)
       throw CLI::ValidationError("--set", "\"" + setting + "\": write name=value");
-  if (options.output.empty() && options.write_program.empty() && options.views.empty())
-    throw CLI::RequiredError("--output, --write-program or --views");
+  if (options.prompt.empty() == options.program.empty() && options.refine.empty())
+    throw CLI::ValidationError("prompt", "say what the object is, or give --program");
+  if (!options.refine.empty() && options.program.empty())
+    throw CLI::ValidationError("--refine", "needs the earlier object's --program");
+  if (options.output.empty() && options.write_program.empty() && options.views.empty() &&
+      !options.add)
+    throw CLI::RequiredError("--output, --write-program, --views or --add");
 }
 
 }  // namespace
 
 void add_create_command(CLI::App& app, Context& context) {
   auto options = std::make_shared<Options>();
-  auto* sub = app.add_subcommand("create", "Make one object from a shape program (docs/shapes.md)");
+  auto* sub = app.add_subcommand("create", "Make one object from a sentence (docs/objects.md) or from a shape program (docs/shapes.md)");
+  sub->add_option("prompt", options->prompt, "What the object is: \"a bar stool with a round seat\"");
   sub->add_option("--program", options->program,
-                  "Shape program, JSON; others beside it may be used")
-      ->required();
+                  "Shape program, JSON; others beside it may be used");
+  sub->add_option("--refine", options->refine,
+                  "Change the object of --program: \"make the back taller\"");
+  sub->add_option("--size", options->size, "Width, depth and height in metres, as in 0.4x0.4x0.7");
+  sub->add_option("--variants", options->variants,
+                  "So many with seeds one after the other; --views then holds variants.png")
+      ->check(CLI::Range(1, most_variants))
+      ->capture_default_str();
+  sub->add_flag("--add", options->add, "Keep it: later rooms take it before the libraries");
+  sub->add_option("--cache", options->cache, "Where --add keeps it (default: the user's cache folder)");
+  sub->add_option("--variant", options->variant, "Leave out agents, to see what they are good for")
+      ->check(CLI::IsMember({"full", "no-validation", "no-decomposition"}))
+      ->capture_default_str();
   sub->add_option("-o,--output", options->output, "GLB file to write");
   sub->add_option("--set", options->set, "A parameter, name=value; may be repeated")
       ->allow_extra_args(false);
@@ -182,7 +401,7 @@ void add_create_command(CLI::App& app, Context& context) {
 #endif
   sub->callback([options, &context] {
     check_usage(*options);
-    context.run = [options, &context] { return create(context, *options); };
+    context.run = [options, &context] { return create_command(context, *options); };
   });
 }
 

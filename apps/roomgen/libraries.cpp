@@ -4,8 +4,8 @@
 
 #include <cstdio>
 
+#include "roomgen/create/created_library.h"
 #include "roomgen/library/first_of.h"
-#include "roomgen/library/standins.h"
 
 namespace roomgen::cli {
 
@@ -48,16 +48,22 @@ Result<std::unique_ptr<assets::Catalogue>> open_libraries(const LibraryOptions& 
   return assets::open_catalogue(catalogue);
 }
 
+std::filesystem::path kept_folder(const std::string& cache) {
+  return (cache.empty() ? assets::default_cache_dir() : std::filesystem::path(cache)) / "created";
+}
+
 Result<std::unique_ptr<AssetLibrary>> open_all_libraries(const LibraryOptions& options,
                                                          const Context& context) {
   std::vector<std::shared_ptr<const AssetLibrary>> libraries;
+  libraries.push_back(create::make_kept_library(kept_folder(options.cache)));
   auto catalogue = open_libraries(options, context);
   if (catalogue) libraries.push_back(*std::move(catalogue));
   else if (catalogue.error().kind != Error::Kind::not_found || !options.more.empty())
     return catalogue.error();
   else
-    std::fprintf(stderr, "roomgen: %s; simple stand-ins only\n", catalogue.error().message.c_str());
-  libraries.push_back(make_standins());
+    std::fprintf(stderr, "roomgen: %s; everything is made from words\n",
+                 catalogue.error().message.c_str());
+  libraries.push_back(create::make_created_library());
   return make_first_of(std::move(libraries));
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -26,7 +27,11 @@ void add_library_options(CLI::App& command, LibraryOptions& options);
 Result<std::unique_ptr<assets::Catalogue>> open_libraries(const LibraryOptions& options,
                                                           const Context& context);
 
-/// The same with stand-ins for what they do not have. Without any library, a warning and stand-ins alone.
+/// Where `create --add` keeps programs, below the cache folder (empty: the user's).
+std::filesystem::path kept_folder(const std::string& cache);
+
+/// What was kept goes first, then the libraries, then what is made from words. Without any library, a
+/// warning.
 Result<std::unique_ptr<AssetLibrary>> open_all_libraries(const LibraryOptions& options,
                                                          const Context& context);
 

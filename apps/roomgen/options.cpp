@@ -28,4 +28,17 @@ Result<Vec2> parse_size(const std::string& text) {
                "\"" + text + "\" is no size; write width and depth in metres, as in 4x5"};
 }
 
+Result<Vec3> parse_size3(const std::string& text) {
+  const auto sides = split(lower(text), text.find(',') != std::string::npos ? ',' : 'x');
+  if (sides.size() == 3) {
+    const auto width = parse_number(sides[0]), depth = parse_number(sides[1]),
+               height = parse_number(sides[2]);
+    if (width && depth && height && *width > 0 && *depth > 0 && *height > 0)
+      return Vec3(*width, *depth, *height);
+  }
+  return Error{Error::Kind::invalid_input,
+               "\"" + text + "\" is no size; write width, depth and height in metres, as in "
+               "0.4x0.4x0.7"};
+}
+
 }  // namespace roomgen::cli

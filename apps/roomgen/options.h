@@ -13,5 +13,7 @@ inline constexpr std::uint64_t max_seed = 9007199254740991;
 
 /// "4x5", "4.2 x 3.6": width and depth in metres.
 Result<Vec2> parse_size(const std::string& text);
+/// "0.4x0.4x0.7" or "0.4,0.4,0.7": width, depth and height in metres.
+Result<Vec3> parse_size3(const std::string& text);
 
 }  // namespace roomgen::cli

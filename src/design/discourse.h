@@ -8,7 +8,7 @@
 #include "noun_phrase.h"
 #include "placement_phrase.h"
 #include "room_kinds.h"
-#include "vocabulary.h"
+#include "roomgen/design/prompt_words.h"
 
 namespace roomgen::design {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "roomgen/scene/category.h"
-#include "tokens.h"
-#include "vocabulary.h"
+#include "roomgen/design/tokens.h"
+#include "roomgen/design/prompt_words.h"
 
 namespace roomgen::design {
 

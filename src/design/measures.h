@@ -4,8 +4,8 @@
 
 #include "brief.h"
 #include "kind_names.h"
-#include "tokens.h"
-#include "vocabulary.h"
+#include "roomgen/design/tokens.h"
+#include "roomgen/design/prompt_words.h"
 
 namespace roomgen::design {
 

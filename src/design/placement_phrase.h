@@ -4,8 +4,8 @@
 #include <span>
 #include <string>
 
-#include "tokens.h"
-#include "vocabulary.h"
+#include "roomgen/design/tokens.h"
+#include "roomgen/design/prompt_words.h"
 
 namespace roomgen::design {
 

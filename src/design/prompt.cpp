@@ -7,7 +7,7 @@
 #include "measures.h"
 #include "room_type.h"
 #include "settle.h"
-#include "tokens.h"
+#include "roomgen/design/tokens.h"
 
 namespace roomgen::design {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "roomgen/base/text.h"
-#include "vocabulary.h"
+#include "roomgen/design/prompt_words.h"
 
 namespace roomgen::design {
 

@@ -5,8 +5,8 @@
 #include "brief.h"
 #include "kind_names.h"
 #include "room_kinds.h"
-#include "tokens.h"
-#include "vocabulary.h"
+#include "roomgen/design/tokens.h"
+#include "roomgen/design/prompt_words.h"
 
 namespace roomgen::design {
 

@@ -5,7 +5,7 @@
 #include "planning.h"
 #include "room_kinds.h"
 #include "roomgen/base/text.h"
-#include "vocabulary.h"
+#include "roomgen/design/prompt_words.h"
 
 namespace roomgen {
 

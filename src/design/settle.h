@@ -3,7 +3,7 @@
 #include "brief.h"
 #include "kind_names.h"
 #include "noun_phrase.h"
-#include "vocabulary.h"
+#include "roomgen/design/prompt_words.h"
 
 namespace roomgen::design {
 

@@ -1,4 +1,4 @@
-#include "tokens.h"
+#include "roomgen/design/tokens.h"
 
 #include <array>
 #include <utility>

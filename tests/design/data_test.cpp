@@ -7,7 +7,7 @@
 #include "roomgen/base/resource.h"
 #include "roomgen/base/text.h"
 #include "roomgen/scene/category.h"
-#include "vocabulary.h"
+#include "roomgen/design/prompt_words.h"
 
 using namespace roomgen;
 using namespace roomgen::design;

@@ -6,7 +6,7 @@
 #include "roomgen/base/random.h"
 #include "roomgen/design/rule_designer.h"
 #include "roomgen/scene/category.h"
-#include "vocabulary.h"
+#include "roomgen/design/prompt_words.h"
 
 using namespace roomgen;
 using namespace roomgen::design;

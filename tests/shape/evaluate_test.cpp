@@ -217,7 +217,7 @@ TEST_CASE("A height field's formula is evaluated, and its faults are told") {
   CHECK(contains_text(broken.error().message, "component \"a\": \"height\": column"));
 }
 
-TEST_CASE("Errors of solids name the component; nothing is an error too") {
+TEST_CASE("Errors of solids name the component, and nothing is an error too") {
   const auto crossed = evaluate(concrete(document(
       R"({"name": "g", "group": {"components": [{"name": "x", "extrude": {"outline": [[0, 0], [1, 1], [1, 0], [0, 1]], "corners": "all", "height": 0.1}}]}})")));
   REQUIRE_FALSE(crossed);

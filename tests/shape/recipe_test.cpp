@@ -131,7 +131,7 @@ TEST_CASE("A component goes when its condition fails, and its connections with i
   CHECK(program.connections == std::vector<std::pair<std::string, std::string>>{{"a", "floor"}});
 }
 
-TEST_CASE("Copies that say i become components of their own; others stay one") {
+TEST_CASE("Copies that say i become components of their own, others stay one") {
   const auto same =
       concrete(recipe(box(R"(, "operations": [{"array": {"count": "k", "step": ["w", 0, 0]}}])")));
   REQUIRE(same.components.size() == 1);

@@ -1,4 +1,4 @@
-#include "vocabulary.h"
+#include "roomgen/design/prompt_words.h"
 
 #include "roomgen/base/json.h"
 #include "roomgen/base/resource.h"

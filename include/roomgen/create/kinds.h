@@ -1,0 +1,62 @@
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "roomgen/base/json.h"
+#include "roomgen/base/result.h"
+#include "roomgen/scene/object.h"
+#include "roomgen/shape/recipe.h"
+
+namespace roomgen::create {
+
+/// A kind of object that a recipe makes (docs/objects.md).
+struct ShapeKind {
+  std::string name;                ///< "nightstand"
+  std::vector<std::string> names;  ///< what people call it besides
+  std::string recipe;              ///< a file of data/shapes, without its ending
+  shape::Values set;               ///< parameters that make it this kind
+  std::map<std::string, std::vector<shape::Value>> vary;  ///< among which a seed chooses
+  std::map<std::string, shape::Values> styles;            ///< what "industrial" sets
+  Vec3 size = Vec3::Ones();                               ///< usual width, depth, height, metres
+  Vec3 least = Vec3::Zero(), most = Vec3::Ones();         ///< that people would believe
+  Mount mount = Mount::floor;
+  std::string main;  ///< the colour parameter that "a red ..." means; may be empty
+};
+
+/// The kinds of data/shapes/kinds and the recipes of data/shapes.
+class ShapeKinds {
+ public:
+  static Result<ShapeKinds> read(const std::vector<std::pair<std::string, Json>>& kind_files,
+                                 std::map<std::string, Json, std::less<>> recipes);
+  /// Those that are compiled in.
+  static const Result<ShapeKinds>& built_in();
+
+  const std::map<std::string, ShapeKind, std::less<>>& all() const { return kinds_; }
+  /// The kind of exactly this name, in the singular or the plural; null if there is none.
+  const ShapeKind* find(std::string_view name) const;
+  /// The kind whose name or other names share most with these words, the last word counting most;
+  /// null when nothing is shared. Equal words give equal answers.
+  const ShapeKind* nearest(std::string_view words) const;
+  /// Several, nearest first.
+  std::vector<const ShapeKind*> nearest(std::string_view words, std::size_t count) const;
+  /// How many words from the front of these make the longest name of a kind; 0 if none does.
+  std::size_t match(const std::vector<std::string>& words, std::size_t from,
+                    const ShapeKind** kind) const;
+
+  const Json* recipe(std::string_view name) const;
+  /// For shape::instantiate().
+  shape::RecipeSource recipes() const;
+  /// What the recipe and all that it uses label their parts.
+  std::set<std::string> labels(std::string_view recipe) const;
+
+ private:
+  std::map<std::string, ShapeKind, std::less<>> kinds_;
+  std::map<std::string, std::string, std::less<>> names_;  ///< any spelling to a kind
+  std::map<std::string, Json, std::less<>> recipes_;
+};
+
+}  // namespace roomgen::create

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "roomgen/create/description.h"
+#include "roomgen/create/maker.h"
+#include "words.h"
+
+namespace roomgen::create {
+
+/// Longest description that is read, bytes.
+inline constexpr std::size_t max_prompt = 2000;
+
+/// Is it a thing that stands indoors, and one that can be? `objects` is what was read of the prompt.
+Verdict classify_phrase(const std::string& prompt, const std::vector<Description>& objects,
+                        const Words& words);
+
+}  // namespace roomgen::create

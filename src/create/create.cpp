@@ -1,0 +1,173 @@
+#include "roomgen/create/create.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "roomgen/create/kinds.h"
+
+namespace roomgen::create {
+
+namespace {
+
+constexpr std::size_t examples_shown = 2;
+// Sides that differ by more than this from what was asked are made again.
+constexpr double size_tolerance = 0.004;
+constexpr int size_rounds = 3;
+
+Mount mount_of(const Description& description) {
+  const auto& kinds = ShapeKinds::built_in();
+  const ShapeKind* kind = kinds ? kinds->find(description.kind) : nullptr;
+  return kind ? kind->mount : Mount::floor;
+}
+
+Footing footing_of(Mount mount) {
+  if (mount == Mount::wall) return Footing::wall;
+  return mount == Mount::ceiling ? Footing::ceiling : Footing::ground;
+}
+
+// The nearest recipes, as they are unless told otherwise.
+std::vector<shape::Program> nearest_examples(const Description& description) {
+  std::vector<shape::Program> programs;
+  const auto& kinds = ShapeKinds::built_in();
+  if (!kinds) return programs;
+  for (const ShapeKind* kind : kinds->nearest(description.noun, examples_shown)) {
+    const Json* recipe = kinds->recipe(kind->recipe);
+    auto parameters = shape::describe_parameters(*recipe);
+    if (!parameters) continue;
+    auto program = shape::instantiate(*recipe, shape::clamped(*parameters, kind->set), 0,
+                                      kinds->recipes(), kind->recipe);
+    if (program) programs.push_back(*std::move(program));
+  }
+  return programs;
+}
+
+class Creator {
+ public:
+  Creator(Maker& maker, const CreateOptions& options) : maker_(maker), options_(options) {}
+
+  Result<CreatedObject> make(Description description) {
+    CreatedObject object;
+    object.mount = mount_of(description);
+    MakeRequest request;
+    request.seed = options_.seed;
+    request.examples = nearest_examples(description);
+    request.cancel = options_.cancel;
+    const std::optional<Vec3> wanted = description.size;
+    for (int round = 0; round < size_rounds; ++round) {
+      request.description = description;
+      auto program = maker_.generate(request);
+      if (!program) return program.error();
+      object.notes = maker_.take_notes();
+      object.repairs.clear();
+      if (auto status = finish(*std::move(program), object); !status) return status.error();
+      if (!wanted || !correct_size(*wanted, object, description)) break;
+    }
+    object.description = std::move(request.description);
+    object.description.size = wanted;
+    return object;
+  }
+
+  // Validates and evaluates.
+  Status finish(shape::Program program, CreatedObject& object) {
+    ValidateOptions validation;
+    validation.footing = footing_of(object.mount);
+    if (options_.variant == Variant::no_validation) {
+      object.program = std::move(program);
+      auto soundness = inspect(object.program, validation);
+      if (!soundness) return soundness.error();
+      object.soundness = *std::move(soundness);
+    } else {
+      auto validated = validate(program, validation);
+      if (!validated) return validated.error();
+      object.program = std::move(validated->program);
+      object.repairs = std::move(validated->repairs);
+      object.soundness = std::move(validated->after);
+    }
+    auto shape = shape::evaluate_within(object.program, options_.triangles);
+    if (!shape) return shape.error();
+    if (shape->bodies.empty())
+      return Error{Error::Kind::invalid_input, "the program makes nothing at all"};
+    object.shape = *std::move(shape);
+    return {};
+  }
+
+ private:
+  // What was added or repaired may have changed the box: the next round aims beside it. False if it
+  // is as wanted, or cannot be helped.
+  static bool correct_size(const Vec3& wanted, const CreatedObject& object,
+                           Description& description) {
+    const Vec3 size = bounds(object.shape).size();
+    bool off = false;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (std::isnan(wanted[axis])) continue;
+      const double error = wanted[axis] - size[axis];
+      if (std::abs(error) <= size_tolerance) continue;
+      off = true;
+      (*description.size)[axis] = std::max(0.01, (*description.size)[axis] + error);
+    }
+    return off;
+  }
+
+  Maker& maker_;
+  const CreateOptions& options_;
+};
+
+}  // namespace
+
+Result<Creation> create(const std::string& prompt, Maker& maker, const CreateOptions& options) {
+  Creation creation;
+  auto verdict = maker.classify(prompt);
+  if (!verdict) return verdict.error();
+  creation.verdict = *std::move(verdict);
+  if (!creation.verdict.passes) return creation;
+  std::vector<Description> descriptions;
+  if (options.variant == Variant::no_decomposition) {
+    Description whole;
+    whole.prompt = prompt;
+    whole.noun = prompt;
+    descriptions = {whole};
+  } else {
+    auto read = maker.decompose(prompt);
+    if (!read) return read.error();
+    descriptions = *std::move(read);
+  }
+  auto early_notes = maker.take_notes();
+  Creator creator(maker, options);
+  for (auto& description : descriptions) {
+    if (options.cancel.cancelled()) return Error{Error::Kind::cancelled, "cancelled"};
+    if (creation.objects.empty() && options.size) description.size = options.size;
+    auto object = creator.make(std::move(description));
+    if (!object) return object.error();
+    object->notes.insert(object->notes.begin(), early_notes.begin(), early_notes.end());
+    early_notes.clear();
+    creation.objects.push_back(*std::move(object));
+  }
+  return creation;
+}
+
+Result<CreatedObject> create_described(const Description& description, Maker& maker,
+                                       const CreateOptions& options) {
+  return Creator(maker, options).make(description);
+}
+
+Result<CreatedObject> refine(const shape::Program& earlier, const std::string& wish, Maker& maker,
+                             const CreateOptions& options) {
+  MakeRequest request;
+  request.description.prompt = wish;
+  request.description.noun = earlier.name;
+  request.seed = options.seed;
+  request.earlier = &earlier;
+  request.cancel = options.cancel;
+  auto program = maker.generate(request);
+  if (!program) return program.error();
+  CreatedObject object;
+  object.description = request.description;
+  if (const auto& kinds = ShapeKinds::built_in(); kinds)
+    if (const ShapeKind* kind = kinds->find(earlier.name)) object.mount = kind->mount;
+  object.notes = maker.take_notes();
+  Creator creator(maker, options);
+  if (auto status = creator.finish(*std::move(program), object); !status) return status.error();
+  return object;
+}
+
+}  // namespace roomgen::create

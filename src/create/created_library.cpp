@@ -1,0 +1,180 @@
+#include "roomgen/create/created_library.h"
+
+#include <cstdlib>
+#include <map>
+#include <mutex>
+
+#include "phrase.h"
+#include "roomgen/base/sha256.h"
+#include "roomgen/create/create.h"
+#include "roomgen/create/kinds.h"
+#include "roomgen/create/rule_maker.h"
+#include "roomgen/library/ranking.h"
+#include "roomgen/library/vocabulary.h"
+#include "roomgen/scene/category.h"
+
+namespace roomgen::create {
+
+namespace {
+
+constexpr const char* recipe_name = "words";
+constexpr double created_score = 0.1;  // any real thing that fits is better
+constexpr double usual_elevation = 1.2;
+constexpr double least_side = 0.002, greatest_side = 20.0;
+
+/// What is built.
+struct Order {
+  std::string kind, description;
+  Vec3 size = Vec3::Ones();
+  std::uint64_t seed = 0;
+};
+
+// Equal words build equal things.
+std::uint64_t seed_of(const std::string& words) {
+  return std::strtoull(sha256_hex(words).substr(0, 12).c_str(), nullptr, 16);
+}
+
+ProceduralSource source_of(const Order& order) {
+  ProceduralSource source;
+  source.recipe = recipe_name;
+  source.seed = order.seed;
+  source.params = {
+      {"kind", order.kind},
+      {"description", order.description},
+      {"size", {rounded(order.size.x()), rounded(order.size.y()), rounded(order.size.z())}}};
+  return source;
+}
+
+Result<Order> order_of(const AssetRef& ref) {
+  const Error unknown{Error::Kind::not_found, asset_key(ref) + ": nothing is built this way"};
+  if (!ref.procedural || ref.procedural->recipe != recipe_name) return unknown;
+  JsonReader::Problems problems("asset " + asset_key(ref));
+  const JsonReader params(ref.procedural->params, problems);
+  Order order;
+  order.kind = params["kind"].text();
+  order.description = params["description"].text_or("");
+  const auto sides = params["size"].numbers(3, least_side, greatest_side);
+  if (const auto& problem = problems.first()) return *problem;
+  order.size = Vec3(sides[0], sides[1], sides[2]);
+  order.seed = ref.procedural->seed;
+  return order;
+}
+
+// The words about the object itself: what the description says of others is for other queries.
+Description describe(const Order& order) {
+  Description description;
+  if (built_in_words() && ShapeKinds::built_in()) {
+    auto read = read_phrase(order.description, *built_in_words(), *ShapeKinds::built_in());
+    if (!read.empty()) description = std::move(read.front());
+  }
+  if (description.noun.empty() || description.approximate) description.noun = order.kind;
+  description.kind = order.kind;
+  description.approximate = false;
+  description.prompt = order.description;
+  description.size = order.size;
+  description.count = 1;
+  return description;
+}
+
+// Fills the box exactly: what is left to do is below a hundredth.
+void fit(Model& model, const Vec3& size) {
+  const Vec3 actual = bounds(model).size();
+  const Eigen::Vector3f factors = size.cwiseQuotient(actual.cwiseMax(1e-6)).cast<float>();
+  for (auto& part : model.parts) {
+    for (auto& p : part.mesh.positions) p = p.cwiseProduct(factors);
+    for (auto& n : part.mesh.normals) n = n.cwiseQuotient(factors).normalized();
+  }
+}
+
+Result<Model> build(const Order& order) {
+  const auto maker = make_rule_maker();
+  CreateOptions options;
+  options.seed = order.seed;
+  auto object = create_described(describe(order), *maker, options);
+  if (!object) return object.error();
+  Model model = to_model(object->shape);
+  fit(model, order.size);
+  return model;
+}
+
+class CreatedLibrary final : public AssetLibrary {
+ public:
+  Result<std::vector<AssetMatch>> search(const AssetQuery& query) const override {
+    std::vector<AssetMatch> matches;
+    const ShapeKind* kind = kind_asked(query);
+    if (!kind || query.limit == 0) return matches;
+    const Mount mount = query.mount.value_or(kind->mount);
+    const Kind* known = Vocabulary::built_in().find(kind->name);
+    const std::vector<Mount> also = known ? known->also : std::vector<Mount>{};
+    Order order{kind->name, query.description, size_for(query, *kind), 0};
+    if (mount_fit(kind->mount, mount, also, order.size.z()) <= 0.0) return matches;
+    order.seed = seed_of(query.category + "\n" + query.description);
+    matches.push_back({info_of(order, *kind, mount), created_score});
+    return matches;
+  }
+
+  Result<std::shared_ptr<const Model>> load(const AssetRef& ref) const override {
+    const std::string key = asset_key(ref);
+    {
+      const std::lock_guard lock(mutex_);
+      if (const auto known = models_.find(key); known != models_.end()) return known->second;
+    }
+    const auto order = order_of(ref);
+    if (!order) return order.error();
+    auto model = build(*order);
+    if (!model) return model.error();
+    const auto shared = std::make_shared<const Model>(*std::move(model));
+    const std::lock_guard lock(mutex_);
+    return models_.emplace(key, shared).first->second;
+  }
+
+ private:
+  // By its own name, or by another that the vocabulary has for it.
+  static const ShapeKind* kind_asked(const AssetQuery& query) {
+    const auto& kinds = ShapeKinds::built_in();
+    if (!kinds) return nullptr;
+    const std::string& words = query.category.empty() ? query.description : query.category;
+    if (const ShapeKind* kind = kinds->find(words)) return kind;
+    const auto phrase = Vocabulary::built_in().understand(words);
+    return phrase.known ? kinds->find(phrase.kind) : nullptr;
+  }
+
+  static Vec3 size_for(const AssetQuery& query, const ShapeKind& kind) {
+    const Vec3 size =
+        query.size.value_or(kind.size).cwiseMax(kind.least).cwiseMin(kind.most);
+    return {rounded(size.x()), rounded(size.y()), rounded(size.z())};
+  }
+
+  static AssetInfo info_of(const Order& order, const ShapeKind& kind, Mount mount) {
+    AssetInfo info;
+    info.ref.procedural = source_of(order);
+    info.ref.license = "CC0";
+    info.name = kind.name;
+    info.category = kind.name;
+    info.group = "made from words";
+    info.size = order.size;
+    info.mount = mount;
+    const Category* category = CategoryTable::built_in().find(kind.name);
+    const Kind* known = Vocabulary::built_in().find(kind.name);
+    if (mount == Mount::wall)
+      info.elevation = category && category->elevation > 0.0 ? category->elevation : usual_elevation;
+    if (known && known->supports && mount == Mount::floor) info.support_height = order.size.z();
+    info.has_front = !category || category->traits.front;
+    info.round = category && category->traits.round;
+    const Description description = describe(order);
+    for (const auto& said : {description.color, description.material})
+      if (!said.empty()) info.colors.push_back(said);
+    return info;
+  }
+
+  mutable std::mutex mutex_;
+  mutable std::map<std::string, std::shared_ptr<const Model>> models_;
+};
+
+}  // namespace
+
+std::unique_ptr<AssetLibrary> make_created_library() {
+  return std::make_unique<CreatedLibrary>();
+}
+
+}  // namespace roomgen::create

@@ -1,0 +1,221 @@
+#include "roomgen/create/kinds.h"
+
+#include <algorithm>
+
+#include "roomgen/base/resource.h"
+#include "roomgen/base/text.h"
+
+namespace roomgen::create {
+
+namespace {
+
+constexpr std::size_t most_name_words = 4;
+constexpr int most_nested_recipes = 8;
+constexpr double last_word_weight = 3.0;  // "reading lamp" is a lamp before it is about reading
+
+std::string spelled(const std::vector<std::string>& pieces) {
+  return join(pieces, " ");
+}
+
+// In the singular, separators aside: "Bar-Stools" gives "bar stool".
+std::string normal(std::string_view name) {
+  auto pieces = words(name);
+  if (!pieces.empty()) pieces.back() = singular(pieces.back());
+  return spelled(pieces);
+}
+
+shape::Value read_value(const JsonReader& json) {
+  if (json.is_string()) return json.text();
+  return json.number(-1e6, 1e6);
+}
+
+shape::Values read_values(const JsonReader& json) {
+  shape::Values values;
+  if (json.exists())
+    for (const auto& [name, value] : json.members()) values[name] = read_value(value);
+  return values;
+}
+
+Vec3 read_size(const JsonReader& json) {
+  const auto sides = json.numbers(3, 0.001, 20.0);
+  return sides.size() == 3 ? Vec3(sides[0], sides[1], sides[2]) : Vec3::Ones();
+}
+
+ShapeKind read_kind(const std::string& name, const JsonReader& json) {
+  json.allow_only({"names", "recipe", "set", "vary", "styles", "size", "least", "most", "mount", "main"});
+  ShapeKind kind;
+  kind.name = name;
+  kind.recipe = json["recipe"].text();
+  for (const auto& other : json["names"].elements_or_none()) kind.names.push_back(other.text());
+  kind.set = read_values(json["set"]);
+  if (json["vary"].exists())
+    for (const auto& [parameter, choices] : json["vary"].members())
+      for (const auto& choice : choices.elements())
+        kind.vary[parameter].push_back(read_value(choice));
+  if (json["styles"].exists())
+    for (const auto& [style, values] : json["styles"].members())
+      kind.styles[style] = read_values(values);
+  kind.size = read_size(json["size"]);
+  kind.least = json["least"].exists() ? read_size(json["least"]) : Vec3(0.6 * kind.size);
+  kind.most = json["most"].exists() ? read_size(json["most"]) : Vec3(1.6 * kind.size);
+  const auto mount = parse_mount(json["mount"].text_or("floor"));
+  if (!mount) json["mount"].report("is none of floor, wall, ceiling, surface");
+  kind.mount = mount.value_or(Mount::floor);
+  kind.main = json["main"].text_or("");
+  return kind;
+}
+
+void collect_labels(const Json& components, std::set<std::string>& labels,
+                    std::vector<std::string>& used) {
+  for (const auto& component : components) {
+    if (!component.is_object()) continue;
+    if (const auto label = component.find("label"); label != component.end() && label->is_string())
+      labels.insert(label->get<std::string>());
+    if (const auto use = component.find("use"); use != component.end() && use->is_string())
+      used.push_back(use->get<std::string>());
+    if (const auto group = component.find("group"); group != component.end())
+      if (const auto inner = group->find("components"); inner != group->end())
+        collect_labels(*inner, labels, used);
+  }
+}
+
+// How much of the wanted words a name has, in [0, 1].
+double likeness(const std::vector<std::string>& wanted, const std::vector<std::string>& name) {
+  double shared = 0.0, all = 0.0;
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    const double weight = i + 1 == wanted.size() ? last_word_weight : 1.0;
+    all += weight;
+    const auto found = std::find(name.begin(), name.end(), wanted[i]);
+    if (found == name.end()) continue;
+    // The same thing in both: "lamp" of "floor lamp", not "table" of "table lamp".
+    const bool both_last = i + 1 == wanted.size() && found + 1 == name.end();
+    shared += both_last || i + 1 < wanted.size() ? weight : 0.3 * weight;
+  }
+  if (all == 0.0) return 0.0;
+  const double extra = static_cast<double>(name.size());
+  return shared / all - 0.02 * extra;
+}
+
+}  // namespace
+
+Result<ShapeKinds> ShapeKinds::read(const std::vector<std::pair<std::string, Json>>& kind_files,
+                                    std::map<std::string, Json, std::less<>> recipes) {
+  ShapeKinds result;
+  result.recipes_ = std::move(recipes);
+  for (const auto& [source, json] : kind_files) {
+    JsonReader::Problems problems{source};
+    JsonReader root(json, problems);
+    root.allow_only({"format", "version", "about", "kinds"});
+    for (const auto& [name, entry] : root["kinds"].members()) {
+      const ShapeKind kind = read_kind(name, entry);
+      if (!result.recipes_.count(kind.recipe))
+        entry["recipe"].report("there is no recipe " + kind.recipe);
+      result.kinds_.emplace(name, kind);
+    }
+    if (const auto& problem = problems.first()) return *problem;
+  }
+  // A kind's own name goes before what others are called besides.
+  for (const auto& [name, kind] : result.kinds_) result.names_[normal(name)] = name;
+  for (const auto& [name, kind] : result.kinds_)
+    for (const auto& other : kind.names) result.names_.emplace(normal(other), name);
+  return result;
+}
+
+const Result<ShapeKinds>& ShapeKinds::built_in() {
+  static const Result<ShapeKinds> kinds = []() -> Result<ShapeKinds> {
+    std::vector<std::pair<std::string, Json>> files;
+    std::map<std::string, Json, std::less<>> recipes;
+    constexpr std::string_view folder = "data/shapes/", kinds_folder = "data/shapes/kinds/";
+    for (const auto path : resources(folder)) {
+      auto json = parse_json(*resource(path), std::string(path));
+      if (!json) return json.error();
+      if (path.starts_with(kinds_folder)) {
+        files.emplace_back(path, *std::move(json));
+      } else {
+        auto name = path.substr(folder.size());
+        name.remove_suffix(std::string_view(".json").size());
+        recipes.emplace(name, *std::move(json));
+      }
+    }
+    return read(files, std::move(recipes));
+  }();
+  return kinds;
+}
+
+const ShapeKind* ShapeKinds::find(std::string_view name) const {
+  for (const std::string& spelling : {spelled(words(name)), normal(name)})
+    if (const auto found = names_.find(spelling); found != names_.end())
+      return &kinds_.find(found->second)->second;
+  return nullptr;
+}
+
+std::size_t ShapeKinds::match(const std::vector<std::string>& text, std::size_t from,
+                              const ShapeKind** kind) const {
+  const std::size_t most = std::min(most_name_words, text.size() - std::min(from, text.size()));
+  for (std::size_t n = most; n > 0; --n) {
+    const std::vector<std::string> pieces(text.begin() + static_cast<std::ptrdiff_t>(from),
+                                          text.begin() + static_cast<std::ptrdiff_t>(from + n));
+    if (const ShapeKind* found = find(spelled(pieces))) {
+      if (kind) *kind = found;
+      return n;
+    }
+  }
+  return 0;
+}
+
+std::vector<const ShapeKind*> ShapeKinds::nearest(std::string_view text, std::size_t count) const {
+  auto wanted = words(text);
+  for (auto& word : wanted) word = singular(word);
+  std::map<const ShapeKind*, double> scores;
+  for (const auto& [name, kind] : names_) {
+    const double score = likeness(wanted, words(name));
+    double& best = scores[&kinds_.find(kind)->second];
+    best = std::max(best, score);
+  }
+  std::vector<std::pair<double, const ShapeKind*>> order;
+  for (const auto& [kind, score] : scores)
+    if (score > 0.15) order.emplace_back(score, kind);
+  std::sort(order.begin(), order.end(), [](const auto& a, const auto& b) {
+    return a.first != b.first ? a.first > b.first : a.second->name < b.second->name;
+  });
+  std::vector<const ShapeKind*> result;
+  for (const auto& [score, kind] : order)
+    if (result.size() < count) result.push_back(kind);
+  return result;
+}
+
+const ShapeKind* ShapeKinds::nearest(std::string_view text) const {
+  const auto found = nearest(text, 1);
+  return found.empty() ? nullptr : found.front();
+}
+
+const Json* ShapeKinds::recipe(std::string_view name) const {
+  const auto found = recipes_.find(name);
+  return found == recipes_.end() ? nullptr : &found->second;
+}
+
+shape::RecipeSource ShapeKinds::recipes() const {
+  return [this](const std::string& name) -> Result<Json> {
+    if (const Json* found = recipe(name)) return *found;
+    return Error{Error::Kind::not_found, "there is no recipe " + name};
+  };
+}
+
+std::set<std::string> ShapeKinds::labels(std::string_view name) const {
+  std::set<std::string> labels;
+  std::vector<std::string> open = {std::string(name)};
+  std::set<std::string> seen;
+  for (int depth = 0; depth < most_nested_recipes && !open.empty(); ++depth) {
+    std::vector<std::string> used;
+    for (const auto& one : open) {
+      const Json* json = seen.insert(one).second ? recipe(one) : nullptr;
+      if (!json) continue;
+      if (const auto components = json->find("components"); components != json->end())
+        collect_labels(*components, labels, used);
+    }
+    open = std::move(used);
+  }
+  return labels;
+}
+
+}  // namespace roomgen::create

@@ -1,0 +1,121 @@
+#include "parts.h"
+
+#include <algorithm>
+
+#include "roomgen/shape/evaluate.h"
+
+namespace roomgen::create {
+
+namespace {
+
+using shape::Component;
+using shape::Group;
+
+constexpr double coarse = 0.02;  // metres: bodies are counted, not looked at
+
+std::string label_of(const Component& component, const std::string& inherited) {
+  if (!component.label.empty()) return component.label;
+  return inherited.empty() ? component.name : inherited;
+}
+
+void visit_solids(std::vector<Component>& components, const std::string& inherited,
+                  const std::function<void(Component&, const std::string&)>& visit) {
+  for (auto& component : components) {
+    if (auto* group = std::get_if<Group>(&component.solid)) {
+      const std::string label = component.label.empty() ? inherited : component.label;
+      visit_solids(group->components, label, visit);
+    } else {
+      visit(component, label_of(component, inherited));
+    }
+  }
+}
+
+// Glides and screws do not make a leg another thing.
+bool is_trifle(std::string_view label) {
+  return label == "glide" || label == "cap" || label == "trim" || label == "screw";
+}
+
+bool is_whole(const Component& component, std::string_view label) {
+  bool any = false, only = true;
+  std::vector<Component> copy = {component};
+  visit_solids(copy, "", [&](Component&, const std::string& own) {
+    if (own == label) any = true;
+    else if (!is_trifle(own)) only = false;
+  });
+  return any && only;
+}
+
+void filter(std::vector<Component>& components, std::string_view label,
+            const std::function<bool(Component&)>& keep) {
+  for (auto it = components.begin(); it != components.end();) {
+    if (is_whole(*it, label)) {
+      it = keep(*it) ? it + 1 : components.erase(it);
+      continue;
+    }
+    if (auto* group = std::get_if<Group>(&it->solid)) {
+      filter(group->components, label, keep);
+      if (group->components.empty()) {
+        it = components.erase(it);
+        continue;
+      }
+    }
+    ++it;
+  }
+}
+
+void collect_names(const std::vector<Component>& components, const std::string& prefix,
+                   const std::string& inherited,
+                   std::vector<std::pair<std::string, std::string>>& names) {
+  for (const auto& component : components) {
+    const std::string path = prefix + component.name;
+    names.emplace_back(path, label_of(component, inherited));
+    if (const auto* group = std::get_if<Group>(&component.solid))
+      collect_names(group->components, path + ".",
+                    component.label.empty() ? inherited : component.label, names);
+  }
+}
+
+}  // namespace
+
+void for_each_part(shape::Program& program, std::string_view label,
+                   const std::function<void(Component&)>& visit) {
+  visit_solids(program.components, "", [&](Component& component, const std::string& own) {
+    if (own == label) visit(component);
+  });
+}
+
+void filter_wholes(shape::Program& program, std::string_view label,
+                   const std::function<bool(Component&)>& keep) {
+  filter(program.components, label, keep);
+}
+
+int count_parts(const shape::Program& program, std::string_view label) {
+  const auto shape = shape::evaluate(program, coarse);
+  if (!shape) return 0;
+  // A leg of several pieces is one leg: its pieces come from one copy of one group.
+  std::vector<std::string> wholes;
+  for (const auto& body : shape->bodies) {
+    if (body.label != label) continue;
+    const auto dot = body.name.rfind('.');
+    const std::string owner = body.name.substr(0, dot);
+    const bool piece = dot != std::string::npos && owner.find(label) != std::string::npos;
+    wholes.push_back(piece ? owner : body.name);
+  }
+  std::sort(wholes.begin(), wholes.end());
+  return static_cast<int>(std::unique(wholes.begin(), wholes.end()) - wholes.begin());
+}
+
+void prune_connections(shape::Program& program) {
+  std::vector<std::pair<std::string, std::string>> names;
+  collect_names(program.components, "", "", names);
+  const auto exists = [&](const std::string& reference) {
+    return reference == "floor" || reference == "wall" ||
+           std::any_of(names.begin(), names.end(), [&](const auto& named) {
+             return shape::refers_to(reference, named.first, named.second);
+           });
+  };
+  std::erase_if(program.connections,
+                [&](const auto& pair) { return !exists(pair.first) || !exists(pair.second); });
+}
+
+}  // namespace roomgen::create

@@ -1,0 +1,147 @@
+#include "roomgen/create/rule_maker.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "assemble.h"
+#include "classify.h"
+#include "parts.h"
+#include "phrase.h"
+#include "refine.h"
+#include "reshape.h"
+#include "settings.h"
+#include "roomgen/shape/evaluate.h"
+
+namespace roomgen::create {
+
+namespace {
+
+constexpr double coarse = 0.01;
+const Vec3 usual_size(0.5, 0.5, 0.8);
+
+// Surfaces that the recipe paints with this colour parameter.
+std::vector<std::string> surfaces_of(const Json& recipe, const std::string& parameter) {
+  std::vector<std::string> names;
+  const auto materials = recipe.find("materials");
+  if (parameter.empty() || materials == recipe.end() || !materials->is_object()) return names;
+  for (const auto& [name, surface] : materials->items()) {
+    const auto color = surface.find("color");
+    if (color != surface.end() && *color == "$" + parameter) names.push_back(name);
+  }
+  return names;
+}
+
+class RuleMaker final : public Maker {
+ public:
+  Result<Verdict> classify(const std::string& prompt) override {
+    if (prompt.size() > max_prompt) return classify_phrase(prompt, {}, Words());
+    const auto objects = decompose(prompt);
+    if (!objects) return objects.error();
+    return classify_phrase(prompt, *objects, *built_in_words());
+  }
+
+  Result<std::vector<Description>> decompose(const std::string& prompt) override {
+    if (!built_in_words()) return built_in_words().error();
+    if (!ShapeKinds::built_in()) return ShapeKinds::built_in().error();
+    return read_phrase(prompt.substr(0, max_prompt), *built_in_words(), *ShapeKinds::built_in());
+  }
+
+  Result<shape::Program> generate(const MakeRequest& request) override {
+    if (!built_in_words()) return built_in_words().error();
+    if (!ShapeKinds::built_in()) return ShapeKinds::built_in().error();
+    if (request.earlier) {
+      auto refined = refine(*request.earlier, request.description.prompt, *built_in_words());
+      notes_.insert(notes_.end(), refined.notes.begin(), refined.notes.end());
+      return std::move(refined.program);
+    }
+    const ShapeKind* kind = ShapeKinds::built_in()->find(request.description.kind);
+    if (!kind) return from_parts(request.description);
+    return from_recipe(request, *kind);
+  }
+
+  std::vector<std::string> take_notes() override { return std::exchange(notes_, {}); }
+
+ private:
+  Result<shape::Program> from_parts(const Description& description) {
+    Vec3 size = usual_size.cwiseProduct(description.scale);
+    if (description.size)
+      for (int axis = 0; axis < 3; ++axis)
+        if (!std::isnan((*description.size)[axis])) size[axis] = (*description.size)[axis];
+    notes_.push_back("\"" + description.noun + "\" is no known kind: it was put together from its parts");
+    shape::Program program = assemble(description, size);
+    if (!description.material.empty() || !description.color.empty())
+      paint_surfaces(program, {"body"}, description.material, description.color, *built_in_words());
+    finish(program, description, std::vector<Settings::Unmet>(description.parts.size()));
+    return program;
+  }
+
+  Result<shape::Program> from_recipe(const MakeRequest& request, const ShapeKind& kind) {
+    const ShapeKinds& kinds = *ShapeKinds::built_in();
+    const Words& words = *built_in_words();
+    const Description& description = request.description;
+    const Json& recipe = *kinds.recipe(kind.recipe);
+    const auto parameters = shape::describe_parameters(recipe, kind.recipe);
+    if (!parameters) return parameters.error();
+    const Settings settings = choose_settings(description, kind, *parameters, words, request.seed);
+    notes_.insert(notes_.end(), settings.notes.begin(), settings.notes.end());
+    auto program =
+        shape::instantiate(recipe, settings.values, request.seed, kinds.recipes(), kind.recipe);
+    if (!program) return program;
+    program->name = description.noun;
+    program->about = description.prompt;
+    if (description.approximate)
+      notes_.push_back("\"" + description.noun + "\" is no known kind: made like a " + kind.name);
+    if (!description.material.empty())
+      paint_surfaces(*program, surfaces_of(recipe, kind.main), description.material,
+                     description.color, words);
+    finish(*program, description, settings.unmet);
+    return program;
+  }
+
+  // What no parameter could say, part by part.
+  void finish(shape::Program& program, const Description& description,
+              const std::vector<Settings::Unmet>& unmet) {
+    for (std::size_t i = 0; i < description.parts.size(); ++i) {
+      const PartWish& part = description.parts[i];
+      if (part.label.empty()) continue;
+      const int there = count_parts(program, part.label);
+      const int wanted = part.count.value_or(std::max(1, there));
+      if (there == 0 && wanted > 0 && !add_part(program, part))
+        notes_.push_back("it is not known where a " + part.label + " belongs; it was left out");
+      else if (there > 0 && there != wanted && !set_count(program, part.label, wanted))
+        notes_.push_back("there are " + std::to_string(there) + " of the part \"" + part.label +
+                         "\" instead of " + std::to_string(wanted));
+      if (wanted == 0) continue;
+      if (unmet[i].shape) set_outline(program, part.label, part.shape);
+      if (part.lean && unmet[i].lean) lean(program, part.label, *part.lean);
+      if (part.course && unmet[i].course) bend(program, part.label, *part.course, part.strength);
+      if (!part.material.empty() || !part.color.empty())
+        paint(program, part.label, part.material, part.color, *built_in_words());
+      if (part.scale != Vec3::Ones() && part.scale.x() == 1.0) scale(program, part.label, part.scale);
+    }
+    prune_connections(program);
+  }
+
+  bool add_part(shape::Program& program, const PartWish& part) {
+    const auto shape = shape::evaluate(program, coarse);
+    if (!shape || shape->bodies.empty()) return false;
+    // Things stand on the seat or top if there is one, else on the whole.
+    Bounds3 carrier;
+    for (const auto& body : shape->bodies)
+      if (body.label == "seat" || body.label == "top")
+        for (const auto& p : body.mesh.positions) carrier.add(p.cast<double>());
+    const Bounds3 box = bounds(*shape);
+    return attach(program, part, carrier.empty() ? box : carrier,
+                  carrier.empty() ? box.high.z() : carrier.high.z());
+  }
+
+  std::vector<std::string> notes_;
+};
+
+}  // namespace
+
+std::unique_ptr<Maker> make_rule_maker() {
+  return std::make_unique<RuleMaker>();
+}
+
+}  // namespace roomgen::create

@@ -1,0 +1,106 @@
+#include "words.h"
+
+#include <array>
+
+#include "roomgen/base/json.h"
+#include "roomgen/base/resource.h"
+
+namespace roomgen::create {
+
+namespace {
+
+constexpr const char* path = "data/create/words.json";
+constexpr std::array<std::string_view, 6> courses = {"straight", "arc",    "s_curve",
+                                                     "taper",    "spiral", "wave"};
+constexpr std::array<std::string_view, 3> strengths = {"gentle", "moderate", "pronounced"};
+
+template <typename T, std::size_t N>
+std::optional<T> parse(const std::array<std::string_view, N>& names, std::string_view text) {
+  for (std::size_t i = 0; i < N; ++i)
+    if (names[i] == text) return static_cast<T>(i);
+  return std::nullopt;
+}
+
+WordMap<std::string> read_texts(const JsonReader& json) {
+  WordMap<std::string> result;
+  for (const auto& [word, value] : json.members()) result[word] = value.text();
+  return result;
+}
+
+std::set<std::string, std::less<>> read_list(const JsonReader& json) {
+  std::set<std::string, std::less<>> result;
+  for (const auto& element : json.elements()) result.insert(element.text());
+  return result;
+}
+
+shape::Surface read_material(const std::string& name, const JsonReader& json) {
+  json.allow_only({"color", "roughness", "metalness", "opacity", "pattern"});
+  shape::Surface surface;
+  surface.name = name;
+  surface.color = json["color"].text();
+  surface.roughness = json["roughness"].number_or(0.7, 0, 1);
+  surface.metalness = json["metalness"].number_or(0, 0, 1);
+  surface.opacity = json["opacity"].number_or(1, 0.05, 1);
+  surface.pattern = json["pattern"].text_or("none");
+  return surface;
+}
+
+Result<Words> read() {
+  const auto json = parse_json(resource(path).value_or(""), path);
+  if (!json) return json.error();
+  JsonReader::Problems problems{path};
+  const JsonReader root(*json, problems);
+  Words words;
+  words.shapes = read_texts(root["shapes"]);
+  words.constructions = read_texts(root["constructions"]);
+  words.styles = read_texts(root["styles"]);
+  words.positions = read_texts(root["positions"]);
+  for (const auto& [word, value] : root["leans"].members()) words.leans[word] = value.number(0, 60);
+  for (const auto& [word, value] : root["courses"].members()) {
+    const auto course = parse_course(value.text());
+    if (!course) value.report("is no course");
+    words.courses[word] = course.value_or(Course::straight);
+  }
+  for (const auto& [word, value] : root["strengths"].members()) {
+    const auto strength = parse_strength(value.text());
+    if (!strength) value.report("is no strength");
+    words.strengths[word] = strength.value_or(Strength::moderate);
+  }
+  for (const auto& [word, value] : root["scales"].members()) {
+    const auto factors = value.numbers(3, 0.1, 10);
+    if (factors.size() == 3) words.scales[word] = Vec3(factors[0], factors[1], factors[2]);
+  }
+  for (const auto& [word, value] : root["materials"].members())
+    words.materials[word] = read_material(word, value);
+  for (const auto& [label, spellings] : root["parts"].members())
+    for (const auto& spelling : spellings.elements()) words.parts.emplace(spelling.text(), label);
+  words.directions = read_list(root["directions"]);
+  words.far_things = read_list(root["vehicles and nature"]);
+  words.beings = read_list(root["living beings"]);
+  words.no_objects = read_list(root["no objects"]);
+  words.small_models = read_list(root["small models"]);
+  if (const auto& problem = problems.first()) return *problem;
+  return words;
+}
+
+}  // namespace
+
+const Result<Words>& built_in_words() {
+  static const Result<Words> words = read();
+  return words;
+}
+
+std::optional<Course> parse_course(std::string_view text) {
+  return parse<Course>(courses, text);
+}
+std::optional<Strength> parse_strength(std::string_view text) {
+  return parse<Strength>(strengths, text);
+}
+std::string_view name(Course course) {
+  return courses[static_cast<std::size_t>(course)];
+}
+std::string_view name(Strength strength) {
+  return strengths[static_cast<std::size_t>(strength)];
+}
+
+}  // namespace roomgen::create
