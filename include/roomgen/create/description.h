@@ -1,0 +1,54 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "roomgen/base/json.h"
+#include "roomgen/base/result.h"
+#include "roomgen/geometry/vec.h"
+
+/// Objects built from words (papers: primitives, section 3): a classifier, a decomposer, a generator
+/// and a validator.
+namespace roomgen::create {
+
+/// How a part runs (papers: primitives, section 3.3).
+enum class Course { straight, arc, s_curve, taper, spiral, wave };
+enum class Strength { gentle, moderate, pronounced };
+
+/// A part as a sentence asks for it; what it does not say is empty.
+struct PartWish {
+  std::string label;               ///< in the singular, as shape programs label parts: "leg"
+  std::optional<int> count;        ///< 0: "without armrests"
+  std::string shape;               ///< "round", "square"
+  std::string construction;        ///< "turned", "hairpin", "slatted"
+  std::string material;            ///< "brass"
+  std::string color;               ///< "white"
+  std::optional<double> lean;      ///< degrees outward: "slanted"
+  std::optional<Course> course;
+  Strength strength = Strength::moderate;
+  std::string direction;           ///< of the course: "vertical", "outward"
+  std::optional<Vec3> size;        ///< metres
+  Vec3 scale = Vec3::Ones();       ///< against the usual: "thick", "long"
+  std::vector<std::string> touches;  ///< labels of the parts it is joined to
+};
+
+/// What a sentence says about one object.
+struct Description {
+  std::string prompt;              ///< the words about this object
+  std::string noun;                ///< what it is called: "bar stool"
+  std::string kind;                ///< the kind of data/shapes/kinds that will do; empty: none is near
+  bool approximate = false;        ///< the kind is only the nearest one
+  int count = 1;                   ///< how many of it
+  std::string style;               ///< "industrial"
+  std::string material, color;     ///< of the whole
+  std::optional<Vec3> size;        ///< width, depth, height in metres, where said; NaN: not said
+  Vec3 scale = Vec3::Ones();       ///< "large", "low", against the usual
+  std::vector<PartWish> parts;
+};
+
+/// {"object", "kind", "count", "style", "material", "color", "size_cm", "parts": [{"label", ...}]}
+Json to_json(const Description& description);
+Result<Description> description_from_json(const Json& json, const std::string& source);
+
+}  // namespace roomgen::create

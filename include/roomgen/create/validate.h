@@ -1,0 +1,52 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "roomgen/base/result.h"
+#include "roomgen/shape/evaluate.h"
+#include "roomgen/shape/program.h"
+
+namespace roomgen::create {
+
+/// What holds of a shape, measured on its meshes.
+struct Soundness {
+  int bodies = 0;
+  int pieces = 0;            ///< connected groups of bodies (touching within `contact` of the options)
+  bool grounded = false;     ///< the lowest point is at z = 0 within 1 mm
+  bool stable = false;       ///< the centre of mass is over the hull of what touches the ground
+  double stability = 0.0;    ///< metres from the centre of mass to the hull's edge; negative outside
+  bool supported = false;    ///< everything rests on something below it or is fixed to what does
+  bool congruent = false;    ///< copies of a part have one size
+  std::vector<std::string> open_connections;  ///< "leg-2 and seat: 14 mm apart"
+  std::vector<std::string> problems;          ///< all that is wrong, for people
+
+  bool sound() const { return pieces == 1 && grounded && stable; }
+};
+
+/// Where a thing is fixed: things on walls and ceilings need no ground.
+enum class Footing { ground, wall, ceiling };
+
+struct ValidateOptions {
+  Footing footing = Footing::ground;
+  double contact = 0.002;  ///< bodies this near touch, metres
+  double sink = 0.002;     ///< how deep a part that was moved sinks into what it is joined to
+  int rounds = 4;
+};
+
+/// Measures only.
+Result<Soundness> inspect(const shape::Program& program, const ValidateOptions& options = {});
+
+struct Validation {
+  shape::Program program;            ///< repaired
+  std::vector<std::string> repairs;  ///< what was changed, for people
+  Soundness before, after;
+};
+
+/// The validator of the paper (primitives, section 3.5), on real meshes instead of boxes:
+/// connection map (the program's, else by labels and nearness), ground contact, supports under what
+/// they carry, every connection closed by moving or stretching the part of lowest priority, then
+/// stability. Parts that are copies of each other stay so.
+Result<Validation> validate(const shape::Program& program, const ValidateOptions& options = {});
+
+}  // namespace roomgen::create
