@@ -36,7 +36,8 @@ Result<Reading<Verdict>> read_verdict_reply(const std::string& text) {
       loose->json, {"passes", "pass", "verdict", "classification", "result", "is furniture"});
   const auto answer = passes ? yes_or_no(*passes) : std::nullopt;
   if (!answer) return Error{Error::Kind::invalid_input, "\"passes\" must be true or false"};
-  Reading<Verdict> reading{{}, std::move(loose->repairs)};
+  Reading<Verdict> reading;
+  reading.repairs = std::move(loose->repairs);
   reading.value.passes = *answer;
   const Json* reason = design::member(loose->json, {"reason", "explanation", "why", "reasoning"});
   if (reason && reason->is_string())
