@@ -89,6 +89,8 @@ class Repair {
     if (program_.size() > most_members) return;
     rename_key(program_, "parts", "components");
     head();
+    // Parts may bring materials along; a member more would move the list of parts.
+    if (!program_.contains("materials")) program_["materials"] = Json::object();
     materials();
     if (program_.contains("components")) components(program_["components"]);
     connections();
@@ -120,7 +122,6 @@ class Repair {
 
   // An object of surfaces, also when it is a list or holds colours only.
   void materials() {
-    if (!program_.contains("materials")) return;
     if (!program_["materials"].is_structured() || program_["materials"].size() > most_materials)
       return;
     Json mended = Json::object();
@@ -258,7 +259,6 @@ class Repair {
     }
     if (!component.contains("material")) return;
     Json& materials = program_["materials"];
-    if (materials.is_null()) materials = Json::object();
     if (!materials.is_object() || materials.size() >= most_materials) return;
     if (component["material"].is_object()) {
       Json surface = component["material"];

@@ -70,6 +70,13 @@ inline bool mentions(const std::vector<std::string>& notes, std::string_view par
   return false;
 }
 
+inline PartWish part(const std::string& label, std::optional<int> count = std::nullopt) {
+  PartWish wish;
+  wish.label = label;
+  wish.count = count;
+  return wish;
+}
+
 /// A sound stool of 40 x 40 x 45 cm.
 inline const std::string good_stool = R"({"format": "roomgen-shape", "version": 1, "name": "stool",
   "let": [["h", 0.42]],

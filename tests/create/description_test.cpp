@@ -90,8 +90,8 @@ TEST_CASE("What is wrong in a description's file is named with its place") {
   CHECK(contains_text(refusal(R"({"object": "x", "parts": [{}]})"), "/parts/0/label"));
   CHECK(contains_text(refusal(R"({"object": "x", "parts": [{"label": "leg", "count": -1}]})"),
                       "/parts/0/count"));
-  CHECK(contains_text(refusal(R"({"object": "x", "parts": [{"label": "leg", "course": "zigzag"}]})"),
-                      "s-curve"));
+  CHECK(contains_text(
+      refusal(R"({"object": "x", "parts": [{"label": "leg", "course": "zigzag"}]})"), "s-curve"));
   CHECK(contains_text(refusal(R"({"object": "x", "parts": [7]})"), "/parts/0"));
   CHECK(contains_text(
       refusal(R"({"object": "x", "parts": [{"label": "leg", "touches": ["seat", 3]}]})"),

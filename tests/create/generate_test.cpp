@@ -32,7 +32,7 @@ TEST_CASE("A program comes out as the model wrote it, its formulas computed") {
 }
 
 TEST_CASE("A program is found among prose, fences and thoughts") {
-  for (const std::string answer :
+  for (const std::string& answer :
        {"Here it is:\n```json\n" + good_stool + "\n```\nEnjoy your stool!",
         "<think>{\"components\": []} or so?</think>" + good_stool,
         "{\"reasoning\": \"four legs\", \"program\": " + good_stool + "}",
@@ -49,7 +49,8 @@ TEST_CASE("The words, the parts and the nearest programs are shown to the model"
   Conversation talk({reply_saying(good_stool)});
   MakeRequest request;
   request.description = Conversation::stool();
-  request.description.parts.push_back({.label = "leg", .count = 4, .construction = "turned"});
+  request.description.parts.push_back(part("leg", 4));
+  request.description.parts.back().construction = "turned";
   request.examples = {*shape::instantiate(Json::parse(good_stool))};
   request.examples[0].about = "an example that is near";
   REQUIRE(talk.maker->generate(request));
@@ -59,9 +60,8 @@ TEST_CASE("The words, the parts and the nearest programs are shown to the model"
 }
 
 TEST_CASE("The reader's error goes back with its pointer, and the mended program counts") {
-  Conversation talk(
-      {reply_saying(replaced(good_stool, "\"h\"]}, \"at\"", "\"hight\"]}, \"at\"")),
-       reply_saying(good_stool)});
+  Conversation talk({reply_saying(replaced(good_stool, "\"h\"]}, \"at\"", "\"hight\"]}, \"at\"")),
+                     reply_saying(good_stool)});
   const auto program = talk.generate();
   REQUIRE(program);
   CHECK(bodies_of(*program) == 5);
@@ -96,7 +96,7 @@ TEST_CASE("Prose three times leaves it to the fallback, which is said") {
 
 TEST_CASE("A program that is not what was described is asked for once more") {
   Description wanted = Conversation::stool();
-  wanted.parts.push_back({.label = "leg", .count = 3});
+  wanted.parts.push_back(part("leg", 3));
   wanted.size = Vec3(0.4, 0.4, 0.9);
   Conversation talk({reply_saying(good_stool), reply_saying(good_stool)});
   const auto program = talk.generate(wanted);
@@ -110,6 +110,26 @@ TEST_CASE("A program that is not what was described is asked for once more") {
   CHECK(worse.generate(wanted)->name == "stool");
   Conversation lost({reply_saying(good_stool)});
   CHECK(lost.generate(wanted)->name == "stool");
+}
+
+TEST_CASE("Parts are counted by label, groups as wholes") {
+  const std::string chest = R"({"components": [
+    {"name": "drawer", "label": "drawer", "group": {"components": [
+       {"name": "front", "box": {"size": [0.4, 0.02, 0.2]}},
+       {"name": "knob", "label": "handle", "box": {"size": [0.02, 0.02, 0.02]}}]},
+     "operations": [{"array": {"count": 3, "step": [0, 0, 0.2]}}]},
+    {"name": "foot-left", "label": "front legs", "box": {"size": [0.02, 0.02, 0.1]},
+     "operations": [{"mirror": "x"}]}]})";
+  Description wanted = Conversation::stool();
+  wanted.parts = {part("drawer", 3), part("handle", 3), part("leg", 2), part("door", 0)};
+  Conversation talk({reply_saying(chest)});
+  REQUIRE(talk.generate(wanted));
+  CHECK(talk.script->questions.size() == 1);
+  wanted.parts = {part("drawer", 2), part("leg", 0)};
+  Conversation other({reply_saying(chest), reply_saying(chest)});
+  REQUIRE(other.generate(wanted));
+  CHECK(contains_text(other.question(1), "3 parts labelled \"drawer\", but 2"));
+  CHECK(contains_text(other.question(1), "2 parts labelled \"leg\", but 0"));
 }
 
 TEST_CASE("What is clear in a program is mended without asking") {

@@ -9,8 +9,8 @@ using namespace conversation;
 namespace {
 
 std::string with_component(const std::string& component, const std::string& rest = "") {
-  return R"({"format": "roomgen-shape", "version": 1, "name": "x",)" + rest +
-         R"("components": [)" + component + "]}";
+  return R"({"format": "roomgen-shape", "version": 1, "name": "x",)" + rest + R"("components": [)" +
+         component + "]}";
 }
 
 std::string repeated(const std::string& text, std::size_t times, const std::string& between = "") {
@@ -27,9 +27,6 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 
 TEST_CASE("Hostile programs end with the fallback, and soon") {
   const std::string box = R"({"name": "a", "box": {"size": [1, 1, 1]})";
-  std::string nested = R"({"name": "a", "box": {"size": [1, 1, 1]}})";
-  for (int k = 0; k < 200; ++k)
-    nested = R"({"name": "g", "group": {"components": [)" + nested + "]}}";
   const std::string tenfold = R"({"array": {"count": 10, "step": [0, 0, 0.1]}})";
   const std::vector<std::string> answers = {
       with_component(R"({"name": "a", "box": {"size": [NaN, 1, 1]}})"),
@@ -38,16 +35,20 @@ TEST_CASE("Hostile programs end with the fallback, and soon") {
       with_component(R"({"name": "a", "box": {"size": [1000, 600, 700]}})"),
       with_component(R"({"name": "a", "box": {"size": [18, 1, 1]}})"),
       with_component(R"({"name": "a", "dodecahedron": {"size": [1, 1, 1]}})"),
-      with_component(box + R"(, "operations": [{"array": {"count": 1000000, "step": [0, 0, 1]}}]})"),
+      with_component(box +
+                     R"(, "operations": [{"array": {"count": 1000000, "step": [0, 0, 1]}}]})"),
       with_component(box + R"(, "operations": [)" + repeated(tenfold, 6, ",") + "]}"),
       with_component(R"({"name": "a", "use": "../../../etc/passwd"})"),
       with_component(R"({"name": "a", "use": "a"})"),
-      with_component(R"({"name": "a", "box": {"size": ["x", 1, 1]}})", R"("let": [["x", "y"], ["y", "x"]],)"),
+      with_component(R"({"name": "a", "box": {"size": ["x", 1, 1]}})",
+                     R"("let": [["x", "y"], ["y", "x"]],)"),
       with_component(R"({"name": "a", "box": {"size": [")" + repeated("(", 400) + R"(", 1, 1]}})"),
-      with_component(R"({"name": "a", "box": {"size": [")" + repeated("1+", 100000) + R"(1", 1, 1]}})"),
-      with_component(R"({"name": "a", "height_field": {"size": [1, 1], "height": "u +", "divisions": 1e9}})"),
-      with_component(R"({"name": "a", "sweep": {"path": [)" + repeated("[0, 0, 0]", 5000, ",") + R"(], "radius": 0.1}})"),
-      with_component(nested),
+      with_component(R"({"name": "a", "box": {"size": [")" + repeated("1+", 100000) +
+                     R"(1", 1, 1]}})"),
+      with_component(
+          R"({"name": "a", "height_field": {"size": [1, 1], "height": "u +", "divisions": 1e9}})"),
+      with_component(R"({"name": "a", "sweep": {"path": [)" + repeated("[0, 0, 0]", 5000, ",") +
+                     R"(], "radius": 0.1}})"),
       repeated(R"({"components": [)", 10000),
       repeated("[", 100000),
       R"({"components": "all of them"})",
@@ -66,6 +67,14 @@ TEST_CASE("Hostile programs end with the fallback, and soon") {
     CHECK(talk.script->questions.size() == 3);
     CHECK(seconds_since(start) < 5.0);
   }
+}
+
+TEST_CASE("Groups in groups without end are no danger") {
+  std::string nested = R"({"name": "a", "box": {"size": [1, 1, 1]}})";
+  for (int k = 0; k < 5000; ++k)
+    nested = R"({"name": "g", "group": {"components": [)" + nested + "]}}";
+  Conversation talk({reply_saying(with_component(nested))});
+  CHECK(talk.generate());
 }
 
 TEST_CASE("Large programs take bounded time, whether they are read or not") {
@@ -100,8 +109,10 @@ TEST_CASE("Damaged answers of every step never crash") {
     std::vector<std::string> damaged;
     for (std::string text : sources) {
       for (int k = random.integer(1, 6); k > 0; --k) {
-        const auto at = static_cast<std::size_t>(random.integer(0, static_cast<int>(text.size()) - 1));
-        text[at] = bytes[static_cast<std::size_t>(random.integer(0, static_cast<int>(bytes.size()) - 1))];
+        const auto at =
+            static_cast<std::size_t>(random.integer(0, static_cast<int>(text.size()) - 1));
+        text[at] =
+            bytes[static_cast<std::size_t>(random.integer(0, static_cast<int>(bytes.size()) - 1))];
       }
       damaged.push_back(text);
     }

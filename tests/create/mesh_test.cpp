@@ -84,14 +84,15 @@ TEST_CASE("What is wrong with triangles is told with its place") {
   CHECK(contains_text(objection(corners + R"("triangles": [[0, 1]]})"), "/triangles/0"));
   CHECK(contains_text(objection(corners + R"("triangles": [[0, 1, 1]]})"), "area"));
   CHECK(contains_text(objection(corners + R"("triangles": [[0, 1, 2]],
-      "parts": [{"label": "a", "first": 0, "count": 9}]})"), "/parts/0/count"));
+      "parts": [{"label": "a", "first": 0, "count": 9}]})"),
+                      "/parts/0/count"));
   CHECK(contains_text(objection(corners + R"("triangles": [[0, 1, 2]],
       "parts": [{"label": "a", "first": 0, "count": 1}, {"label": "b", "first": 0, "count": 1}]})"),
                       "share"));
   CHECK(contains_text(objection(R"({"vertices": [[0, 0, NaN]], "triangles": [[0, 0, 0]]})"),
                       "/vertices/0"));
-  CHECK(contains_text(objection(R"({"vertices": [[0, 0, 1e300]], "triangles": []})"),
-                      "/vertices/0"));
+  CHECK(
+      contains_text(objection(R"({"vertices": [[0, 0, 1e300]], "triangles": []})"), "/vertices/0"));
   CHECK(contains_text(
       objection(R"({"vertices": [[0, 0, 0], [15, 0, 0], [0, 5, 0]], "triangles": [[0, 1, 2]]})"),
       "15 m large"));

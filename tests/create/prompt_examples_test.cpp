@@ -44,7 +44,8 @@ TEST_CASE("The programs in the prompt are sound and as large as they say") {
   }
 }
 
-TEST_CASE("The prompt names every pattern, and its answers of decomposing and meshing are readable") {
+TEST_CASE(
+    "The prompt names every pattern, and its answers of decomposing and meshing are readable") {
   const std::string text = prompt("create-generate-system");
   for (const auto& pattern : shape::pattern_names()) CHECK(contains_text(text, pattern));
 
