@@ -56,8 +56,8 @@ Verdict classify_phrase(const std::string& prompt, const std::vector<Description
                         const Words& words) {
   const auto no = [](const std::string& why) { return Verdict{false, why}; };
   if (trim(prompt).empty()) return no("the description is empty; say what the object is, as in \"an oak stool\"");
-  if (prompt.size() > max_prompt)
-    return no("the description is longer than " + std::to_string(max_prompt) + " bytes");
+  if (prompt.size() > longest_phrase)
+    return no("the description is longer than " + std::to_string(longest_phrase) + " bytes");
   if (has_negative_count(prompt)) return no("there cannot be fewer than none of a part");
   const auto pieces = roomgen::words(prompt);
   if (has_distance(pieces))

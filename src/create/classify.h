@@ -10,7 +10,7 @@
 namespace roomgen::create {
 
 /// Longest description that is read, bytes.
-inline constexpr std::size_t max_prompt = 2000;
+inline constexpr std::size_t longest_phrase = 2000;
 
 /// Is it a thing that stands indoors, and one that can be? `objects` is what was read of the prompt.
 Verdict classify_phrase(const std::string& prompt, const std::vector<Description>& objects,

@@ -34,7 +34,7 @@ std::vector<std::string> surfaces_of(const Json& recipe, const std::string& para
 class RuleMaker final : public Maker {
  public:
   Result<Verdict> classify(const std::string& prompt) override {
-    if (prompt.size() > max_prompt) return classify_phrase(prompt, {}, Words());
+    if (prompt.size() > longest_phrase) return classify_phrase(prompt, {}, Words());
     const auto objects = decompose(prompt);
     if (!objects) return objects.error();
     return classify_phrase(prompt, *objects, *built_in_words());
@@ -43,7 +43,7 @@ class RuleMaker final : public Maker {
   Result<std::vector<Description>> decompose(const std::string& prompt) override {
     if (!built_in_words()) return built_in_words().error();
     if (!ShapeKinds::built_in()) return ShapeKinds::built_in().error();
-    return read_phrase(prompt.substr(0, max_prompt), *built_in_words(), *ShapeKinds::built_in());
+    return read_phrase(prompt.substr(0, longest_phrase), *built_in_words(), *ShapeKinds::built_in());
   }
 
   Result<shape::Program> generate(const MakeRequest& request) override {

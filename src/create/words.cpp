@@ -1,7 +1,6 @@
 #include "words.h"
 
-#include <array>
-
+#include "description_words.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/resource.h"
 
@@ -10,17 +9,6 @@ namespace roomgen::create {
 namespace {
 
 constexpr const char* path = "data/create/words.json";
-constexpr std::array<std::string_view, 6> courses = {"straight", "arc",    "s_curve",
-                                                     "taper",    "spiral", "wave"};
-constexpr std::array<std::string_view, 3> strengths = {"gentle", "moderate", "pronounced"};
-
-template <typename T, std::size_t N>
-std::optional<T> parse(const std::array<std::string_view, N>& names, std::string_view text) {
-  for (std::size_t i = 0; i < N; ++i)
-    if (names[i] == text) return static_cast<T>(i);
-  return std::nullopt;
-}
-
 WordMap<std::string> read_texts(const JsonReader& json) {
   WordMap<std::string> result;
   for (const auto& [word, value] : json.members()) result[word] = value.text();
@@ -57,12 +45,12 @@ Result<Words> read() {
   words.positions = read_texts(root["positions"]);
   for (const auto& [word, value] : root["leans"].members()) words.leans[word] = value.number(0, 60);
   for (const auto& [word, value] : root["courses"].members()) {
-    const auto course = parse_course(value.text());
+    const auto course = course_named(value.text());
     if (!course) value.report("is no course");
     words.courses[word] = course.value_or(Course::straight);
   }
   for (const auto& [word, value] : root["strengths"].members()) {
-    const auto strength = parse_strength(value.text());
+    const auto strength = strength_named(value.text());
     if (!strength) value.report("is no strength");
     words.strengths[word] = strength.value_or(Strength::moderate);
   }
@@ -88,19 +76,6 @@ Result<Words> read() {
 const Result<Words>& built_in_words() {
   static const Result<Words> words = read();
   return words;
-}
-
-std::optional<Course> parse_course(std::string_view text) {
-  return parse<Course>(courses, text);
-}
-std::optional<Strength> parse_strength(std::string_view text) {
-  return parse<Strength>(strengths, text);
-}
-std::string_view name(Course course) {
-  return courses[static_cast<std::size_t>(course)];
-}
-std::string_view name(Strength strength) {
-  return strengths[static_cast<std::size_t>(strength)];
 }
 
 }  // namespace roomgen::create

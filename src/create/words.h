@@ -30,10 +30,4 @@ struct Words {
 
 const Result<Words>& built_in_words();
 
-/// "arc", "gentle"
-std::optional<Course> parse_course(std::string_view text);
-std::optional<Strength> parse_strength(std::string_view text);
-std::string_view name(Course course);
-std::string_view name(Strength strength);
-
 }  // namespace roomgen::create

@@ -1,4 +1,4 @@
-#include "loose_json.h"
+#include "roomgen/design/loose_json.h"
 
 #include <algorithm>
 #include <optional>

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
-#include "loose_json.h"
 #include "plain_reply.h"
 #include "reply_facing.h"
 #include "reply_location.h"
 #include "reply_relations.h"
 #include "roomgen/base/text.h"
+#include "roomgen/design/loose_json.h"
 #include "target_names.h"
 
 namespace roomgen::design {

@@ -3,12 +3,12 @@
 #include <algorithm>
 
 #include "arrangement.h"
-#include "loose_json.h"
 #include "order.h"
 #include "prompt.h"
 #include "reply_items.h"
 #include "reply_room.h"
 #include "roomgen/base/text.h"
+#include "roomgen/design/loose_json.h"
 
 namespace roomgen::design {
 

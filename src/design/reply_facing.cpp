@@ -5,8 +5,8 @@
 #include <cmath>
 #include <string_view>
 
-#include "reply_measure.h"
 #include "roomgen/base/text.h"
+#include "roomgen/design/reply_measure.h"
 #include "roomgen/scene/judgement.h"
 
 namespace roomgen::design {

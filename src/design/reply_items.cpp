@@ -4,9 +4,9 @@
 #include <cmath>
 #include <optional>
 
-#include "loose_json.h"
-#include "reply_measure.h"
 #include "roomgen/base/text.h"
+#include "roomgen/design/loose_json.h"
+#include "roomgen/design/reply_measure.h"
 
 namespace roomgen::design {
 

@@ -2,8 +2,8 @@
 
 #include <limits>
 
-#include "reply_measure.h"
 #include "roomgen/base/text.h"
+#include "roomgen/design/reply_measure.h"
 
 namespace roomgen::design {
 

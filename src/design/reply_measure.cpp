@@ -1,4 +1,4 @@
-#include "reply_measure.h"
+#include "roomgen/design/reply_measure.h"
 
 #include <charconv>
 #include <cmath>

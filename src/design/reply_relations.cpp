@@ -5,8 +5,8 @@
 #include <optional>
 #include <string_view>
 
-#include "loose_json.h"
 #include "roomgen/base/text.h"
+#include "roomgen/design/loose_json.h"
 
 namespace roomgen::design {
 

@@ -5,10 +5,10 @@
 #include <optional>
 
 #include "floor_plan.h"
-#include "loose_json.h"
-#include "reply_measure.h"
 #include "roomgen/base/random.h"
 #include "roomgen/base/text.h"
+#include "roomgen/design/loose_json.h"
+#include "roomgen/design/reply_measure.h"
 
 namespace roomgen::design {
 

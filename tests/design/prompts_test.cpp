@@ -3,6 +3,7 @@
 #include <fstream>
 
 #include "catch.h"
+#include "roomgen/base/resource.h"
 #include "support/contains.h"
 #include "support/temporary_folder.h"
 
@@ -28,7 +29,19 @@ TEST_CASE("Every prompt is rendered whole when its slots are filled, and not oth
       {"plan-user", plan},
       {"place-system", {{"frame", "metres"}}},
       {"place-user", place},
-      {"again-user", {{"error", "no JSON"}}}};
+      {"again-user", {{"error", "no JSON"}}},
+      {"create-classify-system", {}},
+      {"create-classify-user", {{"prompt", "a stool"}}},
+      {"create-decompose-system", {}},
+      {"create-decompose-user", {{"prompt", "a stool"}, {"kinds", "chair, table"}}},
+      {"create-generate-system", {}},
+      {"create-generate-user", {{"prompt", "a stool"}, {"description", "d"}, {"examples", "e"}}},
+      {"create-refine-user", {{"prompt", "taller"}, {"earlier", "{}"}}},
+      {"create-mesh-system", {}},
+      {"create-mesh-user", {{"prompt", "a stool"}, {"description", "d"}}},
+      {"create-judge-system", {}},
+      {"create-judge-user", {{"prompt", "a stool"}, {"views", "4"}}}};
+  CHECK(cases.size() == resources("prompts/").size());
   for (const auto& [name, slots] : cases) {
     INFO(name);
     const auto text = prompts.render(name, slots);

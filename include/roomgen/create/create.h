@@ -14,9 +14,6 @@
 
 namespace roomgen::create {
 
-/// Which of the agents take part (papers: primitives, section 5.1).
-enum class Variant { full, no_validation, no_decomposition };
-
 struct CreateOptions {
   std::optional<Vec3> size;  ///< width, depth, height of the main object, whatever the words say
   std::uint64_t seed = 0;

@@ -8,9 +8,18 @@
 #include "roomgen/base/cancel.h"
 #include "roomgen/base/result.h"
 #include "roomgen/create/description.h"
+#include "roomgen/shape/evaluate.h"
 #include "roomgen/shape/program.h"
 
 namespace roomgen::create {
+
+/// The agents that take part, for comparisons (papers: primitives, section 5.1).
+enum class Variant {
+  full,              ///< all steps
+  no_validation,     ///< the same here; whoever validates leaves that out
+  no_decomposition,  ///< the program straight from the words
+  direct,            ///< triangles instead of a program
+};
 
 /// What the classifier says.
 struct Verdict {
@@ -41,6 +50,10 @@ class Maker {
   virtual Result<std::vector<Description>> decompose(const std::string& prompt) = 0;
   /// A program; it need not be sound yet.
   virtual Result<shape::Program> generate(const MakeRequest& request) = 0;
+  /// Variant::direct: triangles instead of a program, one body for each part, not always closed.
+  virtual Result<shape::Shape> generate_mesh(const MakeRequest&) {
+    return Error{Error::Kind::invalid_input, "only a language model makes triangles directly"};
+  }
   /// What was assumed, repaired or left to rules since the last call of this function.
   virtual std::vector<std::string> take_notes() { return {}; }
 };

@@ -16,9 +16,9 @@ class Prompts {
   using Slots = std::map<std::string, std::string, std::less<>>;
 
   static Prompts built_in();
-  /// Files of the folder (plan-system.md, plan-user.md, place-system.md, place-user.md,
-  /// again-user.md) replace the built-in ones. Fails for a folder that cannot be read or holds none
-  /// of them, and for a slot that the built-in version does not have, since nothing would fill it.
+  /// Files of the folder that are called like those of prompts/ (plan-system.md) replace the
+  /// built-in ones. Fails for a folder that cannot be read or holds none of them, and for a slot that
+  /// the built-in version does not have, since nothing would fill it.
   static Result<Prompts> from_folder(const std::filesystem::path& folder);
 
   /// The text of "place-user" with its slots filled. Precondition: `slots` has a value for each
