@@ -9,7 +9,7 @@ namespace roomgen::create::detail {
 namespace {
 
 // Coarser than what is shown: gaps of millimetres stay what they are on flat and straight parts.
-constexpr double tolerance = 0.002;
+constexpr double tolerance = 0.003;
 // More triangles than this say nothing more about contacts.
 constexpr std::size_t enough_triangles = 60'000;
 // A corner or the tip of a cone has less surface within 2 mm of a plane; thin wires more.
@@ -160,7 +160,7 @@ bool Assembly::touch_in_a_point(std::size_t a, std::size_t b) const {
   const auto [known, is_new] = memory_->pointed.try_emplace({first.id, second.id}, false);
   if (!is_new) return known->second;
   memory_->work += 400;
-  known->second = contact_area(first.solid, second.solid, contact_, point_area) < point_area &&
+  known->second = contact_area(first.solid, second.solid, contact_, point_area) < point_area ||
                   contact_area(second.solid, first.solid, contact_, point_area) < point_area;
   return known->second;
 }

@@ -38,6 +38,16 @@ std::map<std::string, Parts> units(const Assembly& assembly, const std::string& 
   return result;
 }
 
+// Where a component has the name, those that only have the label may but need not be meant.
+std::map<std::string, Parts> named_units(const Assembly& assembly, const std::string& reference) {
+  std::map<std::string, Parts> result;
+  const auto& parts = assembly.parts();
+  for (std::size_t k = 0; k < parts.size(); ++k)
+    if (shape::refers_to(reference, parts[k].name, ""))
+      result[unit_name(reference, parts[k])].push_back(k);
+  return result.empty() ? units(assembly, reference) : result;
+}
+
 Parts all_of(const std::map<std::string, Parts>& units) {
   std::set<std::size_t> all;
   for (const auto& [name, parts] : units) all.insert(parts.begin(), parts.end());
@@ -64,7 +74,7 @@ class Map {
 
  private:
   void declare(const std::string& one, const std::string& other) {
-    const auto first = units(assembly_, one), second = units(assembly_, other);
+    const auto first = named_units(assembly_, one), second = units(assembly_, other);
     if (second.empty()) {
       if (other == "floor" && footing_ == Footing::ground)
         for (const auto& [name, parts] : first) to_floor(name, parts, true);

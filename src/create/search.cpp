@@ -10,6 +10,10 @@ namespace {
 
 // In triangles or so: a second or two.
 constexpr std::uint64_t most_work = 12'000'000;
+// A part that is only lengthened changes the whole less than one that goes elsewhere.
+constexpr double lengthened = 0.25, one_end = 0.1;
+// What a contact more of every changed part is worth: a rung shall reach both posts.
+constexpr double contact_worth = 0.05, contacts_worth = 2.0;
 
 }  // namespace
 
@@ -24,8 +28,11 @@ double Trials::effort(const Assembly& changed) const {
   const auto &before = from_.assembly.parts(), &after = changed.parts();
   for (std::size_t k = 0; k < before.size(); ++k) {
     if (before[k].id == after[k].id) continue;
-    const double way = std::max((before[k].box().low - after[k].box().low).norm(),
-                                (before[k].box().high - after[k].box().high).norm());
+    const double low = (before[k].box().low - after[k].box().low).norm();
+    const double high = (before[k].box().high - after[k].box().high).norm();
+    double way = std::max(low, high);
+    const double middle = (before[k].box().center() - after[k].box().center()).norm();
+    if (std::min({low, high, middle}) < one_end * way) way *= lengthened;
     const int level = from_.judgement.level[k];
     double weight = level < 0 ? 1.0 : 1.0 + 1.0 / (1.0 + level);
     if (is_decorative(before[k].label)) weight *= 0.7;
@@ -35,10 +42,21 @@ double Trials::effort(const Assembly& changed) const {
   return furthest + 0.1 * sum;
 }
 
+double Trials::gained(const Assembly& changed, const Judgement& judgement) const {
+  double parts = 0.0, contacts = 0.0;
+  for (std::size_t k = 0; k < changed.parts().size(); ++k) {
+    if (from_.assembly.parts()[k].id == changed.parts()[k].id) continue;
+    ++parts;
+    contacts += static_cast<double>(judgement.contacts[k].size()) -
+                static_cast<double>(from_.judgement.contacts[k].size());
+  }
+  return parts > 0 ? contact_worth * std::clamp(contacts / parts, 0.0, contacts_worth) : 0.0;
+}
+
 void Trials::consider(Assembly changed, const std::string& what) {
   Judgement judgement = judge(changed, links_, options_);
   if (judgement.penalty() >= from_.judgement.penalty() - 1e-6) return;
-  const double cost = judgement.penalty() + effort(changed);
+  const double cost = judgement.penalty() + effort(changed) - gained(changed, judgement);
   if (cost >= least_ - 1e-9) return;
   least_ = cost;
   what_ = what;
