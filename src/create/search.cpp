@@ -9,11 +9,11 @@ namespace roomgen::create::detail {
 namespace {
 
 // In triangles or so: a second or two.
-constexpr std::uint64_t most_work = 12'000'000;
+constexpr std::uint64_t most_work = 4'000'000;
 // A part that is only lengthened changes the whole less than one that goes elsewhere.
 constexpr double lengthened = 0.25, one_end = 0.1;
-// What a contact more of every changed part is worth: a rung shall reach both posts.
-constexpr double contact_worth = 0.05, contacts_worth = 2.0;
+// What a contact more is worth in metres, and how many count: a rung shall reach both posts.
+constexpr double contact_worth = 0.0125, most_contacts = 8.0;
 
 }  // namespace
 
@@ -43,14 +43,12 @@ double Trials::effort(const Assembly& changed) const {
 }
 
 double Trials::gained(const Assembly& changed, const Judgement& judgement) const {
-  double parts = 0.0, contacts = 0.0;
-  for (std::size_t k = 0; k < changed.parts().size(); ++k) {
-    if (from_.assembly.parts()[k].id == changed.parts()[k].id) continue;
-    ++parts;
-    contacts += static_cast<double>(judgement.contacts[k].size()) -
-                static_cast<double>(from_.judgement.contacts[k].size());
-  }
-  return parts > 0 ? contact_worth * std::clamp(contacts / parts, 0.0, contacts_worth) : 0.0;
+  double contacts = 0.0;
+  for (std::size_t k = 0; k < changed.parts().size(); ++k)
+    if (from_.assembly.parts()[k].id != changed.parts()[k].id)
+      contacts += static_cast<double>(judgement.contacts[k].size()) -
+                  static_cast<double>(from_.judgement.contacts[k].size());
+  return contact_worth * std::clamp(contacts, 0.0, most_contacts);
 }
 
 void Trials::consider(Assembly changed, const std::string& what) {
