@@ -14,7 +14,7 @@ namespace {
 using Parts = std::vector<std::size_t>;
 
 // Beyond this the labels' suggestions are left out: programs of hundreds of unlike parts.
-constexpr std::size_t max_links = 4096;
+constexpr std::size_t max_links = 4096, most_suggested = 800;
 
 // The path of a copy down to what the reference names: "backrest" means all of "backrest.post-1",
 // "post" only that post.
@@ -111,6 +111,7 @@ class Map {
 
   void suggest() {
     const auto& parts = assembly_.parts();
+    if (parts.size() > most_suggested) return;
     for (std::size_t k = 0; k < parts.size(); ++k) {
       const auto neighbours = usual_neighbours(parts[k].label);
       Parts others;

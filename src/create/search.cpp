@@ -11,9 +11,16 @@ namespace {
 // In triangles or so: a second or two.
 constexpr std::uint64_t most_work = 4'000'000;
 // A part that is only lengthened changes the whole less than one that goes elsewhere.
-constexpr double lengthened = 0.25, one_end = 0.1;
+constexpr double lengthened = 0.25, thickened = 2.0, one_end = 0.1;
 // What a contact more is worth in metres, and how many count: a rung shall reach both posts.
 constexpr double contact_worth = 0.0125, most_contacts = 8.0;
+
+// Along its greatest extent, as legs and rungs grow; a seat does not grow thicker.
+bool lengthwise(const Bounds3& before, const Bounds3& after) {
+  int axis = 0;
+  (after.size() - before.size()).cwiseAbs().maxCoeff(&axis);
+  return before.size()[axis] >= 0.8 * before.size().maxCoeff();
+}
 
 }  // namespace
 
@@ -32,7 +39,8 @@ double Trials::effort(const Assembly& changed) const {
     const double high = (before[k].box().high - after[k].box().high).norm();
     double way = std::max(low, high);
     const double middle = (before[k].box().center() - after[k].box().center()).norm();
-    if (std::min({low, high, middle}) < one_end * way) way *= lengthened;
+    if (std::min({low, high, middle}) < one_end * way)
+      way *= lengthwise(before[k].box(), after[k].box()) ? lengthened : thickened;
     const int level = from_.judgement.level[k];
     double weight = level < 0 ? 1.0 : 1.0 + 1.0 / (1.0 + level);
     if (is_decorative(before[k].label)) weight *= 0.7;
