@@ -211,7 +211,7 @@ constexpr int samples_across = 48;
 class AreaNear {
  public:
   AreaNear(const MeshSolid& solid, const Bounds3& region, double near, double pitch)
-      : solid_(solid), near_(near), pitch_(pitch), reach_(inflated(solid.box(), near)) {
+      : solid_(solid), near_(near), pitch_(pitch), region_(region) {
     const Bounds3 around = inflated(region, near);
     for (const auto& t : solid.mesh().triangles) {
       const Corners at = corners(solid.mesh(), t);
@@ -220,7 +220,7 @@ class AreaNear {
   }
 
   void add(const Corners& t, double enough) {
-    if (area_ >= enough || !overlap(box_of(t), reach_)) return;
+    if (area_ >= enough || !overlap(box_of(t), region_)) return;
     const double ab = (t.b - t.a).squaredNorm(), bc = (t.c - t.b).squaredNorm(),
                  ca = (t.a - t.c).squaredNorm();
     const double longest = std::max({ab, bc, ca});
@@ -250,20 +250,22 @@ class AreaNear {
 
   const MeshSolid& solid_;
   double near_, pitch_;
-  Bounds3 reach_;
+  Bounds3 region_;
   std::vector<Corners> close_;
   double area_ = 0.0;
 };
 
 }  // namespace
 
-double contact_area(const MeshSolid& a, const MeshSolid& b, double near, double enough) {
+double contact_area(const MeshSolid& a, const MeshSolid& b, double near,
+                    const AreaOptions& options) {
   const Bounds3 reach = inflated(b.box(), near);
-  if (!overlap(a.box(), reach)) return 0.0;
-  const Bounds3 region = {a.box().low.cwiseMax(reach.low), a.box().high.cwiseMin(reach.high)};
-  const double pitch = std::max(1e-4, region.size().maxCoeff() / samples_across);
+  const Bounds3 region = {a.box().low.cwiseMax(reach.low).cwiseMax(options.within.low),
+                          a.box().high.cwiseMin(reach.high).cwiseMin(options.within.high)};
+  if ((region.low.array() > region.high.array()).any()) return 0.0;
+  const double pitch = std::max(0.3 * near, region.size().maxCoeff() / samples_across);
   AreaNear sum(b, region, near, pitch);
-  for (const auto& t : a.mesh().triangles) sum.add(corners(a.mesh(), t), enough);
+  for (const auto& t : a.mesh().triangles) sum.add(corners(a.mesh(), t), options.enough);
   return sum.area();
 }
 

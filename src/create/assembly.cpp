@@ -9,12 +9,12 @@ namespace roomgen::create::detail {
 namespace {
 
 // Coarser than what is shown: gaps of millimetres stay what they are on flat and straight parts.
-constexpr double tolerance = 0.002;
+constexpr double tolerance = 0.003;
 // More triangles than this say nothing more about contacts.
 constexpr std::size_t enough_triangles = 60'000;
 // A corner or the tip of a cone has less surface within 2 mm of a plane; thin wires more.
 constexpr double point_area = 1.5e-5;
-constexpr double thick = 0.012;
+constexpr double thick = 0.012, deep = 0.006;
 
 // Without pictures and patterns, which take long to paint.
 void strip(std::vector<shape::Component>& components) {
@@ -157,11 +157,16 @@ bool Assembly::touch_in_a_point(std::size_t a, std::size_t b) const {
   if (!touch(a, b)) return false;
   const Part &first = parts_[std::min(a, b)], &second = parts_[std::max(a, b)];
   if (std::min(first.box().size().minCoeff(), second.box().size().minCoeff()) < thick) return false;
+  // What reaches deep into the other's box is more than its tip.
+  const Vec3 shared =
+      first.box().high.cwiseMin(second.box().high) - first.box().low.cwiseMax(second.box().low);
+  if (shared.minCoeff() > deep) return false;
   const auto [known, is_new] = memory_->pointed.try_emplace({first.id, second.id}, false);
   if (!is_new) return known->second;
   memory_->work += 400;
-  known->second = contact_area(first.solid, second.solid, contact_, point_area) < point_area &&
-                  contact_area(second.solid, first.solid, contact_, point_area) < point_area;
+  const AreaOptions some = {.enough = point_area};
+  known->second = contact_area(first.solid, second.solid, contact_, some) < point_area ||
+                  contact_area(second.solid, first.solid, contact_, some) < point_area;
   return known->second;
 }
 

@@ -14,7 +14,7 @@ namespace {
 using Parts = std::vector<std::size_t>;
 
 // Beyond this the labels' suggestions are left out: programs of hundreds of unlike parts.
-constexpr std::size_t max_links = 4096;
+constexpr std::size_t max_links = 4096, most_suggested = 800;
 
 // The path of a copy down to what the reference names: "backrest" means all of "backrest.post-1",
 // "post" only that post.
@@ -36,6 +36,16 @@ std::map<std::string, Parts> units(const Assembly& assembly, const std::string& 
     if (shape::refers_to(reference, parts[k].name, parts[k].label))
       result[unit_name(reference, parts[k])].push_back(k);
   return result;
+}
+
+// Where a component has the name, those that only have the label may but need not be meant.
+std::map<std::string, Parts> named_units(const Assembly& assembly, const std::string& reference) {
+  std::map<std::string, Parts> result;
+  const auto& parts = assembly.parts();
+  for (std::size_t k = 0; k < parts.size(); ++k)
+    if (shape::refers_to(reference, parts[k].name, ""))
+      result[unit_name(reference, parts[k])].push_back(k);
+  return result.empty() ? units(assembly, reference) : result;
 }
 
 Parts all_of(const std::map<std::string, Parts>& units) {
@@ -64,7 +74,7 @@ class Map {
 
  private:
   void declare(const std::string& one, const std::string& other) {
-    const auto first = units(assembly_, one), second = units(assembly_, other);
+    const auto first = named_units(assembly_, one), second = units(assembly_, other);
     if (second.empty()) {
       if (other == "floor" && footing_ == Footing::ground)
         for (const auto& [name, parts] : first) to_floor(name, parts, true);
@@ -101,6 +111,7 @@ class Map {
 
   void suggest() {
     const auto& parts = assembly_.parts();
+    if (parts.size() > most_suggested) return;
     for (std::size_t k = 0; k < parts.size(); ++k) {
       const auto neighbours = usual_neighbours(parts[k].label);
       Parts others;

@@ -33,6 +33,7 @@ class Trials {
 
  private:
   double effort(const Assembly& changed) const;
+  double gained(const Assembly& changed, const Judgement& judgement) const;
 
   const State& from_;
   const std::vector<Link>& links_;

@@ -66,8 +66,9 @@ TEST_CASE("Things that intersect or lie in each other have the distance 0") {
 }
 
 TEST_CASE("What stands in a hollow does not touch its walls") {
-  const shape::Lathe cup{
-      shape::straight(std::vector<Vec2>{{0, 0}, {0.1, 0}, {0.1, 0.2}, {0.09, 0.2}, {0.09, 0.01}, {0, 0.01}}, false)};
+  const shape::Lathe cup{shape::straight(
+      std::vector<Vec2>{{0, 0}, {0.1, 0}, {0.1, 0.2}, {0.09, 0.2}, {0.09, 0.01}, {0, 0.01}},
+      false)};
   const auto inside = box({-0.02, -0.02, 0.05}, {0.02, 0.02, 0.1});
   CHECK(nearest_points(placed(cup, Vec3::Zero()), inside)->distance == Approx(0.04).margin(0.001));
 }
@@ -123,5 +124,7 @@ TEST_CASE("The area of a contact") {
   const auto cone = placed(shape::Frustum{0.1, 0.0, 0.5}, Vec3::Zero());
   CHECK(contact_area(cone, slab, near) < 1e-5);
   CHECK(contact_area(box({0, 0, 0}, {0.1, 0.1, 0.1}), slab, near) == 0.0);
-  CHECK(contact_area(post, slab, near, 0.001) >= 0.001);
+  CHECK(contact_area(post, slab, near, {.enough = 0.001}) >= 0.001);
+  CHECK(contact_area(slab, post, near, {.within = {{-0.05, -0.05, 0}, {0, 0.05, 1}}}) ==
+        Approx(0.005).epsilon(0.1));
 }

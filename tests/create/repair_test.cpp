@@ -145,9 +145,9 @@ void run(int seeds, int times, double wanted) {
 }  // namespace
 
 TEST_CASE("One damaged component is repaired") {
-  run(25, 1, 0.95);
+  run(16, 1, 0.95);
 }
 
 TEST_CASE("Two damaged components are repaired mostly") {
-  run(12, 2, 0.85);
+  run(6, 2, 0.85);
 }

@@ -33,7 +33,9 @@ void check_untouched(const shape::Program& program) {
   CHECK(result.before.problems.empty());
   CHECK(result.after.sound());
   CHECK(result.repairs.empty());
-  CHECK(shape::write_program(result.program).dump() == shape::write_program(program).dump());
+  const bool same =
+      shape::write_program(result.program).dump() == shape::write_program(program).dump();
+  CHECK(same);
 }
 
 }  // namespace

@@ -43,10 +43,16 @@ bool contains(const MeshSolid& solid, const Vec3& point);
 /// To the solid's surface; 0 inside. Looks at every triangle.
 double distance(const MeshSolid& solid, const Vec3& point);
 
+/// What contact_area() looks at.
+struct AreaOptions {
+  Bounds3 within = {Vec3::Constant(-1e300), Vec3::Constant(1e300)};
+  double enough = std::numeric_limits<double>::infinity();  ///< the sum stops here
+};
+
 /// About how much of a's surface is in b or within `near` metres of it, square metres: sampled,
-/// true to a few percent of flat contacts. Stops at `enough`.
+/// true to a few percent of flat contacts.
 double contact_area(const MeshSolid& a, const MeshSolid& b, double near,
-                    double enough = std::numeric_limits<double>::infinity());
+                    const AreaOptions& options = {});
 
 /// Between the boxes; 0 when they overlap.
 double box_distance(const Bounds3& a, const Bounds3& b);

@@ -24,7 +24,8 @@ struct Soundness {
   bool sound() const { return pieces == 1 && grounded && stable; }
 };
 
-/// Where a thing is fixed: things on walls and ceilings need no ground.
+/// Where a thing is fixed: things on walls and ceilings need no ground; they count as grounded, and
+/// as stable when they are one piece.
 enum class Footing { ground, wall, ceiling };
 
 struct ValidateOptions {
