@@ -6,12 +6,15 @@
 #include <vector>
 
 #include "command.h"
+#include "designers.h"
 #include "libraries.h"
 #include "options.h"
 #include "roomgen/base/file.h"
 #include "roomgen/base/text.h"
 #include "roomgen/create/create.h"
 #include "roomgen/create/created_library.h"
+#include "roomgen/create/kinds.h"
+#include "roomgen/create/model_maker.h"
 #include "roomgen/create/rule_maker.h"
 #include "roomgen/export/glb.h"
 #include "roomgen/generate/set_out.h"
@@ -37,6 +40,7 @@ struct Options {
   std::string prompt, program, refine, size, output, write_program, views;
   std::string variant = "full";
   int variants = 1;
+  DesignerOptions designer;
   bool add = false;
   std::string cache;
   std::vector<std::string> set;
@@ -108,12 +112,28 @@ Result<create::CreateOptions> create_options(const Context& context, const Optio
   result.cancel = context.cancel;
   if (options.variant == "no-validation") result.variant = create::Variant::no_validation;
   if (options.variant == "no-decomposition") result.variant = create::Variant::no_decomposition;
+  if (options.variant == "direct") result.variant = create::Variant::direct;
   if (!options.size.empty()) {
     auto size = parse_size3(options.size);
     if (!size) return size.error();
     result.size = *size;
   }
   return result;
+}
+
+std::unique_ptr<create::Maker> maker_of(ComposedModel& composed,
+                                        const create::CreateOptions& options) {
+  auto rules = create::make_rule_maker();
+  if (!composed.model) return rules;
+  create::ModelMakerOptions model_options;
+  model_options.variant = options.variant;
+  model_options.cancel = options.cancel;
+  if (const auto& kinds = create::ShapeKinds::built_in(); kinds)
+    for (const auto& [name, kind] : kinds->all()) model_options.kinds.push_back(name);
+  if (const LimitedModel* limited = composed.limited)
+    model_options.budget_is_spent = [limited] { return limited->refused(); };
+  return create::make_model_maker(*composed.model, std::move(rules), composed.prompts,
+                                  std::move(model_options));
 }
 
 // One thing alone stands for itself; several are set out by the solver.
@@ -134,7 +154,9 @@ Status stand_together(const create::Creation& creation, std::uint64_t seed, Made
 Result<MadeAll> from_words(const Context& context, const Options& options) {
   const auto chosen = create_options(context, options);
   if (!chosen) return chosen.error();
-  const auto maker = create::make_rule_maker();
+  auto model = compose_model(options.designer, context, options.cache);
+  if (!model) return model.error();
+  const auto maker = maker_of(*model, *chosen);
   MadeAll result;
   if (!options.refine.empty()) {
     const auto program = load(options);
@@ -380,7 +402,7 @@ void add_create_command(CLI::App& app, Context& context) {
   sub->add_flag("--add", options->add, "Keep it: later rooms take it before the libraries");
   sub->add_option("--cache", options->cache, "Where --add keeps it (default: the user's cache folder)");
   sub->add_option("--variant", options->variant, "Leave out agents, to see what they are good for")
-      ->check(CLI::IsMember({"full", "no-validation", "no-decomposition"}))
+      ->check(CLI::IsMember({"full", "no-validation", "no-decomposition", "direct"}))
       ->capture_default_str();
   sub->add_option("-o,--output", options->output, "GLB file to write");
   sub->add_option("--set", options->set, "A parameter, name=value; may be repeated")
@@ -399,6 +421,7 @@ void add_create_command(CLI::App& app, Context& context) {
   sub->add_option("--views", options->views,
                   "Folder for pictures: front, side, back, above, and all in views.png");
 #endif
+  add_designer_options(*sub, options->designer);
   sub->callback([options, &context] {
     check_usage(*options);
     context.run = [options, &context] { return create_command(context, *options); };

@@ -56,7 +56,7 @@ Result<PriceTable> read_prices(const DesignerOptions& options) {
 
 // From the inside out: HTTP, limits, cache, recording.
 Status open_model(const DesignerOptions& options, const Context& context,
-                  const std::string& cache_folder, ComposedDesigner& composed) {
+                  const std::string& cache_folder, ComposedModel& composed) {
   if (!options.replay.empty()) {
     auto replay = make_replaying_model(options.replay);
     if (!replay) return replay.error();
@@ -164,6 +164,18 @@ void apply(const DesignerOptions& options, FusionOptions& fusion) {
   if (options.designer == "model" && options.model_mode() != ModelMode::fused) fusion.alpha = 1.0;
 }
 
+Result<ComposedModel> compose_model(const DesignerOptions& options, const Context& context,
+                                    const std::string& cache_folder) {
+  auto prompts = options.prompts.empty() ? Result<Prompts>(Prompts::built_in())
+                                         : Prompts::from_folder(options.prompts);
+  if (!prompts) return prompts.error();
+  ComposedModel composed{nullptr, nullptr, *std::move(prompts)};
+  if (options.designer != "model") return composed;
+  if (auto status = open_model(options, context, cache_folder, composed); !status)
+    return status.error();
+  return composed;
+}
+
 Result<ComposedDesigner> compose_designer(const DesignerOptions& options, const Context& context,
                                           const std::string& cache_folder) {
   ComposedDesigner composed;
@@ -171,11 +183,10 @@ Result<ComposedDesigner> compose_designer(const DesignerOptions& options, const 
     composed.designer = make_rule_designer();
     return composed;
   }
-  auto prompts = options.prompts.empty() ? Result<Prompts>(Prompts::built_in())
-                                         : Prompts::from_folder(options.prompts);
-  if (!prompts) return prompts.error();
-  if (auto status = open_model(options, context, cache_folder, composed); !status)
-    return status.error();
+  auto model = compose_model(options, context, cache_folder);
+  if (!model) return model.error();
+  composed.model = std::move(model->model);
+  composed.limited = model->limited;
   ModelDesignerOptions model_options;
   model_options.mode = options.model_mode();
   model_options.paper_frame = options.paper_frame();
@@ -186,7 +197,7 @@ Result<ComposedDesigner> compose_designer(const DesignerOptions& options, const 
   if (const LimitedModel* limited = composed.limited)
     model_options.budget_is_spent = [limited] { return limited->refused(); };
   composed.designer =
-      make_model_designer(*composed.model, make_rule_designer(), *std::move(prompts),
+      make_model_designer(*composed.model, make_rule_designer(), std::move(model->prompts),
                           CategoryTable::built_in(), std::move(model_options));
   return composed;
 }

@@ -47,6 +47,15 @@ struct ComposedDesigner {
 Result<ComposedDesigner> compose_designer(const DesignerOptions& options, const Context& context,
                                           const std::string& cache_folder);
 
+/// The model alone, for commands that ask it other things. Null for rules.
+struct ComposedModel {
+  std::unique_ptr<ChatModel> model;
+  const LimitedModel* limited = nullptr;
+  Prompts prompts;
+};
+Result<ComposedModel> compose_model(const DesignerOptions& options, const Context& context,
+                                    const std::string& cache_folder);
+
 /// What the mode makes of the fusion: without a suggestion there is nothing to weigh.
 void apply(const DesignerOptions& options, FusionOptions& fusion);
 

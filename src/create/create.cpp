@@ -53,6 +53,7 @@ class Creator {
     request.examples = nearest_examples(description);
     request.cancel = options_.cancel;
     const std::optional<Vec3> wanted = description.size;
+    if (options_.variant == Variant::direct) return directly(std::move(request), description);
     for (int round = 0; round < size_rounds; ++round) {
       request.description = description;
       auto program = maker_.generate(request);
@@ -92,6 +93,19 @@ class Creator {
   }
 
  private:
+  // Triangles as they come: there is no program to validate or to keep.
+  Result<CreatedObject> directly(MakeRequest request, const Description& description) {
+    CreatedObject object;
+    object.description = request.description = description;
+    object.mount = mount_of(description);
+    auto shape = maker_.generate_mesh(request);
+    if (!shape) return shape.error();
+    object.shape = *std::move(shape);
+    object.program.name = description.noun;
+    object.notes = maker_.take_notes();
+    return object;
+  }
+
   // What was added or repaired may have changed the box: the next round aims beside it. False if it
   // is as wanted, or cannot be helped.
   static bool correct_size(const Vec3& wanted, const CreatedObject& object,
