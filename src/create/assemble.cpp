@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <optional>
 #include <string_view>
 
 namespace roomgen::create {
@@ -16,7 +17,7 @@ constexpr double joint = 0.003;  // how deep parts sink into each other, metres
 /// Where a part of a thing usually is.
 enum class Zone { foot, body, top, back, side, front, above };
 
-Zone zone_of(std::string_view label) {
+std::optional<Zone> zone_of(std::string_view label) {
   static const std::map<std::string_view, Zone> zones = {
       {"leg", Zone::foot},    {"foot", Zone::foot},   {"wheel", Zone::foot},   {"base", Zone::foot},
       {"pole", Zone::foot},   {"post", Zone::foot},   {"seat", Zone::top},     {"top", Zone::top},
@@ -29,7 +30,8 @@ Zone zone_of(std::string_view label) {
       {"flower", Zone::above}, {"leaf", Zone::above}, {"candle", Zone::above}, {"spout", Zone::side},
       {"ball", Zone::above},  {"canopy", Zone::above}};
   const auto found = zones.find(label);
-  return found == zones.end() ? Zone::above : found->second;
+  if (found == zones.end()) return std::nullopt;
+  return found->second;
 }
 
 Component part(const std::string& label, shape::Solid solid, const Vec3& at,
@@ -95,7 +97,9 @@ bool attach(shape::Program& program, const PartWish& wish, const Bounds3& box, d
     add(program, std::move(wheel), carrier);
     return true;
   }
-  switch (zone_of(label)) {
+  const auto zone = zone_of(label);
+  if (!zone) return false;
+  switch (*zone) {
     case Zone::back: {
       const double height = std::clamp(0.6 * w, 0.25, 0.6);
       Component back = part(label, shape::Box{{0.92 * w, 0.03, height}, 0.01},

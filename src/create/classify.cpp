@@ -1,8 +1,10 @@
 #include "classify.h"
 
+#include <algorithm>
 #include <cctype>
 
 #include "roomgen/base/text.h"
+#include "roomgen/design/tokens.h"
 
 namespace roomgen::create {
 
@@ -18,6 +20,18 @@ bool has_negative_count(const std::string& prompt) {
       return true;
   return lower(prompt).find("minus ") != std::string::npos ||
          lower(prompt).find("negative ") != std::string::npos;
+}
+
+// "without a top, without legs and without anything".
+bool nothing_is_left(const Description& object) {
+  const auto gone = std::count_if(object.parts.begin(), object.parts.end(),
+                                  [](const PartWish& part) { return part.count == 0; });
+  return gone > 1 && gone == static_cast<std::ptrdiff_t>(object.parts.size());
+}
+
+bool names_known_part(const Description& object, const Words& words) {
+  return std::any_of(object.parts.begin(), object.parts.end(),
+                     [&](const PartWish& part) { return words.parts.count(part.label) > 0; });
 }
 
 bool has_distance(const std::vector<std::string>& pieces) {
@@ -42,6 +56,32 @@ std::string size_problem(const Description& object) {
   return "";
 }
 
+constexpr int most_of_a_part = 50;
+
+// "100000 legs", "two and a half legs", "3 drawers and no drawers".
+std::string count_problem(const std::string& prompt, const std::vector<Description>& objects) {
+  long long number = 0;
+  for (const auto& token : design::tokenize(prompt))
+    if (token.kind == design::Token::Kind::number) number = std::max(number, static_cast<long long>(std::min(token.value, 1e12)));
+  const bool measured = std::any_of(objects.begin(), objects.end(), [](const auto& object) { return object.size.has_value(); });
+  if (number > most_of_a_part && !measured)
+    return "there may be at most " + std::to_string(most_of_a_part) + " of a part, not " + std::to_string(number);
+  const std::string text = lower(prompt);
+  if (text.find(" and a half ") != std::string::npos)
+    return "there is no half of a part: say how many whole ones";
+  for (const auto& object : objects)
+    if (object.contradicted) return "the sentence says two different numbers of one part";
+  return "";
+}
+
+// What a whole room is called, and the things in it are another command's work.
+bool names_a_room(const Description& object) {
+  for (const char* room : {"bedroom", "room", "bathroom", "apartment", "house", "hallway", "nursery", "flat",
+                           "garage", "lounge", "studio", "kitchen", "office"})
+    if (object.noun == room || object.noun.ends_with(std::string(" ") + room)) return true;
+  return false;
+}
+
 // The first word that names what stands in no room.
 std::string foreign_word(const std::vector<std::string>& pieces, const Words& words) {
   for (const auto& piece : pieces)
@@ -64,6 +104,11 @@ Verdict classify_phrase(const std::string& prompt, const std::vector<Description
     return no("an object in a room is at most " + format_number(greatest_side) + " m long");
   for (const auto& object : objects)
     if (const auto problem = size_problem(object); !problem.empty()) return no(problem);
+  if (const auto problem = count_problem(prompt, objects); !problem.empty()) return no(problem);
+  if (!objects.empty() && objects.front().approximate && names_a_room(objects.front()))
+    return no("\"" + objects.front().noun + "\" is a room, not one object; rooms are made by `roomgen generate`");
+  if (!objects.empty() && nothing_is_left(objects.front()))
+    return no("all its parts are taken away; nothing is left to make");
   const std::string foreign = foreign_word(pieces, words);
   const bool known = !objects.empty() && !objects.front().approximate;
   if (known) return {true, objects.front().kind};
@@ -73,7 +118,7 @@ Verdict classify_phrase(const std::string& prompt, const std::vector<Description
   if (objects.empty() || (objects.front().noun.empty() && objects.front().parts.empty()))
     return no("the description names no thing; say what it is, as in \"an oak stool with three legs\"");
   const Description& object = objects.front();
-  if (object.kind.empty() && object.parts.empty())
+  if (object.kind.empty() && !names_known_part(object, words))
     return no("\"" + object.noun + "\" is no kind that is known; say of which parts it is made, as in \"" +
               object.noun + " with a round base and two arms\"");
   return {true, object.noun + ", which is no known kind" +

@@ -75,6 +75,18 @@ void collect_names(const std::vector<Component>& components, const std::string& 
   }
 }
 
+// Groups of this label none of whose pieces bears it: a back of rails and slats.
+int count_groups(const std::vector<Component>& components, std::string_view label) {
+  int count = 0;
+  for (const auto& component : components) {
+    const auto* group = std::get_if<Group>(&component.solid);
+    if (!group) continue;
+    if (component.label == label) ++count;
+    else count += count_groups(group->components, label);
+  }
+  return count;
+}
+
 }  // namespace
 
 void for_each_part(shape::Program& program, std::string_view label,
@@ -101,6 +113,7 @@ int count_parts(const shape::Program& program, std::string_view label) {
     const bool piece = dot != std::string::npos && owner.find(label) != std::string::npos;
     wholes.push_back(piece ? owner : body.name);
   }
+  if (wholes.empty()) return count_groups(program.components, label);
   std::sort(wholes.begin(), wholes.end());
   return static_cast<int>(std::unique(wholes.begin(), wholes.end()) - wholes.begin());
 }

@@ -70,7 +70,7 @@ void apply(const Attributes& from, PartWish& part) {
   take(from.material, part.material);
   take(from.color, part.color);
   take(from.direction, part.direction);
-  if (from.count) part.count = from.count;
+  if (from.count && !part.count) part.count = from.count;
   if (from.lean) part.lean = from.lean;
   if (from.course) part.course = from.course;
   if (from.strength) part.strength = *from.strength;
@@ -108,6 +108,7 @@ class PhraseReader {
     while (at_ < tokens_.size()) step();
     flush();
     name_unknown();
+    if (measured_ && !objects_.empty()) take_measures(objects_.front());
     return std::move(objects_);
   }
 
@@ -115,6 +116,10 @@ class PhraseReader {
   void step() {
     const std::string& word = texts_[at_];
     if (word == ",") return boundary(false);
+    if (word == "for" || word == "when" || word == "while" || word == "because") {
+      boundary(false);
+      return skip_purpose();
+    }
     if (negates(word)) {
       boundary(false);
       negated_ = true;
@@ -127,8 +132,16 @@ class PhraseReader {
     ++at_;
   }
 
+  // "for four people", "for books": up to what says something about the thing again.
+  void skip_purpose() {
+    while (at_ < texts_.size() && texts_[at_] != "," && !negates(texts_[at_]) &&
+           !is_one_of(texts_[at_], {"with", "made", "that", "which", "having", "on"}))
+      ++at_;
+  }
+
   // What was said since the last noun belongs to it; "a tall and narrow back" goes on.
   void boundary(bool goes_on) {
+    if (!goes_on) last_boundary_ = texts_[at_];
     ++at_;
     if (goes_on) return;
     flush();
@@ -146,35 +159,69 @@ class PhraseReader {
     pending_.article = false;
   }
 
-  // "80 cm tall", "1.2 m wide", "120 x 60 x 75 cm".
+  // A number at this place, in figures or as a word.
+  std::optional<double> number_at(std::size_t at) const {
+    if (at >= tokens_.size()) return std::nullopt;
+    if (tokens_[at].kind == Token::Kind::number) return tokens_[at].value;
+    const auto& vocabulary = *design::built_in_vocabulary();
+    const auto found = vocabulary.numbers.find(tokens_[at].text);
+    if (found == vocabulary.numbers.end() || vocabulary.vague.count(tokens_[at].text))
+      return std::nullopt;
+    return found->second;
+  }
+
+  // "80 cm tall", "six feet long", "120 x 60 x 75 cm", "2 m by 1.4 m".
   bool measure() {
-    std::vector<double> numbers;
-    std::size_t at = at_;
-    while (at < tokens_.size() && tokens_[at].kind == Token::Kind::number && numbers.size() < 3) {
-      numbers.push_back(tokens_[at++].value);
-      if (at + 1 < tokens_.size() && is_one_of(texts_[at], {"x", "by"}) &&
-          tokens_[at + 1].kind == Token::Kind::number)
-        ++at;
-      else
-        break;
-    }
-    if (numbers.empty() || at >= tokens_.size()) return false;
     const auto& units = design::built_in_vocabulary()->units;
-    const auto unit = units.find(texts_[at]);
-    if (unit == units.end()) return false;
-    at_ = at + 1;
-    int axis = numbers.size() > 1 ? 0 : 2;
+    std::vector<double> numbers;
+    double unit = 0.0;
+    const std::size_t begin = at_;
+    std::size_t at = at_, end = at_;
+    while (numbers.size() < 3) {
+      const auto number = number_at(at);
+      if (!number) break;
+      numbers.push_back(*number);
+      end = ++at;
+      if (at < texts_.size())
+        if (const auto found = units.find(texts_[at]); found != units.end())
+          unit = found->second, end = ++at;
+      if (at + 1 >= texts_.size() || !is_one_of(texts_[at], {"x", "by"})) break;
+      ++at;
+    }
+    if (numbers.empty() || unit == 0.0) return false;
+    at_ = end;
+    int axis = 0;
     if (at_ < texts_.size()) {
       const std::string& next = texts_[at_];
       if (is_one_of(next, {"wide", "width", "long", "length", "diameter", "across"})) axis = 0, ++at_;
       else if (is_one_of(next, {"deep", "depth"})) axis = 1, ++at_;
       else if (is_one_of(next, {"tall", "high", "height"})) axis = 2, ++at_;
     }
+    // Of a part, not of the whole: "a top 2 cm thick".
+    if (part_ != none || (at_ < texts_.size() && is_one_of(texts_[at_], {"thick", "thickness"}))) return true;
+    // "height 50 cm"
+    if (numbers.size() == 1 && at_ == end && begin > 0) {
+      if (texts_[begin - 1] == "height") axis = 2;
+      if (texts_[begin - 1] == "depth") axis = 1;
+    }
     if (!measured_) measured_ = Vec3::Constant(std::nan(""));
     for (std::size_t i = 0; i < numbers.size() && axis + i < 3; ++i)
-      (*measured_)[axis + static_cast<Eigen::Index>(i)] = numbers[i] * unit->second;
-    if (!objects_.empty() && part_ == none) objects_.back().size = measured_, measured_.reset();
+      (*measured_)[axis + static_cast<Eigen::Index>(i)] = numbers[i] * unit;
+    if (!objects_.empty()) take_measures(objects_.back());
     return true;
+  }
+
+  // Sides that were said earlier stay.
+  void take_measures(Description& object) {
+    if (!object.size) object.size = Vec3::Constant(std::nan(""));
+    for (int axis = 0; axis < 3; ++axis) {
+      const double said = (*measured_)[axis];
+      if (std::isnan(said)) continue;
+      double& side = (*object.size)[axis];
+      if (!std::isnan(side) && std::abs(side - said) > 1e-6) object.contradicted = true;
+      side = said;
+    }
+    measured_.reset();
   }
 
   // "cups on it", "four chairs around it", "next to it", "with a lamp on top".
@@ -316,14 +363,21 @@ class PhraseReader {
   }
 
   bool is_part(std::size_t kind_length, std::size_t part_length, const std::string& label) const {
-    if (part_length == 0) return false;
-    if (kind_length > part_length) return false;
+    if (part_length == 0 || kind_length > part_length) return false;
     if (kind_length == 0) return true;
     // "seat stool": a part before the thing that it is a part of.
     const std::size_t after = at_ + part_length;
     if (objects_.empty()) return after < texts_.size() && kinds_.match(texts_, after, nullptr) > 0;
     const ShapeKind* head = kinds_.find(objects_.front().kind);
-    return !head || kinds_.labels(head->recipe).count(label) || !pending_.article;
+    return !head || kinds_.labels(head->recipe).count(label) || !has_relation(after);
+  }
+
+  // Does what follows the noun put it somewhere: "four chairs around it"?
+  bool has_relation(std::size_t from) const {
+    for (std::size_t at = from; at < std::min(from + 2, texts_.size()); ++at)
+      if (is_one_of(texts_[at], {"around", "on", "next", "beside", "under", "underneath", "behind"}))
+        return true;
+    return from + 2 < texts_.size() && texts_[from] == "in" && texts_[from + 1] == "front";
   }
 
   bool add_part(const std::string& label, std::size_t length) {
@@ -339,6 +393,9 @@ class PhraseReader {
       known = parts.end() - 1;
       known->label = label;
     }
+    if (known->count && !objects_.empty() &&
+        ((pending_.count && *pending_.count != *known->count) || (negated_ != (*known->count == 0))))
+      objects_.front().contradicted = true;
     apply(pending_, *known);
     if (negated_) known->count = 0;
     part_ = objects_.empty() ? none : static_cast<std::size_t>(known - parts.begin());
@@ -350,8 +407,9 @@ class PhraseReader {
     std::string noun;
     for (std::size_t i = 0; i < length; ++i) noun += (i ? " " : "") + texts_[at_ + i];
     at_ += length;
-    // "a chair that looks like a chair": the same thing again.
-    if (!objects_.empty() && (kind.name == objects_.front().kind || negated_ ||
+    // "a chair that looks like a chair", "a rack for bottles": no other thing beside the first.
+    const bool beside = is_one_of(last_boundary_, {"with", "and", "plus", ",", ""}) || has_relation(at_);
+    if (!objects_.empty() && (kind.name == objects_.front().kind || negated_ || !beside ||
                               objects_.size() >= most_objects)) {
       pending_ = {};
       return true;
@@ -373,11 +431,20 @@ class PhraseReader {
     return true;
   }
 
+  // Words of place, number and purpose are no parts: "down the right side".
+  static bool says_nothing(const std::string& word) {
+    const auto& vocabulary = *design::built_in_vocabulary();
+    return vocabulary.no_things.count(word) || vocabulary.people_words.count(word) ||
+           vocabulary.stops.count(word);
+  }
+
   // A noun phrase of which no word is known: the thing itself, or a part of it.
   void unknown_noun() {
     if (objects_.empty()) {
       start_unknown();
-    } else if (pending_.article && objects_.front().parts.size() < most_parts) {
+    } else if (pending_.article && objects_.front().parts.size() < most_parts &&
+               is_one_of(last_boundary_, {"with", "and", "plus", "having", "has", "have", "without"}) &&
+               !says_nothing(unknown_.back())) {
       PartWish part;
       part.label = singular(unknown_.back());
       if (negated_) part.count = 0;
@@ -395,7 +462,9 @@ class PhraseReader {
     object.prompt = prompt_;
     object.noun = join(unknown_, " ");
     object.approximate = true;
-    if (const ShapeKind* kind = kinds_.nearest(object.noun)) object.kind = kind->name;
+    if (const ShapeKind* kind = kinds_.nearest(object.noun);
+        kind && ends_alike(object.noun, *kind))
+      object.kind = kind->name;
     object.parts = std::move(early_);
     early_.clear();
     if (measured_) object.size = measured_, measured_.reset();
@@ -405,6 +474,17 @@ class PhraseReader {
     pending_ = {};
     objects_.push_back(std::move(object));
     part_ = none;
+  }
+
+  // The last words say what a thing is.
+  static bool ends_alike(const std::string& noun, const ShapeKind& kind) {
+    const auto wanted = words(noun);
+    if (wanted.empty()) return false;
+    const auto ends = [&](const std::string& name) {
+      const auto pieces = words(name);
+      return !pieces.empty() && singular(pieces.back()) == singular(wanted.back());
+    };
+    return ends(kind.name) || std::any_of(kind.names.begin(), kind.names.end(), ends);
   }
 
   // Only parts were named, or nothing.
@@ -424,6 +504,7 @@ class PhraseReader {
   std::vector<PartWish> early_;  ///< parts named before their object
   Attributes pending_;
   std::vector<std::string> unknown_;
+  std::string last_boundary_;
   std::optional<Vec3> measured_;
   std::size_t part_ = none;  ///< of the first object, what was named last
   bool negated_ = false;

@@ -106,11 +106,15 @@ class RuleMaker final : public Maker {
       if (part.label.empty()) continue;
       const int there = count_parts(program, part.label);
       const int wanted = part.count.value_or(std::max(1, there));
-      if (there == 0 && wanted > 0 && !add_part(program, part))
-        notes_.push_back("it is not known where a " + part.label + " belongs; it was left out");
-      else if (there > 0 && there != wanted && !set_count(program, part.label, wanted))
+      const bool told = part.count && !unmet[i].count;  // a parameter did it, under whatever label
+      if (there == 0 && wanted > 0 && !told) {
+        if (is_whole(part)) paint_whole(program, part);
+        else if (!add_part(program, part))
+          notes_.push_back("it is not known where a " + part.label + " belongs; it was left out");
+      } else if (there > 0 && there != wanted && !set_count(program, part.label, wanted)) {
         notes_.push_back("there are " + std::to_string(there) + " of the part \"" + part.label +
                          "\" instead of " + std::to_string(wanted));
+      }
       if (wanted == 0) continue;
       if (unmet[i].shape) set_outline(program, part.label, part.shape);
       if (part.lean && unmet[i].lean) lean(program, part.label, *part.lean);
@@ -120,6 +124,18 @@ class RuleMaker final : public Maker {
       if (part.scale != Vec3::Ones() && part.scale.x() == 1.0) scale(program, part.label, part.scale);
     }
     prune_connections(program);
+  }
+
+  // Parts that are but other names for most of the thing: "with a wooden frame".
+  static bool is_whole(const PartWish& part) {
+    return !part.count && (part.label == "frame" || part.label == "body" || part.label == "top" ||
+                           part.label == "base" || part.label == "back" || part.label == "seat");
+  }
+
+  static void paint_whole(shape::Program& program, const PartWish& part) {
+    if (!program.materials.empty() && !(part.material.empty() && part.color.empty()))
+      paint_surfaces(program, {program.materials.front().name}, part.material, part.color,
+                     *built_in_words());
   }
 
   bool add_part(shape::Program& program, const PartWish& part) {

@@ -45,6 +45,7 @@ struct Description {
   std::optional<Vec3> size;        ///< width, depth, height in metres, where said; NaN: not said
   Vec3 scale = Vec3::Ones();       ///< "large", "low", against the usual
   std::vector<PartWish> parts;
+  bool contradicted = false;       ///< two numbers were said of one part, or two lengths of one side
   std::string relation;            ///< to the first object of the sentence: "on", "around"; may be empty
 };
 
