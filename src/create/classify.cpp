@@ -4,6 +4,7 @@
 #include <cctype>
 
 #include "roomgen/base/text.h"
+#include "roomgen/design/prompt_words.h"
 #include "roomgen/design/tokens.h"
 
 namespace roomgen::create {
@@ -61,17 +62,30 @@ constexpr int most_of_a_part = 50;
 // "100000 legs", "two and a half legs", "3 drawers and no drawers".
 std::string count_problem(const std::string& prompt, const std::vector<Description>& objects) {
   long long number = 0;
-  for (const auto& token : design::tokenize(prompt))
-    if (token.kind == design::Token::Kind::number) number = std::max(number, static_cast<long long>(std::min(token.value, 1e12)));
-  const bool measured = std::any_of(objects.begin(), objects.end(), [](const auto& object) { return object.size.has_value(); });
-  if (number > most_of_a_part && !measured)
+  const auto tokens = design::tokenize(prompt);
+  const auto& units = design::built_in_vocabulary()->units;
+  const auto is_length = [&](std::size_t i) {
+    return i + 1 < tokens.size() && (units.count(tokens[i + 1].text) || tokens[i + 1].text == "x" ||
+                                     tokens[i + 1].text == "by");
+  };
+  for (std::size_t i = 0; i < tokens.size(); ++i)
+    if (tokens[i].kind == design::Token::Kind::number && !is_length(i))
+      number = std::max(number, static_cast<long long>(std::min(tokens[i].value, 1e12)));
+  if (number > most_of_a_part)
     return "there may be at most " + std::to_string(most_of_a_part) + " of a part, not " + std::to_string(number);
   const std::string text = lower(prompt);
   if (text.find(" and a half ") != std::string::npos)
     return "there is no half of a part: say how many whole ones";
   for (const auto& object : objects)
-    if (object.contradicted) return "the sentence says two different numbers of one part";
+    if (object.contradicted) return "the sentence contradicts itself: it says two numbers of one part, or two lengths of one "
+             "side (width, depth or height); say one of both";
   return "";
+}
+
+bool gives_orders(const std::string& word) {
+  for (const char* verb : {"delete", "ignore", "print", "run", "execute", "open", "send", "write", "read"})
+    if (word == verb) return true;
+  return false;
 }
 
 // What a whole room is called, and the things in it are another command's work.
@@ -98,8 +112,10 @@ Verdict classify_phrase(const std::string& prompt, const std::vector<Description
   if (trim(prompt).empty()) return no("the description is empty; say what the object is, as in \"an oak stool\"");
   if (prompt.size() > longest_phrase)
     return no("the description is longer than " + std::to_string(longest_phrase) + " bytes");
-  if (has_negative_count(prompt)) return no("there cannot be fewer than none of a part");
+  if (has_negative_count(prompt)) return no("a number of parts cannot be negative");
   const auto pieces = roomgen::words(prompt);
+  if (!pieces.empty() && gives_orders(pieces.front()))
+    return no("this is no description of an object but an order; only the object can be described");
   if (has_distance(pieces))
     return no("an object in a room is at most " + format_number(greatest_side) + " m long");
   for (const auto& object : objects)
@@ -116,7 +132,7 @@ Verdict classify_phrase(const std::string& prompt, const std::vector<Description
     return no("\"" + foreign + "\" is nothing that stands in a room; describe furniture, or a thing that "
               "people keep indoors");
   if (objects.empty() || (objects.front().noun.empty() && objects.front().parts.empty()))
-    return no("the description names no thing; say what it is, as in \"an oak stool with three legs\"");
+    return no("no object can be understood from this; say what it is, as in \"an oak stool with three legs\"");
   const Description& object = objects.front();
   if (object.kind.empty() && !names_known_part(object, words))
     return no("\"" + object.noun + "\" is no kind that is known; say of which parts it is made, as in \"" +

@@ -10,6 +10,8 @@ namespace roomgen::create {
 namespace {
 
 constexpr std::size_t examples_shown = 2;
+constexpr double most_growth = 1.4;  // of the longest side, by repairs
+constexpr double coarse = 0.01;
 // Sides that differ by more than this from what was asked are made again.
 constexpr double size_tolerance = 0.004;
 constexpr int size_rounds = 3;
@@ -80,6 +82,13 @@ class Creator {
     } else {
       auto validated = validate(program, validation);
       if (!validated) return validated.error();
+      // A repair that makes another thing of it is none.
+      if (grown(program, validated->program)) {
+        object.notes.push_back("what is loose could not be joined without making it much larger");
+        validated->program = std::move(program);
+        validated->repairs.clear();
+        validated->after = validated->before;
+      }
       object.program = std::move(validated->program);
       object.repairs = std::move(validated->repairs);
       object.soundness = std::move(validated->after);
@@ -93,6 +102,13 @@ class Creator {
   }
 
  private:
+  static bool grown(const shape::Program& before, const shape::Program& after) {
+    const auto old_shape = shape::evaluate(before, coarse), new_shape = shape::evaluate(after, coarse);
+    if (!old_shape || !new_shape || old_shape->bodies.empty()) return false;
+    const Vec3 old_size = bounds(*old_shape).size(), new_size = bounds(*new_shape).size();
+    return new_size.maxCoeff() > most_growth * old_size.maxCoeff();
+  }
+
   // Triangles as they come: there is no program to validate or to keep.
   Result<CreatedObject> directly(MakeRequest request, const Description& description) {
     CreatedObject object;

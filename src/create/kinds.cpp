@@ -151,7 +151,8 @@ const ShapeKind* ShapeKinds::find(std::string_view name) const {
 
 std::size_t ShapeKinds::match(const std::vector<std::string>& text, std::size_t from,
                               const ShapeKind** kind) const {
-  const std::size_t most = std::min(most_name_words, text.size() - std::min(from, text.size()));
+  std::size_t most = 0;  // no name goes over a comma
+  while (most < most_name_words && from + most < text.size() && !words(text[from + most]).empty()) ++most;
   for (std::size_t n = most; n > 0; --n) {
     const std::vector<std::string> pieces(text.begin() + static_cast<std::ptrdiff_t>(from),
                                           text.begin() + static_cast<std::ptrdiff_t>(from + n));

@@ -46,7 +46,8 @@ bool is_filler(std::string_view word) {
                           "create", "build", "make",    "me",     "design", "generate", "i", "want",
                           "need",  "us",    "out",      "legged", "sort",  "kind", "type", "something", "object", "thing",
                           "item",  "furniture", "set", "shape", "one", "there", "s", "as", "like", "so",
-                          "his", "her", "their", "my", "your", "be", "should", "can", "will"});
+                          "his", "her", "their", "my", "your", "be", "should", "can", "will", "would", "just", "give",
+                          "only", "it", "about", "single"});
 }
 
 /// What adjectives say before their noun is known.
@@ -120,16 +121,30 @@ class PhraseReader {
       boundary(false);
       return skip_purpose();
     }
-    if (negates(word)) {
+    if (negates(word) || (word == "not" && at_ + 1 < texts_.size() &&
+                          is_one_of(texts_[at_ + 1], {"a", "any", "one"}))) {
       boundary(false);
       negated_ = true;
       return;
     }
+    // "the mattress is missing", "leave the armrests out"
+    if (is_one_of(word, {"missing", "absent"}) || (word == "out" && leaves_out_)) {
+      take_away_last();
+      ++at_;
+      return;
+    }
+    if (is_one_of(word, {"leave", "leaving"})) leaves_out_ = true;
     if (measure() || relation() || attribute() || noun()) return;
     if (is_boundary(word)) return boundary(word == "and" && (pending_.article || objects_.empty()));
     if (!is_filler(word)) unknown_.push_back(word);
     if (is_one_of(word, {"a", "an", "the"})) pending_.article = true;
     ++at_;
+  }
+
+  void take_away_last() {
+    if (!objects_.empty() && part_ < objects_.front().parts.size())
+      objects_.front().parts[part_].count = 0;
+    leaves_out_ = false;
   }
 
   // "for four people", "for books": up to what says something about the thing again.
@@ -272,6 +287,16 @@ class PhraseReader {
       at_ += length;
       return true;
     };
+    if (word == "half" && at_ + 1 < texts_.size()) {
+      std::size_t dozen = at_ + 1;
+      if (texts_[dozen] == "a" && dozen + 1 < texts_.size()) ++dozen;
+      if (texts_[dozen] == "dozen") {
+        pending_.count = 6;
+        pending_.article = pending_.any = true;
+        at_ = dozen + 1;
+        return true;
+      }
+    }
     if (const auto count = count_here()) {
       pending_.count = *count;
       pending_.article = true;
@@ -355,7 +380,12 @@ class PhraseReader {
     const ShapeKind* kind = nullptr;
     const std::size_t kind_length = kind_here(&kind);
     std::string label;
-    const std::size_t part_length = part_here(&label);
+    std::size_t part_length = part_here(&label);
+    // "an open shelf": the longer name of a kind ends with what is a part here.
+    if (!objects_.empty() && kind_length > part_length)
+      if (const auto ending = words_.parts.find(texts_[at_ + kind_length - 1]);
+          ending != words_.parts.end() && head_has(ending->second))
+        label = ending->second, part_length = kind_length;
     if (kind_length == 0 && part_length == 0) return false;
     if (is_part(kind_length, part_length, label)) return add_part(label, part_length);
     if (kind_length == 0) return false;
@@ -370,6 +400,11 @@ class PhraseReader {
     if (objects_.empty()) return after < texts_.size() && kinds_.match(texts_, after, nullptr) > 0;
     const ShapeKind* head = kinds_.find(objects_.front().kind);
     return !head || kinds_.labels(head->recipe).count(label) || !has_relation(after);
+  }
+
+  bool head_has(const std::string& label) const {
+    const ShapeKind* head = kinds_.find(objects_.front().kind);
+    return head && kinds_.labels(head->recipe).count(label) > 0;
   }
 
   // Does what follows the noun put it somewhere: "four chairs around it"?
@@ -507,7 +542,7 @@ class PhraseReader {
   std::string last_boundary_;
   std::optional<Vec3> measured_;
   std::size_t part_ = none;  ///< of the first object, what was named last
-  bool negated_ = false;
+  bool negated_ = false, leaves_out_ = false;
 };
 
 }  // namespace

@@ -162,7 +162,7 @@ class Chooser {
       const shape::Value& value = set == result_.values.end() ? parameter->value : set->second;
       if (const double* number = std::get_if<double>(&value); number && *number < 1.0)
         result_.values[name] = std::max(1.0, parameter->min);
-      return;
+      break;
     }
     if (const auto* style = find(label + "_style")) {
       const auto set = result_.values.find(style->name);

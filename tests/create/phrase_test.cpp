@@ -35,7 +35,7 @@ TEST_CASE("Kinds, parts and their numbers are read from descriptions") {
       {"a desk with two drawers and metal legs", "desk", "drawer", 2},
       {"an armchair without armrests", "armchair", "armrest", 0},
       {"a bookshelf with five shelves", "bookshelf", "shelf", 5},
-      {"bookcase having 6 shelves", "bookshelf", "shelf", 6},
+      {"bookcase having 6 shelves", "bookcase", "shelf", 6},
       {"a wooden chair that has four tapered legs", "chair", "leg", 4},
       {"a sofa with three cushions, in dark blue velvet", "sofa", "cushion", 3},
       {"a round dining table on a single pedestal base", "dining table", "base", -1},
