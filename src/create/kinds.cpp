@@ -44,7 +44,8 @@ Vec3 read_size(const JsonReader& json) {
 }
 
 ShapeKind read_kind(const std::string& name, const JsonReader& json) {
-  json.allow_only({"names", "recipe", "set", "vary", "styles", "size", "least", "most", "mount", "main"});
+  json.allow_only(
+      {"names", "recipe", "set", "vary", "styles", "size", "least", "most", "mount", "main"});
   ShapeKind kind;
   kind.name = name;
   kind.recipe = json["recipe"].text();

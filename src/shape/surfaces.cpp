@@ -56,13 +56,14 @@ Painted plain(const Surface& surface) {
 }  // namespace
 
 Surfaces::Surfaces(const Program& program) {
-  for (const auto& surface : program.materials) names_.emplace_back(surface.name, add(plain(surface)));
+  for (const auto& surface : program.materials)
+    names_.emplace_back(surface.name, add(plain(surface)));
 }
 
 std::shared_ptr<const Image> Surfaces::texture(const Painted& painted) {
   if (painted.picture)
-    return std::make_shared<Image>(paint_picture(theme_of(painted.picture->theme),
-                                                 painted.picture->seed, aspect_of(*painted.picture)));
+    return std::make_shared<Image>(paint_picture(
+        theme_of(painted.picture->theme), painted.picture->seed, aspect_of(*painted.picture)));
   auto& image = patterns_[{painted.pattern, painted.first, painted.second}];
   if (!image)
     image = std::make_shared<Image>(

@@ -24,8 +24,8 @@ struct Painted {
   std::optional<PicturePart> picture;
 };
 
-/// Collects the materials of a program. Textures are painted at last, and only where they show; those
-/// that look the same are one image.
+/// Collects the materials of a program. Textures are painted at last, and only where they show;
+/// those that look the same are one image.
 class Surfaces {
  public:
   explicit Surfaces(const Program& program);

@@ -41,8 +41,7 @@ Result<Shape> evaluate(const Program& program, double tolerance = default_tolera
 /// With the tolerance doubled up to six times until there are no more than `triangles`; if there
 /// still are, the coarsest.
 Result<Shape> evaluate_within(const Program& program, std::size_t triangles = default_triangles,
-                              double tolerance = default_tolerance,
-                              Paint paint = Paint::textures);
+                              double tolerance = default_tolerance, Paint paint = Paint::textures);
 
 Bounds3 bounds(const Shape& shape);
 std::size_t triangle_count(const Shape& shape);
