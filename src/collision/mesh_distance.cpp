@@ -1,42 +1,28 @@
 #include "roomgen/collision/mesh_distance.h"
 
-#include <fcl/geometry/bvh/BVH_model.h>
-#include <fcl/math/bv/OBBRSS.h>
-#include <fcl/narrowphase/distance.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <tuple>
+#include <utility>
+
+#include "triangle_tree.h"
 
 namespace roomgen {
 
 namespace {
 
-// FCL measures distances with swept rectangles; its OBB trees only tell whether things meet.
-using Tree = fcl::BVHModel<fcl::OBBRSSd>;
-
-struct Corners {
-  Vec3 a, b, c;
-};
+using detail::box_of;
+using detail::closest;
+using detail::Corners;
+using detail::TriangleTree;
 
 Corners corners(const Mesh& mesh, const Triangle& t) {
   return {mesh.positions[t[0]].cast<double>(), mesh.positions[t[1]].cast<double>(),
           mesh.positions[t[2]].cast<double>()};
-}
-
-std::shared_ptr<Tree> make_tree(const Mesh& mesh) {
-  auto tree = std::make_shared<Tree>();
-  tree->beginModel(static_cast<int>(mesh.triangles.size()),
-                   static_cast<int>(3 * mesh.triangles.size()));
-  for (const auto& t : mesh.triangles) {
-    const Corners at = corners(mesh, t);
-    tree->addTriangle(at.a, at.b, at.c);
-  }
-  tree->endModel();
-  return tree;
 }
 
 // One vertex of each surface that hangs together, vertices at one place taken as one.
@@ -73,62 +59,14 @@ bool overlap(const Bounds3& a, const Bounds3& b) {
   return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
 }
 
-Bounds3 box_of(const Corners& t) {
-  return {t.a.cwiseMin(t.b).cwiseMin(t.c), t.a.cwiseMax(t.b).cwiseMax(t.c)};
-}
-
-// Ericson, Real-Time Collision Detection, 5.1.5.
-Vec3 closest(const Corners& t, const Vec3& p) {
-  const Vec3 ab = t.b - t.a, ac = t.c - t.a, ap = p - t.a;
-  const double d1 = ab.dot(ap), d2 = ac.dot(ap);
-  if (d1 <= 0 && d2 <= 0) return t.a;
-  const Vec3 bp = p - t.b;
-  const double d3 = ab.dot(bp), d4 = ac.dot(bp);
-  if (d3 >= 0 && d4 <= d3) return t.b;
-  const double vc = d1 * d4 - d3 * d2;
-  if (vc <= 0 && d1 >= 0 && d3 <= 0) return t.a + d1 / (d1 - d3) * ab;
-  const Vec3 cp = p - t.c;
-  const double d5 = ab.dot(cp), d6 = ac.dot(cp);
-  if (d6 >= 0 && d5 <= d6) return t.c;
-  const double vb = d5 * d2 - d1 * d6;
-  if (vb <= 0 && d2 >= 0 && d6 <= 0) return t.a + d2 / (d2 - d6) * ac;
-  const double va = d3 * d6 - d5 * d4;
-  if (va <= 0 && d4 >= d3 && d5 >= d6)
-    return t.b + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (t.c - t.b);
-  const double sum = va + vb + vc;
-  return sum > 0 ? Vec3(t.a + (vb * ab + vc * ac) / sum) : t.a;
-}
-
-// Signed crossings of a ray: how many surfaces are around the point. Upwards, slightly slanted so
-// that it meets no edge of axis-aligned meshes (Moeller and Trumbore 1997).
-int winding(const Mesh& mesh, const Vec3& point) {
-  static const Vec3 direction = Vec3(0.0123, 0.0071, 1.0).normalized();
-  int around = 0;
-  for (const auto& triangle : mesh.triangles) {
-    const Corners t = corners(mesh, triangle);
-    const Vec3 u = t.b - t.a, v = t.c - t.a;
-    const Vec3 p = direction.cross(v);
-    const double determinant = u.dot(p);
-    if (std::abs(determinant) < 1e-15) continue;
-    const Vec3 s = point - t.a;
-    const double alpha = s.dot(p) / determinant;
-    if (alpha < 0 || alpha > 1) continue;
-    const Vec3 q = s.cross(u);
-    const double beta = direction.dot(q) / determinant;
-    if (beta < 0 || alpha + beta > 1 || v.dot(q) / determinant <= 0) continue;
-    around += determinant < 0 ? 1 : -1;
-  }
-  return around;
-}
-
 }  // namespace
 
 struct MeshSolid::Impl {
   Mesh mesh;
   Bounds3 box;
 
-  const Tree& tree() const {
-    if (!tree_) tree_ = make_tree(mesh);
+  const TriangleTree& tree() const {
+    if (!tree_) tree_.emplace(mesh);
     return *tree_;
   }
   const std::vector<Vec3>& surfaces() const {
@@ -137,7 +75,7 @@ struct MeshSolid::Impl {
   }
 
  private:
-  mutable std::shared_ptr<Tree> tree_;
+  mutable std::optional<TriangleTree> tree_;
   mutable std::vector<Vec3> surfaces_;
 };
 
@@ -162,7 +100,7 @@ bool contains(const MeshSolid& solid, const Vec3& point) {
   const Bounds3& box = solid.box();
   if ((point.array() < box.low.array()).any() || (point.array() > box.high.array()).any())
     return false;
-  return winding(solid.mesh(), point) > 0;
+  return solid.impl().tree().winding(point) > 0;
 }
 
 double distance(const MeshSolid& solid, const Vec3& point) {
@@ -188,19 +126,15 @@ std::optional<NearestPoints> inside(const MeshSolid& inner, const MeshSolid& out
 std::optional<NearestPoints> nearest_points(const MeshSolid& a, const MeshSolid& b, double limit) {
   if (a.mesh().triangles.empty() || b.mesh().triangles.empty()) return std::nullopt;
   if (box_distance(a.box(), b.box()) > limit) return std::nullopt;
-  const fcl::DistanceRequestd request(true);
   // Only what is nearer than this is looked at.
-  fcl::DistanceResultd found(std::isfinite(limit) ? limit * (1 + 1e-9) + 1e-12
-                                                  : std::numeric_limits<double>::max());
-  fcl::distance(&a.impl().tree(), fcl::Transform3d::Identity(), &b.impl().tree(),
-                fcl::Transform3d::Identity(), request, found);
-  const bool near = found.b1 != fcl::DistanceResultd::NONE;
-  if (near && found.min_distance <= 0.0)
-    return NearestPoints{0.0, found.nearest_points[0], found.nearest_points[0]};
+  NearestPoints found;
+  found.distance = std::isfinite(limit) ? limit * (1 + 1e-9) + 1e-12 : 1e150;
+  const bool near = a.impl().tree().nearest(b.impl().tree(), found);
+  if (near && found.distance <= 0.0) return NearestPoints{0.0, found.on_a, found.on_a};
   if (const auto in_b = inside(a, b)) return in_b;
   if (const auto in_a = inside(b, a)) return in_a;
-  if (!near || found.min_distance > limit) return std::nullopt;
-  return NearestPoints{found.min_distance, found.nearest_points[0], found.nearest_points[1]};
+  if (!near || found.distance > limit) return std::nullopt;
+  return found;
 }
 
 namespace {
@@ -211,13 +145,7 @@ constexpr int samples_across = 48;
 class AreaNear {
  public:
   AreaNear(const MeshSolid& solid, const Bounds3& region, double near, double pitch)
-      : solid_(solid), near_(near), pitch_(pitch), region_(region) {
-    const Bounds3 around = inflated(region, near);
-    for (const auto& t : solid.mesh().triangles) {
-      const Corners at = corners(solid.mesh(), t);
-      if (overlap(box_of(at), around)) close_.push_back(at);
-    }
-  }
+      : solid_(solid), near_(near), pitch_(pitch), region_(region) {}
 
   void add(const Corners& t, double enough) {
     if (area_ >= enough || !overlap(box_of(t), region_)) return;
@@ -243,15 +171,12 @@ class AreaNear {
   }
 
   bool is_near(const Vec3& point) const {
-    for (const auto& t : close_)
-      if ((closest(t, point) - point).squaredNorm() <= near_ * near_) return true;
-    return contains(solid_, point);
+    return solid_.impl().tree().within(point, near_) || contains(solid_, point);
   }
 
   const MeshSolid& solid_;
   double near_, pitch_;
   Bounds3 region_;
-  std::vector<Corners> close_;
   double area_ = 0.0;
 };
 

@@ -16,27 +16,6 @@ constexpr std::size_t enough_triangles = 60'000;
 constexpr double point_area = 1.5e-5;
 constexpr double thick = 0.012, deep = 0.006;
 
-// Without pictures and patterns, which take long to paint.
-void strip(std::vector<shape::Component>& components) {
-  for (auto& component : components) {
-    if (auto* group = std::get_if<shape::Group>(&component.solid)) strip(group->components);
-    if (const auto* picture = std::get_if<shape::PicturePart>(&component.solid))
-      component.solid = shape::Box{{picture->size.x(), picture->thickness, picture->size.y()}, 0.0};
-  }
-}
-
-shape::Program bare(const std::vector<shape::Surface>& materials,
-                    std::vector<shape::Component> components) {
-  shape::Program program;
-  for (const auto& surface : materials) {
-    program.materials.emplace_back();
-    program.materials.back().name = surface.name;
-  }
-  program.components = std::move(components);
-  strip(program.components);
-  return program;
-}
-
 struct Mass {
   double volume = 0.0;
   Vec3 centroid = Vec3::Zero();
@@ -108,8 +87,8 @@ bool starts_with(const ComponentPath& path, const ComponentPath& prefix) {
 }
 
 Result<Assembly> Assembly::make(const shape::Program& program, double contact) {
-  auto shape = shape::evaluate_within(bare(program.materials, program.components), enough_triangles,
-                                      tolerance);
+  auto shape = shape::evaluate_within(program, enough_triangles, tolerance,
+                                      shape::Paint::plain_colors);
   if (!shape) return shape.error();
   Assembly assembly;
   assembly.program_ = program;
@@ -124,8 +103,10 @@ Result<Assembly> Assembly::make(const shape::Program& program, double contact) {
 }
 
 bool Assembly::replace(std::size_t top, const shape::Component& component) {
-  auto shape =
-      shape::evaluate_within(bare(program_.materials, {component}), enough_triangles, tolerance);
+  shape::Program alone;
+  alone.components = {component};
+  auto shape = shape::evaluate_within(alone, enough_triangles, tolerance,
+                                      shape::Paint::plain_colors);
   memory_->work += 100;
   if (!shape) return false;
   const auto first = std::find_if(parts_.begin(), parts_.end(),

@@ -34,6 +34,7 @@ std::vector<shape::Program> nearest_examples(const Description& description) {
   if (!kinds) return programs;
   for (const ShapeKind* kind : kinds->nearest(description.noun, examples_shown)) {
     const Json* recipe = kinds->recipe(kind->recipe);
+    if (!recipe) continue;
     auto parameters = shape::describe_parameters(*recipe);
     if (!parameters) continue;
     auto program = shape::instantiate(*recipe, shape::clamped(*parameters, kind->set), 0,
@@ -52,7 +53,7 @@ class Creator {
     object.mount = mount_of(description);
     MakeRequest request;
     request.seed = options_.seed;
-    request.examples = nearest_examples(description);
+    if (maker_.wants_examples()) request.examples = nearest_examples(description);
     request.cancel = options_.cancel;
     const std::optional<Vec3> wanted = description.size;
     if (options_.variant == Variant::direct) return directly(std::move(request), description);

@@ -20,23 +20,20 @@ Eigen::Matrix3d rotation(const shape::Component& component) {
 }
 
 // Of the component before scale, rotation and move.
-Bounds3 own_box(const shape::Program& program, shape::Component component) {
+Bounds3 own_box(shape::Component component) {
   component.scale = Vec3::Ones();
   component.rotate = component.at = Vec3::Zero();
   std::erase_if(component.operations, [](const shape::Operation& operation) {
     return !std::holds_alternative<shape::Cut>(operation);
   });
   shape::Program alone;
-  alone.materials = program.materials;
-  for (auto& surface : alone.materials) surface.pattern = "none";
   alone.components = {std::move(component)};
-  const auto shape = shape::evaluate(alone, 0.01);
+  const auto shape = shape::evaluate(alone, 0.01, shape::Paint::plain_colors);
   return shape ? shape::bounds(*shape) : Bounds3{};
 }
 
-bool stretch(const shape::Program& program, shape::Component& component, int axis, double anchor,
-             double amount) {
-  const Bounds3 box = own_box(program, component);
+bool stretch(shape::Component& component, int axis, double anchor, double amount) {
+  const Bounds3 box = own_box(component);
   if (box.empty()) return false;
   const double length = box.size()[axis] * std::abs(component.scale[axis]);
   if (length < 1e-4) return false;
@@ -125,7 +122,6 @@ std::optional<Eigen::MatrixXd> response(const Assembly& assembly, const Handle& 
 bool pull(Assembly& assembly, const Handle& handle, const Eigen::VectorXd& amounts) {
   if (!amounts.allFinite()) return false;
   shape::Program program;
-  program.materials = assembly.program().materials;
   program.components = {assembly.program().components[handle.path.front()]};
   ComponentPath inside = handle.path;
   inside.front() = 0;
@@ -136,7 +132,7 @@ bool pull(Assembly& assembly, const Handle& handle, const Eigen::VectorXd& amoun
       component.at += amounts;
       break;
     case Handle::Kind::stretch:
-      changed = stretch(program, component, handle.axis, handle.anchor, amounts[0]);
+      changed = stretch(component, handle.axis, handle.anchor, amounts[0]);
       break;
     case Handle::Kind::path_end:
       changed = pull_path(component, handle.first, amounts);

@@ -1,6 +1,8 @@
 #include "roomgen/create/kinds.h"
 
 #include <algorithm>
+#include <mutex>
+#include <optional>
 
 #include "roomgen/base/resource.h"
 #include "roomgen/base/text.h"
@@ -42,7 +44,8 @@ Vec3 read_size(const JsonReader& json) {
 }
 
 ShapeKind read_kind(const std::string& name, const JsonReader& json) {
-  json.allow_only({"names", "recipe", "set", "vary", "styles", "size", "least", "most", "mount", "main"});
+  json.allow_only(
+      {"names", "recipe", "set", "vary", "styles", "size", "least", "most", "mount", "main"});
   ShapeKind kind;
   kind.name = name;
   kind.recipe = json["recipe"].text();
@@ -98,17 +101,43 @@ double likeness(const std::vector<std::string>& wanted, const std::vector<std::s
 
 }  // namespace
 
+// Parses what is asked for: a process that makes one object needs few of them.
+class ShapeKinds::Recipes {
+ public:
+  explicit Recipes(const std::map<std::string, std::string_view>& texts) {
+    for (const auto& [name, text] : texts) recipes_[name].text = text;
+  }
+  bool has(std::string_view name) const { return recipes_.find(name) != recipes_.end(); }
+  const Json* find(std::string_view name) {
+    const auto found = recipes_.find(name);
+    if (found == recipes_.end()) return nullptr;
+    Recipe& recipe = found->second;
+    std::call_once(recipe.once, [&] {
+      if (auto json = parse_json(recipe.text, std::string(name))) recipe.json = *std::move(json);
+    });
+    return recipe.json ? &*recipe.json : nullptr;
+  }
+
+ private:
+  struct Recipe {
+    std::string_view text;
+    std::once_flag once;
+    std::optional<Json> json;
+  };
+  std::map<std::string, Recipe, std::less<>> recipes_;
+};
+
 Result<ShapeKinds> ShapeKinds::read(const std::vector<std::pair<std::string, Json>>& kind_files,
-                                    std::map<std::string, Json, std::less<>> recipes) {
+                                    const std::map<std::string, std::string_view>& recipes) {
   ShapeKinds result;
-  result.recipes_ = std::move(recipes);
+  result.recipes_ = std::make_shared<Recipes>(recipes);
   for (const auto& [source, json] : kind_files) {
     JsonReader::Problems problems{source};
     JsonReader root(json, problems);
     root.allow_only({"format", "version", "about", "kinds"});
     for (const auto& [name, entry] : root["kinds"].members()) {
       const ShapeKind kind = read_kind(name, entry);
-      if (!result.recipes_.count(kind.recipe))
+      if (!result.recipes_->has(kind.recipe))
         entry["recipe"].report("there is no recipe " + kind.recipe);
       result.kinds_.emplace(name, kind);
     }
@@ -124,20 +153,20 @@ Result<ShapeKinds> ShapeKinds::read(const std::vector<std::pair<std::string, Jso
 const Result<ShapeKinds>& ShapeKinds::built_in() {
   static const Result<ShapeKinds> kinds = []() -> Result<ShapeKinds> {
     std::vector<std::pair<std::string, Json>> files;
-    std::map<std::string, Json, std::less<>> recipes;
+    std::map<std::string, std::string_view> recipes;
     constexpr std::string_view folder = "data/shapes/", kinds_folder = "data/shapes/kinds/";
     for (const auto path : resources(folder)) {
-      auto json = parse_json(*resource(path), std::string(path));
-      if (!json) return json.error();
       if (path.starts_with(kinds_folder)) {
+        auto json = parse_json(*resource(path), std::string(path));
+        if (!json) return json.error();
         files.emplace_back(path, *std::move(json));
       } else {
         auto name = path.substr(folder.size());
         name.remove_suffix(std::string_view(".json").size());
-        recipes.emplace(name, *std::move(json));
+        recipes.emplace(name, *resource(path));
       }
     }
-    return read(files, std::move(recipes));
+    return read(files, recipes);
   }();
   return kinds;
 }
@@ -191,8 +220,7 @@ const ShapeKind* ShapeKinds::nearest(std::string_view text) const {
 }
 
 const Json* ShapeKinds::recipe(std::string_view name) const {
-  const auto found = recipes_.find(name);
-  return found == recipes_.end() ? nullptr : &found->second;
+  return recipes_->find(name);
 }
 
 shape::RecipeSource ShapeKinds::recipes() const {

@@ -2,16 +2,12 @@
 
 #include <algorithm>
 
-#include "roomgen/shape/evaluate.h"
-
 namespace roomgen::create {
 
 namespace {
 
 using shape::Component;
 using shape::Group;
-
-constexpr double coarse = 0.02;  // metres: bodies are counted, not looked at
 
 std::string label_of(const Component& component, const std::string& inherited) {
   if (!component.label.empty()) return component.label;
@@ -87,6 +83,58 @@ int count_groups(const std::vector<Component>& components, std::string_view labe
   return count;
 }
 
+/// What evaluation would call a body, and its material.
+struct NamedBody {
+  std::string name, label, material;
+};
+
+using NamedCopies = std::vector<std::vector<NamedBody>>;
+
+void repeat(NamedCopies& copies, int times) {
+  NamedCopies result;
+  for (int k = 0; k < times; ++k) result.insert(result.end(), copies.begin(), copies.end());
+  copies = std::move(result);
+}
+
+void join(NamedCopies& copies) {
+  std::vector<NamedBody> joined;
+  for (auto& bodies : copies)
+    for (auto& body : bodies)
+      if (std::none_of(joined.begin(), joined.end(),
+                       [&](const NamedBody& other) { return other.material == body.material; }))
+        joined.push_back({"", std::move(body.label), std::move(body.material)});
+  copies = {std::move(joined)};
+}
+
+// The bodies' names without their meshes.
+std::vector<NamedBody> named_bodies(const std::vector<Component>& components,
+                                    const std::string& outer_label,
+                                    const std::string& outer_material) {
+  std::vector<NamedBody> result;
+  for (const auto& component : components) {
+    const std::string& label = component.label.empty() ? outer_label : component.label;
+    const std::string& material = component.material.empty() ? outer_material : component.material;
+    const auto* group = std::get_if<Group>(&component.solid);
+    NamedCopies copies;
+    if (group) copies.push_back(named_bodies(group->components, label, material));
+    else copies.push_back({{"", label.empty() ? component.name : label, material}});
+    for (const auto& operation : component.operations) {
+      if (std::holds_alternative<shape::Mirror>(operation)) repeat(copies, 2);
+      if (const auto* array = std::get_if<shape::Array>(&operation)) repeat(copies, array->count);
+      if (const auto* radial = std::get_if<shape::Radial>(&operation)) repeat(copies, radial->count);
+      if (std::holds_alternative<shape::Join>(operation)) join(copies);
+    }
+    for (std::size_t k = 0; k < copies.size(); ++k) {
+      const std::string name = component.name + (copies.size() > 1 ? "-" + std::to_string(k) : "");
+      for (auto& body : copies[k]) {
+        body.name = body.name.empty() ? name : name + "." + body.name;
+        result.push_back(std::move(body));
+      }
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 void for_each_part(shape::Program& program, std::string_view label,
@@ -102,11 +150,10 @@ void filter_wholes(shape::Program& program, std::string_view label,
 }
 
 int count_parts(const shape::Program& program, std::string_view label) {
-  const auto shape = shape::evaluate(program, coarse);
-  if (!shape) return 0;
+  if (shape::component_count(program.components) > shape::max_components) return 0;
   // A leg of several pieces is one leg: its pieces come from one copy of one group.
   std::vector<std::string> wholes;
-  for (const auto& body : shape->bodies) {
+  for (const auto& body : named_bodies(program.components, "", "")) {
     if (body.label != label) continue;
     const auto dot = body.name.rfind('.');
     const std::string owner = body.name.substr(0, dot);

@@ -46,6 +46,8 @@ class RuleMaker final : public Maker {
     return read_phrase(prompt.substr(0, longest_phrase), *built_in_words(), *ShapeKinds::built_in());
   }
 
+  bool wants_examples() const override { return false; }
+
   Result<shape::Program> generate(const MakeRequest& request) override {
     if (!built_in_words()) return built_in_words().error();
     if (!ShapeKinds::built_in()) return ShapeKinds::built_in().error();
@@ -79,7 +81,9 @@ class RuleMaker final : public Maker {
     const ShapeKinds& kinds = *ShapeKinds::built_in();
     const Words& words = *built_in_words();
     const Description& description = request.description;
-    const Json& recipe = *kinds.recipe(kind.recipe);
+    const Json* found = kinds.recipe(kind.recipe);
+    if (!found) return Error{Error::Kind::not_found, "there is no recipe " + kind.recipe};
+    const Json& recipe = *found;
     const auto parameters = shape::describe_parameters(recipe, kind.recipe);
     if (!parameters) return parameters.error();
     const Settings settings = choose_settings(description, kind, *parameters, words, request.seed);
@@ -139,7 +143,7 @@ class RuleMaker final : public Maker {
   }
 
   bool add_part(shape::Program& program, const PartWish& part) {
-    const auto shape = shape::evaluate(program, coarse);
+    const auto shape = shape::evaluate(program, coarse, shape::Paint::plain_colors);
     if (!shape || shape->bodies.empty()) return false;
     // Things stand on the seat or top if there is one, else on the whole.
     Bounds3 carrier;

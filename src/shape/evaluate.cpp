@@ -56,7 +56,7 @@ class Evaluator {
     return result;
   }
 
-  const Surfaces& surfaces() const { return surfaces_; }
+  Surfaces& surfaces() { return surfaces_; }
 
  private:
   static Error too_many(const Around& around) {
@@ -131,9 +131,13 @@ class Evaluator {
   Surfaces surfaces_;
 };
 
-}  // namespace
+// With materials that are not painted yet.
+struct Unpainted {
+  std::vector<Body> bodies;
+  Surfaces surfaces;
+};
 
-Result<Shape> evaluate(const Program& program, double tolerance) {
+Result<Unpainted> meshes(const Program& program, double tolerance) {
   if (!(tolerance >= 1e-5 && tolerance <= 1.0))
     return Error{Error::Kind::invalid_input, "the tolerance must be from 0.00001 to 1 m"};
   if (component_count(program.components) > max_components)
@@ -145,28 +149,42 @@ Result<Shape> evaluate(const Program& program, double tolerance) {
   auto bodies = evaluator.all(program.components, around);
   if (!bodies) return bodies.error();
   if (bodies->empty()) return Error{Error::Kind::invalid_input, "the program makes no solid"};
-  Shape shape;
-  shape.bodies = *std::move(bodies);
-  for (const auto& painted : evaluator.surfaces().all())
-    shape.materials.push_back(painted.material);
-  for (auto& body : shape.bodies) {
-    const double extent = evaluator.surfaces().all()[body.material].extent;
+  return Unpainted{*std::move(bodies), std::move(evaluator.surfaces())};
+}
+
+Shape painted(Unpainted made, Paint paint) {
+  const auto& all = made.surfaces.all();
+  std::vector<bool> used(all.size(), false);
+  for (auto& body : made.bodies) {
+    const auto material = static_cast<std::size_t>(body.material);
+    used[material] = paint == Paint::textures;
+    const double extent = all[material].extent;
     if (extent > 0.0)
       for (auto& uv : body.mesh.uvs) uv /= static_cast<float>(extent);
   }
-  return shape;
+  return {std::move(made.bodies), made.surfaces.paint(used)};
 }
 
-Result<Shape> evaluate_within(const Program& program, std::size_t triangles, double tolerance) {
-  auto shape = evaluate(program, tolerance);
+}  // namespace
+
+Result<Shape> evaluate(const Program& program, double tolerance, Paint paint) {
+  auto made = meshes(program, tolerance);
+  if (!made) return made.error();
+  return painted(*std::move(made), paint);
+}
+
+Result<Shape> evaluate_within(const Program& program, std::size_t triangles, double tolerance,
+                              Paint paint) {
+  auto made = meshes(program, tolerance);
   for (int k = 0; k < max_coarser; ++k) {
-    const bool fits = shape && triangle_count(*shape) <= triangles;
-    const bool hopeless = !shape && shape.error().kind != Error::Kind::limit;
+    const bool fits = made && triangles_in(made->bodies) <= triangles;
+    const bool hopeless = !made && made.error().kind != Error::Kind::limit;
     if (fits || hopeless) break;
     tolerance *= 2;
-    shape = evaluate(program, tolerance);
+    made = meshes(program, tolerance);
   }
-  return shape;
+  if (!made) return made.error();
+  return painted(*std::move(made), paint);
 }
 
 Bounds3 bounds(const Shape& shape) {

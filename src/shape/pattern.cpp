@@ -17,9 +17,6 @@ struct Colors {
   Rgb first, second;
 };
 
-double fraction(double x) {
-  return x - std::floor(x);
-}
 // 0 at whole numbers, 1 in the middle between.
 double ridge(double x) {
   return 1.0 - std::abs(2.0 * fraction(x) - 1.0);
@@ -77,18 +74,20 @@ struct Cells {
     }
   }
   struct Nearest {
-    double first = 9.0, second = 9.0;
+    double first, second;
     int cell = 0;
   };
   Nearest at(double u, double v) const {
     const double x = u * count, y = v * count;
     const int column = static_cast<int>(x), row = static_cast<int>(y);
-    Nearest result;
+    const auto wrapped = [&](int k) { return k < 0 ? k + count : k >= count ? k - count : k; };
+    Nearest result{81.0, 81.0};  // squared until the end
     for (int dy = -1; dy <= 1; ++dy)
       for (int dx = -1; dx <= 1; ++dx) {
-        const int cell = (row + dy + count) % count * count + (column + dx + count) % count;
-        const Vec2 p = Vec2(column + dx, row + dy) + offsets[static_cast<std::size_t>(cell)];
-        const double distance = (p - Vec2(x, y)).norm();
+        const int cell = wrapped(row + dy) * count + wrapped(column + dx);
+        const Vec2& offset = offsets[static_cast<std::size_t>(cell)];
+        const double across = column + dx + offset.x() - x, down = row + dy + offset.y() - y;
+        const double distance = across * across + down * down;
         if (distance < result.first) {
           result.second = result.first;
           result.first = distance;
@@ -97,6 +96,8 @@ struct Cells {
           result.second = std::min(result.second, distance);
         }
       }
+    result.first = std::sqrt(result.first);
+    result.second = std::sqrt(result.second);
     return result;
   }
   int count;

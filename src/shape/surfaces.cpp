@@ -35,33 +35,54 @@ Rgb darker(const Rgb& color) {
   return result;
 }
 
-}  // namespace
-
-Surfaces::Surfaces(const Program& program) {
-  for (const auto& surface : program.materials)
-    names_.emplace_back(surface.name, add(painted(surface)));
+double aspect_of(const PicturePart& picture) {
+  return std::clamp(picture.size.x() / picture.size.y(), 0.2, 5.0);
 }
 
-// The image of a pattern carries both colours, so the base colour is white then.
-Painted Surfaces::painted(const Surface& surface) {
+Painted plain(const Surface& surface) {
   Painted result;
   result.material.name = surface.name;
   result.material.roughness = static_cast<float>(surface.roughness);
   result.material.metallic = static_cast<float>(surface.metalness);
-  const Rgb color = parse_color(surface.color).value_or(Rgb{204, 204, 204});
-  const Pattern pattern = pattern_of(surface.pattern);
-  if (pattern == Pattern::none) {
-    result.material.base_color = linear(color, surface.opacity);
-    return result;
-  }
-  const Rgb second = parse_color(surface.second).value_or(darker(color));
-  result.extent = pattern_extent(pattern) * surface.scale;
-  result.material.base_color = {1, 1, 1, static_cast<float>(surface.opacity)};
-  auto& image = patterns_[{pattern, color, second}];
-  if (!image)
-    image = std::make_shared<Image>(paint_pattern(pattern, floats(color), floats(second), 0));
-  result.material.texture = image;
+  result.first = parse_color(surface.color).value_or(Rgb{204, 204, 204});
+  result.material.base_color = linear(result.first, surface.opacity);
+  result.pattern = pattern_of(surface.pattern);
+  if (result.pattern == Pattern::none) return result;
+  result.second = parse_color(surface.second).value_or(darker(result.first));
+  result.extent = pattern_extent(result.pattern) * surface.scale;
   return result;
+}
+
+}  // namespace
+
+Surfaces::Surfaces(const Program& program) {
+  for (const auto& surface : program.materials)
+    names_.emplace_back(surface.name, add(plain(surface)));
+}
+
+std::shared_ptr<const Image> Surfaces::texture(const Painted& painted) {
+  if (painted.picture)
+    return std::make_shared<Image>(paint_picture(
+        theme_of(painted.picture->theme), painted.picture->seed, aspect_of(*painted.picture)));
+  auto& image = patterns_[{painted.pattern, painted.first, painted.second}];
+  if (!image)
+    image = std::make_shared<Image>(
+        paint_pattern(painted.pattern, floats(painted.first), floats(painted.second), 0));
+  return image;
+}
+
+std::vector<Material> Surfaces::paint(const std::vector<bool>& used) {
+  std::vector<Material> materials;
+  for (std::size_t k = 0; k < painted_.size(); ++k) {
+    Painted& painted = painted_[k];
+    if (used[k] && (painted.picture || painted.pattern != Pattern::none)) {
+      painted.material.texture = texture(painted);
+      // The image carries all colours, so the base colour is white.
+      std::fill_n(painted.material.base_color.begin(), 3, 1.0f);
+    }
+    materials.push_back(painted.material);
+  }
+  return materials;
 }
 
 int Surfaces::add(Painted painted) {
@@ -72,23 +93,21 @@ int Surfaces::add(Painted painted) {
 int Surfaces::find(const std::string& name) {
   for (const auto& [known, index] : names_)
     if (known == name) return index;
-  Surface plain;
-  plain.name = name;
-  names_.emplace_back(name, add(painted(plain)));
+  Surface grey;
+  grey.name = name;
+  names_.emplace_back(name, add(plain(grey)));
   return names_.back().second;
 }
 
 int Surfaces::picture(const PicturePart& picture, int frame) {
-  const double aspect = std::clamp(picture.size.x() / picture.size.y(), 0.2, 5.0);
-  const auto key = std::make_tuple(picture.theme, picture.seed, aspect, frame);
+  const auto key = std::make_tuple(picture.theme, picture.seed, aspect_of(picture), frame);
   if (const auto known = pictures_.find(key); known != pictures_.end()) return known->second;
-  const Theme theme = theme_of(picture.theme);
   Painted result;
   result.material = painted_[static_cast<std::size_t>(frame)].material;
   result.material.name = picture.theme;
-  result.material.base_color = {1, 1, 1, 1};
-  result.material.texture = std::make_shared<Image>(paint_picture(theme, picture.seed, aspect));
-  if (theme == Theme::mirror) {
+  result.material.base_color[3] = 1.0f;
+  result.picture = picture;
+  if (theme_of(picture.theme) == Theme::mirror) {
     result.material.roughness = 0.05f;
     result.material.metallic = 0.9f;
   }

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <map>
+#include <memory>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -13,13 +15,17 @@
 
 namespace roomgen::shape::detail {
 
-/// A Material and how many metres of surface its texture covers (0: it has none).
+/// A Material, how many metres of surface its texture covers (0: it has none), and what of.
 struct Painted {
   Material material;
   double extent = 0.0;
+  Pattern pattern = Pattern::none;
+  Rgb first = {}, second = {};
+  std::optional<PicturePart> picture;
 };
 
-/// Collects the materials of a program; those that look the same share one image.
+/// Collects the materials of a program. Textures are painted at last, and only where they show;
+/// those that look the same are one image.
 class Surfaces {
  public:
   explicit Surfaces(const Program& program);
@@ -30,10 +36,12 @@ class Surfaces {
   int picture(const PicturePart& picture, int frame);
 
   const std::vector<Painted>& all() const { return painted_; }
+  /// The materials, painted.
+  std::vector<Material> paint(const std::vector<bool>& used);
 
  private:
-  Painted painted(const Surface& surface);
   int add(Painted painted);
+  std::shared_ptr<const Image> texture(const Painted& painted);
 
   std::vector<Painted> painted_;
   std::vector<std::pair<std::string, int>> names_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <set>
 #include <string>
 #include <string_view>
@@ -30,8 +31,9 @@ struct ShapeKind {
 /// The kinds of data/shapes/kinds and the recipes of data/shapes.
 class ShapeKinds {
  public:
+  /// Recipes are texts that live as long as the kinds; each is parsed when it is first asked for.
   static Result<ShapeKinds> read(const std::vector<std::pair<std::string, Json>>& kind_files,
-                                 std::map<std::string, Json, std::less<>> recipes);
+                                 const std::map<std::string, std::string_view>& recipes);
   /// Those that are compiled in.
   static const Result<ShapeKinds>& built_in();
 
@@ -47,6 +49,7 @@ class ShapeKinds {
   std::size_t match(const std::vector<std::string>& words, std::size_t from,
                     const ShapeKind** kind) const;
 
+  /// Null if there is none, or if it is no JSON. May be called by several threads.
   const Json* recipe(std::string_view name) const;
   /// For shape::instantiate().
   shape::RecipeSource recipes() const;
@@ -56,7 +59,8 @@ class ShapeKinds {
  private:
   std::map<std::string, ShapeKind, std::less<>> kinds_;
   std::map<std::string, std::string, std::less<>> names_;  ///< any spelling to a kind
-  std::map<std::string, Json, std::less<>> recipes_;
+  class Recipes;
+  std::shared_ptr<Recipes> recipes_;
 };
 
 }  // namespace roomgen::create

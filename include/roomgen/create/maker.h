@@ -48,6 +48,8 @@ class Maker {
   virtual Result<Verdict> classify(const std::string& prompt) = 0;
   /// The objects that a sentence names, each with its parts.
   virtual Result<std::vector<Description>> decompose(const std::string& prompt) = 0;
+  /// Does generate() look at the examples? They take time to make.
+  virtual bool wants_examples() const { return true; }
   /// A program; it need not be sound yet.
   virtual Result<shape::Program> generate(const MakeRequest& request) = 0;
   /// Variant::direct: triangles instead of a program, one body for each part, not always closed.

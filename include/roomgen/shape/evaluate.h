@@ -25,18 +25,23 @@ struct Body {
 
 struct Shape {
   std::vector<Body> bodies;
-  std::vector<Material> materials;  ///< the program's, in order, then those that pictures need
+  /// The program's, in order, then those that pictures need. What no body has is not painted.
+  std::vector<Material> materials;
 };
+
+/// Textures take longer to paint than meshes to make; who only measures leaves them out.
+enum class Paint { textures, plain_colors };
 
 /// Meshes of a program. Copies are bodies of their own unless joined; joined ones are one body for
 /// each material. `tolerance` bounds, in metres, how far chords may be from round surfaces. An
 /// error names the component.
-Result<Shape> evaluate(const Program& program, double tolerance = default_tolerance);
+Result<Shape> evaluate(const Program& program, double tolerance = default_tolerance,
+                       Paint paint = Paint::textures);
 
 /// With the tolerance doubled up to six times until there are no more than `triangles`; if there
 /// still are, the coarsest.
 Result<Shape> evaluate_within(const Program& program, std::size_t triangles = default_triangles,
-                              double tolerance = default_tolerance);
+                              double tolerance = default_tolerance, Paint paint = Paint::textures);
 
 Bounds3 bounds(const Shape& shape);
 std::size_t triangle_count(const Shape& shape);
