@@ -1,0 +1,96 @@
+#include "roomgen/create/kinds.h"
+
+#include "catch.h"
+#include "roomgen/create/create.h"
+#include "roomgen/create/created_library.h"
+#include "roomgen/create/rule_maker.h"
+#include "roomgen/library/vocabulary.h"
+
+using namespace roomgen;
+using namespace roomgen::create;
+
+TEST_CASE("Every kind is made in its usual, least and largest size") {
+  const auto& kinds = ShapeKinds::built_in();
+  REQUIRE(kinds);
+  CHECK(kinds->all().size() >= 150);
+  for (const auto& [name, kind] : kinds->all()) {
+    const Json* recipe = kinds->recipe(kind.recipe);
+    REQUIRE(recipe);
+    const auto parameters = shape::describe_parameters(*recipe, kind.recipe);
+    INFO(name);
+    REQUIRE(parameters);
+    for (const Vec3& size : {kind.size, kind.least, kind.most}) {
+      shape::Values values = kind.set;
+      values["width"] = size.x(), values["depth"] = size.y(), values["height"] = size.z();
+      const auto program =
+          shape::instantiate(*recipe, shape::clamped(*parameters, values), 3, kinds->recipes());
+      if (!program) FAIL_CHECK(program.error().message);
+    }
+  }
+}
+
+TEST_CASE("What kinds set are parameters of their recipes") {
+  const auto& kinds = ShapeKinds::built_in();
+  REQUIRE(kinds);
+  for (const auto& [name, kind] : kinds->all()) {
+    INFO(name);
+    const auto parameters = shape::describe_parameters(*kinds->recipe(kind.recipe));
+    REQUIRE(parameters);
+    const auto known = [&](const std::string& parameter) {
+      return std::any_of(parameters->begin(), parameters->end(),
+                         [&](const auto& one) { return one.name == parameter; });
+    };
+    for (const auto& [parameter, value] : kind.set) {
+      INFO(parameter);
+      CHECK(known(parameter));
+    }
+    for (const auto& [parameter, choices] : kind.vary) {
+      INFO(parameter);
+      CHECK(known(parameter));
+    }
+    if (!kind.main.empty()) CHECK(known(kind.main));
+    CHECK((kind.least.array() <= kind.size.array() + 1e-9).all());
+    CHECK((kind.size.array() <= kind.most.array() + 1e-9).all());
+  }
+}
+
+TEST_CASE("Equal words and seeds make equal programs, other seeds other ones") {
+  const auto maker = make_rule_maker();
+  int different = 0;
+  for (const char* prompt : {"a nightstand", "an oak chair", "a floor lamp", "a bookshelf"}) {
+    CreateOptions options;
+    options.seed = 5;
+    const auto first = create::create(prompt, *maker, options),
+               again = create::create(prompt, *maker, options);
+    REQUIRE(first);
+    REQUIRE(again);
+    const auto text = [](const Creation& creation) {
+      return dump_json(shape::write_program(creation.objects.at(0).program));
+    };
+    CHECK(text(*first) == text(*again));
+    options.seed = 6;
+    different += text(*first) != text(*create::create(prompt, *maker, options));
+  }
+  CHECK(different == 4);
+}
+
+TEST_CASE("The library builds what it is asked for in exactly the wanted size") {
+  const auto library = make_created_library();
+  for (const char* category : {"nightstand", "mirror", "bookshelf", "floor lamp", "rug"}) {
+    INFO(category);
+    AssetQuery query;
+    query.category = category;
+    query.description = std::string("a white ") + category;
+    const auto matches = library->search(query);
+    REQUIRE(matches);
+    REQUIRE(matches->size() == 1);
+    const AssetInfo& info = matches->front().asset;
+    const auto model = library->load(info.ref);
+    REQUIRE(model);
+    CHECK((bounds(**model).size() - info.size).norm() < 1e-4);
+    CHECK(std::abs(bounds(**model).low.z()) < 1e-4);
+  }
+  AssetQuery unknown;
+  unknown.category = "frobnicator";
+  CHECK(library->search(unknown)->empty());
+}
