@@ -62,14 +62,13 @@ Mount read_mount(const JsonReader& json) {
 }
 
 Kind read_kind(const std::string& name, const JsonReader& json) {
-  json.allow_only({"is", "names", "usual", "substitutes", "mount", "also", "supports", "standin"});
+  json.allow_only({"is", "names", "usual", "substitutes", "mount", "also", "supports"});
   Kind kind;
   kind.name = name;
   kind.parent = json["is"].text_or("");
   kind.names = read_texts(json["names"]);
   kind.usual = json["usual"].boolean_or(false);
   kind.supports = json["supports"].boolean_or(false);
-  kind.standin = json["standin"].text_or("");
   if (json["substitutes"].exists())
     for (const auto& [other, fit] : json["substitutes"].members())
       kind.substitutes[other] = fit.number(0.01, 0.99);
@@ -87,7 +86,6 @@ void inherit(std::map<std::string, Kind, std::less<>>& kinds, Kind& kind) {
       kind.mount = ancestor->second.mount;
       if (kind.also.empty()) kind.also = ancestor->second.also;
     }
-    if (kind.standin.empty()) kind.standin = ancestor->second.standin;
     kind.supports = kind.supports || ancestor->second.supports;
     ancestor = kinds.find(ancestor->second.parent);
   }

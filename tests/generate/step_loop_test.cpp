@@ -1,6 +1,6 @@
 #include "catch.h"
+#include "roomgen/create/created_library.h"
 #include "roomgen/generate/generate.h"
-#include "roomgen/library/standins.h"
 #include "support/contains.h"
 #include "support/rooms.h"
 
@@ -61,7 +61,7 @@ Room room_with_door(double width, double depth) {
 }
 
 Generation furnish(const Plan& plan, Recorder& designer, GenerateOptions options = {}) {
-  const auto library = make_standins();
+  const auto library = create::make_created_library();
   auto generation = generate(plan, designer, *library, CategoryTable::built_in(), options);
   REQUIRE(generation);
   return *std::move(generation);

@@ -1,7 +1,6 @@
 #include "roomgen/library/first_of.h"
 
 #include "catch.h"
-#include "roomgen/library/standins.h"
 
 using namespace roomgen;
 
@@ -10,12 +9,13 @@ namespace {
 /// Knows one category and one asset.
 class OneThing final : public AssetLibrary {
  public:
-  explicit OneThing(std::string category) : category_(std::move(category)) {}
+  OneThing(std::string category, std::string library)
+      : category_(std::move(category)), library_(std::move(library)) {}
   Result<std::vector<AssetMatch>> search(const AssetQuery& query) const override {
     std::vector<AssetMatch> matches;
     if (query.category != category_) return matches;
     matches.emplace_back();
-    matches.back().asset.ref.library = "one";
+    matches.back().asset.ref.library = library_;
     matches.back().asset.ref.id = category_;
     return matches;
   }
@@ -25,26 +25,28 @@ class OneThing final : public AssetLibrary {
   }
 
  private:
-  std::string category_;
+  std::string category_, library_;
 };
 
 }  // namespace
 
 TEST_CASE("The first library that has something answers") {
   const auto library =
-      make_first_of({std::make_shared<OneThing>("table"), std::shared_ptr(make_standins())});
+      make_first_of({std::make_shared<OneThing>("table", "one"),
+                     std::make_shared<OneThing>("mirror", "two"),
+                     std::make_shared<OneThing>("table", "three")});
   const auto real = library->search({.category = "table"});
   REQUIRE(real);
   CHECK(real->front().asset.ref.library == "one");
   const auto built = library->search({.category = "mirror"});
   REQUIRE(built);
-  CHECK(built->front().asset.ref.procedural);
+  CHECK(built->front().asset.ref.library == "two");
   CHECK(library->load(real->front().asset.ref));
   CHECK(library->load(built->front().asset.ref));
 }
 
 TEST_CASE("What no library knows is nothing, and cannot be loaded") {
-  const auto library = make_first_of({std::make_shared<OneThing>("table")});
+  const auto library = make_first_of({std::make_shared<OneThing>("table", "one")});
   const auto matches = library->search({.category = "sofa"});
   REQUIRE(matches);
   CHECK(matches->empty());

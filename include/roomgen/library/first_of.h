@@ -8,7 +8,8 @@
 namespace roomgen {
 
 /// Several libraries as one: a search asks them in order and takes the answers of the first that
-/// has any, so that a catalogue of real furniture goes before stand-ins. A failing search is an
+/// has any, so that a catalogue of real furniture goes before one that
+/// builds what is asked for. A failing search is an
 /// error; load() asks the libraries in order until one knows the asset.
 std::unique_ptr<AssetLibrary> make_first_of(
     std::vector<std::shared_ptr<const AssetLibrary>> libraries);

@@ -21,7 +21,6 @@ struct Kind {
   bool supports = false;                      ///< its top carries things
   std::optional<Mount> mount;
   std::vector<Mount> also;  ///< other ways to put it (a television on the wall)
-  std::string standin;      ///< recipe that builds one in place of a mesh; empty: none
 };
 
 /// How a phrase was understood. A phrase whose ending is a known kind but whose other words are
