@@ -17,6 +17,7 @@ namespace roomgen::create {
 namespace {
 
 constexpr double coarse = 0.01;
+constexpr const char* axes[] = {"width", "depth", "height"};
 const Vec3 usual_size(0.5, 0.5, 0.8);
 
 // Surfaces that the recipe paints with this colour parameter.
@@ -86,11 +87,25 @@ class RuleMaker final : public Maker {
     const Json& recipe = *found;
     const auto parameters = shape::describe_parameters(recipe, kind.recipe);
     if (!parameters) return parameters.error();
-    const Settings settings = choose_settings(description, kind, *parameters, words, request.seed);
+    Settings settings = choose_settings(description, kind, *parameters, words, request.seed);
     notes_.insert(notes_.end(), settings.notes.begin(), settings.notes.end());
-    auto program =
-        shape::instantiate(recipe, settings.values, request.seed, kinds.recipes(), kind.recipe);
+    const auto make = [&] {
+      return shape::instantiate(recipe, settings.values, request.seed, kinds.recipes(),
+                                kind.recipe);
+    };
+    auto program = make();
+    // At the ends of their ranges parameters may not go together: then the usual ones, which do.
+    if (!program || !shape::evaluate(*program, coarse)) {
+      notes_.push_back("a " + kind.name + " of these proportions cannot be made: it has the usual ones");
+      settings.values = kind.set;
+      for (int axis = 0; axis < 3; ++axis) settings.values[axes[axis]] = kind.size[axis];
+      settings.values = shape::clamped(*parameters, settings.values);
+      program = make();
+    }
     if (!program) return program;
+    for (const auto& part : description.parts)
+      if (auto better = with_count(part, *parameters, *program, settings.values, make))
+        program = *std::move(better);
     program->name = description.noun;
     program->about = description.prompt;
     if (description.approximate)
@@ -100,6 +115,30 @@ class RuleMaker final : public Maker {
                      description.color, words);
     finish(*program, description, settings.unmet);
     return program;
+  }
+
+  // A way of building the part that allows the number that was asked for, when the seed or the style
+  // chose one that does not: six legs are no trestle.
+  template <typename Make>
+  static std::optional<shape::Program> with_count(const PartWish& part,
+                                                  const std::vector<shape::Parameter>& parameters,
+                                                  const shape::Program& program,
+                                                  shape::Values& values, Make make) {
+    if (part.label.empty() || !part.count || !part.construction.empty() || *part.count == 0)
+      return std::nullopt;
+    const auto style = std::find_if(parameters.begin(), parameters.end(), [&](const auto& parameter) {
+      return parameter.name == part.label + "_style";
+    });
+    if (style == parameters.end() || count_parts(program, part.label) == *part.count)
+      return std::nullopt;
+    const shape::Values before = values;
+    for (const auto& choice : style->choices) {
+      values[style->name] = choice;
+      auto other = make();
+      if (other && count_parts(*other, part.label) == *part.count) return *std::move(other);
+    }
+    values = before;
+    return std::nullopt;
   }
 
   // What no parameter could say, part by part.

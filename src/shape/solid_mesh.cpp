@@ -60,6 +60,8 @@ Result<Mesh> picture_mesh(const PicturePart& part, double tolerance) {
   return result;
 }
 
+constexpr double finest_retry = 0.0005;  // metres
+
 struct Maker {
   double tolerance;
 
@@ -86,7 +88,12 @@ struct Maker {
 }  // namespace
 
 Result<Mesh> solid_mesh(const Solid& solid, double tolerance) {
-  return std::visit(Maker{tolerance}, solid);
+  while (true) {
+    auto made = std::visit(Maker{tolerance}, solid);
+    // Coarse chords of a thin wall cross each other: then it is made as finely as it needs.
+    if (made || tolerance <= finest_retry) return made;
+    tolerance = std::max(finest_retry, 0.25 * tolerance);
+  }
 }
 
 }  // namespace roomgen::shape::detail
