@@ -54,7 +54,9 @@ struct Assembly::Memory {
   std::uint64_t next_id = 1, work = 0;
   ByPair<bool> touching, pointed;
   ByPair<NearestPoints> nearest;
+  shape::MeshMemory meshes;
 
+  shape::EvaluateOptions coarse() const { return {tolerance, false, &meshes}; }
   Part part(shape::Body body) {
     work += body.mesh.triangles.size() * 2;
     const Bounds3 box = bounds(body.mesh);
@@ -87,13 +89,13 @@ bool starts_with(const ComponentPath& path, const ComponentPath& prefix) {
 }
 
 Result<Assembly> Assembly::make(const shape::Program& program, double contact) {
-  auto shape = shape::evaluate_within(program, enough_triangles, tolerance,
-                                      shape::Paint::plain_colors);
+  auto memory = std::make_shared<Memory>();
+  auto shape = shape::evaluate_within(program, enough_triangles, memory->coarse());
   if (!shape) return shape.error();
   Assembly assembly;
   assembly.program_ = program;
   assembly.contact_ = contact;
-  assembly.memory_ = std::make_shared<Memory>();
+  assembly.memory_ = std::move(memory);
   for (auto& body : shape->bodies)
     if (!body.mesh.triangles.empty())
       assembly.parts_.push_back(assembly.memory_->part(std::move(body)));
@@ -105,8 +107,7 @@ Result<Assembly> Assembly::make(const shape::Program& program, double contact) {
 bool Assembly::replace(std::size_t top, const shape::Component& component) {
   shape::Program alone;
   alone.components = {component};
-  auto shape = shape::evaluate_within(alone, enough_triangles, tolerance,
-                                      shape::Paint::plain_colors);
+  auto shape = shape::evaluate_within(alone, enough_triangles, memory_->coarse());
   memory_->work += 100;
   if (!shape) return false;
   const auto first = std::find_if(parts_.begin(), parts_.end(),
@@ -122,6 +123,10 @@ bool Assembly::replace(std::size_t top, const shape::Component& component) {
   }
   program_.components[top] = component;
   return true;
+}
+
+const shape::MeshMemory& Assembly::meshes() const {
+  return memory_->meshes;
 }
 
 bool Assembly::touch(std::size_t a, std::size_t b) const {

@@ -54,6 +54,8 @@ class Assembly {
   /// Parts that touch each part.
   std::vector<std::vector<std::size_t>> contacts() const;
 
+  /// Of its components, and of those that were tried.
+  const shape::MeshMemory& meshes() const;
   /// How much was computed so far by this assembly and its copies, in triangles or so.
   std::uint64_t work() const;
 

@@ -20,7 +20,7 @@ Eigen::Matrix3d rotation(const shape::Component& component) {
 }
 
 // Of the component before scale, rotation and move.
-Bounds3 own_box(shape::Component component) {
+Bounds3 own_box(shape::Component component, const shape::MeshMemory& meshes) {
   component.scale = Vec3::Ones();
   component.rotate = component.at = Vec3::Zero();
   std::erase_if(component.operations, [](const shape::Operation& operation) {
@@ -28,12 +28,14 @@ Bounds3 own_box(shape::Component component) {
   });
   shape::Program alone;
   alone.components = {std::move(component)};
-  const auto shape = shape::evaluate(alone, 0.01, shape::Paint::plain_colors);
+  const auto shape = shape::evaluate(alone, {.tolerance = 0.01, .paint = false, .memory = &meshes});
   return shape ? shape::bounds(*shape) : Bounds3{};
 }
 
-bool stretch(shape::Component& component, int axis, double anchor, double amount) {
-  const Bounds3 box = own_box(component);
+bool stretch(shape::Component& component, const Handle& handle, double amount,
+             const shape::MeshMemory& meshes) {
+  const int axis = handle.axis;
+  const Bounds3 box = own_box(component, meshes);
   if (box.empty()) return false;
   const double length = box.size()[axis] * std::abs(component.scale[axis]);
   if (length < 1e-4) return false;
@@ -41,7 +43,7 @@ bool stretch(shape::Component& component, int axis, double anchor, double amount
   const double scale = component.scale[axis] * factor;
   if (!(factor >= least_factor && factor <= greatest_factor) || std::abs(scale) > greatest_scale)
     return false;
-  const double fixed = box.low[axis] + anchor * box.size()[axis];
+  const double fixed = box.low[axis] + handle.anchor * box.size()[axis];
   Vec3 shift = Vec3::Zero();
   shift[axis] = (component.scale[axis] - scale) * fixed;
   component.at += rotation(component) * shift;
@@ -132,7 +134,7 @@ bool pull(Assembly& assembly, const Handle& handle, const Eigen::VectorXd& amoun
       component.at += amounts;
       break;
     case Handle::Kind::stretch:
-      changed = stretch(component, handle.axis, handle.anchor, amounts[0]);
+      changed = stretch(component, handle, amounts[0], assembly.meshes());
       break;
     case Handle::Kind::path_end:
       changed = pull_path(component, handle.first, amounts);

@@ -116,7 +116,7 @@ Result<Reading<shape::Program>> read_program_reply(const std::string& text,
   repair_program(loose->json, reading.repairs);
   auto program = shape::instantiate(loose->json, {}, seed, nullptr, "the program");
   if (!program) return program.error();
-  const auto shape = shape::evaluate(*program, trial_tolerance, shape::Paint::plain_colors);
+  const auto shape = shape::evaluate(*program, {.tolerance = trial_tolerance, .paint = false});
   if (!shape) return with_context(shape.error(), "the program");
   if (auto status = check_extent(*shape); !status) return status.error();
   reading.complaint = complaint_about(*program, *shape, wanted);

@@ -143,7 +143,7 @@ void enlarge(shape::Program& program, const Vec3& factors) {
 }
 
 bool attach_part(shape::Program& program, const Clause& clause) {
-  const auto shape = shape::evaluate(program, coarse, shape::Paint::plain_colors);
+  const auto shape = shape::evaluate(program, {.tolerance = coarse, .paint = false});
   if (!shape || shape->bodies.empty()) return false;
   PartWish wish;
   wish.label = clause.label;

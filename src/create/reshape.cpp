@@ -221,7 +221,7 @@ void lean(shape::Program& program, const std::string& label, double angle) {
     alone.materials = program.materials;
     alone.components = {component};
     alone.components[0].operations.clear();
-    const auto shape = shape::evaluate(alone, coarse, shape::Paint::plain_colors);
+    const auto shape = shape::evaluate(alone, {.tolerance = coarse, .paint = false});
     if (!shape || component.at.head<2>().norm() < 1e-4) return true;
     const Bounds3 box = bounds(*shape);
     const Vec3 top(component.at.x(), component.at.y(), box.high.z());

@@ -182,7 +182,7 @@ class RuleMaker final : public Maker {
   }
 
   bool add_part(shape::Program& program, const PartWish& part) {
-    const auto shape = shape::evaluate(program, coarse, shape::Paint::plain_colors);
+    const auto shape = shape::evaluate(program, {.tolerance = coarse, .paint = false});
     if (!shape || shape->bodies.empty()) return false;
     // Things stand on the seat or top if there is one, else on the whole.
     Bounds3 carrier;

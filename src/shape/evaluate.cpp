@@ -1,6 +1,8 @@
 #include "roomgen/shape/evaluate.h"
 
 #include <algorithm>
+#include <cmath>
+#include <type_traits>
 
 #include "placing.h"
 #include "roomgen/shape/primitives.h"
@@ -14,6 +16,7 @@ namespace {
 using namespace detail;
 
 constexpr int max_coarser = 6;
+constexpr std::size_t most_remembered = 256;
 
 // What a component takes from the groups around it.
 struct Around {
@@ -36,9 +39,54 @@ std::size_t times(const Operation& operation) {
   return 1;
 }
 
+bool same(const Solid& a, const Solid& b) {
+  if (a.index() != b.index()) return false;
+  return std::visit(
+      [&]<typename T>(const T& solid) {
+        if constexpr (std::is_same_v<T, Group>)
+          return false;
+        else
+          return solid == std::get<T>(b);
+      },
+      a);
+}
+
+}  // namespace
+
+struct MeshMemory::Impl {
+  struct Entry {
+    Solid solid;
+    std::vector<Cut> cuts;
+    double tolerance = 0.0;
+    Mesh mesh;
+  };
+
+  const Mesh* find(const Solid& solid, const std::vector<Cut>& cuts, double tolerance) const {
+    for (const auto& entry : entries_)
+      if (entry.tolerance == tolerance && entry.cuts == cuts && same(entry.solid, solid))
+        return &entry.mesh;
+    return nullptr;
+  }
+
+  void keep(Entry entry) {
+    if (entries_.size() < most_remembered) return entries_.push_back(std::move(entry));
+    entries_[oldest_] = std::move(entry);
+    oldest_ = (oldest_ + 1) % most_remembered;
+  }
+
+ private:
+  std::vector<Entry> entries_;
+  std::size_t oldest_ = 0;
+};
+
+MeshMemory::MeshMemory() : impl_(std::make_shared<Impl>()) {}
+
+namespace {
+
 class Evaluator {
  public:
-  explicit Evaluator(const Program& program) : surfaces_(program) {}
+  Evaluator(const Program& program, const MeshMemory* memory)
+      : surfaces_(program), memory_(memory) {}
 
   Result<std::vector<Body>> all(const std::vector<Component>& components, const Around& around) {
     std::vector<Body> result;
@@ -68,7 +116,8 @@ class Evaluator {
   Result<std::vector<Body>> one(const Component& component, Around around) {
     if (!component.label.empty()) around.label = component.label;
     if (!component.material.empty()) around.material = component.material;
-    const double grows = component.scale.cwiseAbs().maxCoeff();
+    double grows = component.scale.cwiseAbs().maxCoeff();
+    if (memory_) grows = std::exp2(0.5 * std::round(2.0 * std::log2(std::max(grows, 1e-6))));
     around.tolerance = std::clamp(around.tolerance / std::max(grows, 1e-6), 1e-5, 1.0);
     auto bodies = own_frame(component, around);
     if (!bodies) return bodies;
@@ -85,34 +134,58 @@ class Evaluator {
   }
 
   Result<std::vector<Body>> own_frame(const Component& component, const Around& around) {
-    auto bodies = solid(component, around);
-    if (!bodies) return bodies;
-    for (const auto& operation : component.operations) {
-      const auto* plane = std::get_if<Cut>(&operation);
-      if (!plane) continue;
-      for (auto& body : *bodies) {
-        auto rest = cut(body.mesh, plane->point, plane->normal);
-        if (!rest) return with_context(rest.error(), "component \"" + around.path + "\": cut");
-        body.mesh = *std::move(rest);
-      }
-      std::erase_if(*bodies, [](const Body& body) { return body.mesh.triangles.empty(); });
+    const std::vector<Cut> cuts = cuts_of(component);
+    const auto* group = std::get_if<Group>(&component.solid);
+    if (!group) {
+      auto mesh = own_mesh(component.solid, cuts, around);
+      if (!mesh) return mesh.error();
+      if (!cuts.empty() && mesh->triangles.empty()) return std::vector<Body>();
+      return std::vector<Body>{body(component, around, *std::move(mesh))};
     }
+    auto bodies = all(group->components, around);
+    if (!bodies || cuts.empty()) return bodies;
+    for (auto& one : *bodies)
+      if (auto status = cut_off(one.mesh, cuts, around); !status) return status.error();
+    std::erase_if(*bodies, [](const Body& one) { return one.mesh.triangles.empty(); });
     return bodies;
   }
 
-  Result<std::vector<Body>> solid(const Component& component, const Around& around) {
-    if (const auto* group = std::get_if<Group>(&component.solid))
-      return all(group->components, around);
-    auto made = solid_mesh(component.solid, around.tolerance);
+  static std::vector<Cut> cuts_of(const Component& component) {
+    std::vector<Cut> cuts;
+    for (const auto& operation : component.operations)
+      if (const auto* plane = std::get_if<Cut>(&operation)) cuts.push_back(*plane);
+    return cuts;
+  }
+
+  static Status cut_off(Mesh& mesh, const std::vector<Cut>& cuts, const Around& around) {
+    for (const auto& plane : cuts) {
+      if (mesh.triangles.empty()) break;
+      auto rest = cut(mesh, plane.point, plane.normal);
+      if (!rest) return with_context(rest.error(), "component \"" + around.path + "\": cut");
+      mesh = *std::move(rest);
+    }
+    return {};
+  }
+
+  Result<Mesh> own_mesh(const Solid& solid, const std::vector<Cut>& cuts, const Around& around) {
+    if (memory_)
+      if (const Mesh* known = memory_->impl().find(solid, cuts, around.tolerance)) return *known;
+    auto made = solid_mesh(solid, around.tolerance);
     if (!made) return with_context(made.error(), "component \"" + around.path + "\"");
-    Body body;
-    body.label = around.label.empty() ? component.name : around.label;
-    body.mesh = *std::move(made);
-    body.material = surfaces_.find(around.material);
+    if (auto status = cut_off(*made, cuts, around); !status) return status.error();
+    if (memory_) memory_->impl().keep({solid, cuts, around.tolerance, *made});
+    return made;
+  }
+
+  Body body(const Component& component, const Around& around, Mesh mesh) {
+    Body result;
+    result.label = around.label.empty() ? component.name : around.label;
+    result.mesh = std::move(mesh);
+    result.material = surfaces_.find(around.material);
     if (const auto* picture = std::get_if<PicturePart>(&component.solid))
-      body.material = surfaces_.picture(*picture, body.material);
-    body.source = around.source;
-    return std::vector<Body>{std::move(body)};
+      result.material = surfaces_.picture(*picture, result.material);
+    result.source = around.source;
+    return result;
   }
 
   static std::vector<Body> named(const Component& component, Copies copies) {
@@ -129,6 +202,7 @@ class Evaluator {
   }
 
   Surfaces surfaces_;
+  const MeshMemory* memory_;
 };
 
 // With materials that are not painted yet.
@@ -137,13 +211,13 @@ struct Unpainted {
   Surfaces surfaces;
 };
 
-Result<Unpainted> meshes(const Program& program, double tolerance) {
+Result<Unpainted> meshes(const Program& program, double tolerance, const MeshMemory* memory) {
   if (!(tolerance >= 1e-5 && tolerance <= 1.0))
     return Error{Error::Kind::invalid_input, "the tolerance must be from 0.00001 to 1 m"};
   if (component_count(program.components) > max_components)
     return Error{Error::Kind::limit,
                  "more than " + std::to_string(max_components) + " components, copies counted"};
-  Evaluator evaluator(program);
+  Evaluator evaluator(program, memory);
   Around around;
   around.tolerance = tolerance;
   auto bodies = evaluator.all(program.components, around);
@@ -152,12 +226,12 @@ Result<Unpainted> meshes(const Program& program, double tolerance) {
   return Unpainted{*std::move(bodies), std::move(evaluator.surfaces())};
 }
 
-Shape painted(Unpainted made, Paint paint) {
+Shape painted(Unpainted made, bool paint) {
   const auto& all = made.surfaces.all();
   std::vector<bool> used(all.size(), false);
   for (auto& body : made.bodies) {
     const auto material = static_cast<std::size_t>(body.material);
-    used[material] = paint == Paint::textures;
+    used[material] = paint;
     const double extent = all[material].extent;
     if (extent > 0.0)
       for (auto& uv : body.mesh.uvs) uv /= static_cast<float>(extent);
@@ -167,24 +241,33 @@ Shape painted(Unpainted made, Paint paint) {
 
 }  // namespace
 
-Result<Shape> evaluate(const Program& program, double tolerance, Paint paint) {
-  auto made = meshes(program, tolerance);
-  if (!made) return made.error();
-  return painted(*std::move(made), paint);
+Result<Shape> evaluate(const Program& program, double tolerance) {
+  return evaluate(program, EvaluateOptions{.tolerance = tolerance});
 }
 
-Result<Shape> evaluate_within(const Program& program, std::size_t triangles, double tolerance,
-                              Paint paint) {
-  auto made = meshes(program, tolerance);
+Result<Shape> evaluate(const Program& program, const EvaluateOptions& options) {
+  auto made = meshes(program, options.tolerance, options.memory);
+  if (!made) return made.error();
+  return painted(*std::move(made), options.paint);
+}
+
+Result<Shape> evaluate_within(const Program& program, std::size_t triangles, double tolerance) {
+  return evaluate_within(program, triangles, EvaluateOptions{.tolerance = tolerance});
+}
+
+Result<Shape> evaluate_within(const Program& program, std::size_t triangles,
+                              const EvaluateOptions& options) {
+  double tolerance = options.tolerance;
+  auto made = meshes(program, tolerance, options.memory);
   for (int k = 0; k < max_coarser; ++k) {
     const bool fits = made && triangles_in(made->bodies) <= triangles;
     const bool hopeless = !made && made.error().kind != Error::Kind::limit;
     if (fits || hopeless) break;
     tolerance *= 2;
-    made = meshes(program, tolerance);
+    made = meshes(program, tolerance, options.memory);
   }
   if (!made) return made.error();
-  return painted(*std::move(made), paint);
+  return painted(*std::move(made), options.paint);
 }
 
 Bounds3 bounds(const Shape& shape) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -29,19 +30,39 @@ struct Shape {
   std::vector<Material> materials;
 };
 
-/// Textures take longer to paint than meshes to make; who only measures leaves them out.
-enum class Paint { textures, plain_colors };
+/// Remembers meshes of single components, for who evaluates programs that differ little again and
+/// again. Not for two threads at once.
+class MeshMemory {
+ public:
+  MeshMemory();
+  struct Impl;
+  Impl& impl() const { return *impl_; }
+
+ private:
+  std::shared_ptr<Impl> impl_;
+};
+
+struct EvaluateOptions {
+  double tolerance = default_tolerance;  ///< of chords of round surfaces, metres
+  /// Textures take longer to paint than meshes to make; who only measures leaves them out.
+  bool paint = true;
+  /// With it the chords of scaled components are up to a fifth further off than they may be, so
+  /// that components scaled a little more or less have the same mesh.
+  const MeshMemory* memory = nullptr;
+};
 
 /// Meshes of a program. Copies are bodies of their own unless joined; joined ones are one body for
 /// each material. `tolerance` bounds, in metres, how far chords may be from round surfaces. An
 /// error names the component.
-Result<Shape> evaluate(const Program& program, double tolerance = default_tolerance,
-                       Paint paint = Paint::textures);
+Result<Shape> evaluate(const Program& program, double tolerance = default_tolerance);
+Result<Shape> evaluate(const Program& program, const EvaluateOptions& options);
 
 /// With the tolerance doubled up to six times until there are no more than `triangles`; if there
 /// still are, the coarsest.
 Result<Shape> evaluate_within(const Program& program, std::size_t triangles = default_triangles,
-                              double tolerance = default_tolerance, Paint paint = Paint::textures);
+                              double tolerance = default_tolerance);
+Result<Shape> evaluate_within(const Program& program, std::size_t triangles,
+                              const EvaluateOptions& options);
 
 Bounds3 bounds(const Shape& shape);
 std::size_t triangle_count(const Shape& shape);

@@ -25,16 +25,22 @@ namespace roomgen::shape {
 struct Box {
   Vec3 size = Vec3::Ones();
   double bevel = 0.0;
+
+  bool operator==(const Box&) const = default;
 };
 
 /// A cylinder, cone (one radius 0) or frustum; `bevel` rounds the rims.
 struct Frustum {
   double bottom_radius = 0.5, top_radius = 0.5, height = 1.0;
   double bevel = 0.0;
+
+  bool operator==(const Frustum&) const = default;
 };
 
 struct Ellipsoid {
   Vec3 size = Vec3::Ones();
+
+  bool operator==(const Ellipsoid&) const = default;
 };
 
 /// A regular prism or pyramid with flat sides; the first side faces the front (-Y). Radii reach the
@@ -42,12 +48,16 @@ struct Ellipsoid {
 struct Prism {
   int sides = 6;
   double bottom_radius = 0.5, top_radius = 0.5, height = 1.0;
+
+  bool operator==(const Prism&) const = default;
 };
 
 /// A thin slab, closed like everything else.
 struct Plane {
   Vec2 size = Vec2::Ones();
   double thickness = 0.002;
+
+  bool operator==(const Plane&) const = default;
 };
 
 /// A smooth curve through points: cubic Bezier pieces with automatic handles, as Blender's AUTO; at
@@ -58,6 +68,8 @@ struct Curve {
   std::vector<Point> points;
   std::vector<std::size_t> corners;
   bool closed = false;
+
+  bool operator==(const Curve&) const = default;
 };
 /// Straight pieces no further than `tolerance` from the curve, without the first point at the end
 /// of a closed one; empty when the curve is none (fewer than two different points, three for closed
@@ -81,6 +93,8 @@ Curve<Vec2> rounded(const Vec2& size, double round, double tolerance);
 struct Lathe {
   Curve<Vec2> profile;
   double angle = 2 * pi;
+
+  bool operator==(const Lathe&) const = default;
 };
 
 /// A closed outline carried along a path without rolling (rotation minimizing frames, Wang et al.
@@ -100,6 +114,8 @@ struct Extrusion {
   std::vector<Curve<Vec2>> holes;
   double height = 0.02;
   double bevel = 0.0;
+
+  bool operator==(const Extrusion&) const = default;
 };
 
 /// A skin over two or more closed outlines at growing heights, resampled to equal numbers of points
@@ -128,6 +144,8 @@ struct HeightField {
 struct Leaf {
   double length = 0.2, width = 0.08, thickness = 0.001;
   double bend = 0.0, fold = 0.2, widest = 0.4;
+
+  bool operator==(const Leaf&) const = default;
 };
 
 /// A superellipsoid (Barr 1981): `softness` 1 is an ellipsoid, 0.1, the least, almost a box.
@@ -135,6 +153,8 @@ struct Leaf {
 struct Cushion {
   Vec3 size = Vec3::Ones();
   double softness = 0.4;
+
+  bool operator==(const Cushion&) const = default;
 };
 
 Result<Mesh> mesh(const Box& solid, double tolerance);

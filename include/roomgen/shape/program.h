@@ -23,10 +23,14 @@ inline constexpr double least_length = 0.0002, greatest_length = 20.0;
 /// corners.
 struct Disc {
   double radius = 0.01;
+
+  bool operator==(const Disc&) const = default;
 };
 struct Rectangle {
   Vec2 size = Vec2::Ones();
   double bevel = 0.0;
+
+  bool operator==(const Rectangle&) const = default;
 };
 
 /// A Sweep as it is written.
@@ -34,12 +38,16 @@ struct SweptPart {
   Curve<Vec3> path;
   std::variant<Disc, Rectangle, Curve<Vec2>> section;
   double taper = 1.0, twist = 0.0;  ///< radians
+
+  bool operator==(const SweptPart&) const = default;
 };
 
 /// A level's outline by its size: `round` 0 is a rectangle, 1 an ellipse, superellipses between.
 struct RoundedSize {
   Vec2 size = Vec2::Ones();
   double round = 0.0;
+
+  bool operator==(const RoundedSize&) const = default;
 };
 
 /// A Loft as it is written.
@@ -47,9 +55,13 @@ struct LoftedPart {
   struct Level {
     double z = 0.0;
     std::variant<RoundedSize, Curve<Vec2>> outline;
+
+    bool operator==(const Level&) const = default;
   };
   std::vector<Level> levels;
   bool straight = false;
+
+  bool operator==(const LoftedPart&) const = default;
 };
 
 /// A HeightField whose height is an expression in u and v.
@@ -58,6 +70,8 @@ struct HeightPart {
   std::string height = "0.1";
   int divisions = 24;
   double least = 0.002, most = 5.0;
+
+  bool operator==(const HeightPart&) const = default;
 };
 
 /// A slab upright in the XZ plane, standing on z = 0; its front (-Y) carries a painted picture.
@@ -66,6 +80,8 @@ struct PicturePart {
   double thickness = 0.02;
   std::string theme = "abstract";
   std::uint64_t seed = 0;
+
+  bool operator==(const PicturePart&) const = default;
 };
 
 struct Component;
@@ -81,6 +97,8 @@ using Solid = std::variant<Box, Frustum, Ellipsoid, Prism, Plane, Lathe, SweptPa
 /// before its transform.
 struct Cut {
   Vec3 point = Vec3::Zero(), normal = Vec3::UnitZ();
+
+  bool operator==(const Cut&) const = default;
 };
 /// The rest act in the parent's frame, after the transform, in their order, on all copies so far.
 struct Mirror {
