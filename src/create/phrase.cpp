@@ -18,6 +18,7 @@ using design::Token;
 constexpr std::size_t most_parts = 24;
 constexpr std::size_t most_objects = 8;
 constexpr int most_count = 50;
+constexpr int usual_some = 3;  // of things named in the plural without a number
 
 bool is_one_of(std::string_view word, std::initializer_list<std::string_view> list) {
   return std::find(list.begin(), list.end(), word) != list.end();
@@ -454,7 +455,9 @@ class PhraseReader {
     object.prompt = prompt_;
     object.noun = noun;
     object.kind = kind.name;
-    object.count = std::clamp(pending_.count.value_or(1), 0, most_count);
+    // "cups on it": some of them.
+    const bool some = !objects_.empty() && singular(texts_[at_ - 1]) != texts_[at_ - 1];
+    object.count = std::clamp(pending_.count.value_or(some ? usual_some : 1), 0, most_count);
     object.parts = std::move(early_);
     early_.clear();
     if (measured_) object.size = measured_, measured_.reset();
