@@ -1,6 +1,6 @@
-// Times objects made from words by rules, in-process: the first sentences of a list, several times each. Prints
-// tables in Markdown. Milliseconds are processor time of the one thread that works, so that a busy machine does
-// not change them much.
+// Times objects made from words by rules, in-process: the first sentences of a list, several times
+// each. Prints tables in Markdown. Milliseconds are processor time of the one thread that works, so
+// that a busy machine does not change them much.
 //
 //   bench_create [--count N] [--runs N] [FILE]
 
@@ -100,8 +100,9 @@ void run(const std::string& prompt, Row& row) {
   const auto creation = timed(whole, [&] { return create::create(prompt, maker); });
   if (!creation || creation->objects.empty()) return;
   for (const auto& object : creation->objects)
-    (void)timed(stages.file,
-                [&] { return make_glb(object.program.name, to_model(object.shape), glb_options()); });
+    (void)timed(stages.file, [&] {
+      return make_glb(object.program.name, to_model(object.shape), glb_options());
+    });
   for (const auto& program : maker.programs)
     (void)timed(stages.validation, [&] {
       return create::validate(program, validation_of(creation->objects.front()));
@@ -157,9 +158,12 @@ int main(int argc, char** argv) {
   std::string file = ROOMGEN_BENCH_DATA "/create/prompts.json";
   for (int i = 1; i < argc; ++i) {
     const std::string argument = argv[i];
-    if (argument == "--count" && i + 1 < argc) count = std::strtoul(argv[++i], nullptr, 10);
-    else if (argument == "--runs" && i + 1 < argc) runs = std::atoi(argv[++i]);
-    else file = argument;
+    if (argument == "--count" && i + 1 < argc)
+      count = std::strtoul(argv[++i], nullptr, 10);
+    else if (argument == "--runs" && i + 1 < argc)
+      runs = std::atoi(argv[++i]);
+    else
+      file = argument;
   }
   const auto text = read_file(file, 1u << 24);
   const auto prompts = text ? parse_json(*text, file) : Result<Json>(text.error());
@@ -171,8 +175,9 @@ int main(int argc, char** argv) {
   double first = 0.0;
   auto maker = create::make_rule_maker();
   (void)timed(first, [&] { return create::create("a stool", *maker); });
-  std::printf("The first object of a process, with the kinds and words that are read then: %.1f ms\n\n",
-              first);
+  std::printf(
+      "The first object of a process, with the kinds and words that are read then: %.1f ms\n\n",
+      first);
   std::printf("| sentence | median ms an object | worst ms | triangles | repairs | sound |\n");
   std::printf("|---|---|---|---|---|---|\n");
   Row all;

@@ -137,6 +137,14 @@ std::optional<NearestPoints> nearest_points(const MeshSolid& a, const MeshSolid&
   return found;
 }
 
+bool within(const MeshSolid& a, const MeshSolid& b, double limit) {
+  if (a.mesh().triangles.empty() || b.mesh().triangles.empty()) return false;
+  if (box_distance(a.box(), b.box()) > limit) return false;
+  NearestPoints found;
+  found.distance = limit * (1 + 1e-9) + 1e-12;
+  return a.impl().tree().nearest(b.impl().tree(), found, limit) || inside(a, b) || inside(b, a);
+}
+
 namespace {
 
 constexpr int samples_across = 48;

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace roomgen::detail {
@@ -52,6 +53,29 @@ int crossing(const Corners& t, const Vec3& point) {
   if (beta < 0 || alpha + beta > 1 || v.dot(q) / determinant <= 0) return 0;
   return determinant < 0 ? 1 : -1;
 }
+
+// All of t lies further from the plane of s than the root of `squared`, on one side of it.
+bool beyond_plane(const Corners& s, const Corners& t, double squared) {
+  const Vec3 normal = (s.b - s.a).cross(s.c - s.a);
+  const double a = normal.dot(t.a - s.a), b = normal.dot(t.b - s.a), c = normal.dot(t.c - s.a);
+  const double above = std::min({a, b, c}), below = -std::max({a, b, c});
+  const double least = std::max(above, below);
+  // Slivers have no plane; the margin is for what is lost in rounding.
+  return least > 0.0 && least * least > 1.0001 * squared * normal.squaredNorm() + 1e-24;
+}
+
+/// Boxes still to be looked at; halving keeps them few.
+class Open {
+ public:
+  explicit Open(bool any) : count_(any ? 1 : 0) {}
+  bool empty() const { return count_ == 0; }
+  std::uint32_t take() { return nodes_[--count_]; }
+  void add(std::uint32_t node) { nodes_[count_++] = node; }
+
+ private:
+  std::array<std::uint32_t, 64> nodes_{};
+  std::size_t count_;
+};
 
 }  // namespace
 
@@ -137,8 +161,8 @@ class TriangleTree::Build {
 // Pairs of boxes, the nearer half first; what is not nearer than the best is left out.
 class TriangleTree::Nearest {
  public:
-  Nearest(const TriangleTree& a, const TriangleTree& b, NearestPoints& best)
-      : a_(a), b_(b), best_(best), squared_(best.distance * best.distance) {}
+  Nearest(const TriangleTree& a, const TriangleTree& b, double enough, NearestPoints& best)
+      : a_(a), b_(b), enough_(enough), best_(best), squared_(best.distance * best.distance) {}
 
   bool run() {
     visit(0, 0, squared_distance(a_.nodes_[0].box, b_.nodes_[0].box));
@@ -147,7 +171,7 @@ class TriangleTree::Nearest {
 
  private:
   void visit(std::uint32_t a, std::uint32_t b, double apart) {
-    if (apart >= squared_ || (found_ && best_.distance <= 0.0)) return;
+    if (apart >= squared_ || (found_ && best_.distance <= enough_)) return;
     const Node &first = a_.nodes_[a], &second = b_.nodes_[b];
     if (first.is_leaf() && second.is_leaf()) return compare(first, second);
     const bool halve_first =
@@ -178,6 +202,7 @@ class TriangleTree::Nearest {
       for (std::uint32_t m = second.first; m < second.first + second.count; ++m) {
         const Corners& t = b_.triangles_[m];
         if (squared_distance(box, box_of(t)) >= squared_) continue;
+        if (beyond_plane(s, t, squared_) || beyond_plane(t, s, squared_)) continue;
         Vec3 p, q;
         const double distance =
             fcl::detail::TriangleDistanced::triDistance(s.a, s.b, s.c, t.a, t.b, t.c, p, q);
@@ -185,11 +210,13 @@ class TriangleTree::Nearest {
         best_ = {distance, p, q};
         squared_ = distance * distance;
         found_ = true;
+        if (distance <= enough_) return;
       }
     }
   }
 
   const TriangleTree &a_, &b_;
+  double enough_;
   NearestPoints& best_;
   double squared_;
   bool found_ = false;
@@ -204,22 +231,20 @@ TriangleTree::TriangleTree(const Mesh& mesh) {
   if (!triangles.empty()) Build(*this, std::move(triangles));
 }
 
-bool TriangleTree::nearest(const TriangleTree& other, NearestPoints& nearest) const {
+bool TriangleTree::nearest(const TriangleTree& other, NearestPoints& nearest, double enough) const {
   if (nodes_.empty() || other.nodes_.empty()) return false;
-  return Nearest(*this, other, nearest).run();
+  return Nearest(*this, other, enough, nearest).run();
 }
 
 bool TriangleTree::within(const Vec3& point, double distance) const {
   const double squared = distance * distance;
-  std::vector<std::uint32_t> open;
-  if (!nodes_.empty()) open.push_back(0);
+  Open open(!nodes_.empty());
   while (!open.empty()) {
-    const Node& node = nodes_[open.back()];
-    open.pop_back();
+    const Node& node = nodes_[open.take()];
     if (squared_distance(node.box, point) > squared) continue;
     if (!node.is_leaf()) {
-      open.push_back(node.right);
-      open.push_back(node.left);
+      open.add(node.right);
+      open.add(node.left);
     }
     for (std::uint32_t k = node.first; k < node.first + node.count; ++k)
       if ((closest(triangles_[k], point) - point).squaredNorm() <= squared) return true;
@@ -229,15 +254,13 @@ bool TriangleTree::within(const Vec3& point, double distance) const {
 
 int TriangleTree::winding(const Vec3& point) const {
   int around = 0;
-  std::vector<std::uint32_t> open;
-  if (!nodes_.empty()) open.push_back(0);
+  Open open(!nodes_.empty());
   while (!open.empty()) {
-    const Node& node = nodes_[open.back()];
-    open.pop_back();
+    const Node& node = nodes_[open.take()];
     if (!ray_meets(node.box, point)) continue;
     if (!node.is_leaf()) {
-      open.push_back(node.right);
-      open.push_back(node.left);
+      open.add(node.right);
+      open.add(node.left);
     }
     for (std::uint32_t k = node.first; k < node.first + node.count; ++k)
       around += crossing(triangles_[k], point);

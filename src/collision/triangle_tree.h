@@ -22,9 +22,10 @@ class TriangleTree {
  public:
   explicit TriangleTree(const Mesh& mesh);
 
-  /// Of the surfaces; `distance` stays as it is when they are not nearer than that. The points of
-  /// triangles that meet are points of them, but not always common ones.
-  bool nearest(const TriangleTree& other, NearestPoints& nearest) const;
+  /// Of the surfaces; false, and `nearest` as it was, when they are not nearer than it says. Any
+  /// points as near as `enough` will do. The points of triangles that meet are points of them, but
+  /// not always common ones.
+  bool nearest(const TriangleTree& other, NearestPoints& nearest, double enough = 0.0) const;
   /// Is some triangle so near?
   bool within(const Vec3& point, double distance) const;
   /// Signed crossings of a ray: how many surfaces are around the point.

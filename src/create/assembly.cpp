@@ -135,7 +135,7 @@ bool Assembly::touch(std::size_t a, std::size_t b) const {
   const auto [known, is_new] = memory_->touching.try_emplace({first.id, second.id}, false);
   if (!is_new) return known->second;
   memory_->work += 200;
-  known->second = nearest_points(first.solid, second.solid, contact_).has_value();
+  known->second = within(first.solid, second.solid, contact_);
   return known->second;
 }
 

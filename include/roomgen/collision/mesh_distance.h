@@ -38,6 +38,9 @@ struct NearestPoints {
 std::optional<NearestPoints> nearest_points(const MeshSolid& a, const MeshSolid& b,
                                             double limit = std::numeric_limits<double>::infinity());
 
+/// Are they no further apart than `limit` metres? Found out faster than their nearest points.
+bool within(const MeshSolid& a, const MeshSolid& b, double limit);
+
 /// Is the point in the solid?
 bool contains(const MeshSolid& solid, const Vec3& point);
 /// To the solid's surface; 0 inside. Looks at every triangle.
