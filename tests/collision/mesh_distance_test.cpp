@@ -81,6 +81,20 @@ TEST_CASE("A limit answers nothing beyond it and the distance within it") {
   CHECK(nearest_points(box({0.2, 0.2, 0.2}, {0.3, 0.3, 0.3}), a, 0.002)->distance == 0.0);
 }
 
+TEST_CASE("What is within a limit has its nearest points there") {
+  Random random(7);
+  const auto somewhere = [&] {
+    const double x = random.uniform(), y = random.uniform();
+    return Vec3(x, y, random.uniform());
+  };
+  for (int k = 0; k < 60; ++k) {
+    const auto round = ball(somewhere(), 0.1);
+    const auto leg = placed(shape::Frustum{0.03, 0.05, 0.4}, somewhere(), random.uniform(0, 3));
+    for (double limit : {0.002, 0.1, 0.3})
+      CHECK(within(round, leg, limit) == nearest_points(leg, round, limit).has_value());
+  }
+}
+
 TEST_CASE("Overlapping surfaces in one mesh are one solid") {
   Mesh mesh = make_box({0, 0, 0}, {1, 1, 1});
   append(mesh, make_box({0.5, 0, 0}, {1.5, 1, 1}));

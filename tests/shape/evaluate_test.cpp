@@ -195,6 +195,35 @@ TEST_CASE("Colours become linear, patterns carry them, equal ones share an image
   CHECK((shape.bodies[1].mesh.uvs[1] - 2.0f * shape.bodies[2].mesh.uvs[1]).norm() < 1e-5f);
 }
 
+TEST_CASE("Textures are painted where they show, and for who wants them") {
+  auto json = document(R"({"name": "a", "box": {"size": [1, 1, 1]}, "material": "n"})");
+  json["materials"]["n"] = {{"color", "oak"}, {"pattern", "grain"}};
+  json["materials"]["o"] = {{"color", "oak"}, {"pattern", "marble"}};
+  const auto program = concrete(json);
+  const auto shape = made(program);
+  REQUIRE(shape.materials.size() == 3);
+  CHECK(shape.materials[1].texture);
+  CHECK_FALSE(shape.materials[2].texture);
+  const auto plain = evaluate(program, {.paint = false});
+  REQUIRE(plain);
+  CHECK_FALSE(plain->materials[1].texture);
+  CHECK(plain->materials[1].base_color[0] < 1.0f);
+}
+
+TEST_CASE("Remembered meshes are those that would be made") {
+  const MeshMemory memory;
+  for (const auto& name : shape_names) {
+    const auto program = concrete(shape_file(name), {}, 9);
+    const auto first = made(program);
+    for (int round = 0; round < 2; ++round) {
+      const auto again = evaluate(program, {.paint = false, .memory = &memory});
+      REQUIRE(again);
+      REQUIRE(again->bodies.size() == first.bodies.size());
+      CHECK((bounds(*again).size() - bounds(first).size()).norm() < 0.003);
+    }
+  }
+}
+
 TEST_CASE("A picture is painted once, on the whole front") {
   const auto shape = shape_of(
       R"({"name": "a", "picture": {"size": [0.6, 0.4], "theme": "map"}, "material": "m", "operations": [{"array": {"count": 2, "step": [1, 0, 0]}}]})");
