@@ -91,9 +91,7 @@ Status write_pictures(const GenerateCommand& command, const fs::path& folder,
 // The room after each step, as a designer with eyes would have seen it.
 Status write_marks(const GenerateCommand& command, const fs::path& folder,
                    const Generation& generation, Renderer& renderer) {
-  std::error_code code;
-  fs::create_directories(folder / "marks", code);
-  if (code) return Error{Error::Kind::io, (folder / "marks").string() + ": " + code.message()};
+  if (auto status = make_folder(folder / "marks"); !status) return status;
   Scene partial = generation.scene;
   partial.objects.clear();
   View view;

@@ -80,6 +80,13 @@ Result<std::string> read_file(const fs::path& path, std::size_t max_bytes) {
   return bytes;
 }
 
+Status make_folder(const std::filesystem::path& path) {
+  std::error_code code;
+  std::filesystem::create_directories(path, code);
+  if (!code) return {};
+  return Error{Error::Kind::io, path.string() + ": cannot make the folder: " + code.message()};
+}
+
 Status write_file(const fs::path& path, std::string_view bytes) {
   fs::path aside = path;
   aside += ".part";

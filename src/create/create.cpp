@@ -84,7 +84,7 @@ class Creator {
       auto validated = validate(program, validation);
       if (!validated) return validated.error();
       // A repair that makes another thing of it is none.
-      if (grown(program, validated->program)) {
+      if (!validated->repairs.empty() && grown(program, validated->program)) {
         object.notes.push_back("what is loose could not be joined without making it much larger");
         validated->program = std::move(program);
         validated->repairs.clear();
@@ -104,7 +104,9 @@ class Creator {
 
  private:
   static bool grown(const shape::Program& before, const shape::Program& after) {
-    const auto old_shape = shape::evaluate(before, coarse), new_shape = shape::evaluate(after, coarse);
+    const shape::EvaluateOptions measuring{.tolerance = coarse, .paint = false};
+    const auto old_shape = shape::evaluate(before, measuring),
+               new_shape = shape::evaluate(after, measuring);
     if (!old_shape || !new_shape || old_shape->bodies.empty()) return false;
     const Vec3 old_size = bounds(*old_shape).size(), new_size = bounds(*new_shape).size();
     return new_size.maxCoeff() > most_growth * old_size.maxCoeff();

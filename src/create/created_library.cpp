@@ -12,6 +12,7 @@
 #include "roomgen/library/ranking.h"
 #include "roomgen/library/vocabulary.h"
 #include "roomgen/scene/category.h"
+#include "stock.h"
 
 namespace roomgen::create {
 
@@ -155,12 +156,9 @@ class CreatedLibrary final : public AssetLibrary {
     info.size = order.size;
     info.mount = mount;
     const Category* category = CategoryTable::built_in().find(kind.name);
-    const Kind* known = Vocabulary::built_in().find(kind.name);
     if (mount == Mount::wall)
       info.elevation = category && category->elevation > 0.0 ? category->elevation : usual_elevation;
-    if (known && known->supports && mount == Mount::floor) info.support_height = order.size.z();
-    info.has_front = !category || category->traits.front;
-    info.round = category && category->traits.round;
+    describe_by_kind(info, kind.name, mount == Mount::floor);
     const Description description = describe(order);
     for (const auto& said : {description.color, description.material})
       if (!said.empty()) info.colors.push_back(said);

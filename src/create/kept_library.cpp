@@ -7,9 +7,9 @@
 #include "roomgen/create/created_library.h"
 #include "roomgen/create/kinds.h"
 #include "roomgen/library/vocabulary.h"
-#include "roomgen/scene/category.h"
 #include "roomgen/shape/evaluate.h"
 #include "roomgen/shape/recipe.h"
+#include "stock.h"
 
 namespace roomgen::create {
 
@@ -74,11 +74,7 @@ class KeptLibrary final : public AssetLibrary {
       info.group = "kept";
       info.size = kept.size;
       info.mount = query.mount.value_or(Mount::floor);
-      const Category* category = CategoryTable::built_in().find(kept.kind);
-      info.has_front = !category || category->traits.front;
-      info.round = category && category->traits.round;
-      const Kind* kind = vocabulary.find(kept.kind);
-      if (kind && kind->supports) info.support_height = kept.size.z();
+      describe_by_kind(info, kept.kind, true);
       matches.push_back({info, kept_score * fit});
     }
     return matches;
@@ -104,9 +100,7 @@ std::unique_ptr<AssetLibrary> make_kept_library(const fs::path& folder) {
 }
 
 Result<std::string> keep_program(const shape::Program& program, const fs::path& folder) {
-  std::error_code code;
-  fs::create_directories(folder, code);
-  if (code) return Error{Error::Kind::io, folder.string() + ": cannot make the folder: " + code.message()};
+  if (auto status = make_folder(folder); !status) return status.error();
   const std::string text = dump_json(shape::write_program(program));
   const auto pieces = words(program.name);
   const std::string name = (pieces.empty() ? "object" : join(pieces, "-")) + "-" +

@@ -162,7 +162,6 @@ bool set_count(shape::Program& program, const std::string& label, int count) {
   if (count < 0 || count > most_copies) return false;
   if (count == 0) {
     filter_wholes(program, label, [](Component&) { return false; });
-    for_each_part(program, label, [](Component&) {});
     prune_connections(program);
     return true;
   }

@@ -17,7 +17,6 @@ namespace roomgen::create {
 namespace {
 
 constexpr double coarse = 0.01;
-constexpr const char* axes[] = {"width", "depth", "height"};
 const Vec3 usual_size(0.5, 0.5, 0.8);
 
 // Surfaces that the recipe paints with this colour parameter.
@@ -95,11 +94,9 @@ class RuleMaker final : public Maker {
     };
     auto program = make();
     // At the ends of their ranges parameters may not go together: then the usual ones, which do.
-    if (!program || !shape::evaluate(*program, coarse)) {
+    if (!program || !shape::evaluate(*program, {.tolerance = coarse, .paint = false})) {
       notes_.push_back("a " + kind.name + " of these proportions cannot be made: it has the usual ones");
-      settings.values = kind.set;
-      for (int axis = 0; axis < 3; ++axis) settings.values[axes[axis]] = kind.size[axis];
-      settings.values = shape::clamped(*parameters, settings.values);
+      settings.values = usual_values(kind, *parameters);
       program = make();
     }
     if (!program) return program;

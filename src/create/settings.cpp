@@ -221,6 +221,12 @@ class Chooser {
 
 }  // namespace
 
+shape::Values usual_values(const ShapeKind& kind, const std::vector<shape::Parameter>& parameters) {
+  shape::Values values = kind.set;
+  for (int axis = 0; axis < 3; ++axis) values[axes[axis]] = kind.size[axis];
+  return shape::clamped(parameters, values);
+}
+
 Settings choose_settings(const Description& description, const ShapeKind& kind,
                          const std::vector<shape::Parameter>& parameters, const Words& words,
                          std::uint64_t seed) {

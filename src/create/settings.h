@@ -22,6 +22,9 @@ struct Settings {
   std::vector<std::string> notes;
 };
 
+/// What makes the kind as it usually is, without any wish.
+shape::Values usual_values(const ShapeKind& kind, const std::vector<shape::Parameter>& parameters);
+
 /// The kind's own settings, what the seed varies, the style's, then what the description says.
 Settings choose_settings(const Description& description, const ShapeKind& kind,
                          const std::vector<shape::Parameter>& parameters, const Words& words,

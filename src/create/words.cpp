@@ -42,7 +42,6 @@ Result<Words> read() {
   words.shapes = read_texts(root["shapes"]);
   words.constructions = read_texts(root["constructions"]);
   words.styles = read_texts(root["styles"]);
-  words.positions = read_texts(root["positions"]);
   for (const auto& [word, value] : root["leans"].members()) words.leans[word] = value.number(0, 60);
   for (const auto& [word, value] : root["courses"].members()) {
     const auto course = course_named(value.text());
@@ -66,7 +65,6 @@ Result<Words> read() {
   words.far_things = read_list(root["vehicles and nature"]);
   words.beings = read_list(root["living beings"]);
   words.no_objects = read_list(root["no objects"]);
-  words.small_models = read_list(root["small models"]);
   if (const auto& problem = problems.first()) return *problem;
   return words;
 }

@@ -134,15 +134,18 @@ Model merged_model(const Scene& scene, const ModelTable& models) {
     const int first_material = static_cast<int>(result.materials.size());
     result.materials.insert(result.materials.end(), model->materials.begin(),
                             model->materials.end());
+    const ModelPlacement placement = model_placement(object, bounds(*model));
+    const auto turn = [&](const Vec3& v) -> Vec3 {
+      const Vec2 turned = rotated(Vec2(v.head<2>()), placement.yaw);
+      return {turned.x(), turned.y(), v.z()};
+    };
+    const Vec3 at = placement.position - origin;
     for (auto part : model->parts) {
       part.material += first_material;
-      const auto turn = [&](const Eigen::Vector3f& v) -> Eigen::Vector3f {
-        const Vec2 turned = rotated(Vec2(v.x(), v.y()), object.yaw);
-        return {static_cast<float>(turned.x()), static_cast<float>(turned.y()), v.z()};
-      };
-      const Eigen::Vector3f at = (object.position - origin).cast<float>();
-      for (auto& p : part.mesh.positions) p = turn(p) + at;
-      for (auto& n : part.mesh.normals) n = turn(n);
+      for (auto& p : part.mesh.positions)
+        p = (turn(placement.scale.cwiseProduct(p.cast<double>())) + at).cast<float>();
+      for (auto& n : part.mesh.normals)
+        n = turn(n.cast<double>().cwiseQuotient(placement.scale)).normalized().cast<float>();
       result.parts.push_back(std::move(part));
     }
   }
