@@ -20,11 +20,9 @@
 #include "roomgen/generate/set_out.h"
 #include "roomgen/shape/evaluate.h"
 #include "roomgen/shape/recipe.h"
-#ifdef ROOMGEN_HAS_RENDER
 #include "roomgen/render/image_file.h"
 #include "roomgen/render/model_picture.h"
 #include "roomgen/view/model_camera.h"
-#endif
 
 namespace roomgen::cli {
 
@@ -187,19 +185,11 @@ Result<MadeAll> make(const Context& context, const Options& options) {
   return result;
 }
 
-#ifdef ROOMGEN_HAS_RENDER
 Result<std::vector<Image>> draw_views(const Model& model) {
   std::vector<Camera> cameras;
   for (const auto& view : model_views())
     cameras.push_back(model_camera(bounds(model), view, view_pixels));
   return draw_model(std::make_shared<Model>(model), cameras);
-}
-
-Status make_folder(const fs::path& folder) {
-  std::error_code code;
-  fs::create_directories(folder, code);
-  if (!code) return {};
-  return Error{Error::Kind::io, folder.string() + ": cannot make the folder: " + code.message()};
 }
 
 Status write_views(const Context& context, const fs::path& folder, const Model& model) {
@@ -225,13 +215,10 @@ Status write_sheet(const fs::path& folder, const std::vector<Model>& models) {
   if (auto status = make_folder(folder); !status) return status;
   return write_png(folder / "variants.png", contact_sheet(pictures, sheet_columns));
 }
-#endif
 
 GlbOptions glb_options() {
   GlbOptions options;
-#ifdef ROOMGEN_HAS_RENDER
   options.encode_image = encode_texture;
-#endif
   return options;
 }
 
@@ -249,9 +236,7 @@ Status write_all(const Context& context, const Options& options, const shape::Pr
     if (auto status = write_file(options.write_program, dump_json(shape::write_program(program)));
         !status)
       return status;
-#ifdef ROOMGEN_HAS_RENDER
   if (!options.views.empty()) return write_views(context, options.views, model);
-#endif
   return {};
 }
 
@@ -360,10 +345,8 @@ Result<int> make_variants(const Context& context, const Options& options) {
     report(context, one, *made);
     models.push_back(made->model);
   }
-#ifdef ROOMGEN_HAS_RENDER
   if (!options.views.empty())
     if (auto status = write_sheet(options.views, models); !status) return status.error();
-#endif
   return exit_ok;
 }
 
@@ -417,10 +400,8 @@ void add_create_command(CLI::App& app, Context& context) {
       ->capture_default_str();
   sub->add_option("--write-program", options->write_program,
                   "Write the program with all parameters put in, JSON");
-#ifdef ROOMGEN_HAS_RENDER
   sub->add_option("--views", options->views,
                   "Folder for pictures: front, side, back, above, and all in views.png");
-#endif
   add_designer_options(*sub, options->designer);
   sub->callback([options, &context] {
     check_usage(*options);

@@ -33,7 +33,6 @@ int main(int argc, char** argv) {
   add_solve_command(app, context);
   add_check_command(app, context);
   add_plan_command(app, context);
-  add_create_command(app, context);
 #ifdef ROOMGEN_HAS_ASSETS
   add_assets_command(app, context);
 #endif
@@ -41,6 +40,7 @@ int main(int argc, char** argv) {
   add_render_command(app, context);
 #endif
 #if defined(ROOMGEN_HAS_ASSETS) && defined(ROOMGEN_HAS_RENDER)
+  add_create_command(app, context);
   add_generate_command(app, context);
 #endif
 
