@@ -35,10 +35,9 @@ bool names_known_part(const Description& object, const Words& words) {
                      [&](const PartWish& part) { return words.parts.count(part.label) > 0; });
 }
 
-bool has_distance(const std::vector<std::string>& pieces) {
+bool has_distance(const std::vector<std::string>& pieces, const Words& words) {
   for (std::size_t i = 1; i < pieces.size(); ++i)
-    for (const char* unit : {"km", "kilometre", "kilometer", "kilometres", "kilometers", "mile", "miles"})
-      if (pieces[i] == unit) return true;
+    if (words.distances.count(pieces[i])) return true;
   for (const auto& piece : pieces)
     if (piece.size() > 2 && piece.ends_with("km") &&
         std::isdigit(static_cast<unsigned char>(piece.front())))
@@ -82,18 +81,11 @@ std::string count_problem(const std::string& prompt, const std::vector<Descripti
   return "";
 }
 
-bool gives_orders(const std::string& word) {
-  for (const char* verb : {"delete", "ignore", "print", "run", "execute", "open", "send", "write", "read"})
-    if (word == verb) return true;
-  return false;
-}
-
 // What a whole room is called, and the things in it are another command's work.
-bool names_a_room(const Description& object) {
-  for (const char* room : {"bedroom", "room", "bathroom", "apartment", "house", "hallway", "nursery", "flat",
-                           "garage", "lounge", "studio", "kitchen", "office"})
-    if (object.noun == room || object.noun.ends_with(std::string(" ") + room)) return true;
-  return false;
+bool names_a_room(const Description& object, const Words& words) {
+  return std::any_of(words.rooms.begin(), words.rooms.end(), [&](const std::string& room) {
+    return object.noun == room || object.noun.ends_with(" " + room);
+  });
 }
 
 // The first word that names what stands in no room.
@@ -114,14 +106,14 @@ Verdict classify_phrase(const std::string& prompt, const std::vector<Description
     return no("the description is longer than " + std::to_string(longest_phrase) + " bytes");
   if (has_negative_count(prompt)) return no("a number of parts cannot be negative");
   const auto pieces = roomgen::words(prompt);
-  if (!pieces.empty() && gives_orders(pieces.front()))
+  if (!pieces.empty() && words.orders.count(pieces.front()))
     return no("this is no description of an object but an order; only the object can be described");
-  if (has_distance(pieces))
+  if (has_distance(pieces, words))
     return no("an object in a room is at most " + format_number(greatest_side) + " m long");
   for (const auto& object : objects)
     if (const auto problem = size_problem(object); !problem.empty()) return no(problem);
   if (const auto problem = count_problem(prompt, objects); !problem.empty()) return no(problem);
-  if (!objects.empty() && objects.front().approximate && names_a_room(objects.front()))
+  if (!objects.empty() && objects.front().approximate && names_a_room(objects.front(), words))
     return no("\"" + objects.front().noun + "\" is a room, not one object; rooms are made by `roomgen generate`");
   if (!objects.empty() && nothing_is_left(objects.front()))
     return no("all its parts are taken away; nothing is left to make");

@@ -1,7 +1,6 @@
 #include "refine.h"
 
 #include <algorithm>
-#include <map>
 
 #include "assemble.h"
 #include "parts.h"
@@ -16,19 +15,7 @@ namespace roomgen::create {
 
 namespace {
 
-constexpr double step = 1.25;  // "taller", against what it was
 constexpr double coarse = 0.01;
-
-const std::map<std::string, Vec3, std::less<>>& comparatives() {
-  static const std::map<std::string, Vec3, std::less<>> table = {
-      {"taller", {1, 1, step}},         {"higher", {1, 1, step}},      {"longer", {1, 1, step}},
-      {"lower", {1, 1, 1 / step}},      {"shorter", {1, 1, 1 / step}}, {"wider", {step, 1, 1}},
-      {"broader", {step, 1, 1}},        {"narrower", {1 / step, 1, 1}}, {"deeper", {1, step, 1}},
-      {"shallower", {1, 1 / step, 1}},  {"thicker", {step, step, 1}},  {"thinner", {1 / step, 1 / step, 1}},
-      {"slimmer", {1 / step, 1 / step, 1}}, {"bigger", {step, step, step}}, {"larger", {step, step, step}},
-      {"smaller", {1 / step, 1 / step, 1 / step}}};
-  return table;
-}
 
 /// One clause of the wish: what it is about and what shall become of it.
 struct Clause {
@@ -67,7 +54,7 @@ class WishReader {
     };
     if (is({"remove", "without", "drop", "delete"})) clause_.remove = said_ = true;
     else if (is({"add", "give"})) clause_.add = said_ = true;
-    else if (const auto found = comparatives().find(word); found != comparatives().end())
+    else if (const auto found = words_.comparatives.find(word); found != words_.comparatives.end())
       clause_.factors = clause_.factors.cwiseProduct(more_ < 1 ? found->second.cwiseInverse() : found->second), said_ = true;
     else if (is({"less"})) more_ = -1;
     else if (part()) return;

@@ -3,6 +3,7 @@
 #include "description_words.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/resource.h"
+#include "roomgen/base/text.h"
 
 namespace roomgen::create {
 
@@ -15,9 +16,19 @@ WordMap<std::string> read_texts(const JsonReader& json) {
   return result;
 }
 
-std::set<std::string, std::less<>> read_list(const JsonReader& json) {
-  std::set<std::string, std::less<>> result;
+WordSet read_list(const JsonReader& json) {
+  WordSet result;
   for (const auto& element : json.elements()) result.insert(element.text());
+  return result;
+}
+
+// Of width, depth and height.
+WordMap<Vec3> read_factors(const JsonReader& json) {
+  WordMap<Vec3> result;
+  for (const auto& [word, value] : json.members()) {
+    const auto factors = value.numbers(3, 0.1, 10);
+    if (factors.size() == 3) result[word] = Vec3(factors[0], factors[1], factors[2]);
+  }
   return result;
 }
 
@@ -53,10 +64,8 @@ Result<Words> read() {
     if (!strength) value.report("is no strength");
     words.strengths[word] = strength.value_or(Strength::moderate);
   }
-  for (const auto& [word, value] : root["scales"].members()) {
-    const auto factors = value.numbers(3, 0.1, 10);
-    if (factors.size() == 3) words.scales[word] = Vec3(factors[0], factors[1], factors[2]);
-  }
+  words.scales = read_factors(root["scales"]);
+  words.comparatives = read_factors(root["comparatives"]);
   for (const auto& [word, value] : root["materials"].members())
     words.materials[word] = read_material(word, value);
   for (const auto& [label, spellings] : root["parts"].members())
@@ -65,6 +74,15 @@ Result<Words> read() {
   words.far_things = read_list(root["vehicles and nature"]);
   words.beings = read_list(root["living beings"]);
   words.no_objects = read_list(root["no objects"]);
+  words.negations = read_list(root["negations"]);
+  words.boundaries = read_list(root["boundaries"]);
+  words.fillers = read_list(root["fillers"]);
+  words.orders = read_list(root["orders"]);
+  words.rooms = read_list(root["rooms"]);
+  words.distances = read_list(root["distances"]);
+  for (const auto& pair : root["relations"].elements())
+    if (const auto texts = pair.elements(2); texts.size() == 2)
+      words.relations.emplace_back(split(texts[0].text(), ' '), texts[1].text());
   if (const auto& problem = problems.first()) return *problem;
   return words;
 }
