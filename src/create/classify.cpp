@@ -30,9 +30,10 @@ bool nothing_is_left(const Description& object) {
   return gone > 1 && gone == static_cast<std::ptrdiff_t>(object.parts.size());
 }
 
-bool names_known_part(const Description& object, const Words& words) {
-  return std::any_of(object.parts.begin(), object.parts.end(),
-                     [&](const PartWish& part) { return words.parts.count(part.label) > 0; });
+bool names_a_part(const Description& object) {
+  return std::any_of(object.parts.begin(), object.parts.end(), [](const PartWish& part) {
+    return !part.label.empty() && part.count.value_or(1) > 0;
+  });
 }
 
 bool has_distance(const std::vector<std::string>& pieces, const Words& words) {
@@ -117,7 +118,10 @@ Verdict classify_phrase(const std::string& prompt, const std::vector<Description
     return no("\"" + objects.front().noun + "\" is a room, not one object; rooms are made by `roomgen generate`");
   if (!objects.empty() && nothing_is_left(objects.front()))
     return no("all its parts are taken away; nothing is left to make");
-  const std::string foreign = foreign_word(pieces, words);
+  // A tower may be a part of a thing; what is to be made is named first.
+  const bool parted = !objects.empty() && names_a_part(objects.front());
+  const std::string foreign =
+      foreign_word(parted ? roomgen::words(objects.front().noun) : pieces, words);
   const bool known = !objects.empty() && !objects.front().approximate;
   if (known) return {true, objects.front().kind};
   if (!foreign.empty())
@@ -126,7 +130,7 @@ Verdict classify_phrase(const std::string& prompt, const std::vector<Description
   if (objects.empty() || (objects.front().noun.empty() && objects.front().parts.empty()))
     return no("no object can be understood from this; say what it is, as in \"an oak stool with three legs\"");
   const Description& object = objects.front();
-  if (object.kind.empty() && !names_known_part(object, words))
+  if (object.kind.empty() && !names_a_part(object))
     return no("\"" + object.noun + "\" is no kind that is known; say of which parts it is made, as in \"" +
               object.noun + " with a round base and two arms\"");
   return {true, object.noun + ", which is no known kind" +

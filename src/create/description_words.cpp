@@ -15,6 +15,13 @@ constexpr std::pair<Strength, std::string_view> strengths[] = {
     {Strength::gentle, "gentle"},
     {Strength::moderate, "moderate"},
     {Strength::pronounced, "pronounced"}};
+constexpr std::pair<Place, std::string_view> places[] = {
+    {Place::foot, "foot"},     {Place::base, "base"},     {Place::deck, "deck"},
+    {Place::column, "column"}, {Place::upright, "upright"}, {Place::across, "across"},
+    {Place::stack, "stack"},   {Place::helix, "helix"},   {Place::radial, "radial"},
+    {Place::wheel, "wheel"},   {Place::around, "around"}, {Place::front, "front"},
+    {Place::side, "side"},     {Place::back, "back"},     {Place::top, "top"},
+    {Place::hang, "hang"}};
 
 template <typename T, std::size_t N>
 std::string_view name_in(const std::pair<T, std::string_view> (&table)[N], T wanted) {
@@ -50,6 +57,9 @@ std::optional<Course> course_named(std::string_view text) {
 }
 std::optional<Strength> strength_named(std::string_view text) {
   return value_in(strengths, text);
+}
+std::optional<Place> place_named(std::string_view text) {
+  return value_in(places, text);
 }
 std::vector<std::string> course_names() {
   return names_in(courses);

@@ -25,6 +25,7 @@ std::string_view name(Strength strength);
 /// Whatever the case and the separators: "S curve", "s_curve".
 std::optional<Course> course_named(std::string_view text);
 std::optional<Strength> strength_named(std::string_view text);
+std::optional<Place> place_named(std::string_view text);
 std::vector<std::string> course_names();
 std::vector<std::string> strength_names();
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "attributes.h"
+#include "part_forms.h"
 #include "phrase_text.h"
 #include "roomgen/base/text.h"
 #include "roomgen/design/prompt_words.h"
@@ -39,7 +40,7 @@ bool ends_alike(const std::string& noun, const ShapeKind& kind) {
 class PhraseReader {
  public:
   PhraseReader(const std::string& prompt, const Words& words, const ShapeKinds& kinds)
-      : prompt_(prompt), words_(words), kinds_(kinds), text_(prompt, words, kinds) {}
+      : prompt_(prompt), words_(words), kinds_(kinds), text_(prompt, *built_in_parts(), kinds) {}
 
   std::vector<Description> run() {
     while (at_ < text_.size()) step();
@@ -69,7 +70,8 @@ class PhraseReader {
       return;
     }
     if (text_.is(at_, {"leave", "leaving"})) leaves_out_ = true;
-    if (measure() || relation() || attribute() || noun()) return;
+    if (simile() || arrangement() || measure() || relation() || placement() || attribute() || noun())
+      return;
     // "a tall and narrow back" goes on.
     if (word == "and" && (pending_.article || objects_.empty())) {
       ++at_;
@@ -84,9 +86,90 @@ class PhraseReader {
   // What was said since the last noun belongs to it.
   void boundary() {
     last_boundary_ = text_[at_];
+    // "on a cube, a ball and a cone" goes on.
+    if (last_boundary_ != "," && last_boundary_ != "and") next_ = nullptr;
     ++at_;
     flush();
     negated_ = false;
+  }
+
+  // "shaped like a tree": no tree is there.
+  bool simile() {
+    for (const auto& phrase : words_.similes) {
+      if (!text_.starts(at_, phrase)) continue;
+      flush();
+      at_ += phrase.size();
+      while (at_ < text_.size() && !words_.boundaries.count(text_[at_]) && text_[at_] != ",") ++at_;
+      return true;
+    }
+    return false;
+  }
+
+  // "a ring of twelve stones", "stack twenty rings": the word is no thing beside them.
+  bool arrangement() {
+    const auto found = words_.arrangements.find(text_[at_]);
+    if (found == words_.arrangements.end()) return false;
+    const bool of = text_.is(at_ + 1, {"of"});
+    const std::size_t after = at_ + (of ? 2 : 1);
+    if (!text_.count(after) && !(of && text_.part(after))) return false;
+    if (objects_.empty()) unknown_.push_back(text_[at_]);
+    arranged_ = Placement{};
+    arranged_.after = found->second;
+    next_ = &arranged_;
+    if (objects_.empty()) begin_unknown();
+    unknown_.clear();
+    at_ = after;
+    return true;
+  }
+
+  // "on three stones", "a handle at each end", "each smaller than the one below".
+  bool placement() {
+    for (const auto& placement : words_.placements) {
+      if (!text_.starts(at_, placement.words)) continue;
+      if (objects_.empty() && !placement.opens()) continue;
+      last_boundary_ = text_[at_];
+      flush();
+      negated_ = false;
+      at_ += placement.words.size();
+      place_last(placement);
+      next_ = placement.opens() ? &placement : nullptr;
+      if (placement.series.turn > 0) read_turn();
+      return true;
+    }
+    return false;
+  }
+
+  void place_last(const Placement& placement) {
+    if (objects_.empty() || part_ >= objects_.front().parts.size()) return;
+    PartWish& part = objects_.front().parts[part_];
+    if (placement.before) part.place = placement.before;
+    // "drawers, three on each side"
+    if (placement.each > 1) part.count = placement.each * part.count.value_or(1);
+    if (placement.series.scale != 1.0) part.series.scale = placement.series.scale;
+    if (placement.series.turn > 0) part.series.turn = placement.series.turn;
+  }
+
+  // "forty-five degrees against the one below"
+  void read_turn() {
+    double degrees = 0.0;
+    std::size_t at = at_;
+    for (; text_.number(at); ++at) degrees += *text_.number(at);
+    if (!text_.is(at, {"degree", "degrees"})) return;
+    at_ = at + 1;
+    if (part_ != none) objects_.front().parts[part_].series.turn = radians(std::min(degrees, 180.0));
+  }
+
+  // Where the part that is named now stands, if that was said before it.
+  void place_next(PartWish& part) const {
+    if (!next_) return;
+    if (next_->gone) part.count = 0;
+    if (next_->after) part.place = next_->after;
+    if (!next_->below) return;
+    // What carries by nature does so in its own way.
+    switch (built_in_parts()->of(part.label, 1).place) {
+      case Place::foot: case Place::base: case Place::column: case Place::upright: return;
+      default: part.place = Place::foot;
+    }
   }
 
   void flush() {
@@ -174,10 +257,18 @@ class PhraseReader {
       if (!text_.starts(at_, phrase)) continue;
       flush();
       if (objects_.size() > 1) objects_.back().relation = meaning;
+      else if (part_ != none) objects_.front().parts[part_].place = place_of(meaning);
       at_ += phrase.size();
       return true;
     }
     return false;
+  }
+
+  static Place place_of(const std::string& relation) {
+    if (relation == "on") return Place::top;
+    if (relation == "under") return Place::base;
+    if (relation == "behind") return Place::back;
+    return relation == "in front of" ? Place::front : Place::side;
   }
 
   // Passes over words that said something of the noun to come.
@@ -242,14 +333,42 @@ class PhraseReader {
 
   bool noun() {
     const auto kind = text_.kind(at_);
-    auto part = text_.part(at_);
+    // "an oven door", "a drawer unit": the thing only says what the part is like, or the part the thing.
+    if (kind && !objects_.empty() && part_at(at_ + kind.length) && !has_relation(at_ + kind.length + 1)) {
+      at_ += kind.length;
+      const auto part = part_at(at_);
+      return add_part(part.meaning, part.length);
+    }
+    auto part = part_at(at_);
+    if (kind.length > part.length && part && head_knows(part.meaning) && !has_relation(at_ + kind.length))
+      return add_part(part.meaning, kind.length);
     // "an open shelf": the longer name of a kind ends with what is a part here.
     if (!objects_.empty() && kind.length > part.length)
-      if (const auto ending = words_.parts.find(text_[at_ + kind.length - 1]);
-          ending != words_.parts.end() && head_has(ending->second))
-        part = {kind.length, ending->second};
+      if (const auto ending = part_at(at_ + kind.length - 1); ending && head_knows(ending.meaning))
+        part = {kind.length, ending.meaning};
     if (part && is_part(kind.length, part)) return add_part(part.meaning, part.length);
-    return kind && add_object(*kind.meaning, kind.length);
+    if (!kind || names_no_object(at_ + kind.length)) return false;
+    return add_object(*kind.meaning, kind.length);
+  }
+
+  // "a football team": the last word says that it is no football.
+  bool names_no_object(std::size_t at) const {
+    return objects_.empty() && at < text_.size() && words_.no_objects.count(text_[at]) > 0;
+  }
+
+  // The part that the words name: one that the thing has, if they may mean several.
+  PhraseText::Run<std::string> part_at(std::size_t at) const {
+    const auto known = text_.part(at);
+    for (const auto& label : known.meaning)
+      if (head_knows(label)) return {known.length, label};
+    if (known) return {known.length, known.meaning.front()};
+    // Recipes have parts of which no list knows.
+    if (at < text_.size() && head_knows(singular(text_[at]))) return {1, singular(text_[at])};
+    return {};
+  }
+
+  bool head_knows(const std::string& label) const {
+    return !objects_.empty() && kinds_.find(objects_.front().kind) && head_has(label);
   }
 
   bool is_part(std::size_t kind_length, const PhraseText::Run<std::string>& part) const {
@@ -292,6 +411,7 @@ class PhraseReader {
       objects_.front().contradicted = true;
     apply(pending_, *known);
     if (negated_) known->count = 0;
+    place_next(*known);
     part_ = objects_.empty() ? none : static_cast<std::size_t>(known - parts.begin());
     pending_ = {};
     return true;
@@ -344,7 +464,7 @@ class PhraseReader {
 
   // A noun phrase of which no word is known: the thing itself, or a part of it.
   void unknown_noun() {
-    static const WordSet owners = {"with", "and", "plus", "having", "has", "have", "without"};
+    static const WordSet owners = {"with", "and", "plus", "having", "has", "have", "without", "of", ",", "on", "over", "between"};
     if (objects_.empty()) {
       begin_unknown();
     } else if (pending_.article && objects_.front().parts.size() < most_parts &&
@@ -353,6 +473,7 @@ class PhraseReader {
       part.label = singular(unknown_.back());
       if (negated_) part.count = 0;
       apply(pending_, part);
+      place_next(part);
       objects_.front().parts.push_back(std::move(part));
       part_ = objects_.front().parts.size() - 1;
       pending_ = {};
@@ -373,6 +494,8 @@ class PhraseReader {
   std::vector<std::string> unknown_;  ///< words of the noun phrase that nothing is known of
   std::string last_boundary_;
   std::optional<Vec3> measured_;
+  const Placement* next_ = nullptr;  ///< says where the parts to come are
+  Placement arranged_;
   std::size_t part_ = none;  ///< of the first object, what was named last
   bool negated_ = false, leaves_out_ = false;
 };

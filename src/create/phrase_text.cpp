@@ -11,8 +11,8 @@ namespace roomgen::create {
 
 using design::Token;
 
-PhraseText::PhraseText(const std::string& prompt, const Words& words, const ShapeKinds& kinds)
-    : words_(words), kinds_(kinds), tokens_(design::tokenize(prompt)) {
+PhraseText::PhraseText(const std::string& prompt, const PartForms& parts, const ShapeKinds& kinds)
+    : parts_(parts), kinds_(kinds), tokens_(design::tokenize(prompt)) {
   for (const auto& token : tokens_)
     texts_.push_back(token.kind == Token::Kind::word || token.kind == Token::Kind::number
                          ? token.text
@@ -39,14 +39,14 @@ PhraseText::Run<const ShapeKind*> PhraseText::kind(std::size_t at) const {
   return {length, kind};
 }
 
-PhraseText::Run<std::string> PhraseText::part(std::size_t at) const {
-  if (const auto found = longest(words_.parts, at)) return {found.length, *found.meaning};
+PhraseText::Run<std::vector<std::string>> PhraseText::part(std::size_t at) const {
+  if (const auto found = longest(parts_.labels, at)) return {found.length, *found.meaning};
   // "three-legged"
   if (at >= size() || texts_[at].size() <= 4 || !texts_[at].ends_with("ed")) return {};
   std::string stem = texts_[at].substr(0, texts_[at].size() - 2);
   if (stem.size() > 2 && stem[stem.size() - 1] == stem[stem.size() - 2]) stem.pop_back();
-  const auto found = words_.parts.find(stem);
-  if (found == words_.parts.end()) return {};
+  const auto found = parts_.labels.find(stem);
+  if (found == parts_.labels.end()) return {};
   return {1, found->second};
 }
 
@@ -74,6 +74,10 @@ PhraseText::Run<int> PhraseText::count(std::size_t at) const {
     const std::size_t dozen = is(at + 1, {"a"}) ? at + 2 : at + 1;
     if (is(dozen, {"dozen"})) return {dozen + 1 - at, 6};
   }
+  if (is(at, {"baker", "baker's", "bakers"}))
+    for (const std::size_t dozen : {at + 1, at + 2})
+      if (is(dozen, {"dozen"})) return {dozen + 1 - at, 13};
+  if (is(at, {"single"}) && part(at + 1)) return {1, 1};
   if (is(at, {"a", "an", "single", "another"})) return {};
   const auto value = number(at);
   if (!value || *value != std::floor(*value)) return {};

@@ -8,7 +8,7 @@
 
 #include "roomgen/create/kinds.h"
 #include "roomgen/design/tokens.h"
-#include "words.h"
+#include "part_forms.h"
 
 namespace roomgen::create {
 
@@ -16,8 +16,8 @@ namespace roomgen::create {
 /// nothing.
 class PhraseText {
  public:
-  /// Words and kinds must outlive it.
-  PhraseText(const std::string& prompt, const Words& words, const ShapeKinds& kinds);
+  /// Parts and kinds must outlive it.
+  PhraseText(const std::string& prompt, const PartForms& parts, const ShapeKinds& kinds);
 
   std::size_t size() const { return texts_.size(); }
   /// In lower case; "," stands for every mark.
@@ -47,8 +47,8 @@ class PhraseText {
   }
 
   Run<const ShapeKind*> kind(std::size_t at) const;
-  /// The label of a part; "legged" names legs too.
-  Run<std::string> part(std::size_t at) const;
+  /// The labels of a part, the likeliest first; "legged" names legs too.
+  Run<std::vector<std::string>> part(std::size_t at) const;
   /// As shape::parse_color() knows it: "dark blue" is "darkblue".
   Run<std::string> color(std::size_t at) const;
   /// In figures or as a word, vague ones aside.
@@ -61,7 +61,7 @@ class PhraseText {
  private:
   static constexpr std::size_t most_run = 3;
 
-  const Words& words_;
+  const PartForms& parts_;
   const ShapeKinds& kinds_;
   std::vector<design::Token> tokens_;
   std::vector<std::string> texts_;

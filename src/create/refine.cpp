@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-#include "assemble.h"
+#include "compose.h"
+#include "part_forms.h"
 #include "parts.h"
 #include "reshape.h"
 #include "roomgen/base/text.h"
@@ -14,8 +15,6 @@
 namespace roomgen::create {
 
 namespace {
-
-constexpr double coarse = 0.01;
 
 /// One clause of the wish: what it is about and what shall become of it.
 struct Clause {
@@ -31,7 +30,8 @@ struct Clause {
 
 class WishReader {
  public:
-  WishReader(const std::string& wish, const Words& words) : words_(words) {
+  WishReader(const std::string& wish, const shape::Program& program, const Words& words)
+      : program_(program), words_(words) {
     for (const auto& token : design::tokenize(wish)) texts_.push_back(token.text);
   }
 
@@ -80,14 +80,22 @@ class WishReader {
     for (const std::size_t n : {std::size_t{2}, std::size_t{1}}) {
       if (at_ + n > texts_.size()) continue;
       const std::string phrase = n == 2 ? texts_[at_] + " " + texts_[at_ + 1] : texts_[at_];
-      const auto found = words_.parts.find(phrase);
-      if (found == words_.parts.end()) continue;
+      const auto& labels = built_in_parts()->labels;
+      const auto found = labels.find(phrase);
+      if (found == labels.end()) continue;
       if (!clause_.label.empty() && said_) close();
-      clause_.label = found->second;
+      clause_.label = meant(found->second);
       at_ += n;
       return true;
     }
     return false;
+  }
+
+  // Of several that a word may mean, the one that is there.
+  std::string meant(const std::vector<std::string>& labels) const {
+    for (const auto& label : labels)
+      if (count_parts(program_, label) > 0) return label;
+    return labels.front();
   }
 
   void close() {
@@ -99,6 +107,7 @@ class WishReader {
     more_ = 1;
   }
 
+  const shape::Program& program_;
   const Words& words_;
   std::vector<std::string> texts_;
   std::size_t at_ = 0;
@@ -129,14 +138,12 @@ void enlarge(shape::Program& program, const Vec3& factors) {
   program.components = {std::move(component)};
 }
 
-bool attach_part(shape::Program& program, const Clause& clause) {
-  const auto shape = shape::evaluate(program, {.tolerance = coarse, .paint = false});
-  if (!shape || shape->bodies.empty()) return false;
+PartWish part_of(const Clause& clause) {
   PartWish wish;
   wish.label = clause.label;
   wish.count = clause.count;
-  const Bounds3 box = bounds(*shape);
-  return attach(program, wish, box, box.high.z());
+  wish.shape = clause.shape;
+  return wish;
 }
 
 }  // namespace
@@ -144,7 +151,7 @@ bool attach_part(shape::Program& program, const Clause& clause) {
 Refinement refine(const shape::Program& earlier, const std::string& wish, const Words& words) {
   Refinement result{earlier, {}};
   shape::Program& program = result.program;
-  const auto clauses = WishReader(wish, words).run();
+  const auto clauses = WishReader(wish, earlier, words).run();
   if (clauses.empty())
     result.notes.push_back("nothing was changed: say what part shall become how, as in \"make the back taller\"");
   for (const auto& clause : clauses) {
@@ -157,7 +164,7 @@ Refinement refine(const shape::Program& earlier, const std::string& wish, const 
       continue;
     }
     if (!label.empty() && there == 0) {
-      if (!clause.add || !attach_part(program, clause))
+      if (!clause.add || !attach(program, part_of(clause)))
         result.notes.push_back("there is no part \"" + what + "\"");
       continue;
     }

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "assemble.h"
+#include "compose.h"
+#include "part_forms.h"
 #include "classify.h"
 #include "parts.h"
 #include "phrase.h"
@@ -42,6 +43,7 @@ class RuleMaker final : public Maker {
 
   Result<std::vector<Description>> decompose(const std::string& prompt) override {
     if (!built_in_words()) return built_in_words().error();
+    if (!built_in_parts()) return built_in_parts().error();
     if (!ShapeKinds::built_in()) return ShapeKinds::built_in().error();
     return read_phrase(prompt.substr(0, longest_phrase), *built_in_words(), *ShapeKinds::built_in());
   }
@@ -70,10 +72,12 @@ class RuleMaker final : public Maker {
       for (int axis = 0; axis < 3; ++axis)
         if (!std::isnan((*description.size)[axis])) size[axis] = (*description.size)[axis];
     notes_.push_back("\"" + description.noun + "\" is no known kind: it was put together from its parts");
-    shape::Program program = assemble(description, size);
+    shape::Program program = compose(description, size);
     if (!description.material.empty() || !description.color.empty())
-      paint_surfaces(program, {"body"}, description.material, description.color, *built_in_words());
-    finish(program, description, std::vector<Settings::Unmet>(description.parts.size()));
+      paint_surfaces(program, {program.materials.front().name}, description.material, description.color, *built_in_words());
+    finish(program, description,
+           std::vector<Settings::Unmet>(description.parts.size(),
+                                        {.count = true, .lean = true, .course = true, .shape = true}));
     return program;
   }
 
@@ -141,54 +145,48 @@ class RuleMaker final : public Maker {
   // What no parameter could say, part by part.
   void finish(shape::Program& program, const Description& description,
               const std::vector<Settings::Unmet>& unmet) {
-    for (std::size_t i = 0; i < description.parts.size(); ++i) {
-      const PartWish& part = description.parts[i];
-      if (part.label.empty()) continue;
-      const int there = count_parts(program, part.label);
-      const int wanted = part.count.value_or(std::max(1, there));
-      const bool told = part.count && !unmet[i].count;  // a parameter did it, under whatever label
-      if (there == 0 && wanted > 0 && !told) {
-        if (is_whole(part)) paint_whole(program, part);
-        else if (!add_part(program, part))
-          notes_.push_back("it is not known where a " + part.label + " belongs; it was left out");
-      } else if (there > 0 && there != wanted && !set_count(program, part.label, wanted)) {
-        notes_.push_back("there are " + std::to_string(there) + " of the part \"" + part.label +
-                         "\" instead of " + std::to_string(wanted));
-      }
-      if (wanted == 0) continue;
-      if (unmet[i].shape) set_outline(program, part.label, part.shape);
-      if (part.lean && unmet[i].lean) lean(program, part.label, *part.lean);
-      if (part.course && unmet[i].course) bend(program, part.label, *part.course, part.strength);
-      if (!part.material.empty() || !part.color.empty())
-        paint(program, part.label, part.material, part.color, *built_in_words());
-      if (part.scale != Vec3::Ones() && part.scale.x() == 1.0) scale(program, part.label, part.scale);
-    }
+    // What goes makes room for what comes.
+    for (const auto& part : description.parts)
+      if (!part.label.empty() && part.count == 0) set_count(program, part.label, 0);
+    for (std::size_t i = 0; i < description.parts.size(); ++i)
+      if (!description.parts[i].label.empty() && description.parts[i].count != 0)
+        finish(program, description.parts[i], unmet[i]);
     prune_connections(program);
+  }
+
+  void finish(shape::Program& program, const PartWish& part, Settings::Unmet unmet) {
+    const int there = count_parts(program, part.label);
+    const int wanted = part.count.value_or(std::max(1, there));
+    const bool told = part.count && !unmet.count;  // a parameter did it, under whatever label
+    if (there == 0 && !told) {
+      if (is_whole(part)) return paint_whole(program, part);
+      if (!attach(program, part))
+        notes_.push_back("it is not known where a " + part.label + " belongs; it was left out");
+      unmet = {.count = false, .lean = true, .course = true, .shape = true};
+    } else if (there > 0 && there != wanted && !set_count(program, part.label, wanted)) {
+      notes_.push_back("there are " + std::to_string(there) + " of the part \"" + part.label +
+                       "\" instead of " + std::to_string(wanted));
+    }
+    if (unmet.shape) set_outline(program, part.label, part.shape);
+    if (part.lean && unmet.lean) lean(program, part.label, *part.lean);
+    if (part.course && unmet.course) bend(program, part.label, *part.course, part.strength);
+    if (!part.material.empty() || !part.color.empty())
+      paint(program, part.label, part.material, part.color, *built_in_words());
+    if (there > 0 && part.scale != Vec3::Ones() && part.scale.x() == 1.0)
+      scale(program, part.label, part.scale);
   }
 
   // Parts that are but other names for most of the thing: "with a wooden frame".
   static bool is_whole(const PartWish& part) {
-    return !part.count && (part.label == "frame" || part.label == "body" || part.label == "top" ||
-                           part.label == "base" || part.label == "back" || part.label == "seat");
+    return !part.count && part.shape.empty() && !part.place &&
+           (part.label == "frame" || part.label == "body" || part.label == "top" ||
+            part.label == "base" || part.label == "back" || part.label == "seat");
   }
 
   static void paint_whole(shape::Program& program, const PartWish& part) {
     if (!program.materials.empty() && !(part.material.empty() && part.color.empty()))
       paint_surfaces(program, {program.materials.front().name}, part.material, part.color,
                      *built_in_words());
-  }
-
-  bool add_part(shape::Program& program, const PartWish& part) {
-    const auto shape = shape::evaluate(program, {.tolerance = coarse, .paint = false});
-    if (!shape || shape->bodies.empty()) return false;
-    // Things stand on the seat or top if there is one, else on the whole.
-    Bounds3 carrier;
-    for (const auto& body : shape->bodies)
-      if (body.label == "seat" || body.label == "top")
-        for (const auto& p : body.mesh.positions) carrier.add(p.cast<double>());
-    const Bounds3 box = bounds(*shape);
-    return attach(program, part, carrier.empty() ? box : carrier,
-                  carrier.empty() ? box.high.z() : carrier.high.z());
   }
 
   std::vector<std::string> notes_;

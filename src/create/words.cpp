@@ -1,5 +1,7 @@
 #include "words.h"
 
+#include <algorithm>
+
 #include "description_words.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/resource.h"
@@ -10,6 +12,7 @@ namespace roomgen::create {
 namespace {
 
 constexpr const char* path = "data/create/words.json";
+
 WordMap<std::string> read_texts(const JsonReader& json) {
   WordMap<std::string> result;
   for (const auto& [word, value] : json.members()) result[word] = value.text();
@@ -44,6 +47,29 @@ shape::Surface read_material(const std::string& name, const JsonReader& json) {
   return surface;
 }
 
+std::optional<Place> read_place(const JsonReader& json) {
+  if (!json.exists()) return std::nullopt;
+  const auto place = place_named(json.text());
+  if (!place) json.report("is no place");
+  return place;
+}
+
+void read_placement(const JsonReader& json, std::vector<Placement>& placements) {
+  json.allow_only({"say", "before", "after", "each", "scale", "turn"});
+  Placement placement;
+  placement.before = read_place(json["before"]);
+  const std::string after = json["after"].text_or("");
+  placement.below = after == "below";
+  placement.gone = after == "gone";
+  if (!placement.below && !placement.gone) placement.after = read_place(json["after"]);
+  placement.each = static_cast<int>(json["each"].integer_or(1, 1, 4));
+  placement.series = {json["scale"].number_or(1, 0.2, 3), radians(json["turn"].number_or(0, 0, 180))};
+  for (const auto& phrase : json["say"].elements()) {
+    placement.words = split(phrase.text(), ' ');
+    placements.push_back(placement);
+  }
+}
+
 Result<Words> read() {
   const auto json = parse_json(resource(path).value_or(""), path);
   if (!json) return json.error();
@@ -68,8 +94,6 @@ Result<Words> read() {
   words.comparatives = read_factors(root["comparatives"]);
   for (const auto& [word, value] : root["materials"].members())
     words.materials[word] = read_material(word, value);
-  for (const auto& [label, spellings] : root["parts"].members())
-    for (const auto& spelling : spellings.elements()) words.parts.emplace(spelling.text(), label);
   words.directions = read_list(root["directions"]);
   words.far_things = read_list(root["vehicles and nature"]);
   words.beings = read_list(root["living beings"]);
@@ -83,6 +107,15 @@ Result<Words> read() {
   for (const auto& pair : root["relations"].elements())
     if (const auto texts = pair.elements(2); texts.size() == 2)
       words.relations.emplace_back(split(texts[0].text(), ' '), texts[1].text());
+  for (const auto& placement : root["placements"].elements())
+    read_placement(placement, words.placements);
+  std::stable_sort(words.placements.begin(), words.placements.end(), [](const auto& a, const auto& b) {
+    return a.words.size() > b.words.size();
+  });
+  for (const auto& [word, place] : root["arrangements"].members())
+    words.arrangements[word] = read_place(place).value_or(Place::stack);
+  for (const auto& simile : root["similes"].elements())
+    words.similes.push_back(split(simile.text(), ' '));
   if (const auto& problem = problems.first()) return *problem;
   return words;
 }

@@ -19,6 +19,18 @@ using WordMap = std::map<std::string, T, std::less<>>;
 
 using WordSet = std::set<std::string, std::less<>>;
 
+/// What says where the part before it or the part after it is.
+struct Placement {
+  std::vector<std::string> words;
+  std::optional<Place> before, after;
+  bool below = false;  ///< the part after it is under what was named before
+  bool gone = false;   ///< the part after it is not there
+  int each = 1;        ///< so many times as many as were said
+  Series series;       ///< of the part before it
+
+  bool opens() const { return after || below || gone; }
+};
+
 /// The words of data/create/words.json.
 struct Words {
   WordMap<std::string> shapes, constructions, styles;
@@ -28,7 +40,6 @@ struct Words {
   WordMap<Vec3> scales;
   WordMap<shape::Surface> materials;
   WordMap<Vec3> comparatives;  ///< "taller": factors against what it was
-  WordMap<std::string> parts;  ///< any spelling to the label: "legs" to "leg"
   WordSet directions, far_things, beings, no_objects;
   WordSet negations;   ///< "without"
   WordSet boundaries;  ///< end a noun phrase; what was said before belongs to the noun before
@@ -37,6 +48,9 @@ struct Words {
   WordSet rooms, distances;
   /// "around it": how what was named before stands to the first thing; the longest of several first.
   std::vector<std::pair<std::vector<std::string>, std::string>> relations;
+  std::vector<Placement> placements;                ///< the longest of several first
+  WordMap<Place> arrangements;                      ///< "a ring of stones"
+  std::vector<std::vector<std::string>> similes;    ///< "shaped like": names no thing that is there
 };
 
 const Result<Words>& built_in_words();

@@ -16,6 +16,31 @@ namespace roomgen::create {
 enum class Course { straight, arc, s_curve, taper, spiral, wave };
 enum class Strength { gentle, moderate, pronounced };
 
+/// Where a part stands on a thing whose recipe does not know it (data/create/parts.json).
+enum class Place {
+  foot,     ///< carries the whole, one in the middle or several around
+  base,     ///< slabs below everything, each upon the other
+  deck,     ///< boards, one above the other
+  column,   ///< uprights in the middle
+  upright,  ///< uprights at the sides
+  across,   ///< bars from side to side
+  stack,    ///< piled up in the middle
+  helix,    ///< winding up around the column
+  radial,   ///< outward from the column on all sides
+  wheel,    ///< outward from a hub in the front, as the blades of a mill
+  around,   ///< in a ring on the floor
+  front, side, back, top,
+  hang,     ///< below a bar
+};
+
+/// How copies of one part differ, each from the one before (below).
+struct Series {
+  double scale = 1.0;  ///< of the width and depth
+  double turn = 0.0;   ///< about the vertical axis, radians
+
+  bool operator==(const Series&) const = default;
+};
+
 /// A part as a sentence asks for it; what it does not say is empty.
 struct PartWish {
   std::string label;               ///< in the singular, as shape programs label parts: "leg"
@@ -31,6 +56,8 @@ struct PartWish {
   std::optional<Vec3> size;        ///< metres
   Vec3 scale = Vec3::Ones();       ///< against the usual: "thick", "long"
   std::vector<std::string> touches;  ///< labels of the parts it is joined to
+  std::optional<Place> place;        ///< "on three stones": another place than the part's usual one
+  Series series;
 };
 
 /// What a sentence says about one object.

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "roomgen/create/description.h"
+#include "roomgen/shape/program.h"
+
+namespace roomgen::create {
+
+/// A thing of no known kind, from its parts alone: what carries at the bottom, columns, boards or
+/// piles on it, what rises above, what sits on the sides (data/create/parts.json says which part
+/// goes where). What the parts need to hold together, such as a post for branches, is added. `size`
+/// is about its box.
+shape::Program compose(const Description& description, const Vec3& size);
+
+/// Adds a part to a thing whose recipe knows none of that name. False if there is nothing that
+/// could bear it.
+bool attach(shape::Program& program, const PartWish& part);
+
+}  // namespace roomgen::create
