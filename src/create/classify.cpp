@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <set>
 
+#include "part_forms.h"
 #include "roomgen/base/text.h"
 #include "roomgen/design/prompt_words.h"
 #include "roomgen/design/tokens.h"
@@ -97,6 +99,23 @@ std::string foreign_word(const std::vector<std::string>& pieces, const Words& wo
   return "";
 }
 
+// A tower may be a part of a thing, and a windmill may be a model.
+std::vector<std::string> without_parts(std::vector<std::string> pieces,
+                                       const std::vector<Description>& objects) {
+  std::set<std::string> harmless;
+  for (const auto& object : objects) {
+    for (const auto& part : object.parts)
+      if (built_in_parts()->parts.count(part.label)) harmless.insert(part.label);
+    const auto noun = roomgen::words(object.noun);
+    if (!noun.empty() && built_in_words()->likenesses.count(noun.back()))
+      harmless.insert(noun.begin(), noun.end());
+  }
+  std::erase_if(pieces, [&](const std::string& piece) {
+    return harmless.count(piece) || harmless.count(singular(piece));
+  });
+  return pieces;
+}
+
 }  // namespace
 
 Verdict classify_phrase(const std::string& prompt, const std::vector<Description>& objects,
@@ -118,10 +137,7 @@ Verdict classify_phrase(const std::string& prompt, const std::vector<Description
     return no("\"" + objects.front().noun + "\" is a room, not one object; rooms are made by `roomgen generate`");
   if (!objects.empty() && nothing_is_left(objects.front()))
     return no("all its parts are taken away; nothing is left to make");
-  // A tower may be a part of a thing; what is to be made is named first.
-  const bool parted = !objects.empty() && names_a_part(objects.front());
-  const std::string foreign =
-      foreign_word(parted ? roomgen::words(objects.front().noun) : pieces, words);
+  const std::string foreign = foreign_word(without_parts(pieces, objects), words);
   const bool known = !objects.empty() && !objects.front().approximate;
   if (known) return {true, objects.front().kind};
   if (!foreign.empty())

@@ -20,6 +20,7 @@ constexpr double coarse = 0.01;
 constexpr int most_copies = 50;
 // Shares of the height.
 constexpr double short_feet = 0.18, top_room = 0.2, back_room = 0.4, plate = 0.05;
+constexpr double pile_room = 0.5;
 constexpr double least_feet = 0.06, most_feet = 0.15;  ///< below things that had none, metres
 constexpr const char* body_surface = "body";
 
@@ -159,9 +160,67 @@ void add_cords(shape::Program& program, const std::vector<Bounds3>& hung, double
   }
 }
 
+constexpr Place core_places[] = {Place::upright, Place::column, Place::across,
+                                 Place::deck,    Place::helix,  Place::stack};
+constexpr Place outer_places[] = {Place::radial, Place::wheel, Place::around, Place::hang,
+                                  Place::back,   Place::side,  Place::front,  Place::top};
+
+/// Parts by their places, put on a frame.
+class Setting {
+ public:
+  explicit Setting(shape::Program& program) : program_(program) {}
+
+  void add(Piece piece) {
+    if (piece.count > 0) pieces_[piece.place].push_back(std::move(piece));
+  }
+  bool has(Place place) const { return pieces_.count(place) > 0; }
+  const std::vector<Piece>& at(Place place) const { return pieces_.at(place); }
+
+  int total(Place place) const {
+    int count = 0;
+    if (has(place))
+      for (const auto& piece : at(place)) count += piece.count;
+    return count;
+  }
+
+  // Several parts of one place share it. Returns the boxes of all copies.
+  std::vector<Bounds3> put(Place place, const Frame& frame, double upward = 0.0) {
+    std::vector<Bounds3> boxes;
+    if (!has(place)) return boxes;
+    const int count = total(place);
+    std::size_t begin = 0;
+    for (const auto& piece : at(place)) {
+      auto where = spots(place, count, size_on(piece, frame.size), frame, piece.wish.series,
+                         piece.form.spread);
+      for (auto& spot : where) spot.at.z() += upward;
+      const std::size_t end = begin + static_cast<std::size_t>(piece.count);
+      const auto placed = create::put(program_, piece, where, begin, end);
+      boxes.insert(boxes.end(), placed.begin(), placed.end());
+      begin = end;
+    }
+    return boxes;
+  }
+
+  // On top parts are piled up, kind by kind.
+  void pile(Frame frame) {
+    if (!has(Place::top)) return;
+    for (const auto& piece : at(Place::top)) {
+      const auto where = spots(Place::top, piece.count, size_on(piece, frame.size), frame,
+                               piece.wish.series, piece.form.spread);
+      for (const auto& box : create::put(program_, piece, where, 0, where.size()))
+        if (box.high.z() > frame.deck.high.z()) frame.deck = box;
+    }
+  }
+
+ private:
+  shape::Program& program_;
+  std::map<Place, std::vector<Piece>> pieces_;
+};
+
 class Composition {
  public:
-  Composition(const Description& description, const Vec3& size) : description_(description) {
+  Composition(const Description& description, const Vec3& size)
+      : description_(description), setting_(program_) {
     frame_.size = size;
     program_.name = description.noun.empty() ? "object" : description.noun;
     program_.about = "approximate: " + description.prompt;
@@ -170,129 +229,103 @@ class Composition {
 
   shape::Program run() {
     for (const auto& wish : description_.parts)
-      if (!wish.label.empty() && wish.count.value_or(1) > 0) add(piece_of(wish));
+      if (!wish.label.empty()) setting_.add(piece_of(wish));
     imply();
     divide();
-    for (const Place place : {Place::base, Place::foot}) place_all(place);
-    divide_between_column_and_pile();
-    for (const Place place : {Place::upright, Place::column, Place::across, Place::deck, Place::helix,
-                              Place::stack})
-      place_all(place);
-    if (core_.empty()) place_body();
+    setting_.put(Place::base, frame_);
+    Frame below = frame_;
+    below.low -= base_;
+    setting_.put(Place::foot, below, base_);
+    for (const Place place : core_places) put_core(place);
+    if (core_.empty()) put_body();
     settle_faces();
-    for (const Place place : {Place::radial, Place::wheel, Place::around, Place::hang, Place::back,
-                              Place::side, Place::front, Place::top})
-      place_all(place);
+    for (const Place place : outer_places) put_outer(place);
     return std::move(program_);
   }
 
  private:
-  void add(Piece piece) { pieces_[piece.place].push_back(std::move(piece)); }
-  bool has(Place place) const { return pieces_.count(place) > 0; }
-
-  int total(Place place) const {
-    int count = 0;
-    if (has(place))
-      for (const auto& piece : pieces_.at(place)) count += piece.count;
-    return count;
-  }
+  bool has(Place place) const { return setting_.has(place); }
 
   // What holds the parts together.
   void imply() {
     const bool stem = has(Place::column) || has(Place::upright) || has(Place::stack);
-    if (has(Place::hang) && !has(Place::across)) add(implied("beam", 1, Place::across));
-    if (has(Place::across) && !stem)
-      add(has(Place::hang) ? implied("post", 1, Place::column) : implied("support", 2, Place::upright));
-    else if (has(Place::across) && has(Place::stack) && !has(Place::upright))
-      add(implied("support", 2, Place::upright));
-    if ((has(Place::radial) || has(Place::helix) || has(Place::wheel)) && !stem)
-      add(implied("post", 1, Place::column));
-    if (total(Place::deck) > 1 && !has(Place::column) && !has(Place::upright))
-      add(implied("support", 2, Place::upright));
+    const bool outward = has(Place::radial) || has(Place::helix) || has(Place::wheel);
+    const int boards = setting_.total(Place::deck);
+    const auto add = [&](const char* label, int count, Place place) {
+      setting_.add(implied(label, count, place));
+    };
+    if (has(Place::hang) && !has(Place::across)) add("beam", 1, Place::across);
+    if (has(Place::across) && !has(Place::upright) && !has(Place::column)) {
+      if (has(Place::hang) && !has(Place::stack)) add("post", 1, Place::column);
+      else add("support", 2, Place::upright);
+    }
+    if (outward && !stem && boards == 0) add("post", 1, Place::column);
+    if (boards > 1 && !has(Place::column) && !has(Place::upright)) add("support", 2, Place::upright);
     // Slender things need something to stand on.
-    const bool slender = has(Place::column) && !has(Place::foot) && !has(Place::upright) &&
-                         (has(Place::radial) || has(Place::across) || has(Place::helix) || has(Place::wheel) || has(Place::deck));
-    if ((slender || has(Place::around)) && !has(Place::base)) add(implied("base", 1, Place::base));
-    if (has(Place::upright) && total(Place::deck) == 0 && !has(Place::base) && !has(Place::foot))
-      add(implied("base", 1, Place::base));
+    const bool slender =
+        has(Place::column) && (outward || has(Place::across) || boards > 0);
+    const bool bare = has(Place::upright) && boards == 0;
+    const bool stands = has(Place::foot) || has(Place::base);
+    if ((slender || bare || has(Place::around)) && !stands) add("base", 1, Place::base);
   }
 
   // The height, from the floor up.
   void divide() {
     const double height = frame_.size.z();
-    const bool tall = has(Place::column) || has(Place::upright) || has(Place::stack) ||
-                      has(Place::around) || total(Place::deck) > 1;
-    double room = 0.0;
-    if (has(Place::top)) room += top_room * height;
-    if (has(Place::back)) room += back_room * height;
-    frame_.high = height - room;
-    if (has(Place::foot)) {
-      double feet = 0.0;
-      for (const auto& piece : pieces_.at(Place::foot))
-        feet = std::max(feet, piece.form.size.z() < 1 ? piece.form.size.z() * height
-                              : tall                  ? short_feet * height
-                              : has(Place::deck)      ? frame_.high - plate * height
-                                                      : 0.5 * frame_.high);
-      frame_.low = feet;
-    }
-    if (has(Place::base))
-      for (const auto& piece : pieces_.at(Place::base))
-        base_ += piece.count * size_on(piece, frame_.size).z();
-    frame_.low += base_;
-    frame_.high = std::max(frame_.high, frame_.low + 0.1 * height);
     frame_.framed = has(Place::upright);
-  }
-
-  // A pile stands on the column if there are both.
-  void divide_between_column_and_pile() {
-    split_ = has(Place::column) && has(Place::stack) ? frame_.low + 0.55 * (frame_.high - frame_.low)
-                                                     : frame_.high;
-  }
-
-  void place_all(Place place) {
-    if (!has(place)) return;
-    const int count = total(place);
-    std::size_t begin = 0;
-    for (const auto& piece : pieces_.at(place)) {
-      const std::size_t end = begin + static_cast<std::size_t>(piece.count);
-      place_some(piece, count, begin, end);
-      begin = end;
+    frame_.high = height - (has(Place::top) ? top_room * height : 0.0) -
+                  (has(Place::back) ? back_room * height : 0.0);
+    if (has(Place::base))
+      for (const auto& piece : setting_.at(Place::base))
+        base_ += piece.count * size_on(piece, frame_.size).z();
+    frame_.low = base_ + feet_height();
+    frame_.high = std::max(frame_.high, frame_.low + 0.1 * height);
+    // A pile stands on the column if there are both, and within a ring is room for half the size.
+    split_ = has(Place::column) && has(Place::stack)
+                 ? frame_.low + 0.55 * (frame_.high - frame_.low)
+                 : frame_.high;
+    inner_ = frame_;
+    if (has(Place::around)) {
+      inner_.size.head<2>() *= 0.5;
+      inner_.high = 0.5 * (frame_.low + frame_.high);
     }
   }
 
-  void place_some(const Piece& piece, int count, std::size_t begin, std::size_t end) {
-    Frame frame = frame_;
-    const Place place = piece.place;
-    if (place == Place::foot && base_ > 0) frame.low -= base_;
+  double feet_height() const {
+    if (!has(Place::foot)) return 0.0;
+    const double height = frame_.size.z();
+    const int boards = setting_.total(Place::deck);
+    const bool tall = has(Place::column) || has(Place::upright) || has(Place::stack) ||
+                      has(Place::around) || boards > 1;
+    double feet = 0.0;
+    for (const auto& piece : setting_.at(Place::foot)) {
+      const double own = piece.form.size.z();
+      feet = std::max(feet, own < 1      ? own * height
+                            : tall       ? short_feet * height
+                            : boards > 0 ? frame_.high - base_ - plate * height
+                                         : 0.5 * frame_.high);
+    }
+    return feet;
+  }
+
+  void put_core(Place place) {
+    Frame frame = inner_;
     if (place == Place::stack && has(Place::column)) frame.low = split_;
-    if (place == Place::column && has(Place::stack)) frame.high = split_;
-    // What is on top is piled up, kind by kind.
-    const bool alone = place == Place::top;
-    auto where = spots(place, alone ? piece.count : count, size_on(piece, frame.size), frame,
-                       piece.wish.series, piece.form.spread);
-    if (place == Place::foot)
-      for (auto& spot : where) spot.at.z() += base_;
-    const auto boxes = put(program_, piece, where, alone ? 0 : begin, alone ? where.size() : end);
-    remember(place, boxes);
-    if (place == Place::hang) add_cords(program_, boxes, beam_height());
+    if (place == Place::column) frame.high = split_;
+    const auto boxes = setting_.put(place, frame);
+    core_.insert(core_.end(), boxes.begin(), boxes.end());
   }
 
-  void remember(Place place, const std::vector<Bounds3>& boxes) {
-    const bool core = place == Place::upright || place == Place::column || place == Place::across ||
-                      place == Place::deck || place == Place::stack || place == Place::helix;
-    if (core) core_.insert(core_.end(), boxes.begin(), boxes.end());
-    if (place == Place::top)
-      for (const auto& box : boxes)
-        if (box.high.z() > frame_.deck.high.z()) frame_.deck = box;
+  void put_outer(Place place) {
+    if (place == Place::top) return setting_.pile(faces_);
+    const auto boxes = setting_.put(place, place == Place::around ? frame_ : faces_);
+    if (place != Place::hang) return;
+    double beam = frame_.low;
+    for (const auto& box : core_) beam = std::max(beam, box.low.z());
+    add_cords(program_, boxes, beam);
   }
 
-  double beam_height() const {
-    double height = frame_.low;
-    for (const auto& box : core_) height = std::max(height, box.low.z());
-    return height;
-  }
-
-  void place_body() {
+  void put_body() {
     Piece body = implied("body", 1, Place::stack);
     body.form.size = Vec3::Ones();
     body.form.form = "block";
@@ -302,24 +335,33 @@ class Composition {
       if (const auto shaped = shapes.find(wish.shape); shaped != shapes.end())
         body.form.form = shaped->second;
     }
-    place_some(body, 1, 0, 1);
+    setting_.add(std::move(body));
+    put_core(Place::stack);
   }
 
-  // The core's largest piece has the faces, its highest one carries.
+  // The core's largest piece has the faces (all of them between uprights), its highest one carries.
   void settle_faces() {
+    faces_ = inner_;
     const auto face = [](const Bounds3& box) { return box.size().x() * box.size().z(); };
-    frame_.core = *std::max_element(core_.begin(), core_.end(), [&](const auto& a, const auto& b) {
+    faces_.core = *std::max_element(core_.begin(), core_.end(), [&](const auto& a, const auto& b) {
       return face(a) < face(b);
     });
-    frame_.deck = *std::max_element(core_.begin(), core_.end(), [](const auto& a, const auto& b) {
+    faces_.deck = *std::max_element(core_.begin(), core_.end(), [](const auto& a, const auto& b) {
       return a.high.z() < b.high.z() - 1e-6;
     });
+    if (!frame_.framed) return;
+    for (const auto& box : core_) {
+      faces_.core.add(box.low);
+      faces_.core.add(box.high);
+    }
   }
 
   const Description& description_;
   shape::Program program_;
-  Frame frame_;
-  std::map<Place, std::vector<Piece>> pieces_;
+  Setting setting_;
+  Frame frame_;  ///< of the whole
+  Frame inner_;  ///< of what stands in the middle
+  Frame faces_;  ///< of that with its faces
   std::vector<Bounds3> core_;
   double base_ = 0.0, split_ = 0.0;
 };
@@ -360,30 +402,60 @@ std::optional<Frame> measured(const shape::Program& program) {
   return frame;
 }
 
+// Room for feet and bases below. Feet fill what removed ones have left; round ones cannot be taller
+// than wide.
+void stand_on(const Setting& setting, shape::Program& program, Frame& frame) {
+  if (!setting.has(Place::foot) && !setting.has(Place::base)) return;
+  double wanted = frame.low > least_feet ? frame.low : 0.0;
+  for (const Place place : {Place::foot, Place::base}) {
+    if (!setting.has(place)) continue;
+    for (const auto& piece : setting.at(place)) {
+      const double height = size_on(piece, frame.size).z();
+      if (place == Place::base) wanted = std::max(wanted, piece.count * height);
+      else if (frame.low <= least_feet)
+        wanted = std::max(wanted, std::clamp(height, least_feet, most_feet));
+      if (place == Place::foot && piece.form.same.find('z') != std::string::npos)
+        wanted = std::min(wanted, 0.4 * frame.size.head<2>().minCoeff());
+    }
+  }
+  const double by = wanted - frame.low;
+  raise(program, by);
+  frame.low = wanted;
+  frame.high += by;
+  for (Bounds3* box : {&frame.core, &frame.deck}) box->low.z() += by, box->high.z() += by;
+}
+
 }  // namespace
 
 shape::Program compose(const Description& description, const Vec3& size) {
   return Composition(description, size).run();
 }
 
-bool attach(shape::Program& program, const PartWish& part) {
+bool attach(shape::Program& program, const std::vector<PartWish>& parts) {
   auto frame = measured(program);
   if (!frame) return false;
-  const Piece piece = piece_of(part);
-  const Vec3 size = size_on(piece, frame->size);
-  const double lift = piece.place == Place::base
-                          ? piece.count * size.z()
-                          : std::clamp(size.z(), least_feet, most_feet);
-  // Feet fill what removed ones have left.
-  const bool lifts = piece.place == Place::base ||
-                     (piece.place == Place::foot && frame->low < least_feet);
-  if (lifts) {
-    raise(program, lift - frame->low);
-    frame->low = lift;
+  Setting setting(program);
+  for (const auto& part : parts) setting.add(piece_of(part));
+  stand_on(setting, program, *frame);
+  setting.put(Place::base, *frame);
+  setting.put(Place::foot, *frame);
+  for (const Place place : core_places) {
+    // Piles stand on the thing.
+    Frame above = *frame;
+    if (place == Place::stack) {
+      above.low = frame->deck.high.z();
+      above.high = above.low + pile_room * frame->size.z();
+    }
+    setting.put(place, above);
   }
-  const auto where = spots(piece.place, piece.count, size, *frame, part.series, piece.form.spread);
-  const auto boxes = put(program, piece, where, 0, where.size());
-  if (piece.place == Place::hang) add_cords(program, boxes, frame->high);
+  for (const Place place : outer_places) {
+    if (place == Place::top) {
+      setting.pile(*frame);
+      continue;
+    }
+    const auto boxes = setting.put(place, *frame);
+    if (place == Place::hang) add_cords(program, boxes, frame->high);
+  }
   return true;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "roomgen/create/description.h"
 #include "roomgen/shape/program.h"
 
@@ -11,8 +13,8 @@ namespace roomgen::create {
 /// is about its box.
 shape::Program compose(const Description& description, const Vec3& size);
 
-/// Adds a part to a thing whose recipe knows none of that name. False if there is nothing that
-/// could bear it.
-bool attach(shape::Program& program, const PartWish& part);
+/// Adds parts to a thing whose recipe knows none of their names. False if there is nothing that
+/// could bear them.
+bool attach(shape::Program& program, const std::vector<PartWish>& parts);
 
 }  // namespace roomgen::create

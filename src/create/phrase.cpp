@@ -86,11 +86,21 @@ class PhraseReader {
   // What was said since the last noun belongs to it.
   void boundary() {
     last_boundary_ = text_[at_];
+    if (!text_.is(at_, {",", "and", "of", "made"})) begin_with_part();
     // "on a cube, a ball and a cone" goes on.
     if (last_boundary_ != "," && last_boundary_ != "and") next_ = nullptr;
     ++at_;
     flush();
     negated_ = false;
+  }
+
+  // "a tower with four windows": no other thing is named, so the part is the thing.
+  void begin_with_part() {
+    if (!objects_.empty() || early_.empty()) return;
+    unknown_ = {early_.front().label};
+    begin_unknown();
+    unknown_.clear();
+    part_ = 0;
   }
 
   // "shaped like a tree": no tree is there.
@@ -284,6 +294,7 @@ class PhraseReader {
     // The name of a kind goes before its first word's other meanings: "wine rack", "round table".
     if (kind.length > 1 && !words_.shapes.count(word) && !words_.styles.count(word)) return false;
     if (const auto count = text_.count(at_)) {
+      if (more_of_known(count)) return true;
       pending_.count = count.meaning;
       pending_.article = true;
       return said(count.length);
@@ -296,7 +307,10 @@ class PhraseReader {
       pending_.style = *style.meaning;
       return said(style.length);
     }
-    if (const std::size_t length = form()) return said(length);
+    if (const std::size_t length = form()) {
+      unknown_.clear();  // "central pedestal": an adjective too
+      return said(length);
+    }
     if (const auto material = text_.longest(words_.materials, at_)) {
       pending_.material = material.meaning->name;
       return said(material.length);
@@ -313,6 +327,27 @@ class PhraseReader {
     if (!color || kind) return false;
     pending_.color = color.meaning;
     return said(color.length);
+  }
+
+  // "nine in all" is said of the first part, "and two little ones" of the last.
+  bool more_of_known(const PhraseText::Run<int>& count) {
+    if (objects_.empty() || part_ >= objects_.front().parts.size()) return false;
+    std::size_t after = at_ + count.length;
+    auto& parts = objects_.front().parts;
+    if (text_.starts(after, {"in", "all"}) || text_.starts(after, {"in", "total"})) {
+      for (auto& part : parts)
+        if (!part.label.empty() && !part.count) {
+          part.count = count.meaning;
+          break;
+        }
+      at_ = after + 2;
+      return true;
+    }
+    while (text_.longest(words_.scales, after) || text_.color(after)) ++after;
+    if (!text_.is(after, {"ones"})) return false;
+    parts[part_].count = parts[part_].count.value_or(0) + count.meaning;
+    at_ = after + 1;
+    return true;
   }
 
   // One word may say several things of a form: "splayed" is a way to build legs and a lean.
@@ -421,12 +456,17 @@ class PhraseReader {
     Description object;
     object.noun = text_.joined(at_, length);
     object.kind = kind.name;
+    // "a sculpture of three spheres" is what its parts are.
+    if (objects_.empty() && words_.makings.count(object.noun) && text_.is(at_ + length, {"of", "from"})) {
+      object.kind.clear();
+      object.approximate = true;
+    }
     at_ += length;
     // "a chair that looks like a chair", "a rack for bottles": no other thing beside the first.
     const bool beside =
         last_boundary_.empty() || last_boundary_ == "with" || last_boundary_ == "and" ||
         last_boundary_ == "plus" || last_boundary_ == "," || has_relation(at_);
-    if (!objects_.empty() && (kind.name == objects_.front().kind || negated_ || !beside ||
+    if (!objects_.empty() && (object.kind == objects_.front().kind || negated_ || !beside ||
                               objects_.size() >= most_objects)) {
       pending_ = {};
       return true;

@@ -164,7 +164,7 @@ Refinement refine(const shape::Program& earlier, const std::string& wish, const 
       continue;
     }
     if (!label.empty() && there == 0) {
-      if (!clause.add || !attach(program, part_of(clause)))
+      if (!clause.add || !attach(program, {part_of(clause)}))
         result.notes.push_back("there is no part \"" + what + "\"");
       continue;
     }

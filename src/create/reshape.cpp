@@ -133,6 +133,20 @@ void bend_board(Component& component, const Bar& bar, Course course, Strength st
   component.solid = std::move(swept);
 }
 
+// A board that lies: its middle goes up and down along its length.
+void bend_flat(Component& component, const Bar& bar, Course course, Strength strength) {
+  shape::SweptPart swept;
+  const int steps = course == Course::wave ? 36 : 12;
+  const double upward = 0.6 * amount(strength) * std::min(bar.size.x(), 3 * bar.size.y());
+  for (int i = 0; i <= steps; ++i) {
+    const double t = static_cast<double>(i) / steps;
+    swept.path.points.emplace_back(bar.size.x() * (t - 0.5), 0,
+                                   0.5 * bar.size.z() + upward * offset(course, t));
+  }
+  swept.section = shape::Rectangle{{bar.size.y(), bar.size.z()}, 0.2 * bar.size.z()};
+  component.solid = std::move(swept);
+}
+
 std::string add_surface(shape::Program& program, const std::string& base, shape::Surface surface) {
   surface.name = base;
   const auto taken = [&](const std::string& name) {
@@ -246,6 +260,8 @@ void bend(shape::Program& program, const std::string& label, Course course, Stre
       bend_board(component, *bar, course, strength);
     else if (label == "shelf" && bar->size.x() > 2.0 * bar->size.y())
       bend_board(component, *bar, course, strength);
+    else if (bar->size.x() > 1.5 * bar->size.y() && bar->size.z() < 0.4 * bar->size.y())
+      bend_flat(component, *bar, course, strength);
   });
 }
 

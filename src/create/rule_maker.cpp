@@ -148,32 +148,38 @@ class RuleMaker final : public Maker {
     // What goes makes room for what comes.
     for (const auto& part : description.parts)
       if (!part.label.empty() && part.count == 0) set_count(program, part.label, 0);
-    for (std::size_t i = 0; i < description.parts.size(); ++i)
-      if (!description.parts[i].label.empty() && description.parts[i].count != 0)
-        finish(program, description.parts[i], unmet[i]);
+    std::vector<PartWish> missing;
+    for (std::size_t i = 0; i < description.parts.size(); ++i) {
+      const PartWish& part = description.parts[i];
+      if (part.label.empty() || part.count == 0) continue;
+      const bool told = part.count && !unmet[i].count;  // a parameter did it, under whatever label
+      if (count_parts(program, part.label) > 0 || told) fit(program, part, unmet[i]);
+      else if (is_whole(part)) paint_whole(program, part);
+      else missing.push_back(part);
+    }
+    if (!missing.empty() && attach(program, missing))
+      for (const auto& part : missing)
+        shape_part(program, part, {.count = false, .lean = true, .course = true, .shape = true});
     prune_connections(program);
   }
 
-  void finish(shape::Program& program, const PartWish& part, Settings::Unmet unmet) {
+  // A part that is there.
+  void fit(shape::Program& program, const PartWish& part, Settings::Unmet unmet) {
     const int there = count_parts(program, part.label);
-    const int wanted = part.count.value_or(std::max(1, there));
-    const bool told = part.count && !unmet.count;  // a parameter did it, under whatever label
-    if (there == 0 && !told) {
-      if (is_whole(part)) return paint_whole(program, part);
-      if (!attach(program, part))
-        notes_.push_back("it is not known where a " + part.label + " belongs; it was left out");
-      unmet = {.count = false, .lean = true, .course = true, .shape = true};
-    } else if (there > 0 && there != wanted && !set_count(program, part.label, wanted)) {
+    const int wanted = part.count.value_or(there);
+    if (there > 0 && there != wanted && !set_count(program, part.label, wanted))
       notes_.push_back("there are " + std::to_string(there) + " of the part \"" + part.label +
                        "\" instead of " + std::to_string(wanted));
-    }
+    shape_part(program, part, unmet);
+    if (part.scale != Vec3::Ones() && part.scale.x() == 1.0) scale(program, part.label, part.scale);
+  }
+
+  static void shape_part(shape::Program& program, const PartWish& part, Settings::Unmet unmet) {
     if (unmet.shape) set_outline(program, part.label, part.shape);
     if (part.lean && unmet.lean) lean(program, part.label, *part.lean);
     if (part.course && unmet.course) bend(program, part.label, *part.course, part.strength);
     if (!part.material.empty() || !part.color.empty())
       paint(program, part.label, part.material, part.color, *built_in_words());
-    if (there > 0 && part.scale != Vec3::Ones() && part.scale.x() == 1.0)
-      scale(program, part.label, part.scale);
   }
 
   // Parts that are but other names for most of the thing: "with a wooden frame".

@@ -180,9 +180,27 @@ std::vector<Spot> circle(int count, Vec3 size, const Frame& frame) {
   return result;
 }
 
+// What lies flat shows its upper side: a board with pegs.
+bool lies_flat(const Vec3& core) {
+  return core.z() < 0.25 * core.head<2>().minCoeff();
+}
+
+// The part's front up.
+Spot laid(const Spot& upright, const Frame& frame) {
+  const double y = upright.at.z() + 0.5 * upright.size.z() - frame.core.center().z();
+  Spot spot = upright;
+  spot.turn.x() = -pi / 2;
+  spot.about_middle = true;
+  spot.at = {upright.at.x(), frame.core.center().y() + y,
+             frame.core.high.z() + 0.5 * upright.size.y() - joint};
+  return spot;
+}
+
 // In rows and columns on the front, as square as the face allows.
 std::vector<Spot> on_front(int count, Vec3 size, const Frame& frame, const Series& series) {
-  const Vec3 face = frame.core.size();
+  const bool flat = lies_flat(frame.core.size());
+  Vec3 face = frame.core.size();
+  if (flat) face.z() = face.y();
   const double want = std::sqrt(count * face.x() / face.z() * size.z() / size.x());
   const int in_row = std::clamp(static_cast<int>(std::lround(want)), 1, count);
   const int rows = (count + in_row - 1) / in_row;
@@ -194,12 +212,12 @@ std::vector<Spot> on_front(int count, Vec3 size, const Frame& frame, const Serie
   for (int i = 0; i < count; ++i) {
     const int row = i / in_row, here = std::min(in_row, count - row * in_row);
     const double x = frame.core.center().x() + cell.x() * (i % in_row - 0.5 * (here - 1));
-    const double z = frame.core.high.z() - (row + 0.5) * cell.y();
+    const double z = frame.core.center().z() + 0.5 * face.z() - (row + 0.5) * cell.y();
     Spot spot{{x, frame.core.low.y() - 0.5 * size.y() + joint, z - 0.5 * size.z()}, Vec3::Zero(), size};
     const double smaller = std::pow(series.scale, i);
     spot.at.z() += 0.5 * (1 - smaller) * size.z();
     spot.size.x() *= smaller, spot.size.z() *= smaller;
-    result.push_back(spot);
+    result.push_back(flat ? laid(spot, frame) : spot);
   }
   return result;
 }

@@ -103,6 +103,8 @@ Result<Words> read() {
   words.fillers = read_list(root["fillers"]);
   words.orders = read_list(root["orders"]);
   words.rooms = read_list(root["rooms"]);
+  words.makings = read_list(root["makings"]);
+  words.likenesses = read_list(root["likenesses"]);
   words.distances = read_list(root["distances"]);
   for (const auto& pair : root["relations"].elements())
     if (const auto texts = pair.elements(2); texts.size() == 2)

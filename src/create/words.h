@@ -49,6 +49,8 @@ struct Words {
   /// "around it": how what was named before stands to the first thing; the longest of several first.
   std::vector<std::pair<std::vector<std::string>, std::string>> relations;
   std::vector<Placement> placements;                ///< the longest of several first
+  WordSet makings;      ///< "sculpture": of what parts it is, is said
+  WordSet likenesses;   ///< "model": of what stands in no room
   WordMap<Place> arrangements;                      ///< "a ring of stones"
   std::vector<std::vector<std::string>> similes;    ///< "shaped like": names no thing that is there
 };
