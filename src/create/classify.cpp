@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <set>
 
 #include "part_forms.h"
 #include "roomgen/base/text.h"
@@ -99,21 +98,20 @@ std::string foreign_word(const std::vector<std::string>& pieces, const Words& wo
   return "";
 }
 
-// A tower may be a part of a thing, and a windmill may be a model.
-std::vector<std::string> without_parts(std::vector<std::string> pieces,
-                                       const std::vector<Description>& objects) {
-  std::set<std::string> harmless;
-  for (const auto& object : objects) {
-    for (const auto& part : object.parts)
-      if (built_in_parts()->parts.count(part.label)) harmless.insert(part.label);
-    const auto noun = roomgen::words(object.noun);
-    if (!noun.empty() && built_in_words()->likenesses.count(noun.back()))
-      harmless.insert(noun.begin(), noun.end());
-  }
-  std::erase_if(pieces, [&](const std::string& piece) {
-    return harmless.count(piece) || harmless.count(singular(piece));
+// The words that say what is to be made. A tower may be a part of a thing, and a windmill a model.
+std::vector<std::string> naming_words(const std::vector<std::string>& pieces,
+                                      const std::vector<Description>& objects) {
+  if (objects.empty()) return pieces;
+  const Description& object = objects.front();
+  const auto noun = roomgen::words(object.noun);
+  const auto is_likeness = [](const std::string& word) {
+    return built_in_words()->likenesses.count(word) > 0;
+  };
+  if (std::any_of(noun.begin(), noun.end(), is_likeness)) return {};
+  const bool parted = std::any_of(object.parts.begin(), object.parts.end(), [](const auto& part) {
+    return built_in_parts()->parts.count(part.label) > 0;
   });
-  return pieces;
+  return parted ? noun : pieces;
 }
 
 }  // namespace
@@ -137,7 +135,7 @@ Verdict classify_phrase(const std::string& prompt, const std::vector<Description
     return no("\"" + objects.front().noun + "\" is a room, not one object; rooms are made by `roomgen generate`");
   if (!objects.empty() && nothing_is_left(objects.front()))
     return no("all its parts are taken away; nothing is left to make");
-  const std::string foreign = foreign_word(without_parts(pieces, objects), words);
+  const std::string foreign = foreign_word(naming_words(pieces, objects), words);
   const bool known = !objects.empty() && !objects.front().approximate;
   if (known) return {true, objects.front().kind};
   if (!foreign.empty())

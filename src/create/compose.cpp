@@ -40,7 +40,7 @@ Piece piece_of(const PartWish& wish) {
   if (const auto shaped = parts.shapes.find(wish.shape); shaped != parts.shapes.end())
     piece.form.form = shaped->second;
   piece.place = wish.place.value_or(piece.form.place);
-  piece.count = std::clamp(wish.count.value_or(piece.form.count), 0, most_copies);
+  piece.count = std::clamp(wish.count.value_or(wish.one ? 1 : piece.form.count), 0, most_copies);
   return piece;
 }
 
@@ -259,6 +259,8 @@ class Composition {
       if (has(Place::hang) && !has(Place::stack)) add("post", 1, Place::column);
       else add("support", 2, Place::upright);
     }
+    if (setting_.total(Place::column) > 2 && boards == 0 && !has(Place::across))
+      add("rail", 2, Place::across);  // a fence, an abacus
     if (outward && !stem && boards == 0) add("post", 1, Place::column);
     if (boards > 1 && !has(Place::column) && !has(Place::upright)) add("support", 2, Place::upright);
     // Slender things need something to stand on.

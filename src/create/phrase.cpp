@@ -47,6 +47,7 @@ class PhraseReader {
     flush();
     if (objects_.empty()) begin_unknown();  // only parts were named, or nothing
     if (measured_) take_measures(objects_.front());
+    doubt_kind(objects_.front());
     return std::move(objects_);
   }
 
@@ -79,7 +80,10 @@ class PhraseReader {
     }
     if (words_.boundaries.count(word)) return boundary();
     if (!words_.fillers.count(word)) unknown_.push_back(word);
-    if (text_.is(at_, {"a", "an", "the"})) pending_.article = true;
+    if (text_.is(at_, {"a", "an", "the"})) {
+      pending_.article = true;
+      indefinite_ = word != "the";
+    }
     ++at_;
   }
 
@@ -92,6 +96,20 @@ class PhraseReader {
     ++at_;
     flush();
     negated_ = false;
+  }
+
+  // The nearest kind is not near when it has few of the parts: then these make the thing.
+  void doubt_kind(Description& object) const {
+    const ShapeKind* kind = object.approximate ? kinds_.find(object.kind) : nullptr;
+    if (!kind) return;
+    const auto labels = kinds_.labels(kind->recipe);
+    int known = 0, asked = 0;
+    for (const auto& part : object.parts) {
+      if (part.label.empty() || part.count == 0) continue;
+      ++asked;
+      known += labels.count(part.label) > 0;
+    }
+    if (2 * known < asked) object.kind.clear();
   }
 
   // "a tower with four windows": no other thing is named, so the part is the thing.
@@ -174,6 +192,9 @@ class PhraseReader {
     if (!next_) return;
     if (next_->gone) part.count = 0;
     if (next_->after) part.place = next_->after;
+    // Rings around a ball: it is no column.
+    if (next_->after == Place::column && built_in_parts()->of(part.label, 1).same == "xyz")
+      part.place.reset();
     if (!next_->below) return;
     // What carries by nature does so in its own way.
     switch (built_in_parts()->of(part.label, 1).place) {
@@ -374,6 +395,11 @@ class PhraseReader {
       const auto part = part_at(at_);
       return add_part(part.meaning, part.length);
     }
+    // "a cube body", "bottle holders": nouns that say what the next one is like.
+    if (is_adjunct(kind.length)) {
+      ++at_;
+      return true;
+    }
     auto part = part_at(at_);
     if (kind.length > part.length && part && head_knows(part.meaning) && !has_relation(at_ + kind.length))
       return add_part(part.meaning, kind.length);
@@ -386,6 +412,21 @@ class PhraseReader {
     return add_object(*kind.meaning, kind.length);
   }
 
+  bool is_adjunct(std::size_t kind_length) const {
+    const std::size_t after = at_ + 1;
+    if (objects_.empty() || after >= text_.size() || kind_length > 1) return false;
+    const auto part = part_at(at_);
+    if (part.length == 1 && part_at(after)) return true;
+    return kind_length == 1 && !part && is_unknown_noun(after);
+  }
+
+  bool is_unknown_noun(std::size_t at) const {
+    const std::string& word = text_[at];
+    return word != "," && !words_.boundaries.count(word) && !words_.fillers.count(word) &&
+           !says_nothing(word) && !text_.kind(at) && !part_at(at) && !text_.color(at) &&
+           !text_.count(at) && singular(word) != word;
+  }
+
   // "a football team": the last word says that it is no football.
   bool names_no_object(std::size_t at) const {
     return objects_.empty() && at < text_.size() && words_.no_objects.count(text_[at]) > 0;
@@ -393,12 +434,13 @@ class PhraseReader {
 
   // The part that the words name: one that the thing has, if they may mean several.
   PhraseText::Run<std::string> part_at(std::size_t at) const {
+    // Recipes have parts of which no list knows.
     const auto known = text_.part(at);
+    if (known.length < 2 && at < text_.size() && head_knows(singular(text_[at])))
+      return {1, singular(text_[at])};
     for (const auto& label : known.meaning)
       if (head_knows(label)) return {known.length, label};
     if (known) return {known.length, known.meaning.front()};
-    // Recipes have parts of which no list knows.
-    if (at < text_.size() && head_knows(singular(text_[at]))) return {1, singular(text_[at])};
     return {};
   }
 
@@ -446,9 +488,11 @@ class PhraseReader {
       objects_.front().contradicted = true;
     apply(pending_, *known);
     if (negated_) known->count = 0;
+    known->one = known->one || (indefinite_ && singular(text_[at_ - 1]) == text_[at_ - 1]);
     place_next(*known);
     part_ = objects_.empty() ? none : static_cast<std::size_t>(known - parts.begin());
     pending_ = {};
+    indefinite_ = false;
     return true;
   }
 
@@ -538,6 +582,7 @@ class PhraseReader {
   Placement arranged_;
   std::size_t part_ = none;  ///< of the first object, what was named last
   bool negated_ = false, leaves_out_ = false;
+  bool indefinite_ = false;  ///< the last article was "a"
 };
 
 }  // namespace

@@ -157,10 +157,21 @@ class RuleMaker final : public Maker {
       else if (is_whole(part)) paint_whole(program, part);
       else missing.push_back(part);
     }
+    if (stands_on_stem(missing, description)) set_count(program, "leg", 0);
     if (!missing.empty() && attach(program, missing))
       for (const auto& part : missing)
         shape_part(program, part, {.count = false, .lean = true, .course = true, .shape = true});
     prune_connections(program);
+  }
+
+  // "a stool with a thick stem": it has no legs besides, if none were asked for.
+  static bool stands_on_stem(const std::vector<PartWish>& missing, const Description& description) {
+    const auto is_leg = [](const PartWish& part) { return part.label == "leg"; };
+    const auto is_stem = [](const PartWish& part) {
+      return built_in_parts()->of(part.label, 1).place == Place::column && !part.place;
+    };
+    return std::none_of(description.parts.begin(), description.parts.end(), is_leg) &&
+           std::any_of(missing.begin(), missing.end(), is_stem);
   }
 
   // A part that is there.
@@ -184,9 +195,10 @@ class RuleMaker final : public Maker {
 
   // Parts that are but other names for most of the thing: "with a wooden frame".
   static bool is_whole(const PartWish& part) {
+    if (part.label == "body" || part.label == "frame") return true;
     return !part.count && part.shape.empty() && !part.place &&
-           (part.label == "frame" || part.label == "body" || part.label == "top" ||
-            part.label == "base" || part.label == "back" || part.label == "seat");
+           (part.label == "top" || part.label == "base" || part.label == "back" ||
+            part.label == "seat");
   }
 
   static void paint_whole(shape::Program& program, const PartWish& part) {

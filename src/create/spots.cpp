@@ -68,6 +68,7 @@ std::vector<Spot> columns(int count, Vec3 size, const Frame& frame) {
   size.z() = frame.high - frame.low;
   std::vector<Spot> result;
   const double reach = count < 2 ? 0.0 : 0.4 * frame.size.x();
+  if (count > 1) size.head<2>() *= std::min(1.0, reach / (count * size.x()));
   for (int i = 0; i < count; ++i)
     result.push_back({{reach * (2 * share(i, count) - 1), 0, frame.low}, Vec3::Zero(), size});
   return result;

@@ -45,6 +45,7 @@ struct Series {
 struct PartWish {
   std::string label;               ///< in the singular, as shape programs label parts: "leg"
   std::optional<int> count;        ///< 0: "without armrests"
+  bool one = false;                ///< "a bucket": no number, but no more than one where that is free
   std::string shape;               ///< "round", "square"
   std::string construction;        ///< "turned", "hairpin", "slatted"
   std::string material;            ///< "brass"
