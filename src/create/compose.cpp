@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "part_forms.h"
 #include "roomgen/base/text.h"
@@ -183,6 +184,17 @@ class Setting {
     return count;
   }
 
+  // What nobody knows stands all around a column, if there is one, as horses around a carousel.
+  void spread_unknown() {
+    if (!has(Place::column) || !has(Place::front)) return;
+    std::vector<Piece> fronts = std::exchange(pieces_[Place::front], {});
+    pieces_.erase(Place::front);
+    for (auto& piece : fronts) {
+      if (!piece.form.known && !piece.wish.place) piece.place = Place::radial;
+      add(std::move(piece));
+    }
+  }
+
   // Several parts of one place share it. Returns the boxes of all copies.
   std::vector<Bounds3> put(Place place, const Frame& frame, double upward = 0.0) {
     std::vector<Bounds3> boxes;
@@ -230,6 +242,7 @@ class Composition {
   shape::Program run() {
     for (const auto& wish : description_.parts)
       if (!wish.label.empty()) setting_.add(piece_of(wish));
+    setting_.spread_unknown();
     imply();
     divide();
     setting_.put(Place::base, frame_);
@@ -447,6 +460,11 @@ bool attach(shape::Program& program, const std::vector<PartWish>& parts) {
     if (place == Place::stack) {
       above.low = frame->deck.high.z();
       above.high = above.low + pile_room * frame->size.z();
+    }
+    // A column takes the place of legs that were removed.
+    if (place == Place::column && frame->low > least_feet && !setting.has(Place::foot)) {
+      above.high = frame->low + 0.005;
+      above.low = 0.0;
     }
     setting.put(place, above);
   }

@@ -71,6 +71,7 @@ PartForm PartForms::of(std::string_view label, int count) const {
   if (const auto found = parts.find(label); found != parts.end()) return found->second;
   PartForm part;
   part.form = unknown_form;
+  part.known = false;
   part.place = count == 1 ? Place::top : count == 2 ? Place::side : Place::front;
   return part;
 }

@@ -19,6 +19,7 @@ struct PartForm {
   int count = 1;                    ///< unless told
   bool spread = false;              ///< outward parts at many heights instead of one
   std::string material;             ///< a material's or colour's name; empty: the whole's
+  bool known = true;                ///< false: nothing is known of such a part
 };
 
 /// The parts of data/create/parts.json.

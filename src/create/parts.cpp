@@ -28,7 +28,8 @@ void visit_solids(std::vector<Component>& components, const std::string& inherit
 
 // Glides and screws do not make a leg another thing.
 bool is_trifle(std::string_view label) {
-  return label == "glide" || label == "cap" || label == "trim" || label == "screw";
+  return label == "glide" || label == "cap" || label == "trim" || label == "screw" ||
+         label == "plate";
 }
 
 bool is_whole(const Component& component, std::string_view label) {

@@ -436,7 +436,8 @@ class PhraseReader {
   PhraseText::Run<std::string> part_at(std::size_t at) const {
     // Recipes have parts of which no list knows.
     const auto known = text_.part(at);
-    if (known.length < 2 && at < text_.size() && head_knows(singular(text_[at])))
+    if (known.length < 2 && at < text_.size() && !says_nothing(text_[at]) &&
+        head_knows(singular(text_[at])))
       return {1, singular(text_[at])};
     for (const auto& label : known.meaning)
       if (head_knows(label)) return {known.length, label};
@@ -548,7 +549,7 @@ class PhraseReader {
 
   // A noun phrase of which no word is known: the thing itself, or a part of it.
   void unknown_noun() {
-    static const WordSet owners = {"with", "and", "plus", "having", "has", "have", "without", "of", ",", "on", "over", "between"};
+    static const WordSet owners = {"with", "and", "plus", "having", "has", "have", "without", "of", "on", "over", "between"};
     if (objects_.empty()) {
       begin_unknown();
     } else if (pending_.article && objects_.front().parts.size() < most_parts &&

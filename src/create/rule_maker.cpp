@@ -147,7 +147,7 @@ class RuleMaker final : public Maker {
               const std::vector<Settings::Unmet>& unmet) {
     // What goes makes room for what comes.
     for (const auto& part : description.parts)
-      if (!part.label.empty() && part.count == 0) set_count(program, part.label, 0);
+      if (!part.label.empty() && part.count == 0) remove(program, part.label);
     std::vector<PartWish> missing;
     for (std::size_t i = 0; i < description.parts.size(); ++i) {
       const PartWish& part = description.parts[i];
@@ -157,11 +157,17 @@ class RuleMaker final : public Maker {
       else if (is_whole(part)) paint_whole(program, part);
       else missing.push_back(part);
     }
-    if (stands_on_stem(missing, description)) set_count(program, "leg", 0);
+    if (stands_on_stem(missing, description)) remove(program, "leg");
     if (!missing.empty() && attach(program, missing))
       for (const auto& part : missing)
         shape_part(program, part, {.count = false, .lean = true, .course = true, .shape = true});
     prune_connections(program);
+  }
+
+  // Legs take along what they bear.
+  static void remove(shape::Program& program, const std::string& label) {
+    set_count(program, label, 0);
+    if (label == "leg") set_count(program, "stretcher", 0);
   }
 
   // "a stool with a thick stem": it has no legs besides, if none were asked for.

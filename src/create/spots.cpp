@@ -252,7 +252,8 @@ std::vector<Spot> behind(int count, const Vec3& size, const Frame& frame) {
 
 std::vector<Spot> upon(int count, const Vec3& size, const Frame& frame, const Series& series) {
   const Vec3 room = frame.deck.size();
-  const double fit = std::min(1.0, (count > 1 ? 1 - gap_share : 1.1) * room.x() / (count * size.x()));
+  const double fit =
+      count > 1 ? std::min(1.0, (1 - gap_share) * room.x() / (count * size.x())) : 1.0;
   std::vector<Spot> result;
   for (int i = 0; i < count; ++i) {
     const double x = frame.deck.center().x() + room.x() * ((i + 0.5) / count - 0.5);
