@@ -5,6 +5,7 @@
 
 #include "assemble.h"
 #include "classify.h"
+#include "closer_kind.h"
 #include "parts.h"
 #include "phrase.h"
 #include "refine.h"
@@ -43,7 +44,10 @@ class RuleMaker final : public Maker {
   Result<std::vector<Description>> decompose(const std::string& prompt) override {
     if (!built_in_words()) return built_in_words().error();
     if (!ShapeKinds::built_in()) return ShapeKinds::built_in().error();
-    return read_phrase(prompt.substr(0, longest_phrase), *built_in_words(), *ShapeKinds::built_in());
+    auto objects = read_phrase(prompt.substr(0, longest_phrase), *built_in_words(), *ShapeKinds::built_in());
+    for (auto& object : objects)
+      if (const ShapeKind* closer = closer_kind(object, *ShapeKinds::built_in())) object.kind = closer->name;
+    return objects;
   }
 
   bool wants_examples() const override { return false; }
@@ -103,6 +107,8 @@ class RuleMaker final : public Maker {
     for (const auto& part : description.parts)
       if (auto better = with_count(part, *parameters, *program, settings.values, make))
         program = *std::move(better);
+    for (std::size_t i = 0; i < description.parts.size(); ++i)
+      fit_height(description.parts[i].label, settings.unmet[i].size.z(), *parameters, *program, settings.values, make);
     program->name = description.noun;
     program->about = description.prompt;
     if (description.approximate)
@@ -114,6 +120,18 @@ class RuleMaker final : public Maker {
     return program;
   }
 
+  // Who says something of the legs means that there are some: no trestle, unless it was asked for.
+  static int usual_count(const PartWish& part, const std::vector<shape::Parameter>& parameters,
+                         const shape::Values& values) {
+    for (const auto& parameter : parameters) {
+      if (parameter.name != part.label + "s") continue;
+      const auto set = values.find(parameter.name);
+      const auto& value = set == values.end() ? parameter.value : set->second;
+      if (const double* number = std::get_if<double>(&value)) return static_cast<int>(*number);
+    }
+    return 0;
+  }
+
   // A way of building the part that allows the number that was asked for, when the seed or the style
   // chose one that does not: six legs are no trestle.
   template <typename Make>
@@ -121,21 +139,45 @@ class RuleMaker final : public Maker {
                                                   const std::vector<shape::Parameter>& parameters,
                                                   const shape::Program& program,
                                                   shape::Values& values, Make make) {
-    if (part.label.empty() || !part.count || !part.construction.empty() || *part.count == 0)
-      return std::nullopt;
+    if (part.label.empty() || !part.construction.empty()) return std::nullopt;
+    const int wanted = part.count.value_or(usual_count(part, parameters, values));
+    if (wanted == 0) return std::nullopt;
     const auto style = std::find_if(parameters.begin(), parameters.end(), [&](const auto& parameter) {
       return parameter.name == part.label + "_style";
     });
-    if (style == parameters.end() || count_parts(program, part.label) == *part.count)
+    if (style == parameters.end() || count_parts(program, part.label) == wanted)
       return std::nullopt;
     const shape::Values before = values;
     for (const auto& choice : style->choices) {
       values[style->name] = choice;
       auto other = make();
-      if (other && count_parts(*other, part.label) == *part.count) return *std::move(other);
+      if (other && count_parts(*other, part.label) == wanted) return *std::move(other);
     }
     values = before;
     return std::nullopt;
+  }
+
+  // A part that grows with the whole gets its height from it: a throne whose back is two metres tall.
+  template <typename Make>
+  static void fit_height(const std::string& label, double wanted, const std::vector<shape::Parameter>& parameters,
+                         shape::Program& program, shape::Values& values, Make make) {
+    const auto height = std::find_if(parameters.begin(), parameters.end(),
+                                     [](const auto& parameter) { return parameter.name == "height"; });
+    if (std::isnan(wanted) || height == parameters.end()) return;
+    for (int round = 0; round < 3; ++round) {
+      const double missing = wanted - part_size(program, label).z();
+      if (std::abs(missing) < coarse) return;
+      shape::Values changed = values;
+      double& value = std::get<double>(changed["height"]);
+      value = std::clamp(value + missing, height->min, height->max);
+      std::swap(values, changed);
+      auto other = make();
+      if (!other || std::abs(wanted - part_size(*other, label).z()) > 0.8 * std::abs(missing)) {
+        std::swap(values, changed);
+        return;
+      }
+      program = *std::move(other);
+    }
   }
 
   // What no parameter could say, part by part.
@@ -158,6 +200,7 @@ class RuleMaker final : public Maker {
       if (wanted == 0) continue;
       if (unmet[i].shape) set_outline(program, part.label, part.shape);
       if (part.lean && unmet[i].lean) lean(program, part.label, *part.lean);
+      if (!unmet[i].size.array().isNaN().all()) resize(program, part.label, unmet[i].size);
       if (part.course && unmet[i].course) bend(program, part.label, *part.course, part.strength);
       if (!part.material.empty() || !part.color.empty())
         paint(program, part.label, part.material, part.color, *built_in_words());

@@ -4,14 +4,12 @@
 #include <cmath>
 
 #include "roomgen/base/random.h"
-#include "roomgen/base/text.h"
+#include "sizing.h"
 
 namespace roomgen::create {
 
 namespace {
 
-constexpr double size_variation = 0.05;  // of the usual size, either way
-constexpr double least_side = 0.01, greatest_side = 5.0;
 constexpr const char* axes[] = {"width", "depth", "height"};
 
 // "shelf" is counted by `shelves`, an armrest by `arms`.
@@ -28,6 +26,10 @@ std::vector<std::string> counters(const std::string& label) {
   if (label == "pillow" || label == "cushion") names.insert(names.end(), {"cushions", "pillows"});
   if (label == "slat" || label == "spindle") names.insert(names.end(), {"slats", "spindles"});
   if (label == "leaf") names.push_back("leaves");
+  if (label == "tray") names.push_back("shelves");
+  if (label == "arm" || label == "candle") names.push_back("bulbs");
+  if (label == "peg") names.push_back("hooks");
+  if (label == "basin" || label == "sink") names.insert(names.end(), {"sinks", "basins"});
   return names;
 }
 
@@ -53,7 +55,7 @@ class Chooser {
       for (const auto& [name, value] : style->second) result_.values[name] = value;
     color_whole();
     for (const auto& part : description_.parts) result_.unmet.push_back(say(part));
-    choose_size();
+    set_size();
     result_.values = shape::clamped(parameters_, result_.values);
     return std::move(result_);
   }
@@ -132,6 +134,7 @@ class Chooser {
         return set_number(label + "_curve", curve_of(part)) || set_word(label + "_shape", "curved") ||
                set_word(label + "_style", "curved");
       });
+    if (part.size && !part.label.empty()) unmet.size = say_size(part);
     const double thicker = part.scale.x();
     if (thicker != 1.0)
       for (const auto& label : labels)
@@ -140,6 +143,24 @@ class Chooser {
             result_.values[parameter->name] =
                 std::clamp(*usual * thicker, parameter->min, parameter->max);
     return unmet;
+  }
+
+  // What no parameter says of the part's width, depth and height is left in `unmet`.
+  Vec3 say_size(const PartWish& part) {
+    Vec3 unmet = *part.size;
+    const bool upright = part.size->z() > 0.1 || stands(part.label);
+    for (int axis = 0; axis < 3; ++axis) {
+      const double side = unmet[axis];
+      if (std::isnan(side)) continue;
+      const bool thick = upright ? axis < 2 : axis == 2;
+      if (set_number(part.label + "_" + axes[axis], side) || (thick && set_number(part.label + "_thickness", side)))
+        unmet[axis] = std::nan("");
+    }
+    return unmet;
+  }
+
+  static bool stands(const std::string& label) {
+    return label == "leg" || label == "pole" || label == "post" || label == "foot";
   }
 
   bool set_shape(const std::string& label, const std::string& shape) {
@@ -176,39 +197,11 @@ class Chooser {
     }
   }
 
-  void choose_size() {
-    Random random = random_.fork("size");
-    for (int axis = 0; axis < 3; ++axis) {
-      double side = kind_.size[axis] * random.uniform(1 - size_variation, 1 + size_variation);
-      side = std::clamp(side * description_.scale[axis], kind_.least[axis], kind_.most[axis]);
-      if (description_.size && !std::isnan((*description_.size)[axis]))
-        side = std::clamp((*description_.size)[axis], least_side, greatest_side);
-      side = std::round(side * 1000) / 1000;
-      if (const auto* parameter = find(axes[axis])) {
-        const double kept = std::clamp(side, parameter->min, parameter->max);
-        if (std::abs(kept - side) > 1e-9)
-          result_.notes.push_back(std::string(axes[axis]) + " " + format_number(side) + " m was brought to " +
-                                  format_number(kept) + " m, as far as a " + kind_.name + " goes");
-        side = kept;
-      }
-      result_.size[axis] = side;
-    }
-    square_up();
+  void set_size() {
+    Sizing sizing = choose_size(description_, kind_, parameters_, result_.values, random_.fork("size"));
+    result_.size = sizing.size;
+    result_.notes.insert(result_.notes.end(), sizing.notes.begin(), sizing.notes.end());
     for (int axis = 0; axis < 3; ++axis) result_.values[axes[axis]] = result_.size[axis];
-  }
-
-  // What is round or square is as deep as it is wide.
-  void square_up() {
-    if (description_.size && !std::isnan((*description_.size)[0] + (*description_.size)[1])) return;
-    for (const auto& part : description_.parts) {
-      const bool outer = part.label.empty() || part.label == "top" || part.label == "seat";
-      if (!outer || (part.shape != "round" && part.shape != "square")) continue;
-      if (kind_.size.x() > 2.2 * kind_.size.y()) continue;
-      const double side = description_.size && !std::isnan((*description_.size)[0])
-                              ? result_.size.x()
-                              : std::sqrt(result_.size.x() * result_.size.y());
-      result_.size.x() = result_.size.y() = std::round(side * 1000) / 1000;
-    }
   }
 
   const Description& description_;
