@@ -13,7 +13,8 @@ namespace {
 constexpr const char* axes[] = {"width", "depth", "height"};
 
 // "shelf" is counted by `shelves`, an armrest by `arms`.
-std::vector<std::string> counters(const std::string& label) {
+std::vector<std::string> counters(std::string label) {
+  std::replace(label.begin(), label.end(), ' ', '_');
   std::vector<std::string> names = {label + "s", label + "es", label};
   if (label.ends_with("f")) names.insert(names.begin(), label.substr(0, label.size() - 1) + "ves");
   if (label == "foot") names.insert(names.begin(), {"feet", "legs"});
@@ -32,6 +33,8 @@ std::vector<std::string> counters(const std::string& label) {
   if (label == "basin" || label == "sink") names.insert(names.end(), {"sinks", "basins"});
   return names;
 }
+
+constexpr double widest_on_a_pole = 0.7;  // a sofa's base is no pedestal
 
 double curve_of(const PartWish& part) {
   if (*part.course == Course::straight) return 0.0;
@@ -109,15 +112,34 @@ class Chooser {
     return false;
   }
 
-  // A part without a name is the whole: whatever shows most of its shape.
+  // A part without a name is the whole: whatever shows most of its shape, or has any.
   std::vector<std::string> labels_of(const PartWish& part) const {
     if (!part.label.empty()) return {part.label};
-    return {"top", "seat", "back", "shade", "body", "base", "pot", "mirror", "frame", "leg", "shelf"};
+    std::vector<std::string> labels = {"top", "seat", "back", "shade", "body", "base", "pot", "mirror", "frame", "leg", "shelf"};
+    for (const auto& parameter : parameters_)
+      if (parameter.name.ends_with("_shape"))
+        labels.push_back(parameter.name.substr(0, parameter.name.size() - std::string_view("_shape").size()));
+    return labels;
+  }
+
+  // A part may need a way of building: spindles a back of spindles, eight arms a chandelier of arms, one leg
+  // in the middle a pedestal. What was asked for by name stays.
+  void build_for(const PartWish& part) {
+    if (part.label.empty() || part.count.value_or(1) == 0) return;
+    const bool pedestal = (part.label == "leg" && part.count == 1) ||
+                          (part.label == "base" && (find("base_shape") || kind_.size.x() < widest_on_a_pole));
+    if (pedestal) (void)set_word("leg_style", "pedestal");
+    for (const auto& parameter : parameters_) {
+      if (!parameter.name.ends_with("_style") || asked_.count(parameter.name)) continue;
+      for (const auto& name : counters(part.label))
+        if (set_word(parameter.name, name)) return;
+    }
   }
 
   Settings::Unmet say(const PartWish& part) {
     Settings::Unmet unmet;
     const auto labels = labels_of(part);
+    build_for(part);
     const auto any = [&](auto set) { return std::any_of(labels.begin(), labels.end(), set); };
     if (part.count) unmet.count = !set_count(part.label, *part.count);
     else if (!part.label.empty()) make_present(part.label);
@@ -126,9 +148,18 @@ class Chooser {
                     !set_word("shape", part.shape);
     }
     if (!part.construction.empty())
-      (void)any([&](const auto& label) { return set_word(label + "_style", part.construction); });
+      (void)any([&](const auto& label) {
+        if (!set_word(label + "_style", part.construction)) return false;
+        asked_.insert(label + "_style");
+        return true;
+      });
     if (part.lean)
-      unmet.lean = !any([&](const auto& label) { return set_number(label + "_lean", *part.lean); });
+      unmet.lean = !any([&](const auto& label) {
+        if (!set_number(label + "_lean", *part.lean)) return false;
+        // Hairpins and lions' feet do not lean; what is straight does.
+        if (!asked_.count(label + "_style")) (void)(set_word(label + "_style", "tapered") || set_word(label + "_style", "round"));
+        return true;
+      });
     if (part.course)
       unmet.course = !any([&](const auto& label) {
         return set_number(label + "_curve", curve_of(part)) || set_word(label + "_shape", "curved") ||
@@ -167,9 +198,11 @@ class Chooser {
     const std::string name = label + "_shape";
     if (set_word(name, shape)) return true;
     // Recipes that know no square ones mean the same by rectangular, and so on.
-    if (shape == "square") return set_word(name, "rectangular");
+    if (shape == "square" && set_word(name, "rectangular")) return true;
     if (shape == "rectangular") return set_word(name, "square");
-    if (shape == "oval") return set_word(name, "round");
+    if (shape == "oval" || shape == "globe") return set_word(name, "round");
+    if (label == "leg" && shape == "square") return set_word("leg_style", "straight") || set_word("leg_style", "block");
+    if (label == "leg" && shape == "round") return set_word("leg_style", "round");
     if (shape == "round") return set_word(name, "oval") || set_word(name, "domed") || set_word(name, "cylindrical");
     return false;
   }
@@ -209,6 +242,7 @@ class Chooser {
   const std::vector<shape::Parameter>& parameters_;
   const Words& words_;
   Random random_;
+  WordSet asked_;  ///< parameters that the description names
   Settings result_;
 };
 

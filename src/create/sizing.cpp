@@ -94,8 +94,9 @@ class Sizer {
   void square_up() {
     if (is_said(0) && is_said(1)) return;
     for (const auto& part : description_.parts) {
-      const bool outer = part.label.empty() || part.label == "top" || part.label == "seat";
-      if (!outer || (part.shape != "round" && part.shape != "square")) continue;
+      const bool outer = part.label.empty() || part.label == "top" || part.label == "seat" ||
+                         part.label == "shade" || (part.label == "shelf" && find(parameters_, "shelf_shape"));
+      if (!outer || (part.shape != "round" && part.shape != "square" && part.shape != "globe")) continue;
       if (kind_.size.x() > longish * kind_.size.y()) continue;
       const double side = is_said(0)   ? result_.size.x()
                           : is_said(1) ? result_.size.y()
