@@ -44,6 +44,7 @@ class Sizer {
       result_.size[axis] = within_parameter(std::round(side * 1000) / 1000, axis);
     }
     square_up();
+    square_up_on_wall();
     return std::move(result_);
   }
 
@@ -102,6 +103,16 @@ class Sizer {
                           : is_said(1) ? result_.size.y()
                                        : std::sqrt(result_.size.x() * result_.size.y());
       result_.size.x() = result_.size.y() = std::round(side * 1000) / 1000;
+    }
+  }
+
+  // The outline of a mirror is seen from the front.
+  void square_up_on_wall() {
+    if (is_said(2) || !find(parameters_, "frame_shape")) return;
+    for (const auto& part : description_.parts) {
+      const bool even = part.shape == "round" || part.shape == "square" || part.shape == "octagonal";
+      if (even) result_.size.z() = result_.size.x();
+      if (part.shape == "hexagonal") result_.size.z() = std::round(result_.size.x() * 866.0) / 1000;
     }
   }
 
