@@ -39,6 +39,8 @@ const ShapeKind* closer_kind(const Description& description, const ShapeKinds& k
   if (const std::string place = place_said(description.prompt); !place.empty())
     names = {place + " " + noun, noun + " " + place, place + " " + description.kind};
   for (const auto& part : description.parts)
+    if (part.label == "pole" && part.course == Course::arc) names.push_back("arc " + noun);
+  for (const auto& part : description.parts)
     if (!part.label.empty() && part.count.value_or(1) > 0)
       for (const char* joint : {" of ", " with "})
         for (const char* ending : {"s", ""}) names.push_back(noun + joint + part.label + ending);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "roomgen/base/random.h"
+#include "relative_size.h"
 #include "sizing.h"
 
 namespace roomgen::create {
@@ -58,6 +59,7 @@ class Chooser {
       for (const auto& [name, value] : style->second) result_.values[name] = value;
     color_whole();
     for (const auto& part : description_.parts) result_.unmet.push_back(say(part));
+    seat_people();
     set_size();
     result_.values = shape::clamped(parameters_, result_.values);
     return std::move(result_);
@@ -129,6 +131,8 @@ class Chooser {
     const bool pedestal = (part.label == "leg" && part.count == 1) ||
                           (part.label == "base" && (find("base_shape") || kind_.size.x() < widest_on_a_pole));
     if (pedestal) (void)set_word("leg_style", "pedestal");
+    // Two mirrored doors of four are no four.
+    if (part.label == "mirror" && find("mirrors")) (void)set_word("door_style", "panel");
     for (const auto& parameter : parameters_) {
       if (!parameter.name.ends_with("_style") || asked_.count(parameter.name)) continue;
       for (const auto& name : counters(part.label))
@@ -228,6 +232,14 @@ class Chooser {
             return;
           }
     }
+  }
+
+  // A sofa for four has four seats.
+  void seat_people() {
+    const auto people = read_relative_size(description_.prompt).people;
+    const bool told = std::any_of(description_.parts.begin(), description_.parts.end(),
+                                  [](const auto& part) { return part.label == "cushion" && part.count; });
+    if (people && !told && kind_.growth.count("cushions")) (void)set_number("cushions", *people);
   }
 
   void set_size() {
