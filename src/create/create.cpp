@@ -79,6 +79,7 @@ class Creator {
     const std::optional<Vec3> in_numbers = description.size, said = said_size(description, kind);
     description.size = said;
     if (options_.variant == Variant::direct) return directly(std::move(request), description);
+    Vec3 last = Vec3::Zero();
     for (int round = 0; round < size_rounds; ++round) {
       request.description = description;
       auto program = maker_.generate(request);
@@ -87,7 +88,10 @@ class Creator {
       object.repairs.clear();
       if (auto status = finish(*std::move(program), object); !status) return status.error();
       const Vec3 size = bounds(object.shape).size();
-      if (!correct_size(aim_of(description, said, size, kind), size, description)) break;
+      // What another aim did not change will not change.
+      if ((size - last).norm() < size_tolerance || !correct_size(aim_of(description, said, size, kind), size, description))
+        break;
+      last = size;
     }
     object.description = std::move(request.description);
     object.description.size = in_numbers;
