@@ -33,7 +33,9 @@ Vec3 aim_of(const Description& description, const std::optional<Vec3>& said, con
     return aim;
   for (int axis = 0; axis < 3; ++axis)
     if (aim[axis] < kind->least[axis] || aim[axis] > kind->most[axis]) return aim;
-  for (int axis = 0; axis < 3; ++axis) {
+  // A round thing whose width was said is as deep.
+  const bool outline_is_said = !std::isnan(aim.x()) || !std::isnan(aim.y());
+  for (int axis = outline_is_said ? 2 : 0; axis < 3; ++axis) {
     const double nearest = std::clamp(size[axis], kind->least[axis], kind->most[axis]);
     const double excess = std::max(size[axis] / nearest, nearest / size[axis]);
     if (std::isnan(aim[axis]) && std::abs(size[axis] - nearest) > size_tolerance && excess < most_excess)

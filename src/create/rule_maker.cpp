@@ -19,6 +19,7 @@ namespace {
 
 constexpr double coarse = 0.01;
 const Vec3 usual_size(0.5, 0.5, 0.8);
+constexpr double over_corners = 1.4;  // a circle around a square is so much wider
 
 // Surfaces that the recipe paints with this colour parameter.
 std::vector<std::string> surfaces_of(const Json& recipe, const std::string& parameter) {
@@ -104,8 +105,13 @@ class RuleMaker final : public Maker {
       program = make();
     }
     if (!program) return program;
+    if (needs_wide_top(description, settings, *program)) {
+      for (const char* side : {"width", "depth"}) std::get<double>(settings.values[side]) /= over_corners;
+      program = make();
+      if (!program) return program;
+    }
     for (const auto& part : description.parts)
-      if (auto better = with_count(part, *parameters, *program, settings.values, make))
+      if (auto better = with_count(part, kind, description, *parameters, *program, settings.values, make))
         program = *std::move(better);
     for (std::size_t i = 0; i < description.parts.size(); ++i)
       fit_height(description.parts[i].label, settings.unmet[i].size.z(), *parameters, *program, settings.values, make);
@@ -135,26 +141,38 @@ class RuleMaker final : public Maker {
   // A way of building the part that allows the number that was asked for, when the seed or the style
   // chose one that does not: six legs are no trestle.
   template <typename Make>
-  static std::optional<shape::Program> with_count(const PartWish& part,
+  static std::optional<shape::Program> with_count(const PartWish& part, const ShapeKind& kind,
+                                                  const Description& description,
                                                   const std::vector<shape::Parameter>& parameters,
                                                   const shape::Program& program,
                                                   shape::Values& values, Make make) {
-    if (part.label.empty() || !part.construction.empty()) return std::nullopt;
+    if (part.label.empty()) return std::nullopt;
     const int wanted = part.count.value_or(usual_count(part, parameters, values));
-    if (wanted == 0) return std::nullopt;
-    const auto style = std::find_if(parameters.begin(), parameters.end(), [&](const auto& parameter) {
-      return parameter.name == part.label + "_style";
-    });
-    if (style == parameters.end() || count_parts(program, part.label) == wanted)
-      return std::nullopt;
-    const shape::Values before = values;
-    for (const auto& choice : style->choices) {
-      values[style->name] = choice;
+    if (wanted == 0 || count_parts(program, part.label) == wanted) return std::nullopt;
+    const auto attempt = [&](const std::string& name, const shape::Value& choice) -> std::optional<shape::Program> {
+      const shape::Values before = values;
+      values[name] = choice;
       auto other = make();
       if (other && count_parts(*other, part.label) == wanted) return *std::move(other);
-    }
-    values = before;
+      values = before;
+      return std::nullopt;
+    };
+    for (const auto& parameter : parameters)
+      if (parameter.name == part.label + "_style" && part.construction.empty())
+        for (const auto& choice : parameter.choices)
+          if (auto other = attempt(parameter.name, choice)) return other;
+    for (const auto& [name, choices] : kind.vary)
+      if (!is_said(name, description))
+        for (const auto& choice : choices)
+          if (auto other = attempt(name, choice)) return other;
     return std::nullopt;
+  }
+
+  // Does the description speak of what the parameter is about: "drawers", "leg_style"?
+  static bool is_said(const std::string& parameter, const Description& description) {
+    return std::any_of(description.parts.begin(), description.parts.end(), [&](const PartWish& part) {
+      return !part.label.empty() && parameter.starts_with(part.label.substr(0, part.label.size() - 1));
+    });
   }
 
   // A part that grows with the whole gets its height from it: a throne whose back is two metres tall.
@@ -199,6 +217,8 @@ class RuleMaker final : public Maker {
       }
       if (wanted == 0) continue;
       if (unmet[i].shape) set_outline(program, part.label, part.shape);
+      if (is_round_top(part, unmet[i]) && count_parts(program, "side") > 1)
+        scale(program, part.label, {over_corners, over_corners, 1.0});
       if (part.lean && unmet[i].lean) lean(program, part.label, *part.lean);
       if (!unmet[i].size.array().isNaN().all()) resize(program, part.label, unmet[i].size);
       if (part.course && unmet[i].course) bend(program, part.label, *part.course, part.strength);
@@ -207,6 +227,18 @@ class RuleMaker final : public Maker {
       if (part.scale != Vec3::Ones() && part.scale.x() == 1.0) scale(program, part.label, part.scale);
     }
     prune_connections(program);
+  }
+
+  static bool is_round_top(const PartWish& part, const Settings::Unmet& unmet) {
+    return unmet.shape && part.label == "top" && part.shape != "square" && part.shape != "rectangular";
+  }
+
+  // A round top covers the corners of the case under it, which is the smaller for it.
+  static bool needs_wide_top(const Description& description, const Settings& settings,
+                             const shape::Program& program) {
+    for (std::size_t i = 0; i < description.parts.size(); ++i)
+      if (is_round_top(description.parts[i], settings.unmet[i])) return count_parts(program, "side") > 1;
+    return false;
   }
 
   // Parts that are but other names for most of the thing: "with a wooden frame".
