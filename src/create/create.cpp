@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "relative_size.h"
 #include "roomgen/create/kinds.h"
 
 namespace roomgen::create {
@@ -15,11 +16,32 @@ constexpr double coarse = 0.01;
 // Sides that differ by more than this from what was asked are made again.
 constexpr double size_tolerance = 0.004;
 constexpr int size_rounds = 3;
+constexpr double most_excess = 1.3;
 
-Mount mount_of(const Description& description) {
+const ShapeKind* kind_of(const Description& description) {
   const auto& kinds = ShapeKinds::built_in();
-  const ShapeKind* kind = kinds ? kinds->find(description.kind) : nullptr;
-  return kind ? kind->mount : Mount::floor;
+  return kinds && !description.kind.empty() ? kinds->find(description.kind) : nullptr;
+}
+
+// Lengths to aim at: those that were said, and the kind's least and most where what came out is a
+// little beyond them. What is far beyond has grown by parts that were asked for, and may.
+Vec3 aim_of(const Description& description, const std::optional<Vec3>& said, const Vec3& size,
+            const ShapeKind* kind) {
+  Vec3 aim = said.value_or(Vec3::Constant(std::nan("")));
+  const auto& parts = description.parts;
+  if (!kind || std::any_of(parts.begin(), parts.end(), [](const auto& part) { return part.size.has_value(); }))
+    return aim;
+  for (int axis = 0; axis < 3; ++axis)
+    if (aim[axis] < kind->least[axis] || aim[axis] > kind->most[axis]) return aim;
+  // A round thing whose width was said is as deep.
+  const bool outline_is_said = !std::isnan(aim.x()) || !std::isnan(aim.y());
+  for (int axis = outline_is_said ? 2 : 0; axis < 3; ++axis) {
+    const double nearest = std::clamp(size[axis], kind->least[axis], kind->most[axis]);
+    const double excess = std::max(size[axis] / nearest, nearest / size[axis]);
+    if (std::isnan(aim[axis]) && std::abs(size[axis] - nearest) > size_tolerance && excess < most_excess)
+      aim[axis] = nearest;
+  }
+  return aim;
 }
 
 Footing footing_of(Mount mount) {
@@ -50,13 +72,16 @@ class Creator {
 
   Result<CreatedObject> make(Description description) {
     CreatedObject object;
-    object.mount = mount_of(description);
+    const ShapeKind* kind = kind_of(description);
+    object.mount = kind ? kind->mount : Mount::floor;
     MakeRequest request;
     request.seed = options_.seed;
     if (maker_.wants_examples()) request.examples = nearest_examples(description);
     request.cancel = options_.cancel;
-    const std::optional<Vec3> wanted = description.size;
+    const std::optional<Vec3> in_numbers = description.size, said = said_size(description, kind);
+    description.size = said;
     if (options_.variant == Variant::direct) return directly(std::move(request), description);
+    Vec3 last = Vec3::Zero();
     for (int round = 0; round < size_rounds; ++round) {
       request.description = description;
       auto program = maker_.generate(request);
@@ -64,10 +89,14 @@ class Creator {
       object.notes = maker_.take_notes();
       object.repairs.clear();
       if (auto status = finish(*std::move(program), object); !status) return status.error();
-      if (!wanted || !correct_size(*wanted, object, description)) break;
+      const Vec3 size = bounds(object.shape).size();
+      // What another aim did not change will not change.
+      if ((size - last).norm() < size_tolerance || !correct_size(aim_of(description, said, size, kind), size, description))
+        break;
+      last = size;
     }
     object.description = std::move(request.description);
-    object.description.size = wanted;
+    object.description.size = in_numbers;
     return object;
   }
 
@@ -116,7 +145,7 @@ class Creator {
   Result<CreatedObject> directly(MakeRequest request, const Description& description) {
     CreatedObject object;
     object.description = request.description = description;
-    object.mount = mount_of(description);
+    if (const ShapeKind* kind = kind_of(description)) object.mount = kind->mount;
     auto shape = maker_.generate_mesh(request);
     if (!shape) return shape.error();
     object.shape = *std::move(shape);
@@ -126,17 +155,16 @@ class Creator {
   }
 
   // What was added or repaired may have changed the box: the next round aims beside it. False if it
-  // is as wanted, or cannot be helped.
-  static bool correct_size(const Vec3& wanted, const CreatedObject& object,
-                           Description& description) {
-    const Vec3 size = bounds(object.shape).size();
+  // is as wanted.
+  static bool correct_size(const Vec3& wanted, const Vec3& size, Description& description) {
     bool off = false;
     for (int axis = 0; axis < 3; ++axis) {
-      if (std::isnan(wanted[axis])) continue;
       const double error = wanted[axis] - size[axis];
-      if (std::abs(error) <= size_tolerance) continue;
+      if (std::isnan(error) || std::abs(error) <= size_tolerance) continue;
       off = true;
-      (*description.size)[axis] = std::max(0.01, (*description.size)[axis] + error);
+      if (!description.size) description.size = Vec3::Constant(std::nan(""));
+      double& side = (*description.size)[axis];
+      side = std::max(0.01, std::isnan(side) ? wanted[axis] : side + error);
     }
     return off;
   }

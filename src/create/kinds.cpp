@@ -43,9 +43,19 @@ Vec3 read_size(const JsonReader& json) {
   return sides.size() == 3 ? Vec3(sides[0], sides[1], sides[2]) : Vec3::Ones();
 }
 
+// "grow": {"doors": [3, 0.4, 0, 0]}: the usual number, then metres for each one more.
+std::map<std::string, ShapeKind::Growth> read_growth(const JsonReader& json) {
+  std::map<std::string, ShapeKind::Growth> growth;
+  if (!json.exists()) return growth;
+  for (const auto& [name, entry] : json.members())
+    if (const auto numbers = entry.numbers(4, 0, 100); numbers.size() == 4)
+      growth[name] = {numbers[0], {numbers[1], numbers[2], numbers[3]}};
+  return growth;
+}
+
 ShapeKind read_kind(const std::string& name, const JsonReader& json) {
   json.allow_only(
-      {"names", "recipe", "set", "vary", "styles", "size", "least", "most", "mount", "main"});
+      {"names", "recipe", "set", "vary", "styles", "size", "least", "most", "grow", "mount", "main"});
   ShapeKind kind;
   kind.name = name;
   kind.recipe = json["recipe"].text();
@@ -61,6 +71,7 @@ ShapeKind read_kind(const std::string& name, const JsonReader& json) {
   kind.size = read_size(json["size"]);
   kind.least = json["least"].exists() ? read_size(json["least"]) : Vec3(0.6 * kind.size);
   kind.most = json["most"].exists() ? read_size(json["most"]) : Vec3(1.6 * kind.size);
+  kind.growth = read_growth(json["grow"]);
   const auto mount = parse_mount(json["mount"].text_or("floor"));
   if (!mount) json["mount"].report("is none of floor, wall, ceiling, surface");
   kind.mount = mount.value_or(Mount::floor);
@@ -143,8 +154,10 @@ Result<ShapeKinds> ShapeKinds::read(const std::vector<std::pair<std::string, Jso
     }
     if (const auto& problem = problems.first()) return *problem;
   }
-  // A kind's own name goes before what others are called besides.
-  for (const auto& [name, kind] : result.kinds_) result.names_[normal(name)] = name;
+  // A kind's own name goes before what others are called besides, and as it is written before its
+  // singular: a wall shelf is not a set of wall shelves.
+  for (const auto& [name, kind] : result.kinds_) result.names_[spelled(words(name))] = name;
+  for (const auto& [name, kind] : result.kinds_) result.names_.emplace(normal(name), name);
   for (const auto& [name, kind] : result.kinds_)
     for (const auto& other : kind.names) result.names_.emplace(normal(other), name);
   return result;

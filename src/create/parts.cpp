@@ -2,12 +2,16 @@
 
 #include <algorithm>
 
+#include "roomgen/shape/evaluate.h"
+
 namespace roomgen::create {
 
 namespace {
 
 using shape::Component;
 using shape::Group;
+
+constexpr double coarse = 0.01;
 
 std::string label_of(const Component& component, const std::string& inherited) {
   if (!component.label.empty()) return component.label;
@@ -164,6 +168,17 @@ int count_parts(const shape::Program& program, std::string_view label) {
   if (wholes.empty()) return count_groups(program.components, label);
   std::sort(wholes.begin(), wholes.end());
   return static_cast<int>(std::unique(wholes.begin(), wholes.end()) - wholes.begin());
+}
+
+Vec3 part_size(const shape::Program& program, std::string_view label) {
+  Vec3 largest = Vec3::Zero();
+  const auto shape = shape::evaluate(program, {.tolerance = coarse, .paint = false});
+  if (!shape) return largest;
+  for (const auto& body : shape->bodies) {
+    const Vec3 size = bounds(body.mesh).size();
+    if (body.label == label && size.prod() > largest.prod()) largest = size;
+  }
+  return largest;
 }
 
 void prune_connections(shape::Program& program) {

@@ -22,6 +22,9 @@ void filter_wholes(shape::Program& program, std::string_view label,
 /// the label.
 int count_parts(const shape::Program& program, std::string_view label);
 
+/// Of the largest body of this label; 0 when there is none.
+Vec3 part_size(const shape::Program& program, std::string_view label);
+
 /// Drops connections of which an end is no longer there.
 void prune_connections(shape::Program& program);
 

@@ -296,6 +296,14 @@ void scale(shape::Program& program, const std::string& label, const Vec3& factor
                 [&](Component& component) { component.scale = component.scale.cwiseProduct(factors); });
 }
 
+void resize(shape::Program& program, const std::string& label, const Vec3& size) {
+  const Vec3 now = part_size(program, label);
+  Vec3 factors = Vec3::Ones();
+  for (int axis = 0; axis < 3; ++axis)
+    if (!std::isnan(size[axis]) && now[axis] > 1e-4) factors[axis] = size[axis] / now[axis];
+  scale(program, label, factors);
+}
+
 void paint(shape::Program& program, const std::string& label, const std::string& material,
            const std::string& color, const Words& words) {
   std::map<std::string, std::string> repainted;  // each surface once

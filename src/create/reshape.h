@@ -18,6 +18,8 @@ void lean(shape::Program& program, const std::string& label, double degrees);
 void bend(shape::Program& program, const std::string& label, Course course, Strength strength);
 /// Flat parts (tops, seats) get another outline.
 void set_outline(shape::Program& program, const std::string& label, const std::string& shape);
+/// To these metres along the axes that are no NaN, as a whole where there are several alike.
+void resize(shape::Program& program, const std::string& label, const Vec3& size);
 void scale(shape::Program& program, const std::string& label, const Vec3& factors);
 /// A material or colour for the parts of a label; an empty label means the surfaces of these names.
 void paint(shape::Program& program, const std::string& label, const std::string& material,

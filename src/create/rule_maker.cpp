@@ -6,6 +6,7 @@
 #include "compose.h"
 #include "part_forms.h"
 #include "classify.h"
+#include "closer_kind.h"
 #include "parts.h"
 #include "phrase.h"
 #include "refine.h"
@@ -19,6 +20,7 @@ namespace {
 
 constexpr double coarse = 0.01;
 const Vec3 usual_size(0.5, 0.5, 0.8);
+constexpr double over_corners = 1.4;  // a circle around a square is so much wider
 
 // Surfaces that the recipe paints with this colour parameter.
 std::vector<std::string> surfaces_of(const Json& recipe, const std::string& parameter) {
@@ -45,7 +47,10 @@ class RuleMaker final : public Maker {
     if (!built_in_words()) return built_in_words().error();
     if (!built_in_parts()) return built_in_parts().error();
     if (!ShapeKinds::built_in()) return ShapeKinds::built_in().error();
-    return read_phrase(prompt.substr(0, longest_phrase), *built_in_words(), *ShapeKinds::built_in());
+    auto objects = read_phrase(prompt.substr(0, longest_phrase), *built_in_words(), *ShapeKinds::built_in());
+    for (auto& object : objects)
+      if (const ShapeKind* closer = closer_kind(object, *ShapeKinds::built_in())) object.kind = closer->name;
+    return objects;
   }
 
   bool wants_examples() const override { return false; }
@@ -76,8 +81,7 @@ class RuleMaker final : public Maker {
     if (!description.material.empty() || !description.color.empty())
       paint_surfaces(program, {program.materials.front().name}, description.material, description.color, *built_in_words());
     finish(program, description,
-           std::vector<Settings::Unmet>(description.parts.size(),
-                                        {.count = true, .lean = true, .course = true, .shape = true}));
+           std::vector<Settings::Unmet>(description.parts.size(), nothing_met()));
     return program;
   }
 
@@ -104,9 +108,16 @@ class RuleMaker final : public Maker {
       program = make();
     }
     if (!program) return program;
+    if (needs_wide_top(description, settings, *program)) {
+      for (const char* side : {"width", "depth"}) std::get<double>(settings.values[side]) /= over_corners;
+      program = make();
+      if (!program) return program;
+    }
     for (const auto& part : description.parts)
-      if (auto better = with_count(part, *parameters, *program, settings.values, make))
+      if (auto better = with_count(part, kind, description, *parameters, *program, settings.values, make))
         program = *std::move(better);
+    for (std::size_t i = 0; i < description.parts.size(); ++i)
+      fit_height(description.parts[i].label, settings.unmet[i].size.z(), *parameters, *program, settings.values, make);
     program->name = description.noun;
     program->about = description.prompt;
     if (description.approximate)
@@ -118,28 +129,76 @@ class RuleMaker final : public Maker {
     return program;
   }
 
+  // Who says something of the legs means that there are some: no trestle, unless it was asked for.
+  static int usual_count(const PartWish& part, const std::vector<shape::Parameter>& parameters,
+                         const shape::Values& values) {
+    for (const auto& parameter : parameters) {
+      if (parameter.name != part.label + "s") continue;
+      const auto set = values.find(parameter.name);
+      const auto& value = set == values.end() ? parameter.value : set->second;
+      if (const double* number = std::get_if<double>(&value)) return static_cast<int>(*number);
+    }
+    return 0;
+  }
+
   // A way of building the part that allows the number that was asked for, when the seed or the style
   // chose one that does not: six legs are no trestle.
   template <typename Make>
-  static std::optional<shape::Program> with_count(const PartWish& part,
+  static std::optional<shape::Program> with_count(const PartWish& part, const ShapeKind& kind,
+                                                  const Description& description,
                                                   const std::vector<shape::Parameter>& parameters,
                                                   const shape::Program& program,
                                                   shape::Values& values, Make make) {
-    if (part.label.empty() || !part.count || !part.construction.empty() || *part.count == 0)
-      return std::nullopt;
-    const auto style = std::find_if(parameters.begin(), parameters.end(), [&](const auto& parameter) {
-      return parameter.name == part.label + "_style";
-    });
-    if (style == parameters.end() || count_parts(program, part.label) == *part.count)
-      return std::nullopt;
-    const shape::Values before = values;
-    for (const auto& choice : style->choices) {
-      values[style->name] = choice;
+    if (part.label.empty()) return std::nullopt;
+    const int wanted = part.count.value_or(usual_count(part, parameters, values));
+    if (wanted == 0 || count_parts(program, part.label) == wanted) return std::nullopt;
+    const auto attempt = [&](const std::string& name, const shape::Value& choice) -> std::optional<shape::Program> {
+      const shape::Values before = values;
+      values[name] = choice;
       auto other = make();
-      if (other && count_parts(*other, part.label) == *part.count) return *std::move(other);
-    }
-    values = before;
+      if (other && count_parts(*other, part.label) == wanted) return *std::move(other);
+      values = before;
+      return std::nullopt;
+    };
+    for (const auto& parameter : parameters)
+      if (parameter.name == part.label + "_style" && part.construction.empty())
+        for (const auto& choice : parameter.choices)
+          if (auto other = attempt(parameter.name, choice)) return other;
+    for (const auto& [name, choices] : kind.vary)
+      if (!is_said(name, description))
+        for (const auto& choice : choices)
+          if (auto other = attempt(name, choice)) return other;
     return std::nullopt;
+  }
+
+  // Does the description speak of what the parameter is about: "drawers", "leg_style"?
+  static bool is_said(const std::string& parameter, const Description& description) {
+    return std::any_of(description.parts.begin(), description.parts.end(), [&](const PartWish& part) {
+      return !part.label.empty() && parameter.starts_with(part.label.substr(0, part.label.size() - 1));
+    });
+  }
+
+  // A part that grows with the whole gets its height from it: a throne whose back is two metres tall.
+  template <typename Make>
+  static void fit_height(const std::string& label, double wanted, const std::vector<shape::Parameter>& parameters,
+                         shape::Program& program, shape::Values& values, Make make) {
+    const auto height = std::find_if(parameters.begin(), parameters.end(),
+                                     [](const auto& parameter) { return parameter.name == "height"; });
+    if (std::isnan(wanted) || height == parameters.end()) return;
+    for (int round = 0; round < 3; ++round) {
+      const double missing = wanted - part_size(program, label).z();
+      if (std::abs(missing) < coarse) return;
+      shape::Values changed = values;
+      double& value = std::get<double>(changed["height"]);
+      value = std::clamp(value + missing, height->min, height->max);
+      std::swap(values, changed);
+      auto other = make();
+      if (!other || std::abs(wanted - part_size(*other, label).z()) > 0.8 * std::abs(missing)) {
+        std::swap(values, changed);
+        return;
+      }
+      program = *std::move(other);
+    }
   }
 
   // What no parameter could say, part by part.
@@ -160,7 +219,7 @@ class RuleMaker final : public Maker {
     if (stands_on_stem(missing, description)) remove(program, "leg");
     if (!missing.empty() && attach(program, missing))
       for (const auto& part : missing)
-        shape_part(program, part, {.count = false, .lean = true, .course = true, .shape = true});
+        shape_part(program, part, nothing_met());
     prune_connections(program);
   }
 
@@ -181,7 +240,7 @@ class RuleMaker final : public Maker {
   }
 
   // A part that is there.
-  void fit(shape::Program& program, const PartWish& part, Settings::Unmet unmet) {
+  void fit(shape::Program& program, const PartWish& part, const Settings::Unmet& unmet) {
     const int there = count_parts(program, part.label);
     const int wanted = part.count.value_or(there);
     if (there > 0 && there != wanted && !set_count(program, part.label, wanted))
@@ -191,12 +250,33 @@ class RuleMaker final : public Maker {
     if (part.scale != Vec3::Ones() && part.scale.x() == 1.0) scale(program, part.label, part.scale);
   }
 
-  static void shape_part(shape::Program& program, const PartWish& part, Settings::Unmet unmet) {
+  static void shape_part(shape::Program& program, const PartWish& part, const Settings::Unmet& unmet) {
     if (unmet.shape) set_outline(program, part.label, part.shape);
+    if (is_round_top(part, unmet) && count_parts(program, "side") > 1)
+      scale(program, part.label, {over_corners, over_corners, 1.0});
+    if (!unmet.size.array().isNaN().all()) resize(program, part.label, unmet.size);
     if (part.lean && unmet.lean) lean(program, part.label, *part.lean);
     if (part.course && unmet.course) bend(program, part.label, *part.course, part.strength);
     if (!part.material.empty() || !part.color.empty())
       paint(program, part.label, part.material, part.color, *built_in_words());
+  }
+
+  static Settings::Unmet nothing_met() {
+    Settings::Unmet unmet;
+    unmet.lean = unmet.course = unmet.shape = true;
+    return unmet;
+  }
+
+  static bool is_round_top(const PartWish& part, const Settings::Unmet& unmet) {
+    return unmet.shape && part.label == "top" && part.shape != "square" && part.shape != "rectangular";
+  }
+
+  // A round top covers the corners of the case under it, which is the smaller for it.
+  static bool needs_wide_top(const Description& description, const Settings& settings,
+                             const shape::Program& program) {
+    for (std::size_t i = 0; i < description.parts.size(); ++i)
+      if (is_round_top(description.parts[i], settings.unmet[i])) return count_parts(program, "side") > 1;
+    return false;
   }
 
   // Parts that are but other names for most of the thing: "with a wooden frame".

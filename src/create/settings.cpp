@@ -4,18 +4,18 @@
 #include <cmath>
 
 #include "roomgen/base/random.h"
-#include "roomgen/base/text.h"
+#include "relative_size.h"
+#include "sizing.h"
 
 namespace roomgen::create {
 
 namespace {
 
-constexpr double size_variation = 0.05;  // of the usual size, either way
-constexpr double least_side = 0.01, greatest_side = 5.0;
 constexpr const char* axes[] = {"width", "depth", "height"};
 
 // "shelf" is counted by `shelves`, an armrest by `arms`.
-std::vector<std::string> counters(const std::string& label) {
+std::vector<std::string> counters(std::string label) {
+  std::replace(label.begin(), label.end(), ' ', '_');
   std::vector<std::string> names = {label + "s", label + "es", label};
   if (label.ends_with("f")) names.insert(names.begin(), label.substr(0, label.size() - 1) + "ves");
   if (label == "foot") names.insert(names.begin(), {"feet", "legs"});
@@ -28,8 +28,14 @@ std::vector<std::string> counters(const std::string& label) {
   if (label == "pillow" || label == "cushion") names.insert(names.end(), {"cushions", "pillows"});
   if (label == "slat" || label == "spindle") names.insert(names.end(), {"slats", "spindles"});
   if (label == "leaf") names.push_back("leaves");
+  if (label == "tray") names.push_back("shelves");
+  if (label == "arm" || label == "candle") names.push_back("bulbs");
+  if (label == "peg") names.push_back("hooks");
+  if (label == "basin" || label == "sink") names.insert(names.end(), {"sinks", "basins"});
   return names;
 }
+
+constexpr double widest_on_a_pole = 0.7;  // a sofa's base is no pedestal
 
 double curve_of(const PartWish& part) {
   if (*part.course == Course::straight) return 0.0;
@@ -53,7 +59,8 @@ class Chooser {
       for (const auto& [name, value] : style->second) result_.values[name] = value;
     color_whole();
     for (const auto& part : description_.parts) result_.unmet.push_back(say(part));
-    choose_size();
+    seat_people();
+    set_size();
     result_.values = shape::clamped(parameters_, result_.values);
     return std::move(result_);
   }
@@ -107,15 +114,36 @@ class Chooser {
     return false;
   }
 
-  // A part without a name is the whole: whatever shows most of its shape.
+  // A part without a name is the whole: whatever shows most of its shape, or has any.
   std::vector<std::string> labels_of(const PartWish& part) const {
     if (!part.label.empty()) return {part.label};
-    return {"top", "seat", "back", "shade", "body", "base", "pot", "mirror", "frame", "leg", "shelf"};
+    std::vector<std::string> labels = {"top", "seat", "back", "shade", "body", "base", "pot", "mirror", "frame", "leg", "shelf"};
+    for (const auto& parameter : parameters_)
+      if (parameter.name.ends_with("_shape"))
+        labels.push_back(parameter.name.substr(0, parameter.name.size() - std::string_view("_shape").size()));
+    return labels;
+  }
+
+  // A part may need a way of building: spindles a back of spindles, eight arms a chandelier of arms, one leg
+  // in the middle a pedestal. What was asked for by name stays.
+  void build_for(const PartWish& part) {
+    if (part.label.empty() || part.count.value_or(1) == 0) return;
+    const bool pedestal = (part.label == "leg" && part.count == 1) ||
+                          (part.label == "base" && (find("base_shape") || kind_.size.x() < widest_on_a_pole));
+    if (pedestal) (void)set_word("leg_style", "pedestal");
+    // Two mirrored doors of four are no four.
+    if (part.label == "mirror" && find("mirrors")) (void)set_word("door_style", "panel");
+    for (const auto& parameter : parameters_) {
+      if (!parameter.name.ends_with("_style") || asked_.count(parameter.name)) continue;
+      for (const auto& name : counters(part.label))
+        if (set_word(parameter.name, name)) return;
+    }
   }
 
   Settings::Unmet say(const PartWish& part) {
     Settings::Unmet unmet;
     const auto labels = labels_of(part);
+    build_for(part);
     const auto any = [&](auto set) { return std::any_of(labels.begin(), labels.end(), set); };
     if (part.count) unmet.count = !set_count(part.label, *part.count);
     else if (!part.label.empty()) make_present(part.label);
@@ -124,14 +152,24 @@ class Chooser {
                     !set_word("shape", part.shape);
     }
     if (!part.construction.empty())
-      (void)any([&](const auto& label) { return set_word(label + "_style", part.construction); });
+      (void)any([&](const auto& label) {
+        if (!set_word(label + "_style", part.construction)) return false;
+        asked_.insert(label + "_style");
+        return true;
+      });
     if (part.lean)
-      unmet.lean = !any([&](const auto& label) { return set_number(label + "_lean", *part.lean); });
+      unmet.lean = !any([&](const auto& label) {
+        if (!set_number(label + "_lean", *part.lean)) return false;
+        // Hairpins and lions' feet do not lean; what is straight does.
+        if (!asked_.count(label + "_style")) (void)(set_word(label + "_style", "tapered") || set_word(label + "_style", "round"));
+        return true;
+      });
     if (part.course)
       unmet.course = !any([&](const auto& label) {
         return set_number(label + "_curve", curve_of(part)) || set_word(label + "_shape", "curved") ||
                set_word(label + "_style", "curved");
       });
+    if (part.size && !part.label.empty()) unmet.size = say_size(part);
     const double thicker = part.scale.x();
     if (thicker != 1.0)
       for (const auto& label : labels)
@@ -142,13 +180,33 @@ class Chooser {
     return unmet;
   }
 
+  // What no parameter says of the part's width, depth and height is left in `unmet`.
+  Vec3 say_size(const PartWish& part) {
+    Vec3 unmet = *part.size;
+    const bool upright = part.size->z() > 0.1 || stands(part.label);
+    for (int axis = 0; axis < 3; ++axis) {
+      const double side = unmet[axis];
+      if (std::isnan(side)) continue;
+      const bool thick = upright ? axis < 2 : axis == 2;
+      if (set_number(part.label + "_" + axes[axis], side) || (thick && set_number(part.label + "_thickness", side)))
+        unmet[axis] = std::nan("");
+    }
+    return unmet;
+  }
+
+  static bool stands(const std::string& label) {
+    return label == "leg" || label == "pole" || label == "post" || label == "foot";
+  }
+
   bool set_shape(const std::string& label, const std::string& shape) {
     const std::string name = label + "_shape";
     if (set_word(name, shape)) return true;
     // Recipes that know no square ones mean the same by rectangular, and so on.
-    if (shape == "square") return set_word(name, "rectangular");
+    if (shape == "square" && set_word(name, "rectangular")) return true;
     if (shape == "rectangular") return set_word(name, "square");
-    if (shape == "oval") return set_word(name, "round");
+    if (shape == "oval" || shape == "globe") return set_word(name, "round");
+    if (label == "leg" && shape == "square") return set_word("leg_style", "straight") || set_word("leg_style", "block");
+    if (label == "leg" && shape == "round") return set_word("leg_style", "round");
     if (shape == "round") return set_word(name, "oval") || set_word(name, "domed") || set_word(name, "cylindrical");
     return false;
   }
@@ -176,39 +234,19 @@ class Chooser {
     }
   }
 
-  void choose_size() {
-    Random random = random_.fork("size");
-    for (int axis = 0; axis < 3; ++axis) {
-      double side = kind_.size[axis] * random.uniform(1 - size_variation, 1 + size_variation);
-      side = std::clamp(side * description_.scale[axis], kind_.least[axis], kind_.most[axis]);
-      if (description_.size && !std::isnan((*description_.size)[axis]))
-        side = std::clamp((*description_.size)[axis], least_side, greatest_side);
-      side = std::round(side * 1000) / 1000;
-      if (const auto* parameter = find(axes[axis])) {
-        const double kept = std::clamp(side, parameter->min, parameter->max);
-        if (std::abs(kept - side) > 1e-9)
-          result_.notes.push_back(std::string(axes[axis]) + " " + format_number(side) + " m was brought to " +
-                                  format_number(kept) + " m, as far as a " + kind_.name + " goes");
-        side = kept;
-      }
-      result_.size[axis] = side;
-    }
-    square_up();
-    for (int axis = 0; axis < 3; ++axis) result_.values[axes[axis]] = result_.size[axis];
+  // A sofa for four has four seats.
+  void seat_people() {
+    const auto people = read_relative_size(description_.prompt).people;
+    const bool told = std::any_of(description_.parts.begin(), description_.parts.end(),
+                                  [](const auto& part) { return part.label == "cushion" && part.count; });
+    if (people && !told && kind_.growth.count("cushions")) (void)set_number("cushions", *people);
   }
 
-  // What is round or square is as deep as it is wide.
-  void square_up() {
-    if (description_.size && !std::isnan((*description_.size)[0] + (*description_.size)[1])) return;
-    for (const auto& part : description_.parts) {
-      const bool outer = part.label.empty() || part.label == "top" || part.label == "seat";
-      if (!outer || (part.shape != "round" && part.shape != "square")) continue;
-      if (kind_.size.x() > 2.2 * kind_.size.y()) continue;
-      const double side = description_.size && !std::isnan((*description_.size)[0])
-                              ? result_.size.x()
-                              : std::sqrt(result_.size.x() * result_.size.y());
-      result_.size.x() = result_.size.y() = std::round(side * 1000) / 1000;
-    }
+  void set_size() {
+    Sizing sizing = choose_size(description_, kind_, parameters_, result_.values, random_.fork("size"));
+    result_.size = sizing.size;
+    result_.notes.insert(result_.notes.end(), sizing.notes.begin(), sizing.notes.end());
+    for (int axis = 0; axis < 3; ++axis) result_.values[axes[axis]] = result_.size[axis];
   }
 
   const Description& description_;
@@ -216,6 +254,7 @@ class Chooser {
   const std::vector<shape::Parameter>& parameters_;
   const Words& words_;
   Random random_;
+  WordSet asked_;  ///< parameters that the description names
   Settings result_;
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -17,6 +18,7 @@ struct Settings {
   /// For each part of the description, what no parameter could say.
   struct Unmet {
     bool count = false, lean = false, course = false, shape = false;
+    Vec3 size = Vec3::Constant(std::nan(""));  ///< metres; NaN: said by a parameter, or not asked for
   };
   std::vector<Unmet> unmet;
   std::vector<std::string> notes;

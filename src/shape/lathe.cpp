@@ -1,6 +1,7 @@
 #include "lathe.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "checks.h"
 #include "roomgen/geometry/polygon.h"
@@ -68,8 +69,9 @@ void add_faces(Surface& surface, const Chain2& profile, const Vec2& first, const
   add_cap(surface, loops, points, {end.x(), end.y(), 0.0});
 }
 
+// Fillets end level but for the last bits.
 bool is_disc(const Vec2& end, const Vec2& next) {
-  return end.x() == 0.0 && next.x() > 0.0 && end.y() == next.y();
+  return end.x() == 0.0 && next.x() > 0.0 && std::abs(end.y() - next.y()) < on_axis;
 }
 
 // Flat ends become caps, whose texture is not drawn together towards the axis.

@@ -24,6 +24,12 @@ struct ShapeKind {
   std::map<std::string, shape::Values> styles;            ///< what "industrial" sets
   Vec3 size = Vec3::Ones();                               ///< usual width, depth, height, metres
   Vec3 least = Vec3::Zero(), most = Vec3::Ones();         ///< that people would believe
+  /// How the size follows from a count: `each` metres for one more than the usual size is for.
+  struct Growth {
+    double usual = 0.0;
+    Vec3 each = Vec3::Zero();
+  };
+  std::map<std::string, Growth> growth;  ///< by parameter; "people": for whom it is
   Mount mount = Mount::floor;
   std::string main;  ///< the colour parameter that "a red ..." means; may be empty
 };

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "roomgen/base/random.h"
+#include "roomgen/create/description.h"
+#include "roomgen/create/kinds.h"
+
+namespace roomgen::create {
+
+struct Sizing {
+  Vec3 size;  ///< width, depth, height, metres
+  std::vector<std::string> notes;
+};
+
+/// The kind's usual size, a little varied, larger for more doors or people, then as the scale words
+/// say within what the kind's range allows. Lengths that were said count as they are. `values` are
+/// the parameters chosen so far, whose numbers the kind's growth looks at.
+Sizing choose_size(const Description& description, const ShapeKind& kind,
+                   const std::vector<shape::Parameter>& parameters, const shape::Values& values,
+                   Random random);
+
+}  // namespace roomgen::create
