@@ -1,6 +1,7 @@
 #include "compose.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -58,7 +59,10 @@ Vec3 size_on(const Piece& piece, const Vec3& whole) {
   double least = size.maxCoeff();
   for (const char axis : piece.form.same) least = std::min(least, size[axis - 'x']);
   for (const char axis : piece.form.same) size[axis - 'x'] = least;
-  return piece.wish.size.value_or(size).cwiseMax(0.004);
+  if (piece.wish.size)
+    for (int axis = 0; axis < 3; ++axis)
+      if (const double said = (*piece.wish.size)[axis]; !std::isnan(said)) size[axis] = said;
+  return size.cwiseMax(0.004);
 }
 
 std::string free_name(const shape::Program& program, std::string wanted) {

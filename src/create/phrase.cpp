@@ -127,7 +127,12 @@ class PhraseReader {
       if (!text_.starts(at_, phrase)) continue;
       flush();
       at_ += phrase.size();
-      while (at_ < text_.size() && !words_.boundaries.count(text_[at_]) && text_[at_] != ",") ++at_;
+      for (; at_ < text_.size() && !words_.boundaries.count(text_[at_]) && text_[at_] != ","; ++at_)
+        if (const auto shape = words_.shapes.find(text_[at_]); shape != words_.shapes.end()) {
+          pending_.shape = shape->second;  // "shaped like a hexagon"
+          pending_.any = true;
+        }
+      flush();
       return true;
     }
     return false;
@@ -152,6 +157,7 @@ class PhraseReader {
 
   // "on three stones", "a handle at each end", "each smaller than the one below".
   bool placement() {
+    if (on_some_of_them()) return true;
     for (const auto& placement : words_.placements) {
       if (!text_.starts(at_, placement.words)) continue;
       if (objects_.empty() && !placement.opens()) continue;
@@ -165,6 +171,19 @@ class PhraseReader {
       return true;
     }
     return false;
+  }
+
+  // "a door on three of them"
+  bool on_some_of_them() {
+    if (!text_.is(at_, {"on", "in", "at"}) || objects_.empty()) return false;
+    auto& parts = objects_.front().parts;
+    const auto count = text_.count(at_ + 1);
+    const std::size_t after = at_ + 1 + count.length;
+    if (!count || part_ >= parts.size()) return false;
+    if (!text_.is(after, {"them", "these"}) && !text_.starts(after, {"of", "them"})) return false;
+    parts[part_].count = count.meaning * parts[part_].count.value_or(1);
+    at_ = after + (text_.is(after, {"of"}) ? 2 : 1);
+    return true;
   }
 
   void place_last(const Placement& placement) {
@@ -223,8 +242,26 @@ class PhraseReader {
   // "for four people", "for books": up to what says something about the thing again.
   void skip_purpose() {
     while (at_ < text_.size() && text_[at_] != "," && !words_.negations.count(text_[at_]) &&
-           !text_.is(at_, {"with", "made", "that", "which", "having", "on"}))
+           !text_.is(at_, {"with", "made", "that", "which", "having", "on"})) {
+      specialise();
       ++at_;
+    }
+  }
+
+  // "a stand for umbrellas" is an umbrella stand.
+  void specialise() {
+    if (objects_.size() != 1) return;
+    Description& object = objects_.front();
+    for (const std::size_t length : {std::size_t{2}, std::size_t{1}}) {
+      if (at_ + length > text_.size()) continue;
+      std::string held = text_.joined(at_, length - 1);
+      held += (length > 1 ? " " : "") + singular(text_[at_ + length - 1]);
+      const ShapeKind* kind = kinds_.find(held + " " + object.noun);
+      if (!kind) continue;
+      object.kind = kind->name;
+      object.approximate = false;
+      return;
+    }
   }
 
   // "80 cm tall", "six feet long", "120 x 60 x 75 cm", "2 m by 1.4 m".
@@ -247,13 +284,33 @@ class PhraseReader {
     if (numbers.empty() || unit == 0.0) return false;
     const std::size_t begin = std::exchange(at_, end);
     const int axis = measured_axis(begin, numbers.size());
-    // Of a part, not of the whole: "a top 2 cm thick".
-    if (part_ != none || text_.is(at_, {"thick", "thickness"})) return true;
+    const bool thick = text_.is(at_, {"thick", "thickness"});
+    if (thick) ++at_;
+    if (part_ != none && part_ < objects_.front().parts.size()) {
+      measure_part(objects_.front().parts[part_], axis, numbers, unit, thick);
+      return true;
+    }
+    if (thick) return true;
     if (!measured_) measured_ = Vec3::Constant(std::nan(""));
     for (std::size_t i = 0; i < numbers.size() && axis + i < 3; ++i)
       (*measured_)[axis + static_cast<Eigen::Index>(i)] = numbers[i] * unit;
     if (!objects_.empty()) take_measures(objects_.back());
     return true;
+  }
+
+  // "a top 2 cm thick", "legs 5 cm thick", "a back two metres tall".
+  static void measure_part(PartWish& part, int axis, const std::vector<double>& numbers, double unit,
+                           bool thick) {
+    if (!part.size) part.size = Vec3::Constant(std::nan(""));
+    const Place place = built_in_parts()->of(part.label, 1).place;
+    const bool upright = place == Place::foot || place == Place::column || place == Place::upright;
+    if (thick) {
+      if (upright) part.size->head<2>().setConstant(numbers.front() * unit);
+      else (*part.size)[place == Place::back || place == Place::front ? 1 : 2] = numbers.front() * unit;
+      return;
+    }
+    for (std::size_t i = 0; i < numbers.size() && axis + i < 3; ++i)
+      (*part.size)[axis + static_cast<Eigen::Index>(i)] = numbers[i] * unit;
   }
 
   // Which side is the first of these lengths: the word after them says it, which is passed over, or the
@@ -314,6 +371,9 @@ class PhraseReader {
     const auto kind = text_.kind(at_);
     // The name of a kind goes before its first word's other meanings: "wine rack", "round table".
     if (kind.length > 1 && !words_.shapes.count(word) && !words_.styles.count(word)) return false;
+    // "a ladder": not the way to build one.
+    if (kind && objects_.empty() && words_.constructions.count(word) && ends_phrase(at_ + kind.length))
+      return false;
     if (const auto count = text_.count(at_)) {
       if (more_of_known(count)) return true;
       pending_.count = count.meaning;
@@ -348,6 +408,10 @@ class PhraseReader {
     if (!color || kind) return false;
     pending_.color = color.meaning;
     return said(color.length);
+  }
+
+  bool ends_phrase(std::size_t at) const {
+    return at >= text_.size() || text_[at] == "," || words_.boundaries.count(text_[at]) > 0;
   }
 
   // "nine in all" is said of the first part, "and two little ones" of the last.
@@ -389,6 +453,15 @@ class PhraseReader {
 
   bool noun() {
     const auto kind = text_.kind(at_);
+    // "one can sit on it"
+    if (kind.length == 1 && words_.fillers.count(text_[at_]) &&
+        (at_ == 0 || !text_.is(at_ - 1, {"a", "an", "the"})))
+      return false;
+    // "a piano stool", "a merry-go-round bookshelf": the last is the thing.
+    if (kind && text_.kind(at_ + kind.length)) {
+      at_ += kind.length;
+      return true;
+    }
     // "an oven door", "a drawer unit": the thing only says what the part is like, or the part the thing.
     if (kind && !objects_.empty() && part_at(at_ + kind.length) && !has_relation(at_ + kind.length + 1)) {
       at_ += kind.length;
@@ -400,12 +473,21 @@ class PhraseReader {
       ++at_;
       return true;
     }
+    if (last_boundary_ == "that" || last_boundary_ == "which" || last_boundary_ == "of") specialise();
     auto part = part_at(at_);
+    // "ten test tubes": of the rack of which they are parts.
+    if (kind.length > 1 && !objects_.empty())
+      if (const auto last = part_at(at_ + kind.length - 1); last && head_knows(last.meaning))
+        return add_part(last.meaning, kind.length);
+    // "a back panel" is the back.
+    if (part.length == 1 && head_knows(part.meaning))
+      if (const auto next = part_at(at_ + 1); next && !head_knows(next.meaning)) part.length += next.length;
     if (kind.length > part.length && part && head_knows(part.meaning) && !has_relation(at_ + kind.length))
       return add_part(part.meaning, kind.length);
     // "an open shelf": the longer name of a kind ends with what is a part here.
     if (!objects_.empty() && kind.length > part.length)
-      if (const auto ending = part_at(at_ + kind.length - 1); ending && head_knows(ending.meaning))
+      if (const auto ending = part_at(at_ + kind.length - 1);
+          ending && (head_knows(ending.meaning) || objects_.front().kind.empty()))
         part = {kind.length, ending.meaning};
     if (part && is_part(kind.length, part)) return add_part(part.meaning, part.length);
     if (!kind || names_no_object(at_ + kind.length)) return false;
@@ -416,7 +498,8 @@ class PhraseReader {
     const std::size_t after = at_ + 1;
     if (objects_.empty() || after >= text_.size() || kind_length > 1) return false;
     const auto part = part_at(at_);
-    if (part.length == 1 && part_at(after)) return true;
+    if (part.length == 1)
+      if (const auto next = part_at(after)) return head_knows(next.meaning) || !head_knows(part.meaning);
     return kind_length == 1 && !part && is_unknown_noun(after);
   }
 
@@ -473,6 +556,14 @@ class PhraseReader {
 
   bool add_part(const std::string& label, std::size_t length) {
     at_ += length;
+    // "legs that are boards", "the seat is a wave": the same part again.
+    if ((last_boundary_ == "is" || last_boundary_ == "are") && !objects_.empty() &&
+        part_ < objects_.front().parts.size()) {
+      apply(pending_, objects_.front().parts[part_]);
+      pending_ = {};
+      last_boundary_.clear();
+      return true;
+    }
     // "a two-drawer nightstand": the thing is still to come.
     std::vector<PartWish>& parts = objects_.empty() ? early_ : objects_.front().parts;
     unknown_.clear();
@@ -562,6 +653,8 @@ class PhraseReader {
       objects_.front().parts.push_back(std::move(part));
       part_ = objects_.front().parts.size() - 1;
       pending_ = {};
+    } else {
+      pending_.count.reset();  // "three crests long"
     }
     unknown_.clear();
   }
