@@ -233,7 +233,8 @@ class RuleMaker final : public Maker {
   static bool stands_on_stem(const std::vector<PartWish>& missing, const Description& description) {
     const auto is_leg = [](const PartWish& part) { return part.label == "leg"; };
     const auto is_stem = [](const PartWish& part) {
-      return built_in_parts()->of(part.label, 1).place == Place::column && !part.place;
+      return (part.one || part.count == 1) && !part.place &&
+             built_in_parts()->of(part.label, 1).place == Place::column;
     };
     return std::none_of(description.parts.begin(), description.parts.end(), is_leg) &&
            std::any_of(missing.begin(), missing.end(), is_stem);
