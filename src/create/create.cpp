@@ -61,10 +61,12 @@ class Creator {
       request.description = description;
       auto program = maker_.generate(request);
       if (!program) return program.error();
+      object.fell_back = maker_.fell_back();
       object.notes = maker_.take_notes();
       object.repairs.clear();
       if (auto status = finish(*std::move(program), object); !status) return status.error();
-      if (!wanted || !correct_size(*wanted, object, description)) break;
+      if (!wanted || !maker_.is_cheap()) break;
+      if (!correct_size(*wanted, object, description)) break;
     }
     object.description = std::move(request.description);
     object.description.size = wanted;
@@ -120,6 +122,7 @@ class Creator {
     auto shape = maker_.generate_mesh(request);
     if (!shape) return shape.error();
     object.shape = *std::move(shape);
+    object.fell_back = maker_.fell_back();
     object.program.name = description.noun;
     object.notes = maker_.take_notes();
     return object;
@@ -197,6 +200,7 @@ Result<CreatedObject> refine(const shape::Program& earlier, const std::string& w
   object.description = request.description;
   if (const auto& kinds = ShapeKinds::built_in(); kinds)
     if (const ShapeKind* kind = kinds->find(earlier.name)) object.mount = kind->mount;
+  object.fell_back = maker.fell_back();
   object.notes = maker.take_notes();
   Creator creator(maker, options);
   if (auto status = creator.finish(*std::move(program), object); !status) return status.error();
