@@ -174,14 +174,17 @@ class Repair {
     drop_empty(list);
   }
 
-  // The last part of an answer that was cut off has a name and no more.
+  // The last part of an answer that was cut off has a name and little more.
   void drop_empty(Json& list) {
     Json kept = Json::array();
     for (auto& component : list) {
       const bool is_empty =
           component.is_object() && component.size() <= most_members && !component.contains("use") &&
           std::all_of(component.items().begin(), component.items().end(),
-                      [](const auto& member) { return has(component_keys, member.key()); });
+                      [](const auto& member) {
+                        return has(component_keys, member.key()) ||
+                               (has(solid_keys, member.key()) && member.value().empty());
+                      });
       if (is_empty)
         note("the part \"" + shortened(text_at(component, "name"), 40) +
              "\" has no solid and was left out");

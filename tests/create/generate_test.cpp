@@ -209,11 +209,13 @@ TEST_CASE("A part that was cut off before its solid is left out, one of an unkno
   const auto with = [&](const std::string& more) {
     return R"({"format": "roomgen-shape", "version": 1, "components": [)" + whole + "," + more;
   };
-  Conversation cut({reply_saying(with(R"({"name": "seat", "label": "se)"))});
-  const auto program = cut.generate();
-  REQUIRE(program);
-  CHECK(bodies_of(*program) == 1);
-  CHECK(mentions(cut.maker->take_notes(), "\"seat\" has no solid"));
+  for (const char* rest : {R"({"name": "seat", "label": "se)", R"({"name": "seat", "box": {"si)"}) {
+    Conversation cut({reply_saying(with(rest))});
+    const auto program = cut.generate();
+    REQUIRE(program);
+    CHECK(bodies_of(*program) == 1);
+    CHECK(mentions(cut.maker->take_notes(), "\"seat\" has no solid"));
+  }
 
   Conversation unknown(
       {reply_saying(with(R"({"name": "ring", "label": "ring", "torus": {"radius": 1}}]})")),
