@@ -27,5 +27,6 @@ void add_check_command(CLI::App& app, Context& context);
 void add_plan_command(CLI::App& app, Context& context);
 void add_create_command(CLI::App& app, Context& context);
 void add_generate_command(CLI::App& app, Context& context);
+void add_experiment_command(CLI::App& app, Context& context);
 
 }  // namespace roomgen::cli

@@ -6,18 +6,16 @@
 #include <vector>
 
 #include "command.h"
-#include "designers.h"
 #include "libraries.h"
+#include "made.h"
+#include "makers.h"
 #include "options.h"
 #include "roomgen/base/file.h"
 #include "roomgen/base/text.h"
 #include "roomgen/create/create.h"
 #include "roomgen/create/created_library.h"
-#include "roomgen/create/kinds.h"
-#include "roomgen/create/model_maker.h"
-#include "roomgen/create/rule_maker.h"
+#include "roomgen/create/suite.h"
 #include "roomgen/export/glb.h"
-#include "roomgen/generate/set_out.h"
 #include "roomgen/shape/evaluate.h"
 #include "roomgen/shape/recipe.h"
 #include "roomgen/render/image_file.h"
@@ -30,7 +28,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int view_pixels = 512;
 constexpr int most_variants = 64;
 constexpr int sheet_columns = 4;
 
@@ -38,7 +35,7 @@ struct Options {
   std::string prompt, program, refine, size, output, write_program, views;
   std::string variant = "full";
   int variants = 1;
-  DesignerOptions designer;
+  MakerOptions maker;
   bool add = false;
   std::string cache;
   std::vector<std::string> set;
@@ -75,42 +72,19 @@ Result<shape::Program> load(const Options& options) {
                             options.program);
 }
 
-/// An object with all that the command says about it.
-struct Made {
-  shape::Program program;
-  shape::Shape shape;
-  create::Soundness soundness;
-  bool judged = false;  ///< from words: it was validated
-  std::vector<std::string> repairs, notes;
-};
-
-/// What the command makes: objects, the main one first, and all of them as one model.
-struct MadeAll {
-  std::vector<Made> objects;
-  Model model;
-  std::vector<std::string> notes;  ///< about how they stand together
-};
-
 Result<Made> from_program(const Options& options) {
   auto program = load(options);
   if (!program) return program.error();
   auto shape = shape::evaluate_within(*program, shape::default_triangles, options.tolerance);
   if (!shape) return with_context(shape.error(), options.program);
-  return Made{*std::move(program), *std::move(shape), {}, false, {}, {}};
-}
-
-Made made_of(create::CreatedObject object) {
-  return {std::move(object.program), std::move(object.shape), std::move(object.soundness), true,
-          std::move(object.repairs), std::move(object.notes)};
+  return Made{*std::move(program), *std::move(shape), {}, false, false, {}, {}};
 }
 
 Result<create::CreateOptions> create_options(const Context& context, const Options& options) {
   create::CreateOptions result;
   result.seed = options.seed;
   result.cancel = context.cancel;
-  if (options.variant == "no-validation") result.variant = create::Variant::no_validation;
-  if (options.variant == "no-decomposition") result.variant = create::Variant::no_decomposition;
-  if (options.variant == "direct") result.variant = create::Variant::direct;
+  result.variant = create::variant_named(options.variant).value_or(create::Variant::full);
   if (!options.size.empty()) {
     auto size = parse_size3(options.size);
     if (!size) return size.error();
@@ -119,42 +93,12 @@ Result<create::CreateOptions> create_options(const Context& context, const Optio
   return result;
 }
 
-std::unique_ptr<create::Maker> maker_of(ComposedModel& composed,
-                                        const create::CreateOptions& options) {
-  auto rules = create::make_rule_maker();
-  if (!composed.model) return rules;
-  create::ModelMakerOptions model_options;
-  model_options.variant = options.variant;
-  model_options.cancel = options.cancel;
-  if (const auto& kinds = create::ShapeKinds::built_in(); kinds)
-    for (const auto& [name, kind] : kinds->all()) model_options.kinds.push_back(name);
-  if (const LimitedModel* limited = composed.limited)
-    model_options.budget_is_spent = [limited] { return limited->refused(); };
-  return create::make_model_maker(*composed.model, std::move(rules), composed.prompts,
-                                  std::move(model_options));
-}
-
-// One thing alone stands for itself; several are set out by the solver.
-Status stand_together(const create::Creation& creation, std::uint64_t seed, MadeAll& made) {
-  const auto& objects = creation.objects;
-  if (objects.size() == 1 && objects[0].description.count <= 1) {
-    made.model = to_model(objects[0].shape);
-    return {};
-  }
-  const auto group = set_out(creation, CategoryTable::built_in(), seed);
-  if (!group) return group.error();
-  made.model = merged_model(group->scene, group->models);
-  for (const auto& missing : group->scene.unplaced)
-    made.notes.push_back(missing.id + " was left out: " + missing.reason);
-  return {};
-}
-
 Result<MadeAll> from_words(const Context& context, const Options& options) {
   const auto chosen = create_options(context, options);
   if (!chosen) return chosen.error();
-  auto model = compose_model(options.designer, context, options.cache);
-  if (!model) return model.error();
-  const auto maker = maker_of(*model, *chosen);
+  auto makers = ComposedMakers::compose(options.maker, context, options.cache);
+  if (!makers) return makers.error();
+  const auto maker = makers->maker(chosen->variant, context.cancel);
   MadeAll result;
   if (!options.refine.empty()) {
     const auto program = load(options);
@@ -169,10 +113,12 @@ Result<MadeAll> from_words(const Context& context, const Options& options) {
   if (!creation) return creation.error();
   if (!creation->verdict.passes)
     return Error{Error::Kind::invalid_input, creation->verdict.reason};
-  if (auto status = stand_together(*creation, options.seed, result); !status)
-    return status.error();
-  for (auto& object : creation->objects) result.objects.push_back(made_of(std::move(object)));
-  return result;
+  auto made = made_of(*std::move(creation), options.seed);
+  if (!made || !makers->judges()) return made;
+  auto scores = makers->judge(options.prompt, made->model, context.cancel);
+  if (!scores) return with_context(scores.error(), "judging");
+  made->scores = *std::move(scores);
+  return made;
 }
 
 Result<MadeAll> make(const Context& context, const Options& options) {
@@ -183,13 +129,6 @@ Result<MadeAll> make(const Context& context, const Options& options) {
   result.model = to_model(made->shape);
   result.objects.push_back(*std::move(made));
   return result;
-}
-
-Result<std::vector<Image>> draw_views(const Model& model) {
-  std::vector<Camera> cameras;
-  for (const auto& view : model_views())
-    cameras.push_back(model_camera(bounds(model), view, view_pixels));
-  return draw_model(std::make_shared<Model>(model), cameras);
 }
 
 Status write_views(const Context& context, const fs::path& folder, const Model& model) {
@@ -216,12 +155,6 @@ Status write_sheet(const fs::path& folder, const std::vector<Model>& models) {
   return write_png(folder / "variants.png", contact_sheet(pictures, sheet_columns));
 }
 
-GlbOptions glb_options() {
-  GlbOptions options;
-  options.encode_image = encode_texture;
-  return options;
-}
-
 Status write_all(const Context& context, const Options& options, const shape::Program& program,
                  const Model& model) {
   const std::string name =
@@ -240,45 +173,10 @@ Status write_all(const Context& context, const Options& options, const shape::Pr
   return {};
 }
 
-Json bodies_json(const shape::Shape& made) {
-  Json json = Json::array();
-  for (const auto& body : made.bodies) {
-    const Vec3 size = bounds(body.mesh).size();
-    json.push_back({{"name", body.name},
-                    {"label", body.label},
-                    {"triangles", body.mesh.triangles.size()},
-                    {"size", {rounded(size.x()), rounded(size.y()), rounded(size.z())}}});
-  }
-  return json;
-}
-
-Json object_json(const Made& made) {
-  const Vec3 size = shape::bounds(made.shape).size();
-  Json json;
-  json["name"] = made.program.name;
-  json["size"] = {rounded(size.x()), rounded(size.y()), rounded(size.z())};
-  json["components"] = made.shape.bodies.size();
-  json["triangles"] = shape::triangle_count(made.shape);
-  json["materials"] = made.program.materials.size();
-  if (made.judged) {
-    json["pieces"] = made.soundness.pieces;
-    json["grounded"] = made.soundness.grounded;
-    json["stable"] = made.soundness.stable;
-    json["problems"] = made.soundness.problems;
-    json["repairs"] = made.repairs;
-    json["notes"] = made.notes;
-  }
-  json["bodies"] = bodies_json(made.shape);
-  return json;
-}
-
 void report(const Context& context, const Options& options, const MadeAll& all) {
   const auto& objects = all.objects;
   if (context.json) {
-    Json json = object_json(objects.front());
-    for (std::size_t i = 1; i < objects.size(); ++i)
-      json["others"].push_back(object_json(objects[i]));
-    if (!all.notes.empty()) json["together"] = all.notes;
+    Json json = objects_json(all);
     for (const auto& [key, path] :
          {std::pair<const char*, const std::string&>{"output", options.output},
           {"program", options.write_program},
@@ -301,6 +199,11 @@ void report(const Context& context, const Options& options, const MadeAll& all) 
       std::fprintf(stderr, "  left as it is: %s\n", problem.c_str());
   }
   for (const auto& note : all.notes) std::fprintf(stderr, "  note: %s\n", note.c_str());
+  if (!all.scores) return;
+  for (const auto& [rubric, score] : {std::pair("structure", all.scores->structure),
+                                      std::pair("realism", all.scores->realism),
+                                      std::pair("alignment", all.scores->alignment)})
+    std::fprintf(stderr, "  %s: %d of 5, %s\n", rubric, score.points, score.reason.c_str());
 }
 
 Result<int> make_one(const Context& context, const Options& options) {
@@ -360,6 +263,8 @@ void check_usage(const Options& options) {
       throw CLI::ValidationError("--set", "\"" + setting + "\": write name=value");
   if (options.prompt.empty() == options.program.empty() && options.refine.empty())
     throw CLI::ValidationError("prompt", "say what the object is, or give --program");
+  if (options.maker.judge && (options.prompt.empty() || !options.refine.empty()))
+    throw CLI::ValidationError("--judge", "needs the words to judge by");
   if (!options.refine.empty() && options.program.empty())
     throw CLI::ValidationError("--refine", "needs the earlier object's --program");
   if (options.output.empty() && options.write_program.empty() && options.views.empty() &&
@@ -402,7 +307,7 @@ void add_create_command(CLI::App& app, Context& context) {
                   "Write the program with all parameters put in, JSON");
   sub->add_option("--views", options->views,
                   "Folder for pictures: front, side, back, above, and all in views.png");
-  add_designer_options(*sub, options->designer);
+  add_maker_options(*sub, options->maker);
   sub->callback([options, &context] {
     check_usage(*options);
     context.run = [options, &context] { return create_command(context, *options); };

@@ -42,6 +42,7 @@ int main(int argc, char** argv) {
 #if defined(ROOMGEN_HAS_ASSETS) && defined(ROOMGEN_HAS_RENDER)
   add_create_command(app, context);
   add_generate_command(app, context);
+  add_experiment_command(app, context);
 #endif
 
   try {

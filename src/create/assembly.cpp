@@ -104,6 +104,15 @@ Result<Assembly> Assembly::make(const shape::Program& program, double contact) {
   return assembly;
 }
 
+Assembly Assembly::of(const shape::Shape& shape, double contact) {
+  Assembly assembly;
+  assembly.contact_ = contact;
+  assembly.memory_ = std::make_shared<Memory>();
+  for (const auto& body : shape.bodies)
+    if (!body.mesh.triangles.empty()) assembly.parts_.push_back(assembly.memory_->part(body));
+  return assembly;
+}
+
 bool Assembly::replace(std::size_t top, const shape::Component& component) {
   shape::Program alone;
   alone.components = {component};

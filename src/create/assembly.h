@@ -37,6 +37,8 @@ bool starts_with(const ComponentPath& path, const ComponentPath& prefix);
 class Assembly {
  public:
   static Result<Assembly> make(const shape::Program& program, double contact);
+  /// For measuring only: bodies without a program.
+  static Assembly of(const shape::Shape& shape, double contact);
 
   const shape::Program& program() const { return program_; }
   /// In the order of the program's bodies; a change keeps number and order.

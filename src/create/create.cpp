@@ -86,9 +86,11 @@ class Creator {
       request.description = description;
       auto program = maker_.generate(request);
       if (!program) return program.error();
+      object.fell_back = maker_.fell_back();
       object.notes = maker_.take_notes();
       object.repairs.clear();
       if (auto status = finish(*std::move(program), object); !status) return status.error();
+      if (!maker_.is_cheap()) break;
       const Vec3 size = bounds(object.shape).size();
       // What another aim did not change will not change.
       if ((size - last).norm() < size_tolerance || !correct_size(aim_of(description, said, size, kind), size, description))
@@ -149,6 +151,7 @@ class Creator {
     auto shape = maker_.generate_mesh(request);
     if (!shape) return shape.error();
     object.shape = *std::move(shape);
+    object.fell_back = maker_.fell_back();
     object.program.name = description.noun;
     object.notes = maker_.take_notes();
     return object;
@@ -225,6 +228,7 @@ Result<CreatedObject> refine(const shape::Program& earlier, const std::string& w
   object.description = request.description;
   if (const auto& kinds = ShapeKinds::built_in(); kinds)
     if (const ShapeKind* kind = kinds->find(earlier.name)) object.mount = kind->mount;
+  object.fell_back = maker.fell_back();
   object.notes = maker.take_notes();
   Creator creator(maker, options);
   if (auto status = creator.finish(*std::move(program), object); !status) return status.error();

@@ -75,6 +75,10 @@ class AskingMaker final : public Maker {
     return consult(question, read, "mesh", [&] { return evaluated(fallback_->generate(request)); });
   }
 
+  // Each program is a conversation; rules, once they took over, answer at once.
+  bool is_cheap() const override { return !interview_.lost().empty(); }
+  bool fell_back() const override { return fell_back_; }
+
   std::vector<std::string> take_notes() override { return std::exchange(notes_, {}); }
 
  private:
@@ -125,10 +129,12 @@ class AskingMaker final : public Maker {
     if (interview_.lost().empty()) {
       auto answer = interview_.ask(question, read);
       note(interview_.take_notes());
+      fell_back_ = !answer;
       if (answer || ends_the_work(answer.error())) return answer;
       note({"the model gave no " + what + " that can be used (" + answer.error().message +
             "); rules made this one"});
     } else {
+      fell_back_ = true;
       note({"rules take over: " + interview_.lost()});
     }
     auto answer = fallback();
@@ -151,6 +157,7 @@ class AskingMaker final : public Maker {
   std::unique_ptr<Maker> fallback_;
   ModelMakerOptions options_;
   std::vector<std::string> notes_;
+  bool fell_back_ = false;  ///< for the last step that was asked
 };
 
 }  // namespace

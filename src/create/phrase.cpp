@@ -149,7 +149,10 @@ class PhraseReader {
     arranged_ = Placement{};
     arranged_.after = found->second;
     next_ = &arranged_;
-    if (objects_.empty()) begin_unknown();
+    if (objects_.empty()) {
+      begin_unknown();
+      objects_.front().kind.clear();
+    }
     unknown_.clear();
     at_ = after;
     return true;

@@ -21,6 +21,8 @@ constexpr std::size_t most_name = 60;  // bytes; copies get numbers after it
 constexpr std::size_t most_members = 64;
 constexpr std::size_t most_materials = 256, most_connections = 1024;
 constexpr std::size_t most_reference = 1000;  // bytes
+// Of what has a colour that nobody knows: no reason to lose a program, or to ask for it again.
+const std::string plain_color = "#b8b0a4";
 
 const Names head_keys = {"format", "version",   "name",       "about",      "parameters",
                          "let",    "materials", "components", "connections"};
@@ -144,13 +146,18 @@ class Repair {
       const std::string color = text_at(surface, key);
       if (color.empty() || color.front() == '$') continue;
       const std::string known = known_color(color);
-      if (!known.empty() && known != color) {
+      if (known.empty()) {
+        note("the colour \"" + shortened(color, 40) + "\" is not known and was left out");
+        surface.erase(key);
+      } else if (known != color) {
         note("the colour \"" + shortened(color, 40) + "\" was taken as " + known);
         surface[key] = known;
       }
     }
-    if (!surface.contains("color") && !known_color(name).empty())
-      surface["color"] = known_color(name);
+    if (!surface.contains("color")) {
+      const std::string known = known_color(name);
+      surface["color"] = known.empty() ? plain_color : known;
+    }
     const std::string pattern = text_at(surface, "pattern");
     if (!pattern.empty() && pattern.front() != '$' && !has(shape::pattern_names(), pattern)) {
       note("the pattern \"" + shortened(pattern, 40) + "\" is not known and was left out");
@@ -164,6 +171,27 @@ class Repair {
     std::map<std::string, int> taken;
     for (auto& component : list)
       if (component.is_object() && component.size() <= most_members) mend(component, taken);
+    drop_empty(list);
+  }
+
+  // The last part of an answer that was cut off has a name and little more.
+  void drop_empty(Json& list) {
+    Json kept = Json::array();
+    for (auto& component : list) {
+      const bool is_empty =
+          component.is_object() && component.size() <= most_members && !component.contains("use") &&
+          std::all_of(component.items().begin(), component.items().end(),
+                      [](const auto& member) {
+                        return has(component_keys, member.key()) ||
+                               (has(solid_keys, member.key()) && member.value().empty());
+                      });
+      if (is_empty)
+        note("the part \"" + shortened(text_at(component, "name"), 40) +
+             "\" has no solid and was left out");
+      else
+        kept.push_back(std::move(component));
+    }
+    if (!kept.empty()) list = std::move(kept);
   }
 
   // {"seat": {...}, "leg": {...}}
@@ -271,9 +299,9 @@ class Repair {
     const std::string name = text_at(component, "material");
     if (name.empty() || name.front() == '$' || materials.contains(name)) return;
     const std::string known = known_color(name);
-    if (known.empty()) return;
-    materials[name] = {{"color", known}};
-    note("the material \"" + shortened(name, 40) + "\" was not described; its colour was taken");
+    materials[name] = {{"color", known.empty() ? plain_color : known}};
+    note("the material \"" + shortened(name, 40) + "\" was not described; " +
+         (known.empty() ? "a plain one was taken" : "its colour was taken"));
   }
 
   // All that a connection may call the parts: see shape::refers_to().

@@ -16,6 +16,54 @@ Json with_words(Json schema) {
   return schema;
 }
 
+// The simple solids with their members, which weak models leave out or invent otherwise; the drawn
+// ones are left to the reader.
+const Json& solid_forms() {
+  static const Json forms = [] {
+    Json result = Json::parse(R"({
+      "box": {"required": ["size"], "properties": {"size": {"$ref": "#/$defs/vec3"},
+        "bevel": {"$ref": "#/$defs/number"}}},
+      "cylinder": {"required": ["radius", "height"], "properties": {
+        "radius": {"$ref": "#/$defs/number"}, "height": {"$ref": "#/$defs/number"},
+        "bevel": {"$ref": "#/$defs/number"}}},
+      "frustum": {"required": ["bottom_radius", "top_radius", "height"], "properties": {
+        "bottom_radius": {"$ref": "#/$defs/number"}, "top_radius": {"$ref": "#/$defs/number"},
+        "height": {"$ref": "#/$defs/number"}, "bevel": {"$ref": "#/$defs/number"}}},
+      "ellipsoid": {"required": ["size"], "properties": {"size": {"$ref": "#/$defs/vec3"}}},
+      "prism": {"required": ["sides", "radius", "height"], "properties": {
+        "sides": {"$ref": "#/$defs/number"}, "radius": {"$ref": "#/$defs/number"},
+        "height": {"$ref": "#/$defs/number"}}},
+      "cushion": {"required": ["size"], "properties": {"size": {"$ref": "#/$defs/vec3"},
+        "softness": {"$ref": "#/$defs/number"}}},
+      "group": {"required": ["components"], "properties": {"components": {"type": "array",
+        "items": {"$ref": "#/$defs/component"}}}}})");
+    for (auto& form : result) {
+      form["type"] = "object";
+      form["additionalProperties"] = false;
+    }
+    for (const char* drawn : {"plane", "lathe", "sweep", "extrude", "loft", "height_field", "leaf",
+                              "picture"})
+      result[drawn] = {{"type", "object"}};
+    return result;
+  }();
+  return forms;
+}
+
+// A component has exactly one solid.
+Json component_of(const std::string& solid, const Json& form) {
+  Json result = Json::parse(R"({"type": "object", "additionalProperties": false,
+    "required": ["name", "label"],
+    "properties": {"name": {"type": "string"}, "label": {"type": "string"}}})");
+  result["required"].push_back(solid);
+  auto& properties = result["properties"];
+  properties[solid] = form;
+  properties["when"] = {{"$ref", "#/$defs/number"}};
+  for (const char* vector : {"scale", "rotate", "at"}) properties[vector] = {{"$ref", "#/$defs/vec3"}};
+  properties["operations"] = {{"type", "array"}, {"items", {{"type", "object"}}}};
+  properties["material"] = {{"type", "string"}};
+  return result;
+}
+
 }  // namespace
 
 const Json& verdict_schema() {
@@ -69,24 +117,11 @@ const Json& program_schema() {
         "connections": {"type": "array", "items": {"type": "array", "minItems": 2, "maxItems": 2,
           "items": {"type": "string"}}}},
       "$defs": {
+        "number": {"type": ["number", "string"]},
         "vec3": {"type": "array", "minItems": 3, "maxItems": 3,
-          "items": {"type": ["number", "string"]}},
-        "component": {"type": "object", "required": ["name", "label"],
-          "additionalProperties": false,
-          "properties": {"name": {"type": "string"}, "label": {"type": "string"},
-            "when": {"type": ["number", "string"]},
-            "group": {"type": "object", "required": ["components"], "additionalProperties": false,
-              "properties": {"components": {"type": "array",
-                "items": {"$ref": "#/$defs/component"}}}},
-            "scale": {"$ref": "#/$defs/vec3"}, "rotate": {"$ref": "#/$defs/vec3"},
-            "at": {"$ref": "#/$defs/vec3"},
-            "operations": {"type": "array", "items": {"type": "object"}},
-            "material": {"type": "string"}}}}})");
-    auto& properties = result["$defs"]["component"]["properties"];
-    for (const char* solid :
-         {"box", "cylinder", "frustum", "ellipsoid", "prism", "plane", "lathe", "sweep", "extrude",
-          "loft", "height_field", "leaf", "cushion", "picture"})
-      properties[solid] = {{"type", "object"}};
+          "items": {"type": ["number", "string"]}}}})");
+    for (const auto& [solid, form] : solid_forms().items())
+      result["$defs"]["component"]["anyOf"].push_back(component_of(solid, form));
     return result;
   }();
   return schema;

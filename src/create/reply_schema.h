@@ -3,8 +3,8 @@
 #include "roomgen/base/json.h"
 
 /// The forms of answers, for models that can be held to one. What is optional in shape programs is
-/// optional here, and the members of solids are left to the reader: a grammar of all of them would
-/// be larger than most answers.
+/// optional here, and the members of drawn solids and of operations are left to the reader: a
+/// grammar of all of them would be larger than most answers.
 namespace roomgen::create {
 
 const Json& verdict_schema();

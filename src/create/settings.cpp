@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "roomgen/base/random.h"
+#include "roomgen/base/text.h"
+#include "roomgen/shape/color.h"
 #include "relative_size.h"
 #include "sizing.h"
 
@@ -82,9 +84,10 @@ class Chooser {
   void color_whole() {
     const shape::Parameter* main = find(kind_.main);
     if (!main) return;
-    if (!description_.material.empty())
-      result_.values[main->name] = words_.materials.at(description_.material).color;
-    if (!description_.color.empty()) result_.values[main->name] = description_.color;
+    // A model's description may hold any words.
+    const auto material = words_.materials.find(description_.material);
+    if (material != words_.materials.end()) result_.values[main->name] = material->second.color;
+    if (shape::parse_color(description_.color)) result_.values[main->name] = description_.color;
   }
 
   bool set_word(const std::string& name, const std::string& word) {

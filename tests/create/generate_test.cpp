@@ -1,4 +1,5 @@
 #include "conversation.h"
+#include "roomgen/create/create.h"
 #include "roomgen/shape/recipe.h"
 
 using namespace conversation;
@@ -182,4 +183,62 @@ TEST_CASE("The mesh of a program is its shape") {
   const auto shape = talk.maker->generate_mesh(request);
   REQUIRE(shape);
   CHECK(shape->bodies.size() == 5);
+}
+
+// As SmolLM2 wrote them.
+TEST_CASE("Colours and materials that nobody knows cost no program") {
+  Conversation talk({reply_saying(
+      R"({"format": "roomgen-shape", "version": 1, "name": "sofa",
+          "materials": {"main": {"color": "three-seater", "second": "bar"}},
+          "components": [
+            {"name": "sofa", "label": "sofa", "box": {"size": [0.4, 0.4, 0.5]}, "material": "main"},
+            {"name": "seat", "label": "sofa", "box": {"size": [0.4, 0.4, 0.5]}, "material": "sofa"}],
+          "connections": [["sofa", "floor"]]})")});
+  const auto program = talk.generate();
+  REQUIRE(program);
+  CHECK(talk.script->questions.size() == 1);
+  CHECK(bodies_of(*program) == 2);
+  CHECK(program->materials.size() == 2);
+  const auto notes = talk.maker->take_notes();
+  CHECK(mentions(notes, "\"three-seater\" is not known"));
+  CHECK(mentions(notes, "\"sofa\" was not described"));
+}
+
+TEST_CASE("A part that was cut off before its solid is left out, one of an unknown solid asked for again") {
+  const std::string whole = R"({"name": "leg", "label": "leg", "box": {"size": [0.4, 0.4, 0.5]}})";
+  const auto with = [&](const std::string& more) {
+    return R"({"format": "roomgen-shape", "version": 1, "components": [)" + whole + "," + more;
+  };
+  for (const char* rest : {R"({"name": "seat", "label": "se)", R"({"name": "seat", "box": {"si)"}) {
+    Conversation cut({reply_saying(with(rest))});
+    const auto program = cut.generate();
+    REQUIRE(program);
+    CHECK(bodies_of(*program) == 1);
+    CHECK(mentions(cut.maker->take_notes(), "\"seat\" has no solid"));
+  }
+
+  Conversation unknown(
+      {reply_saying(with(R"({"name": "ring", "label": "ring", "torus": {"radius": 1}}]})")),
+       reply_saying(good_stool)});
+  REQUIRE(unknown.generate());
+  CHECK(unknown.script->questions.size() == 2);
+}
+
+TEST_CASE("A maker says when its last program was the fallback's") {
+  Conversation talk({reply_saying("no"), reply_saying("no"), reply_saying("no"),
+                     reply_saying(good_stool)});
+  REQUIRE(talk.generate());
+  CHECK(talk.maker->fell_back());
+  REQUIRE(talk.generate());
+  CHECK_FALSE(talk.maker->fell_back());
+}
+
+TEST_CASE("A model is asked once for a thing whose size it does not meet to the millimetre") {
+  Conversation talk({reply_saying(good_stool)});
+  Description wanted = Conversation::stool();
+  wanted.size = Vec3(0.42, 0.42, 0.45);
+  const auto object = create_described(wanted, *talk.maker);
+  REQUIRE(object);
+  CHECK(talk.script->questions.size() == 1);
+  CHECK_FALSE(object->fell_back);
 }

@@ -3,6 +3,8 @@
 
 #include "conversation.h"
 #include "roomgen/base/random.h"
+#include "roomgen/create/kinds.h"
+#include "roomgen/create/rule_maker.h"
 
 using namespace conversation;
 
@@ -121,4 +123,38 @@ TEST_CASE("Damaged answers of every step never crash") {
     MakeRequest request;
     CHECK(Conversation({reply_saying(damaged[2])}, direct).maker->generate_mesh(request));
   }
+}
+
+// SmolLM2 described a desk of the material "desk", three of it, whose colour is "chair".
+TEST_CASE("Whatever words a model describes a thing with, rules make one of it") {
+  Description rubbish;
+  rubbish.prompt = "I need a desk";
+  rubbish.noun = rubbish.material = rubbish.style = "desk";
+  rubbish.color = "chair";
+  rubbish.count = 3;
+  rubbish.size = Vec3(1.2, 0.35, 0.4);
+  for (const char* label : {"desk", "leg", "floor", "floor", "-", "drawer"}) {
+    PartWish wish = part(label, 3);
+    wish.shape = wish.construction = wish.material = wish.color = "chair";
+    wish.course = Course::s_curve;
+    wish.direction = "straight";
+    wish.size = Vec3(1.2, 0.35, 0.4);
+    wish.touches = {"leg", "floor", "leg", "nothing"};
+    rubbish.parts.push_back(wish);
+  }
+  const auto rules = make_rule_maker();
+  REQUIRE(ShapeKinds::built_in());
+  int kinds = 0;
+  for (const auto& [name, kind] : ShapeKinds::built_in()->all()) {
+    if (++kinds % 4 != 0) continue;  // they share recipes
+    INFO(name);
+    rubbish.kind = name;
+    MakeRequest request;
+    request.description = rubbish;
+    const auto program = rules->generate(request);
+    INFO((program ? "" : program.error().message));
+    REQUIRE(program);
+    CHECK(shape::evaluate(*program, {.tolerance = 0.01, .paint = false}));
+  }
+  CHECK(kinds > 20);
 }

@@ -29,6 +29,7 @@ struct CreatedObject {
   shape::Program program;  ///< the source of truth: everything else follows from it
   shape::Shape shape;
   Soundness soundness;     ///< of the program, after repairs
+  bool fell_back = false;  ///< the maker's fallback made it: Maker::fell_back()
   std::vector<std::string> repairs;
   std::vector<std::string> notes;  ///< what was assumed or left out
 };

@@ -50,12 +50,16 @@ class Maker {
   virtual Result<std::vector<Description>> decompose(const std::string& prompt) = 0;
   /// Does generate() look at the examples? They take time to make.
   virtual bool wants_examples() const { return true; }
+  /// May generate() be called again for the sake of millimetres?
+  virtual bool is_cheap() const { return true; }
   /// A program; it need not be sound yet.
   virtual Result<shape::Program> generate(const MakeRequest& request) = 0;
   /// Variant::direct: triangles instead of a program, one body for each part, not always closed.
   virtual Result<shape::Shape> generate_mesh(const MakeRequest&) {
     return Error{Error::Kind::invalid_input, "only a language model makes triangles directly"};
   }
+  /// Was the last program, or the last triangles, not what this maker is for, but its fallback's?
+  virtual bool fell_back() const { return false; }
   /// What was assumed, repaired or left to rules since the last call of this function.
   virtual std::vector<std::string> take_notes() { return {}; }
 };

@@ -1,0 +1,371 @@
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "command.h"
+#include "made.h"
+#include "makers.h"
+#include "options.h"
+#include "roomgen/base/file.h"
+#include "roomgen/base/sha256.h"
+#include "roomgen/base/text.h"
+#include "roomgen/create/suite.h"
+
+namespace roomgen::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* lines_name = "results.jsonl";
+constexpr const char* summary_name = "results.json";
+constexpr const char* report_name = "report.md";
+
+struct Options {
+  std::string suite, output, cache;
+  std::vector<std::string> variants = {"full"};
+  std::vector<int> only;
+  std::uint64_t seed = 1;
+  bool force = false;
+  MakerOptions maker;
+};
+
+struct Task {
+  create::Variant variant = create::Variant::full;
+  int number = 0;  ///< of the sentence, from 1
+
+  auto operator<=>(const Task&) const = default;
+};
+
+/// The results of a folder: a line that says what the experiment is, then one for each object. Each
+/// line is written when its object is done, so that an interrupted experiment goes on from there.
+class Results {
+ public:
+  /// Reads what is there of the same experiment. Anything else in the folder is refused.
+  static Result<Results> open(const fs::path& folder, const Json& head, bool force) {
+    Results results;
+    results.path_ = folder / lines_name;
+    if (auto status = make_folder(folder); !status) return status.error();
+    std::error_code code;
+    if (fs::exists(results.path_, code) && !force) {
+      if (auto status = results.read(head); !status) return status.error();
+    } else if (!fs::is_empty(folder, code) && !force) {
+      return Error{Error::Kind::io, folder.string() +
+                                        ": is not empty and no earlier experiment; choose another "
+                                        "folder or --force"};
+    }
+    std::string lines = line_of(head);
+    for (const auto& result : results.all_) lines += line_of(to_json(result));
+    if (auto status = write_file(results.path_, lines); !status) return status.error();
+    return results;
+  }
+
+  Status add(create::SuiteResult result) {
+    std::ofstream file(path_, std::ios::app | std::ios::binary);
+    file << line_of(to_json(result)) << std::flush;
+    if (!file) return Error{Error::Kind::io, path_.string() + ": cannot be written"};
+    all_.push_back(std::move(result));
+    return {};
+  }
+
+  bool has(const Task& task) const {
+    for (const auto& result : all_)
+      if (result.variant == task.variant && result.number == task.number) return true;
+    return false;
+  }
+  /// Of these tasks, in their order.
+  std::vector<create::SuiteResult> of(const std::vector<Task>& tasks) const {
+    std::vector<create::SuiteResult> chosen;
+    for (const auto& task : tasks)
+      for (const auto& result : all_)
+        if (result.variant == task.variant && result.number == task.number)
+          chosen.push_back(result);
+    return chosen;
+  }
+
+ private:
+  static std::string line_of(const Json& json) {
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+  }
+
+  Status read(const Json& head) {
+    const auto text = read_file(path_);
+    if (!text) return text.error();
+    const auto lines = split(*text, '\n');
+    const auto first = parse_json(lines.front(), path_.string());
+    if (!first || *first != head)
+      return Error{Error::Kind::invalid_input,
+                   path_.string() + ": holds another experiment (other sentences, seed or model); "
+                                    "choose another folder or --force"};
+    for (std::size_t k = 1; k < lines.size(); ++k) {
+      if (lines[k].empty()) continue;
+      const std::string where = path_.string() + ": line " + std::to_string(k + 1);
+      const auto json = parse_json(lines[k], where);
+      // The last line may be half written: its object is made again.
+      if (!json && k + 1 == lines.size()) break;
+      if (!json) return json.error();
+      auto result = create::suite_result_from_json(*json, where);
+      if (!result) return result.error();
+      all_.push_back(*std::move(result));
+    }
+    return {};
+  }
+
+  fs::path path_;
+  std::vector<create::SuiteResult> all_;
+};
+
+/// Makes and judges the sentences of a suite.
+class Experiment {
+ public:
+  Experiment(const Context& context, const Options& options,
+             std::vector<create::SuiteSentence> suite, ComposedMakers makers)
+      : context_(context),
+        options_(options),
+        suite_(std::move(suite)),
+        makers_(std::move(makers)) {}
+
+  /// An error is one that ends the experiment; that a thing cannot be made is a result.
+  Result<create::SuiteResult> run(const Task& task) {
+    const auto& sentence = suite_[static_cast<std::size_t>(task.number - 1)];
+    create::SuiteResult result;
+    result.variant = task.variant;
+    result.number = task.number;
+    result.prompt = sentence.prompt;
+    result.group = sentence.group;
+    const auto start = std::chrono::steady_clock::now();
+    auto creation = make(task.variant, sentence.prompt);
+    if (!creation && ends(creation.error())) return creation.error();
+    if (context_.cancel.cancelled()) return Error{Error::Kind::cancelled, "interrupted"};
+    std::string why = !creation ? creation.error().message : creation->verdict.reason;
+    if (creation && creation->verdict.passes) {
+      const auto& object = creation->objects.front();
+      result.assessment = create::assess(sentence, object);
+      result.size = shape::bounds(object.shape).size();
+      result.triangles = shape::triangle_count(object.shape);
+      result.repairs = static_cast<int>(object.repairs.size());
+      result.fell_back = object.fell_back;
+      auto all = made_of(*std::move(creation), options_.seed);
+      if (!all) return all.error();
+      if (auto status = judge(*all, sentence.prompt, result); !status) return status.error();
+      why.clear();
+      if (auto status = write(task, *all); !status) return status.error();
+    } else {
+      result.assessment = create::not_made(sentence, why);
+    }
+    result.seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (auto status = write_result(task, result, why); !status) return status.error();
+    return result;
+  }
+
+ private:
+  Result<create::Creation> make(create::Variant variant, const std::string& prompt) {
+    create::CreateOptions options;
+    options.seed = options_.seed;
+    options.variant = variant;
+    options.cancel = context_.cancel;
+    // A model that was given up in one sentence is asked again in the next.
+    const auto maker = makers_.maker(variant, context_.cancel);
+    return create::create(prompt, *maker, options);
+  }
+
+  bool ends(const Error& error) const {
+    return error.kind == Error::Kind::cancelled || makers_.budget_is_spent() ||
+           (makers_.asks_a_model() && error.kind == Error::Kind::unavailable);
+  }
+
+  // Points that the model does not give are missing; a model that cannot be asked ends it all.
+  Status judge(const MadeAll& all, const std::string& prompt, create::SuiteResult& result) {
+    if (!makers_.judges()) return {};
+    auto scores = makers_.judge(prompt, all.model, context_.cancel);
+    if (scores)
+      result.scores = *std::move(scores);
+    else if (ends(scores.error()) || scores.error().kind == Error::Kind::unavailable)
+      return with_context(scores.error(), "judging");
+    else
+      result.assessment.failures.push_back("not judged: " + scores.error().message);
+    return {};
+  }
+
+  // As bench/create/score.py reads them.
+  fs::path file(const Task& task, const std::string& ending) const {
+    char number[16];
+    std::snprintf(number, sizeof number, "%03d", task.number);
+    return fs::path(options_.output) / create::name(task.variant) / (number + ending);
+  }
+
+  Status write(const Task& task, const MadeAll& all) const {
+    const auto& program = all.objects.front().program;
+    const auto glb = make_glb(program.name, all.model, glb_options());
+    if (!glb) return glb.error();
+    if (auto status = make_folder(file(task, "").parent_path()); !status) return status;
+    if (auto status = write_file(file(task, ".glb"), *glb); !status) return status;
+    if (!program.components.empty())
+      if (auto status = write_file(file(task, ".json"), dump_json(shape::write_program(program)));
+          !status)
+        return status;
+    return write_file(file(task, ".summary.json"), dump_json(objects_json(all)));
+  }
+
+  Status write_result(const Task& task, const create::SuiteResult& result,
+                      const std::string& why) const {
+    if (auto status = make_folder(file(task, "").parent_path()); !status) return status;
+    return write_file(file(task, ".result.json"),
+                      dump_json({{"prompt", result.prompt},
+                                 {"exit", result.assessment.made ? exit_ok : exit_failure},
+                                 {"seconds", rounded(result.seconds, 3)},
+                                 {"message", why}}));
+  }
+
+  const Context& context_;
+  const Options& options_;
+  std::vector<create::SuiteSentence> suite_;
+  ComposedMakers makers_;
+};
+
+std::vector<Task> tasks_of(const Options& options, std::size_t sentences) {
+  std::vector<Task> tasks;
+  std::set<Task> seen;
+  for (const auto& variant : options.variants)
+    for (int number = 1; number <= static_cast<int>(sentences); ++number) {
+      const bool chosen = options.only.empty() || std::find(options.only.begin(), options.only.end(),
+                                                            number) != options.only.end();
+      const Task task{*create::variant_named(variant), number};
+      if (chosen && seen.insert(task).second) tasks.push_back(task);
+    }
+  return tasks;
+}
+
+Json head_of(const Options& options, const std::string& suite) {
+  Json head = {{"format", "roomgen-experiment"},
+               {"version", 1},
+               {"suite", sha256_hex(suite)},
+               {"seed", options.seed},
+               {"designer", options.maker.designer.designer},
+               {"judge", options.maker.judge}};
+  if (options.maker.designer.designer == "model" || options.maker.judge)
+    head["model"] = options.maker.designer.model;
+  return head;
+}
+
+std::string physics_text(const Options& options) {
+  std::string text;
+  std::set<std::string> seen;
+  for (const auto& variant : options.variants)
+    if (seen.insert(variant).second)
+      text += "python3 bench/create/score.py " +
+              (fs::path(options.output) / variant).string() +
+              (options.suite.empty() ? "" : " --prompts " + options.suite) + "\n";
+  return text;
+}
+
+Status write_report(const Options& options, const std::vector<create::SuiteResult>& results) {
+  const fs::path folder = options.output;
+  Json json = {{"seed", options.seed}, {"figures", create::suite_summary(results)}};
+  for (const auto& result : results) json["results"].push_back(to_json(result));
+  if (auto status = write_file(folder / summary_name, dump_json(json)); !status) return status;
+  return write_file(folder / report_name,
+                    create::suite_markdown(results) +
+                        "\nDropped in MuJoCo and measured by others (bench/create/README.md):\n\n" +
+                        "```sh\n" + physics_text(options) + "```\n");
+}
+
+void tell(const Context& context, std::size_t done, std::size_t total,
+          const create::SuiteResult& result) {
+  if (context.quiet) return;
+  const auto& failures = result.assessment.failures;
+  std::fprintf(stderr, "[%zu/%zu] %s %d %s: %s\n", done, total, create::name(result.variant),
+               result.number, shortened(result.prompt, 60).c_str(),
+               failures.empty() ? "as it should be" : shortened(join(failures, "; "), 120).c_str());
+}
+
+Result<int> experiment(const Context& context, const Options& options) {
+  const auto text = read_file(options.suite);
+  if (!text) return text.error();
+  const auto json = parse_json(*text, options.suite);
+  if (!json) return json.error();
+  auto suite = create::read_suite(*json, options.suite);
+  if (!suite) return suite.error();
+  auto makers = ComposedMakers::compose(options.maker, context, options.cache);
+  if (!makers) return makers.error();
+  auto results = Results::open(options.output, head_of(options, *text), options.force);
+  if (!results) return results.error();
+  const auto tasks = tasks_of(options, suite->size());
+  Experiment experiment(context, options, *std::move(suite), *std::move(makers));
+  std::optional<Error> ended;
+  std::size_t done = 0;
+  for (const auto& task : tasks) {
+    ++done;
+    if (results->has(task)) continue;
+    if (context.cancel.cancelled()) ended = Error{Error::Kind::cancelled, "interrupted"};
+    auto result = ended ? Result<create::SuiteResult>(*ended) : experiment.run(task);
+    if (!result) {
+      ended = result.error();
+      break;
+    }
+    tell(context, done, tasks.size(), *result);
+    if (auto status = results->add(*std::move(result)); !status) return status.error();
+  }
+  const auto finished = results->of(tasks);
+  if (auto status = write_report(options, finished); !status) return status.error();
+  if (ended)
+    return Error{ended->kind, ended->message + "; " + std::to_string(finished.size()) + " of " +
+                                  std::to_string(tasks.size()) +
+                                  " are done, the same command goes on from there"};
+  if (context.json)
+    std::fputs(dump_json(create::suite_summary(finished)).c_str(), stdout);
+  else
+    std::fputs(create::suite_markdown(finished).c_str(), stdout);
+  if (!context.quiet)
+    std::fprintf(stderr, "To drop them in MuJoCo (bench/create/README.md):\n%s",
+                 physics_text(options).c_str());
+  return exit_ok;
+}
+
+void check_usage(const Options& options) {
+  for (const auto& variant : options.variants)
+    if (variant == "direct" && options.maker.designer.designer != "model")
+      throw CLI::ValidationError("--variants", "direct needs --designer model");
+}
+
+}  // namespace
+
+void add_experiment_command(CLI::App& app, Context& context) {
+  auto options = std::make_shared<Options>();
+  auto* sub = app.add_subcommand(
+      "experiment", "Make a suite of things in several variants and score them (docs/objects.md)");
+  sub->add_option("--create", options->suite,
+                  "Sentences with what can be checked, as bench/create/prompts.json")
+      ->required();
+  sub->add_option("--variants", options->variants,
+                  "full, no-validation, no-decomposition, direct; several with commas")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"full", "no-validation", "no-decomposition", "direct"}))
+      ->capture_default_str();
+  sub->add_option("-o,--output", options->output,
+                  "Folder for the objects, results.json and report.md; the same command again goes "
+                  "on where it was stopped")
+      ->required();
+  sub->add_option("--only", options->only, "Numbers of sentences, from 1, with commas")
+      ->delimiter(',')
+      ->check(CLI::PositiveNumber);
+  sub->add_option("--seed", options->seed, "Seed of what sentences leave open")
+      ->check(CLI::Range(std::uint64_t{0}, max_seed))
+      ->capture_default_str();
+  sub->add_flag("--force", options->force, "Start anew whatever the folder holds");
+  sub->add_option("--cache", options->cache,
+                  "Where answers are kept (default: the user's cache folder)");
+  add_maker_options(*sub, options->maker);
+  sub->callback([options, &context] {
+    check_usage(*options);
+    context.run = [options, &context] { return experiment(context, *options); };
+  });
+}
+
+}  // namespace roomgen::cli
