@@ -249,10 +249,10 @@ class Composition {
     setting_.spread_unknown();
     imply();
     divide();
-    setting_.put(Place::base, frame_);
     Frame below = frame_;
     below.low -= base_;
-    setting_.put(Place::foot, below, base_);
+    setting_.put(Place::foot, below);
+    setting_.put(Place::base, frame_, below.low);
     for (const Place place : core_places) put_core(place);
     if (core_.empty()) put_body();
     settle_faces();
@@ -284,12 +284,15 @@ class Composition {
     const bool slender =
         has(Place::column) && (outward || has(Place::across) || boards > 0);
     const bool bare = has(Place::upright) && boards == 0;
-    const bool stands = has(Place::foot) || has(Place::base);
-    if ((slender || bare || has(Place::around)) && !stands) add("base", 1, Place::base);
+    const bool on_feet = setting_.total(Place::foot) > 1 && has(Place::column) && boards == 0;
+    const bool needs_base = bare || on_feet || has(Place::around) || (slender && !has(Place::foot));
+    if (needs_base && !has(Place::base)) add("base", 1, Place::base);
   }
 
   // The height, from the floor up.
   void divide() {
+    // What lies around on the floor is no tower.
+    if (has(Place::around)) frame_.size.z() = std::min(frame_.size.z(), frame_.size.head<2>().minCoeff());
     const double height = frame_.size.z();
     frame_.framed = has(Place::upright);
     frame_.high = height - (has(Place::top) ? top_room * height : 0.0) -
@@ -306,7 +309,7 @@ class Composition {
     inner_ = frame_;
     if (has(Place::around)) {
       inner_.size.head<2>() *= 0.5;
-      inner_.high = 0.5 * (frame_.low + frame_.high);
+      inner_.high = frame_.low + 0.6 * (frame_.high - frame_.low);
     }
   }
 
