@@ -145,7 +145,7 @@ class Experiment {
     std::string why = !creation ? creation.error().message : creation->verdict.reason;
     if (creation && creation->verdict.passes) {
       const auto& object = creation->objects.front();
-      result.assessment = create::assess(sentence, object);
+      result.assessment = create::assess(sentence, *creation);
       result.size = shape::bounds(object.shape).size();
       result.triangles = shape::triangle_count(object.shape);
       result.repairs = static_cast<int>(object.repairs.size());
