@@ -1,8 +1,10 @@
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -145,7 +147,7 @@ class Experiment {
     std::string why = !creation ? creation.error().message : creation->verdict.reason;
     if (creation && creation->verdict.passes) {
       const auto& object = creation->objects.front();
-      result.assessment = create::assess(sentence, object);
+      result.assessment = create::assess(sentence, *creation);
       result.size = shape::bounds(object.shape).size();
       result.triangles = shape::triangle_count(object.shape);
       result.repairs = static_cast<int>(object.repairs.size());
@@ -285,6 +287,22 @@ void tell(const Context& context, std::size_t done, std::size_t total,
                failures.empty() ? "as it should be" : shortened(join(failures, "; "), 120).c_str());
 }
 
+// Makes what is missing; what ends the experiment early, if anything does.
+Status make_missing(const Context& context, const std::vector<Task>& tasks, Experiment& experiment,
+                    Results& results) {
+  std::size_t done = 0;
+  for (const auto& task : tasks) {
+    ++done;
+    if (results.has(task)) continue;
+    if (context.cancel.cancelled()) return Error{Error::Kind::cancelled, "interrupted"};
+    auto result = experiment.run(task);
+    if (!result) return result.error();
+    tell(context, done, tasks.size(), *result);
+    if (auto status = results.add(*std::move(result)); !status) return status;
+  }
+  return {};
+}
+
 Result<int> experiment(const Context& context, const Options& options) {
   const auto text = read_file(options.suite);
   if (!text) return text.error();
@@ -298,26 +316,14 @@ Result<int> experiment(const Context& context, const Options& options) {
   if (!results) return results.error();
   const auto tasks = tasks_of(options, suite->size());
   Experiment experiment(context, options, *std::move(suite), *std::move(makers));
-  std::optional<Error> ended;
-  std::size_t done = 0;
-  for (const auto& task : tasks) {
-    ++done;
-    if (results->has(task)) continue;
-    if (context.cancel.cancelled()) ended = Error{Error::Kind::cancelled, "interrupted"};
-    auto result = ended ? Result<create::SuiteResult>(*ended) : experiment.run(task);
-    if (!result) {
-      ended = result.error();
-      break;
-    }
-    tell(context, done, tasks.size(), *result);
-    if (auto status = results->add(*std::move(result)); !status) return status.error();
-  }
+  const auto ended = make_missing(context, tasks, experiment, *results);
   const auto finished = results->of(tasks);
   if (auto status = write_report(options, finished); !status) return status.error();
-  if (ended)
-    return Error{ended->kind, ended->message + "; " + std::to_string(finished.size()) + " of " +
-                                  std::to_string(tasks.size()) +
-                                  " are done, the same command goes on from there"};
+  if (!ended)
+    return Error{ended.error().kind, ended.error().message + "; " +
+                                         std::to_string(finished.size()) + " of " +
+                                         std::to_string(tasks.size()) +
+                                         " are done, the same command goes on from there"};
   if (context.json)
     std::fputs(dump_json(create::suite_summary(finished)).c_str(), stdout);
   else

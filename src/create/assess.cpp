@@ -112,8 +112,7 @@ std::vector<int> numbered_wholes(const std::vector<std::vector<std::size_t>>& co
 }
 
 bool is_leg(const Part& part) {
-  return detail::is_one_of(part.label, {"leg", "foot", "pedestal", "column"}) &&
-         part.box().size().z() >= least_leg;
+  return detail::is_one_of(part.label, {"leg", "foot"}) && part.box().size().z() >= least_leg;
 }
 
 /// Measures one thing.
@@ -343,6 +342,17 @@ bool Assessment::perfect() const {
 
 Assessment assess(const SuiteSentence& sentence, const CreatedObject& object) {
   return Assessor(sentence, object).assess();
+}
+
+Assessment assess(const SuiteSentence& sentence, const Creation& creation) {
+  Assessment result = assess(sentence, creation.objects.front());
+  std::size_t things = 0;
+  for (const auto& object : creation.objects)
+    things += static_cast<std::size_t>(std::max(1, object.description.count));
+  if (things == 1) return result;
+  result.checks[static_cast<std::size_t>(Check::connected)] = false;
+  result.failures.push_back("connected: made as " + std::to_string(things) + " things");
+  return result;
 }
 
 Assessment not_made(const SuiteSentence& sentence, const std::string& why) {

@@ -156,6 +156,17 @@ TEST_CASE("Triangles without a program are judged like those of one") {
   fails_only(assess(sentence(stool_words), object), {Check::connected, Check::supported});
 }
 
+TEST_CASE("A sentence that was made as two things is not one body") {
+  Creation creation;
+  creation.objects = {made(program(seat + "," + four_legs))};
+  fails_only(assess(sentence(stool_words), creation), {});
+  creation.objects.front().description.count = 2;
+  fails_only(assess(sentence(stool_words), creation), {Check::connected});
+  creation.objects.front().description.count = 1;
+  creation.objects.push_back(creation.objects.front());
+  fails_only(assess(sentence(stool_words), creation), {Check::connected});
+}
+
 TEST_CASE("What hangs is asked neither for ground nor for balance") {
   const std::string words = R"({"prompt": "x", "mount": "wall", "parts": [],
       "size": [[0, 9], [0, 9], [0, 9]]})";

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "roomgen/base/json.h"
@@ -61,6 +62,9 @@ struct Assessment {
 ///   stable     the centre of mass is over what touches the ground
 ///   size       within the sentence's width, depth and height (2 mm)
 Assessment assess(const SuiteSentence& sentence, const CreatedObject& object);
+/// The main object; sentences of suites mean one thing, and several stand apart. Precondition: there
+/// are objects.
+Assessment assess(const SuiteSentence& sentence, const Creation& creation);
 
 /// Nothing was made: what is asked of such a thing fails.
 Assessment not_made(const SuiteSentence& sentence, const std::string& why);
