@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
@@ -173,6 +174,17 @@ void print_model_use(const ComposedDesigner& composed, const Generation& generat
   if (!generation.stopped.empty()) std::printf("  stopped: %s\n", generation.stopped.c_str());
 }
 
+// What the prompt asked for and the room does not have.
+void print_requirements(const Scene& scene) {
+  if (scene.requirements.empty()) return;
+  const auto met = std::count_if(scene.requirements.begin(), scene.requirements.end(),
+                                 [](const RequirementVerdict& verdict) { return verdict.met; });
+  std::printf("  %td of %zu requirements of the prompt are met\n", met, scene.requirements.size());
+  for (const auto& verdict : scene.requirements)
+    if (!verdict.met)
+      std::printf("  not met: %s: %s\n", verdict.requirement.clause.c_str(), verdict.reason.c_str());
+}
+
 void print_summary(const Context& context, const fs::path& folder, const Plan& plan,
                    const Generation& generation, const ComposedDesigner& composed, double seconds) {
   const Scene& scene = generation.scene;
@@ -185,6 +197,9 @@ void print_summary(const Context& context, const fs::path& folder, const Plan& p
     json["unplaced"] = Json::array();
     for (const auto& missing : scene.unplaced)
       json["unplaced"].push_back({{"id", missing.id}, {"reason", missing.reason}});
+    json["requirements"] = Json::array();
+    for (const auto& verdict : scene.requirements)
+      json["requirements"].push_back(to_json(verdict));
     json["constraints"] = generation.constraints;
     json["held"] = generation.held;
     json["incomplete"] = scene.incomplete;
@@ -199,6 +214,7 @@ void print_summary(const Context& context, const fs::path& folder, const Plan& p
               folder.string().c_str(), scene.room.type.c_str(), scene.objects.size(),
               generation.held, generation.constraints, seconds);
   if (composed.model) print_model_use(composed, generation);
+  print_requirements(scene);
   for (const auto& missing : scene.unplaced)
     std::printf("  left out: %s: %s\n", missing.id.c_str(), missing.reason.c_str());
 }

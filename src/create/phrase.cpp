@@ -5,6 +5,8 @@
 
 #include "attributes.h"
 #include "part_forms.h"
+#include "phrase_measure.h"
+#include "phrase_place.h"
 #include "phrase_text.h"
 #include "roomgen/base/text.h"
 #include "roomgen/design/prompt_words.h"
@@ -161,19 +163,19 @@ class PhraseReader {
   // "on three stones", "a handle at each end", "each smaller than the one below".
   bool placement() {
     if (on_some_of_them()) return true;
-    for (const auto& placement : words_.placements) {
-      if (!text_.starts(at_, placement.words)) continue;
-      if (objects_.empty() && !placement.opens()) continue;
-      last_boundary_ = text_[at_];
-      flush();
-      negated_ = false;
-      at_ += placement.words.size();
-      place_last(placement);
-      next_ = placement.opens() ? &placement : nullptr;
-      if (placement.series.turn > 0) read_turn();
-      return true;
-    }
-    return false;
+    const Placement* placement = placement_at(text_, at_, words_);
+    if (!placement || (objects_.empty() && !placement->opens())) return false;
+    last_boundary_ = text_[at_];
+    flush();
+    negated_ = false;
+    at_ += placement->words.size();
+    next_ = placement->opens() ? placement : nullptr;
+    PartWish* part = last_part();
+    if (!part) return true;
+    place_before(*placement, *part);
+    if (placement->series.turn > 0)
+      if (const double turn = read_turn(text_, at_); turn > 0) part->series.turn = turn;
+    return true;
   }
 
   // "a door on three of them"
@@ -187,42 +189,6 @@ class PhraseReader {
     parts[part_].count = count.meaning * parts[part_].count.value_or(1);
     at_ = after + (text_.is(after, {"of"}) ? 2 : 1);
     return true;
-  }
-
-  void place_last(const Placement& placement) {
-    if (objects_.empty() || part_ >= objects_.front().parts.size()) return;
-    PartWish& part = objects_.front().parts[part_];
-    if (placement.before) part.place = placement.before;
-    // "drawers, three on each side"
-    if (placement.each > 1) part.count = placement.each * part.count.value_or(1);
-    if (placement.series.scale != 1.0) part.series.scale = placement.series.scale;
-    if (placement.series.turn > 0) part.series.turn = placement.series.turn;
-  }
-
-  // "forty-five degrees against the one below"
-  void read_turn() {
-    double degrees = 0.0;
-    std::size_t at = at_;
-    for (; text_.number(at); ++at) degrees += *text_.number(at);
-    if (!text_.is(at, {"degree", "degrees"})) return;
-    at_ = at + 1;
-    if (part_ != none) objects_.front().parts[part_].series.turn = radians(std::min(degrees, 180.0));
-  }
-
-  // Where the part that is named now stands, if that was said before it.
-  void place_next(PartWish& part) const {
-    if (!next_) return;
-    if (next_->gone) part.count = 0;
-    if (next_->after) part.place = next_->after;
-    // Rings around a ball: it is no column.
-    if (next_->after == Place::column && built_in_parts()->of(part.label, 1).same == "xyz")
-      part.place.reset();
-    if (!next_->below) return;
-    // What carries by nature does so in its own way.
-    switch (built_in_parts()->of(part.label, 1).place) {
-      case Place::foot: case Place::base: case Place::column: case Place::upright: return;
-      default: part.place = Place::foot;
-    }
   }
 
   void flush() {
@@ -267,66 +233,26 @@ class PhraseReader {
     }
   }
 
-  // "80 cm tall", "six feet long", "120 x 60 x 75 cm", "2 m by 1.4 m".
   bool measure() {
-    const auto& units = design::built_in_vocabulary()->units;
-    std::vector<double> numbers;
-    double unit = 0.0;
-    std::size_t at = at_, end = at_;
-    while (numbers.size() < 3) {
-      const auto number = text_.number(at);
-      if (!number) break;
-      numbers.push_back(*number);
-      end = ++at;
-      if (at < text_.size())
-        if (const auto found = units.find(text_[at]); found != units.end())
-          unit = found->second, end = ++at;
-      if (at + 1 >= text_.size() || !text_.is(at, {"x", "by"})) break;
-      ++at;
+    const auto measure = read_measure(text_, at_);
+    if (!measure) return false;
+    at_ = measure->end;
+    if (PartWish* part = last_part()) {
+      apply(*measure, *part);
+    } else if (!measure->thick) {
+      measured_ = measured_.value_or(Vec3::Constant(std::nan("")));
+      const Vec3 said = sides(*measure);
+      for (int axis = 0; axis < 3; ++axis)
+        if (!std::isnan(said[axis])) (*measured_)[axis] = said[axis];
+      if (!objects_.empty()) take_measures(objects_.back());
     }
-    if (numbers.empty() || unit == 0.0) return false;
-    const std::size_t begin = std::exchange(at_, end);
-    const int axis = measured_axis(begin, numbers.size());
-    const bool thick = text_.is(at_, {"thick", "thickness"});
-    if (thick) ++at_;
-    if (part_ != none && part_ < objects_.front().parts.size()) {
-      measure_part(objects_.front().parts[part_], axis, numbers, unit, thick);
-      return true;
-    }
-    if (thick) return true;
-    if (!measured_) measured_ = Vec3::Constant(std::nan(""));
-    for (std::size_t i = 0; i < numbers.size() && axis + i < 3; ++i)
-      (*measured_)[axis + static_cast<Eigen::Index>(i)] = numbers[i] * unit;
-    if (!objects_.empty()) take_measures(objects_.back());
     return true;
   }
 
-  // "a top 2 cm thick", "legs 5 cm thick", "a back two metres tall".
-  static void measure_part(PartWish& part, int axis, const std::vector<double>& numbers, double unit,
-                           bool thick) {
-    if (!part.size) part.size = Vec3::Constant(std::nan(""));
-    const Place place = built_in_parts()->of(part.label, 1).place;
-    const bool upright = place == Place::foot || place == Place::column || place == Place::upright;
-    if (thick) {
-      if (upright) part.size->head<2>().setConstant(numbers.front() * unit);
-      else (*part.size)[place == Place::back || place == Place::front ? 1 : 2] = numbers.front() * unit;
-      return;
-    }
-    for (std::size_t i = 0; i < numbers.size() && axis + i < 3; ++i)
-      (*part.size)[axis + static_cast<Eigen::Index>(i)] = numbers[i] * unit;
-  }
-
-  // Which side is the first of these lengths: the word after them says it, which is passed over, or the
-  // one before ("height 50 cm").
-  int measured_axis(std::size_t begin, std::size_t count) {
-    const std::size_t after = at_++;
-    if (text_.is(after, {"wide", "width", "long", "length", "diameter", "across"})) return 0;
-    if (text_.is(after, {"deep", "depth"})) return 1;
-    if (text_.is(after, {"tall", "high", "height"})) return 2;
-    at_ = after;
-    if (count > 1 || begin == 0) return 0;
-    if (text_.is(begin - 1, {"height"})) return 2;
-    return text_.is(begin - 1, {"depth"}) ? 1 : 0;
+  // What was named last, if that is a part of the first object.
+  PartWish* last_part() {
+    if (objects_.empty() || part_ >= objects_.front().parts.size()) return nullptr;
+    return &objects_.front().parts[part_];
   }
 
   // Sides that were said earlier stay.
@@ -353,13 +279,6 @@ class PhraseReader {
       return true;
     }
     return false;
-  }
-
-  static Place place_of(const std::string& relation) {
-    if (relation == "on") return Place::top;
-    if (relation == "under") return Place::base;
-    if (relation == "behind") return Place::back;
-    return relation == "in front of" ? Place::front : Place::side;
   }
 
   // Passes over words that said something of the noun to come.
@@ -584,7 +503,7 @@ class PhraseReader {
     apply(pending_, *known);
     if (negated_) known->count = 0;
     known->one = known->one || (indefinite_ && singular(text_[at_ - 1]) == text_[at_ - 1]);
-    place_next(*known);
+    if (next_) place_after(*next_, *known);
     part_ = objects_.empty() ? none : static_cast<std::size_t>(known - parts.begin());
     pending_ = {};
     indefinite_ = false;
@@ -652,7 +571,7 @@ class PhraseReader {
       part.label = singular(unknown_.back());
       if (negated_) part.count = 0;
       apply(pending_, part);
-      place_next(part);
+      if (next_) place_after(*next_, part);
       objects_.front().parts.push_back(std::move(part));
       part_ = objects_.front().parts.size() - 1;
       pending_ = {};

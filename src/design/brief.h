@@ -26,6 +26,7 @@ struct Mention {
   std::string category;     ///< of the table, or the prompt's own word if the table lacks it
   bool known = true;        ///< in the table
   std::string description;  ///< "white wooden desk"
+  std::vector<std::string> looks;  ///< of it: "white", "wooden"
   int quantity = 1;
   bool counted = false;      ///< the prompt gives the number
   bool varied = false;       ///< they shall differ

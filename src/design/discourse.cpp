@@ -45,6 +45,7 @@ Mention Discourse::new_mention(const NounPhrase& phrase) const {
   Mention mention;
   mention.quantity = phrase.count;
   mention.counted = phrase.counted;
+  mention.looks = phrase.modifiers;
   std::vector<std::string> description = phrase.modifiers;
   if (phrase.kind.length > 0) {
     mention.category = category_name(phrase.kind);

@@ -5,6 +5,7 @@
 
 #include "floor_plan.h"
 #include "inventory.h"
+#include "ledger.h"
 #include "looks.h"
 #include "order.h"
 #include "prompt.h"
@@ -51,6 +52,7 @@ class Planner {
     if (!best.missed.empty()) leave_out(best);
     if (best.plan.items.empty())
       best.plan.notes.push_back("nothing that such a room usually holds fits into it");
+    best.plan.requirements = requirements_of(brief_, best.drafts, best.plan);
     return std::move(best.plan);
   }
 
@@ -149,7 +151,8 @@ class Planner {
       if (!attempt.plan.items[object.item].asked) --attempt.drafts[object.item].item.quantity;
     std::erase_if(attempt.drafts, [](const Draft& draft) { return draft.item.quantity < 1; });
     attempt.plan.items.clear();
-    order_items(std::move(attempt.drafts), table_, arrangements_, attempt.plan);
+    attempt.drafts =
+        order_items(std::move(attempt.drafts), table_, arrangements_, attempt.plan);
   }
 
   const PlanRequest& request_;

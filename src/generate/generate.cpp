@@ -5,7 +5,9 @@
 #include <map>
 #include <set>
 
+#include "asset_looks.h"
 #include "retrieve.h"
+#include "roomgen/evaluate/requirements.h"
 #include "roomgen/geometry/free_rectangles.h"
 #include "roomgen/scene/judgement.h"
 #include "roomgen/solve/improve.h"
@@ -387,6 +389,10 @@ class Generator {
              reason == reasons_.end() ? "stopped before it was tried" : reason->second});
       }
     }
+    scene.requirements = check_requirements(
+        plan_.requirements, scene, categories_, [&](const Object& object, const std::string& word) {
+          return looks_like(assets_.at(object.id), word) ? std::string() : "is not known to be " + word;
+        });
     for (const auto& task : tasks_)
       result_.constraints += static_cast<int>(task.object.relations.size());
     for (const auto& verdict : judge_scene(scene, categories_))

@@ -11,7 +11,7 @@ namespace roomgen {
 
 namespace {
 
-constexpr std::size_t max_items = 500;
+constexpr std::size_t max_items = 500, max_requirements = 5000;
 constexpr long long max_quantity = 200;
 constexpr long long max_seed = 9007199254740991;
 constexpr double max_coordinate = 1000.0;
@@ -86,6 +86,9 @@ Json to_json(const Plan& plan) {
   for (const auto& item : plan.items) json["objects"].push_back(item_json(item));
   json["excluded"] = plan.excluded;
   json["notes"] = plan.notes;
+  json["requirements"] = Json::array();
+  for (const auto& requirement : plan.requirements)
+    json["requirements"].push_back(to_json(requirement));
   return json;
 }
 
@@ -94,7 +97,8 @@ Result<Plan> plan_from_json(const Json& json, const std::string& source) {
   const JsonReader root(json, problems);
   if (root["format"].text_or("") != "roomgen-plan")
     root.report("not a plan: \"format\" must be \"roomgen-plan\"");
-  root.allow_only({"format", "version", "prompt", "seed", "room", "objects", "excluded", "notes"});
+  root.allow_only({"format", "version", "prompt", "seed", "room", "objects", "excluded", "notes",
+                   "requirements"});
   if (root["version"].integer_or(1, 1, 1000) != 1)
     root["version"].report("this version of roomgen reads version 1 only");
   Plan plan;
@@ -107,6 +111,8 @@ Result<Plan> plan_from_json(const Json& json, const std::string& source) {
     plan.excluded.push_back(element.text());
   for (const auto& element : root["notes"].elements_or_none(max_items))
     plan.notes.push_back(element.text());
+  for (const auto& element : root["requirements"].elements_or_none(max_requirements))
+    plan.requirements.push_back(read_requirement(element));
   if (problems.first()) return *problems.first();
   const FileWalls walls(read_corners(root["room"]["polygon"]), plan.room.polygon);
   for (auto& item : plan.items) walls.rename(item.relations);

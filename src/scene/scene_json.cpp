@@ -131,6 +131,9 @@ Json to_json(const Scene& scene) {
   for (const auto& missing : scene.unplaced)
     json["unplaced"].push_back(
         {{"id", missing.id}, {"category", missing.category}, {"reason", missing.reason}});
+  if (scene.requirements.empty()) return json;
+  json["requirements"] = Json::array();
+  for (const auto& verdict : scene.requirements) json["requirements"].push_back(to_json(verdict));
   return json;
 }
 
@@ -142,7 +145,7 @@ Result<Scene> scene_from_json(const Json& json, const std::string& source) {
   if (root["version"].integer_or(1, 1, 1000) != 1)
     root["version"].report("this version of roomgen reads version 1 only");
   root.allow_only({"format", "version", "units", "up", "front", "prompt", "seed", "incomplete",
-                   "room", "objects", "unplaced"});
+                   "room", "objects", "unplaced", "requirements"});
   Scene scene;
   scene.prompt = root["prompt"].text_or("", 100000);
   scene.seed = static_cast<std::uint64_t>(root["seed"].integer_or(0, 0, max_seed));
@@ -153,6 +156,8 @@ Result<Scene> scene_from_json(const Json& json, const std::string& source) {
   for (const auto& element : root["unplaced"].elements_or_none(max_objects))
     scene.unplaced.push_back({element["id"].text(), element["category"].text_or(""),
                               element["reason"].text_or("")});
+  for (const auto& element : root["requirements"].elements_or_none(max_objects))
+    scene.requirements.push_back(read_verdict(element));
   if (problems.first()) return *problems.first();
   const FileWalls walls(read_corners(root["room"]["polygon"]), scene.room.polygon);
   for (auto& object : scene.objects) walls.rename(object.relations);

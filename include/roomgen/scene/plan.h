@@ -9,6 +9,7 @@
 #include "roomgen/base/json.h"
 #include "roomgen/base/result.h"
 #include "roomgen/scene/object.h"
+#include "roomgen/scene/requirement.h"
 #include "roomgen/scene/room.h"
 
 namespace roomgen {
@@ -35,6 +36,7 @@ struct Plan {
   std::vector<PlanItem> items;
   std::vector<std::string> excluded;  ///< categories that the prompt forbids
   std::vector<std::string> notes;     ///< what was assumed, for people
+  std::vector<Requirement> requirements;  ///< the prompt's clauses, to be checked at the end
 };
 
 /// One object of an item: "chair-2".

@@ -9,6 +9,7 @@
 #include "roomgen/base/json.h"
 #include "roomgen/base/result.h"
 #include "roomgen/scene/object.h"
+#include "roomgen/scene/requirement.h"
 #include "roomgen/scene/room.h"
 
 namespace roomgen {
@@ -27,6 +28,7 @@ struct Scene {
   Room room;
   std::vector<Object> objects;
   std::vector<Unplaced> unplaced;
+  std::vector<RequirementVerdict> requirements;  ///< what the prompt asked for, met or not
 };
 
 const Object* find_object(const Scene& scene, std::string_view id);

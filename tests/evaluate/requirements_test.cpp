@@ -1,0 +1,89 @@
+#include "roomgen/evaluate/requirements.h"
+
+#include "catch.h"
+
+using namespace roomgen;
+
+namespace {
+
+Object thing(const std::string& id, const std::string& category, const Vec3& size, const Vec3& at) {
+  Object object;
+  object.id = id;
+  object.category = category;
+  object.size = size;
+  object.position = at;
+  return object;
+}
+
+// A bed at the back wall, a nightstand beside it, a lamp on that.
+Scene bedroom() {
+  Scene scene;
+  scene.room.type = "bedroom";
+  scene.room.polygon.points = {{0, 0}, {4, 0}, {4, 4}, {0, 4}};
+  scene.objects = {thing("bed-0", "bed", {1.6, 2.0, 0.5}, {2, 3, 0}),
+                   thing("nightstand-0", "nightstand", {0.4, 0.4, 0.5}, {3.05, 3.75, 0}),
+                   thing("table lamp-0", "table lamp", {0.2, 0.2, 0.4}, {3.05, 3.75, 0.5})};
+  scene.objects[2].mount = Mount::surface;
+  scene.objects[2].on = "nightstand-0";
+  scene.unplaced = {{"rug-0", "rug", "no room"}};
+  return scene;
+}
+
+Requirement about(Requirement::Kind kind, const std::string& category,
+                  std::vector<std::string> subjects) {
+  Requirement requirement;
+  requirement.kind = kind;
+  requirement.category = category;
+  requirement.subjects = std::move(subjects);
+  return requirement;
+}
+
+RequirementVerdict check(const Requirement& requirement) {
+  const AttributeJudge judge = [](const Object& object, const std::string& word) {
+    return object.id == "bed-0" && word == "white" ? "" : "is not " + word;
+  };
+  return check_requirements(std::vector{requirement}, bedroom(), CategoryTable::built_in(), judge)[0];
+}
+
+}  // namespace
+
+TEST_CASE("Numbers are met exactly unless more are as good") {
+  auto wanted = about(Requirement::Kind::count, "bed", {"bed-0"});
+  CHECK(check(wanted).met);
+  wanted.count = 2;
+  CHECK_FALSE(check(wanted).met);
+  CHECK(check(wanted).reason == "there are 1 instead of 2");
+  wanted.count = 0;
+  wanted.at_least = true;
+  CHECK(check(wanted).met);
+  // What was left out is missing, with the reason.
+  const auto rug = check(about(Requirement::Kind::count, "rug", {"rug-0"}));
+  CHECK_FALSE(rug.met);
+  CHECK(rug.reason == "rug-0 was left out: no room");
+}
+
+TEST_CASE("Relations hold for every subject towards one of the targets") {
+  auto wanted = about(Requirement::Kind::relation, "table lamp", {"table lamp-0"});
+  wanted.relation = RelationKind::on;
+  wanted.targets = {"bed-0", "nightstand-0"};
+  CHECK(check(wanted).met);
+  wanted.targets = {"bed-0"};
+  CHECK_FALSE(check(wanted).met);
+  wanted = about(Requirement::Kind::relation, "nightstand", {"nightstand-0"});
+  wanted.relation = RelationKind::near;
+  wanted.targets = {"bed-0"};
+  CHECK(check(wanted).met);
+  wanted.relation = RelationKind::middle;
+  wanted.targets.clear();
+  CHECK_FALSE(check(wanted).met);
+}
+
+TEST_CASE("Attributes are judged by who knows them, absences by what is there") {
+  auto wanted = about(Requirement::Kind::attribute, "bed", {"bed-0"});
+  wanted.attribute = "white";
+  CHECK(check(wanted).met);
+  wanted.attribute = "round";
+  CHECK(check(wanted).reason == "bed-0: is not round");
+  CHECK(check(about(Requirement::Kind::absence, "television", {})).met);
+  CHECK_FALSE(check(about(Requirement::Kind::absence, "nightstand", {})).met);
+}
