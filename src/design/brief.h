@@ -19,6 +19,7 @@ struct Demand {
   std::size_t mention = none;  ///< index into Brief::mentions
   std::string part;            ///< "window-0", "wall-2", "corner"; empty for edge and middle
   bool flank = false;          ///< left and right of the target in turn
+  bool shared = false;         ///< with other mentions: each takes a side
 };
 
 /// Things of one kind that the prompt names.

@@ -11,6 +11,13 @@ namespace {
 
 constexpr std::size_t max_mentions = 120;
 
+// Who describes a room looks at the fronts of things: the mouse to the right of a keyboard is at the
+// hand of who sits before it. Constraints' sides are the thing's own.
+RelationKind as_seen(RelationKind kind) {
+  if (kind == RelationKind::left_of) return RelationKind::right_of;
+  return kind == RelationKind::right_of ? RelationKind::left_of : kind;
+}
+
 }  // namespace
 
 std::string Discourse::category_name(const KindMatch& kind) const {
@@ -57,6 +64,7 @@ Mention Discourse::new_mention(const NounPhrase& phrase) const {
     mention.category = phrase.noun;
     description.push_back(phrase.noun);
   }
+  if (!phrase.contents.empty()) description.push_back(phrase.contents);
   mention.description = join(description, " ");
   shape(mention, phrase, lexicon_.words, lexicon_.table, lexicon_.names);
   return mention;
@@ -85,15 +93,21 @@ void Discourse::demand(const Demand& what, bool leads) {
     leading_.push_back(what);
     return;
   }
-  for (std::size_t subject : subjects()) add(subject, what);
+  const auto all = subjects();
+  for (std::size_t subject : all) {
+    Demand own = what;
+    own.shared = own.shared || all.size() > 1;
+    add(subject, own);
+  }
 }
 
 void Discourse::add(std::size_t index, const Demand& what) {
   if (what.mention == index) return;
   Mention& mention = brief_.mentions[index];
   mention.demands.push_back(what);
-  // "a lamp on each side" is two.
-  if (what.flank) mention.quantity = std::max(2, mention.quantity);
+  mention.demands.back().kind = as_seen(what.kind);
+  // "a lamp on each side" is two, but not "a lamp and a plant flank it".
+  if (what.flank && !what.shared) mention.quantity = std::max(2, mention.quantity);
 }
 
 void Discourse::locate(const Placement& placement, const PlacePhrase& place, bool leads) {

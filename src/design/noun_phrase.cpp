@@ -8,6 +8,7 @@ namespace {
 
 constexpr std::size_t max_modifiers = 8;
 constexpr int max_count = 200;
+constexpr std::size_t most_contents = 2;  ///< words
 
 class Reader {
  public:
@@ -20,6 +21,8 @@ class Reader {
   std::optional<NounPhrase> run(bool may_be_unknown) {
     read_determiners();
     if (read_modifiers_and_head() && !bare_material()) {
+      read_contents();
+      pair_is_one();
       phrase_.end = at_;
       return phrase_;
     }
@@ -163,6 +166,31 @@ class Reader {
     phrase_.kind = head;
     at_ = start + head.length;
     return true;
+  }
+
+  // "a jar of honey": bare nouns say what is in it, and are no things beside it.
+  void read_contents() {
+    if (!is_word(at_, "of") || phrase_.kind.plural || !phrase_.article) return;
+    std::size_t end = at_ + 1;
+    while (!ended(end) && end <= at_ + most_contents && is_content(token(end))) ++end;
+    if (end == at_ + 1) return;
+    phrase_.contents = "of";
+    for (std::size_t i = at_ + 1; i < end; ++i) phrase_.contents += " " + token(i).text;
+    at_ = end;
+  }
+
+  bool is_content(const Token& word) const {
+    return word.kind == Token::Kind::word && !words_.stops.count(word.text) &&
+           !words_.definite.count(word.text) && !words_.numbers.count(word.text) &&
+           !words_.pronouns.count(word.text) && !words_.room_parts.count(word.text);
+  }
+
+  // "headphones", "a pair of scissors"
+  void pair_is_one() {
+    if (!words_.pairs.count(token(at_ - 1).text)) return;
+    phrase_.kind.plural = false;
+    if (phrase_.set || !phrase_.counted) phrase_.count = 1;
+    phrase_.article = true;
   }
 
   // "glass" alone, without an article, is what something is made of.

@@ -23,6 +23,7 @@ struct NounPhrase {
   KindMatch kind;    ///< length 0: the thing is not known
   std::string noun;  ///< of an unknown thing
   std::vector<std::string> modifiers;
+  std::string contents;  ///< "of honey"
   std::vector<Token> lengths;
   int seats = 0;  ///< "six-seater"
 };

@@ -143,6 +143,7 @@ class Resolver {
     std::map<std::size_t, std::string> targets;  // one thing of each mention for all its demands
     std::vector<Relation> relations;
     std::string flanked;
+    std::size_t sharing = draft.mention;  // which mentions take the sides in turn
     for (const auto& demand : draft.demands) {
       Relation relation{demand.kind, demand.part};
       if (demand.mention != Demand::none) {
@@ -150,12 +151,15 @@ class Resolver {
           targets[demand.mention] = ids_.next(draft.mention, demand.mention);
         relation.target = targets[demand.mention];
         if (relation.target.empty()) continue;
-        if (demand.flank) flanked = relation.target;
+        if (demand.flank) {
+          flanked = relation.target;
+          sharing = demand.shared ? Demand::none : draft.mention;
+        }
       }
       add(relations, relation);
     }
     if (!flanked.empty()) {
-      const bool left = sides_[{draft.mention, flanked}]++ % 2 == 0;
+      const bool left = sides_[{sharing, flanked}]++ % 2 == 0;
       add(relations, {left ? RelationKind::left_of : RelationKind::right_of, flanked});
     }
     return relations;

@@ -232,8 +232,18 @@ class PromptReader {
     const auto other = refer(*phrase);
     at_ = owner_end_ = phrase->end;
     if (!other || other == target) return true;
-    for (auto kind : placement.relations) talk_.add(*other, {kind, *target, "", placement.flank});
-    talk_.speak_of(other);
+    std::vector<std::size_t> others = {*other};
+    // "flanked by a dishwasher and a pantry"
+    if (placement.flank && is_word(at_, "and"))
+      if (const auto second = read_noun_phrase(tokens_, at_ + 1, words_, names_, true);
+          second && second->article) {
+        if (const auto more = refer(*second); more && more != target) others.push_back(*more);
+        at_ = owner_end_ = second->end;
+      }
+    for (const std::size_t each : others)
+      for (auto kind : placement.relations)
+        talk_.add(each, {kind, *target, "", placement.flank, others.size() > 1});
+    talk_.speak_of(others.back());
     return true;
   }
 

@@ -63,7 +63,7 @@ Result<Vocabulary> parse_vocabulary(std::string_view text, const std::string& so
                    "negations",  "only",          "measured",       "stops",    "parts",
                    "no things",  "materials",     "sizes",          "people",   "people words",
                    "room words", "generic rooms", "parts of rooms", "walls",    "units",
-                   "areas",      "placements"});
+                   "areas",      "placements",    "pairs"});
   Vocabulary words;
   words.numbers = read_integers(root["numbers"]);
   words.people = read_integers(root["people"]);
@@ -90,7 +90,8 @@ Result<Vocabulary> parse_vocabulary(std::string_view text, const std::string& so
                                                    {"materials", &words.materials},
                                                    {"people words", &words.people_words},
                                                    {"room words", &words.room_words},
-                                                   {"generic rooms", &words.generic_rooms}};
+                                                   {"generic rooms", &words.generic_rooms},
+                                                   {"pairs", &words.pairs}};
   for (const auto& [key, set] : sets) *set = read_set(root[key]);
   if (problems.first()) return *problems.first();
   return words;

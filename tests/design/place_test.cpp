@@ -143,7 +143,7 @@ TEST_CASE("what the prompt says of places comes first in the advice") {
   const Object* desk = first_of(scene, "desk");
   REQUIRE(desk);
   REQUIRE_FALSE(desk->relations.empty());
-  CHECK(to_text(desk->relations.front()) == "left of, bed-0");
+  CHECK(to_text(desk->relations.front()) == "right of, bed-0");
 }
 
 TEST_CASE("a refusal leads to another place and to fewer wishes") {

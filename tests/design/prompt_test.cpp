@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "catch.h"
+#include "plans.h"
 #include "room_kinds.h"
 #include "roomgen/scene/category.h"
 
@@ -188,10 +189,10 @@ TEST_CASE("placements become demands") {
       {"a lamp on the nightstand", 0, "on, nightstand"},
       {"chairs around the dining table", 0, "around, dining table"},
       {"a sofa across from the fireplace", 0, "in front of, fireplace | face to, fireplace"},
-      {"a plant to the left of the sofa", 0, "left of, sofa"},
+      {"a plant to the left of the sofa", 0, "right of, sofa"},
       {"a plant between the sofa and the window", 0, "near, sofa | near, window-0"},
       {"a sofa with a coffee table in front of it", 1, "in front of, sofa"},
-      {"a bed with a nightstand to its right", 1, "right of, bed"},
+      {"a bed with a nightstand to its right", 1, "left of, bed"},
       {"The desk is near the door.", 0, "near, door-0"},
       {"Next to the bed stands a lamp.", 1, "near, bed | side of, bed"},
       {"a painting above the sofa", 0, "above, sofa"},
@@ -212,6 +213,26 @@ TEST_CASE("a thing on each side makes two") {
   const auto brief = read("a bed with a nightstand on each side");
   CHECK(things(brief) == "1 bed, 2 nightstand");
   CHECK(brief.mentions[1].demands.front().flank);
+}
+
+TEST_CASE("two kinds of things that flank one are one each, on either side") {
+  CHECK(things(read("a bed flanked by a plant and a lamp")).find("2 ") == std::string::npos);
+  const auto plan = test::plan_of("a bedroom with a bed flanked by a plant and a nightstand");
+  int left = 0, right = 0;
+  for (const auto& item : plan.items)
+    for (const auto& relation : item.relations) {
+      left += relation.kind == RelationKind::left_of;
+      right += relation.kind == RelationKind::right_of;
+    }
+  CHECK(left == 1);
+  CHECK(right == 1);
+}
+
+TEST_CASE("what is in a thing is no thing, and pairs of one piece are one") {
+  CHECK(things(read("a shelf with a bowl of fruit")) == things(read("a shelf with a bowl")));
+  CHECK(read("a desk with headphones").mentions.back().quantity == 1);
+  CHECK(read("a desk with a pair of headphones").mentions.back().quantity == 1);
+  CHECK(read("a room with a pair of armchairs").mentions.back().quantity == 2);
 }
 
 TEST_CASE("words of style are heard where they speak of the room") {

@@ -31,6 +31,7 @@ struct Vocabulary {
   std::map<std::string, Vec3, std::less<>> sizes;
   std::map<std::string, std::string, std::less<>> room_parts;
   std::map<std::string, Placement, std::less<>> placements;
+  WordSet pairs;  ///< one thing though a plural: "headphones", "a pair of scissors"
   WordSet vague, definite, pronouns, negations, only, measured, stops, parts, no_things, materials,
       people_words, room_words, generic_rooms;
 };
