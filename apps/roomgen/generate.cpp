@@ -185,6 +185,7 @@ void print_summary(const Context& context, const fs::path& folder, const Plan& p
     json["unplaced"] = Json::array();
     for (const auto& missing : scene.unplaced)
       json["unplaced"].push_back({{"id", missing.id}, {"reason", missing.reason}});
+    json["notes"] = generation.notes;
     json["constraints"] = generation.constraints;
     json["held"] = generation.held;
     json["incomplete"] = scene.incomplete;
@@ -195,6 +196,7 @@ void print_summary(const Context& context, const fs::path& folder, const Plan& p
     return;
   }
   for (const auto& note : plan.notes) std::printf("note: %s\n", note.c_str());
+  for (const auto& note : generation.notes) std::printf("note: %s\n", note.c_str());
   std::printf("%s: %s with %zu objects, %d of %d constraints held (%.1f s)\n",
               folder.string().c_str(), scene.room.type.c_str(), scene.objects.size(),
               generation.held, generation.constraints, seconds);
