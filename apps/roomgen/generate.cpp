@@ -200,6 +200,7 @@ void print_summary(const Context& context, const fs::path& folder, const Plan& p
     json["requirements"] = Json::array();
     for (const auto& verdict : scene.requirements)
       json["requirements"].push_back(to_json(verdict));
+    json["notes"] = generation.notes;
     json["constraints"] = generation.constraints;
     json["held"] = generation.held;
     json["incomplete"] = scene.incomplete;
@@ -210,6 +211,7 @@ void print_summary(const Context& context, const fs::path& folder, const Plan& p
     return;
   }
   for (const auto& note : plan.notes) std::printf("note: %s\n", note.c_str());
+  for (const auto& note : generation.notes) std::printf("note: %s\n", note.c_str());
   std::printf("%s: %s with %zu objects, %d of %d constraints held (%.1f s)\n",
               folder.string().c_str(), scene.room.type.c_str(), scene.objects.size(),
               generation.held, generation.constraints, seconds);

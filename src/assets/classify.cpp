@@ -22,7 +22,10 @@ std::string kind_from_name(const SourceAsset& asset, const Vocabulary& vocabular
 }
 
 std::string kind_of(const SourceAsset& asset, const Label* label, const Vocabulary& vocabulary) {
-  if (label && !label->category.empty()) return label->category;
+  if (label && !label->category.empty()) {
+    const Kind* kind = vocabulary.find(label->category);
+    return kind ? kind->name : label->category;
+  }
   return asset.category ? vocabulary.understand(*asset.category).kind
                         : kind_from_name(asset, vocabulary);
 }

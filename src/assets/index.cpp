@@ -38,6 +38,7 @@ Result<std::string> stamp_of(const fs::path& library) {
   for (const auto* name :
        {"data/furniture-labels.json", "data/vocabulary.json", "data/categories.json"})
     text += "\n" + sha256_hex(resource(name).value_or(""));
+  for (const auto name : resources("data/shapes/kinds/")) text += "\n" + sha256_hex(*resource(name));
   std::error_code code;
   if (!fs::is_directory(library, code)) return sha256_hex(text + "\n" + stamp_of_file(library));
   auto tree = open_folder(library);

@@ -33,11 +33,12 @@ std::vector<std::string> special_kinds(const std::string& kind, const std::strin
   return result;
 }
 
-std::map<std::string, double> fitting_kinds(const std::string& kind, const std::string& description,
+std::map<std::string, double> fitting_kinds(const std::string& kind, const AssetQuery& query,
                                             const Vocabulary& vocabulary) {
-  const auto special = special_kinds(kind, description, vocabulary);
+  const auto special = special_kinds(kind, query.description, vocabulary);
   std::map<std::string, double> result;
   for (const auto& [name, candidate] : vocabulary.kinds()) {
+    if (query.asked && !vocabulary.is_a(name, kind)) continue;
     double fit = vocabulary.fit(name, kind);
     if (!special.empty()) {
       fit *= general_kind;
@@ -158,6 +159,16 @@ double kind_term(const SearchPlan& plan, const AssetInfo& asset, const Vocabular
   return found == plan.kinds.end() ? 0.0 : found->second;
 }
 
+bool contradicts_query(const SearchPlan& plan, const AssetInfo& asset,
+                       const std::vector<WeightedWord>& found, const Vocabulary& vocabulary) {
+  if (!plan.query.asked) return false;
+  if (plan.query.sized && plan.query.size && contradicts_size(asset, *plan.query.size)) return true;
+  return contradicts(asset, plan.looks, vocabulary, [&](const std::string& word) {
+    const auto at = std::find(plan.words.begin(), plan.words.end(), word) - plan.words.begin();
+    return found[static_cast<std::size_t>(at)].found > 0.0;
+  });
+}
+
 Statement candidates(const Database& database, const SearchPlan& plan) {
   const std::string columns = std::string(row_columns) + ", id";
   if (!plan.free_kind.empty()) {
@@ -183,10 +194,11 @@ SearchPlan plan_search(const AssetQuery& query, const Vocabulary& vocabulary) {
   const std::string& asked = query.category.empty() ? query.description : query.category;
   const KindPhrase phrase = vocabulary.understand(asked);
   if (phrase.known)
-    plan.kinds = fitting_kinds(phrase.kind, query.description, vocabulary);
+    plan.kinds = fitting_kinds(phrase.kind, query, vocabulary);
   else if (!words(phrase.kind).empty())
     plan.free_kind = phrase.kind;
   plan.words = telling_words(query, phrase, vocabulary);
+  plan.looks = wanted_looks(plan.words, vocabulary);
   if (const Category* category = CategoryTable::built_in().find(phrase.kind))
     plan.usual_size = category->size;
   return plan;
@@ -201,11 +213,13 @@ Result<std::vector<AssetMatch>> run_search(const std::vector<const Database*>& d
     Statement rows = candidates(*databases[i], plan);
     while (rows.step()) {
       AssetMatch match{row_of(rows).info, 0.0};
+      const long long row = rows.integer(21);
       match.score =
           match_score({kind_term(plan, match.asset, vocabulary),
-                       text_relevance(words.found(i, rows.integer(21))),
+                       text_relevance(words.found(i, row)),
                        size_term(plan, match.asset), mount_term(plan, match.asset, vocabulary)});
       if (match.score <= 0.0) continue;
+      match.contradicts = contradicts_query(plan, match.asset, words.found(i, row), vocabulary);
       match.asset.mount = plan.query.mount.value_or(match.asset.mount);
       matches.push_back(std::move(match));
     }

@@ -6,6 +6,7 @@
 
 #include "database.h"
 #include "roomgen/library/library.h"
+#include "roomgen/library/looks.h"
 #include "roomgen/library/vocabulary.h"
 
 namespace roomgen::assets {
@@ -16,6 +17,7 @@ struct SearchPlan {
   std::string free_kind;                ///< instead of kinds: a phrase that the vocabulary lacks
   std::vector<std::string> words;       ///< of the description, singular
   AssetQuery query;
+  WantedLooks looks;
   std::optional<Vec3> usual_size;  ///< of the category, when the query wants none
 };
 

@@ -25,9 +25,11 @@ constexpr double least_side = 0.002, greatest_side = 20.0;
 
 /// What is built.
 struct Order {
-  std::string kind, description;
+  std::string kind;  ///< of data/shapes/kinds; what is approximate may be of none
+  std::string description;
   Vec3 size = Vec3::Ones();
   std::uint64_t seed = 0;
+  bool approximate = false;  ///< nobody knows what the words name
 };
 
 // Equal words build equal things.
@@ -43,6 +45,7 @@ ProceduralSource source_of(const Order& order) {
       {"kind", order.kind},
       {"description", order.description},
       {"size", {rounded(order.size.x()), rounded(order.size.y()), rounded(order.size.z())}}};
+  if (order.approximate) source.params["approximate"] = true;
   return source;
 }
 
@@ -54,6 +57,7 @@ Result<Order> order_of(const AssetRef& ref) {
   Order order;
   order.kind = params["kind"].text();
   order.description = params["description"].text_or("");
+  order.approximate = params["approximate"].boolean_or(false);
   const auto sides = params["size"].numbers(3, least_side, greatest_side);
   if (const auto& problem = problems.first()) return *problem;
   order.size = Vec3(sides[0], sides[1], sides[2]);
@@ -68,9 +72,11 @@ Description describe(const Order& order) {
     auto read = read_phrase(order.description, *built_in_words(), *ShapeKinds::built_in());
     if (!read.empty()) description = std::move(read.front());
   }
-  if (description.noun.empty() || description.approximate) description.noun = order.kind;
-  description.kind = order.kind;
-  description.approximate = false;
+  if (!order.approximate) {
+    if (description.noun.empty() || description.approximate) description.noun = order.kind;
+    description.kind = order.kind;
+    description.approximate = false;
+  }
   description.prompt = order.description;
   description.size = order.size;
   description.count = 1;
@@ -103,14 +109,15 @@ class CreatedLibrary final : public AssetLibrary {
   Result<std::vector<AssetMatch>> search(const AssetQuery& query) const override {
     std::vector<AssetMatch> matches;
     const ShapeKind* kind = kind_asked(query);
-    if (!kind || query.limit == 0) return matches;
+    if (query.limit == 0 || (!kind && !query.asked)) return matches;
+    if (!kind) return composed(query);
     const Mount mount = query.mount.value_or(kind->mount);
     const Kind* known = Vocabulary::built_in().find(kind->name);
     const std::vector<Mount> also = known ? known->also : std::vector<Mount>{};
-    Order order{kind->name, query.description, size_for(query, *kind), 0};
+    Order order{kind->name, query.description, size_for(query, *kind)};
     if (mount_fit(kind->mount, mount, also, order.size.z()) <= 0.0) return matches;
     order.seed = seed_of(query.category + "\n" + query.description);
-    matches.push_back({info_of(order, *kind, mount), created_score});
+    matches.push_back({info_of(order, kind->name, mount), created_score});
     return matches;
   }
 
@@ -130,14 +137,40 @@ class CreatedLibrary final : public AssetLibrary {
   }
 
  private:
-  // By its own name, or by another that the vocabulary has for it.
+  // The kind that the description names, if it is one of the category's, else the category's own: an
+  // armoire where a wardrobe is asked. By its own name, or by another that the vocabulary has for it.
   static const ShapeKind* kind_asked(const AssetQuery& query) {
     const auto& kinds = ShapeKinds::built_in();
     if (!kinds) return nullptr;
-    const std::string& words = query.category.empty() ? query.description : query.category;
-    if (const ShapeKind* kind = kinds->find(words)) return kind;
-    const auto phrase = Vocabulary::built_in().understand(words);
-    return phrase.known ? kinds->find(phrase.kind) : nullptr;
+    const Vocabulary& vocabulary = Vocabulary::built_in();
+    const auto described = vocabulary.understand(query.description);
+    const auto asked = query.category.empty() ? described : vocabulary.understand(query.category);
+    const bool says_more = described.known && vocabulary.is_a(described.kind, asked.kind) &&
+                           !query.category.ends_with(described.name);
+    if (says_more)
+      if (const ShapeKind* kind = kinds->find(described.name)) return kind;
+    if (const ShapeKind* kind = kinds->find(query.category)) return kind;
+    return asked.known ? kinds->find(asked.kind) : nullptr;
+  }
+
+  // What nobody knows, made as its words say it, or like what it is named after.
+  static Result<std::vector<AssetMatch>> composed(const AssetQuery& query) {
+    std::vector<AssetMatch> matches;
+    const std::string& words = query.description.empty() ? query.category : query.description;
+    const auto maker = make_rule_maker();
+    const auto verdict = maker->classify(words);
+    if (!verdict) return verdict.error();
+    const auto objects = maker->decompose(words);
+    if (!verdict->passes || !objects || objects->empty()) return matches;
+    const ShapeKind* kind = ShapeKinds::built_in()->find(objects->front().kind);
+    Order order{"", words, Vec3::Ones(), 0, true};
+    if (kind) order.kind = kind->name;
+    if (kind && !query.sized) order.size = kind->size;
+    else if (query.size) order.size = *query.size;
+    order.seed = seed_of(query.category + "\n" + query.description);
+    const Mount mount = query.mount.value_or(kind ? kind->mount : Mount::floor);
+    matches.push_back({info_of(order, query.category, mount), created_score});
+    return matches;
   }
 
   static Vec3 size_for(const AssetQuery& query, const ShapeKind& kind) {
@@ -146,19 +179,20 @@ class CreatedLibrary final : public AssetLibrary {
     return {rounded(size.x()), rounded(size.y()), rounded(size.z())};
   }
 
-  static AssetInfo info_of(const Order& order, const ShapeKind& kind, Mount mount) {
+  static AssetInfo info_of(const Order& order, const std::string& kind, Mount mount) {
     AssetInfo info;
     info.ref.procedural = source_of(order);
     info.ref.license = "CC0";
-    info.name = kind.name;
-    info.category = kind.name;
+    info.name = kind;
+    info.category = kind;
+    info.approximate = order.approximate;
     info.group = "made from words";
     info.size = order.size;
     info.mount = mount;
-    const Category* category = CategoryTable::built_in().find(kind.name);
+    const Category* category = CategoryTable::built_in().find(kind);
     if (mount == Mount::wall)
       info.elevation = category && category->elevation > 0.0 ? category->elevation : usual_elevation;
-    describe_by_kind(info, kind.name, mount == Mount::floor);
+    describe_by_kind(info, kind, mount == Mount::floor);
     const Description description = describe(order);
     for (const auto& said : {description.color, description.material})
       if (!said.empty()) info.colors.push_back(said);

@@ -66,7 +66,8 @@ class KeptLibrary final : public AssetLibrary {
     const auto& vocabulary = Vocabulary::built_in();
     for (const auto& [id, kept] : kept_) {
       const double fit = vocabulary.fit(kept.kind, kind_of(query.category));
-      if (fit <= 0.0 || matches.size() >= query.limit) continue;
+      const bool instead = query.asked && !vocabulary.is_a(kept.kind, kind_of(query.category));
+      if (fit <= 0.0 || instead || matches.size() >= query.limit) continue;
       AssetInfo info;
       info.ref = {library_name, id, kept.sha256, "CC0", "", std::nullopt};
       info.name = kept.program.name;

@@ -55,7 +55,7 @@ std::map<std::string, ShapeKind::Growth> read_growth(const JsonReader& json) {
 
 ShapeKind read_kind(const std::string& name, const JsonReader& json) {
   json.allow_only(
-      {"names", "recipe", "set", "vary", "styles", "size", "least", "most", "grow", "mount", "main"});
+      {"is", "names", "recipe", "set", "vary", "styles", "size", "least", "most", "grow", "mount", "main"});
   ShapeKind kind;
   kind.name = name;
   kind.recipe = json["recipe"].text();

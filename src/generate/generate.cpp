@@ -8,6 +8,7 @@
 #include "asset_looks.h"
 #include "retrieve.h"
 #include "roomgen/evaluate/requirements.h"
+#include "roomgen/library/vocabulary.h"
 #include "roomgen/geometry/free_rectangles.h"
 #include "roomgen/scene/judgement.h"
 #include "roomgen/solve/improve.h"
@@ -142,7 +143,7 @@ class Generator {
     if (!assets)
       reason = assets.error().message;
     else if (assets->empty())
-      reason = "no asset is a " + item.category + " of this size";
+      reason = why_nothing(item);
     else
       reason = try_assets(planned, *assets, record);
     if (reason.empty()) {
@@ -154,6 +155,13 @@ class Generator {
     }
     record["seconds"] = rounded(seconds_since(start));
     result_.trace.push_back({planned, std::move(record)});
+  }
+
+  static std::string why_nothing(const PlanItem& item) {
+    if (!item.asked || Vocabulary::built_in().understand(item.category).known)
+      return "no asset is a " + item.category + " of this size";
+    return "\"" + item.category + "\" is no kind that is known, and the words do not say of which parts " +
+           "it is made";
   }
 
   // Each asset, and for the first one again with other answers, then a repair. Returns why it
@@ -382,6 +390,9 @@ class Generator {
         scene.objects.push_back(with_rounded_pose(*placed));
         const AssetInfo& asset = assets_.at(planned.id);
         if (seen.insert(asset_key(asset.ref)).second) result_.assets.push_back(asset);
+        if (asset.approximate)
+          result_.notes.push_back(planned.id + " is approximate: \"" + item.category +
+                                  "\" is no kind that is known, and it was put together from the words");
       } else {
         const auto reason = reasons_.find(planned.id);
         scene.unplaced.push_back(

@@ -8,6 +8,7 @@ namespace {
 
 // Scores that differ by less are equally good answers to the same words.
 constexpr double equal_score = 0.06;
+constexpr double same_size = 0.02;
 
 }  // namespace
 
@@ -18,6 +19,8 @@ Result<std::vector<AssetInfo>> Retriever::candidates(const PlanItem& item,
   query.description = item.description;
   query.size = item.size ? *item.size : categories_.get(item.category).size;
   query.mount = item.mount;
+  query.asked = item.asked;
+  query.sized = item.size && !item.size->isApprox(categories_.get(item.category).size, same_size);
   auto matches = library_.search(query);
   if (!matches) return matches.error();
 
@@ -26,7 +29,9 @@ Result<std::vector<AssetInfo>> Retriever::candidates(const PlanItem& item,
                                (item.varied ? " " + std::to_string(planned.number) : ""));
   std::vector<AssetMatch> top;
   for (const auto& match : *matches)
-    if (match.score >= matches->front().score - equal_score) top.push_back(match);
+    if (match.contradicts == matches->front().contradicts &&
+        match.score >= matches->front().score - equal_score)
+      top.push_back(match);
   random.shuffle(top);
   std::copy(top.begin(), top.end(), matches->begin());
 

@@ -1,5 +1,7 @@
 #include "roomgen/library/first_of.h"
 
+#include <algorithm>
+#include <functional>
 #include <utility>
 
 namespace roomgen {
@@ -12,11 +14,17 @@ class FirstOf final : public AssetLibrary {
       : libraries_(std::move(libraries)) {}
 
   Result<std::vector<AssetMatch>> search(const AssetQuery& query) const override {
+    std::vector<AssetMatch> contradicting;
     for (const auto& library : libraries_) {
       auto matches = library->search(query);
-      if (!matches || !matches->empty()) return matches;
+      if (!matches) return matches;
+      const auto contradicts = [](const AssetMatch& match) { return match.contradicts; };
+      const auto first = std::stable_partition(matches->begin(), matches->end(), std::not_fn(contradicts));
+      contradicting.insert(contradicting.end(), first, matches->end());
+      matches->erase(first, matches->end());
+      if (!matches->empty()) return matches;
     }
-    return std::vector<AssetMatch>{};
+    return contradicting;
   }
 
   Result<std::shared_ptr<const Model>> load(const AssetRef& ref) const override {

@@ -56,8 +56,8 @@ double mount_fit(Mount have, Mount want, const std::vector<Mount>& also, double 
 void rank(std::vector<AssetMatch>& matches, std::size_t limit) {
   const auto better = [](const AssetMatch& a, const AssetMatch& b) {
     const auto worth = [](double score) { return std::round(-score * 1e6); };
-    return std::make_tuple(worth(a.score), a.asset.ref.library, a.asset.ref.id) <
-           std::make_tuple(worth(b.score), b.asset.ref.library, b.asset.ref.id);
+    return std::make_tuple(a.contradicts, worth(a.score), a.asset.ref.library, a.asset.ref.id) <
+           std::make_tuple(b.contradicts, worth(b.score), b.asset.ref.library, b.asset.ref.id);
   };
   std::sort(matches.begin(), matches.end(), better);
   if (matches.size() > limit) matches.resize(limit);

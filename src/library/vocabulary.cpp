@@ -49,6 +49,11 @@ std::string_view before_preposition(std::string_view phrase) {
   return phrase.substr(0, cut);
 }
 
+// "round table": a table, of which something is said.
+bool only_describes(std::string_view name) {
+  return name.starts_with("round ") || name.starts_with("oval ") || name.starts_with("small ");
+}
+
 std::vector<std::string> read_texts(const JsonReader& json) {
   std::vector<std::string> texts;
   for (const auto& element : json.elements_or_none(2000)) texts.push_back(element.text());
@@ -127,11 +132,34 @@ Result<Vocabulary> Vocabulary::parse(std::string_view text, const std::string& s
   return vocabulary;
 }
 
+void Vocabulary::add(const CategoryTable& categories) {
+  const auto key = [](const std::string& name) { return join(singular_words(name), " "); };
+  std::vector<const Category*> added;
+  for (const auto& [name, category] : categories.all()) {
+    if (only_describes(name) || names_.count(key(name))) continue;
+    Kind& kind = kinds_[name];
+    kind.name = name;
+    kind.mount = category.mount;
+    names_[key(name)] = name;
+    added.push_back(&category);
+  }
+  for (const Category* category : added) {
+    Kind& kind = kinds_[category->name];
+    if (const Kind* parent = find(category->parent)) kind.parent = parent->name;
+    inherit(kinds_, kind);
+  }
+  for (const auto& [name, category] : categories.all())
+    if (const auto phrase = understand(name); phrase.known)
+      for (const auto& other : category.synonyms) names_.try_emplace(key(other), phrase.kind);
+}
+
 const Vocabulary& Vocabulary::built_in() {
   static const Vocabulary vocabulary = [] {
     auto parsed = parse(resource("data/vocabulary.json").value_or("{}"), "data/vocabulary.json");
     // A test parses the file; a build whose data is broken has an empty vocabulary.
-    return parsed ? *std::move(parsed) : Vocabulary{};
+    if (!parsed) return Vocabulary{};
+    parsed->add(CategoryTable::built_in());
+    return *std::move(parsed);
   }();
   return vocabulary;
 }

@@ -10,8 +10,18 @@ namespace roomgen {
 
 namespace {
 
+// What hangs on a wall hangs with its middle at the height of the eyes, if nothing else is known.
+constexpr double eye_height = 1.5;
+constexpr double least_elevation = 0.1;
+
 std::string normalised(std::string_view name) {
   return join(words(name), " ");
+}
+
+std::string in_singular(std::string_view name) {
+  auto pieces = words(name);
+  if (!pieces.empty()) pieces.back() = singular(pieces.back());
+  return join(pieces, " ");
 }
 
 // Enough English for names of furniture: shelves, benches, chairs.
@@ -140,11 +150,77 @@ void CategoryTable::resolve_references(const JsonReader& json) {
   }
 }
 
+bool CategoryTable::add_category(const KindRecord& record) {
+  const auto parent = names_.find(normalised(record.parent));
+  if (!record.size || (!record.parent.empty() && parent == names_.end())) return false;
+  Category category;
+  if (parent != names_.end()) category = categories_.find(parent->second)->second;
+  category.name = record.name;
+  category.parent = parent == names_.end() ? "" : parent->second;
+  category.lineage.insert(category.lineage.begin(), record.name);
+  category.synonyms.clear();
+  category.size = *record.size;
+  const Mount mount = record.mount.value_or(category.mount);
+  if (mount == Mount::wall && category.elevation <= 0.0)
+    category.elevation = std::max(least_elevation, eye_height - 0.5 * category.size.z());
+  // What stands on a table needs no floor before it, whatever its bigger kin need.
+  if (mount != category.mount && mount != Mount::floor) {
+    category.zones.clear();
+    category.gaps.clear();
+    category.tucks_under.clear();
+  }
+  category.mount = mount;
+  names_[normalised(record.name)] = record.name;
+  categories_[record.name] = std::move(category);
+  return true;
+}
+
+void CategoryTable::add_name(const std::string& name, const std::string& category) {
+  const std::string key = normalised(name);
+  if (key.empty()) return;
+  const auto one = names_.find(in_singular(name));
+  if (one != names_.end() && one->second != category && one->first != key) return;
+  const auto [taken, free] = names_.try_emplace(key, category);
+  if (!free) {
+    Category& other = categories_.find(taken->second)->second;
+    const bool special = roomgen::is_any_of(categories_.find(category)->second, {other.name});
+    if (other.name == category || !special || normalised(other.name) == key) return;
+    std::erase_if(other.synonyms, [&](const std::string& s) { return normalised(s) == key; });
+    taken->second = category;
+  }
+  categories_.find(category)->second.synonyms.push_back(name);
+}
+
+void CategoryTable::add(const std::vector<KindRecord>& records) {
+  std::vector<const KindRecord*> left;
+  for (const auto& record : records)
+    if (!names_.count(normalised(record.name))) left.push_back(&record);
+  // Parents first, as in a file of categories.
+  for (std::size_t before = left.size() + 1; left.size() < before;) {
+    before = left.size();
+    std::erase_if(left, [&](const KindRecord* record) { return add_category(*record); });
+  }
+  for (const auto& record : records) {
+    auto own = names_.find(normalised(record.name));
+    for (std::size_t i = 0; own == names_.end() && i < record.names.size(); ++i)
+      own = names_.find(normalised(record.names[i]));
+    if (own == names_.end()) continue;
+    const std::string category = own->second;
+    add_name(record.name, category);
+    for (const auto& name : record.names) add_name(name, category);
+  }
+}
+
 const CategoryTable& CategoryTable::built_in() {
   static const CategoryTable table = [] {
     auto parsed = parse(resource("data/categories.json").value_or("{}"), "data/categories.json");
-    // A test parses the file; a build whose data is broken has an empty table.
-    return parsed ? *std::move(parsed) : CategoryTable{};
+    // A test parses the files; a build whose data is broken has an empty table.
+    if (!parsed) return CategoryTable{};
+    if (const auto shapes = shape_kind_records()) parsed->add(*shapes);
+    const auto named = read_kind_records(resource("data/vocabulary.json").value_or("{}"),
+                                         "data/vocabulary.json");
+    if (named) parsed->add(*named);
+    return *std::move(parsed);
   }();
   return table;
 }

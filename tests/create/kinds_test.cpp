@@ -94,3 +94,35 @@ TEST_CASE("The library builds what it is asked for in exactly the wanted size") 
   unknown.category = "frobnicator";
   CHECK(library->search(unknown)->empty());
 }
+
+TEST_CASE("The kind that the words name is built, and not its more general one") {
+  const auto library = make_created_library();
+  AssetQuery query;
+  query.category = "wardrobe";
+  query.description = "an oak armoire";
+  CHECK(library->search(query)->front().asset.name == "armoire");
+  query.category = "microscope";
+  query.description = "a black microscope";
+  query.mount = Mount::surface;
+  CHECK(library->search(query)->front().asset.category == "microscope");
+}
+
+TEST_CASE("A thing of no known kind is put together when it was asked for, and marked") {
+  const auto library = make_created_library();
+  AssetQuery query;
+  query.category = "frobnicator";
+  query.description = "a frobnicator with a round base and two arms";
+  query.size = Vec3(0.5, 0.5, 0.8);
+  CHECK(library->search(query)->empty());
+  query.asked = true;
+  const auto matches = library->search(query);
+  REQUIRE(matches);
+  REQUIRE(matches->size() == 1);
+  CHECK(matches->front().asset.approximate);
+  CHECK(matches->front().asset.category == "frobnicator");
+  const auto model = library->load(matches->front().asset.ref);
+  REQUIRE(model);
+  CHECK(bounds(**model).size().isApprox(matches->front().asset.size, 1e-3));
+  query.description = "a frobnicator";
+  CHECK(library->search(query)->empty());
+}

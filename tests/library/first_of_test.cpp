@@ -9,13 +9,14 @@ namespace {
 /// Knows one category and one asset.
 class OneThing final : public AssetLibrary {
  public:
-  OneThing(std::string category, std::string library)
-      : category_(std::move(category)), library_(std::move(library)) {}
+  OneThing(std::string category, std::string library, bool contradicts = false)
+      : category_(std::move(category)), library_(std::move(library)), contradicts_(contradicts) {}
   Result<std::vector<AssetMatch>> search(const AssetQuery& query) const override {
     std::vector<AssetMatch> matches;
     if (query.category != category_) return matches;
     matches.emplace_back();
     matches.back().asset.ref.library = library_;
+    matches.back().contradicts = contradicts_;
     matches.back().asset.ref.id = category_;
     return matches;
   }
@@ -26,6 +27,7 @@ class OneThing final : public AssetLibrary {
 
  private:
   std::string category_, library_;
+  bool contradicts_;
 };
 
 }  // namespace
@@ -43,6 +45,13 @@ TEST_CASE("The first library that has something answers") {
   CHECK(built->front().asset.ref.library == "two");
   CHECK(library->load(real->front().asset.ref));
   CHECK(library->load(built->front().asset.ref));
+}
+
+TEST_CASE("What contradicts the query comes only when there is nothing else") {
+  const auto red = std::make_shared<OneThing>("sofa", "red sofas", true);
+  const auto built = std::make_shared<OneThing>("sofa", "built");
+  CHECK(make_first_of({red, built})->search({.category = "sofa"})->front().asset.ref.library == "built");
+  CHECK(make_first_of({red})->search({.category = "sofa"})->front().asset.ref.library == "red sofas");
 }
 
 TEST_CASE("What no library knows is nothing, and cannot be loaded") {

@@ -5,14 +5,14 @@
 
 using namespace roomgen;
 
-TEST_CASE("data/categories.json parses, and is what the library holds") {
+TEST_CASE("data/categories.json parses, and the library holds all of it") {
   const auto text = read_file(ROOMGEN_SOURCE_DIR "/data/categories.json");
   REQUIRE(text);
   const auto table = CategoryTable::parse(*text, "data/categories.json");
   INFO((table ? "" : table.error().message));
   REQUIRE(table);
   CHECK(table->all().size() > 100);
-  CHECK(CategoryTable::built_in().all().size() == table->all().size());
+  for (const auto& [name, category] : table->all()) CHECK(CategoryTable::built_in().find(name)->name == name);
 }
 
 TEST_CASE("Every category is found by its own name, its plural and its synonyms") {

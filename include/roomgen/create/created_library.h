@@ -10,11 +10,12 @@ namespace roomgen::create {
 
 /// A library that has nothing in stock and builds what is asked for from words, by rules: for every
 /// kind that a recipe makes (create/kinds.h) one match of low score, in the wanted size as far as
-/// people would believe it, in the colours and materials that the description names. Other kinds get
-/// nothing.
+/// people would believe it, in the colours and materials that the description names. A thing of another
+/// kind that somebody asked for (AssetQuery::asked) is put together from its words, if they say enough,
+/// and marked approximate; else there is nothing.
 ///
 /// AssetRef::procedural carries all that is needed to build it again: recipe "words", the params kind,
-/// description and size in metres, and the seed, which follows from the words.
+/// description, size in metres and approximate, and the seed, which follows from the words.
 ///
 /// What was built is kept in memory; for use by several threads at once.
 std::unique_ptr<AssetLibrary> make_created_library();

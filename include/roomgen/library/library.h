@@ -26,6 +26,7 @@ struct AssetInfo {
   bool round = false;                  ///< covers the ellipse inscribed in its rectangle
   std::vector<std::string> colors;     ///< names of its main colours, largest area first: "white"
   std::size_t triangles = 0;
+  bool approximate = false;            ///< put together from words: nobody knows what it really is
 };
 
 struct AssetQuery {
@@ -34,11 +35,16 @@ struct AssetQuery {
   std::optional<Vec3> size = {};  ///< wanted box, metres
   std::optional<Mount> mount = {};
   std::size_t limit = 10;
+  /// Somebody named it: nothing that would do instead is an answer, and what contradicts the
+  /// description comes after what can be made.
+  bool asked = false;
+  bool sized = false;  ///< the size was said too, and is not just what is usual
 };
 
 struct AssetMatch {
   AssetInfo asset;
   double score = 0.0;  ///< in [0, 1], best first
+  bool contradicts = false;  ///< the query asks for another colour, material, outline or size
 };
 
 /// A source of meshes.

@@ -35,7 +35,7 @@ double match_score(const MatchTerms& terms);
 /// be put there all the same (something low on a table top), else 0. `height` in metres.
 double mount_fit(Mount have, Mount want, const std::vector<Mount>& also, double height);
 
-/// Best first, equal scores by library and id, at most `limit`.
+/// Best first, what contradicts the query after all others, equal scores by library and id, at most `limit`.
 void rank(std::vector<AssetMatch>& matches, std::size_t limit);
 
 }  // namespace roomgen

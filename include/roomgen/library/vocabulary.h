@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "roomgen/base/result.h"
+#include "roomgen/scene/category.h"
 #include "roomgen/scene/object.h"
 
 namespace roomgen {
@@ -32,12 +33,17 @@ struct KindPhrase {
   bool known = false;
 };
 
-/// Words about furniture, from data/vocabulary.json (docs/vocabulary.md).
+/// Words about furniture, from data/vocabulary.json (docs/vocabulary.md). The built-in one knows all
+/// kinds and names of CategoryTable::built_in() too, and hence all that can be built.
 class Vocabulary {
  public:
   static Result<Vocabulary> parse(std::string_view text, const std::string& source);
   /// The vocabulary compiled into the library.
   static const Vocabulary& built_in();
+
+  /// Adds the kinds and names that it lacks. A category whose name is a name here is that kind, and adds
+  /// its other names; one that is named after its outline or size ("round table") is no kind of its own.
+  void add(const CategoryTable& categories);
 
   /// Null if there is no kind of exactly this name or synonym (singular or plural).
   const Kind* find(std::string_view name) const;

@@ -9,6 +9,7 @@
 #include "roomgen/base/json.h"
 #include "roomgen/base/result.h"
 #include "roomgen/geometry/footprint.h"
+#include "roomgen/scene/kind_record.h"
 #include "roomgen/scene/object.h"
 
 namespace roomgen {
@@ -51,11 +52,20 @@ bool is_any_of(const Category& category, const std::vector<std::string>& kinds);
 
 /// The kinds of things, from data/categories.json (docs/categories.md). Partners of zones and gaps and
 /// what things tuck under are names of categories once the table is parsed.
+///
+/// The built-in table knows by name whatever can be built (data/shapes/kinds) and whatever libraries
+/// name (data/vocabulary.json) as well; which kind a name means that several claim, docs/vocabulary.md
+/// says.
 class CategoryTable {
  public:
   static Result<CategoryTable> parse(std::string_view text, const std::string& source);
-  /// The table compiled into the library.
+  /// The table compiled into the library, with the kinds and names of the other files.
   static const CategoryTable& built_in();
+
+  /// Adds what other files know. A record whose name is known is that category, and adds its names; any
+  /// other is a category of its own, which has from its parent what it does not say, or, without a size
+  /// and a known parent, is passed over.
+  void add(const std::vector<KindRecord>& records);
 
   /// The category that a name means: the name itself, a synonym, a plural, or the longest known ending
   /// ("oak writing desk" is a desk). Null if nothing matches.
@@ -69,6 +79,8 @@ class CategoryTable {
 
  private:
   void resolve_references(const JsonReader& json);
+  bool add_category(const KindRecord& record);
+  void add_name(const std::string& name, const std::string& category);
 
   std::map<std::string, Category, std::less<>> categories_;
   std::map<std::string, std::string, std::less<>> names_;  ///< any spelling to the category's name

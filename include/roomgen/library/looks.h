@@ -1,0 +1,33 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "roomgen/library/library.h"
+#include "roomgen/library/vocabulary.h"
+
+namespace roomgen {
+
+/// What words say of looks that can be held against what is known of a mesh.
+struct WantedLooks {
+  enum class Outline { any, round, angular };
+  std::vector<std::string> colors;     ///< "navy"
+  std::vector<std::string> materials;  ///< "oak"
+  Outline outline = Outline::any;
+};
+
+/// Of single words in lower case.
+WantedLooks wanted_looks(const std::vector<std::string>& words, const Vocabulary& vocabulary);
+
+/// Does the asset look otherwise than wanted? Only what is known can disagree: its main colours, the
+/// materials that its name and tags tell, its outline. `says` tells whether the asset's own texts have a
+/// word or one of its family; what they say is believed.
+bool contradicts(const AssetInfo& asset, const WantedLooks& wanted, const Vocabulary& vocabulary,
+                 const std::function<bool(const std::string&)>& says);
+
+/// Is a side so far from the wanted box that whoever named the size would not accept it? What has no
+/// front may stand the other way round.
+bool contradicts_size(const AssetInfo& asset, const Vec3& wanted);
+
+}  // namespace roomgen

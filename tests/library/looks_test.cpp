@@ -1,0 +1,71 @@
+#include "roomgen/library/looks.h"
+
+#include "catch.h"
+
+using namespace roomgen;
+
+namespace {
+
+const Vocabulary& vocabulary() {
+  return Vocabulary::built_in();
+}
+
+AssetInfo asset(const std::string& category, std::vector<std::string> colors) {
+  AssetInfo info;
+  info.name = info.category = category;
+  info.colors = std::move(colors);
+  return info;
+}
+
+bool contradicts(const AssetInfo& info, const std::vector<std::string>& words) {
+  return contradicts(info, wanted_looks(words, vocabulary()), vocabulary(),
+                     [](const std::string&) { return false; });
+}
+
+}  // namespace
+
+TEST_CASE("A sofa of another colour is not the red one that was asked for") {
+  CHECK(contradicts(asset("sofa", {"blue", "brown"}), {"red", "velvet"}));
+  CHECK_FALSE(contradicts(asset("sofa", {"brown", "red"}), {"red"}));
+  CHECK_FALSE(contradicts(asset("sofa", {"white"}), {"cream"}));
+  CHECK_FALSE(contradicts(asset("sofa", {"blue"}), {"comfortable"}));
+}
+
+TEST_CASE("Of what is not known nothing contradicts") {
+  CHECK_FALSE(contradicts(asset("sofa", {}), {"red"}));
+  CHECK_FALSE(contradicts(asset("sofa", {"red"}), {"leather"}));
+}
+
+TEST_CASE("A material is contradicted by another one's name, and wood by a colour it never has") {
+  AssetInfo glass = asset("coffee table", {"brown"});
+  glass.tags = {"glass"};
+  CHECK(contradicts(glass, {"oak"}));
+  CHECK(contradicts(asset("coffee table", {"grey"}), {"oak"}));
+  CHECK_FALSE(contradicts(asset("coffee table", {"brown"}), {"oak"}));
+  CHECK_FALSE(contradicts(asset("coffee table", {"white"}), {"white", "wooden"}));
+}
+
+TEST_CASE("What an asset's own texts say is believed") {
+  const auto says_red = [](const std::string& word) { return word == "red"; };
+  CHECK_FALSE(contradicts(asset("sofa", {"brown"}), wanted_looks({"red"}, vocabulary()), vocabulary(),
+                          says_red));
+}
+
+TEST_CASE("A round table is asked for, or a square one") {
+  AssetInfo table = asset("dining table", {"brown"});
+  CHECK(contradicts(table, {"round"}));
+  CHECK_FALSE(contradicts(table, {"square"}));
+  table.round = true;
+  CHECK_FALSE(contradicts(table, {"round"}));
+  CHECK(contradicts(table, {"rectangular"}));
+}
+
+TEST_CASE("A size that was named is kept within a third") {
+  AssetInfo table = asset("dining table", {});
+  table.size = {1.6, 0.9, 0.75};
+  CHECK_FALSE(contradicts_size(table, {1.8, 0.9, 0.75}));
+  CHECK(contradicts_size(table, {3.0, 1.0, 0.75}));
+  CHECK(contradicts_size(table, {0.9, 1.6, 0.75}));
+  table.has_front = false;
+  CHECK_FALSE(contradicts_size(table, {0.9, 1.6, 0.75}));
+}
