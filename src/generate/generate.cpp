@@ -112,15 +112,19 @@ class Generator {
 
   // Things that may come next: what stands on others waits for all that might carry it.
   std::vector<std::string> later() const {
-    std::vector<std::string> ids;
-    for (const auto& planned : left_) {
-      const PlanItem& item = plan_.items[planned.item];
-      const bool waits = item.mount == Mount::surface &&
-                         std::any_of(left_.begin(), left_.end(), [&](const PlannedObject& other) {
-                           return could_carry(plan_.items[other.item].category, item.on);
-                         });
-      if (!waits) ids.push_back(planned.id);
+    std::set<std::size_t> items;
+    for (const auto& planned : left_) items.insert(planned.item);
+    std::set<std::size_t> waiting;
+    for (std::size_t i : items) {
+      const PlanItem& item = plan_.items[i];
+      if (item.mount == Mount::surface && std::any_of(items.begin(), items.end(), [&](std::size_t k) {
+            return could_carry(plan_.items[k].category, item.on);
+          }))
+        waiting.insert(i);
     }
+    std::vector<std::string> ids;
+    for (const auto& planned : left_)
+      if (!waiting.count(planned.item)) ids.push_back(planned.id);
     return ids;
   }
 

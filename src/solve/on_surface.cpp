@@ -36,11 +36,11 @@ const SupportSurface* surface_at(const std::vector<SupportSurface>& surfaces, do
 
 // The nearest of the seats at the support decides, else the support's own front.
 double user_yaw(const ProposalContext& context, const Object& support, const Footprint& own) {
-  const auto& categories = context.layout.categories();
+  static const std::vector<std::string> seats = {"seat"};
   const Footprint area = footprint(support);
   double yaw = support.yaw, nearest = 1e9;
   for (const auto& thing : context.layout.things()) {
-    if (!categories.is_a(thing.object->category, "seat") ||
+    if (!is_any_of(*thing.category, seats) ||
         gap(thing.footprint, area) > seat_reach ||
         ray_hit(area, thing.footprint.center(), thing.footprint.front()) < 0)
       continue;
