@@ -20,7 +20,7 @@ int partners(const Sketch& sketch, const Object& self, const Standing& candidate
       std::count_if(sketch.standing().begin(), sketch.standing().end(), [&](const Standing& other) {
         if (other.object == candidate.object) return false;
         if (!sketch.categories().is_a(other.object->category, self.category)) return false;
-        if (!other.object->on.empty()) return other.object->on == candidate.object->id;
+        if (!other.object->on.empty()) return depends_on(*other.object, candidate.object->id);
         return gap(other.footprint, candidate.footprint) <= partner_gap;
       }));
 }

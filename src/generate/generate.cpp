@@ -37,6 +37,7 @@ Json terms_json(const PlacementTerms& terms) {
   return {{"held", terms.held},
           {"lost", terms.lost},
           {"relations", rounded(terms.relations)},
+          {"rest", rounded(terms.rest)},
           {"walkway", rounded(terms.walkway)},
           {"spread", rounded(terms.spread)},
           {"evenness", rounded(terms.evenness)},
@@ -114,15 +115,19 @@ class Generator {
 
   // Things that may come next: what stands on others waits for all that might carry it.
   std::vector<std::string> later() const {
-    std::vector<std::string> ids;
-    for (const auto& planned : left_) {
-      const PlanItem& item = plan_.items[planned.item];
-      const bool waits = item.mount == Mount::surface &&
-                         std::any_of(left_.begin(), left_.end(), [&](const PlannedObject& other) {
-                           return could_carry(plan_.items[other.item].category, item.on);
-                         });
-      if (!waits) ids.push_back(planned.id);
+    std::set<std::size_t> items;
+    for (const auto& planned : left_) items.insert(planned.item);
+    std::set<std::size_t> waiting;
+    for (std::size_t i : items) {
+      const PlanItem& item = plan_.items[i];
+      if (item.mount == Mount::surface && std::any_of(items.begin(), items.end(), [&](std::size_t k) {
+            return could_carry(plan_.items[k].category, item.on);
+          }))
+        waiting.insert(i);
     }
+    std::vector<std::string> ids;
+    for (const auto& planned : left_)
+      if (!waiting.count(planned.item)) ids.push_back(planned.id);
     return ids;
   }
 
@@ -298,31 +303,26 @@ class Generator {
   Status put_on_support(const PlanItem& item, Object& object) const {
     const Object* support = nullptr;
     for (const auto& relation : object.relations)
-      if (relation.kind == RelationKind::on && support_heights_.count(relation.target))
-        support = layout_.find(relation.target);
-    if (!support) support = find_support(item.on, object.size);
+      if (relation.kind == RelationKind::on && !support) support = layout_.find(relation.target);
+    if (!support) support = find_support(item.on, object);
     if (!support)
       return Error{Error::Kind::not_found,
                    "nothing in the room can carry it" +
                        (item.on.empty() ? std::string() : " (wanted: " + item.on + ")")};
     object.on = support->id;
-    object.position.z() = support->position.z() + support_heights_.at(support->id);
     return {};
   }
 
-  // The placed thing of the wanted kind, or else a table or cabinet, with the most free room on
-  // top.
-  const Object* find_support(const std::string& wanted, const Vec3& size) const {
+  // The placed thing of the wanted kind, or else a table or cabinet, with the most free places; if
+  // all are full, the one that could carry it, which then says why it does not.
+  const Object* find_support(const std::string& wanted, const Object& object) const {
     const Object* best = nullptr;
-    double best_room = 0.0;
-    for (const auto& object : layout_.objects()) {
-      if (!support_heights_.count(object.id)) continue;
-      const bool suits = object.id == wanted || could_carry(object.category, wanted);
-      if (!suits || object.size.x() < size.x() || object.size.y() < size.y()) continue;
-      double room = object.size.x() * object.size.y();
-      for (const auto& other : layout_.objects())
-        if (other.on == object.id) room -= 2.0 * other.size.x() * other.size.y();
-      if (!best || room > best_room) best = &object, best_room = room;
+    std::size_t best_room = 0;
+    for (const auto& other : layout_.objects()) {
+      if (other.id != wanted && !could_carry(other.category, wanted)) continue;
+      if (layout_.perches().surfaces(other).empty()) continue;
+      const std::size_t room = layout_.free_perches(object, other).size();
+      if (!best || room > best_room) best = &other, best_room = room;
     }
     return best;
   }
@@ -339,7 +339,6 @@ class Generator {
   }
 
   void take(const PlannedObject& planned, const AssetInfo& asset) {
-    if (asset.support_height) support_heights_[planned.id] = *asset.support_height;
     retriever_.remember(planned, asset);
     assets_[planned.id] = asset;
   }
@@ -443,7 +442,6 @@ class Generator {
   std::map<std::string, std::string> reasons_;     ///< why objects are not in the layout
   std::set<std::size_t> hopeless_items_;           ///< of which one found no place
   std::map<std::string, AssetInfo> assets_;        ///< by object
-  std::map<std::string, double> support_heights_;  ///< of things that carry others, by object
 };
 
 }  // namespace

@@ -311,6 +311,7 @@ void polish(Layout& layout, const std::vector<PlacementTask>& tasks, PlaceOption
     if (cancel.cancelled()) return;
     const Object* placed = layout.find(task.object.id);
     if (!placed || placed->locked) continue;
+    if (layout.carries_something(task.object.id)) continue;  // it would leave its things in the air
     const Object before = *placed;
     const auto affected = with_dependants(task, tasks);
     const LayoutQuality quality_before = quality(layout, affected);

@@ -12,6 +12,7 @@ namespace {
 // Half of what a finished scene may cross: files round poses and rooms.
 constexpr double inside_tolerance = 5e-4;
 constexpr double touch_tolerance = 1e-4;
+constexpr int most_levels = 8;  // of things on each other
 
 std::vector<double> yaws_of_walls(const Room& room) {
   std::vector<double> yaws;
@@ -43,6 +44,11 @@ Object at_pose(const Object& object, const Pose& pose) {
   return with_rounded_pose(std::move(placed));
 }
 
+Pose pose_of(const Perch& perch, const Object& support) {
+  return {footprint(support).to_world(perch.position), bottom(support) + perch.bottom,
+          wrap_angle(support.yaw + perch.yaw)};
+}
+
 Footprint FootprintAt::operator()(const Pose& pose) const {
   for (const auto& known : turned_)
     if (known.yaw() == pose.yaw) return known.moved_to(pose.position);
@@ -57,6 +63,7 @@ Layout::Layout(const Room& room, const CategoryTable& categories, const ModelTab
       categories_(categories),
       models_(models),
       solids_(models),
+      perches_(models),
       wall_yaws_(yaws_of_walls(room)),
       is_box_(is_axis_aligned_rectangle(room)),
       bounds_(bounds(room.polygon)),
@@ -73,6 +80,25 @@ const Object* Layout::find(std::string_view id) const {
   const auto found = std::find_if(objects_.begin(), objects_.end(),
                                   [&](const Object& object) { return object.id == id; });
   return found == objects_.end() ? nullptr : &*found;
+}
+
+std::vector<Pose> Layout::free_perches(const Object& object, const Object& support) const {
+  Object resting = object;
+  resting.mount = Mount::surface;
+  resting.on = support.id;
+  const Candidate own = candidate(resting);
+  const FootprintAt footprint_at(object);
+  std::vector<Pose> poses;
+  for (const auto& perch : perches_.everywhere(object, support)) {
+    const Pose pose = pose_of(perch, support);
+    if (fits(own, footprint_at(pose), pose.bottom)) poses.push_back(pose);
+  }
+  return poses;
+}
+
+bool Layout::carries_something(std::string_view id) const {
+  return std::any_of(objects_.begin(), objects_.end(),
+                     [&](const Object& object) { return object.on == id; });
 }
 
 void Layout::refresh_things() {
@@ -115,6 +141,22 @@ bool Layout::may_tuck(const Category& a, const Category& b) const {
   return !models_.empty() && (is_any_of(a, b.tucks_under) || is_any_of(b, a.tucks_under));
 }
 
+// Also by way of what stands between: books on a tray on a table.
+bool Layout::rests_on(const Object& upper, const Object& lower) const {
+  const Object* at = &upper;
+  for (int level = 0; level < most_levels && at && !at->on.empty(); ++level) {
+    if (at->on == lower.id) return true;
+    at = find(at->on);
+  }
+  return false;
+}
+
+// The back of a chair at a table rises beside what is on the table, within one box with it.
+bool Layout::may_sit_over(const Object& object, const Category& other) const {
+  const Object* support = object.mount == Mount::surface ? find(object.on) : nullptr;
+  return support && may_tuck(other, categories_.get(support->category));
+}
+
 bool Layout::fits_room(const Candidate& candidate, const Footprint& footprint,
                        double bottom) const {
   const Object& object = candidate.object;
@@ -144,12 +186,13 @@ bool Layout::collides(const Candidate& candidate, const Footprint& footprint, do
     return object.traits.flat && other.object->traits.flat &&
            overlaps(footprint, other.footprint, touch_tolerance);
   // What stands on a thing may sink below the top of its box: the meshes decide.
-  if (object.on == other.object->id || other.object->on == object.id) return false;
+  if (rests_on(object, *other.object) || rests_on(*other.object, object)) return false;
   if (bottom >= top(*other.object) - touch_tolerance ||
       roomgen::bottom(*other.object) >= bottom + object.size.z() - touch_tolerance)
     return false;
   return overlaps(footprint, other.footprint, touch_tolerance) &&
-         !may_tuck(*candidate.category, *other.category);
+         !may_tuck(*candidate.category, *other.category) &&
+         !(may_sit_over(object, *other.category) || may_sit_over(*other.object, *candidate.category));
 }
 
 bool Layout::fits(const Candidate& candidate, const Footprint& footprint, double bottom) const {

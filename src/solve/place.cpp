@@ -49,7 +49,7 @@ void add_general_terms(const ProposalContext& context, std::vector<Scored>& scor
   const FootprintAt footprint_at(context.task.object);
   for (auto& s : scored)
     if (context.task.location || s.terms.lost == least)
-      add_general_terms(context, footprint_at(s.pose), s.terms);
+      add_general_terms(context, footprint_at(s.pose), s.pose.bottom, s.terms);
 }
 
 std::vector<std::size_t> rank(const ProposalContext& context, std::vector<Scored>& scored,
@@ -144,8 +144,34 @@ std::string blocked_by(const Layout& layout, const Layout::Candidate& candidate,
   return join({names.begin(), names.end()}, ", ");
 }
 
+// Why nothing more goes onto a thing.
+Error refusal_on(const Layout& layout, const Object& object) {
+  std::string why = "no place for " + object.id + " (" + size_text(object.size) + ") on ";
+  const Object* support = layout.find(object.on);
+  if (!support) return {Error::Kind::not_found, why + (object.on.empty() ? "anything" : object.on) +
+                                                    ": it is not in the room"};
+  why += support->id + ": ";
+  const auto& surfaces = layout.perches().surfaces(*support);
+  const auto on_it = std::count_if(layout.objects().begin(), layout.objects().end(),
+                                   [&](const Object& other) { return other.on == support->id; });
+  if (surfaces.empty()) {
+    why += "it has no level surface";
+  } else if (layout.perches().everywhere(object, *support).empty()) {
+    const Vec2 most = surfaces.front().box().size();
+    why += "none of its surfaces is large and high enough; the largest is " +
+           format_number(most.x(), 2) + " x " + format_number(most.y(), 2) + " m";
+  } else if (on_it > 0) {
+    why += "what stands there already (" + std::to_string(on_it) +
+           (on_it == 1 ? " thing" : " things") + ") leaves no room";
+  } else {
+    why += "what stands around it is in the way";
+  }
+  return {Error::Kind::not_found, why};
+}
+
 Error refusal(const Layout& layout, const PlacementTask& task, const Layout::Candidate& candidate,
               int candidates, int feasible) {
+  if (task.object.mount == Mount::surface) return refusal_on(layout, task.object);
   std::string why = "no place for " + task.object.id + " (" + size_text(task.object.size) + "): ";
   if (feasible == 0)
     why += "none of " + std::to_string(candidates) +

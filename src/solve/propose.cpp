@@ -12,7 +12,8 @@ namespace {
 // wall.
 constexpr double flush = 0.004;
 constexpr double along_wall_pitch = 0.10;
-constexpr double surface_pitch = 0.08;
+// Between small things side by side.
+constexpr double apart = 0.006;
 
 Vec2 size_of(const ProposalContext& context) {
   return context.task.object.size.head<2>();
@@ -86,6 +87,8 @@ std::vector<double> useful_gaps(const ProposalContext& context, const ResolvedRe
                               0.6,
                               0.9,
                               1.2};
+  if (context.task.object.mount == Mount::surface)
+    return {relation.gap_low + apart, relation.gap_high, 0.01, 0.03, 0.06, 0.1, 0.2};
   if (context.layout.may_tuck(context.layout.categories().get(context.task.object.category),
                               context.layout.categories().get("table")))
     gaps.insert(gaps.end(), {-0.10, -0.20});
@@ -231,20 +234,6 @@ void propose_facing(const ProposalContext& context, const Footprint& target,
     }
 }
 
-void propose_on_surface(const ProposalContext& context, const Object& support,
-                        std::vector<Pose>& poses) {
-  const Footprint area = footprint(support);
-  const Vec2 room_left = area.half() - 0.5 * size_of(context);
-  const double height = mounting_height(context);
-  const int nx = std::max(0, static_cast<int>(room_left.x() / surface_pitch));
-  const int ny = std::max(0, static_cast<int>(room_left.y() / surface_pitch));
-  for (int turn : {0, 2})
-    for (int i = -nx; i <= nx; ++i)
-      for (int j = -ny; j <= ny; ++j)
-        poses.push_back({area.to_world({i * surface_pitch, j * surface_pitch}), height,
-                         wrap_angle(area.yaw() + turn * pi / 2)});
-}
-
 void propose_above_targets(const ProposalContext& context, std::vector<Pose>& poses) {
   const Polygon& polygon = context.layout.room().polygon;
   const double bottom = context.layout.room().height - context.task.object.size.z();
@@ -308,6 +297,45 @@ void propose_for_relations(const ProposalContext& context, std::vector<Pose>& po
       seen.push_back(target.center());
       propose_beside(context, relation, target, poses);
     }
+  }
+}
+
+// Beside those that stand on the same support already.
+void propose_next_to_others(const ProposalContext& context, const Object& support,
+                            std::vector<Pose>& poses) {
+  const Vec2 size = size_of(context);
+  for (const auto& thing : context.layout.things()) {
+    if (thing.object->on != support.id) continue;
+    const Footprint& other = thing.footprint;
+    for (int turn : {0, 1}) {
+      const Vec2 reach = other.half() + turned_half(size, turn * pi / 2) + Vec2::Constant(apart);
+      for (const Vec2& side : {Vec2(1, 0), Vec2(-1, 0), Vec2(0, 1), Vec2(0, -1)})
+        poses.push_back({other.to_world(side.cwiseProduct(reach)), 0.0,
+                         wrap_angle(other.yaw() + turn * pi / 2)});
+    }
+  }
+}
+
+// Wherever it can rest on the support, and of what means something the places where it can.
+void propose_on_surface(const ProposalContext& context, const Object& support,
+                        std::vector<Pose>& poses) {
+  const Perches& perches = context.layout.perches();
+  const Object& object = context.task.object;
+  for (const auto& perch : perches.everywhere(object, support))
+    poses.push_back(pose_of(perch, support));
+  std::vector<Pose> wished;
+  if (context.task.location)
+    for (int turn = 0; turn < (object.traits.front ? 4 : 2); ++turn)
+      wished.push_back({*context.task.location, 0.0, wrap_angle(support.yaw + turn * pi / 2)});
+  propose_for_relations(context, wished);
+  propose_next_to_others(context, support, wished);
+  const Footprint area = footprint(support);
+  for (const auto& pose : wished) {
+    if (!contains(area, pose.position)) continue;
+    for (std::size_t k = 0; k < perches.surfaces(support).size(); ++k)
+      if (const auto perch = perches.at(object, support, k, area.to_local(pose.position),
+                                        wrap_angle(pose.yaw - support.yaw)))
+        poses.push_back(pose_of(*perch, support));
   }
 }
 

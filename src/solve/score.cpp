@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "on_surface.h"
+
 namespace roomgen {
 
 namespace {
@@ -82,10 +84,13 @@ std::optional<PlacementTerms> score_relations(const ProposalContext& context,
   return terms;
 }
 
-void add_general_terms(const ProposalContext& context, const Footprint& footprint,
+void add_general_terms(const ProposalContext& context, const Footprint& footprint, double bottom,
                        PlacementTerms& terms) {
+  terms.rest = rest_degree(context, footprint, bottom);
   terms.walkway = walkway_degree(context, footprint);
-  terms.spread = spread_degree(context, footprint);
+  // Between small things on a table no one walks.
+  const bool on_surface = context.task.object.mount == Mount::surface;
+  terms.spread = on_surface ? 1.0 : spread_degree(context, footprint);
   terms.evenness = evenness_degree(context, footprint);
   terms.closeness = closeness_degree(context, footprint);
 }
@@ -93,12 +98,12 @@ void add_general_terms(const ProposalContext& context, const Footprint& footprin
 PlacementTerms score(const ProposalContext& context, const Footprint& footprint, double bottom) {
   PlacementTerms terms =
       *score_relations(context, footprint, bottom, std::numeric_limits<int>::max());
-  add_general_terms(context, footprint, terms);
+  add_general_terms(context, footprint, bottom, terms);
   return terms;
 }
 
 double total_degree(const PlacementTerms& terms) {
-  return terms.relations + 0.15 * terms.walkway + 0.15 * terms.spread + 0.3 * terms.evenness +
+  return terms.relations + 0.8 * terms.rest + 0.15 * terms.walkway + 0.15 * terms.spread + 0.3 * terms.evenness +
          0.5 * terms.closeness;
 }
 

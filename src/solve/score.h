@@ -14,7 +14,7 @@ PlacementTerms score(const ProposalContext& context, const Footprint& footprint,
 std::optional<PlacementTerms> score_relations(const ProposalContext& context,
                                               const Footprint& footprint, double bottom,
                                               int most_lost);
-void add_general_terms(const ProposalContext& context, const Footprint& footprint,
+void add_general_terms(const ProposalContext& context, const Footprint& footprint, double bottom,
                        PlacementTerms& terms);
 
 /// The terms as one number: what decides between candidates that the fusion ranks alike.

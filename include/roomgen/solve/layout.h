@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "roomgen/collision/perches.h"
 #include "roomgen/collision/solids.h"
 #include "roomgen/collision/usability.h"
 #include "roomgen/scene/category.h"
@@ -46,6 +47,12 @@ class Layout {
   std::span<const Object> objects() const { return objects_; }
   std::span<const FloorThing> things() const { return things_; }
   const Object* find(std::string_view id) const;
+  /// Where things can rest on others.
+  const Perches& perches() const { return perches_; }
+  /// Everywhere on the support, as it stands, where the object fits beside what is there.
+  std::vector<Pose> free_perches(const Object& object, const Object& support) const;
+  /// Does anything stand on the thing?
+  bool carries_something(std::string_view id) const;
   /// Yaws at which a thing stands square to some wall, each quarter turn, without repetition.
   std::span<const double> wall_yaws() const { return wall_yaws_; }
 
@@ -90,6 +97,8 @@ class Layout {
     double from;  ///< things that reach above `from` and start below `to` must keep off
     double to;
   };
+  bool rests_on(const Object& upper, const Object& lower) const;
+  bool may_sit_over(const Object& object, const Category& other) const;
   void refresh_things();
   void bring_walk_map_up_to_date();
   Verdict all_have_a_free_zone() const;
@@ -100,6 +109,7 @@ class Layout {
   const CategoryTable& categories_;
   const ModelTable& models_;
   Solids solids_;
+  Perches perches_;
   std::vector<double> wall_yaws_;
   std::vector<Clearance> clearances_;
   std::vector<Footprint> door_areas_;
@@ -114,5 +124,8 @@ class Layout {
 
 /// The object at a pose, rounded as files hold it: what is tested is what is written.
 Object at_pose(const Object& object, const Pose& pose);
+
+/// A perch of an object on another one, in the room.
+Pose pose_of(const Perch& perch, const Object& support);
 
 }  // namespace roomgen

@@ -39,6 +39,7 @@ struct PlacementTerms {
   int held = 0;  ///< constraints
   int lost = 0;
   double relations = 0.0;  ///< mean degree of the constraints
+  double rest = 0.0;       ///< how well it stands on what carries it; 1 for what stands on the floor
   double walkway = 0.0;    ///< distance to the doors' clearances
   double spread = 0.0;     ///< no slots too narrow to walk through
   double evenness = 0.0;   ///< distance to others around the same target
