@@ -24,6 +24,7 @@ void add_solve_command(CLI::App& app, Context& context);
 void add_assets_command(CLI::App& app, Context& context);
 void add_render_command(CLI::App& app, Context& context);
 void add_check_command(CLI::App& app, Context& context);
+void add_evaluate_command(CLI::App& app, Context& context);
 void add_plan_command(CLI::App& app, Context& context);
 void add_create_command(CLI::App& app, Context& context);
 void add_generate_command(CLI::App& app, Context& context);

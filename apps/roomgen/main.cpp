@@ -32,6 +32,7 @@ int main(int argc, char** argv) {
   app.add_flag("--quiet", context.quiet, "No progress");
   add_solve_command(app, context);
   add_check_command(app, context);
+  add_evaluate_command(app, context);
   add_plan_command(app, context);
 #ifdef ROOMGEN_HAS_ASSETS
   add_assets_command(app, context);

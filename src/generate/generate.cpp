@@ -7,7 +7,7 @@
 
 #include "asset_looks.h"
 #include "retrieve.h"
-#include "roomgen/evaluate/requirements.h"
+#include "roomgen/evaluate/ledger.h"
 #include "roomgen/library/vocabulary.h"
 #include "roomgen/geometry/free_rectangles.h"
 #include "roomgen/scene/judgement.h"

@@ -1,26 +1,69 @@
 #pragma once
 
-#include <functional>
-#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "roomgen/scene/category.h"
-#include "roomgen/scene/requirement.h"
-#include "roomgen/scene/scene.h"
+#include "roomgen/base/result.h"
 
 namespace roomgen {
 
-/// Says whether a thing has an attribute: nothing if it has, else why not.
-using AttributeJudge = std::function<std::string(const Object& object, const std::string& attribute)>;
+/// How many are wanted: "eq,2", "ge,3".
+struct Wanted {
+  enum class Comparison { eq, lt, gt, le, ge };
+  Comparison comparison = Comparison::eq;
+  int quantity = 0;
 
-/// Checks every clause on the finished scene. Counts are of all things of the category (those of
-/// kinds that are one count too), exactly unless `at_least`. An attribute must be had by all its
-/// things, a relation (docs/constraints.md) must hold for each of them towards one of the targets.
-/// A reason says what is missing.
-std::vector<RequirementVerdict> check_requirements(std::span<const Requirement> requirements,
-                                                   const Scene& scene,
-                                                   const CategoryTable& categories,
-                                                   const AttributeJudge& has_attribute);
+  bool holds(int count) const;
+};
+
+/// One thing that a description asks for, as SceneEval's annotators write it. `text` is what stood
+/// in the file.
+struct CountRequirement {
+  std::string text;
+  Wanted wanted;
+  std::string category;  ///< "coffee_table"
+};
+struct AttributeRequirement {
+  std::string text;
+  Wanted wanted;
+  std::string category;
+  std::vector<std::string> attributes;  ///< "matte_black"
+};
+/// Things in a relation to one of them, the anchor: `on`, anchor 0 of {table, lamp} is a lamp on a
+/// table.
+struct ObjectRelationRequirement {
+  std::string text;
+  Wanted wanted;
+  std::string relation;
+  int anchor = 0;                   ///< index into things; -1 when the annotator names none
+  std::vector<std::string> things;  ///< categories, a repeated one for several of it
+};
+struct RoomRelationRequirement {
+  std::string text;
+  Wanted wanted;
+  std::string relation;
+  std::string thing;               ///< category
+  std::vector<std::string> parts;  ///< "wall", "door", "room"
+};
+
+/// What one description asks for: a row of SceneEval's annotations.
+struct Requirements {
+  std::string id, description, difficulty;
+  std::vector<CountRequirement> counts;
+  std::vector<AttributeRequirement> attributes;
+  std::vector<ObjectRelationRequirement> object_relations;
+  std::vector<RoomRelationRequirement> room_relations;
+
+  /// All categories that it names, those of the counts first, each once.
+  std::vector<std::string> categories() const;
+};
+
+/// Rows of a CSV file with a head line that names at least ID, Description and ObjCount; ObjAttr,
+/// OORel, OARel and Difficulty may be there, other columns are ignored. Fields may be quoted. A
+/// comparison that carries its quantity ("eq1" for "eq,1") is understood. Errors name line, column
+/// and requirement.
+Result<std::vector<Requirements>> parse_requirements(std::string_view text,
+                                                     const std::string& source);
 
 }  // namespace roomgen

@@ -1,4 +1,4 @@
-#include "roomgen/evaluate/requirements.h"
+#include "roomgen/evaluate/ledger.h"
 
 #include "catch.h"
 

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "roomgen/scene/category.h"
+#include "roomgen/scene/requirement.h"
+#include "roomgen/scene/scene.h"
+
+namespace roomgen {
+
+/// Says whether a thing has an attribute: nothing if it has, else why not.
+using AttributeJudge = std::function<std::string(const Object& object, const std::string& attribute)>;
+
+/// Checks every clause on the finished scene. Counts are of all things of the category (those of
+/// kinds that are one count too), exactly unless `at_least`. An attribute must be had by all its
+/// things, a relation (docs/constraints.md) must hold for each of them towards one of the targets.
+/// A reason says what is missing.
+std::vector<RequirementVerdict> check_requirements(std::span<const Requirement> requirements,
+                                                   const Scene& scene,
+                                                   const CategoryTable& categories,
+                                                   const AttributeJudge& has_attribute);
+
+}  // namespace roomgen

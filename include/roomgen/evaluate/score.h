@@ -1,0 +1,37 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "roomgen/evaluate/requirements.h"
+#include "roomgen/scene/model_table.h"
+#include "roomgen/scene/scene.h"
+
+namespace roomgen {
+
+/// One requirement with its verdict.
+struct Verdict {
+  std::string text;  ///< as the annotator wrote it: "eq,1,on,0,table,lamp"
+  bool satisfied = false;
+  std::string reason;   ///< "2 in the scene", "no lamp"
+  std::string missing;  ///< the category for want of which it fails; may be empty
+};
+
+/// How a scene meets the requirements of its description, measure by measure, after SceneEval
+/// (docs/evaluation.md).
+struct RoomScore {
+  std::string id, difficulty;
+  std::size_t objects = 0, solids = 0;  ///< solids: all but rugs
+  std::vector<Verdict> counts, attributes, object_relations, room_relations;
+  std::vector<std::pair<std::string, std::string>> collisions;  ///< ids of objects whose meshes cross
+  std::vector<std::string> colliding;         ///< ids, rugs included, as SceneEval counts
+  std::vector<std::string> colliding_solids;  ///< in collision with another solid
+  std::vector<std::string> outside;
+  std::map<std::string, std::vector<std::string>> matched;  ///< category to ids
+};
+
+RoomScore score_room(const Requirements& requirements, const Scene& scene,
+                     const ModelTable& models);
+
+}  // namespace roomgen

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "roomgen/base/json.h"
+#include "roomgen/evaluate/score.h"
+
+namespace roomgen {
+
+/// Totals over all rooms and by difficulty, then each room with every verdict.
+Json score_json(std::span<const RoomScore> scores);
+
+/// A table of the measures, then for each room what fails and why.
+std::string score_markdown(std::span<const RoomScore> scores);
+
+}  // namespace roomgen

@@ -1,0 +1,98 @@
+#include "roomgen/evaluate/relation_words.h"
+
+#include <algorithm>
+#include <array>
+
+#include "roomgen/base/json.h"
+#include "roomgen/base/resource.h"
+#include "roomgen/base/text.h"
+
+namespace roomgen {
+
+namespace {
+
+constexpr std::array known_functions = {
+    "inside_of",    "face_to",       "side_of",        "side_region", "long_short_side_of",
+    "on_top",       "middle_of",     "surround",       "next_to",     "near",
+    "across_from",  "far",           "outside_of",     "inside_room", "middle_of_room",
+    "on_wall",      "against_wall",  "corner_of_room", "hang_from_ceiling"};
+
+constexpr std::string_view reversed_prefix = "reversed ";
+
+RelationFunction read_function(const JsonReader& json) {
+  std::string text = json.text(64);
+  RelationFunction function;
+  if (text.starts_with(reversed_prefix)) {
+    function.reversed = true;
+    text = text.substr(reversed_prefix.size());
+  }
+  const auto colon = text.find(':');
+  function.name = text.substr(0, colon);
+  if (colon != std::string::npos) function.parameter = text.substr(colon + 1);
+  if (std::find(known_functions.begin(), known_functions.end(), function.name) ==
+      known_functions.end())
+    json.report("no function \"" + function.name + "\"");
+  return function;
+}
+
+std::map<std::string, RelationMeaning, std::less<>> read_meanings(const JsonReader& json) {
+  std::map<std::string, RelationMeaning, std::less<>> meanings;
+  for (const auto& [word, alternatives] : json.members())
+    for (const auto& alternative : alternatives.elements(8)) {
+      auto& functions = meanings[word].emplace_back();
+      for (const auto& function : alternative.elements(8))
+        functions.push_back(read_function(function));
+    }
+  return meanings;
+}
+
+}  // namespace
+
+Result<RelationWords> RelationWords::parse(std::string_view text, const std::string& source) {
+  const auto json = parse_json(text, source);
+  if (!json) return json.error();
+  JsonReader::Problems problems(source);
+  const JsonReader root(*json, problems);
+  root.allow_only({"about", "shelves", "objects", "room"});
+  RelationWords result;
+  for (const auto& shelf : root["shelves"].elements_or_none(200))
+    result.shelves_.insert(shelf.text(100));
+  result.objects_ = read_meanings(root["objects"]);
+  for (const auto& [part, meanings] : root["room"].members())
+    result.room_[part] = read_meanings(meanings);
+  if (problems.first()) return *problems.first();
+  return result;
+}
+
+const RelationWords& RelationWords::built_in() {
+  static const RelationWords result = [] {
+    auto parsed = parse(resource("data/evaluate/relations.json").value_or("{}"),
+                        "data/evaluate/relations.json");
+    return parsed ? *std::move(parsed) : RelationWords();  // a test parses the file
+  }();
+  return result;
+}
+
+RelationMeaning RelationWords::between_objects(std::string_view word,
+                                               std::string_view anchor) const {
+  if (word == "on") {
+    std::vector<std::string> pieces = words(anchor);
+    // "toy_shelf" is a shelf.
+    for (std::size_t first = 0; first < pieces.size(); ++first)
+      if (shelves_.count(join({pieces.begin() + static_cast<std::ptrdiff_t>(first), pieces.end()},
+                              " ")))
+        return objects_.at("on a shelf");
+  }
+  const auto found = objects_.find(word);
+  return found == objects_.end() ? RelationMeaning() : found->second;
+}
+
+RelationMeaning RelationWords::to_room(std::string_view word, std::string_view part) const {
+  auto meanings = room_.find(part);
+  if (meanings == room_.end()) meanings = room_.find("room");
+  if (meanings == room_.end()) return {};
+  const auto found = meanings->second.find(word);
+  return found == meanings->second.end() ? RelationMeaning() : found->second;
+}
+
+}  // namespace roomgen
