@@ -1,5 +1,6 @@
 #include "roomgen/create/created_library.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <map>
 #include <mutex>
@@ -70,7 +71,11 @@ Description describe(const Order& order) {
   Description description;
   if (built_in_words() && ShapeKinds::built_in()) {
     auto read = read_phrase(order.description, *built_in_words(), *ShapeKinds::built_in());
-    if (!read.empty()) description = std::move(read.front());
+    // "a pastel pink chair" may name a pastel too.
+    const auto meant = std::find_if(read.begin(), read.end(), [&](const Description& object) {
+      return !object.approximate && object.kind == order.kind;
+    });
+    if (!read.empty()) description = meant == read.end() ? std::move(read.front()) : std::move(*meant);
   }
   if (!order.approximate) {
     if (description.noun.empty() || description.approximate) description.noun = order.kind;

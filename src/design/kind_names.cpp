@@ -33,6 +33,16 @@ KindNames::KindNames(const CategoryTable& table) {
       names_.try_emplace(join(words(synonym), " "), &category);
 }
 
+KindMatch KindNames::match_of(std::span<const Token> tokens, std::size_t at) const {
+  if (at + 2 >= tokens.size() || !tokens[at + 1].is_word("of")) return {};
+  for (const auto& first : singulars(tokens[at].text)) {
+    if (first == tokens[at].text) continue;
+    const std::string name = first + " of " + tokens[at + 2].text;
+    if (const Category* category = find(name)) return {category, 3, true, name};
+  }
+  return {};
+}
+
 const Category* KindNames::find(const std::string& name) const {
   const auto found = names_.find(name);
   return found == names_.end() ? nullptr : found->second;
@@ -51,6 +61,7 @@ KindMatch KindNames::match(std::span<const Token> tokens, std::size_t at) const 
       }
     before += token.text + " ";
   }
+  if (const KindMatch several = match_of(tokens, at); several.length > best.length) best = several;
   // "three" alone is no name even if "three seater" is one.
   if (best.length == 1 && tokens[at].kind == Token::Kind::number) return {};
   return best;

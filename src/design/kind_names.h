@@ -30,6 +30,9 @@ class KindNames {
   const Category* find(const std::string& name) const;
 
  private:
+  // "spools of thread": one thing's name, whose first word is in the plural.
+  KindMatch match_of(std::span<const Token> tokens, std::size_t at) const;
+
   std::map<std::string, const Category*, std::less<>> names_;
 };
 

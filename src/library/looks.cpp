@@ -25,8 +25,11 @@ const std::map<std::string, Words, std::less<>>& colors_by_family() {
       {"blue", {"blue"}},             {"purple", {"purple"}}, {"pink", {"pink"}},
       // Materials that are seldom painted show their own.
       {"wood", {"brown", "beige", "orange", "yellow"}},
+      {"bamboo", {"brown", "beige", "orange", "yellow"}},
+      {"rattan", {"brown", "beige", "orange", "yellow"}},
       {"brass", {"yellow", "brown", "orange", "beige"}},
-      {"chrome", {"grey", "white", "black"}}};
+      {"chrome", {"grey", "white", "black"}},
+      {"leather", {"brown", "black", "beige", "white", "grey", "red", "orange"}}};
   return colors;
 }
 

@@ -34,6 +34,7 @@ TEST_CASE("A sofa of another colour is not the red one that was asked for") {
 TEST_CASE("Of what is not known nothing contradicts") {
   CHECK_FALSE(contradicts(asset("sofa", {}), {"red"}));
   CHECK_FALSE(contradicts(asset("sofa", {"red"}), {"leather"}));
+  CHECK_FALSE(contradicts(asset("sofa", {"green"}), {"soft"}));
 }
 
 TEST_CASE("A material is contradicted by another one's name, and wood by a colour it never has") {
@@ -41,6 +42,7 @@ TEST_CASE("A material is contradicted by another one's name, and wood by a colou
   glass.tags = {"glass"};
   CHECK(contradicts(glass, {"oak"}));
   CHECK(contradicts(asset("coffee table", {"grey"}), {"oak"}));
+  CHECK(contradicts(asset("office chair", {"blue"}), {"leather"}));
   CHECK_FALSE(contradicts(asset("coffee table", {"brown"}), {"oak"}));
   CHECK_FALSE(contradicts(asset("coffee table", {"white"}), {"white", "wooden"}));
 }
