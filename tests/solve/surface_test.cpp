@@ -98,8 +98,11 @@ TEST_CASE("More than a table holds is left out with the reason, and so is what i
   for (const auto& unplaced : solution->scene.unplaced) reasons[unplaced.id] = unplaced.reason;
   REQUIRE(reasons.count("tv-0"));
   CHECK(reasons["tv-0"].find("the largest is 0.5 x 0.5 m") != std::string::npos);
-  REQUIRE(reasons.count("book-29"));
-  CHECK(reasons["book-29"].find("leaves no room") != std::string::npos);
+  CHECK(reasons.size() > 20);
+  for (const auto& [id, reason] : reasons) {
+    INFO(id << ": " << reason);
+    if (id != "tv-0") CHECK(reason.find("leaves no room") != std::string::npos);
+  }
 }
 
 TEST_CASE("A screen on a desk looks at who sits there") {
