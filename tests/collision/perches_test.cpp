@@ -1,0 +1,80 @@
+#include "roomgen/collision/perches.h"
+
+#include <set>
+
+#include "catch.h"
+#include "roomgen/base/random.h"
+
+using namespace roomgen;
+
+namespace {
+
+Object thing(const std::string& id, const Vec3& size, bool round = false) {
+  Object object;
+  object.id = id;
+  object.category = "thing";
+  object.size = size;
+  object.traits.round = round;
+  return object;
+}
+
+}  // namespace
+
+TEST_CASE("On a box, things rest on its top with their whole footprint") {
+  Random random(2);
+  const ModelTable models;
+  const Perches perches(models);
+  int found = 0;
+  for (int i = 0; i < 60; ++i) {
+    const Object support = thing("support", {random.uniform(0.3, 1.5), random.uniform(0.3, 1), 0.7});
+    const Object small = thing(
+        "small", {random.uniform(0.05, 0.6), random.uniform(0.05, 0.6), random.uniform(0.02, 0.5)},
+        random.chance(0.4));
+    for (const auto& perch : perches.everywhere(small, support)) {
+      ++found;
+      CHECK(perch.bottom == Approx(0.7).margin(1e-6));
+      const Footprint own(perch.position, small.size.head<2>(), perch.yaw, small.traits.round);
+      const bool larger = small.size.head<2>().maxCoeff() > support.size.head<2>().minCoeff();
+      // What is as wide as the support may hang over by a tenth.
+      const double slack = larger ? 0.06 : 0.045;
+      for (const auto& corner : own.outline())
+        CHECK((corner.cwiseAbs() - 0.5 * support.size.head<2>()).maxCoeff() <= slack);
+    }
+  }
+  CHECK(found > 1000);
+}
+
+TEST_CASE("What is larger than a surface rests nowhere, and neither does anything on a rug") {
+  const ModelTable models;
+  const Perches perches(models);
+  const Object table = thing("table", {0.6, 0.6, 0.5});
+  CHECK(perches.everywhere(thing("large", {0.9, 0.9, 0.2}), table).empty());
+  CHECK_FALSE(perches.everywhere(thing("small", {0.3, 0.3, 0.2}), table).empty());
+  Object rug = thing("rug", {2, 2, 0.01});
+  rug.traits.flat = true;
+  CHECK(perches.everywhere(thing("small", {0.3, 0.3, 0.2}), rug).empty());
+}
+
+TEST_CASE("Between the boards of a shelf stands what is lower than the next board") {
+  Mesh mesh;
+  for (double x : {-0.4, 0.38}) append(mesh, make_box({x, -0.15, 0}, {x + 0.02, 0.15, 1.3}));
+  for (double z : {0.0, 0.4, 0.8, 1.28}) append(mesh, make_box({-0.4, -0.15, z}, {0.4, 0.15, z + 0.02}));
+  auto model = std::make_shared<Model>();
+  model->materials.emplace_back();
+  model->parts.push_back({mesh, 0});
+  ModelTable models;
+  Object shelf = thing("shelf", {0.8, 0.3, 1.3});
+  shelf.asset.library = "test";
+  shelf.asset.id = "shelf";
+  models.add(asset_key(shelf.asset), model);
+  const Perches perches(models);
+  const auto levels = [&](double height) {
+    std::set<int> found;
+    for (const auto& perch : perches.everywhere(thing("box", {0.2, 0.2, height}), shelf))
+      found.insert(static_cast<int>(std::lround(100 * perch.bottom)));
+    return found;
+  };
+  CHECK(levels(0.3) == std::set<int>{2, 42, 82, 130});
+  CHECK(levels(0.42) == std::set<int>{82, 130});
+  CHECK(levels(0.6) == std::set<int>{130});
+}
