@@ -27,6 +27,9 @@ constexpr double sliver_weight = 0.15;
 constexpr double gap_weight = 0.6;
 constexpr double hint_weight = 3.0;
 constexpr double crowded_weight = 1.5;
+constexpr double middle_weight = 4.0;
+constexpr double across_weight = 3.0;
+constexpr double least_across = 1.3;  ///< metres between things that are opposite each other
 constexpr double comfort_range = 8.0;
 // Another try after a refusal goes at least so far away.
 constexpr double elsewhere = 0.6;
@@ -51,20 +54,40 @@ struct Task {
   bool needed = true;  ///< asked for or refused elsewhere: goes anywhere rather than nowhere
 };
 
-// 1 inside the preferred range of the pair, less with the distance to it.
-double gap_degree(const Task& task, const Placed& placed, const Target& target) {
-  if (!target.object) return 1.0 / (1.0 + gap_to(placed, target));
-  const auto& table = task.sketch.categories();
-  PreferredGap wanted{"", 0.0, 0.3};
-  for (const auto& gap : table.get(task.self.category).gaps)
-    if (table.is_a(target.object->category, gap.partner)) wanted = gap;
-  for (const auto& gap : table.get(target.object->category).gaps)
-    if (table.is_a(task.self.category, gap.partner)) wanted = gap;
-  const double gap = gap_to(placed, target);
-  return 1.0 / (1.0 + 3.0 * std::max({0.0, wanted.low - gap, gap - wanted.high}));
+bool relates(const std::vector<Relation>& relations, RelationKind kind, const std::string& target) {
+  return std::find(relations.begin(), relations.end(), Relation{kind, target}) != relations.end();
 }
 
-double comfort(const Task& task, const Placed& placed, const std::vector<Relation>& relations) {
+// 1 inside the range that the pair prefers, less with the distance to it.
+double gap_degree(const Placed& placed, const ResolvedRelation& relation) {
+  double degree = 0.0;
+  for (const auto& target : relation.targets) {
+    const double distance = gap(placed.footprint, target);
+    const double off =
+        std::max({0.0, relation.gap_low - distance, distance - relation.gap_high});
+    degree = std::max(degree, 1.0 / (1.0 + 3.0 * off));
+  }
+  return degree;
+}
+
+// The middle of the room and the other side of it are matters of degree, too.
+double asked_place_degree(const Task& task, const Placed& placed) {
+  double score = 0.0;
+  for (const auto& relation : task.asked) {
+    if (relation.kind == RelationKind::middle)
+      score += middle_weight * degree(task.sketch, placed, Liking::center);
+    const bool across = relation.kind == RelationKind::in_front_of &&
+                        relates(task.asked, RelationKind::face_to, relation.target) &&
+                        !relates(task.asked, RelationKind::near, relation.target);
+    if (!across) continue;
+    for (const auto& target : task.sketch.find(relation.target))
+      score -= across_weight * std::max(0.0, least_across - gap_to(placed, target));
+  }
+  return score;
+}
+
+double comfort(const Task& task, const Placed& placed, const std::vector<Relation>& relations,
+               const std::vector<ResolvedRelation>& resolved) {
   double score = 0.0;
   for (const auto& like : task.arrangement.likes)
     score += like.weight * degree(task.sketch, placed, like.liking);
@@ -75,10 +98,10 @@ double comfort(const Task& task, const Placed& placed, const std::vector<Relatio
     if (!task.arrangement.seats && on_crowded_side(task.sketch, placed, relations))
       score -= crowded_weight;
   }
-  for (const auto& relation : relations)
+  for (const auto& relation : resolved)
     if (relation.kind == RelationKind::near || relation.kind == RelationKind::around)
-      for (const auto& target : task.sketch.find(relation.target))
-        score += gap_weight * gap_degree(task, placed, target);
+      score += gap_weight * gap_degree(placed, relation);
+  score += asked_place_degree(task, placed);
   if (task.hint) score += hint_weight / (1.0 + (*task.hint - placed.pose.position).norm());
   return score;
 }
@@ -126,7 +149,7 @@ std::vector<Option> options_for(const Task& task, const std::vector<Relation>& w
   std::erase_if(options, [&](const Option& option) { return option.score < best - comfort_range; });
   for (auto& option : options) {
     const Placed placed{&task.self, option.pose, footprint_at(task.self, option.pose), task.bottom};
-    option.score += comfort(task, placed, all) - burden_weight * burden;
+    option.score += comfort(task, placed, all, resolved) - burden_weight * burden;
   }
   std::stable_sort(options.begin(), options.end(),
                    [](const Option& a, const Option& b) { return a.score > b.score; });

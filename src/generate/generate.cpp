@@ -252,6 +252,7 @@ class Generator {
   Status apply(const PlaceAdvice& advice, const PlannedObject& planned, PlacementTask& task) const {
     Object& object = task.object;
     object.relations = advice.relations;
+    task.wishes = put_wishes_first(plan_.items[planned.item], object.relations);
     task.location = advice.location;
     task.facing = advice.yaw;
     if (object.mount == Mount::surface) return put_on_support(plan_.items[planned.item], object);
@@ -264,6 +265,16 @@ class Generator {
           std::min(highest, std::max(object.position.z(), top(*target) + gap_above));
     }
     return {};
+  }
+
+  // What the plan asks for, before what the designer adds; how many they are.
+  static int put_wishes_first(const PlanItem& item, std::vector<Relation>& relations) {
+    const auto end = std::stable_partition(
+        relations.begin(), relations.end(), [&](const Relation& relation) {
+          return std::find(item.relations.begin(), item.relations.end(), relation) !=
+                 item.relations.end();
+        });
+    return item.asked ? static_cast<int>(end - relations.begin()) : 0;
   }
 
   // The object as the asset makes it, with its mounting height.
@@ -286,6 +297,7 @@ class Generator {
     object.mount = item.mount;
     object.relations = item.relations;
     task.location = item.location;
+    task.asked = item.asked;
     set_height(category, asset, object);
     return task;
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 #include <set>
+#include <tuple>
 
 #include "arrange.h"
 #include "propose.h"
@@ -28,13 +29,31 @@ int constraint_count(const std::vector<PlacementTask>& tasks) {
   return count;
 }
 
-int held_by(const Layout& layout, const Object& object) {
-  const auto relations = resolve(object, layout.room(), layout.objects(), layout.categories());
+int count_held(std::span<const ResolvedRelation> relations, const Object& object,
+               const Room& room) {
   const Subject subject{footprint(object), bottom(object), top(object)};
   return static_cast<int>(
       std::count_if(relations.begin(), relations.end(), [&](const ResolvedRelation& relation) {
-        return judge(relation, subject, layout.room()).held;
+        return judge(relation, subject, room).held;
       }));
+}
+
+int held_by(const Layout& layout, const Object& object) {
+  return count_held(resolve(object, layout.room(), layout.objects(), layout.categories()), object,
+                    layout.room());
+}
+
+int wishes_held(const ProposalContext& context, const Object& object) {
+  const auto wishes = std::min(static_cast<std::size_t>(context.task.wishes),
+                               context.relations.size());
+  return count_held(std::span(context.relations).first(wishes), object, context.layout.room());
+}
+
+// Its wishes alone, without what its kind usually likes.
+PlacementTask with_wishes_only(PlacementTask task) {
+  task.object.relations.resize(
+      std::min(static_cast<std::size_t>(task.wishes), task.object.relations.size()));
+  return task;
 }
 
 class Search {
@@ -51,7 +70,9 @@ class Search {
       if (best.quality.placed == static_cast<int>(tasks_.size()) && best.quality.held == wanted)
         break;
       const bool start_anew = barren >= patience;
-      lost_allowed_ = start_anew ? wanted : wanted - current.quality.held;
+      // For a wish any number of habits may go.
+      lost_allowed_ =
+          start_anew || !wishes_fulfilled() ? wanted : wanted - current.quality.held;
       if (start_anew)
         put_elsewhere(everything(), 7);
       else if (round % 2 == 0)
@@ -59,7 +80,7 @@ class Search {
       else
         put_elsewhere(choose_ruin(), 1);
       const LayoutQuality now = quality(layout_, tasks_);
-      const bool gained = now.placed > current.quality.placed || now.held > current.quality.held;
+      const bool gained = !current.quality.as_good_as(now);
       barren = start_anew || gained ? 0 : barren + 1;
       // Sideways steps lead out of dead ends, and so does a new start, however it ends.
       if (start_anew || now.as_good_as(current.quality))
@@ -108,6 +129,20 @@ class Search {
     return !placed || held_by(layout_, *placed) < static_cast<int>(task.object.relations.size());
   }
 
+  bool lacks_wishes(const PlacementTask& task) const {
+    if (!task.asked && task.wishes == 0) return false;
+    const Object* placed = layout_.find(task.object.id);
+    if (!placed) return task.asked;
+    Object wishful = *placed;
+    wishful.relations = with_wishes_only(task).object.relations;
+    return held_by(layout_, wishful) < static_cast<int>(wishful.relations.size());
+  }
+
+  bool wishes_fulfilled() const {
+    return std::none_of(tasks_.begin(), tasks_.end(),
+                        [this](const PlacementTask& task) { return lacks_wishes(task); });
+  }
+
   bool is_fixed(const std::string& id) const {
     const Object* placed = layout_.find(id);
     return placed && placed->locked;
@@ -143,10 +178,19 @@ class Search {
     }
   }
 
-  const PlacementTask& choose_troubled() {
-    std::vector<const PlacementTask*> troubled;
+  template <typename Test>
+  std::vector<const PlacementTask*> movable_that(Test test) const {
+    std::vector<const PlacementTask*> found;
     for (const auto& task : tasks_)
-      if (is_troubled(task) && !is_fixed(task.object.id)) troubled.push_back(&task);
+      if (!is_fixed(task.object.id) && test(task)) found.push_back(&task);
+    return found;
+  }
+
+  // Those whose wishes are not fulfilled come first, mostly.
+  const PlacementTask& choose_troubled() {
+    auto troubled = movable_that([this](const auto& task) { return lacks_wishes(task); });
+    if (troubled.empty() || !random_.chance(0.7))
+      troubled = movable_that([this](const auto& task) { return is_troubled(task); });
     return troubled.empty() ? random_.pick(tasks_) : *random_.pick(troubled);
   }
 
@@ -155,8 +199,9 @@ class Search {
   void eject() {
     const PlacementTask& task = choose_troubled();
     if (is_fixed(task.object.id)) return;
+    const bool for_wishes = lacks_wishes(task) && random_.chance(0.5);
     layout_.remove(task.object.id);
-    const auto pose = pose_with_least_in_the_way(task);
+    const auto pose = pose_with_least_in_the_way(for_wishes ? with_wishes_only(task) : task);
     std::set<std::string> ruin = {task.object.id};
     if (pose)
       for (const auto& id : in_the_way(task, *pose)) ruin.insert(id);
@@ -184,6 +229,15 @@ class Search {
     return ids;
   }
 
+  // What was asked for is harder to put elsewhere, since it may not be left out.
+  double burden_of(const std::vector<std::string>& ids) const {
+    double burden = 0.0;
+    for (const auto& task : tasks_)
+      if (std::find(ids.begin(), ids.end(), task.object.id) != ids.end())
+        burden += task.asked ? 2.0 : 1.0;
+    return burden;
+  }
+
   std::optional<Pose> pose_with_least_in_the_way(const PlacementTask& task) {
     const auto context = make_context(
         layout_, task,
@@ -204,7 +258,7 @@ class Search {
       const auto blockers = in_the_way(task, pose);
       const bool fixed = std::any_of(blockers.begin(), blockers.end(),
                                      [this](const std::string& id) { return is_fixed(id); });
-      const double cost = static_cast<double>(blockers.size()) + 1.5 * random_.uniform();
+      const double cost = burden_of(blockers) + 1.5 * random_.uniform();
       if (!fixed && cost < best_cost) best = pose, best_cost = cost;
     }
     return best;
@@ -266,6 +320,10 @@ class Search {
   int lost_allowed_ = 0;  ///< a round that loses more constraints is given up
 };
 
+std::tuple<int, int, int, int> counts(const LayoutQuality& quality) {
+  return {quality.asked, quality.wishes, quality.placed, quality.held};
+}
+
 // The task and those that depend on it.
 std::vector<PlacementTask> with_dependants(const PlacementTask& task,
                                            const std::vector<PlacementTask>& tasks) {
@@ -278,12 +336,11 @@ std::vector<PlacementTask> with_dependants(const PlacementTask& task,
 }  // namespace
 
 bool LayoutQuality::as_good_as(const LayoutQuality& other) const {
-  return placed > other.placed || (placed == other.placed && held >= other.held);
+  return counts(*this) >= counts(other);
 }
 
 bool LayoutQuality::better_than(const LayoutQuality& other) const {
-  if (placed != other.placed) return placed > other.placed;
-  if (held != other.held) return held > other.held;
+  if (counts(*this) != counts(other)) return counts(*this) > counts(other);
   return degree > other.degree + degree_gain;
 }
 
@@ -296,6 +353,8 @@ LayoutQuality quality(const Layout& layout, const std::vector<PlacementTask>& ta
         layout, task, resolve(*object, layout.room(), layout.objects(), layout.categories()),
         count_around(task.object, layout.objects()));
     const auto terms = score(context, footprint(*object), bottom(*object));
+    result.asked += task.asked ? 1 : 0;
+    result.wishes += wishes_held(context, *object);
     ++result.placed;
     result.held += terms.held;
     result.degree += total_degree(terms);
