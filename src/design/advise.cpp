@@ -25,11 +25,10 @@ constexpr double reserve_weight = 2.4;
 constexpr double taken_weight = 1.2;
 constexpr double sliver_weight = 0.15;
 constexpr double gap_weight = 0.6;
+constexpr double asked_gap_weight = 4.0;
 constexpr double hint_weight = 3.0;
 constexpr double crowded_weight = 1.5;
 constexpr double middle_weight = 4.0;
-constexpr double across_weight = 3.0;
-constexpr double least_across = 1.3;  ///< metres between things that are opposite each other
 constexpr double comfort_range = 8.0;
 // Another try after a refusal goes at least so far away.
 constexpr double elsewhere = 0.6;
@@ -54,10 +53,6 @@ struct Task {
   bool needed = true;  ///< asked for or refused elsewhere: goes anywhere rather than nowhere
 };
 
-bool relates(const std::vector<Relation>& relations, RelationKind kind, const std::string& target) {
-  return std::find(relations.begin(), relations.end(), Relation{kind, target}) != relations.end();
-}
-
 // 1 inside the range that the pair prefers, less with the distance to it.
 double gap_degree(const Placed& placed, const ResolvedRelation& relation) {
   double degree = 0.0;
@@ -70,20 +65,12 @@ double gap_degree(const Placed& placed, const ResolvedRelation& relation) {
   return degree;
 }
 
-// The middle of the room and the other side of it are matters of degree, too.
+// The middle of the room is a matter of degree, too.
 double asked_place_degree(const Task& task, const Placed& placed) {
-  double score = 0.0;
-  for (const auto& relation : task.asked) {
-    if (relation.kind == RelationKind::middle)
-      score += middle_weight * degree(task.sketch, placed, Liking::center);
-    const bool across = relation.kind == RelationKind::in_front_of &&
-                        relates(task.asked, RelationKind::face_to, relation.target) &&
-                        !relates(task.asked, RelationKind::near, relation.target);
-    if (!across) continue;
-    for (const auto& target : task.sketch.find(relation.target))
-      score -= across_weight * std::max(0.0, least_across - gap_to(placed, target));
-  }
-  return score;
+  const bool middle = std::any_of(task.asked.begin(), task.asked.end(), [](const Relation& relation) {
+    return relation.kind == RelationKind::middle;
+  });
+  return middle ? middle_weight * degree(task.sketch, placed, Liking::center) : 0.0;
 }
 
 double comfort(const Task& task, const Placed& placed, const std::vector<Relation>& relations,
@@ -98,9 +85,10 @@ double comfort(const Task& task, const Placed& placed, const std::vector<Relatio
     if (!task.arrangement.seats && on_crowded_side(task.sketch, placed, relations))
       score -= crowded_weight;
   }
-  for (const auto& relation : resolved)
-    if (relation.kind == RelationKind::near || relation.kind == RelationKind::around)
-      score += gap_weight * gap_degree(placed, relation);
+  for (std::size_t i = 0; i < resolved.size(); ++i)
+    if (resolved[i].kind == RelationKind::near || resolved[i].kind == RelationKind::around)
+      score += (i < task.asked.size() ? asked_gap_weight : gap_weight) *
+               gap_degree(placed, resolved[i]);
   score += asked_place_degree(task, placed);
   if (task.hint) score += hint_weight / (1.0 + (*task.hint - placed.pose.position).norm());
   return score;

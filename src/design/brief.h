@@ -26,6 +26,7 @@ struct Demand {
 struct Mention {
   std::string category;     ///< of the table, or the prompt's own word if the table lacks it
   bool known = true;        ///< in the table
+  std::string noun;         ///< the name that it has there: "desk"
   std::string description;  ///< "white wooden desk"
   std::vector<std::string> looks;  ///< of it: "white", "wooden"
   int quantity = 1;
@@ -35,6 +36,7 @@ struct Mention {
   Vec3 size = Vec3::Ones();  ///< wanted
   Mount mount = Mount::floor;
   std::vector<Demand> demands;
+  int sentence = 0;  ///< of the prompt in which it is named first
 };
 
 /// What a prompt says, no more.

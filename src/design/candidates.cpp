@@ -150,7 +150,7 @@ void over(const Sketch& sketch, const Arrangement& arrangement, const Target& ta
       if (sketch.categories().is_a(target.object->category, kind))
         forward = fp.half().y() + before_front;
   for (double more : {0.0, 0.2, 0.4, -0.2, -0.4})
-    for (int turn = 0; turn < 2; ++turn)
+    for (int turn = 0; turn < 4; ++turn)
       poses.push_back({fp.to_world({0, -forward - more}), wrap_angle(fp.yaw() + turn * 0.5 * pi),
                        more == 0.0 ? (turn == 0 ? over_merit : 0.5 * over_merit) : 0.0});
 }
@@ -201,7 +201,8 @@ void around_target(const Sketch& sketch, const Object& self, const Arrangement& 
                    const Relation& relation, const std::vector<Relation>& all, int company,
                    std::vector<Pose>& poses) {
   for (const auto& target : sketch.find(relation.target)) {
-    const bool lies = self.traits.flat || self.mount != Mount::floor;
+    const bool lies = self.traits.flat || self.mount != Mount::floor ||
+                      relation.kind == RelationKind::on;  // furniture on a rug
     if (lies) over(sketch, arrangement, target, poses);
     if (lies && target.object) continue;
     if (relation.kind == RelationKind::around) seats(self, target, company, poses);

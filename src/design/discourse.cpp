@@ -10,6 +10,7 @@ namespace roomgen::design {
 namespace {
 
 constexpr std::size_t max_mentions = 120;
+constexpr double small_side = 0.7;  ///< metres: what is smaller may stand on other things
 
 // Who describes a room looks at the fronts of things: the mouse to the right of a keyboard is at the
 // hand of who sits before it. Constraints' sides are the thing's own.
@@ -25,7 +26,17 @@ std::string Discourse::category_name(const KindMatch& kind) const {
   return meant == lexicon_.kind.means.end() ? kind.category->name : meant->second;
 }
 
+// "the console" is the media console that was spoken of.
+std::optional<std::size_t> Discourse::same_noun(const NounPhrase& phrase) const {
+  const std::string& noun = phrase.kind.length > 0 ? phrase.kind.name : phrase.noun;
+  for (std::size_t i = count(); i-- > 0;)
+    if (mention(i).description == noun || mention(i).description.ends_with(" " + noun)) return i;
+  return std::nullopt;
+}
+
 std::optional<std::size_t> Discourse::known(const NounPhrase& phrase) const {
+  if (phrase.definite && phrase.modifiers.empty())
+    if (const auto same = same_noun(phrase)) return same;
   for (std::size_t i = count(); i-- > 0;) {
     const Mention& one = mention(i);
     if (phrase.kind.length == 0) {
@@ -53,15 +64,18 @@ Mention Discourse::new_mention(const NounPhrase& phrase) const {
   mention.quantity = phrase.count;
   mention.counted = phrase.counted;
   mention.looks = phrase.modifiers;
+  mention.sentence = sentence_;
   std::vector<std::string> description = phrase.modifiers;
   if (phrase.kind.length > 0) {
     mention.category = category_name(phrase.kind);
+    mention.noun = phrase.kind.name;
     description.push_back(phrase.kind.name);
     const bool open = phrase.kind.plural && !phrase.article;
     if (open) mention.quantity = 0;  // to be settled
   } else {
     mention.known = false;
     mention.category = phrase.noun;
+    mention.noun = phrase.noun;
     description.push_back(phrase.noun);
   }
   if (!phrase.contents.empty()) description.push_back(phrase.contents);
@@ -93,7 +107,10 @@ void Discourse::demand(const Demand& what, bool leads) {
     leading_.push_back(what);
     return;
   }
-  const auto all = subjects();
+  auto all = subjects();
+  // Of a desk, a lamp and a cup on it only the small ones are meant.
+  if (all.size() > 1 && what.kind == RelationKind::on)
+    std::erase_if(all, [this](std::size_t i) { return i != *subject_ && !is_small(i); });
   for (std::size_t subject : all) {
     Demand own = what;
     own.shared = own.shared || all.size() > 1;
@@ -162,7 +179,8 @@ void Discourse::locate_at_wall(RelationKind first, const PlacePhrase& place, boo
     demand({RelationKind::face_same_as, Demand::none, id, false}, leads);
   } else if (place.opposite) {
     if (const auto other = antecedent())
-      demand({RelationKind::in_front_of, *other, "", false}, leads);
+      for (auto kind : {RelationKind::in_front_of, RelationKind::face_to, RelationKind::far})
+        demand({kind, *other, "", false}, leads);
   }
 }
 
@@ -184,12 +202,44 @@ void Discourse::apply_leading(std::size_t index) {
     add(index, what);
     used = true;
   }
-  if (used) leading_.clear();
+  if (used) {
+    open_list(leading_);
+    leading_.clear();
+  }
+}
+
+void Discourse::extend_list(std::size_t index) {
+  for (const auto& what : listed_)
+    if (what.mention != index && !(what.kind == RelationKind::on && !is_small(index)))
+      add(index, what);
+}
+
+bool Discourse::is_small(std::size_t index) const {
+  const Mention& one = mention(index);
+  return one.mount == Mount::surface ||
+         (one.mount == Mount::floor && one.size.head<2>().maxCoeff() <= small_side &&
+          !lexicon_.table.is_any_of(one.category, {"seat", "table", "storage"}));
+}
+
+void Discourse::relate_listed(const Placement& placement) {
+  if (group_.size() < 2) return;
+  for (auto kind : placement.relations)
+    add(group_.back(), {kind, group_[group_.size() - 2], "", false});
+}
+
+std::optional<std::size_t> Discourse::last_carrier() const {
+  for (std::size_t i = count(); i-- > 0;)
+    if (mention(i).mount == Mount::floor &&
+        lexicon_.table.is_any_of(mention(i).category, {"table", "storage", "kitchen unit", "washbasin"}))
+      return i;
+  return std::nullopt;
 }
 
 void Discourse::end_sentence() {
   leading_.clear();
   leading_mount_.reset();
+  listed_.clear();
+  ++sentence_;
 }
 
 }  // namespace roomgen::design

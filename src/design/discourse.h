@@ -56,10 +56,21 @@ class Discourse {
 
   /// What was said beforehand becomes true of this thing.
   void apply_leading(std::size_t mention);
+
+  /// "holds a lamp, two books and a mug": what is said of the first is said of all that are listed.
+  void open_list(std::vector<Demand> demands) { listed_ = std::move(demands); }
+  void extend_list(std::size_t mention);
+  void close_list() { listed_.clear(); }
+  /// "a desk and a shelf side by side"
+  void relate_listed(const Placement& placement);
+  /// Of what was spoken of last has a top that things stand on.
+  std::optional<std::size_t> last_carrier() const;
   void end_sentence();
 
  private:
   Mention new_mention(const NounPhrase& phrase) const;
+  std::optional<std::size_t> same_noun(const NounPhrase& phrase) const;
+  bool is_small(std::size_t mention) const;
   std::vector<std::size_t> subjects() const;
   void locate_at_window(const Placement& placement, bool leads);
   void locate_at_wall(RelationKind first, const PlacePhrase& place, bool leads);
@@ -71,6 +82,8 @@ class Discourse {
   std::vector<std::size_t> group_;
   bool plural_ = false;
   std::vector<Demand> leading_;
+  std::vector<Demand> listed_;
+  int sentence_ = 0;
   std::optional<Mount> leading_mount_;
 };
 

@@ -57,6 +57,23 @@ const Relation* find(const std::vector<Relation>& relations, RelationKind kind) 
   return found == relations.end() ? nullptr : &*found;
 }
 
+// At a side of, or near, something else than what carries it: the solver finds the spot.
+bool beside_others(const std::vector<Relation>& relations, const std::string& carrier) {
+  return std::any_of(relations.begin(), relations.end(), [&](const Relation& relation) {
+    switch (relation.kind) {
+      case RelationKind::left_of:
+      case RelationKind::right_of:
+        return true;
+      case RelationKind::side_of:
+      case RelationKind::near:
+      case RelationKind::behind:
+        return !relation.target.empty() && relation.target != carrier;
+      default:
+        return false;
+    }
+  });
+}
+
 // Habits first that put the thing onto what was wished for, then the wish alone, then other habits.
 std::vector<std::vector<Relation>> ways_onto(const CategoryTable& categories,
                                              std::vector<std::vector<Relation>> ways,
@@ -88,8 +105,7 @@ PlaceAdvice advise_on(const Sketch& sketch, const Object& self, const Arrangemen
       if (!told || habit.kind != RelationKind::on) relations.push_back(habit);
     for (const auto& carrier : sketch.find(carrier_wish->target)) {
       std::optional<Pose> pose;
-      const bool beside = find(habits, RelationKind::left_of) || find(habits, RelationKind::right_of);
-      if (beside) {
+      if (beside_others(relations, carrier.id)) {
         if (skip-- > 0) continue;
         return PlaceAdvice{relations, std::nullopt, std::nullopt, "on " + carrier.id};
       }

@@ -17,8 +17,8 @@ namespace roomgen::design {
 namespace {
 
 constexpr const char* default_type = "living room";
-constexpr int max_attempts = 5;
-constexpr double growth = 1.05;  ///< of the sides from attempt to attempt
+constexpr int max_attempts = 8;
+constexpr double growth = 1.06;  ///< of the sides from attempt to attempt
 constexpr int fewest = 8;
 constexpr std::size_t most_rehearsed = 80;  ///< things; larger plans are taken as they are
 

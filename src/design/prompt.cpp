@@ -68,11 +68,33 @@ class PromptReader {
     const auto phrase = read_noun_phrase(tokens_, at_, words_, names_, lists(at_));
     if (!phrase) return false;
     const bool part = describes_owner(*phrase);
+    const auto owner = talk_.subject();
+    const bool with = phrase->begin == owner_end_ + 1 && is_word(owner_end_, "with");
+    const bool continues = continues_list(phrase->begin);
+    const std::size_t before = talk_.count();
     if (!part) talk_.speak_of(refer(*phrase));
     at_ = phrase->end;
     owner_end_ = at_;
-    if (!part && talk_.subject()) talk_.apply_leading(*talk_.subject());
+    if (part || !talk_.subject()) return true;
+    if (clause_begins()) talk_.close_list();
+    if (with && owner && owner != talk_.subject())
+      talk_.open_list({{RelationKind::on, *owner, "", false}});
+    if (talk_.count() > before && (with || continues)) talk_.extend_list(*talk_.subject());
+    talk_.apply_leading(*talk_.subject());
     return true;
+  }
+
+  // "… and a lamp stands": what was said of a list is not said of it.
+  bool clause_begins() const {
+    std::size_t i = owner_end_;
+    while (i < tokens_.size() && is_adverb(tokens_[i])) ++i;
+    return i < tokens_.size() && words_.verbs.count(tokens_[i].text) > 0;
+  }
+
+  static bool is_adverb(const Token& token) {
+    static const WordSet others = {"just", "right", "close"};
+    return token.kind == Token::Kind::word &&
+           ((token.text.size() > 4 && token.text.ends_with("ly")) || others.count(token.text) > 0);
   }
 
   // "a desk with drawers": drawers are no thing of their own.
@@ -125,31 +147,48 @@ class PromptReader {
   // --- Placements -----------------------------------------------------------------------------
 
   bool read_placement() {
-    const auto match = longest(words_.placements, tokens_, at_, longest_placement);
+    auto match = longest(words_.placements, tokens_, at_, longest_placement);
+    if (!match && is_adverb(tokens_[at_])) {
+      // "directly under the window"
+      match = longest(words_.placements, tokens_, at_ + 1, longest_placement);
+      if (match) ++match.length;
+    }
     if (!match) return false;
     const Placement& placement = *match.value;
     const std::size_t after = at_ + match.length;
     if (placement.inverse) return read_inverse(placement, after);
     if (placement.pronoun) return read_implied_target(placement, after);
+    if (placement.mutual) {
+      talk_.relate_listed(placement);
+      at_ = after;
+      return true;
+    }
     // "Next to the bed is a lamp": before any thing of the sentence.
     const bool leads =
         at_ == sentence_start_ || (at_ == sentence_start_ + 1 && is_word(sentence_start_, "and"));
     hear_plural();
-    const bool read =
-        read_place_target(placement, after, leads) || read_thing_target(placement, after, leads);
+    const bool read = read_place_target(placement, after, leads) ||
+                      read_thing_target(placement, after, leads) ||
+                      (placement.adverb && ends_here(after) && read_implied_target(placement, after));
     talk_.speak_of_one();
     return read;
   }
 
-  // "… are", "… both": of all that were listed.
+  bool ends_here(std::size_t i) const {
+    return i >= tokens_.size() || tokens_[i].kind != Token::Kind::word || is_word(i, "and") ||
+           is_word(i, "with") || is_word(i, "while");
+  }
+
+  // "… are", "… both sit": of all that were listed.
   void hear_plural() {
-    if (is_word(owner_end_, "are") || is_word(owner_end_, "both") || is_word(owner_end_, "all"))
-      talk_.speak_of_all();
+    std::size_t i = owner_end_;
+    while (i < tokens_.size() && is_adverb(tokens_[i])) ++i;
+    if (i < tokens_.size() && words_.plural_verbs.count(tokens_[i].text) > 0) talk_.speak_of_all();
   }
 
   bool read_place_target(const Placement& placement, std::size_t after, bool leads) {
     const auto place = read_place(tokens_, after, words_);
-    if (!place) return false;
+    if (!place || names_thing(after, after + place->length)) return false;
     const std::size_t end = after + place->length;
     // "the middle of the table" is on the table.
     if (place->place == Place::middle && is_word(end, "of")) {
@@ -160,6 +199,17 @@ class PromptReader {
     if (talk_.subject() || leads) talk_.locate(placement, *place, leads);
     at_ = end;
     return true;
+  }
+
+  // "a wall-mounted television" is no wall.
+  bool names_thing(std::size_t begin, std::size_t end) const {
+    const auto phrase = read_noun_phrase(tokens_, begin, words_, names_, false);
+    if (!phrase || phrase->kind.length == 0 || phrase->end <= end) return false;
+    return std::none_of(tokens_.begin() + static_cast<std::ptrdiff_t>(begin),
+                        tokens_.begin() + static_cast<std::ptrdiff_t>(phrase->end),
+                        [](const Token& token) {
+                          return token.kind == Token::Kind::comma || token.is_word("and");
+                        });
   }
 
   // "to its left", "on top": of what was spoken of before.
@@ -214,6 +264,7 @@ class PromptReader {
       ++end;
       return talk_.antecedent();
     }
+    if (const auto carrier = read_top(end)) return carrier;
     const auto phrase = read_noun_phrase(tokens_, end, words_, names_, false);
     if (!phrase) return std::nullopt;
     end = phrase->end;
@@ -221,6 +272,21 @@ class PromptReader {
     if (phrase->count == 1 && !phrase->another)
       if (const auto known = talk_.known(*phrase)) return known;
     return talk_.refer(*phrase);
+  }
+
+  // "the countertop", "its surface": of the table or cabinet that was spoken of.
+  std::optional<std::size_t> read_top(std::size_t& end) const {
+    if (!words_.definite.count(tokens_[end].text)) return std::nullopt;
+    std::size_t i = end + 1;
+    if (i + 1 < tokens_.size() && !words_.tops.count(tokens_[i].text) &&
+        names_.match(tokens_, i).length == 0)
+      ++i;  // "the wooden surface"
+    if (i >= tokens_.size() || !words_.tops.count(tokens_[i].text) || is_word(i + 1, "of"))
+      return std::nullopt;
+    if (is_word(i + 1, "shelf")) ++i;
+    const auto carrier = talk_.last_carrier();
+    if (carrier) end = i + 1;
+    return carrier;
   }
 
   // "flanked by two lamps", "surrounded by chairs": the subject is the target.
@@ -243,6 +309,10 @@ class PromptReader {
     for (const std::size_t each : others)
       for (auto kind : placement.relations)
         talk_.add(each, {kind, *target, "", placement.flank, others.size() > 1});
+    std::vector<Demand> listed;
+    for (auto kind : placement.relations)
+      if (!placement.flank) listed.push_back({kind, *target, "", false});
+    talk_.open_list(std::move(listed));
     talk_.speak_of(others.back());
     return true;
   }

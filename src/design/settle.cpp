@@ -1,6 +1,8 @@
 #include "settle.h"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include "table_size.h"
 
@@ -46,6 +48,20 @@ int usual_number(const Mention& mention, const Brief& brief, const CategoryTable
   return seat && table_there ? seats_at_a_table : usual_few;
 }
 
+// The kind of it that stands on tables: "table lamp", "small plant".
+const Category* small_kind(const Mention& mention, const CategoryTable& table,
+                           const KindNames& names) {
+  const Category* kind = table.find(mention.category);
+  for (int i = 0; kind && i < 4; ++i) {
+    for (const char* prefix : {"table ", "small "})
+      if (const Category* small = names.find(prefix + kind->name);
+          small && small->mount == Mount::surface)
+        return small;
+    kind = kind->parent.empty() ? nullptr : table.find(kind->parent);
+  }
+  return nullptr;
+}
+
 // A lamp on a nightstand is a table lamp, a plant on a desk a small one.
 void stand_on_things(Mention& mention, const Brief& brief, const CategoryTable& table,
                      const KindNames& names) {
@@ -56,24 +72,107 @@ void stand_on_things(Mention& mention, const Brief& brief, const CategoryTable& 
   if (on == mention.demands.end()) return;
   const Mention& carrier = brief.mentions[on->mention];
   if (mention.mount == Mount::surface) return;
+  const bool lies = table.get(carrier.category).traits.flat;
+  if (const Category* small = small_kind(mention, table, names); small && !lies) {
+    become(mention, *small);
+    return;
+  }
   if (mention.mount == Mount::wall || mention.mount == Mount::ceiling) {
     on->kind = RelationKind::above;
     return;
   }
-  const bool lies = table.get(carrier.category).traits.flat;
-  for (const char* prefix : {"table ", "small "})
-    if (const Category* small = names.find(prefix + mention.category); small && !lies) {
-      if (small->mount != Mount::surface) continue;
-      become(mention, *small);
-      return;
-    }
-  if (!lies && std::max(mention.size.x(), mention.size.y()) <= small_side)
+  if (lies) return;
+  if (std::max(mention.size.x(), mention.size.y()) <= small_side)
     mention.mount = Mount::surface;
   else
     on->kind = RelationKind::near;
 }
 
-// Furniture on a rug: the rug comes last and lies under it.
+std::optional<std::size_t> support_of(const Mention& mention) {
+  for (const auto& demand : mention.demands)
+    if (demand.kind == RelationKind::on && demand.mention != Demand::none) return demand.mention;
+  return std::nullopt;
+}
+
+bool is_beside(RelationKind kind) {
+  return kind == RelationKind::near || kind == RelationKind::side_of ||
+         kind == RelationKind::left_of || kind == RelationKind::right_of ||
+         kind == RelationKind::in_front_of || kind == RelationKind::behind;
+}
+
+// What is beside a thing on a table is on that table too, and the other way round.
+bool share_support(Brief& brief, std::size_t a, std::size_t b) {
+  for (const auto& [one, other] : {std::pair{a, b}, std::pair{b, a}}) {
+    const auto support = support_of(brief.mentions[other]);
+    Mention& mention = brief.mentions[one];
+    if (!support || *support == one || support_of(mention) || mention.mount != Mount::surface)
+      continue;
+    mention.demands.insert(mention.demands.begin(), {RelationKind::on, *support, "", false});
+    return true;
+  }
+  return false;
+}
+
+void share_supports(Brief& brief) {
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (std::size_t i = 0; i < brief.mentions.size(); ++i) {
+      const auto demands = brief.mentions[i].demands;
+      for (const auto& demand : demands)
+        if (demand.mention != Demand::none && is_beside(demand.kind))
+          changed = share_support(brief, i, demand.mention) || changed;
+    }
+  }
+}
+
+// A fern beside the books on a table is a small one.
+void shrink_beside_small(Brief& brief, const CategoryTable& table, const KindNames& names) {
+  for (auto& mention : brief.mentions) {
+    if (mention.mount != Mount::floor) continue;
+    for (const auto& demand : mention.demands) {
+      if (demand.mention == Demand::none || !is_beside(demand.kind) ||
+          brief.mentions[demand.mention].mount != Mount::surface)
+        continue;
+      const Category* small = small_kind(mention, table, names);
+      if (small) become(mention, *small);
+      break;
+    }
+  }
+}
+
+// "The table holds a lamp … and a book": small things of which nothing else is said stand where
+// others of their sentence do, the nearest in the text.
+void support_by_sentence(Brief& brief) {
+  auto& mentions = brief.mentions;
+  for (std::size_t i = 0; i < mentions.size(); ++i) {
+    if (mentions[i].mount != Mount::surface || support_of(mentions[i])) continue;
+    std::optional<std::size_t> nearest;
+    for (std::size_t j = 0; j < mentions.size(); ++j) {
+      if (j == i || mentions[j].sentence != mentions[i].sentence || !support_of(mentions[j]) ||
+          *support_of(mentions[j]) == i)
+        continue;
+      const auto distance = [&](std::size_t k) { return k > i ? k - i : i - k; };
+      if (!nearest || distance(j) < distance(*nearest)) nearest = j;
+    }
+    if (nearest)
+      mentions[i].demands.insert(mentions[i].demands.begin(),
+                                 {RelationKind::on, *support_of(mentions[*nearest]), "", false});
+  }
+}
+
+// Two at one table, or two things on it, are opposite each other without being far apart.
+void calm_opposites(Brief& brief, const CategoryTable& table) {
+  const auto small_or_seat = [&](const Mention& mention) {
+    return mention.mount == Mount::surface || table.is_any_of(mention.category, {"chair", "stool"});
+  };
+  for (auto& mention : brief.mentions)
+    std::erase_if(mention.demands, [&](const Demand& demand) {
+      return demand.kind == RelationKind::far && demand.mention != Demand::none &&
+             small_or_seat(mention) && small_or_seat(brief.mentions[demand.mention]);
+    });
+}
+
+// Furniture on a rug whose place is told stands over it; else the rug comes last and lies under it.
 void lay_rugs(Brief& brief, const CategoryTable& table) {
   for (std::size_t i = 0; i < brief.mentions.size(); ++i)
     for (auto& demand : brief.mentions[i].demands) {
@@ -82,6 +181,7 @@ void lay_rugs(Brief& brief, const CategoryTable& table) {
       if (!table.get(rug.category).traits.flat || table.get(brief.mentions[i].category).traits.flat)
         continue;
       if (demand.kind != RelationKind::near && demand.kind != RelationKind::on) continue;
+      if (demand.kind == RelationKind::on && !rug.demands.empty()) continue;
       if (rug.demands.empty()) rug.demands.push_back({RelationKind::under, i, "", false});
       demand = {RelationKind::near, Demand::none, "", false};
     }
@@ -174,15 +274,17 @@ void hang(Mention& mention, Mount where, const CategoryTable& table, const KindN
     become(mention, *hanging);
     return;
   }
-  if (mention.mount == Mount::surface ||
-      (where == Mount::ceiling && table.is_a(mention.category, "lamp")))
-    mention.mount = where;
+  if (mention.mount == Mount::surface || where == Mount::ceiling) mention.mount = where;
 }
 
 void settle(Brief& brief, const CategoryTable& table, const KindNames& names) {
   for (auto& mention : brief.mentions)
     if (mention.quantity == 0) mention.quantity = usual_number(mention, brief, table);
   for (auto& mention : brief.mentions) stand_on_things(mention, brief, table, names);
+  shrink_beside_small(brief, table, names);
+  share_supports(brief);
+  support_by_sentence(brief);
+  calm_opposites(brief, table);
   lay_rugs(brief, table);
   turn_behind(brief, table);
   // What is asked for is not forbidden.

@@ -328,10 +328,19 @@ class Generator {
   // The placed thing of the wanted kind, or else a table or cabinet, with the most free places; if
   // all are full, the one that could carry it, which then says why it does not.
   const Object* find_support(const std::string& wanted, const Object& object) const {
+    const Object* usual = find_support(object, [&](const Object& other) {
+      return other.id == wanted || could_carry(other.category, wanted);
+    });
+    if (usual || !wanted.empty()) return usual;
+    return find_support(object, [](const Object&) { return true; });
+  }
+
+  template <typename Test>
+  const Object* find_support(const Object& object, Test could_carry) const {
     const Object* best = nullptr;
     std::size_t best_room = 0;
     for (const auto& other : layout_.objects()) {
-      if (other.id != wanted && !could_carry(other.category, wanted)) continue;
+      if (!could_carry(other)) continue;
       if (layout_.perches().surfaces(other).empty()) continue;
       const std::size_t room = layout_.free_perches(object, other).size();
       if (!best || room > best_room) best = &other, best_room = room;
