@@ -25,10 +25,11 @@ constexpr double reserve_weight = 2.4;
 constexpr double taken_weight = 1.2;
 constexpr double sliver_weight = 0.15;
 constexpr double gap_weight = 0.6;
-constexpr double asked_gap_weight = 4.0;
+constexpr double asked_gap_weight = 8.0;
 constexpr double hint_weight = 3.0;
 constexpr double crowded_weight = 1.5;
 constexpr double middle_weight = 4.0;
+constexpr double farthest_opposite = 3.5;  ///< metres
 constexpr double comfort_range = 8.0;
 // Another try after a refusal goes at least so far away.
 constexpr double elsewhere = 0.6;
@@ -65,12 +66,17 @@ double gap_degree(const Placed& placed, const ResolvedRelation& relation) {
   return degree;
 }
 
-// The middle of the room is a matter of degree, too.
+// The middle of the room is a matter of degree, and what is opposite is not out of sight.
 double asked_place_degree(const Task& task, const Placed& placed) {
-  const bool middle = std::any_of(task.asked.begin(), task.asked.end(), [](const Relation& relation) {
-    return relation.kind == RelationKind::middle;
-  });
-  return middle ? middle_weight * degree(task.sketch, placed, Liking::center) : 0.0;
+  double score = 0.0;
+  for (const auto& relation : task.asked) {
+    if (relation.kind == RelationKind::middle)
+      score += middle_weight * degree(task.sketch, placed, Liking::center);
+    if (relation.kind != RelationKind::far) continue;
+    for (const auto& target : task.sketch.find(relation.target))
+      score -= std::max(0.0, gap_to(placed, target) - farthest_opposite);
+  }
+  return score;
 }
 
 double comfort(const Task& task, const Placed& placed, const std::vector<Relation>& relations,

@@ -91,6 +91,18 @@ std::optional<std::size_t> Discourse::antecedent() const {
   return best;
 }
 
+std::optional<std::size_t> Discourse::antecedent(RelationKind kind) const {
+  if (!subject_) return antecedent();
+  const Mention& one = mention(*subject_);
+  if (one.mount == Mount::ceiling)
+    if (const auto below = last_carrier()) return below;
+  // On a desk the mouse to the right is to the right of the keyboard.
+  if (one.mount == Mount::surface && kind != RelationKind::on)
+    for (std::size_t i = *subject_; i-- > 0 && mention(i).sentence + 1 >= one.sentence;)
+      if (mention(i).mount == Mount::surface) return i;
+  return antecedent();
+}
+
 void Discourse::list(std::size_t mention, bool continues) {
   if (!continues) group_.clear();
   group_.push_back(mention);
@@ -209,9 +221,11 @@ void Discourse::apply_leading(std::size_t index) {
 }
 
 void Discourse::extend_list(std::size_t index) {
-  for (const auto& what : listed_)
-    if (what.mention != index && !(what.kind == RelationKind::on && !is_small(index)))
-      add(index, what);
+  for (auto what : listed_) {
+    if (what.mention == index || (what.kind == RelationKind::on && !is_small(index))) continue;
+    what.listed = true;
+    add(index, what);
+  }
 }
 
 bool Discourse::is_small(std::size_t index) const {

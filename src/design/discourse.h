@@ -42,6 +42,8 @@ class Discourse {
   void speak_of(std::optional<std::size_t> mention) { subject_ = mention; }
   /// What "it" means: the last floor thing that is not the subject.
   std::optional<std::size_t> antecedent() const;
+  /// What a placement without a target is relative to.
+  std::optional<std::size_t> antecedent(RelationKind kind) const;
 
   /// Things listed together; "are against the wall" is said of all.
   void list(std::size_t mention, bool continues);

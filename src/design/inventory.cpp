@@ -87,14 +87,18 @@ class Completion {
   }
 
   // The prompt's own things of this kind, of a kind in which it is, or of its name: who asks for one
-  // chair wants no armchair besides.
+  // swivel chair wants no armchair besides.
   bool asked(const std::string& category) const {
     return std::any_of(drafts_.begin(), drafts_.end(), [&](const Draft& draft) {
       return draft.item.asked &&
              (table_.is_a(draft.item.category, category) ||
               table_.is_a(category, draft.item.category) ||
-              category.ends_with(brief_.mentions[draft.mention].noun));
+              shares_name(category, brief_.mentions[draft.mention].noun));
     });
+  }
+
+  static bool shares_name(const std::string& category, const std::string& noun) {
+    return category.ends_with(noun) || (noun.ends_with("chair") && category.ends_with("chair"));
   }
 
   bool pointless(const Piece& piece) const {

@@ -145,7 +145,9 @@ class Reader {
   bool read_head() {
     KindMatch head = names_.match(tokens_, at_);
     if (head.length == 0) return false;
-    if (head.length == 1 && (words_.stops.count(token(at_).text) || is_brightness())) return false;
+    if (head.length == 1 &&
+        (words_.stops.count(token(at_).text) || is_brightness() || is_verb(at_)))
+      return false;
     std::size_t start = at_;
     for (bool further = true; further;) {
       further = false;
@@ -172,8 +174,8 @@ class Reader {
   // "a bookshelf displays two vases"
   bool is_verb(std::size_t i) const {
     const auto placement = words_.placements.find(token(i).text);
-    if (placement == words_.placements.end() || !placement->second.inverse || ended(i + 1))
-      return false;
+    const bool places = placement != words_.placements.end() && placement->second.inverse;
+    if ((!places && !words_.verbs.count(token(i).text)) || ended(i + 1)) return false;
     const Token& next = token(i + 1);
     return next.kind == Token::Kind::number || words_.numbers.count(next.text) ||
            words_.definite.count(next.text);

@@ -87,6 +87,17 @@ std::vector<std::vector<Relation>> ways_onto(const CategoryTable& categories,
   return ways;
 }
 
+// The one that is named; when it had no room, others of its kind as well.
+std::vector<Target> carriers(const Sketch& sketch, const std::string& id, bool others) {
+  auto found = sketch.find(id);
+  if (!others || found.empty() || !found.front().object) return found;
+  const std::string category = found.front().object->category;
+  for (const auto& one : sketch.standing())
+    if (one.object->category == category && one.object->id != id)
+      for (auto& target : sketch.find(one.object->id)) found.push_back(std::move(target));
+  return found;
+}
+
 }  // namespace
 
 PlaceAdvice advise_on(const Sketch& sketch, const Object& self, const Arrangement& arrangement,
@@ -103,8 +114,10 @@ PlaceAdvice advise_on(const Sketch& sketch, const Object& self, const Arrangemen
     auto relations = asked;
     for (const auto& habit : habits)
       if (!told || habit.kind != RelationKind::on) relations.push_back(habit);
-    for (const auto& carrier : sketch.find(carrier_wish->target)) {
+    for (const auto& carrier : carriers(sketch, carrier_wish->target, told && refused > 0)) {
       std::optional<Pose> pose;
+      for (auto& relation : relations)
+        if (relation.kind == RelationKind::on) relation.target = carrier.id;
       if (beside_others(relations, carrier.id)) {
         if (skip-- > 0) continue;
         return PlaceAdvice{relations, std::nullopt, std::nullopt, "on " + carrier.id};

@@ -37,6 +37,7 @@ class PromptReader {
                  read_placement() || read_thing()) {
         continue;
       }
+      if (words_.verbs.count(tokens_[at_].text)) talk_.close_list();
       ++at_;
     }
   }
@@ -70,7 +71,8 @@ class PromptReader {
     const bool part = describes_owner(*phrase);
     const auto owner = talk_.subject();
     const bool with = phrase->begin == owner_end_ + 1 && is_word(owner_end_, "with");
-    const bool continues = continues_list(phrase->begin);
+    const bool continues = phrase->begin > 0 && (is_word(phrase->begin - 1, "and") ||
+                                                 tokens_[phrase->begin - 1].kind == Token::Kind::comma);
     const std::size_t before = talk_.count();
     if (!part) talk_.speak_of(refer(*phrase));
     at_ = phrase->end;
@@ -164,14 +166,29 @@ class PromptReader {
       return true;
     }
     // "Next to the bed is a lamp": before any thing of the sentence.
-    const bool leads =
-        at_ == sentence_start_ || (at_ == sentence_start_ + 1 && is_word(sentence_start_, "and"));
+    const bool leads = at_ == sentence_start_ ||
+                       (at_ == sentence_start_ + 1 && is_word(sentence_start_, "and")) ||
+                       is_inverted(after);
     hear_plural();
     const bool read = read_place_target(placement, after, leads) ||
                       read_thing_target(placement, after, leads) ||
                       (placement.adverb && ends_here(after) && read_implied_target(placement, after));
     talk_.speak_of_one();
     return read;
+  }
+
+  // "…, and on the shelf sits a vase": the thing comes after the verb.
+  bool is_inverted(std::size_t after) const {
+    std::size_t end = after;
+    if (const auto place = read_place(tokens_, after, words_))
+      end += place->length;
+    else if (const auto phrase = read_noun_phrase(tokens_, after, words_, names_, false))
+      end = phrase->end;
+    if (end == after || end + 1 >= tokens_.size() || !words_.verbs.count(tokens_[end].text))
+      return false;
+    const Token& next = tokens_[end + 1];
+    return next.kind == Token::Kind::number ||
+           (words_.numbers.count(next.text) > 0 && !words_.definite.count(next.text));
   }
 
   bool ends_here(std::size_t i) const {
@@ -214,7 +231,7 @@ class PromptReader {
 
   // "to its left", "on top": of what was spoken of before.
   bool read_implied_target(const Placement& placement, std::size_t after) {
-    const auto target = talk_.antecedent();
+    const auto target = talk_.antecedent(placement.relations.front());
     if (!talk_.subject() || !target) return false;
     say(placement, *target, false);
     at_ = after;

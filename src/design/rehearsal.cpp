@@ -10,6 +10,7 @@ namespace roomgen::design {
 
 namespace {
 
+constexpr double size_margin = 1.05;
 constexpr double loose_gap = 0.3;  ///< metres beyond what the pair prefers
 
 Object object_of(const PlannedObject& planned, const PlanItem& item, const Category& category) {
@@ -18,6 +19,8 @@ Object object_of(const PlannedObject& planned, const PlanItem& item, const Categ
   object.category = item.category;
   object.traits = category.traits;
   object.size = item.size.value_or(category.size);
+  // Real ones may be a little larger.
+  if (item.asked && item.mount == Mount::floor) object.size.head<2>() *= size_margin;
   object.mount = item.mount;
   return object;
 }

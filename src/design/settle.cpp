@@ -48,18 +48,26 @@ int usual_number(const Mention& mention, const Brief& brief, const CategoryTable
   return seat && table_there ? seats_at_a_table : usual_few;
 }
 
-// The kind of it that stands on tables: "table lamp", "small plant".
-const Category* small_kind(const Mention& mention, const CategoryTable& table,
-                           const KindNames& names) {
+// Makes it what stands on tables: a table lamp, a small plant; a fern stays a fern, as small as small
+// plants are. False if there is no such kind.
+bool become_small(Mention& mention, const CategoryTable& table, const KindNames& names) {
   const Category* kind = table.find(mention.category);
   for (int i = 0; kind && i < 4; ++i) {
-    for (const char* prefix : {"table ", "small "})
-      if (const Category* small = names.find(prefix + kind->name);
-          small && small->mount == Mount::surface)
-        return small;
+    for (const char* prefix : {"table ", "small "}) {
+      const Category* small = names.find(prefix + kind->name);
+      if (!small || small->mount != Mount::surface) continue;
+      if (i == 0) {
+        become(mention, *small);
+      } else {
+        mention.mount = Mount::surface;
+        mention.size *= std::min(1.0, (small->size.array() / mention.size.array()).minCoeff());
+        mention.sized = true;
+      }
+      return true;
+    }
     kind = kind->parent.empty() ? nullptr : table.find(kind->parent);
   }
-  return nullptr;
+  return false;
 }
 
 // A lamp on a nightstand is a table lamp, a plant on a desk a small one.
@@ -73,10 +81,7 @@ void stand_on_things(Mention& mention, const Brief& brief, const CategoryTable& 
   const Mention& carrier = brief.mentions[on->mention];
   if (mention.mount == Mount::surface) return;
   const bool lies = table.get(carrier.category).traits.flat;
-  if (const Category* small = small_kind(mention, table, names); small && !lies) {
-    become(mention, *small);
-    return;
-  }
+  if (!lies && become_small(mention, table, names)) return;
   if (mention.mount == Mount::wall || mention.mount == Mount::ceiling) {
     on->kind = RelationKind::above;
     return;
@@ -86,6 +91,24 @@ void stand_on_things(Mention& mention, const Brief& brief, const CategoryTable& 
     mention.mount = Mount::surface;
   else
     on->kind = RelationKind::near;
+}
+
+// What was only heard from a list gives way to what is said of the thing itself.
+void drop_listed_supports(Mention& mention) {
+  const auto is_support = [](const Demand& demand) {
+    return demand.kind == RelationKind::on && demand.mention != Demand::none;
+  };
+  const bool told = std::any_of(
+      mention.demands.begin(), mention.demands.end(),
+      [&](const Demand& demand) { return is_support(demand) && !demand.listed; });
+  if (told)
+    std::erase_if(mention.demands,
+                  [&](const Demand& demand) { return is_support(demand) && demand.listed; });
+}
+
+// Wider both ways than what shall carry it?
+bool is_too_large(const Mention& mention, const Mention& carrier) {
+  return mention.size.head<2>().minCoeff() > carrier.size.head<2>().minCoeff();
 }
 
 std::optional<std::size_t> support_of(const Mention& mention) {
@@ -133,8 +156,7 @@ void shrink_beside_small(Brief& brief, const CategoryTable& table, const KindNam
       if (demand.mention == Demand::none || !is_beside(demand.kind) ||
           brief.mentions[demand.mention].mount != Mount::surface)
         continue;
-      const Category* small = small_kind(mention, table, names);
-      if (small) become(mention, *small);
+      become_small(mention, table, names);
       break;
     }
   }
@@ -149,7 +171,8 @@ void support_by_sentence(Brief& brief) {
     std::optional<std::size_t> nearest;
     for (std::size_t j = 0; j < mentions.size(); ++j) {
       if (j == i || mentions[j].sentence != mentions[i].sentence || !support_of(mentions[j]) ||
-          *support_of(mentions[j]) == i)
+          *support_of(mentions[j]) == i ||
+          is_too_large(mentions[i], mentions[*support_of(mentions[j])]))
         continue;
       const auto distance = [&](std::size_t k) { return k > i ? k - i : i - k; };
       if (!nearest || distance(j) < distance(*nearest)) nearest = j;
@@ -268,18 +291,19 @@ void shape(Mention& mention, const NounPhrase& phrase, const Vocabulary& words,
 
 void hang(Mention& mention, Mount where, const CategoryTable& table, const KindNames& names) {
   if (mention.mount == where) return;
-  const std::string prefix = where == Mount::wall ? "wall " : "ceiling ";
-  if (const Category* hanging = names.find(prefix + mention.category);
-      hanging && hanging->mount == where) {
-    become(mention, *hanging);
-    return;
-  }
+  for (const char* prefix : {where == Mount::wall ? "wall " : "ceiling ", "hanging "})
+    if (const Category* hanging = names.find(prefix + mention.category);
+        hanging && hanging->mount == where) {
+      become(mention, *hanging);
+      return;
+    }
   if (mention.mount == Mount::surface || where == Mount::ceiling) mention.mount = where;
 }
 
 void settle(Brief& brief, const CategoryTable& table, const KindNames& names) {
   for (auto& mention : brief.mentions)
     if (mention.quantity == 0) mention.quantity = usual_number(mention, brief, table);
+  for (auto& mention : brief.mentions) drop_listed_supports(mention);
   for (auto& mention : brief.mentions) stand_on_things(mention, brief, table, names);
   shrink_beside_small(brief, table, names);
   share_supports(brief);

@@ -27,6 +27,9 @@ constexpr std::size_t most_free_parts = 6;
 // A yaw this far from the suggested one still follows it.
 constexpr double facing_tolerance = pi / 12;
 
+// The share by which a mesh is stretched or squeezed at most.
+constexpr double most_stretch = 0.12;
+
 using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) {
@@ -277,6 +280,18 @@ class Generator {
     return item.asked ? static_cast<int>(end - relations.begin()) : 0;
   }
 
+  // Width and depth of furniture come as near to what was planned as a mesh can be stretched without
+  // showing it.
+  static Vec3 fitted_size(const AssetInfo& asset, const PlanItem& item, const Category& category) {
+    Vec3 size = asset.size;
+    if (item.mount != Mount::floor || asset.ref.procedural) return size;
+    const Vec3 wanted = item.size.value_or(category.size);
+    Vec2 factor = wanted.head<2>().cwiseQuotient(size.head<2>());
+    if (asset.round) factor.setConstant(factor.mean());
+    size.head<2>().array() *= factor.array().max(1.0 - most_stretch).min(1.0 + most_stretch);
+    return size;
+  }
+
   // The object as the asset makes it, with its mounting height.
   Result<PlacementTask> prepare(const PlannedObject& planned, const AssetInfo& asset) {
     const PlanItem& item = plan_.items[planned.item];
@@ -293,7 +308,7 @@ class Generator {
     object.traits = category.traits;
     object.traits.front = category.traits.front && asset.has_front;
     object.traits.round = asset.round;
-    object.size = asset.size;
+    object.size = fitted_size(asset, item, category);
     object.mount = item.mount;
     object.relations = item.relations;
     task.location = item.location;
@@ -307,7 +322,7 @@ class Generator {
     const double room_left = plan_.room.height - object.size.z();
     if (object.mount == Mount::ceiling) object.position.z() = room_left;
     if (object.mount == Mount::wall) {
-      const double usual = asset.elevation > 0 ? asset.elevation : category.elevation;
+      const double usual = category.elevation > 0 ? category.elevation : asset.elevation;
       object.position.z() = std::clamp(usual, 0.0, std::max(0.0, room_left - 0.05));
     }
   }
