@@ -29,6 +29,7 @@ constexpr double asked_gap_weight = 8.0;
 constexpr double hint_weight = 3.0;
 constexpr double crowded_weight = 1.5;
 constexpr double middle_weight = 4.0;
+constexpr double askew_weight = 8.0;  ///< a radian
 constexpr double farthest_opposite = 3.5;  ///< metres
 constexpr double comfort_range = 8.0;
 // Another try after a refusal goes at least so far away.
@@ -66,15 +67,25 @@ double gap_degree(const Placed& placed, const ResolvedRelation& relation) {
   return degree;
 }
 
+// Between its front and the middle of the target, radians.
+double angle_to(const Placed& placed, const Target& target) {
+  const Vec2 towards = target.footprint.center() - placed.pose.position;
+  return towards.norm() < 1e-9 ? 0.0
+                               : std::abs(wrap_angle(yaw_facing(towards) - placed.pose.yaw));
+}
+
 // The middle of the room is a matter of degree, and what is opposite is not out of sight.
 double asked_place_degree(const Task& task, const Placed& placed) {
   double score = 0.0;
   for (const auto& relation : task.asked) {
     if (relation.kind == RelationKind::middle)
       score += middle_weight * degree(task.sketch, placed, Liking::center);
-    if (relation.kind != RelationKind::far) continue;
-    for (const auto& target : task.sketch.find(relation.target))
-      score -= std::max(0.0, gap_to(placed, target) - farthest_opposite);
+    for (const auto& target : task.sketch.find(relation.target)) {
+      if (relation.kind == RelationKind::far)
+        score -= std::max(0.0, gap_to(placed, target) - farthest_opposite);
+      if (relation.kind == RelationKind::face_to)
+        score -= askew_weight * angle_to(placed, target);
+    }
   }
   return score;
 }

@@ -164,6 +164,8 @@ void Discourse::locate(const Placement& placement, const PlacePhrase& place, boo
       mount(Mount::ceiling, leads);
       return;
     case Place::room:
+      if (placement.centered) demand({RelationKind::middle, Demand::none, "", false}, leads);
+      return;
     case Place::floor:
       return;
   }

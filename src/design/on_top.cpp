@@ -87,14 +87,23 @@ std::vector<std::vector<Relation>> ways_onto(const CategoryTable& categories,
   return ways;
 }
 
-// The one that is named; when it had no room, others of its kind as well.
-std::vector<Target> carriers(const Sketch& sketch, const std::string& id, bool others) {
+// Flat enough to be stacked on its like: towels, books, plates.
+constexpr double stackable_height = 0.15;
+
+// The one that is named; when it had no room, its like that lie there already, and others of its kind.
+std::vector<Target> carriers(const Sketch& sketch, const Object& self, const std::string& id,
+                             bool others) {
   auto found = sketch.find(id);
   if (!others || found.empty() || !found.front().object) return found;
   const std::string category = found.front().object->category;
-  for (const auto& one : sketch.standing())
-    if (one.object->category == category && one.object->id != id)
-      for (auto& target : sketch.find(one.object->id)) found.push_back(std::move(target));
+  const auto add = [&](const Object& object) {
+    for (auto& target : sketch.find(object.id)) found.push_back(std::move(target));
+  };
+  for (const auto& object : sketch.objects())
+    if (object.on == id && object.category == self.category && object.size.z() <= stackable_height)
+      add(object);
+  for (const auto& object : sketch.objects())
+    if (object.category == category && object.id != id) add(object);
   return found;
 }
 
@@ -114,7 +123,7 @@ PlaceAdvice advise_on(const Sketch& sketch, const Object& self, const Arrangemen
     auto relations = asked;
     for (const auto& habit : habits)
       if (!told || habit.kind != RelationKind::on) relations.push_back(habit);
-    for (const auto& carrier : carriers(sketch, carrier_wish->target, told && refused > 0)) {
+    for (const auto& carrier : carriers(sketch, self, carrier_wish->target, told && refused > 0)) {
       std::optional<Pose> pose;
       for (auto& relation : relations)
         if (relation.kind == RelationKind::on) relation.target = carrier.id;

@@ -184,7 +184,9 @@ class PromptReader {
       end += place->length;
     else if (const auto phrase = read_noun_phrase(tokens_, after, words_, names_, false))
       end = phrase->end;
-    if (end == after || end + 1 >= tokens_.size() || !words_.verbs.count(tokens_[end].text))
+    static const WordSet postures = {"is",   "are",   "sit",  "sits", "stand", "stands",
+                                     "rest", "rests", "lie",  "lies", "hang",  "hangs"};
+    if (end == after || end + 1 >= tokens_.size() || !postures.count(tokens_[end].text))
       return false;
     const Token& next = tokens_[end + 1];
     return next.kind == Token::Kind::number ||

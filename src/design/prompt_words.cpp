@@ -43,6 +43,10 @@ Placement read_placement(const JsonReader& json) {
       placement.adverb = true;
       continue;
     }
+    if (word == "middle") {
+      placement.centered = true;
+      continue;
+    }
     if (word == "each") {
       placement.mutual = true;
       continue;

@@ -18,6 +18,8 @@ constexpr double degree_gain = 1e-6;
 constexpr double eject_pitch = 0.3;
 // Rounds without gain before a new start.
 constexpr int patience = 12;
+// Rounds for one object before its wishes are given up.
+constexpr int most_vain_tries = 4;
 
 int constraints_of(const PlacementTask& task) {
   return static_cast<int>(task.object.relations.size());
@@ -69,6 +71,7 @@ class Search {
     for (; round < options_.rounds && !options_.cancel.cancelled(); ++round) {
       if (best.quality.placed == static_cast<int>(tasks_.size()) && best.quality.held == wanted)
         break;
+      if (has_wishes_ && is_hopeless()) break;
       const bool start_anew = barren >= patience;
       // For a wish any number of habits may go.
       lost_allowed_ =
@@ -82,6 +85,7 @@ class Search {
       const LayoutQuality now = quality(layout_, tasks_);
       const bool gained = !current.quality.as_good_as(now);
       barren = start_anew || gained ? 0 : barren + 1;
+      if (!gained && !start_anew) ++vain_tries_[chosen_];
       // Sideways steps lead out of dead ends, and so does a new start, however it ends.
       if (start_anew || now.as_good_as(current.quality))
         current = state();
@@ -138,9 +142,25 @@ class Search {
     return held_by(layout_, wishful) < static_cast<int>(wishful.relations.size());
   }
 
+  // Worth another try: some wishes contradict each other.
+  bool may_gain_wishes(const PlacementTask& task) const {
+    return !is_given_up(task.object.id) && lacks_wishes(task);
+  }
+
+  bool is_given_up(const std::string& id) const {
+    const auto tries = vain_tries_.find(id);
+    return tries != vain_tries_.end() && tries->second >= most_vain_tries;
+  }
+
   bool wishes_fulfilled() const {
     return std::none_of(tasks_.begin(), tasks_.end(),
-                        [this](const PlacementTask& task) { return lacks_wishes(task); });
+                        [this](const PlacementTask& task) { return may_gain_wishes(task); });
+  }
+
+  bool is_hopeless() const {
+    return std::all_of(tasks_.begin(), tasks_.end(), [this](const PlacementTask& task) {
+      return !is_troubled(task) || is_given_up(task.object.id);
+    });
   }
 
   bool is_fixed(const std::string& id) const {
@@ -188,10 +208,12 @@ class Search {
 
   // Those whose wishes are not fulfilled come first, mostly.
   const PlacementTask& choose_troubled() {
-    auto troubled = movable_that([this](const auto& task) { return lacks_wishes(task); });
+    auto troubled = movable_that([this](const auto& task) { return may_gain_wishes(task); });
     if (troubled.empty() || !random_.chance(0.7))
       troubled = movable_that([this](const auto& task) { return is_troubled(task); });
-    return troubled.empty() ? random_.pick(tasks_) : *random_.pick(troubled);
+    const PlacementTask& chosen = troubled.empty() ? random_.pick(tasks_) : *random_.pick(troubled);
+    chosen_ = chosen.object.id;
+    return chosen;
   }
 
   // Gives a troubled object a pose where all its constraints hold, whoever stands there: those are
@@ -317,6 +339,11 @@ class Search {
   std::map<std::string, std::string>& reasons_;
   const ImproveOptions& options_;
   Random& random_;
+  bool has_wishes_ = std::any_of(tasks_.begin(), tasks_.end(), [](const PlacementTask& task) {
+    return task.asked || task.wishes > 0;
+  });
+  std::string chosen_;                     ///< the troubled object of this round
+  std::map<std::string, int> vain_tries_;  ///< rounds that gained nothing, by object
   int lost_allowed_ = 0;  ///< a round that loses more constraints is given up
 };
 
