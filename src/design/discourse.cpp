@@ -30,7 +30,9 @@ std::string Discourse::category_name(const KindMatch& kind) const {
 std::optional<std::size_t> Discourse::same_noun(const NounPhrase& phrase) const {
   const std::string& noun = phrase.kind.length > 0 ? phrase.kind.name : phrase.noun;
   for (std::size_t i = count(); i-- > 0;)
-    if (mention(i).description == noun || mention(i).description.ends_with(" " + noun)) return i;
+    if (mention(i).noun == noun) return i;
+  for (std::size_t i = count(); i-- > 0;)
+    if (mention(i).description.ends_with(" " + noun)) return i;
   return std::nullopt;
 }
 
@@ -80,7 +82,7 @@ Mention Discourse::new_mention(const NounPhrase& phrase) const {
   }
   if (!phrase.contents.empty()) description.push_back(phrase.contents);
   mention.description = join(description, " ");
-  shape(mention, phrase, lexicon_.words, lexicon_.table, lexicon_.names);
+  shape(mention, phrase, lexicon_.words, lexicon_.names);
   return mention;
 }
 
@@ -91,11 +93,17 @@ std::optional<std::size_t> Discourse::antecedent() const {
   return best;
 }
 
+std::optional<std::size_t> Discourse::last_on_floor() const {
+  for (std::size_t i = count(); i-- > 0;)
+    if (mention(i).mount == Mount::floor) return i;
+  return std::nullopt;
+}
+
 std::optional<std::size_t> Discourse::antecedent(RelationKind kind) const {
   if (!subject_) return antecedent();
   const Mention& one = mention(*subject_);
-  if (one.mount == Mount::ceiling)
-    if (const auto below = last_carrier()) return below;
+  if (one.mount == Mount::ceiling || kind == RelationKind::above || kind == RelationKind::under)
+    if (const auto carrier = last_carrier()) return carrier;
   // On a desk the mouse to the right is to the right of the keyboard.
   if (one.mount == Mount::surface && kind != RelationKind::on)
     for (std::size_t i = *subject_; i-- > 0 && mention(i).sentence + 1 >= one.sentence;)
@@ -204,11 +212,11 @@ void Discourse::mount(Mount where, bool leads) {
     return;
   }
   for (std::size_t subject : subjects())
-    hang(brief_.mentions[subject], where, lexicon_.table, lexicon_.names);
+    hang(brief_.mentions[subject], where, lexicon_.names);
 }
 
 void Discourse::apply_leading(std::size_t index) {
-  if (leading_mount_) hang(brief_.mentions[index], *leading_mount_, lexicon_.table, lexicon_.names);
+  if (leading_mount_) hang(brief_.mentions[index], *leading_mount_, lexicon_.names);
   leading_mount_.reset();
   bool used = false;
   for (const auto& what : leading_) {
@@ -237,24 +245,45 @@ bool Discourse::is_small(std::size_t index) const {
           !lexicon_.table.is_any_of(one.category, {"seat", "table", "storage"}));
 }
 
+std::optional<std::size_t> Discourse::holder() const {
+  if (!subject_ || !with_owner_) return subject_;
+  const Mention& one = mention(*subject_);
+  const bool unable = one.quantity != 1 || one.mount == Mount::surface ||
+                      lexicon_.table.is_a(one.category, "seat");
+  return unable ? with_owner_ : subject_;
+}
+
 void Discourse::relate_listed(const Placement& placement) {
   if (group_.size() < 2) return;
   for (auto kind : placement.relations)
     add(group_.back(), {kind, group_[group_.size() - 2], "", false});
 }
 
-std::optional<std::size_t> Discourse::last_carrier() const {
-  for (std::size_t i = count(); i-- > 0;)
-    if (mention(i).mount == Mount::floor &&
-        lexicon_.table.is_any_of(mention(i).category, {"table", "storage", "kitchen unit", "washbasin"}))
-      return i;
-  return std::nullopt;
+std::optional<std::size_t> Discourse::last_carrier(std::string_view top) const {
+  const auto find = [&](auto test) -> std::optional<std::size_t> {
+    for (std::size_t i = count(); i-- > 0;)
+      if (mention(i).mount == Mount::floor && test(mention(i))) return i;
+    return std::nullopt;
+  };
+  const bool table = top.starts_with("table"), desk = top.starts_with("desk");
+  if (table)
+    if (const auto found = find([](const Mention& one) { return one.noun == "table"; })) return found;
+  if (table || desk)
+    if (const auto found = find([&](const Mention& one) {
+          return lexicon_.table.is_a(one.category, table ? "table" : "desk");
+        }))
+      return found;
+  return find([&](const Mention& one) {
+    return one.mount == Mount::floor &&
+           lexicon_.table.is_any_of(one.category, {"table", "storage", "kitchen unit", "washbasin"});
+  });
 }
 
 void Discourse::end_sentence() {
   leading_.clear();
   leading_mount_.reset();
   listed_.clear();
+  with_owner_.reset();
   ++sentence_;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "brief.h"
@@ -42,6 +43,7 @@ class Discourse {
   void speak_of(std::optional<std::size_t> mention) { subject_ = mention; }
   /// What "it" means: the last floor thing that is not the subject.
   std::optional<std::size_t> antecedent() const;
+  std::optional<std::size_t> last_on_floor() const;
   /// What a placement without a target is relative to.
   std::optional<std::size_t> antecedent(RelationKind kind) const;
 
@@ -65,8 +67,11 @@ class Discourse {
   void close_list() { listed_.clear(); }
   /// "a desk and a shelf side by side"
   void relate_listed(const Placement& placement);
-  /// Of what was spoken of last has a top that things stand on.
-  std::optional<std::size_t> last_carrier() const;
+  /// What was spoken of last of what things stand on; "tabletop" is a table's.
+  std::optional<std::size_t> last_carrier(std::string_view top = "") const;
+  /// "a table with four stools holds": who holds.
+  void join_with(std::size_t owner) { with_owner_ = owner; }
+  std::optional<std::size_t> holder() const;
   void end_sentence();
 
  private:
@@ -86,6 +91,7 @@ class Discourse {
   std::vector<Demand> leading_;
   std::vector<Demand> listed_;
   int sentence_ = 0;
+  std::optional<std::size_t> with_owner_;
   std::optional<Mount> leading_mount_;
 };
 

@@ -79,8 +79,10 @@ class PromptReader {
     owner_end_ = at_;
     if (part || !talk_.subject()) return true;
     if (clause_begins()) talk_.close_list();
-    if (with && owner && owner != talk_.subject())
+    if (with && owner && owner != talk_.subject() && talk_.mention(*owner).mount == Mount::floor) {
       talk_.open_list({{RelationKind::on, *owner, "", false}});
+      talk_.join_with(*owner);
+    }
     if (talk_.count() > before && (with || continues)) talk_.extend_list(*talk_.subject());
     talk_.apply_leading(*talk_.subject());
     return true;
@@ -195,7 +197,7 @@ class PromptReader {
 
   bool ends_here(std::size_t i) const {
     return i >= tokens_.size() || tokens_[i].kind != Token::Kind::word || is_word(i, "and") ||
-           is_word(i, "with") || is_word(i, "while");
+           is_word(i, "with") || is_word(i, "while") || words_.verbs.count(tokens_[i].text) > 0;
   }
 
   // "… are", "… both sit": of all that were listed.
@@ -209,6 +211,11 @@ class PromptReader {
     const auto place = read_place(tokens_, after, words_);
     if (!place || names_thing(after, after + place->length)) return false;
     const std::size_t end = after + place->length;
+    // "at its center": of the table that holds it.
+    if (place->place == Place::middle && is_word(after, "its")) {
+      at_ = end;
+      return true;
+    }
     // "the middle of the table" is on the table.
     if (place->place == Place::middle && is_word(end, "of")) {
       Placement on;
@@ -233,9 +240,13 @@ class PromptReader {
 
   // "to its left", "on top": of what was spoken of before.
   bool read_implied_target(const Placement& placement, std::size_t after) {
-    const auto target = talk_.antecedent(placement.relations.front());
-    if (!talk_.subject() || !target) return false;
-    say(placement, *target, false);
+    // "Across the room, a wardrobe …"
+    const bool leads = at_ == sentence_start_;
+    const auto target =
+        leads ? talk_.last_on_floor() : talk_.antecedent(placement.relations.front());
+    if ((!talk_.subject() && !leads) || !target) return false;
+    say(placement, *target, leads);
+    if (leads) talk_.speak_of(std::nullopt);
     at_ = after;
     return true;
   }
@@ -303,14 +314,15 @@ class PromptReader {
     if (i >= tokens_.size() || !words_.tops.count(tokens_[i].text) || is_word(i + 1, "of"))
       return std::nullopt;
     if (is_word(i + 1, "shelf")) ++i;
-    const auto carrier = talk_.last_carrier();
+    const auto carrier = talk_.last_carrier(tokens_[i].text);
     if (carrier) end = i + 1;
     return carrier;
   }
 
   // "flanked by two lamps", "surrounded by chairs": the subject is the target.
   bool read_inverse(const Placement& placement, std::size_t after) {
-    const auto target = talk_.subject();
+    const bool holds = placement.relations.front() == RelationKind::on;
+    const auto target = holds ? talk_.holder() : talk_.subject();
     if (!target) return false;
     const auto phrase = read_noun_phrase(tokens_, after, words_, names_, true);
     if (!phrase) return false;

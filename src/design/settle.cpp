@@ -70,6 +70,13 @@ bool become_small(Mention& mention, const CategoryTable& table, const KindNames&
   return false;
 }
 
+// A model railway on a large table.
+bool stands_easily_on(const Mention& mention, const Mention& carrier, const CategoryTable& table) {
+  return mention.size.x() < 0.95 * carrier.size.x() && mention.size.y() < 0.95 * carrier.size.y() &&
+         mention.size.z() <= small_side &&
+         !table.is_any_of(mention.category, {"seat", "table", "storage", "bed"});
+}
+
 // A lamp on a nightstand is a table lamp, a plant on a desk a small one.
 void stand_on_things(Mention& mention, const Brief& brief, const CategoryTable& table,
                      const KindNames& names) {
@@ -87,10 +94,17 @@ void stand_on_things(Mention& mention, const Brief& brief, const CategoryTable& 
     return;
   }
   if (lies) return;
-  if (std::max(mention.size.x(), mention.size.y()) <= small_side)
+  if (std::max(mention.size.x(), mention.size.y()) <= small_side ||
+      stands_easily_on(mention, carrier, table))
     mention.mount = Mount::surface;
   else
     on->kind = RelationKind::near;
+}
+
+bool is_beside(RelationKind kind) {
+  return kind == RelationKind::near || kind == RelationKind::side_of ||
+         kind == RelationKind::left_of || kind == RelationKind::right_of ||
+         kind == RelationKind::in_front_of || kind == RelationKind::behind;
 }
 
 // What was only heard from a list gives way to what is said of the thing itself.
@@ -101,9 +115,23 @@ void drop_listed_supports(Mention& mention) {
   const bool told = std::any_of(
       mention.demands.begin(), mention.demands.end(),
       [&](const Demand& demand) { return is_support(demand) && !demand.listed; });
-  if (told)
-    std::erase_if(mention.demands,
-                  [&](const Demand& demand) { return is_support(demand) && demand.listed; });
+  const auto is_beside_it = [&](const Demand& support) {
+    return std::any_of(mention.demands.begin(), mention.demands.end(), [&](const Demand& demand) {
+      return demand.mention == support.mention && is_beside(demand.kind);
+    });
+  };
+  std::erase_if(mention.demands, [&](const Demand& demand) {
+    return is_support(demand) && demand.listed && (told || is_beside_it(demand));
+  });
+}
+
+// A shelf above a desk hangs on the wall.
+void hang_what_is_above(Mention& mention, const CategoryTable& table, const KindNames& names) {
+  if (mention.mount == Mount::floor &&
+      std::any_of(mention.demands.begin(), mention.demands.end(), [](const Demand& demand) {
+        return demand.kind == RelationKind::above && demand.mention != Demand::none;
+      }))
+    hang(mention, Mount::wall, names);
 }
 
 // Wider both ways than what shall carry it?
@@ -115,12 +143,6 @@ std::optional<std::size_t> support_of(const Mention& mention) {
   for (const auto& demand : mention.demands)
     if (demand.kind == RelationKind::on && demand.mention != Demand::none) return demand.mention;
   return std::nullopt;
-}
-
-bool is_beside(RelationKind kind) {
-  return kind == RelationKind::near || kind == RelationKind::side_of ||
-         kind == RelationKind::left_of || kind == RelationKind::right_of ||
-         kind == RelationKind::in_front_of || kind == RelationKind::behind;
 }
 
 // What is beside a thing on a table is on that table too, and the other way round.
@@ -286,10 +308,10 @@ void shape(Mention& mention, const NounPhrase& phrase, const Vocabulary& words,
            phrase.modifiers.end();
   };
   mention.varied = said("different") || said("mismatched") || said("various") || said("assorted");
-  if (said("mounted") || said("wall")) hang(mention, Mount::wall, table, names);
+  if (said("mounted") || said("wall")) hang(mention, Mount::wall, names);
 }
 
-void hang(Mention& mention, Mount where, const CategoryTable& table, const KindNames& names) {
+void hang(Mention& mention, Mount where, const KindNames& names) {
   if (mention.mount == where) return;
   for (const char* prefix : {where == Mount::wall ? "wall " : "ceiling ", "hanging "})
     if (const Category* hanging = names.find(prefix + mention.category);
@@ -304,6 +326,7 @@ void settle(Brief& brief, const CategoryTable& table, const KindNames& names) {
   for (auto& mention : brief.mentions)
     if (mention.quantity == 0) mention.quantity = usual_number(mention, brief, table);
   for (auto& mention : brief.mentions) drop_listed_supports(mention);
+  for (auto& mention : brief.mentions) hang_what_is_above(mention, table, names);
   for (auto& mention : brief.mentions) stand_on_things(mention, brief, table, names);
   shrink_beside_small(brief, table, names);
   share_supports(brief);
