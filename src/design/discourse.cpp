@@ -82,7 +82,7 @@ Mention Discourse::new_mention(const NounPhrase& phrase) const {
   }
   if (!phrase.contents.empty()) description.push_back(phrase.contents);
   mention.description = join(description, " ");
-  shape(mention, phrase, lexicon_.words, lexicon_.names);
+  shape(mention, phrase, lexicon_.words, lexicon_.table, lexicon_.names);
   return mention;
 }
 

@@ -126,7 +126,7 @@ void drop_listed_supports(Mention& mention) {
 }
 
 // A shelf above a desk hangs on the wall.
-void hang_what_is_above(Mention& mention, const CategoryTable& table, const KindNames& names) {
+void hang_what_is_above(Mention& mention, const KindNames& names) {
   if (mention.mount == Mount::floor &&
       std::any_of(mention.demands.begin(), mention.demands.end(), [](const Demand& demand) {
         return demand.kind == RelationKind::above && demand.mention != Demand::none;
@@ -326,7 +326,7 @@ void settle(Brief& brief, const CategoryTable& table, const KindNames& names) {
   for (auto& mention : brief.mentions)
     if (mention.quantity == 0) mention.quantity = usual_number(mention, brief, table);
   for (auto& mention : brief.mentions) drop_listed_supports(mention);
-  for (auto& mention : brief.mentions) hang_what_is_above(mention, table, names);
+  for (auto& mention : brief.mentions) hang_what_is_above(mention, names);
   for (auto& mention : brief.mentions) stand_on_things(mention, brief, table, names);
   shrink_beside_small(brief, table, names);
   share_supports(brief);
