@@ -9,12 +9,12 @@
 
 #include "asset_source.h"
 #include "classify.h"
-#include "colors.h"
 #include "import_mesh.h"
 #include "index_file.h"
 #include "roomgen/base/resource.h"
 #include "roomgen/base/sha256.h"
 #include "roomgen/base/text.h"
+#include "roomgen/library/shown_colors.h"
 
 namespace roomgen::assets {
 

@@ -1,24 +1,15 @@
-#include "colors.h"
+#include "roomgen/library/shown_colors.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <map>
 
-namespace roomgen::assets {
+namespace roomgen {
 
 namespace {
 
 constexpr double least_share = 0.2;
-
-double area(const Mesh& mesh) {
-  double sum = 0.0;
-  for (const auto& t : mesh.triangles)
-    sum += 0.5 * (mesh.positions[t[1]] - mesh.positions[t[0]])
-                     .cross(mesh.positions[t[2]] - mesh.positions[t[0]])
-                     .norm();
-  return sum;
-}
 
 // Mean of the visible pixels, sRGB.
 std::array<float, 3> mean_color(const Image& image) {
@@ -58,6 +49,15 @@ std::string hue_name(float hue, float saturation, float value) {
 
 }  // namespace
 
+double surface_area(const Mesh& mesh) {
+  double sum = 0.0;
+  for (const auto& t : mesh.triangles)
+    sum += 0.5 * (mesh.positions[t[1]] - mesh.positions[t[0]])
+                     .cross(mesh.positions[t[2]] - mesh.positions[t[0]])
+                     .norm();
+  return sum;
+}
+
 std::string color_name(float red, float green, float blue) {
   const float high = std::max({red, green, blue}), low = std::min({red, green, blue});
   const float value = high / 255.0f, spread = high - low;
@@ -75,22 +75,39 @@ std::string color_name(float red, float green, float blue) {
   return hue_name(hue, saturation, value);
 }
 
-std::vector<std::string> main_colors(const Model& model) {
-  std::map<std::string, double> areas;
+std::vector<ShownColor> shown_colors(const Model& model) {
+  std::map<std::string, ShownColor> by_name;
   double whole = 0.0;
   for (const auto& part : model.parts) {
     const auto color = shown_color(model.materials[static_cast<std::size_t>(part.material)]);
-    const double share = area(part.mesh);
-    areas[color_name(color[0], color[1], color[2])] += share;
-    whole += share;
+    const double covered = surface_area(part.mesh);
+    ShownColor& sum = by_name[color_name(color[0], color[1], color[2])];
+    sum.share += covered;
+    for (std::size_t c = 0; c < 3; ++c) sum.mean[c] += static_cast<float>(covered) * color[c];
+    whole += covered;
   }
-  std::vector<std::pair<double, std::string>> order;
-  for (const auto& [name, share] : areas)
-    if (share >= least_share * whole) order.emplace_back(-share, name);
-  std::sort(order.begin(), order.end());
+  std::vector<ShownColor> colors;
+  for (auto& [name, sum] : by_name) {
+    if (sum.share <= 0.0) continue;
+    sum.name = name;
+    for (auto& component : sum.mean) component /= static_cast<float>(sum.share);
+    sum.share /= whole;
+    colors.push_back(std::move(sum));
+  }
+  std::stable_sort(colors.begin(), colors.end(),
+                   [](const auto& a, const auto& b) { return a.share > b.share; });
+  return colors;
+}
+
+double lightness(const std::array<float, 3>& srgb) {
+  return (0.299 * srgb[0] + 0.587 * srgb[1] + 0.114 * srgb[2]) / 255.0;
+}
+
+std::vector<std::string> main_colors(const Model& model) {
   std::vector<std::string> names;
-  for (auto& [share, name] : order) names.push_back(std::move(name));
+  for (const auto& color : shown_colors(model))
+    if (color.share >= least_share) names.push_back(color.name);
   return names;
 }
 
-}  // namespace roomgen::assets
+}  // namespace roomgen
