@@ -13,7 +13,6 @@ namespace {
 constexpr double shown_share = 0.3;     // of a colour that a thing has in a viewer's eyes
 constexpr double material_share = 0.2;  // of a colour that fits the material
 constexpr double counted_share = 0.08;  // of each colour of something colourful
-constexpr std::size_t longest_phrase = 4;
 constexpr int least_rank = 2;           // of KindNames: it, a kind of it, or it by all but words of manner
 
 AttributeVerdict yes(std::string reason) { return {true, true, std::move(reason)}; }
@@ -92,7 +91,16 @@ class Judge {
           family && material(meaning.family, *family).held)
         return yes("of " + meaning.family + " and of its colour");
     if (!names_it(looks_.told)) return no("nothing says that it is of " + text);
-    return agrees ? yes("made so, and of its colour") : no("made so, but " + shown_text(looks_));
+    return agrees || is_painted() ? yes("made so, and of its colour") : no("made so, but " + shown_text(looks_));
+  }
+
+  // A colour that the maker was told beside the material, and that shows.
+  bool is_painted() const {
+    return std::any_of(looks_.told.begin(), looks_.told.end(), [&](const std::string& word) {
+      const AttributeMeaning* meaning = table_.find(word);
+      return meaning && meaning->materials.empty() && !meaning->colors.empty() &&
+             shows(*meaning, shown_share);
+    });
   }
 
   AttributeVerdict measured(const AttributeMeaning& meaning) const {
@@ -149,23 +157,12 @@ class Judge {
   const AttributeWords& table_;
 };
 
-// The attribute in phrases that are known, the longest first; a word that is not is a phrase of its own.
-std::vector<std::string> phrases_of(std::string_view attribute) {
+std::vector<std::string> telling_phrases(std::string_view attribute) {
   const auto& table = AttributeWords::built_in();
-  const auto pieces = words(attribute);
-  std::vector<std::string> phrases;
-  for (std::size_t i = 0; i < pieces.size();) {
-    std::size_t count = std::min(longest_phrase, pieces.size() - i);
-    const auto text = [&] {
-      return join({pieces.begin() + static_cast<std::ptrdiff_t>(i),
-                   pieces.begin() + static_cast<std::ptrdiff_t>(i + count)},
-                  " ");
-    };
-    while (count > 1 && !table.find(text())) --count;
-    if (!table.says_nothing(pieces[i]) && !Vocabulary::built_in().is_filler(pieces[i]))
-      phrases.push_back(text());
-    i += count;
-  }
+  auto phrases = table.phrases(words(attribute));
+  std::erase_if(phrases, [&](const std::string& phrase) {
+    return table.says_nothing(phrase) || Vocabulary::built_in().is_filler(phrase);
+  });
   return phrases;
 }
 
@@ -173,7 +170,7 @@ std::vector<std::string> phrases_of(std::string_view attribute) {
 
 AttributeVerdict judge_attribute(const KnownLooks& looks, std::string_view attribute) {
   const Judge judge(looks);
-  const auto phrases = phrases_of(attribute);
+  const auto phrases = telling_phrases(attribute);
   if (phrases.empty()) return unknown("\"" + std::string(attribute) + "\" says nothing");
   AttributeVerdict result;
   for (const auto& phrase : phrases) {

@@ -6,6 +6,7 @@
 
 #include "roomgen/base/json.h"
 #include "roomgen/base/resource.h"
+#include "roomgen/base/text.h"
 
 namespace roomgen {
 
@@ -25,6 +26,7 @@ constexpr std::array<std::pair<std::string_view, SizeMeasure>, 10> measure_names
 }};
 constexpr std::array known_outlines = {"round", "oval", "square", "rectangular", "l-shaped"};
 constexpr double most = 1000.0;
+constexpr std::size_t longest_phrase = 4;
 
 // [low, high]; null is no limit.
 Range read_range(const JsonReader& json) {
@@ -121,6 +123,21 @@ const AttributeWords& AttributeWords::built_in() {
 const AttributeMeaning* AttributeWords::find(std::string_view phrase) const {
   const auto found = meanings_.find(phrase);
   return found == meanings_.end() ? nullptr : &found->second;
+}
+
+std::vector<std::string> AttributeWords::phrases(const std::vector<std::string>& words) const {
+  std::vector<std::string> result;
+  for (std::size_t i = 0; i < words.size();) {
+    std::size_t count = std::min(longest_phrase, words.size() - i);
+    const auto text = [&] {
+      const auto from = words.begin() + static_cast<std::ptrdiff_t>(i);
+      return join({from, from + static_cast<std::ptrdiff_t>(count)}, " ");
+    };
+    while (count > 1 && !find(text())) --count;
+    result.push_back(text());
+    i += count;
+  }
+  return result;
 }
 
 bool AttributeWords::says_nothing(std::string_view word) const {

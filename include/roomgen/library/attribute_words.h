@@ -63,6 +63,8 @@ class AttributeWords {
   const AttributeMeaning* find(std::string_view phrase) const;
   /// Words that add nothing to the others of an attribute: "matte finish".
   bool says_nothing(std::string_view word) const;
+  /// The words in phrases that are known, the longest first; what is not known is a phrase of its own.
+  std::vector<std::string> phrases(const std::vector<std::string>& words) const;
   const std::map<std::string, AttributeMeaning, std::less<>>& all() const { return meanings_; }
 
  private:
