@@ -37,7 +37,7 @@ class Judge {
   AttributeVerdict phrase(const std::string& text) const {
     const AttributeMeaning* meaning = table_.find(text);
     if (!meaning) return unlisted(text);
-    if (is_by_nature(*meaning)) return yes("as any " + looks_.identity.kind);
+    if (is_any(meaning->kinds)) return yes("as any " + looks_.identity.kind);
     for (const auto& word : meaning->said)
       if (has_word(looks_.identity.words, word)) return yes("its label says " + word);
     if (!meaning->materials.empty()) return material(text, *meaning);
@@ -46,8 +46,8 @@ class Judge {
   }
 
  private:
-  bool is_by_nature(const AttributeMeaning& meaning) const {
-    return std::any_of(meaning.kinds.begin(), meaning.kinds.end(), [&](const std::string& kind) {
+  bool is_any(const std::vector<std::string>& kinds) const {
+    return std::any_of(kinds.begin(), kinds.end(), [&](const std::string& kind) {
       return KindNames::built_in().rank(looks_.identity, kind) >= least_rank;
     });
   }
@@ -86,6 +86,7 @@ class Judge {
     if (names_it(looks_.identity.words)) return yes("its label says so");
     if (names_it(looks_.surfaces)) return yes("a surface is called so");
     const bool agrees = shows(meaning, material_share);
+    if (agrees && is_any(meaning.kinds_of_its_color)) return yes("of its colour, as such things are");
     if (!meaning.family.empty() && agrees)
       if (const AttributeMeaning* family = table_.find(meaning.family);
           family && material(meaning.family, *family).held)

@@ -144,7 +144,8 @@ TEST_CASE("Crossing meshes collide, touching and parted ones do not") {
 TEST_CASE("The share in bounds is that of the surface over the floor") {
   const Room room = rooms::box(5, 4);
   const auto share = [&](double x) {
-    return sceneeval::share_in_bounds(thing_of(rooms::thing("a-0", "thing", {1, 1, 1}, {x, 2}), ModelTable()), room);
+    const Vec3 center(x, 2, 0.5), half(0.5, 0.5, 0.5);
+    return sceneeval::share_in_bounds(Thing({center, half, 0.0}, make_box(center - half, center + half)), room);
   };
   CHECK(share(0.5) == 1.0);
   // Of a cube's six faces the four along x are cut in two, one is out.

@@ -44,6 +44,8 @@ struct AttributeMeaning {
   std::optional<Range> roughness;      ///< of the surface, in [0, 1]
   std::optional<Mount> mount;
   std::vector<std::string> kinds;      ///< that are so by nature: a pillow is soft
+  std::vector<std::string> kinds_of_its_color;  ///< that are of this material when they have its colour: a
+                                                ///< grey fridge is of steel, a brown desk of wood
   std::vector<std::string> said;       ///< words of a label that say the same
 
   /// Can it be seen on the mesh, whatever texts say?
