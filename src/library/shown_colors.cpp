@@ -3,7 +3,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
+
+#include "visible_pixels.h"
 
 namespace roomgen {
 
@@ -11,27 +14,71 @@ namespace {
 
 constexpr double least_share = 0.2;
 
-// Mean of the visible pixels, sRGB.
-std::array<float, 3> mean_color(const Image& image) {
-  std::array<double, 3> sum{};
-  double weight = 1e-9;
-  for (std::size_t i = 0; i + 3 < image.pixels.size(); i += 4) {
-    const double alpha = image.pixels[i + 3] / 255.0;
-    for (std::size_t c = 0; c < 3; ++c) sum[c] += alpha * image.pixels[i + c];
-    weight += alpha;
-  }
-  std::array<float, 3> mean{};
-  for (std::size_t c = 0; c < 3; ++c) mean[c] = static_cast<float>(sum[c] / weight);
-  return mean;
-}
+constexpr int swatch_side = 24;     // of a texture: stripes stay apart, grain does not
+constexpr float see_through = 0.5f;  // less than this much of what is behind is hidden
 
-std::array<float, 3> shown_color(const Material& material) {
-  std::array<float, 3> color{255, 255, 255};
-  if (material.texture) color = mean_color(*material.texture);
-  for (std::size_t c = 0; c < 3; ++c)
-    color[c] *= srgb255_from_linear(material.base_color[c]) / 255.0f;
-  return color;
-}
+// A texture in few pixels, each the mean of what it stands for: red, green, blue in sRGB and alpha, 0 to
+// 255.
+class Swatch {
+ public:
+  explicit Swatch(const Image& image)
+      : width_(std::clamp(image.width, 1, swatch_side)), height_(std::clamp(image.height, 1, swatch_side)) {
+    std::vector<std::array<double, 5>> sums(static_cast<std::size_t>(width_ * height_));
+    for (int y = 0; y < image.height; ++y)
+      for (int x = 0; x < image.width; ++x) {
+        auto& sum = sums[index(x * width_ / image.width, y * height_ / image.height)];
+        const std::uint8_t* pixel = image.at(x, y);
+        const double alpha = pixel[3] / 255.0;
+        for (std::size_t c = 0; c < 3; ++c) sum[c] += alpha * pixel[c];
+        sum[3] += alpha;
+        sum[4] += 1.0;
+      }
+    for (const auto& sum : sums) {
+      std::array<float, 4> mean{};
+      for (std::size_t c = 0; c < 3; ++c) mean[c] = static_cast<float>(sum[c] / std::max(sum[3], 1e-9));
+      mean[3] = static_cast<float>(255.0 * sum[3] / std::max(sum[4], 1e-9));
+      colors_.push_back(mean);
+    }
+  }
+
+  const std::array<float, 4>& at(const Vec2& uv) const {
+    const auto cell = [](double t, int count) {
+      return std::clamp(static_cast<int>((t - std::floor(t)) * count), 0, count - 1);
+    };
+    return colors_[index(cell(uv.x(), width_), cell(uv.y(), height_))];
+  }
+
+ private:
+  std::size_t index(int column, int row) const { return static_cast<std::size_t>(row * width_ + column); }
+
+  int width_, height_;
+  std::vector<std::array<float, 4>> colors_;
+};
+
+class Paint {
+ public:
+  explicit Paint(const Model& model) : model_(model) {
+    for (const auto& material : model.materials)
+      if (material.texture && !material.texture->pixels.empty())
+        swatches_.try_emplace(material.texture.get(), *material.texture);
+  }
+
+  /// sRGB and alpha, 0 to 255.
+  std::array<float, 4> at(const VisiblePixel& pixel) const {
+    const Material& material =
+        model_.materials[static_cast<std::size_t>(model_.parts[pixel.part].material)];
+    std::array<float, 4> color{255, 255, 255, 255};
+    const auto swatch = swatches_.find(material.texture.get());
+    if (swatch != swatches_.end() && pixel.uv.allFinite()) color = swatch->second.at(pixel.uv);
+    for (std::size_t c = 0; c < 3; ++c) color[c] *= srgb255_from_linear(material.base_color[c]) / 255.0f;
+    color[3] *= material.base_color[3];
+    return color;
+  }
+
+ private:
+  const Model& model_;
+  std::map<const Image*, Swatch> swatches_;  // looked up, never gone through
+};
 
 // Names of strong colours by hue in degrees; 15 to 50 degrees is the realm of wood and leather.
 std::string hue_name(float hue, float saturation, float value) {
@@ -78,14 +125,17 @@ std::string color_name(float red, float green, float blue) {
 std::vector<ShownColor> shown_colors(const Model& model) {
   std::map<std::string, ShownColor> by_name;
   double whole = 0.0;
-  for (const auto& part : model.parts) {
-    const auto color = shown_color(model.materials[static_cast<std::size_t>(part.material)]);
-    const double covered = surface_area(part.mesh);
+  const Paint paint(model);
+  const auto add = [&](const VisiblePixel& pixel) {
+    const auto color = paint.at(pixel);
     ShownColor& sum = by_name[color_name(color[0], color[1], color[2])];
-    sum.share += covered;
-    for (std::size_t c = 0; c < 3; ++c) sum.mean[c] += static_cast<float>(covered) * color[c];
-    whole += covered;
-  }
+    sum.share += pixel.area;
+    for (std::size_t c = 0; c < 3; ++c) sum.mean[c] += static_cast<float>(pixel.area) * color[c];
+    whole += pixel.area;
+  };
+  each_visible_pixel(model, [&](const auto& pixel) { return paint.at(pixel)[3] >= 255.0f * see_through; }, add);
+  // Of what is all glass, the glass is seen.
+  if (whole <= 0.0) each_visible_pixel(model, [](const auto&) { return true; }, add);
   std::vector<ShownColor> colors;
   for (auto& [name, sum] : by_name) {
     if (sum.share <= 0.0) continue;
