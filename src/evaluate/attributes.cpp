@@ -13,7 +13,7 @@ namespace {
 constexpr double shown_share = 0.3;     // of a colour that a thing has in a viewer's eyes
 constexpr double material_share = 0.2;  // of a colour that fits the material
 constexpr double counted_share = 0.08;  // of each colour of something colourful
-constexpr int least_rank = 2;           // of KindNames: it, a kind of it, or it by all but words of manner
+constexpr int least_rank = 3;           // of KindNames: it or a kind of it
 
 AttributeVerdict yes(std::string reason) { return {true, true, std::move(reason)}; }
 AttributeVerdict no(std::string reason) { return {false, true, std::move(reason)}; }
@@ -37,7 +37,7 @@ class Judge {
   AttributeVerdict phrase(const std::string& text) const {
     const AttributeMeaning* meaning = table_.find(text);
     if (!meaning) return unlisted(text);
-    if (is_any(meaning->kinds)) return yes("as any " + looks_.identity.kind);
+    if (const auto* kind = first_of(meaning->kinds)) return yes("as any " + *kind);
     for (const auto& word : meaning->said)
       if (has_word(looks_.identity.words, word)) return yes("its label says " + word);
     if (!meaning->materials.empty()) return material(text, *meaning);
@@ -46,10 +46,12 @@ class Judge {
   }
 
  private:
-  bool is_any(const std::vector<std::string>& kinds) const {
-    return std::any_of(kinds.begin(), kinds.end(), [&](const std::string& kind) {
+  // The first of the kinds that the thing is; null if it is none.
+  const std::string* first_of(const std::vector<std::string>& kinds) const {
+    const auto found = std::find_if(kinds.begin(), kinds.end(), [&](const std::string& kind) {
       return KindNames::built_in().rank(looks_.identity, kind) >= least_rank;
     });
+    return found == kinds.end() ? nullptr : &*found;
   }
 
   // Only the label can tell; another word of the same family is as good.
@@ -86,7 +88,7 @@ class Judge {
     if (names_it(looks_.identity.words)) return yes("its label says so");
     if (names_it(looks_.surfaces)) return yes("a surface is called so");
     const bool agrees = shows(meaning, material_share);
-    if (agrees && is_any(meaning.kinds_of_its_color)) return yes("of its colour, as such things are");
+    if (agrees && first_of(meaning.kinds_of_its_color)) return yes("of its colour, as such things are");
     if (!meaning.family.empty() && agrees)
       if (const AttributeMeaning* family = table_.find(meaning.family);
           family && material(meaning.family, *family).held)

@@ -116,6 +116,7 @@ TEST_CASE("A material is believed of surfaces and labels, and of the maker where
   desk.colors = {shown("brown", 1.0, 140, 90, 50)};
   CHECK(has(desk, "wooden"));
   desk.colors = {shown("white", 1.0, 250, 250, 250)};
+  INFO(judge_attribute(desk, "wooden").reason);
   CHECK_FALSE(has(desk, "wooden"));
 }
 
