@@ -86,8 +86,8 @@ class Judge {
                          [&](const std::string& name) { return has_word(said, name); });
     };
     if (names_it(looks_.identity.words)) return yes("its label says so");
-    if (names_it(looks_.surfaces)) return yes("a surface is called so");
     const bool agrees = shows(meaning, material_share);
+    if (agrees && names_it(looks_.surfaces)) return yes("a surface is called so, and of its colour");
     if (agrees && first_of(meaning.kinds_of_its_color)) return yes("of its colour, as such things are");
     if (!meaning.family.empty() && agrees)
       if (const AttributeMeaning* family = table_.find(meaning.family);

@@ -80,7 +80,8 @@ class Paint {
   std::map<const Image*, Swatch> swatches_;  // looked up, never gone through
 };
 
-// Names of strong colours by hue in degrees; 15 to 50 degrees is the realm of wood and leather.
+// Names of strong colours by hue in degrees; 12 to 52 degrees is the realm of wood and leather, and so
+// are dark reds.
 std::string hue_name(float hue, float saturation, float value) {
   if (hue >= 12 && hue < 52) {
     if (value < 0.72f || (hue < 40 && saturation >= 0.48f && value < 0.85f)) return "brown";
@@ -91,6 +92,7 @@ std::string hue_name(float hue, float saturation, float value) {
   if (hue >= 70 && hue < 165) return "green";
   if (hue >= 165 && hue < 258) return "blue";
   if (hue >= 258 && hue < 300) return "purple";
+  if (hue < 12 && value < 0.38f) return "brown";
   return hue >= 300 && value > 0.6f && (hue < 345 || saturation < 0.5f) ? "pink" : "red";
 }
 

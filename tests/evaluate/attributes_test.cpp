@@ -109,7 +109,10 @@ TEST_CASE("A material is believed of surfaces and labels, and of the maker where
   statue.told = {"wooden", "blue"};
   CHECK(has(statue, "wooden"));
   statue.told = {};
+  statue.told = {};
   statue.surfaces = {"oak"};
+  CHECK_FALSE(has(statue, "wooden"));  // meshes are called after what they do not show
+  statue.colors = {shown("brown", 1.0, 140, 90, 50)};
   CHECK(has(statue, "wooden"));
   // A brown desk is of wood in everybody's eyes, a white one need not be.
   KnownLooks desk = plain("desk", {1.2, 0.6, 0.75});
