@@ -93,8 +93,9 @@ class Judge {
       if (const AttributeMeaning* family = table_.find(meaning.family);
           family && material(meaning.family, *family).held)
         return yes("of " + meaning.family + " and of its colour");
-    if (!names_it(looks_.told)) return no("nothing says that it is of " + text);
-    return agrees || is_painted() ? yes("made so, and of its colour") : no("made so, but " + shown_text(looks_));
+    if (!names_it(looks_.told)) return no("nothing says " + text);
+    return agrees || is_painted() ? yes("made so, and of its colour")
+                                  : no("made so, but " + shown_text(looks_));
   }
 
   // A colour that the maker was told beside the material, and that shows.

@@ -58,25 +58,28 @@ class Swatch {
 class Paint {
  public:
   explicit Paint(const Model& model) : model_(model) {
-    for (const auto& material : model.materials)
+    for (const auto& material : model.materials) {
+      auto& factor = factors_.emplace_back();
+      for (std::size_t c = 0; c < 3; ++c) factor[c] = srgb255_from_linear(material.base_color[c]) / 255.0f;
+      factor[3] = material.base_color[3];
       if (material.texture && !material.texture->pixels.empty())
         swatches_.try_emplace(material.texture.get(), *material.texture);
+    }
   }
 
   /// sRGB and alpha, 0 to 255.
   std::array<float, 4> at(const VisiblePixel& pixel) const {
-    const Material& material =
-        model_.materials[static_cast<std::size_t>(model_.parts[pixel.part].material)];
+    const auto index = static_cast<std::size_t>(model_.parts[pixel.part].material);
     std::array<float, 4> color{255, 255, 255, 255};
-    const auto swatch = swatches_.find(material.texture.get());
+    const auto swatch = swatches_.find(model_.materials[index].texture.get());
     if (swatch != swatches_.end() && pixel.uv.allFinite()) color = swatch->second.at(pixel.uv);
-    for (std::size_t c = 0; c < 3; ++c) color[c] *= srgb255_from_linear(material.base_color[c]) / 255.0f;
-    color[3] *= material.base_color[3];
+    for (std::size_t c = 0; c < 4; ++c) color[c] *= factors_[index][c];
     return color;
   }
 
  private:
   const Model& model_;
+  std::vector<std::array<float, 4>> factors_;  ///< by material
   std::map<const Image*, Swatch> swatches_;  // looked up, never gone through
 };
 
@@ -135,7 +138,8 @@ std::vector<ShownColor> shown_colors(const Model& model) {
     for (std::size_t c = 0; c < 3; ++c) sum.mean[c] += static_cast<float>(pixel.area) * color[c];
     whole += pixel.area;
   };
-  each_visible_pixel(model, [&](const auto& pixel) { return paint.at(pixel)[3] >= 255.0f * see_through; }, add);
+  const auto hides = [&](const VisiblePixel& pixel) { return paint.at(pixel)[3] >= 255.0f * see_through; };
+  each_visible_pixel(model, hides, add);
   // Of what is all glass, the glass is seen.
   if (whole <= 0.0) each_visible_pixel(model, [](const auto&) { return true; }, add);
   std::vector<ShownColor> colors;
