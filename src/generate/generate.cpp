@@ -5,8 +5,8 @@
 #include <map>
 #include <set>
 
-#include "asset_looks.h"
 #include "retrieve.h"
+#include "roomgen/evaluate/attributes.h"
 #include "roomgen/evaluate/ledger.h"
 #include "roomgen/library/vocabulary.h"
 #include "roomgen/geometry/free_rectangles.h"
@@ -437,7 +437,8 @@ class Generator {
     }
     scene.requirements = check_requirements(
         plan_.requirements, scene, categories_, [&](const Object& object, const std::string& word) {
-          return looks_like(assets_.at(object.id), word) ? std::string() : "is not known to be " + word;
+          const auto verdict = judge_attribute(known_looks(object, result_.models), word);
+          return verdict.held ? std::string() : "is not known to be " + word + ": " + verdict.reason;
         });
     for (const auto& task : tasks_)
       result_.constraints += static_cast<int>(task.object.relations.size());
