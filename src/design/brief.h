@@ -20,6 +20,7 @@ struct Demand {
   std::string part;            ///< "window-0", "wall-2", "corner"; empty for edge and middle
   bool flank = false;          ///< left and right of the target in turn
   bool shared = false;         ///< with other mentions: each takes a side
+  int nth = -1;                ///< which of the mention's things; -1: in turn
   bool listed = false;         ///< said of another thing of the same list
 };
 

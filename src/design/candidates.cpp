@@ -175,6 +175,15 @@ void all_over(const Sketch& sketch, const Object& self, std::vector<Pose>& poses
     }
 }
 
+// Things on a rug.
+void all_over(const Footprint& rug, std::vector<Pose>& poses) {
+  for (double x : {-0.6, -0.3, 0.0, 0.3, 0.6})
+    for (double y : {-0.6, -0.3, 0.0, 0.3, 0.6})
+      for (int turn = 0; turn < 4; ++turn)
+        poses.push_back({rug.to_world(Vec2(x, y).cwiseProduct(rug.half())),
+                         wrap_angle(rug.yaw() + turn * 0.5 * pi)});
+}
+
 // Small things flush into the corners and along walls whichever way they look.
 void at_walls(const Sketch& sketch, const Object& self, std::vector<Pose>& poses) {
   for (std::size_t k = 0; k < sketch.room().polygon.size(); ++k) along_wall(sketch, self, k, poses);
@@ -204,6 +213,7 @@ void around_target(const Sketch& sketch, const Object& self, const Arrangement& 
     const bool lies = self.traits.flat || self.mount != Mount::floor ||
                       relation.kind == RelationKind::on;  // furniture on a rug
     if (lies) over(sketch, arrangement, target, poses);
+    if (relation.kind == RelationKind::on) all_over(target.footprint, poses);
     if (lies && target.object) continue;
     if (relation.kind == RelationKind::around) seats(self, target, company, poses);
     if (relation.kind == RelationKind::around && arrangement.seats) continue;

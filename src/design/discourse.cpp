@@ -31,7 +31,8 @@ std::optional<std::size_t> Discourse::same_noun(const NounPhrase& phrase) const 
   const std::string& noun = phrase.kind.length > 0 ? phrase.kind.name : phrase.noun;
   for (std::size_t i = count(); i-- > 0;)
     if (mention(i).noun == noun) return i;
-  for (std::size_t i = count(); i-- > 0;)
+  // The first of several is the main one: "the table" is the dining table, not the console table.
+  for (std::size_t i = 0; i < count(); ++i)
     if (mention(i).description.ends_with(" " + noun)) return i;
   return std::nullopt;
 }
@@ -241,7 +242,7 @@ void Discourse::extend_list(std::size_t index) {
 bool Discourse::is_small(std::size_t index) const {
   const Mention& one = mention(index);
   return one.mount == Mount::surface ||
-         (one.mount == Mount::floor && one.size.head<2>().maxCoeff() <= small_side &&
+         (one.mount == Mount::floor && one.size.maxCoeff() <= small_side &&
           !lexicon_.table.is_any_of(one.category, {"seat", "table", "storage"}));
 }
 
@@ -251,6 +252,18 @@ std::optional<std::size_t> Discourse::holder() const {
   const bool unable = one.quantity != 1 || one.mount == Mount::surface ||
                       lexicon_.table.is_a(one.category, "seat");
   return unable ? with_owner_ : subject_;
+}
+
+bool Discourse::speak_of_one_of_them(bool other) {
+  for (std::size_t i = count(); i-- > 0;) {
+    const int quantity = mention(i).quantity;
+    if (quantity < 2 || mention(i).mount != Mount::floor) continue;
+    const int next = other ? std::min(last_nth_ + 1, quantity - 1) : 0;
+    subject_ = i;
+    nth_ = last_nth_ = next;
+    return true;
+  }
+  return false;
 }
 
 void Discourse::relate_listed(const Placement& placement) {

@@ -40,7 +40,12 @@ class Discourse {
 
   /// The thing of which the next placement speaks.
   std::optional<std::size_t> subject() const { return subject_; }
-  void speak_of(std::optional<std::size_t> mention) { subject_ = mention; }
+  void speak_of(std::optional<std::size_t> mention) {
+    subject_ = mention;
+    nth_ = -1;
+  }
+  /// "one holds …, the other …": of the several that were spoken of last; false if there are none.
+  bool speak_of_one_of_them(bool other);
   /// What "it" means: the last floor thing that is not the subject.
   std::optional<std::size_t> antecedent() const;
   std::optional<std::size_t> last_on_floor() const;
@@ -72,6 +77,7 @@ class Discourse {
   /// "a table with four stools holds": who holds.
   void join_with(std::size_t owner) { with_owner_ = owner; }
   std::optional<std::size_t> holder() const;
+  int holder_number() const { return nth_; }
   void end_sentence();
 
  private:
@@ -88,6 +94,8 @@ class Discourse {
   std::optional<std::size_t> subject_;
   std::vector<std::size_t> group_;
   bool plural_ = false;
+  int last_nth_ = 0;
+  int nth_ = -1;  ///< which of the subject's things
   std::vector<Demand> leading_;
   std::vector<Demand> listed_;
   int sentence_ = 0;

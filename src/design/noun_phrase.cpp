@@ -227,7 +227,7 @@ class Reader {
     const std::string noun = phrase_.modifiers.back();
     if (noun.size() < 3 || words_.no_things.count(noun) || words_.parts.count(noun) ||
         words_.sizes.count(noun) || words_.room_words.count(noun) ||
-        words_.people_words.count(noun))
+        words_.people_words.count(noun) || words_.stops.count(noun) || words_.verbs.count(noun))
       return false;
     phrase_.noun = noun;
     phrase_.modifiers.pop_back();

@@ -133,9 +133,10 @@ class Ids {
       ids_[drafts[planned.item].mention].push_back(planned.id);
   }
 
-  std::string next(std::size_t asking, std::size_t mention) {
+  std::string next(std::size_t asking, std::size_t mention, int nth) {
     const auto& ids = ids_[mention];
     if (ids.empty()) return "";
+    if (nth >= 0) return ids[static_cast<std::size_t>(nth) % ids.size()];
     return ids[static_cast<std::size_t>(turn_[{asking, mention}]++) % ids.size()];
   }
 
@@ -158,7 +159,7 @@ class Resolver {
       Relation relation{demand.kind, demand.part};
       if (demand.mention != Demand::none) {
         if (!targets.count(demand.mention))
-          targets[demand.mention] = ids_.next(draft.mention, demand.mention);
+          targets[demand.mention] = ids_.next(draft.mention, demand.mention, demand.nth);
         relation.target = targets[demand.mention];
         if (relation.target.empty()) continue;
         if (demand.flank) {

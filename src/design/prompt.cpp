@@ -68,7 +68,7 @@ class PromptReader {
   bool read_thing() {
     const auto phrase = read_noun_phrase(tokens_, at_, words_, names_, lists(at_));
     if (!phrase) return false;
-    const bool part = describes_owner(*phrase);
+    const bool part = describes_owner(*phrase) || is_on_small_owner(*phrase);
     const auto owner = talk_.subject();
     const bool with = phrase->begin == owner_end_ + 1 && is_word(owner_end_, "with");
     const bool continues = phrase->begin > 0 && (is_word(phrase->begin - 1, "and") ||
@@ -110,6 +110,13 @@ class PromptReader {
            words_.parts.count(tokens_[phrase.end - 1].text) > 0;
   }
 
+  // "a photo frame with a black-and-white print": no other picture.
+  bool is_on_small_owner(const NounPhrase& phrase) const {
+    return talk_.subject() && phrase.begin == owner_end_ + 1 && is_word(owner_end_, "with") &&
+           phrase.kind.length > 0 && phrase.kind.category->mount != Mount::surface &&
+           talk_.mention(*talk_.subject()).mount == Mount::surface;
+  }
+
   std::optional<std::size_t> refer(const NounPhrase& phrase) {
     const std::size_t before = talk_.count();
     const auto mention = talk_.refer(phrase);
@@ -137,6 +144,13 @@ class PromptReader {
       return i < tokens_.size() && (words_.pronouns.count(tokens_[i].text) > 0 ||
                                     words_.definite.count(tokens_[i].text) > 0);
     };
+    // "one holds a lamp, the other a plant"
+    const bool holder = is_word(at_, "one") && holds(at_ + 1);
+    const bool other_holder = is_word(at_, "the") && is_word(at_ + 1, "other") && holds(at_ + 2);
+    if ((holder || other_holder) && talk_.speak_of_one_of_them(other_holder)) {
+      at_ += holder ? 1 : 2;
+      return true;
+    }
     const bool one = is_word(at_, "one") && is_word(at_ + 1, "of") && refers_back(at_ + 2);
     const bool other = is_word(at_, "the") &&
                        (is_word(at_ + 1, "other") || is_word(at_ + 1, "others")) &&
@@ -146,6 +160,11 @@ class PromptReader {
     talk_.speak_of(std::nullopt);
     at_ += one ? 3 : 2;
     return true;
+  }
+
+  bool holds(std::size_t i) const {
+    const auto match = longest(words_.placements, tokens_, i, longest_placement);
+    return match && match.value->inverse;
   }
 
   // --- Placements -----------------------------------------------------------------------------
@@ -339,10 +358,12 @@ class PromptReader {
       }
     for (const std::size_t each : others)
       for (auto kind : placement.relations)
-        talk_.add(each, {kind, *target, "", placement.flank, others.size() > 1});
+        talk_.add(each, {kind, *target, "", placement.flank, others.size() > 1,
+                         talk_.holder_number()});
     std::vector<Demand> listed;
     for (auto kind : placement.relations)
-      if (!placement.flank) listed.push_back({kind, *target, "", false});
+      if (!placement.flank)
+        listed.push_back({kind, *target, "", false, false, talk_.holder_number()});
     talk_.open_list(std::move(listed));
     talk_.speak_of(others.back());
     return true;

@@ -11,7 +11,7 @@ namespace roomgen::design {
 namespace {
 
 constexpr double size_margin = 1.05;
-constexpr double loose_gap = 0.3;  ///< metres beyond what the pair prefers
+constexpr double loose_gap = 0.1;  ///< metres beyond what the pair prefers
 
 Object object_of(const PlannedObject& planned, const PlanItem& item, const Category& category) {
   Object object;

@@ -14,6 +14,7 @@ constexpr double small_side = 0.7;  ///< what is smaller may stand on other thin
 constexpr int seats_at_a_table = 4;
 constexpr int usual_few = 2;
 const Vec3 unknown_size(0.5, 0.5, 0.8);
+const Vec3 small_unknown_size(0.2, 0.2, 0.2);
 
 void become(Mention& mention, const Category& category) {
   mention.category = category.name;
@@ -86,16 +87,18 @@ void stand_on_things(Mention& mention, const Brief& brief, const CategoryTable& 
       });
   if (on == mention.demands.end()) return;
   const Mention& carrier = brief.mentions[on->mention];
-  if (mention.mount == Mount::surface) return;
   const bool lies = table.get(carrier.category).traits.flat;
+  // What is on a rug stands on the floor.
+  if (lies && mention.mount == Mount::surface) mention.mount = Mount::floor;
+  if (!mention.known && !mention.sized) mention.size = small_unknown_size;
+  if (mention.mount == Mount::surface) return;
   if (!lies && become_small(mention, table, names)) return;
   if (mention.mount == Mount::wall || mention.mount == Mount::ceiling) {
     on->kind = RelationKind::above;
     return;
   }
   if (lies) return;
-  if (std::max(mention.size.x(), mention.size.y()) <= small_side ||
-      stands_easily_on(mention, carrier, table))
+  if (mention.size.maxCoeff() <= small_side || stands_easily_on(mention, carrier, table))
     mention.mount = Mount::surface;
   else
     on->kind = RelationKind::near;
@@ -226,7 +229,8 @@ void lay_rugs(Brief& brief, const CategoryTable& table) {
       if (!table.get(rug.category).traits.flat || table.get(brief.mentions[i].category).traits.flat)
         continue;
       if (demand.kind != RelationKind::near && demand.kind != RelationKind::on) continue;
-      if (demand.kind == RelationKind::on && !rug.demands.empty()) continue;
+      const bool small = brief.mentions[i].size.maxCoeff() <= small_side;
+      if (demand.kind == RelationKind::on && (small || !rug.demands.empty())) continue;
       if (rug.demands.empty()) rug.demands.push_back({RelationKind::under, i, "", false});
       demand = {RelationKind::near, Demand::none, "", false};
     }

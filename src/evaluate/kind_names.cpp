@@ -95,6 +95,7 @@ Identity KindNames::identify(const Object& object) const {
     identity.basis = "name of " + asset.library + "/" + asset.id;
   }
   for (auto& word : words(identity.kind)) identity.words.insert(std::move(word));
+  for (const auto& word : words(object.description)) identity.asked.insert(singular(word));
   return identity;
 }
 
@@ -141,7 +142,8 @@ int KindNames::rank(const Identity& identity, std::string_view name) const {
     const bool only_manner =
         std::all_of(pieces.begin(), pieces.begin() + static_cast<std::ptrdiff_t>(first),
                     [&](const std::string& word) {
-                      return vocabulary.is_modifier(word) || identity.words.count(word);
+                      return vocabulary.is_modifier(word) || identity.words.count(word) ||
+                             identity.asked.count(word);
                     });
     if (!only_manner) break;
     const std::string head =

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -29,6 +30,13 @@ constexpr double facing_tolerance = pi / 12;
 
 // The share by which a mesh is stretched or squeezed at most.
 constexpr double most_stretch = 0.12;
+
+// Small things: how small they get at most, and by how much with each refusal; the share of a surface
+// that they take; after how many refusals they go elsewhere.
+constexpr double least_shrink = 0.6;
+constexpr double shrink_step = 0.9;
+constexpr double fit_margin = 0.96;
+constexpr std::size_t patience_with_support = 2;
 
 using Clock = std::chrono::steady_clock;
 
@@ -200,7 +208,8 @@ class Generator {
         attempt["answer"] = advice_json(*advice);
         if (Json asked = consultation_json(advice->consultation); !asked.is_null())
           attempt["model"] = std::move(asked);
-        if (auto status = apply(*advice, planned, *task); !status) return status.error().message;
+        if (auto status = apply(*advice, planned, refusals.size(), *task); !status)
+          return status.error().message;
         auto placed = place(layout_, *task, {}, options_.place, random_);
         if (!first) first = *task;
         if (placed) {
@@ -252,13 +261,15 @@ class Generator {
   }
 
   // The advice decides what carries the object or what it hangs above, and so its height.
-  Status apply(const PlaceAdvice& advice, const PlannedObject& planned, PlacementTask& task) const {
+  Status apply(const PlaceAdvice& advice, const PlannedObject& planned, std::size_t refused,
+               PlacementTask& task) const {
     Object& object = task.object;
     object.relations = advice.relations;
     task.wishes = put_wishes_first(plan_.items[planned.item], object.relations);
     task.location = advice.location;
     task.facing = advice.yaw;
-    if (object.mount == Mount::surface) return put_on_support(plan_.items[planned.item], object);
+    if (object.mount == Mount::surface)
+      return put_on_support(plan_.items[planned.item], refused, object);
     if (object.mount != Mount::wall) return {};
     for (const auto& relation : advice.relations) {
       const Object* target = layout_.find(relation.target);
@@ -327,17 +338,33 @@ class Generator {
     }
   }
 
-  Status put_on_support(const PlanItem& item, Object& object) const {
+  Status put_on_support(const PlanItem& item, std::size_t refused, Object& object) const {
     const Object* support = nullptr;
     for (const auto& relation : object.relations)
       if (relation.kind == RelationKind::on && !support) support = layout_.find(relation.target);
+    // What finds no place where it was asked for stands on something else rather than nowhere.
+    if (support && item.asked && refused >= patience_with_support) support = nullptr;
     if (!support) support = find_support(item.on, object);
     if (!support)
       return Error{Error::Kind::not_found,
                    "nothing in the room can carry it" +
                        (item.on.empty() ? std::string() : " (wanted: " + item.on + ")")};
     object.on = support->id;
+    if (item.asked) object.size *= shrink_factor(object, *support, refused);
     return {};
+  }
+
+  // A cushion comes in many sizes: what is asked for is made to fit what carries it, within limits.
+  double shrink_factor(const Object& object, const Object& support, std::size_t refused) const {
+    double fit = 0.0;
+    for (const auto& surface : layout_.perches().surfaces(support)) {
+      const Vec2 room = surface.box().size();
+      for (const Vec2& side : {Vec2(object.size.x(), object.size.y()),
+                               Vec2(object.size.y(), object.size.x())})
+        fit = std::max(fit, room.cwiseQuotient(side).minCoeff());
+    }
+    const double factor = std::min(1.0, fit_margin * fit) * std::pow(shrink_step, refused);
+    return std::max(factor, least_shrink);
   }
 
   // The placed thing of the wanted kind, or else a table or cabinet, with the most free places; if
