@@ -105,6 +105,9 @@ std::optional<std::size_t> Discourse::antecedent(RelationKind kind) const {
   const Mention& one = mention(*subject_);
   if (one.mount == Mount::ceiling || kind == RelationKind::above || kind == RelationKind::under)
     if (const auto carrier = last_carrier()) return carrier;
+  // Chairs stand before desks and tables.
+  if (kind == RelationKind::in_front_of && lexicon_.table.is_a(one.category, "seat"))
+    if (const auto table = last_carrier("table")) return table;
   // On a desk the mouse to the right is to the right of the keyboard.
   if (one.mount == Mount::surface && kind != RelationKind::on)
     for (std::size_t i = *subject_; i-- > 0 && mention(i).sentence + 1 >= one.sentence;)

@@ -208,6 +208,32 @@ void support_by_sentence(Brief& brief) {
   }
 }
 
+// "A television on a stand across from the sofa": where the stand stands.
+bool places_on_floor(const Demand& demand, const Brief& brief, std::size_t carrier) {
+  if (demand.kind == RelationKind::on || demand.kind == RelationKind::above ||
+      demand.kind == RelationKind::under)
+    return false;
+  if (demand.mention == Demand::none)
+    return !demand.part.empty() || demand.kind == RelationKind::edge ||
+           demand.kind == RelationKind::corner;
+  return demand.mention != carrier && brief.mentions[demand.mention].mount == Mount::floor;
+}
+
+void lift_to_carriers(Brief& brief) {
+  for (auto& mention : brief.mentions) {
+    const auto support = support_of(mention);
+    if (mention.mount != Mount::surface || !support) continue;
+    Mention& carrier = brief.mentions[*support];
+    if (carrier.mount != Mount::floor) continue;
+    const auto lifted = std::stable_partition(
+        mention.demands.begin(), mention.demands.end(),
+        [&](const Demand& demand) { return !places_on_floor(demand, brief, *support); });
+    // Its own place, where it has one, is what counts.
+    if (carrier.demands.empty()) carrier.demands.assign(lifted, mention.demands.end());
+    mention.demands.erase(lifted, mention.demands.end());
+  }
+}
+
 // Two at one table, or two things on it, are opposite each other without being far apart.
 void calm_opposites(Brief& brief, const CategoryTable& table) {
   const auto small_or_seat = [&](const Mention& mention) {
@@ -335,6 +361,7 @@ void settle(Brief& brief, const CategoryTable& table, const KindNames& names) {
   shrink_beside_small(brief, table, names);
   share_supports(brief);
   support_by_sentence(brief);
+  lift_to_carriers(brief);
   calm_opposites(brief, table);
   lay_rugs(brief, table);
   turn_behind(brief, table);
