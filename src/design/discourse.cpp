@@ -10,6 +10,7 @@ namespace roomgen::design {
 namespace {
 
 constexpr std::size_t max_mentions = 120;
+constexpr double tray_height = 0.1, tray_side = 0.2;
 constexpr double small_side = 0.7;  ///< metres: what is smaller may stand on other things
 
 // Who describes a room looks at the fronts of things: the mouse to the right of a keyboard is at the
@@ -244,9 +245,19 @@ void Discourse::extend_list(std::size_t index) {
 
 bool Discourse::is_small(std::size_t index) const {
   const Mention& one = mention(index);
-  return one.mount == Mount::surface ||
+  const auto comes_small = [&](const char* prefix) {
+    const Category* small = lexicon_.names.find(prefix + one.category);
+    return small && small->mount == Mount::surface;
+  };
+  return one.mount == Mount::surface || comes_small("table ") || comes_small("small ") ||
          (one.mount == Mount::floor && one.size.maxCoeff() <= small_side &&
           !lexicon_.table.is_any_of(one.category, {"seat", "table", "storage"}));
+}
+
+bool Discourse::may_carry(std::size_t index) const {
+  const Mention& one = mention(index);
+  const bool tray = one.size.z() <= tray_height && one.size.head<2>().minCoeff() >= tray_side;
+  return one.mount == Mount::floor || (one.mount == Mount::surface && tray);
 }
 
 std::optional<std::size_t> Discourse::holder() const {

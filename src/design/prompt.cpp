@@ -79,7 +79,7 @@ class PromptReader {
     owner_end_ = at_;
     if (part || !talk_.subject()) return true;
     if (clause_begins()) talk_.close_list();
-    if (with && owner && owner != talk_.subject() && talk_.mention(*owner).mount == Mount::floor) {
+    if (with && owner && owner != talk_.subject() && talk_.may_carry(*owner)) {
       talk_.open_list({{RelationKind::on, *owner, "", false}});
       talk_.join_with(*owner);
     }

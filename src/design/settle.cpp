@@ -110,11 +110,33 @@ bool is_beside(RelationKind kind) {
          kind == RelationKind::in_front_of || kind == RelationKind::behind;
 }
 
+bool is_support(const Demand& demand) {
+  return demand.kind == RelationKind::on && demand.mention != Demand::none;
+}
+
+// "a tray with two cups on the table": the tray is on the table, the cups are on the tray.
+void hand_down_supports(Brief& brief) {
+  for (auto& mention : brief.mentions) {
+    auto& demands = mention.demands;
+    const auto listed = std::find_if(demands.begin(), demands.end(), [](const Demand& demand) {
+      return is_support(demand) && demand.listed;
+    });
+    const auto told = std::find_if(demands.begin(), demands.end(), [](const Demand& demand) {
+      return is_support(demand) && !demand.listed;
+    });
+    if (listed == demands.end() || told == demands.end()) continue;
+    Mention& tray = brief.mentions[listed->mention];
+    if (tray.mount != Mount::surface || &tray == &mention || told->mention == listed->mention)
+      continue;
+    listed->listed = false;
+    if (std::none_of(tray.demands.begin(), tray.demands.end(), is_support))
+      tray.demands.insert(tray.demands.begin(), *told);
+    demands.erase(told);
+  }
+}
+
 // What was only heard from a list gives way to what is said of the thing itself.
 void drop_listed_supports(Mention& mention) {
-  const auto is_support = [](const Demand& demand) {
-    return demand.kind == RelationKind::on && demand.mention != Demand::none;
-  };
   const bool told = std::any_of(
       mention.demands.begin(), mention.demands.end(),
       [&](const Demand& demand) { return is_support(demand) && !demand.listed; });
@@ -355,6 +377,7 @@ void hang(Mention& mention, Mount where, const KindNames& names) {
 void settle(Brief& brief, const CategoryTable& table, const KindNames& names) {
   for (auto& mention : brief.mentions)
     if (mention.quantity == 0) mention.quantity = usual_number(mention, brief, table);
+  hand_down_supports(brief);
   for (auto& mention : brief.mentions) drop_listed_supports(mention);
   for (auto& mention : brief.mentions) hang_what_is_above(mention, names);
   for (auto& mention : brief.mentions) stand_on_things(mention, brief, table, names);
