@@ -36,6 +36,16 @@ bool ends_with_kind(const std::string& kind, const std::string& category) {
   return ends_with_words(kind, category) && !makes_an_image(words(kind).front());
 }
 
+// "jar of flowers": a jar that was made for these words.
+bool was_chosen_for(const Identity& identity, const std::vector<std::string>& pieces) {
+  const std::string head = words(identity.kind).back();
+  if (pieces.size() < 2 || std::find(pieces.begin(), pieces.end(), head) == pieces.end())
+    return false;
+  return std::all_of(pieces.begin(), pieces.end(), [&](const std::string& word) {
+    return word == "of" || word == head || identity.asked.count(word) > 0;
+  });
+}
+
 Json parsed(std::string_view path) {
   auto json = parse_json(resource(path).value_or("{}"), std::string(path));
   return json ? *std::move(json) : Json::object();
@@ -150,6 +160,7 @@ int KindNames::rank(const Identity& identity, std::string_view name) const {
         join({pieces.begin() + static_cast<std::ptrdiff_t>(first), pieces.end()}, " ");
     if (kind == head || (!compound && (same(kind, head) || descends(kind, head)))) return 2;
   }
+  if (was_chosen_for(identity, pieces)) return 2;
   return ends_with_kind(kind, category) ? 1 : 0;
 }
 
