@@ -174,15 +174,30 @@ void print_model_use(const ComposedDesigner& composed, const Generation& generat
   if (!generation.stopped.empty()) std::printf("  stopped: %s\n", generation.stopped.c_str());
 }
 
+// Of each list in the summary.
+constexpr std::size_t most_lines = 30;
+
 // What the prompt asked for and the room does not have.
 void print_requirements(const Scene& scene) {
   if (scene.requirements.empty()) return;
   const auto met = std::count_if(scene.requirements.begin(), scene.requirements.end(),
                                  [](const RequirementVerdict& verdict) { return verdict.met; });
   std::printf("  %td of %zu requirements of the prompt are met\n", met, scene.requirements.size());
+  std::size_t printed = 0;
   for (const auto& verdict : scene.requirements)
-    if (!verdict.met)
+    if (!verdict.met && printed++ < most_lines)
       std::printf("  not met: %s: %s\n", verdict.requirement.clause.c_str(), verdict.reason.c_str());
+  if (printed > most_lines)
+    std::printf("  and %zu more are not met (scene.json has them all)\n", printed - most_lines);
+}
+
+void print_left_out(const Scene& scene) {
+  std::size_t printed = 0;
+  for (const auto& missing : scene.unplaced)
+    if (printed++ < most_lines)
+      std::printf("  left out: %s: %s\n", missing.id.c_str(), missing.reason.c_str());
+  if (printed > most_lines)
+    std::printf("  and %zu more were left out (scene.json has them all)\n", printed - most_lines);
 }
 
 void print_summary(const Context& context, const fs::path& folder, const Plan& plan,
@@ -217,8 +232,7 @@ void print_summary(const Context& context, const fs::path& folder, const Plan& p
               generation.held, generation.constraints, seconds);
   if (composed.model) print_model_use(composed, generation);
   print_requirements(scene);
-  for (const auto& missing : scene.unplaced)
-    std::printf("  left out: %s: %s\n", missing.id.c_str(), missing.reason.c_str());
+  print_left_out(scene);
 }
 
 // What a model looks at; none for designers without eyes.

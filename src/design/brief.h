@@ -34,6 +34,7 @@ struct Mention {
   int quantity = 1;
   bool counted = false;      ///< the prompt gives the number
   bool varied = false;       ///< they shall differ
+  bool contradicts = false;  ///< another number of the same things was asked for before: not planned
   bool sized = false;        ///< the prompt says something about its size
   Vec3 size = Vec3::Ones();  ///< wanted
   Mount mount = Mount::floor;

@@ -251,6 +251,7 @@ std::vector<Draft> asked_items(const Brief& brief, const CategoryTable& table) {
   std::vector<Draft> drafts;
   for (std::size_t i = 0; i < brief.mentions.size(); ++i) {
     const Mention& mention = brief.mentions[i];
+    if (mention.contradicts) continue;
     Draft draft;
     draft.mention = i;
     draft.demands = mention.demands;

@@ -431,6 +431,10 @@ Brief read_prompt(std::string_view prompt, const RoomKinds& kinds, const Categor
   read_room_type(tokens, *words, names, kinds, brief);
   PromptReader(std::move(tokens), {*words, names, table, kinds.get(brief.type)}, brief).run();
   settle(brief, table, names);
+  if (brief.type.empty() && brief.mentions.empty() && brief.styles.empty() && !prompt.empty())
+    brief.notes.push_back(
+        "no room and no thing of the prompt is known; the rules read English only (a language model "
+        "reads others: --model)");
   if (brief.type.empty()) {
     brief.type = guess_room_type(brief, kinds, table);
     if (!brief.type.empty()) {

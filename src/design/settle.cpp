@@ -324,6 +324,24 @@ void turn_behind(Brief& brief, const CategoryTable& table) {
     }
 }
 
+// "exactly two chairs and exactly three chairs": the first number is built, the other one stays a
+// requirement that is not met.
+void find_contradictions(Brief& brief) {
+  for (std::size_t i = 0; i < brief.mentions.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      Mention& later = brief.mentions[i];
+      const Mention& first = brief.mentions[j];
+      const bool same = later.category == first.category && later.description == first.description &&
+                        later.demands.empty() && first.demands.empty();
+      if (!same || !later.counted || !first.counted || later.quantity == first.quantity) continue;
+      later.contradicts = true;
+      brief.notes.push_back("the prompt asks for " + std::to_string(first.quantity) + " and for " +
+                            std::to_string(later.quantity) + " of \"" + later.description +
+                            "\": the first number counts");
+      break;
+    }
+}
+
 void note_unknown(Brief& brief) {
   for (const auto& mention : brief.mentions)
     if (!mention.known)
@@ -388,6 +406,7 @@ void settle(Brief& brief, const CategoryTable& table, const KindNames& names) {
   calm_opposites(brief, table);
   lay_rugs(brief, table);
   turn_behind(brief, table);
+  find_contradictions(brief);
   // What is asked for is not forbidden.
   for (const auto& mention : brief.mentions)
     std::erase_if(brief.excluded,

@@ -11,8 +11,9 @@ namespace {
 
 class Checker {
  public:
-  Checker(const Scene& scene, const CategoryTable& categories, const AttributeJudge& has_attribute)
-      : scene_(scene), categories_(categories), has_attribute_(has_attribute) {}
+  Checker(std::span<const Requirement> all, const Scene& scene, const CategoryTable& categories,
+          const AttributeJudge& has_attribute)
+      : all_(all), scene_(scene), categories_(categories), has_attribute_(has_attribute) {}
 
   // Why it is not met; empty if it is.
   std::string fault(const Requirement& requirement) const {
@@ -35,17 +36,29 @@ class Checker {
   }
 
  private:
-  int number_of(const std::string& category) const {
+  // Without the things of which another count speaks: "four novels and two art books".
+  int number_of(const std::string& category, const Requirement* asking = nullptr) const {
     return static_cast<int>(
         std::count_if(scene_.objects.begin(), scene_.objects.end(), [&](const Object& object) {
-          return categories_.is_a(object.category, category);
+          return categories_.is_a(object.category, category) &&
+                 !(asking && is_another_count(*asking, object.id));
         }));
+  }
+
+  bool is_another_count(const Requirement& asking, const std::string& id) const {
+    const auto names = [&](const Requirement& one) {
+      return std::find(one.subjects.begin(), one.subjects.end(), id) != one.subjects.end();
+    };
+    return !asking.subjects.empty() && !names(asking) &&
+           std::any_of(all_.begin(), all_.end(), [&](const Requirement& other) {
+             return other.kind == Requirement::Kind::count && names(other);
+           });
   }
 
   std::string count_fault(const Requirement& requirement) const {
     for (const auto& id : requirement.subjects)
       if (!find_object(scene_, id)) return missing(id);
-    const int there = number_of(requirement.category);
+    const int there = number_of(requirement.category, &requirement);
     const bool enough = there >= requirement.count;
     if (enough && (requirement.at_least || there == requirement.count)) return "";
     return "there are " + std::to_string(there) + " instead of " + std::to_string(requirement.count);
@@ -84,6 +97,7 @@ class Checker {
            (targets.empty() ? "" : " " + join(targets, " or "));
   }
 
+  std::span<const Requirement> all_;
   const Scene& scene_;
   const CategoryTable& categories_;
   const AttributeJudge& has_attribute_;
@@ -95,7 +109,7 @@ std::vector<RequirementVerdict> check_requirements(std::span<const Requirement> 
                                                    const Scene& scene,
                                                    const CategoryTable& categories,
                                                    const AttributeJudge& has_attribute) {
-  const Checker checker(scene, categories, has_attribute);
+  const Checker checker(requirements, scene, categories, has_attribute);
   std::vector<RequirementVerdict> verdicts;
   for (const auto& requirement : requirements) {
     std::string fault = checker.fault(requirement);

@@ -226,6 +226,20 @@ TEST_CASE("placements become demands") {
   }
 }
 
+TEST_CASE("of two numbers of the same things the first is built, and the other is told") {
+  const auto brief = read("exactly two chairs and exactly three chairs");
+  REQUIRE(brief.mentions.size() == 2);
+  CHECK_FALSE(brief.mentions[0].contradicts);
+  CHECK(brief.mentions[1].contradicts);
+  CHECK_FALSE(brief.notes.empty());
+  const auto apart = read("two chairs by the window and three chairs by the door");
+  CHECK_FALSE(apart.mentions[1].contradicts);
+}
+
+TEST_CASE("what is in no English word is told") {
+  CHECK_FALSE(read("ein Zimmer mit einem Bett").notes.empty());
+}
+
 TEST_CASE("a thing on each side makes two") {
   const auto brief = read("a bed with a nightstand on each side");
   CHECK(things(brief) == "1 bed, 2 nightstand");

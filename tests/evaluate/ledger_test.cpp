@@ -62,6 +62,18 @@ TEST_CASE("Numbers are met exactly unless more are as good") {
   CHECK(rug.reason == "rug-0 was left out: no room");
 }
 
+TEST_CASE("Things of which another number speaks are not counted") {
+  Scene scene = bedroom();
+  scene.objects.push_back(thing("bed-1", "bed", {1.6, 2.0, 0.5}, {1, 1, 0}));
+  const auto first = about(Requirement::Kind::count, "bed", {"bed-0"});
+  const auto second = about(Requirement::Kind::count, "bed", {"bed-1"});
+  const auto met = [&](const std::vector<Requirement>& all) {
+    return check_requirements(all, scene, CategoryTable::built_in(), {})[0].met;
+  };
+  CHECK(met({first, second}));
+  CHECK_FALSE(met({first}));
+}
+
 TEST_CASE("Relations hold for every subject towards one of the targets") {
   auto wanted = about(Requirement::Kind::relation, "table lamp", {"table lamp-0"});
   wanted.relation = RelationKind::on;
