@@ -19,7 +19,7 @@ namespace roomgen::detail {
   X(GetProgramInfoLog) X(GetProgramiv) X(GetShaderInfoLog) X(GetShaderiv) X(GetUniformLocation)     \
   X(LinkProgram) X(PixelStorei) X(PolygonOffset) X(ReadBuffer) X(ReadPixels) X(Scissor)             \
   X(ShaderSource) X(TexImage2D) X(TexParameterfv) X(TexParameteri) X(Uniform1f) X(Uniform1i)         \
-  X(Uniform2f) X(Uniform2i) X(Uniform3f) X(UniformMatrix3fv) X(UniformMatrix4fv) X(UseProgram)      \
+  X(Uniform2f) X(Uniform2i) X(Uniform3f) X(Uniform3fv) X(Uniform4f) X(Uniform4fv) X(UniformMatrix3fv) X(UniformMatrix4fv) X(UseProgram)      \
   X(VertexAttribPointer) X(Viewport)
 
 /// OpenGL entry points: gl.DrawElements(…).
