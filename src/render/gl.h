@@ -13,7 +13,7 @@ namespace roomgen::detail {
   X(BindVertexArray) X(BlendFuncSeparate) X(BufferData) X(CheckFramebufferStatus) X(Clear)                  \
   X(ClearColor) X(ColorMask) X(CompileShader) X(CreateProgram) X(CreateShader) X(DeleteBuffers)     \
   X(DeleteFramebuffers) X(DeleteProgram) X(DeleteShader) X(DeleteTextures) X(DeleteVertexArrays)    \
-  X(DepthMask) X(Disable) X(DrawArrays) X(DrawBuffer) X(DrawElements) X(Enable)                     \
+  X(DepthFunc) X(DepthMask) X(Disable) X(DrawArrays) X(DrawBuffer) X(DrawElements) X(Enable)                     \
   X(EnableVertexAttribArray) X(FramebufferTexture2D) X(GenBuffers) X(GenFramebuffers)               \
   X(GenTextures) X(GenVertexArrays) X(GenerateMipmap) X(GetError) X(GetIntegerv)                    \
   X(GetProgramInfoLog) X(GetProgramiv) X(GetShaderInfoLog) X(GetShaderiv) X(GetUniformLocation)     \

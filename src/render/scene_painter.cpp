@@ -103,8 +103,15 @@ void ScenePainter::draw(const GpuBatch& batch) const {
                     reinterpret_cast<const void*>(offset));
 }
 
+void ScenePainter::paint_shadows(const DrawList& items, const Eigen::Matrix4d& clip_from_room,
+                                 const Visible& visible) const {
+  paint_depth(items, clip_from_room, visible,
+              [](const GpuBatch& batch) { return batch.casts_shadow; });
+}
+
 void ScenePainter::paint_depth(const DrawList& items, const Eigen::Matrix4d& clip_from_room,
-                               const Visible& visible) const {
+                               const Visible& visible,
+                               const std::function<bool(const GpuBatch&)>& wanted) const {
   gl_->ActiveTexture(GL_TEXTURE0 + texture_unit);
   for (const auto* program : {&depth_, &masked_depth_}) {
     program->program.use();
@@ -115,7 +122,7 @@ void ScenePainter::paint_depth(const DrawList& items, const Eigen::Matrix4d& cli
       item.model->bind(*gl_);
       for (const auto& batch : item.model->batches()) {
         const bool masked = batch.alpha == AlphaMode::mask && batch.texture;
-        if (batch.casts_shadow && masked == (program == &masked_depth_)) draw(batch);
+        if (wanted(batch) && masked == (program == &masked_depth_)) draw(batch);
       }
     }
   }
@@ -133,8 +140,20 @@ void ScenePainter::paint_surfaces(const DrawList& items, const Camera& camera, c
   gl_->ActiveTexture(GL_TEXTURE0 + shadow_unit);
   gl_->BindTexture(GL_TEXTURE_2D, light.shadow_map);
   gl_->ActiveTexture(GL_TEXTURE0 + texture_unit);
+  if (camera.eye) paint_depth_first(items, sight, visible);
   paint_opaque(items, sight, visible);
+  gl_->DepthFunc(GL_LESS);
   paint_transparent(items, sight, visible);
+}
+
+// In a room much stands behind other things, and light is dear: it falls only on what is seen.
+void ScenePainter::paint_depth_first(const DrawList& items, const Sight& sight,
+                                     const Visible& visible) const {
+  gl_->ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  paint_depth(items, sight.clip_from_room, visible,
+              [](const GpuBatch& batch) { return batch.alpha != AlphaMode::blend; });
+  gl_->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  gl_->DepthFunc(GL_LEQUAL);
 }
 
 void ScenePainter::set_vector(GLint uniform, const Vec3& value) const {
@@ -148,7 +167,9 @@ void ScenePainter::use(const Program& program, const Sight& sight) const {
   gl_->UniformMatrix4fv(program.sun_from_pixel, 1, GL_FALSE, sight.sun_from_pixel.data());
   set_vector(program.to_viewer, to_viewer);
   set_vector(program.to_sun, to_sun);
-  set_vector(program.to_sky, (to_viewer + 0.6 * Vec3::UnitZ()).normalized());
+  // Seen from inside, a ceiling is as bright as the floor: light comes back from everywhere.
+  const Vec3 above = sight.camera->eye ? Vec3(Vec3::Zero()) : Vec3(0.6 * Vec3::UnitZ());
+  set_vector(program.to_sky, (to_viewer + above).normalized());
   set_vector(program.halfway, (to_sun + to_viewer).normalized());
   gl_->Uniform1f(program.shadow_width, static_cast<float>(sight.light->shadow_width));
   if (sight.camera->eye) set_lamps(program, sight);

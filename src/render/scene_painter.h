@@ -19,8 +19,9 @@ class ScenePainter {
   /// What may be seen of an item, in pixels of the target.
   using Visible = std::function<bool(const DrawItem&)>;
 
-  void paint_depth(const DrawList& items, const Eigen::Matrix4d& clip_from_room,
-                   const Visible& visible) const;
+  /// What casts shadows.
+  void paint_shadows(const DrawList& items, const Eigen::Matrix4d& clip_from_room,
+                     const Visible& visible) const;
 
   struct Light {
     const Sun* sun;
@@ -61,6 +62,9 @@ class ScenePainter {
   void place(const Program& program, const DrawItem& item, const Sight& sight) const;
   void paint_opaque(const DrawList& items, const Sight& sight, const Visible& visible) const;
   void paint_transparent(const DrawList& items, const Sight& sight, const Visible& visible) const;
+  void paint_depth(const DrawList& items, const Eigen::Matrix4d& clip_from_room,
+                   const Visible& visible, const std::function<bool(const GpuBatch&)>& wanted) const;
+  void paint_depth_first(const DrawList& items, const Sight& sight, const Visible& visible) const;
   void set_lamps(const Program& program, const Sight& sight) const;
   void set_vector(GLint uniform, const Vec3& value) const;
   void draw(const GpuBatch& batch) const;

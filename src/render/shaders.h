@@ -13,6 +13,7 @@ layout(location = 2) in vec2 uv;
 layout(location = 3) in vec4 color;     // sRGB
 uniform mat4 clip_from_model;
 uniform mat3 room_from_normal;
+invariant gl_Position;           // the same depth in every program
 out vec3 room_normal;
 out vec2 texture_uv;
 flat out vec4 tint;
@@ -67,7 +68,7 @@ float sunlight(float facing) {
 }
 
 #ifdef INDOORS
-const vec3 darkest = vec3(0.42, 0.41, 0.39), brightest = vec3(0.66, 0.66, 0.655);
+const vec3 darkest = vec3(0.46, 0.45, 0.43), brightest = vec3(0.70, 0.70, 0.69);
 
 // Lamps and windows cast no shadows of their own: what they leave in the dark, occlusion finds.
 vec3 light_of_the_room(vec3 room, vec3 n) {
@@ -132,11 +133,12 @@ void main() {
 }
 )";
 
-/// Depth only, from the sun.
+/// Depth only, from the sun or the eye.
 inline constexpr std::string_view shadow_vertex = R"(#version 400 core
 layout(location = 0) in vec3 position;
 layout(location = 2) in vec2 uv;
 uniform mat4 clip_from_model;
+invariant gl_Position;
 out vec2 texture_uv;
 void main() {
   gl_Position = clip_from_model * vec4(position, 1.0);
