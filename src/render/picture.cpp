@@ -35,7 +35,7 @@ Eigen::Matrix4d clip_from_pixel(const Camera& camera, const PixelRect& area) {
 }
 
 // What a picture of nothing looks like: paper, and before the window a bright sky.
-constexpr float paper[3] = {0.955f, 0.948f, 0.935f}, sky[3] = {0.88f, 0.935f, 0.975f};
+constexpr float paper[3] = {0.955f, 0.948f, 0.935f}, sky[3] = {0.94f, 0.97f, 0.995f};
 
 }  // namespace
 
