@@ -111,7 +111,7 @@ Result<FinishWords> parse_finish_words(std::string_view text, const std::string&
     entry.allow_only({"towards", "by"});
     words.shades[word] = {read_tone(entry["towards"]), entry["by"].number(0.0, 1.0)};
   }
-  for (const auto& word : root["fillers"].elements(500)) words.fillers.insert(word.text());
+  for (const auto& word : root["fillers"].elements_or_none(500)) words.fillers.insert(word.text());
   words.parts = read_parts(root["parts"]);
   words.alone = read_parts(root["alone"]);
   const auto usual = root["usual"];
