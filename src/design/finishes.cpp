@@ -34,9 +34,10 @@ class Reader {
 
   /// Is something said to stand there: "on the oak floor"?
   bool is_target(std::size_t begin) const {
-    static const WordSet places = {"on",     "against", "along", "near",   "at",     "in",     "to",
-                                   "by",     "facing",  "from",  "behind", "over",   "beside", "onto",
-                                   "toward", "towards", "under", "above",  "across", "opposite"};
+    static const WordSet places = {"on",      "against", "along",  "near",   "at",
+                                   "in",      "to",      "by",     "facing", "from",
+                                   "behind",  "over",    "beside", "onto",   "toward",
+                                   "towards", "under",   "above",  "across", "opposite"};
     return begin > 0 && tokens_[begin - 1].kind == Token::Kind::word &&
            places.count(tokens_[begin - 1].text) > 0;
   }
@@ -64,8 +65,8 @@ class Reader {
   }
 
   bool is_color(std::size_t i) const {
-    return is_word(i) &&
-           (finishes_.basic_colors.count(tokens_[i].text) || finishes_.colors.count(tokens_[i].text));
+    return is_word(i) && (finishes_.basic_colors.count(tokens_[i].text) ||
+                          finishes_.colors.count(tokens_[i].text));
   }
 
   // The end of the description that begins at `begin`; `begin` if there is none.
@@ -123,7 +124,8 @@ class Reader {
     // And one may follow: "a navy accent wall".
     std::size_t part = run;
     while (is_word(part) && finishes_.fillers.count(tokens_[part].text)) ++part;
-    if (is_part(part)) return finding(at, part + 1, part_of(part), tokens_[part].text, text(at, part + 1));
+    if (is_part(part))
+      return finding(at, part + 1, part_of(part), tokens_[part].text, text(at, part + 1));
     return read_alone(at, run);
   }
 
@@ -152,12 +154,13 @@ class Reader {
   std::optional<Finding> read_part_first(std::size_t at) const {
     if (!is_word(at) || !finishes_.parts.count(tokens_[at].text)) return std::nullopt;
     if (names_.match(tokens_, at).length > 0 || is_target(with_determiner(at))) return std::nullopt;
-    static const WordSet links = {"is",      "are",      "was",       "were",     "painted", "covered",
-                                  "clad",    "panelled", "paneled",   "finished", "made",    "paved",
-                                  "laid",    "lined",    "done",      "coated",   "tiled",   "papered",
-                                  "dressed", "in",       "of",        "with",     "all",     "both"};
+    static const WordSet links = {
+        "is",      "are",      "was",     "were",  "painted", "covered", "clad", "panelled",
+        "paneled", "finished", "made",    "paved", "laid",    "lined",   "done", "coated",
+        "tiled",   "papered",  "dressed", "in",    "of",      "with",    "all",  "both"};
     std::size_t begin = at + 1;
-    while (is_word(begin) && links.count(tokens_[begin].text) && begin <= at + longest_link) ++begin;
+    while (is_word(begin) && links.count(tokens_[begin].text) && begin <= at + longest_link)
+      ++begin;
     if (begin == at + 1) return std::nullopt;
     const std::size_t end = run_end(begin);
     if (end == begin || !ends_phrase(end)) return std::nullopt;

@@ -21,7 +21,7 @@ class Checker {
         return count_fault(requirement);
       case Requirement::Kind::attribute:
         if (const std::string* material = material_of(requirement.category))
-          return *material == requirement.attribute ? "" : "is of \"" + *material + "\"";
+          return *material == requirement.attribute ? "" : "it is \"" + *material + "\"";
         return each(requirement, [&](const Object& object) {
           return has_attribute_(object, requirement.attribute);
         });

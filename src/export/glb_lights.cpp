@@ -23,7 +23,8 @@ Json color_json(const Eigen::Vector3f& color) {
 
 // Lights shine along -Z of their node.
 Json rotation_towards(const Vec3& direction) {
-  const auto q = Eigen::Quaterniond::FromTwoVectors(-Vec3::UnitZ(), to_gltf(direction)).normalized();
+  const auto q =
+      Eigen::Quaterniond::FromTwoVectors(-Vec3::UnitZ(), to_gltf(direction)).normalized();
   return {rounded(q.x(), 9), rounded(q.y(), 9), rounded(q.z(), 9), rounded(q.w(), 9)};
 }
 

@@ -7,7 +7,8 @@ namespace roomgen::detail {
 
 namespace {
 
-/// Where a point lies in a grid of `columns` x `rows` stones, every other row shifted by `shift` stones.
+/// Where a point lies in a grid of `columns` x `rows` stones, every other row shifted by `shift`
+/// stones.
 struct Course {
   int column, row;
   float edge_u, edge_v;  ///< distance from the nearer edge, in parts of a stone's length and height
@@ -33,8 +34,7 @@ class Tiles : public Painter {
         1.0f + 0.045f * (hash(at.column, at.row, 21) - 0.5f) + 0.03f * (cloud_.at(u, v) - 0.5f);
     if (veined_) shade -= 0.10f * vein(u, v, hash(at.column, at.row, 23));
     const float grout_width = veined_ ? 0.004f : 0.010f;
-    const float grout =
-        std::clamp(2.0f - std::min(at.edge_u, at.edge_v) / grout_width, 0.0f, 1.0f);
+    const float grout = std::clamp(2.0f - std::min(at.edge_u, at.edge_v) / grout_width, 0.0f, 1.0f);
     return ((1.0f - grout) * shade + grout * 0.80f) * tone_;
   }
 
@@ -106,8 +106,8 @@ class Bricks : public Painter {
                         0.14f * (rough_.at(u, v) - 0.5f) + 0.10f * (grit_.at(u, v) - 0.5f);
     // The lower edge of a joint lies in shadow.
     const float hollow = 1.0f - 0.12f * mortar;
-    return hollow * ((1.0f - mortar) * shade * tone_ +
-                     mortar * (0.94f + 0.12f * grit_.at(u, v)) * joint_);
+    return hollow *
+           ((1.0f - mortar) * shade * tone_ + mortar * (0.94f + 0.12f * grit_.at(u, v)) * joint_);
   }
 
  private:

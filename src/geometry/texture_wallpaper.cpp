@@ -67,15 +67,17 @@ class Sprigs : public Wallpaper {
  protected:
   float coverage(float u, float v) const override {
     Eigen::Vector2f p = in_staggered_cell(u, v, 4);
-    float ink = (0.012f - std::abs(p.x()) ) / 0.01f + 0.5f;
+    float ink = (0.012f - std::abs(p.x())) / 0.01f + 0.5f;
     if (std::abs(p.y()) > 0.34f) ink = 0.0f;
     ink = std::max(ink, (0.055f - (p - Eigen::Vector2f(0.0f, -0.36f)).norm()) / 0.015f + 0.5f);
     p.x() = std::abs(p.x());  // leaves come in pairs
     for (int pair = 0; pair < 3; ++pair) {
-      const Eigen::Vector2f d = p - Eigen::Vector2f(0.11f, -0.14f + 0.19f * static_cast<float>(pair));
+      const Eigen::Vector2f d =
+          p - Eigen::Vector2f(0.11f, -0.14f + 0.19f * static_cast<float>(pair));
       // Along and across a leaf that rises outwards.
       const float along = 0.8f * d.x() - 0.6f * d.y(), across = 0.6f * d.x() + 0.8f * d.y();
-      const float shape = std::sqrt(along * along / (0.12f * 0.12f) + across * across / (0.045f * 0.045f));
+      const float shape =
+          std::sqrt(along * along / (0.12f * 0.12f) + across * across / (0.045f * 0.045f));
       ink = std::max(ink, (1.0f - shape) / 0.2f + 0.5f);
     }
     return ink;

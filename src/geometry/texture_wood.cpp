@@ -89,8 +89,7 @@ class Herringbone : public Painter {
 
   Rgb color(float u, float v) const override {
     const int column = static_cast<int>(u * cells), row = static_cast<int>(v * cells);
-    const float x = u * cells - static_cast<float>(column),
-                y = v * cells - static_cast<float>(row);
+    const float x = u * cells - static_cast<float>(column), y = v * cells - static_cast<float>(row);
     const int phase = ((column - row) % period + period) % period;
     const bool lies = phase < length;
     // Where the block begins, and how far along and across it the point lies, in cells.

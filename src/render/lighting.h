@@ -4,8 +4,9 @@
 
 namespace roomgen::detail {
 
-/// Unit vector towards the sun of a room that is looked at from above, where there is no ceiling: behind the viewer's left shoulder, so that the faces that show are
-/// lit and shadows fall to the lower right.
+/// Unit vector towards the sun of a room that is looked at from above, where there is no ceiling:
+/// behind the viewer's left shoulder, so that the faces that show are lit and shadows fall to the
+/// lower right.
 Vec3 sun_direction(const Camera& camera, View::Kind kind);
 
 /// A box of sunlight around the scene.

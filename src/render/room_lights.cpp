@@ -9,9 +9,9 @@ namespace roomgen::detail {
 
 namespace {
 
-constexpr double exposure = 0.0035;      // of the picture, for a lux
+constexpr double exposure = 0.0035;     // of the picture, for a lux
 constexpr double sky = 0.3;             // what a square metre of window gives 1 m away
-constexpr double before_window = 0.15;   // metres, lest the pane be brightest of all
+constexpr double before_window = 0.15;  // metres, lest the pane be brightest of all
 constexpr std::size_t most_windows = 4;
 
 std::vector<RoomLight> windows(const Room& room) {

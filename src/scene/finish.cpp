@@ -27,7 +27,8 @@ const Surface* find_surface(const FinishWords& words, const std::string& name) {
 
 class Reader {
  public:
-  Reader(std::string_view text, const FinishWords& words) : all_(roomgen::words(text)), words_(words) {
+  Reader(std::string_view text, const FinishWords& words)
+      : all_(roomgen::words(text)), words_(words) {
     for (const auto& word : all_)
       if (const auto shade = words_.shades.find(word); shade != words_.shades.end())
         shades_.push_back(shade->second);
@@ -36,14 +37,13 @@ class Reader {
   Described run() const { return {surface(), tones()}; }
 
   Tone shaded(Tone tone) const {
-    for (const auto& shade : shades_)
-      tone += static_cast<float>(shade.by) * (shade.towards - tone);
+    for (const auto& shade : shades_) tone += static_cast<float>(shade.by) * (shade.towards - tone);
     return tone;
   }
 
  private:
-  // The longest name counts, of equally long ones the first: "white subway tiles" are no tiles of any
-  // kind, and a "checkerboard tile" is a checkerboard.
+  // The longest name counts, of equally long ones the first: "white subway tiles" are no tiles of
+  // any kind, and a "checkerboard tile" is a checkerboard.
   const Surface* surface() const {
     for (std::size_t length = longest_name; length > 0; --length)
       for (std::size_t at = 0; at + length <= all_.size(); ++at) {
@@ -117,15 +117,15 @@ Finish covered(const Surface& surface, const Tone& tone, const Tone& second, Roo
   if (!surface.pattern) return finish;
   finish.extent = texture_extent(*surface.pattern);
   finish.material.base_color = {1, 1, 1, 1};
-  finish.material.texture =
-      std::make_shared<Image>(paint_texture(*surface.pattern, tone, second));
+  finish.material.texture = std::make_shared<Image>(paint_texture(*surface.pattern, tone, second));
   return finish;
 }
 
 }  // namespace
 
 std::array<float, 4> material_color(const Eigen::Vector3f& srgb, float alpha) {
-  return {linear_from_srgb(srgb.x()), linear_from_srgb(srgb.y()), linear_from_srgb(srgb.z()), alpha};
+  return {linear_from_srgb(srgb.x()), linear_from_srgb(srgb.y()), linear_from_srgb(srgb.z()),
+          alpha};
 }
 
 Finish make_finish(std::string_view description, RoomPart part, std::string_view room_type,

@@ -34,8 +34,8 @@ FinishWords::Words<RoomPart> read_parts(const JsonReader& json) {
 }
 
 Surface read_surface(const std::string& name, const JsonReader& json) {
-  json.allow_only({"names", "pattern", "tone", "second", "roughness", "on floors", "on walls",
-                   "on ceilings"});
+  json.allow_only(
+      {"names", "pattern", "tone", "second", "roughness", "on floors", "on walls", "on ceilings"});
   Surface surface;
   surface.name = name;
   if (const auto pattern = json["pattern"]; pattern.exists()) {
@@ -58,7 +58,8 @@ std::vector<UsualFinish> read_usual(const JsonReader& json) {
   for (const auto& element : json.elements(100)) {
     element.allow_only({"rooms", "surface", "tone"});
     UsualFinish usual;
-    for (const auto& room : element["rooms"].elements_or_none(100)) usual.rooms.push_back(room.text());
+    for (const auto& room : element["rooms"].elements_or_none(100))
+      usual.rooms.push_back(room.text());
     usual.surface = element["surface"].text();
     if (element["tone"].exists()) usual.tone = read_tone(element["tone"]);
     all.push_back(std::move(usual));
@@ -126,8 +127,8 @@ Result<FinishWords> parse_finish_words(std::string_view text, const std::string&
 
 const FinishWords& finish_words() {
   static const FinishWords built_in = [] {
-    auto parsed = parse_finish_words(resource("data/materials.json").value_or("{}"),
-                                     "data/materials.json");
+    auto parsed =
+        parse_finish_words(resource("data/materials.json").value_or("{}"), "data/materials.json");
     // A test parses the file; a build whose data is broken has plain rooms.
     return parsed ? *std::move(parsed) : FinishWords{};
   }();

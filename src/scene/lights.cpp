@@ -43,7 +43,8 @@ Vec3 place_of(const Object& object, const Lamp& lamp, const Room& room) {
 const Opening* widest_window(const Room& room) {
   const Opening* widest = nullptr;
   for (const auto& opening : room.openings)
-    if (opening.type == OpeningType::window && (!widest || opening.width() > widest->width() + 1e-9))
+    if (opening.type == OpeningType::window &&
+        (!widest || opening.width() > widest->width() + 1e-9))
       widest = &opening;
   return widest;
 }
@@ -82,9 +83,9 @@ std::optional<Sunlight> sunlight(const Room& room) {
   const Segment line = segment(room, *window);
   const Vec2 middle = 0.5 * (line.a + line.b), in = inward(room, *window);
   const Vec2 left = rotated(in, sun_azimuth), right = rotated(in, -sun_azimuth);
-  const Vec2 way = free_way(room, middle + 1e-3 * in, left) >= free_way(room, middle + 1e-3 * in, right)
-                       ? left
-                       : right;
+  const Vec2 way =
+      free_way(room, middle + 1e-3 * in, left) >= free_way(room, middle + 1e-3 * in, right) ? left
+                                                                                            : right;
   Sunlight sun;
   sun.to_sun << -std::cos(sun_elevation) * way, std::sin(sun_elevation);
   sun.lux = sun_lux;

@@ -8,17 +8,17 @@ namespace roomgen::detail {
 
 namespace {
 
-constexpr double aspect = 0.75;          // height of the picture by its width
-constexpr double lowest_head_room = 0.3; // of the eye under the ceiling
-constexpr double head = 0.3;             // above and below the eye, what a thing must leave free
-constexpr double grid = 0.25;            // of places to stand, where doors and corners will not do
-// The horizon lies above the middle of the picture: furniture stands on the floor. The lens is shifted
-// rather than the camera tilted, so that walls stay upright.
-constexpr double shift = 0.14;           // of the picture's width
-constexpr int rays = 48;                 // across the picture, to measure what is seen
+constexpr double aspect = 0.75;           // height of the picture by its width
+constexpr double lowest_head_room = 0.3;  // of the eye under the ceiling
+constexpr double head = 0.3;              // above and below the eye, what a thing must leave free
+constexpr double grid = 0.25;             // of places to stand, where doors and corners will not do
+// The horizon lies above the middle of the picture: furniture stands on the floor. The lens is
+// shifted rather than the camera tilted, so that walls stay upright.
+constexpr double shift = 0.14;  // of the picture's width
+constexpr int rays = 48;        // across the picture, to measure what is seen
 constexpr int directions = 48;
-constexpr double comfortable = 1.6;      // metres of air before the eye
-constexpr double nearest = 0.05;         // metres before the eye that are drawn
+constexpr double comfortable = 1.6;  // metres of air before the eye
+constexpr double nearest = 0.05;     // metres before the eye that are drawn
 
 double eye_height(const Room& room) {
   return std::min(eye_level, std::max(0.5 * room.height, room.height - lowest_head_room));
@@ -134,11 +134,13 @@ class Watcher {
       const Vec2 along = wall.b - wall.a;
       const double turn = cross(direction, along);
       if (std::abs(turn) < 1e-12) continue;
-      const double d = cross(wall.a - from, along) / turn, at = cross(wall.a - from, direction) / turn;
+      const double d = cross(wall.a - from, along) / turn,
+                   at = cross(wall.a - from, direction) / turn;
       if (d > 0 && at >= 0 && at <= 1) distance = std::min(distance, d);
     }
     for (const auto& obstacle : obstacles_)
-      if (const double d = ray_hit(obstacle, from, direction); d >= 0) distance = std::min(distance, d);
+      if (const double d = ray_hit(obstacle, from, direction); d >= 0)
+        distance = std::min(distance, d);
     return distance;
   }
 
@@ -185,11 +187,12 @@ class Watcher {
       if (object.traits.flat) continue;
       const Vec2 way = object.position.head<2>() - place;
       const double distance = way.norm();
-      if (distance < 0.3 || std::acos(std::clamp(way.dot(towards) / distance, -1.0, 1.0)) >
-                                0.42 * eye_view_angle)
+      if (distance < 0.3 ||
+          std::acos(std::clamp(way.dot(towards) / distance, -1.0, 1.0)) > 0.42 * eye_view_angle)
         continue;
       if (sight(place, way / distance) < distance - 0.5 * object.size.head<2>().norm()) continue;
-      const double front = object.traits.front ? -front_direction(object.yaw).dot(way / distance) : 0.5;
+      const double front =
+          object.traits.front ? -front_direction(object.yaw).dot(way / distance) : 0.5;
       sum += object.size.x() * std::min(object.size.z(), 2.0) * (0.5 + 0.5 * std::max(0.0, front));
     }
     return sum;

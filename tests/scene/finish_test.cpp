@@ -17,8 +17,12 @@ bool same(const Finish& a, const Finish& b) {
   return a.material.texture->pixels == b.material.texture->pixels;
 }
 
-Finish floor_of(const std::string& words) { return make_finish(words, RoomPart::floor, "bedroom"); }
-Finish wall_of(const std::string& words) { return make_finish(words, RoomPart::walls, "bedroom"); }
+Finish floor_of(const std::string& words) {
+  return make_finish(words, RoomPart::floor, "bedroom");
+}
+Finish wall_of(const std::string& words) {
+  return make_finish(words, RoomPart::walls, "bedroom");
+}
 
 }  // namespace
 
@@ -126,17 +130,18 @@ TEST_CASE("what is wrong in a file of materials is told with its place") {
   const std::string usual =
       R"("usual": {"floor": [{"surface": "a"}], "walls": [{"surface": "a"}], "ceiling": [{"surface": "a"}]})";
   const auto parse = [&](const std::string& surface, const std::string& more) {
-    return parse_finish_words(R"({"surfaces": {"a": )" + surface + R"(}, )" + more + usual + "}", "m.json");
+    return parse_finish_words(R"({"surfaces": {"a": )" + surface + R"(}, )" + more + usual + "}",
+                              "m.json");
   };
   REQUIRE(parse(R"({"names": ["a"], "tone": [1, 2, 3]})", ""));
-  for (const auto& [surface, more] : {std::pair<std::string, std::string>
-           {R"({"names": ["a"], "tone": [1, 2, 300]})", ""},
-           {R"({"names": ["a"], "tone": [1, 2, 3], "pattern": "tartan"})", ""},
-           {R"({"names": ["a", "a"], "tone": [1, 2, 3]})", ""},
-           {R"({"names": ["a"], "tone": [1, 2, 3], "on walls": "b"})", ""},
-           {R"({"names": ["a"], "tone": [1, 2, 3]})", R"("parts": {"roof": "roof"}, )"},
-           {R"({"names": ["a"], "tone": [1, 2, 3]})",
-            R"("substances": {"oak": {"tone": [1, 2, 3], "surface": "b"}}, )"}}) {
+  for (const auto& [surface, more] :
+       {std::pair<std::string, std::string>{R"({"names": ["a"], "tone": [1, 2, 300]})", ""},
+        {R"({"names": ["a"], "tone": [1, 2, 3], "pattern": "tartan"})", ""},
+        {R"({"names": ["a", "a"], "tone": [1, 2, 3]})", ""},
+        {R"({"names": ["a"], "tone": [1, 2, 3], "on walls": "b"})", ""},
+        {R"({"names": ["a"], "tone": [1, 2, 3]})", R"("parts": {"roof": "roof"}, )"},
+        {R"({"names": ["a"], "tone": [1, 2, 3]})",
+         R"("substances": {"oak": {"tone": [1, 2, 3], "surface": "b"}}, )"}}) {
     INFO(surface << more);
     const auto words = parse(surface, more);
     REQUIRE_FALSE(words);

@@ -25,7 +25,8 @@ double free_space(const Scene& scene, const Vec3& point) {
   double free = distance_to_boundary(scene.room.polygon, Vec2(point.head<2>()));
   for (const auto& object : scene.objects) {
     if (top(object) < point.z() || bottom(object) > point.z()) continue;
-    const Footprint box(object.position.head<2>(), object.size.head<2>(), object.yaw, object.traits.round);
+    const Footprint box(object.position.head<2>(), object.size.head<2>(), object.yaw,
+                        object.traits.round);
     free = std::min(free, gap(box, Vec2(point.head<2>())));
   }
   return free;
