@@ -77,13 +77,15 @@ Result<Plan> make_plan(const GenerateCommand& command, const Context& context, D
 
 Status write_pictures(const GenerateCommand& command, const fs::path& folder,
                       const Generation& generation, Renderer& renderer) {
-  for (const auto kind : {View::Kind::top, View::Kind::isometric}) {
+  const std::pair<View::Kind, const char*> views[] = {{View::Kind::top, "top.png"},
+                                                      {View::Kind::isometric, "iso.png"},
+                                                      {View::Kind::eye, "eye.png"}};
+  for (const auto& [kind, name] : views) {
     View view;
     view.kind = kind;
     view.pixels = command.pixels;
     const auto image = renderer.render(generation.scene, generation.models, view);
     if (!image) return image.error();
-    const auto* name = kind == View::Kind::top ? "top.png" : "iso.png";
     if (auto status = write_png(folder / name, *image); !status) return status;
   }
   return {};

@@ -38,7 +38,9 @@ Result<int> render(const Context& context, const Options& options) {
   if (!renderer) return renderer.error();
 
   View view;
-  view.kind = options.view == "iso" ? View::Kind::isometric : View::Kind::top;
+  view.kind = options.view == "iso"   ? View::Kind::isometric
+              : options.view == "eye" ? View::Kind::eye
+                                      : View::Kind::top;
   view.pixels = options.pixels;
   view.marks = options.marks;
   view.paper_frame = options.frame == "paper";
@@ -56,8 +58,8 @@ void add_render_command(CLI::App& app, Context& context) {
   CLI::App* command = app.add_subcommand("render", "Draw a picture of a scene");
   command->add_option("scene", options->scene, "scene.json")->required()->check(CLI::ExistingFile);
   command->add_option("-o,--output", options->output, "PNG file to write")->capture_default_str();
-  command->add_option("--view", options->view, "top: plan from above; iso: from a corner")
-      ->check(CLI::IsMember({"top", "iso"}))
+  command->add_option("--view", options->view, "top: plan from above; iso: from a corner, above; eye: as a visitor sees it")
+      ->check(CLI::IsMember({"top", "iso", "eye"}))
       ->capture_default_str();
   command->add_flag("--marks", options->marks,
                     "Draw the coordinate grid, ids and fronts (top view only)");

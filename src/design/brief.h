@@ -8,6 +8,7 @@
 #include "roomgen/geometry/vec.h"
 #include "roomgen/scene/object.h"
 #include "roomgen/scene/relation.h"
+#include "roomgen/scene/room.h"
 
 namespace roomgen::design {
 
@@ -51,6 +52,7 @@ struct Brief {
   int people = 0;              ///< 0: not said
   std::optional<int> windows;  ///< how many
   bool wide_windows = false;
+  RoomMaterials materials;  ///< what it says about them
   std::vector<Mention> mentions;
   bool bare = false;                  ///< nothing but what is mentioned
   std::vector<std::string> excluded;  ///< categories

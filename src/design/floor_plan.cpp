@@ -142,6 +142,16 @@ Room make_room(const RoomKind& kind, const Vec2& size, int windows, bool wide_wi
   return room;
 }
 
+void put_on(Room& room, const RoomMaterials& said) {
+  const auto replace = [](std::string& has, const std::string& wanted) {
+    if (!wanted.empty()) has = wanted;
+  };
+  replace(room.materials.floor, said.floor);
+  replace(room.materials.walls, said.walls);
+  replace(room.materials.ceiling, said.ceiling);
+  replace(room.materials.accent, said.accent);
+}
+
 bool ensure_door(Room& room, const RoomKind& kind) {
   if (std::any_of(room.openings.begin(), room.openings.end(),
                   [](const Opening& opening) { return opening.is_entrance(); }))

@@ -22,6 +22,9 @@ Vec2 choose_size(const RoomKind& kind, const Brief& brief, double scale, double 
 Room make_room(const RoomKind& kind, const Vec2& size, int windows, bool wide_windows,
                Random random);
 
+/// What the prompt says of materials, in place of what the room has.
+void put_on(Room& room, const RoomMaterials& said);
+
 /// Puts a door into the longest wall of a floor plan that has none. True if it did.
 bool ensure_door(Room& room, const RoomKind& kind);
 

@@ -24,6 +24,10 @@ class Ledger {
       for (const auto& demand : mention.demands) relation(i, mention, demand);
     }
     for (const auto& category : brief_.excluded) absence(category);
+    material("floor", brief_.materials.floor);
+    material("walls", brief_.materials.walls);
+    material("ceiling", brief_.materials.ceiling);
+    material("accent wall", brief_.materials.accent);
     return std::move(requirements_);
   }
 
@@ -65,6 +69,16 @@ class Ledger {
     }
     if (std::find(requirements_.begin(), requirements_.end(), requirement) == requirements_.end())
       requirements_.push_back(std::move(requirement));
+  }
+
+  void material(const std::string& part, const std::string& said) {
+    if (said.empty()) return;
+    Requirement requirement;
+    requirement.kind = Requirement::Kind::attribute;
+    requirement.clause = said;
+    requirement.category = part;
+    requirement.attribute = said;
+    requirements_.push_back(std::move(requirement));
   }
 
   void absence(const std::string& category) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "arrangement.h"
+#include "floor_plan.h"
 #include "order.h"
 #include "prompt.h"
 #include "reply_items.h"
@@ -119,6 +120,7 @@ Result<PlanReply> read_plan_reply(std::string_view text, const PlanRequest& requ
   for (auto& draft : drafts) draft.item.asked = is_mentioned(draft.item, brief, categories);
   plan.room =
       read_reply_room(json, request, kind, brief, floor_area(drafts, categories), reply.repairs);
+  put_on(plan.room, brief.materials);
   fit_into(plan.room, drafts, reply.repairs);
   order_items(std::move(drafts), categories, *built_in_arrangements(), plan);
   if (reply.repairs.size() > max_repairs) reply.repairs.resize(max_repairs);

@@ -121,6 +121,7 @@ class Planner {
     plan.notes = brief_.notes;
     auto drafts = asked_items(brief_, table_);
     plan.room = make_the_room(floor_area(drafts, table_), random, n, plan);
+    put_on(plan.room, brief_.materials);
     const Vec2 box = bounds(plan.room.polygon).size();
     // Of a room that is no rectangle, one of its area.
     const Vec2 usable(box.x(), area(plan.room.polygon) / box.x());

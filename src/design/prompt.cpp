@@ -4,6 +4,7 @@
 
 #include "absence.h"
 #include "discourse.h"
+#include "finishes.h"
 #include "measures.h"
 #include "room_type.h"
 #include "settle.h"
@@ -429,6 +430,7 @@ Brief read_prompt(std::string_view prompt, const RoomKinds& kinds, const Categor
   read_measures(tokens, *words, names, brief);
   read_people(tokens, *words, names, brief);
   read_room_type(tokens, *words, names, kinds, brief);
+  read_finishes(tokens, *words, names, finish_words(), brief);
   PromptReader(std::move(tokens), {*words, names, table, kinds.get(brief.type)}, brief).run();
   settle(brief, table, names);
   if (brief.type.empty() && brief.mentions.empty() && brief.styles.empty() && !prompt.empty())

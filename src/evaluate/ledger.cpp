@@ -21,6 +21,8 @@ class Checker {
       case Requirement::Kind::count:
         return count_fault(requirement);
       case Requirement::Kind::attribute:
+        if (const std::string* material = material_of(requirement.category))
+          return *material == requirement.attribute ? "" : "it is \"" + *material + "\"";
         return each(requirement, [&](const Object& object) {
           return has_attribute_(object, requirement.attribute);
         });
@@ -36,6 +38,15 @@ class Checker {
   }
 
  private:
+  // What a part of the room is covered with; null for things.
+  const std::string* material_of(std::string_view part) const {
+    const RoomMaterials& materials = scene_.room.materials;
+    if (part == "floor") return &materials.floor;
+    if (part == "walls") return &materials.walls;
+    if (part == "ceiling") return &materials.ceiling;
+    return part == "accent wall" ? &materials.accent : nullptr;
+  }
+
   // Without the things of which another count speaks: "four novels and two art books".
   int number_of(const std::string& category, const Requirement* asking = nullptr) const {
     return static_cast<int>(

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "glb_buffer.h"
+#include "glb_lights.h"
 #include "glb_materials.h"
 #include "roomgen/base/file.h"
 #include "roomgen/export/attribution.h"
@@ -86,6 +87,19 @@ class GlbWriter {
     return {};
   }
 
+  void add_lights(const Scene& scene) {
+    Json group = {{"name", "lights"}, {"children", Json::array()}};
+    const auto add = [&](Json node) {
+      group["children"].push_back(nodes_.size());
+      nodes_.push_back(std::move(node));
+    };
+    for (const auto& lamp : lamp_lights(scene)) add(lights_.lamp_node(lamp));
+    if (const auto sun = sunlight(scene.room)) add(lights_.sun_node(*sun));
+    if (group["children"].empty()) return;
+    roots_.push_back(nodes_.size());
+    nodes_.push_back(std::move(group));
+  }
+
   Status add_model(const std::string& name, const Model& model) {
     const auto mesh = add_mesh(name, model);
     if (!mesh) return mesh.error();
@@ -106,6 +120,7 @@ class GlbWriter {
     gltf["nodes"] = std::move(nodes_);
     gltf["meshes"] = std::move(meshes_);
     materials_.finish(gltf);
+    lights_.finish(gltf);
     std::string binary = buffer_.finish(gltf);
     return detail::glb_file(gltf, std::move(binary));
   }
@@ -118,7 +133,7 @@ class GlbWriter {
 
   static std::string category_of(const Room& room, const std::string& part) {
     if (const auto* opening = find_opening(room, part)) return std::string(name(opening->type));
-    return part == "floor" ? "floor" : "wall";
+    return part == "floor" || part == "ceiling" ? part : "wall";
   }
 
   Result<std::optional<std::size_t>> add_mesh(const std::string& mesh_name, const Model& model) {
@@ -178,6 +193,7 @@ class GlbWriter {
   const GlbOptions& options_;
   GlbBuffer buffer_;
   GlbMaterials materials_;
+  detail::GlbLights lights_;
   Json nodes_ = Json::array(), meshes_ = Json::array(), roots_ = Json::array();
   std::map<std::string, Asset> assets_;
 };
@@ -190,6 +206,7 @@ Result<std::string> make_glb(const Scene& scene, const ModelTable& models,
   if (auto status = writer.add_room(scene); !status) return status.error();
   for (const auto& object : scene.objects)
     if (auto status = writer.add_object(object, models); !status) return status.error();
+  if (options.lights) writer.add_lights(scene);
   return writer.finish(scene.room.type.empty() ? "room" : scene.room.type, attribution_line(scene));
 }
 

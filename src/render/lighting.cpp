@@ -18,6 +18,23 @@ Eigen::Matrix4d box_projection(const std::array<Vec3, 3>& axes, const Vec3& cent
   return m;
 }
 
+// Rays that meet in the eye: everything is divided by its distance before it.
+Eigen::Matrix4d clip_from_seen_room(const Camera& camera) {
+  const auto [near, far] = planes(camera);
+  const double x = 2.0 * camera.pixels_per_metre / camera.width;
+  const double y = 2.0 * camera.pixels_per_metre / camera.height;
+  Eigen::Matrix<double, 4, 3> turn;
+  turn.row(0) = x * (camera.right + camera.center.x() * camera.backward).transpose();
+  turn.row(1) = -y * (camera.up + camera.center.y() * camera.backward).transpose();
+  turn.row(2) = -(far + near) / (far - near) * camera.backward.transpose();
+  turn.row(3) = -camera.backward.transpose();
+  Eigen::Matrix4d m;
+  m.leftCols<3>() = turn;
+  m.col(3) = -turn * *camera.eye;
+  m(2, 3) -= 2.0 * far * near / (far - near);
+  return m;
+}
+
 }  // namespace
 
 Vec3 sun_direction(const Camera& camera, View::Kind kind) {
@@ -39,7 +56,13 @@ Sun make_sun(const Vec3& direction, const std::vector<Vec3>& points) {
           2.0 * half.z()};
 }
 
+Planes planes(const Camera& camera) {
+  const double at = camera.depth(*camera.eye);
+  return {at - camera.near, at - camera.far};
+}
+
 Eigen::Matrix4d clip_from_room(const Camera& camera) {
+  if (camera.eye) return clip_from_seen_room(camera);
   const Vec3 center(camera.center.x(), -camera.center.y(), -0.5 * (camera.near + camera.far));
   const Vec3 half(0.5 * camera.width / camera.pixels_per_metre,
                   0.5 * camera.height / camera.pixels_per_metre, 0.5 * (camera.near - camera.far));

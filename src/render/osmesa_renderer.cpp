@@ -5,6 +5,7 @@
 #include "gl_context.h"
 #include "overlay.h"
 #include "picture.h"
+#include "roomgen/scene/lights.h"
 #include "roomgen/scene/room_shell.h"
 #include "shadow_map.h"
 
@@ -24,6 +25,8 @@ std::string frame_key(const Scene& scene, const View& view, const Camera& camera
   for (const double value : {camera.center.x(), camera.center.y(), camera.pixels_per_metre,
                              camera.near, camera.far, camera.backward.x(), camera.backward.y()})
     key["camera"].push_back(value);
+  if (camera.eye)
+    for (int axis = 0; axis < 3; ++axis) key["eye"].push_back((*camera.eye)[axis]);
   key["kind"] = static_cast<int>(view.kind);
   key["size"] = {camera.width, camera.height};
   return key.dump();
@@ -35,6 +38,7 @@ std::shared_ptr<const Model> shell_model(const Room& room, const View& view, con
   options.wall_heights = wall_heights(room, view, camera);
   options.top_color = plan ? plan_wall_color : wall_top_color;
   options.door_leaves = !plan;  // drawn open, as a symbol
+  options.ceiling = view.kind == View::Kind::eye;
   auto merged = std::make_shared<Model>();
   for (auto& part : room_shell(room, options)) {
     const int first = static_cast<int>(merged->materials.size());
@@ -57,7 +61,10 @@ Sun sun_of(const Room& room, const View& view, const Camera& camera) {
   std::vector<Vec3> points;
   for (const auto& p : offset_outward(room.polygon, wall_thickness))
     for (const double z : {-floor_thickness, room.height}) points.push_back({p.x(), p.y(), z});
-  return make_sun(sun_direction(camera, view.kind), points);
+  if (view.kind != View::Kind::eye) return make_sun(sun_direction(camera, view.kind), points);
+  // Without a window the ceiling keeps it out.
+  const auto sun = sunlight(room);
+  return make_sun(sun ? sun->to_sun : Vec3(0.0, 0.0, 1.0), points);
 }
 
 // How far the soft edge of a shadow may lie beside the shadow of a point.
@@ -68,6 +75,8 @@ int shadow_margin(const Camera& camera, const Sun& sun) {
 
 // The pixels that change when something in this box comes or goes: the box, its shadow, and around.
 PixelRect touched_pixels(const Camera& camera, const Sun& sun, const Bounds3& box) {
+  // Lamps reach everywhere.
+  if (camera.eye) return {0, 0, camera.width, camera.height};
   Bounds3 lit = box;
   for (int corner = 0; corner < 4; ++corner) {
     const Vec3 p(corner & 1 ? box.high.x() : box.low.x(), corner & 2 ? box.high.y() : box.low.y(),
@@ -135,8 +144,7 @@ class OsmesaRenderer : public Renderer {
   DrawList draw_list(const Scene& scene, const ModelTable& models, const View& view,
                      const Camera& camera, const std::string& key) {
     // From above, lamps would hide what stands under them; their ceiling is off as well.
-    DrawList items =
-        draw_objects(scene, models, view.kind != View::Kind::top, cache_);
+    DrawList items = draw_objects(scene, models, view.kind != View::Kind::top, cache_);
     DrawItem shell;
     shell.source = cache_.source(key);
     if (!shell.source) shell.source = shell_model(scene.room, view, camera);
@@ -167,8 +175,9 @@ class OsmesaRenderer : public Renderer {
       // A picture that was partly drawn after another one has strange depths around that part.
       if (!continued) depth_owner_ = fresh ? frame.key : std::string();
       picture_.draw(painter_, items, camera,
-                    {&frame.sun, shadows_.texture(), shadow_width / frame.sun.extent}, damage,
-                    continued, frame.image);
+                    {&frame.sun, shadows_.texture(), shadow_width / frame.sun.extent,
+                     camera.eye ? room_lights(scene) : std::vector<RoomLight>{}},
+                    damage, continued, frame.image);
     }
     frame.items = std::move(items);
     cache_.drop_unused();

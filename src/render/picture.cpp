@@ -15,7 +15,9 @@ constexpr double occlusion_radius = 0.25;  // metres
 constexpr double largest_radius = 80.0;    // pixels
 constexpr int blur = 1;
 
+// An eye sees what is near as large as can be.
 double radius_in_pixels(const Camera& camera) {
+  if (camera.eye) return largest_radius;
   return std::min(occlusion_radius * camera.pixels_per_metre, largest_radius);
 }
 
@@ -32,17 +34,20 @@ Eigen::Matrix4d clip_from_pixel(const Camera& camera, const PixelRect& area) {
   return m;
 }
 
-// What a picture of nothing looks like: paper.
-constexpr float background[3] = {0.955f, 0.948f, 0.935f};
+// What a picture of nothing looks like: paper, and before the window a bright sky.
+constexpr float paper[3] = {0.955f, 0.948f, 0.935f}, sky[3] = {0.94f, 0.97f, 0.995f};
 
 }  // namespace
 
 PixelRect covered_pixels(const Camera& camera, const Bounds3& box) {
   Bounds2 extent;
-  for (int corner = 0; corner < 8; ++corner)
-    extent.add(camera.pixel({corner & 1 ? box.high.x() : box.low.x(),
-                             corner & 2 ? box.high.y() : box.low.y(),
-                             corner & 4 ? box.high.z() : box.low.z()}));
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3 p(corner & 1 ? box.high.x() : box.low.x(), corner & 2 ? box.high.y() : box.low.y(),
+                 corner & 4 ? box.high.z() : box.low.z());
+    // What reaches beside or behind the eye may be anywhere.
+    if (camera.eye && camera.depth(p) > camera.near) return whole(camera);
+    extent.add(camera.pixel(p));
+  }
   const auto down = [](double v) { return static_cast<int>(std::floor(std::clamp(v, -1e6, 1e6))); };
   return {down(extent.low.x()) - 1, down(extent.low.y()) - 1, down(extent.high.x()) + 2,
           down(extent.high.y()) + 2};
@@ -122,6 +127,7 @@ void Picture::paint(const ScenePainter& painter, const DrawList& items, const Ca
   gl_->Viewport(-2 * tile.area.x0, -2 * tile.area.y0, 2 * camera.width, 2 * camera.height);
   set_scissor(tile.painted, tile.area, 2);
   gl_->Enable(GL_DEPTH_TEST);
+  const auto& background = camera.eye ? sky : paper;
   gl_->ClearColor(background[0], background[1], background[2], 1.0f);
   gl_->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   painter.paint_surfaces(
@@ -138,15 +144,35 @@ void Picture::add_occlusion(const Camera& camera, const Tile& tile) {
   program.use();
   gl_->ActiveTexture(GL_TEXTURE0);
   gl_->BindTexture(GL_TEXTURE_2D, depth_.get());
-  const double radius = radius_in_pixels(camera) / camera.pixels_per_metre;
-  gl_->Uniform1f(program.location("depth_range"), static_cast<float>(camera.near - camera.far));
-  gl_->Uniform1f(program.location("metres_per_pixel"),
-                 static_cast<float>(1.0 / camera.pixels_per_metre));
-  gl_->Uniform1f(program.location("radius"), static_cast<float>(radius));
+  set_depths(program, camera, tile);
   gl_->Uniform2i(program.location("origin"), tile.area.x0, tile.area.y0);
   gl_->Uniform2i(program.location("limit"), tile.area.width(), tile.area.height());
   gl_->BindVertexArray(screen_.get());
   gl_->DrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+// How the occlusion's shader finds places from depths.
+void Picture::set_depths(const GlProgram& program, const Camera& camera, const Tile& tile) const {
+  const auto set4 = [&](double x, double y, double z, double w) {
+    gl_->Uniform4f(program.location("metres"), static_cast<float>(x), static_cast<float>(y),
+                   static_cast<float>(z), static_cast<float>(w));
+  };
+  const auto set2 = [&](const char* name, double x, double y) {
+    gl_->Uniform2f(program.location(name), static_cast<float>(x), static_cast<float>(y));
+  };
+  const double pixel = 1.0 / camera.pixels_per_metre;
+  if (camera.eye) {
+    const auto [near, far] = planes(camera);
+    set4(0.0, far * near, near - far, far);
+    set2("scale", 0.0, pixel);
+    set2("middle", 0.5 * camera.width - camera.center.x() / pixel - tile.area.x0,
+         0.5 * camera.height + camera.center.y() / pixel - tile.area.y0);
+  } else {
+    set4(camera.near - camera.far, 0.0, 0.0, 1.0);
+    set2("scale", pixel, 0.0);
+    set2("middle", 0.0, 0.0);
+  }
+  set2("radius", occlusion_radius, largest_radius);
 }
 
 void Picture::resolve(const Tile& tile, Image& image) {

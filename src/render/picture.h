@@ -29,6 +29,7 @@ class Picture {
   void paint(const ScenePainter& painter, const DrawList& items, const Camera& camera,
              const ScenePainter::Light& light, const Tile& tile);
   void add_occlusion(const Camera& camera, const Tile& tile);
+  void set_depths(const GlProgram& program, const Camera& camera, const Tile& tile) const;
   void resolve(const Tile& tile, Image& image);
   void set_scissor(const PixelRect& part, const PixelRect& area, int scale) const;
 

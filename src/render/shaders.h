@@ -13,6 +13,7 @@ layout(location = 2) in vec2 uv;
 layout(location = 3) in vec4 color;     // sRGB
 uniform mat4 clip_from_model;
 uniform mat3 room_from_normal;
+invariant gl_Position;           // the same depth in every program
 out vec3 room_normal;
 out vec2 texture_uv;
 flat out vec4 tint;
@@ -28,17 +29,27 @@ void main() {
 )";
 
 /// A sun with soft shadows, light from all sides, a hint of gloss. Variants by macro: TEXTURED; MASKED
-/// drops transparent texels.
+/// drops transparent texels; INDOORS has an eye in the room, and the light of lamps and windows.
 inline constexpr std::string_view surface_fragment = R"(
 in vec3 room_normal;
 in vec2 texture_uv;
 flat in vec4 tint;
 flat in float roughness;
-uniform mat4 sun_from_pixel;     // the camera is orthographic: one matrix does it
-uniform vec3 to_viewer;
+uniform mat4 sun_from_pixel;
 uniform vec3 to_sun;
 uniform vec3 to_sky;             // where the ambient light is brightest
+#ifdef INDOORS
+const int most_lights = 12;
+uniform mat4 room_from_pixel;
+uniform vec3 eye;
+uniform int lights;
+uniform vec3 light_places[most_lights];
+uniform vec3 light_colors[most_lights];  // times the light that falls on what faces it at 1 m
+uniform vec4 light_axes[most_lights];    // w: cosine of the cone's half angle; above 1: as a plane shines
+#else
+uniform vec3 to_viewer;
 uniform vec3 halfway;            // between viewer and sun
+#endif
 uniform sampler2DShadow sun_depth;
 uniform float shadow_width;      // of a shadow's soft edge, in parts of the map
 uniform sampler2D base_color;
@@ -50,12 +61,46 @@ float sunlight(float facing) {
   vec2 corner = vec2(ivec2(gl_FragCoord.xy) & 1) - 0.5;
   corner = vec2(corner.x * 1.1 - corner.y * 0.5, corner.y * 1.1 + corner.x * 0.5) *
            (shadow_width * facing);
-  vec3 at = (sun_from_pixel * vec4(gl_FragCoord.xyz, 1.0)).xyz;
+  vec4 there = sun_from_pixel * vec4(gl_FragCoord.xyz, 1.0);
+  vec3 at = there.xyz / there.w;
   vec4 lit = textureGather(sun_depth, at.xy + corner, at.z);
   return dot(lit, vec4(0.25));
 }
 
+#ifdef INDOORS
+const vec3 darkest = vec3(0.46, 0.45, 0.43), brightest = vec3(0.70, 0.70, 0.69);
+
+// Lamps and windows cast no shadows of their own: what they leave in the dark, occlusion finds.
+vec3 light_of_the_room(vec3 room, vec3 n) {
+  vec3 sum = vec3(0.0);
+  for (int i = 0; i < lights; ++i) {
+    vec3 way = light_places[i] - room;
+    float squared = dot(way, way);
+    way *= inversesqrt(squared);
+    float facing = max(dot(n, way), 0.0);
+    float down = -dot(way, light_axes[i].xyz);
+    if (light_axes[i].w > 1.0) {
+      facing *= max(down, 0.0);
+    } else {
+      facing *= smoothstep(light_axes[i].w - 0.15, light_axes[i].w + 0.15, down);
+      // Shades let the light through: what is around the bulb glows, whichever way it faces.
+      facing = max(facing, 0.16 * (1.0 - smoothstep(0.02, 0.07, squared)));
+    }
+    sum += light_colors[i] * (facing / (squared + 0.05));
+  }
+  return sum;
+}
+#else
+const vec3 darkest = vec3(0.36, 0.345, 0.33), brightest = vec3(0.58, 0.58, 0.59);
+#endif
+
 void main() {
+#ifdef INDOORS
+  vec4 here = room_from_pixel * vec4(gl_FragCoord.xyz, 1.0);
+  vec3 room = here.xyz / here.w;
+  vec3 to_viewer = normalize(eye - room);
+  vec3 halfway = normalize(to_viewer + to_sun);
+#endif
   vec4 albedo = tint;
 #ifdef TEXTURED
   vec4 texel = texture(base_color, texture_uv);
@@ -71,8 +116,10 @@ void main() {
   float facing = max(dot(n, to_sun), 0.0);
   float sun = facing > 0.0 ? facing * sunlight(facing) : 0.0;
   float side = 0.5 + 0.5 * dot(n, to_sky);
-  vec3 light = mix(vec3(0.36, 0.345, 0.33), vec3(0.58, 0.58, 0.59), side) +
-               sun * vec3(0.86, 0.81, 0.74);
+  vec3 light = mix(darkest, brightest, side) + sun * vec3(0.86, 0.81, 0.74);
+#ifdef INDOORS
+  light += light_of_the_room(room, n);
+#endif
   vec3 color = albedo.rgb * light;
   float gloss = (1.0 - roughness) * (1.0 - roughness);
   float highlight = max(dot(n, halfway), 0.0);
@@ -86,11 +133,12 @@ void main() {
 }
 )";
 
-/// Depth only, from the sun.
+/// Depth only, from the sun or the eye.
 inline constexpr std::string_view shadow_vertex = R"(#version 400 core
 layout(location = 0) in vec3 position;
 layout(location = 2) in vec2 uv;
 uniform mat4 clip_from_model;
+invariant gl_Position;
 out vec2 texture_uv;
 void main() {
   gl_Position = clip_from_model * vec4(position, 1.0);
@@ -119,9 +167,10 @@ void main() {
 /// Obscurance Algorithm", 2011), and its depth in metres.
 inline constexpr std::string_view occlusion_fragment = R"(#version 400 core
 uniform sampler2D depth_map;      // of the picture at twice its size
-uniform float depth_range;        // metres from near to far
-uniform float metres_per_pixel;
-uniform float radius;             // metres
+uniform vec4 metres;              // (x d + y) / (z d + w) before the viewer, for a depth d
+uniform vec2 scale;               // metres to a pixel, there and for every metre farther away
+uniform vec2 middle;              // of the rays, in pixels of the tile
+uniform vec2 radius;              // metres, and pixels at most
 uniform ivec2 origin;             // of the tile, so that the pattern continues from tile to tile
 uniform ivec2 limit;
 out vec2 result;
@@ -133,32 +182,36 @@ const vec2 spiral[samples] = vec2[](
     vec2(-0.503, -0.089), vec2(0.527, -0.335), vec2(-0.190, 0.709), vec2(-0.389, -0.750),
     vec2(0.898, 0.328));
 
-float depth_at(ivec2 p) {
-  return texelFetch(depth_map, 2 * clamp(p, ivec2(0), limit - 1), 0).r * depth_range;
+// Where the surface in a pixel is, seen by the viewer; z grows away from it.
+vec3 place(ivec2 p) {
+  float d = texelFetch(depth_map, 2 * clamp(p, ivec2(0), limit - 1), 0).r;
+  float away = (metres.x * d + metres.y) / (metres.z * d + metres.w);
+  return vec3((vec2(p) - middle) * (scale.x + scale.y * away), away);
 }
+
+vec3 shorter(vec3 a, vec3 b) { return abs(a.z) < abs(b.z) ? a : b; }
 
 void main() {
   ivec2 p = ivec2(gl_FragCoord.xy);
-  float center = depth_at(p);
-  if (center >= depth_range * 0.9999) { result = vec2(1.0, center); return; }
-  float left = depth_at(p - ivec2(1, 0)), right = depth_at(p + ivec2(1, 0));
-  float above = depth_at(p - ivec2(0, 1)), below = depth_at(p + ivec2(0, 1));
-  float dx = abs(right - center) < abs(center - left) ? right - center : center - left;
-  float dy = abs(below - center) < abs(center - above) ? below - center : center - above;
-  vec3 n = normalize(vec3(dx, dy, -metres_per_pixel));  // z grows away from the viewer
+  vec3 here = place(p);
+  if (texelFetch(depth_map, 2 * p, 0).r >= 0.9999999) { result = vec2(1.0, here.z); return; }
+  vec3 dx = shorter(place(p + ivec2(1, 0)) - here, here - place(p - ivec2(1, 0)));
+  vec3 dy = shorter(place(p + ivec2(0, 1)) - here, here - place(p - ivec2(0, 1)));
+  vec3 n = normalize(cross(dy, dx));
 
+  float pixel = scale.x + scale.y * here.z;
+  float reach = min(radius.x, radius.y * pixel);
   ivec2 cell = (p + origin) % 3;
   float turn = float((cell.x + 3 * cell.y) * 4 % 9) * 0.6981;
-  mat2 spin = mat2(cos(turn), sin(turn), -sin(turn), cos(turn)) * (radius / metres_per_pixel);
+  mat2 spin = mat2(cos(turn), sin(turn), -sin(turn), cos(turn)) * (reach / pixel);
   float blocked = 0.0;
   for (int i = 0; i < samples; ++i) {
-    ivec2 q = p + ivec2(spin * spiral[i]);
-    vec3 v = vec3(vec2(q - p) * metres_per_pixel, depth_at(q) - center);
+    vec3 v = place(p + ivec2(spin * spiral[i])) - here;
     float squared = dot(v, v);
-    float fade = max(0.0, 1.0 - squared / (radius * radius));
+    float fade = max(0.0, 1.0 - squared / (reach * reach));
     blocked += fade * max(0.0, dot(v, n) - 0.006) / (squared + 0.004);
   }
-  result = vec2(max(0.0, 1.0 - blocked * radius * 2.0 / float(samples)), center);
+  result = vec2(max(0.0, 1.0 - blocked * reach * 2.0 / float(samples)), here.z);
 }
 )";
 

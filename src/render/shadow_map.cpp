@@ -49,8 +49,9 @@ void ShadowMap::update(const ScenePainter& painter, const DrawList& items, const
   gl_->Enable(GL_POLYGON_OFFSET_FILL);
   // Against surfaces that shadow themselves; the constant part is 12 mm.
   gl_->PolygonOffset(3.5f, static_cast<float>(0.012 / sun.depth * 16777216.0));
-  painter.paint_depth(items, sun.clip_from_room,
-                      [&](const DrawItem& item) { return covered_by(sun, item.box).meets(part); });
+  painter.paint_shadows(items, sun.clip_from_room, [&](const DrawItem& item) {
+    return covered_by(sun, item.box).meets(part);
+  });
   gl_->Disable(GL_POLYGON_OFFSET_FILL);
   gl_->Disable(GL_DEPTH_TEST);
 }

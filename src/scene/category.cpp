@@ -55,7 +55,7 @@ void read_traits(const JsonReader& json, Traits& traits) {
 // What the entry does not say stays as `category` has it: inherited.
 void read_category(const JsonReader& json, Category& category) {
   json.allow_only({"is", "synonyms", "size", "mount", "elevation", "traits", "zones", "gaps",
-                   "tucks_under", "source"});
+                   "tucks_under", "lamp", "source"});
   category.synonyms = read_texts(json["synonyms"]);
   if (const auto size = json["size"]; size.exists()) {
     const auto v = size.numbers(3, 0.001, 20.0);
@@ -83,6 +83,11 @@ void read_category(const JsonReader& json, Category& category) {
     }
   }
   if (json["tucks_under"].exists()) category.tucks_under = read_texts(json["tucks_under"]);
+  if (const auto lamp = json["lamp"]; lamp.exists()) {
+    lamp.allow_only({"candela", "height", "cone"});
+    category.lamp = Lamp{lamp["candela"].number(0.01, 10000.0), lamp["height"].number_or(0.8, 0.0, 1.0),
+                         lamp["cone"].number_or(0.0, 0.0, 90.0)};
+  }
 }
 
 }  // namespace

@@ -7,146 +7,169 @@
 #include <vector>
 
 #include "roomgen/base/text.h"
-#include "roomgen/geometry/texture.h"
 
 namespace roomgen {
 
 namespace {
 
-using Rgb = Eigen::Vector3f;
-using Words = std::vector<std::string>;
+constexpr std::size_t longest_name = 3;  ///< words of a surface's name
 
-struct PatternWord {
-  std::string_view word;
-  TexturePattern pattern;
+/// What a description says, no more.
+struct Described {
+  const Surface* surface = nullptr;
+  std::vector<Tone> tones;  ///< in the order of the words
 };
 
-constexpr PatternWord pattern_words[] = {
-    {"deck", TexturePattern::decking},       {"decking", TexturePattern::decking},
-    {"wood", TexturePattern::planks},        {"wooden", TexturePattern::planks},
-    {"hardwood", TexturePattern::planks},    {"planks", TexturePattern::planks},
-    {"plank", TexturePattern::planks},       {"boards", TexturePattern::planks},
-    {"parquet", TexturePattern::planks},     {"laminate", TexturePattern::planks},
-    {"oak", TexturePattern::planks},         {"walnut", TexturePattern::planks},
-    {"pine", TexturePattern::planks},        {"bamboo", TexturePattern::planks},
-    {"marble", TexturePattern::stone},       {"stone", TexturePattern::stone},
-    {"granite", TexturePattern::stone},      {"slate", TexturePattern::stone},
-    {"tile", TexturePattern::tiles},         {"tiles", TexturePattern::tiles},
-    {"tiled", TexturePattern::tiles},        {"ceramic", TexturePattern::tiles},
-    {"porcelain", TexturePattern::tiles},    {"terracotta", TexturePattern::tiles},
-    {"carpet", TexturePattern::carpet},      {"carpeted", TexturePattern::carpet},
-    {"wool", TexturePattern::carpet},        {"concrete", TexturePattern::concrete},
-    {"cement", TexturePattern::concrete},    {"screed", TexturePattern::concrete},
-};
-
-struct ColorWord {
-  std::string_view word;
-  float r, g, b;
-};
-
-// Muted tones: walls and floors, not paint samples.
-constexpr ColorWord color_words[] = {
-    {"walnut", 128, 92, 66},   {"oak", 196, 160, 116},       {"pine", 214, 178, 128},
-    {"bamboo", 213, 186, 138}, {"terracotta", 190, 116, 84}, {"slate", 112, 118, 124},
-    {"granite", 134, 132, 130}, {"marble", 226, 222, 216},   {"white", 236, 234, 229},
-    {"cream", 238, 229, 208},  {"ivory", 238, 232, 215},     {"beige", 222, 207, 182},
-    {"sand", 216, 198, 164},   {"grey", 176, 176, 174},      {"gray", 176, 176, 174},
-    {"charcoal", 84, 86, 90},  {"black", 58, 58, 60},        {"brown", 138, 102, 74},
-    {"red", 172, 88, 80},      {"pink", 226, 188, 188},      {"blush", 230, 204, 196},
-    {"orange", 218, 152, 98},  {"yellow", 234, 212, 142},    {"green", 158, 178, 146},
-    {"sage", 178, 188, 164},   {"olive", 136, 138, 98},      {"mint", 196, 220, 204},
-    {"blue", 156, 180, 200},   {"navy", 68, 84, 112},        {"teal", 108, 152, 152},
-    {"lavender", 206, 200, 222}, {"purple", 158, 138, 172},
-};
-
-bool has(const Words& all, std::string_view word) {
-  return std::find(all.begin(), all.end(), word) != all.end();
+const Surface* find_surface(const FinishWords& words, const std::string& name) {
+  const auto found = words.surfaces.find(name);
+  return found == words.surfaces.end() ? nullptr : &found->second;
 }
 
-std::optional<TexturePattern> pattern_of(const Words& all) {
-  for (const auto& entry : pattern_words)
-    if (has(all, entry.word)) return entry.pattern;
-  return std::nullopt;
-}
-
-std::optional<Rgb> color_of(const Words& all) {
-  std::optional<Rgb> color;
-  // The last name counts: "white oak" is a pale oak, handled by the shades below.
-  for (const auto& word : all)
-    for (const auto& entry : color_words)
-      if (word == entry.word) color = Rgb(entry.r, entry.g, entry.b);
-  if (!color) return color;
-  if (has(all, "dark")) *color *= 0.8f;
-  if (has(all, "light") || has(all, "pale")) *color = 0.6f * *color + 0.4f * Rgb(245, 240, 230);
-  return color;
-}
-
-Rgb default_tone(TexturePattern pattern) {
-  switch (pattern) {
-    case TexturePattern::planks: return {198, 162, 118};
-    case TexturePattern::decking: return {162, 122, 88};
-    case TexturePattern::tiles: return {214, 212, 206};
-    case TexturePattern::stone: return {222, 217, 209};
-    case TexturePattern::carpet: return {190, 184, 174};
-    case TexturePattern::concrete: return {184, 182, 178};
+class Reader {
+ public:
+  Reader(std::string_view text, const FinishWords& words)
+      : all_(roomgen::words(text)), words_(words) {
+    for (const auto& word : all_)
+      if (const auto shade = words_.shades.find(word); shade != words_.shades.end())
+        shades_.push_back(shade->second);
   }
-  return {200, 200, 200};
+
+  Described run() const { return {surface(), tones()}; }
+
+  Tone shaded(Tone tone) const {
+    for (const auto& shade : shades_) tone += static_cast<float>(shade.by) * (shade.towards - tone);
+    return tone;
+  }
+
+ private:
+  // The longest name counts, of equally long ones the first: "white subway tiles" are no tiles of
+  // any kind, and a "checkerboard tile" is a checkerboard.
+  const Surface* surface() const {
+    for (std::size_t length = longest_name; length > 0; --length)
+      for (std::size_t at = 0; at + length <= all_.size(); ++at) {
+        const auto begin = all_.begin() + static_cast<std::ptrdiff_t>(at);
+        const auto found = words_.surface_names.find(
+            join({begin, begin + static_cast<std::ptrdiff_t>(length)}, " "));
+        if (found != words_.surface_names.end()) return find_surface(words_, found->second);
+      }
+    for (const auto& word : all_)
+      if (const auto found = words_.substances.find(word); found != words_.substances.end())
+        return find_surface(words_, found->second.surface);
+    return nullptr;
+  }
+
+  std::vector<Tone> tones() const {
+    std::vector<Tone> found;
+    bool specific = false;  // the word before was: "navy blue" is navy
+    for (const auto& word : all_) {
+      const auto basic = words_.basic_colors.find(word);
+      const auto color = words_.colors.find(word);
+      const auto stuff = words_.substances.find(word);
+      if (basic != words_.basic_colors.end() && !specific) found.push_back(shaded(basic->second));
+      if (color != words_.colors.end()) found.push_back(shaded(color->second));
+      if (stuff != words_.substances.end()) found.push_back(shaded(stuff->second.tone));
+      specific = color != words_.colors.end();
+    }
+    return found;
+  }
+
+  std::vector<std::string> all_;
+  std::vector<Shade> shades_;
+  const FinishWords& words_;
+};
+
+const UsualFinish* usual_finish(RoomPart part, std::string_view room_type,
+                                const FinishWords& finishes) {
+  const auto entries = finishes.usual.find(part);
+  if (entries == finishes.usual.end()) return nullptr;
+  const auto type = words(room_type);
+  for (const auto& entry : entries->second) {
+    const bool fits = std::any_of(entry.rooms.begin(), entry.rooms.end(), [&](const auto& word) {
+      return std::find(type.begin(), type.end(), word) != type.end();
+    });
+    if (fits || entry.rooms.empty()) return &entry;
+  }
+  return nullptr;
 }
 
-Finish textured(TexturePattern pattern, const Rgb& tone, std::string name) {
+Tone mean(const std::vector<Tone>& tones) {
+  Tone sum = Tone::Zero();
+  for (const auto& tone : tones) sum += tone;
+  return sum / static_cast<float>(tones.size());
+}
+
+const Surface& on_part(const Surface& surface, RoomPart part, const FinishWords& words) {
+  const auto other = surface.instead.find(part);
+  if (other == surface.instead.end()) return surface;
+  const Surface* found = find_surface(words, other->second);
+  return found ? *found : surface;
+}
+
+std::string_view name(RoomPart part) {
+  return part == RoomPart::floor ? "floor" : part == RoomPart::walls ? "wall" : "ceiling";
+}
+
+Finish covered(const Surface& surface, const Tone& tone, const Tone& second, RoomPart part) {
   Finish finish;
-  finish.extent = texture_extent(pattern);
-  finish.material.name = std::move(name);
+  finish.material.name = name(part);
+  finish.material.roughness = static_cast<float>(surface.roughness);
+  finish.material.base_color = material_color(tone);
+  if (!surface.pattern) return finish;
+  finish.extent = texture_extent(*surface.pattern);
   finish.material.base_color = {1, 1, 1, 1};
-  finish.material.texture = std::make_shared<Image>(paint_texture(pattern, tone));
-  const bool polished = pattern == TexturePattern::tiles || pattern == TexturePattern::stone;
-  finish.material.roughness = polished ? 0.35f : pattern == TexturePattern::planks ? 0.55f : 0.9f;
+  finish.material.texture = std::make_shared<Image>(paint_texture(*surface.pattern, tone, second));
   return finish;
-}
-
-TexturePattern usual_floor(std::string_view type) {
-  const Words all = words(type);
-  for (const auto* wet : {"bathroom", "kitchen", "toilet", "wc", "laundry", "restroom", "shower"})
-    if (has(all, wet)) return TexturePattern::tiles;
-  for (const auto* outside : {"balcony", "terrace", "patio", "deck"})
-    if (has(all, outside)) return TexturePattern::decking;
-  for (const auto* bare : {"garage", "workshop", "warehouse", "lab", "laboratory", "basement"})
-    if (has(all, bare)) return TexturePattern::concrete;
-  return TexturePattern::planks;
-}
-
-Rgb usual_wall(std::string_view type) {
-  const Words all = words(type);
-  if (has(all, "bathroom")) return {214, 226, 228};
-  if (has(all, "kitchen")) return {236, 231, 218};
-  if (has(all, "bedroom")) return {226, 222, 214};
-  if (has(all, "dining")) return {228, 219, 203};
-  if (has(all, "balcony")) return {224, 214, 200};
-  return {232, 226, 216};
 }
 
 }  // namespace
 
 std::array<float, 4> material_color(const Eigen::Vector3f& srgb, float alpha) {
-  return {linear_from_srgb(srgb.x()), linear_from_srgb(srgb.y()), linear_from_srgb(srgb.z()), alpha};
+  return {linear_from_srgb(srgb.x()), linear_from_srgb(srgb.y()), linear_from_srgb(srgb.z()),
+          alpha};
+}
+
+Finish make_finish(std::string_view description, RoomPart part, std::string_view room_type,
+                   const FinishWords& words) {
+  const Reader reader(description, words);
+  const Described said = reader.run();
+  const UsualFinish* usual = usual_finish(part, room_type, words);
+  const Surface* surface = said.surface;
+  if (!surface && usual) surface = find_surface(words, usual->surface);
+  static const Surface plain;
+  const Surface& worn = surface ? on_part(*surface, part, words) : plain;
+
+  Tone tone = !said.surface && usual && usual->tone ? *usual->tone : worn.tone;
+  Tone second = worn.second;
+  if (said.tones.empty()) {
+    tone = reader.shaded(tone);
+  } else if (worn.pattern && has_two_tones(*worn.pattern) && said.tones.size() > 1) {
+    tone = said.tones[0];
+    second = said.tones[1];
+  } else if (worn.pattern && has_two_tones(*worn.pattern)) {
+    // One name is that of the figure, on the usual ground.
+    second = said.tones[0];
+  } else {
+    // "white oak", "blue grey": something between. Joints follow half the way.
+    tone = mean(said.tones);
+    second = 0.5f * (worn.second + tone);
+  }
+  return covered(worn, tone, second, part);
 }
 
 Finish floor_finish(const Room& room) {
-  const Words all = words(room.materials.floor);
-  const TexturePattern pattern = pattern_of(all).value_or(usual_floor(room.type));
-  return textured(pattern, color_of(all).value_or(default_tone(pattern)), "floor");
+  return make_finish(room.materials.floor, RoomPart::floor, room.type);
 }
 
 Finish wall_finish(const Room& room) {
-  const Words all = words(room.materials.walls);
-  const Rgb tone = color_of(all).value_or(usual_wall(room.type));
-  if (const auto pattern = pattern_of(all); pattern && *pattern != TexturePattern::carpet)
-    return textured(*pattern, color_of(all).value_or(default_tone(*pattern)), "wall");
-  Finish finish;
-  finish.material.name = "wall";
-  finish.material.base_color = material_color(tone);
-  finish.material.roughness = 0.95f;
-  return finish;
+  return make_finish(room.materials.walls, RoomPart::walls, room.type);
+}
+
+Finish ceiling_finish(const Room& room) {
+  return make_finish(room.materials.ceiling, RoomPart::ceiling, room.type);
+}
+
+Finish accent_finish(const Room& room) {
+  return make_finish(room.materials.accent, RoomPart::walls, room.type);
 }
 
 }  // namespace roomgen

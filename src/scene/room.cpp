@@ -80,6 +80,19 @@ std::vector<Footprint> clearances(const Room& room, const Opening& opening) {
   return areas;
 }
 
+std::size_t accent_wall(const Room& room) {
+  std::vector<int> holes(room.polygon.size(), 0);  // 1: windows alone, 2: an entrance
+  for (const auto& opening : room.openings)
+    if (opening.wall < holes.size())
+      holes[opening.wall] = std::max(holes[opening.wall], opening.is_entrance() ? 2 : 1);
+  std::size_t best = 0;
+  for (std::size_t k = 1; k < holes.size(); ++k) {
+    const double longer = room.polygon.edge(k).length() - room.polygon.edge(best).length();
+    if (holes[k] < holes[best] || (holes[k] == holes[best] && longer > 1e-9)) best = k;
+  }
+  return best;
+}
+
 const Opening* find_opening(const Room& room, std::string_view id) {
   for (const auto& opening : room.openings)
     if (opening.id == id) return &opening;

@@ -112,6 +112,7 @@ Json to_json(const Room& room) {
   if (!room.materials.floor.empty()) materials["floor"] = room.materials.floor;
   if (!room.materials.walls.empty()) materials["walls"] = room.materials.walls;
   if (!room.materials.ceiling.empty()) materials["ceiling"] = room.materials.ceiling;
+  if (!room.materials.accent.empty()) materials["accent"] = room.materials.accent;
   if (!materials.empty()) json["materials"] = materials;
   return json;
 }
@@ -125,10 +126,10 @@ Room read_room(const JsonReader& json) {
   for (const auto& element : json["openings"].elements_or_none(max_openings))
     room.openings.push_back(read_opening(element));
   const auto materials = json["materials"];
-  materials.allow_only({"floor", "walls", "ceiling"});
+  materials.allow_only({"floor", "walls", "ceiling", "accent"});
   if (materials.exists())
     room.materials = {materials["floor"].text_or(""), materials["walls"].text_or(""),
-                      materials["ceiling"].text_or("")};
+                      materials["ceiling"].text_or(""), materials["accent"].text_or("")};
 
   auto polygon = make_polygon(points);
   if (!polygon) {

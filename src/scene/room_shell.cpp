@@ -50,6 +50,19 @@ Model floor_slab(const Room& room) {
   return {{{std::move(upper), 0}, {std::move(rest), 1}}, {finish.material, edge}};
 }
 
+Model ceiling_sheet(const Room& room) {
+  const Finish finish = ceiling_finish(room);
+  const Polygon outline{offset_outward(room.polygon, wall_thickness)};
+  Mesh sheet;
+  for (const auto& p : outline.points) {
+    sheet.positions.push_back(Vec3(p.x(), p.y(), room.height).cast<float>());
+    sheet.normals.push_back(-Eigen::Vector3f::UnitZ());
+    sheet.uvs.push_back((p / finish.extent).cast<float>());
+  }
+  for (const auto& t : triangulate(outline)) sheet.triangles.push_back({t[0], t[2], t[1]});
+  return {{{std::move(sheet), 0}}, {finish.material}};
+}
+
 // The faces of one wall, sorted by what they are made of.
 struct WallMeshes {
   Mesh painted, reveals, top;
@@ -116,8 +129,13 @@ class WallSolid {
   void add_jamb(Mesh& mesh, double s, const Span& z, bool forward) const {
     std::array<Vec3, 4> points = {frame_.corner(s, false, z.low), frame_.corner(s, true, z.low),
                                   frame_.corner(s, true, z.high), frame_.corner(s, false, z.high)};
-    if (forward) std::swap(points[1], points[3]);
-    add_quad(mesh, points);
+    std::array<Eigen::Vector2f, 4> uvs = {uv(s, z.low), uv(s + wall_thickness, z.low),
+                                          uv(s + wall_thickness, z.high), uv(s, z.high)};
+    if (forward) {
+      std::swap(points[1], points[3]);
+      std::swap(uvs[1], uvs[3]);
+    }
+    add_quad(mesh, points, uvs);
   }
 
   const WallFrame& frame_;
@@ -169,8 +187,13 @@ std::vector<ShellPart> room_shell(const Room& room, const ShellOptions& options)
   std::vector<ShellPart> shell;
   shell.push_back({"floor", floor_slab(room)});
   const Finish finish = wall_finish(room);
+  const bool has_accent = !room.materials.accent.empty();
+  const Finish accent = has_accent ? accent_finish(room) : finish;
+  const std::size_t accented = accent_wall(room);
   for (std::size_t wall = 0; wall < room.polygon.size(); ++wall)
-    shell.push_back({"wall-" + std::to_string(wall), wall_model(room, wall, finish, options)});
+    shell.push_back({"wall-" + std::to_string(wall),
+                     wall_model(room, wall, wall == accented ? accent : finish, options)});
+  if (options.ceiling) shell.push_back({"ceiling", ceiling_sheet(room)});
   for (const auto& opening : room.openings) {
     Model model =
         detail::opening_woodwork(room, opening, height_of(room, options, opening.wall), options);

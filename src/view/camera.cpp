@@ -7,6 +7,8 @@
 #include <limits>
 #include <string>
 
+#include "eye_camera.h"
+
 namespace roomgen {
 
 namespace {
@@ -124,8 +126,10 @@ bool hides_room(const Room& room, std::size_t wall, const Camera& camera) {
 }  // namespace
 
 Vec2 Camera::pixel(const Vec3& point) const {
-  return {0.5 * width + pixels_per_metre * (right.dot(point) - center.x()),
-          0.5 * height - pixels_per_metre * (up.dot(point) - center.y())};
+  const Vec3 offset = eye ? Vec3(point - *eye) : point;
+  const double scale = eye ? -1.0 / backward.dot(offset) : 1.0;
+  return {0.5 * width + pixels_per_metre * (scale * right.dot(offset) - center.x()),
+          0.5 * height - pixels_per_metre * (scale * up.dot(offset) - center.y())};
 }
 
 std::vector<Vec3> box_corners(const Object& object) {
@@ -140,6 +144,7 @@ std::vector<Vec3> box_corners(const Object& object) {
 
 std::vector<double> wall_heights(const Room& room, const View& view, const Camera& camera) {
   std::vector<double> heights(room.polygon.size(), room.height);
+  if (view.kind == View::Kind::eye) return heights;
   for (std::size_t k = 0; k < heights.size(); ++k) {
     if (view.kind == View::Kind::top) {
       heights[k] = std::min(room.height, plan_cut_height);
@@ -160,6 +165,7 @@ Result<Camera> make_camera(const Scene& scene, const View& view) {
                      std::to_string(view.pixels)};
   if (scene.room.polygon.size() < 3)
     return Error{Error::Kind::invalid_input, "the room has no floor to look at"};
+  if (view.kind == View::Kind::eye) return detail::eye_camera(scene, view.pixels);
   Camera camera;
   aim(camera, scene, view);
   fit(camera, points_to_show(scene, camera, view), view);

@@ -274,3 +274,48 @@ TEST_CASE("words of style are heard where they speak of the room") {
   CHECK(has(read("a bedroom in a rustic style"), "rustic"));
   CHECK_FALSE(has(read("a bedroom with a modern lamp"), "modern"));
 }
+
+TEST_CASE("what floor, walls and ceiling are covered with") {
+  const auto materials = [](const std::string& prompt) {
+    const RoomMaterials m = read(prompt).materials;
+    return m.floor + "|" + m.walls + "|" + m.ceiling + "|" + m.accent;
+  };
+  CHECK(materials("A bedroom with an oak floor and sage walls") == "oak floor|sage walls||");
+  CHECK(materials("bedroom, dark hardwood floors, white brick walls, a bed") ==
+        "dark hardwood floors|white brick walls||");
+  CHECK(materials("A kitchen with a black and white checkerboard floor.") ==
+        "black and white checkerboard floor|||");
+  CHECK(materials("The walls are painted in pale blue and the floor is made of walnut.") ==
+        "walnut floor|pale blue walls||");
+  CHECK(materials("a lounge with striped wallpaper and a wooden ceiling") ==
+        "|striped wallpaper|wooden ceiling|");
+  CHECK(materials("a wood-panelled study with a desk") == "|wood panelled||");
+  CHECK(materials("a living room with a navy accent wall") == "|||navy accent wall");
+  CHECK(materials("a loft with exposed brick, polished concrete floors") ==
+        "polished concrete floors|exposed brick||");
+  CHECK(materials("a tiled bathroom with a bath") == "tiled|||");
+  CHECK(materials("a bathroom with white subway tiles") == "|white subway tiles||");
+}
+
+TEST_CASE("things of those materials are no floors and walls") {
+  for (const std::string prompt :
+       {"a bedroom with a white wall clock and an oak floor lamp", "a black ceiling lamp over the bed",
+        "a bedroom with a red brick fireplace", "a room with a wooden floor cushion",
+        "an office with an oak desk and a white wall shelf", "a bedroom with no carpet",
+        "a study with walls and white bookshelves", "a room with wall with white shelves"}) {
+    INFO(prompt);
+    const RoomMaterials m = read(prompt).materials;
+    CHECK((m.floor + m.walls + m.ceiling + m.accent).empty());
+  }
+  CHECK(things(read("a bedroom with a bed, oak floors, a striped wallpaper and a wardrobe")) ==
+        "1 bed, 1 wardrobe");
+  CHECK(things(read("a bedroom with a ceiling light, white walls and a bed")) ==
+        things(read("a bedroom with a ceiling light and a bed")));
+}
+
+TEST_CASE("things still stand where the wall is spoken of") {
+  const Brief brief = read("a bedroom with a picture on the white wall");
+  CHECK(brief.materials.accent == "white wall");
+  REQUIRE(brief.mentions.size() == 1);
+  CHECK(places(brief, 0) == places(read("a bedroom with a picture on the wall"), 0));
+}

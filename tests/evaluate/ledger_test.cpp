@@ -19,6 +19,7 @@ Object thing(const std::string& id, const std::string& category, const Vec3& siz
 Scene bedroom() {
   Scene scene;
   scene.room.type = "bedroom";
+  scene.room.materials.floor = "oak floor";
   scene.room.polygon.points = {{0, 0}, {4, 0}, {4, 4}, {0, 4}};
   scene.objects = {thing("bed-0", "bed", {1.6, 2.0, 0.5}, {2, 3, 0}),
                    thing("nightstand-0", "nightstand", {0.4, 0.4, 0.5}, {3.05, 3.75, 0}),
@@ -88,6 +89,16 @@ TEST_CASE("Relations hold for every subject towards one of the targets") {
   wanted.relation = RelationKind::middle;
   wanted.targets.clear();
   CHECK_FALSE(check(wanted).met);
+}
+
+TEST_CASE("Materials are those of the room") {
+  Requirement requirement = about(Requirement::Kind::attribute, "floor", {});
+  requirement.attribute = "oak floor";
+  CHECK(check(requirement).met);
+  requirement.attribute = "walnut floor";
+  CHECK(check(requirement).reason.find("oak floor") != std::string::npos);
+  requirement.category = "accent wall";
+  CHECK_FALSE(check(requirement).met);
 }
 
 TEST_CASE("Attributes are judged by who knows them, absences by what is there") {

@@ -188,10 +188,60 @@ TEST_CASE("objects of one asset share a mesh") {
 
 TEST_CASE("the room is there by name, with its openings as nodes") {
   const Glb glb = write_and_parse(test::furnished_room(), {});
-  CHECK(glb.node("room")["children"].size() == 7);
-  for (const auto* part : {"floor", "wall-0", "wall-1", "wall-2", "wall-3", "door-0", "window-0"})
+  CHECK(glb.node("room")["children"].size() == 8);
+  for (const auto* part :
+       {"floor", "wall-0", "wall-1", "wall-2", "wall-3", "ceiling", "door-0", "window-0"})
     CHECK(glb.node(part).contains("mesh"));
   CHECK(glb.node("door-0")["extras"]["category"] == "door");
+}
+
+TEST_CASE("lamps and the sun are lights where they are in the room") {
+  Scene scene = test::furnished_room();
+  scene.objects.push_back(test::box("x-0", {0.2, 0.3, 0.5}, {1.0, 1.0, 0.7}));
+  scene.objects.back().category = "desk lamp";
+  const Glb glb = write_and_parse(scene, {});
+  CHECK(glb.json["extensionsUsed"] == Json({"KHR_lights_punctual"}));
+  const Json& lights = glb.json["extensions"]["KHR_lights_punctual"]["lights"];
+  const auto light_of = [&](const Json& node) -> const Json& {
+    return lights[node["extensions"]["KHR_lights_punctual"]["light"].get<std::size_t>()];
+  };
+  CHECK(glb.node("lights")["children"].size() == 3);
+  const Json& lamp = glb.node("lamp-0 light");
+  CHECK(light_of(lamp)["type"] == "point");
+  CHECK(light_of(lamp)["intensity"].get<double>() > 10.0);
+  const Vec3 at = vector_of(lamp["translation"]);
+  CHECK(at.x() == Approx(0.3));
+  CHECK(at.z() == Approx(-2.4));
+  CHECK(at.y() > 0.74);
+  CHECK(at.y() < 0.74 + 0.4);
+  // Lights look along -Z of their node.
+  const auto direction = [&](const Json& node) -> Vec3 {
+    return transform_of(node).rotation() * Vec3(0, 0, -1);
+  };
+  const Json& spot = glb.node("x-0 light");
+  CHECK(light_of(spot)["type"] == "spot");
+  CHECK((direction(spot) - Vec3(0, -1, 0)).norm() < 1e-6);
+  const Json& cone = light_of(spot)["spot"];
+  CHECK(cone["innerConeAngle"].get<double>() < cone["outerConeAngle"].get<double>());
+  const Json& sun = glb.node("sun");
+  CHECK(light_of(sun)["type"] == "directional");
+  // Down, and in through the window of the north wall: glTF's +Z is south.
+  CHECK(direction(sun).y() < -0.3);
+  CHECK(direction(sun).z() > 0.5);
+}
+
+TEST_CASE("lights can be left out, and equal ones are written once") {
+  Scene scene = test::furnished_room();
+  GlbOptions dark;
+  dark.lights = false;
+  const Glb without = write_and_parse(scene, {}, dark);
+  CHECK_FALSE(without.json.contains("extensions"));
+  CHECK_FALSE(without.json.contains("extensionsUsed"));
+  scene.objects.push_back(scene.objects[3]);
+  scene.objects.back().id = "lamp-1";
+  const Glb glb = write_and_parse(scene, {});
+  CHECK(glb.json["extensions"]["KHR_lights_punctual"]["lights"].size() == 2);
+  CHECK(glb.node("lights")["children"].size() == 3);
 }
 
 TEST_CASE("nodes say what the thing is") {

@@ -27,6 +27,9 @@ Scene sample(ModelTable& models) {
   test::use_model(scene.objects[3], models, "glass", glass);
   scene.objects[3].description = "caf\xe9 table";  // not UTF-8
   test::use_model(scene.objects[4], models, "nothing", Model{});
+  scene.objects.push_back(test::box("spot-0", {0.2, 0.3, 0.5}, {0.3, 1.7, 0.74}));
+  scene.objects.back().category = "desk lamp";
+  scene.room.materials = {"black and white checkerboard floor", "striped wallpaper", "", "brick wall"};
   return scene;
 }
 

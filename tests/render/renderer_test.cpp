@@ -85,7 +85,7 @@ TEST_CASE("the same scene gives the same pixels, from one renderer or another") 
   auto one = make_renderer(), other = make_renderer();
   const Scene scene = test::furnished_room();
   for (const auto& view : {view_of(View::Kind::top), view_of(View::Kind::isometric),
-                           view_of(View::Kind::top, 400, true)}) {
+                           view_of(View::Kind::eye), view_of(View::Kind::top, 400, true)}) {
     const Image first = draw(*one, scene, view);
     CHECK(differing(draw(*one, scene, view), first) == 0);
     CHECK(differing(draw(*other, scene, view), first) == 0);
@@ -270,4 +270,73 @@ TEST_CASE("absurd sizes, empty rooms and empty meshes give an error or a picture
   CHECK(renderer->render(scene, models, view_of(View::Kind::isometric)));
   scene.objects.clear();
   CHECK(renderer->render(scene, models, view_of(View::Kind::top, 16, true)));
+}
+
+TEST_CASE("at eye level a red box is where the camera says") {
+  auto renderer = make_renderer();
+  ModelTable models;
+  const Scene scene = red_box_scene(models, radians(30));
+  const View view = view_of(View::Kind::eye, 512);
+  const auto camera = make_camera(scene, view);
+  REQUIRE(camera);
+  const Image image = draw(*renderer, scene, view, models);
+  REQUIRE(image.width == camera->width);
+  REQUIRE(image.height == camera->height);
+  // What the rays through the pixels meet, by a reckoning of its own.
+  const Footprint box = footprint(scene.objects[0]);
+  int red = 0, checked = 0;
+  for (int y = 2; y < image.height; y += 7)
+    for (int x = 2; x < image.width; x += 7) {
+      const double u = (x + 0.5 - 0.5 * image.width) / camera->pixels_per_metre + camera->center.x();
+      const double v = (0.5 * image.height - y - 0.5) / camera->pixels_per_metre + camera->center.y();
+      const Vec3 ray = u * camera->right + v * camera->up - camera->backward;
+      // March along the ray; near an edge of the box nobody knows.
+      bool meets = false, near = false;
+      for (double t = 0.05; t < 6.0; t += 0.004) {
+        const Vec3 p = *camera->eye + t * ray;
+        const Vec2 local = box.to_local(p.head<2>()).cwiseAbs() - box.half();
+        const double outside = std::max({local.x(), local.y(), p.z() - 0.8, -p.z()});
+        meets = meets || outside < 0.0;
+        near = near || std::abs(outside) < 0.03;
+      }
+      if (near && !meets) continue;
+      bool deep = false;
+      for (double t = 0.05; t < 6.0 && !deep; t += 0.004) {
+        const Vec3 p = *camera->eye + t * ray;
+        const Vec2 local = box.to_local(p.head<2>()).cwiseAbs() - box.half();
+        deep = std::max({local.x(), local.y(), p.z() - 0.8, -p.z()}) < -0.03;
+      }
+      if (meets && !deep) continue;
+      const auto* raw = image.at(x, y);
+      const Pixel pixel{raw[0], raw[1], raw[2]};
+      INFO(x << ", " << y);
+      CHECK((pixel.r > 2 * pixel.g) == meets);
+      red += meets;
+      ++checked;
+    }
+  CHECK(red > 50);
+  CHECK(checked > 2 * red);
+}
+
+TEST_CASE("at eye level a lamp lights what is around it") {
+  auto renderer = make_renderer();
+  Scene scene;
+  scene.room = test::plain_room();
+  scene.room.openings.pop_back();  // no sun
+  const View view = view_of(View::Kind::eye);
+  const auto brightness = [&](const Image& image) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < image.pixels.size(); i += 4)
+      sum += image.pixels[i] + image.pixels[i + 1] + image.pixels[i + 2];
+    return sum / (0.75 * static_cast<double>(image.pixels.size()));
+  };
+  const double without = brightness(draw(*renderer, scene, view));
+  scene.objects = {test::box("lamp-0", {0.4, 0.4, 0.2}, {2.0, 1.5, 2.5})};
+  scene.objects[0].category = "ceiling lamp";
+  scene.objects[0].mount = Mount::ceiling;
+  const double with = brightness(draw(*renderer, scene, view));
+  CHECK(with > without + 3.0);
+  // Neither night nor glare.
+  CHECK(without > 60.0);
+  CHECK(with < 235.0);
 }

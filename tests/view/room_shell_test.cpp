@@ -13,6 +13,7 @@ namespace {
 ShellOptions bare() {
   ShellOptions options;
   options.skirting = options.window_frames = options.door_frames = options.door_leaves = false;
+  options.ceiling = false;
   return options;
 }
 
@@ -163,6 +164,7 @@ TEST_CASE("the inner faces have the area of the walls less the openings") {
 TEST_CASE("a cut wall ends at the cut, its openings and woodwork with it") {
   const Room room = test::plain_room();
   ShellOptions options;
+  options.ceiling = false;
   options.wall_heights.assign(4, 1.2);
   for (const auto& part : room_shell(room, options)) {
     INFO(part.name);
@@ -178,6 +180,39 @@ TEST_CASE("an opening beside an inner corner stays within its wall") {
   for (const auto& part : room_shell(room, bare()))
     for (const auto& piece : part.model.parts)
       for (const auto& p : piece.mesh.positions) CHECK(p.allFinite());
+}
+
+TEST_CASE("the ceiling covers room and walls, and is seen from below alone") {
+  for (const auto& room : {test::plain_room(), test::l_shaped_room(), slanted_room()}) {
+    const auto shell = room_shell(room);
+    const auto ceiling = std::find_if(shell.begin(), shell.end(),
+                                      [](const ShellPart& part) { return part.name == "ceiling"; });
+    REQUIRE(ceiling != shell.end());
+    const Bounds3 box = bounds(ceiling->model);
+    CHECK(box.low.z() == Approx(room.height));
+    CHECK(box.high.z() == Approx(room.height));
+    // As large as the room with its walls, all of it facing down.
+    const Vec3 facing = measure(ceiling->model).area_vector;
+    CHECK(facing.z() == Approx(-(area(room.polygon) + wall_plan_area(room))).epsilon(1e-5));
+    for (const auto& material : ceiling->model.materials) CHECK_FALSE(material.double_sided);
+    const Bounds2 floor = bounds(room.polygon);
+    for (double x = floor.low.x(); x <= floor.high.x(); x += 0.21)
+      for (double y = floor.low.y(); y <= floor.high.y(); y += 0.23)
+        if (contains(room.polygon, Vec2(x, y)))
+          CHECK(hits(ceiling->model, {x, y, 0.1}, {x, y, room.height + 0.1}));
+  }
+}
+
+TEST_CASE("one wall may differ from the others") {
+  Room room = test::plain_room();
+  CHECK(accent_wall(room) == 1);  // no longer one without an opening
+  room.materials.walls = "white walls";
+  room.materials.accent = "navy wall";
+  for (const auto& part : room_shell(room)) {
+    if (!part.name.starts_with("wall-")) continue;
+    const bool dark = part.model.materials[0].base_color[0] < 0.3f;
+    CHECK(dark == (part.name == "wall-1"));
+  }
 }
 
 TEST_CASE("words choose floors and walls, the room's type the rest") {

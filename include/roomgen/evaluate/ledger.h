@@ -16,8 +16,9 @@ using AttributeJudge = std::function<std::string(const Object& object, const std
 
 /// Checks every clause on the finished scene. Counts are of all things of the category (those of
 /// kinds that are one count too), exactly unless `at_least`. An attribute must be had by all its
-/// things, a relation (docs/constraints.md) must hold for each of them towards one of the targets.
-/// A reason says what is missing.
+/// things; that of "floor", "walls", "ceiling" or "accent wall" must be the room's material. A relation
+/// (docs/constraints.md) must hold for each of the things towards one of the targets. A reason says what
+/// is missing.
 std::vector<RequirementVerdict> check_requirements(std::span<const Requirement> requirements,
                                                    const Scene& scene,
                                                    const CategoryTable& categories,

@@ -11,6 +11,7 @@ namespace roomgen {
 struct GlbOptions {
   ImageEncoder encode_image;  ///< without it textures become their mean colour
   ShellOptions shell;         ///< how the room itself is built
+  bool lights = true;         ///< with the lamps and the sun
 };
 
 /// The scene as binary glTF 2.0 (Khronos specification 2.0.1): metres, Y up, fronts towards +Z.
@@ -19,6 +20,9 @@ struct GlbOptions {
 /// id, whose extras hold category, size (width, depth, height), description and relations. One mesh
 /// an asset, shared by its objects; a node's scale brings it to the object's size. Textures are
 /// embedded once. asset.copyright names creators and licences.
+///
+/// A node "lights" holds the lamps of lamp_lights() as point or spot lights, in candela, each named by
+/// its object, and the sun of sunlight() as a directional one, in lux (extension KHR_lights_punctual).
 Result<std::string> make_glb(const Scene& scene, const ModelTable& models,
                              const GlbOptions& options = {});
 

@@ -31,6 +31,13 @@ struct PreferredGap {
   double high = 0.0;    ///< metres between footprints
 };
 
+/// The lamp in a kind of thing.
+struct Lamp {
+  double candela = 60.0;  ///< luminous intensity, the same in all directions within the cone
+  double height = 0.8;    ///< of the light in parts of the thing's height; 0: just under the thing
+  double cone = 0.0;      ///< degrees from straight down to the edge of its light; 0: all directions
+};
+
 /// What is known about a kind of thing. A category inherits what it does not say from its parent
 /// ("is": dining chair is chair is seat).
 struct Category {
@@ -44,6 +51,7 @@ struct Category {
   std::vector<UseZone> zones;  ///< usable when one is free and reachable; none: always usable
   std::vector<PreferredGap> gaps;
   std::vector<std::string> tucks_under;  ///< categories it may slide under (a chair, a table)
+  std::optional<Lamp> lamp;              ///< things of this kind shine
   std::vector<std::string> lineage;      ///< itself and its ancestors; empty for an unknown kind
 };
 

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "roomgen/geometry/model.h"
+#include "roomgen/scene/finish_words.h"
 #include "roomgen/scene/room.h"
 
 namespace roomgen {
@@ -14,10 +15,18 @@ struct Finish {
   double extent = 1.0;
 };
 
-/// From the words of RoomMaterials ("dark walnut planks", "white tiles", "sage green"); what they
-/// leave open follows from the room's type (a bathroom is tiled, a bedroom has boards).
+/// From words ("dark walnut planks", "black and white checkerboard", "sage green") and, where they leave
+/// it open, from what such a part of such a room usually has (a bathroom is tiled, a bedroom has boards).
+/// Words that nobody knows change nothing; data/materials.json has the others.
+Finish make_finish(std::string_view description, RoomPart part, std::string_view room_type,
+                   const FinishWords& words = finish_words());
+
+/// make_finish() of the room's own words.
 Finish floor_finish(const Room& room);
 Finish wall_finish(const Room& room);
+Finish ceiling_finish(const Room& room);
+/// Of accent_wall(), if the room has words for it.
+Finish accent_finish(const Room& room);
 
 /// A Material colour (linear, opaque unless `alpha` says otherwise) from sRGB, 0 to 255.
 std::array<float, 4> material_color(const Eigen::Vector3f& srgb, float alpha = 1.0f);

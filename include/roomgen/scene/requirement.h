@@ -14,7 +14,7 @@ namespace roomgen {
 struct Requirement {
   enum class Kind {
     count,      ///< so many things of a kind
-    attribute,  ///< its things are round, red, of oak
+    attribute,  ///< its things, or the floor, walls or ceiling, are round, red, of oak
     relation,   ///< its things stand so to others or to a part of the room
     absence,    ///< no such things
   };

@@ -41,8 +41,11 @@ struct Opening {
   bool is_entrance() const { return type != OpeningType::window; }
 };
 
+/// What the room is covered with, in words that make_finish() reads ("oak floor", "sage walls"); may be
+/// empty.
 struct RoomMaterials {
-  std::string floor, walls, ceiling;  ///< words for the renderer, may be empty
+  std::string floor, walls, ceiling;
+  std::string accent;  ///< of accent_wall(), where that differs from the other walls
 };
 
 struct Room {
@@ -65,6 +68,9 @@ Footprint window_clearance(const Room& room, const Opening& window);
 /// All floor that an opening needs: the above, and for a door that swings in where its leaf sweeps
 /// beyond the approach (a leaf wider than door_approach).
 std::vector<Footprint> clearances(const Room& room, const Opening& opening);
+/// The wall that wears RoomMaterials::accent: the longest one without an opening, else the longest without
+/// an entrance, else the longest.
+std::size_t accent_wall(const Room& room);
 const Opening* find_opening(const Room& room, std::string_view id);
 
 /// Openings must lie on their wall, below the ceiling, and not overlap each other.

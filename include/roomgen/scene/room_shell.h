@@ -9,8 +9,8 @@
 
 namespace roomgen {
 
-/// A piece of the room itself: "floor", "wall-0", … one for each wall, then one of each opening's
-/// id that has woodwork. The model is in room coordinates.
+/// A piece of the room itself: "floor", "wall-0", … one for each wall, "ceiling", then one of each
+/// opening's id that has woodwork. The model is in room coordinates.
 struct ShellPart {
   std::string name;
   Model model;
@@ -24,13 +24,18 @@ struct ShellOptions {
   bool window_frames = true;  ///< with a glass pane
   bool door_frames = true;
   bool door_leaves = true;  ///< closed
+  bool ceiling = true;
   /// Colour of the upper face of walls, sRGB 0 to 255; negative: as the wall.
   Eigen::Vector3f top_color{-1, -1, -1};
 };
 
 /// The room as solids: walls stand outside the polygon, wall_thickness deep, mitred at the corners,
 /// each closed (its volume is its own) with the openings cut out; the floor is a slab under room
-/// and walls, its upper face at z = 0, so that thresholds belong to it. There is no ceiling.
+/// and walls, its upper face at z = 0, so that thresholds belong to it.
+///
+/// The ceiling is one sheet without thickness over room and walls at the room's height, and faces down
+/// alone: whoever draws only the fronts of faces (the default of glTF) looks through it from above, and
+/// still finds the room closed from inside.
 std::vector<ShellPart> room_shell(const Room& room, const ShellOptions& options = {});
 
 /// Thickness of the floor slab, metres.

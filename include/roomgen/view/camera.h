@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "roomgen/geometry/mesh.h"
@@ -9,15 +10,19 @@
 
 namespace roomgen {
 
-/// An orthographic camera. Its axes are unit vectors in room coordinates; `backward` points from
-/// the scene to the viewer. Pixels count from the top left corner of the picture.
+/// A camera with parallel rays, or with an eye that all rays meet in. Its axes are unit vectors in room
+/// coordinates; `backward` points from the scene to the viewer. Pixels count from the top left corner of
+/// the picture.
 struct Camera {
   int width = 0, height = 0;  ///< pixels
   Vec3 right = Vec3::UnitX(), up = Vec3::UnitY(), backward = Vec3::UnitZ();
-  Vec2 center = Vec2::Zero();  ///< of the picture, metres along right and up
-  double pixels_per_metre = 100.0;
+  Vec2 center = Vec2::Zero();  ///< of the picture, metres along right and up (with an eye: in the plane
+                               ///< 1 m before it, from the point that it looks at)
+  double pixels_per_metre = 100.0;  ///< with an eye: of what is 1 m before it
   double near = 0.0, far = 0.0;  ///< the scene lies within, metres along backward; near > far
+  std::optional<Vec3> eye = std::nullopt;
 
+  /// Of a point before the eye, if there is one.
   Vec2 pixel(const Vec3& point) const;
   /// Metres along `backward`.
   double depth(const Vec3& point) const { return backward.dot(point); }
@@ -30,15 +35,23 @@ inline constexpr double plan_cut_height = 1.2;
 /// What remains of walls between the viewer and the room.
 inline constexpr double hidden_wall_height = 0.08;
 
-/// The camera of a view, fitted to the room with its walls and to the objects. Fails if `pixels` is
-/// out of bounds or the room has no extent.
+/// Height of the eye of a standing person above the floor, metres (Neufert, Architects' Data).
+inline constexpr double eye_level = 1.6;
+/// From side to side of what the eye-level view shows, radians.
+inline constexpr double eye_view_angle = 1.4;
+/// Free space around the eye, metres, wherever the room has any.
+inline constexpr double eye_clearance = 0.2;
+
+/// The camera of a view: from above fitted to the room with its walls and to the objects; at eye level
+/// before a door or in a corner, wherever it sees most, with upright verticals. Fails if `pixels` is out of
+/// bounds or the room has no extent.
 Result<Camera> make_camera(const Scene& scene, const View& view);
 
 /// The eight corners of the object's placed box.
 std::vector<Vec3> box_corners(const Object& object);
 
 /// Heights to draw the walls with: the top view cuts them, the isometric view lowers those that
-/// would hide the room.
+/// would hide the room, at eye level they are whole.
 std::vector<double> wall_heights(const Room& room, const View& view, const Camera& camera);
 
 }  // namespace roomgen

@@ -15,6 +15,7 @@ struct View {
   enum class Kind {
     top,        ///< orthographic from above, walls cut at 1.2 m, ceiling off, +Y up the page
     isometric,  ///< from a corner, the walls towards the viewer left out
+    eye,        ///< as a standing person sees it: from a door or a corner, ceiling on, lamps and sun lit
   };
   Kind kind = Kind::top;
   int pixels = 1024;

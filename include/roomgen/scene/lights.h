@@ -1,0 +1,41 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "roomgen/scene/category.h"
+#include "roomgen/scene/scene.h"
+
+namespace roomgen {
+
+/// A lamp that is turned on, in room coordinates.
+struct LampLight {
+  std::string object;           ///< the id of the thing that shines
+  Vec3 position = Vec3::Zero();
+  double candela = 0.0;         ///< luminous intensity within the cone
+  double cone = 0.0;            ///< radians from straight down to its edge; 0: shines in all directions
+};
+
+/// One light for every object whose kind is a lamp (data/categories.json), in the scene's order: within
+/// its box where the shade is, or just under it. All are inside the room: what hangs over a wall is
+/// moved in.
+std::vector<LampLight> lamp_lights(const Scene& scene,
+                                   const CategoryTable& table = CategoryTable::built_in());
+
+/// The sun, as parallel light.
+struct Sunlight {
+  Vec3 to_sun = Vec3::UnitZ();  ///< unit vector
+  double lux = 0.0;             ///< on a surface that faces it
+};
+
+/// The sun as it shines into the widest window (of equally wide ones the first): 38 degrees above the
+/// horizon and 30 degrees beside the window's normal, on the side that leaves the longer way across the
+/// floor. None for a room without windows.
+std::optional<Sunlight> sunlight(const Room& room);
+
+/// Linear colours of light, 1 in the strongest channel: incandescent lamps of 2850 K and the sun.
+Eigen::Vector3f lamp_color();
+Eigen::Vector3f sun_color();
+
+}  // namespace roomgen
