@@ -13,7 +13,9 @@ namespace {
 constexpr int max_split = 40;
 constexpr int tied_stage = 2;
 
+// Furniture waits for furniture; what is to be on top of some comes after it in any case.
 bool waits_for(const Draft& draft, const Draft& other) {
+  if (draft.item.mount == Mount::floor && other.item.mount == Mount::surface) return false;
   return other.mention != Demand::none &&
          std::any_of(draft.demands.begin(), draft.demands.end(),
                      [&](const Demand& demand) { return demand.mention == other.mention; });
