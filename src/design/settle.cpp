@@ -36,6 +36,8 @@ bool is_round(const NounPhrase& phrase) {
 }
 
 int usual_number(const Mention& mention, const Brief& brief, const CategoryTable& table) {
+  // How many windows there will be is not known yet.
+  if (table.get(mention.category).covers_window) return 1;
   const bool seat = table.is_any_of(mention.category, {"chair", "stool"});
   if (seat && brief.people > 0) return brief.people;
   const bool table_there =
@@ -181,7 +183,10 @@ void hang(Mention& mention, Mount where, const CategoryTable& table, const KindN
 
 void settle(Brief& brief, const CategoryTable& table, const KindNames& names) {
   for (auto& mention : brief.mentions)
-    if (mention.quantity == 0) mention.quantity = usual_number(mention, brief, table);
+    if (mention.quantity == 0) {
+      mention.open = true;
+      mention.quantity = usual_number(mention, brief, table);
+    }
   for (auto& mention : brief.mentions) stand_on_things(mention, brief, table, names);
   lay_rugs(brief, table);
   turn_behind(brief, table);
