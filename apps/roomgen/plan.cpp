@@ -29,7 +29,8 @@ void print_room(const Room& room) {
   std::printf("%s, %s x %s m, %s m high\n", room.type.c_str(), format_number(box.x(), 2).c_str(),
               format_number(box.y(), 2).c_str(), format_number(room.height, 2).c_str());
   for (const auto& opening : room.openings)
-    std::printf("  %-10s wall %zu, from %s to %s m\n", opening.id.c_str(), opening.wall,
+    std::printf("  %-10s %-18s wall %zu, from %s to %s m\n", opening.id.c_str(),
+                opening.kind.empty() ? "" : opening.kind.c_str(), opening.wall,
                 format_number(opening.from, 2).c_str(), format_number(opening.to, 2).c_str());
 }
 

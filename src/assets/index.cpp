@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int format_version = 3;  // of the catalogue's tables and of what is worked out for them
+constexpr int format_version = 4;  // of the catalogue's tables and of what is worked out for them
 constexpr int sample_side = 32;    // pixels: enough of a texture to know its colour
 
 std::string stamp_of_file(const fs::path& path) {

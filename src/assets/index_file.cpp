@@ -18,7 +18,7 @@ constexpr const char* schema = R"sql(
     id INTEGER PRIMARY KEY, library TEXT, asset TEXT, name TEXT, category TEXT, tags TEXT,
     grp TEXT, width REAL, depth REAL, height REAL, mount TEXT, elevation REAL, support REAL,
     front INTEGER, round INTEGER, colors TEXT, triangles INTEGER, sha256 TEXT, license TEXT,
-    creator TEXT, mesh TEXT, frame TEXT);
+    creator TEXT, mesh TEXT, frame TEXT, wall_fit TEXT);
   CREATE VIRTUAL TABLE texts USING fts5(name, tags, category, grp, words, looks,
                                         tokenize = 'porter unicode61');
 )sql";
@@ -56,6 +56,34 @@ Eigen::Matrix3d matrix_of(const std::string& json) {
       if (value[i].is_number())
         matrix(static_cast<int>(i / 3), static_cast<int>(i % 3)) = value[i].get<double>();
   return matrix;
+}
+
+std::string wall_fit_text(const std::optional<WallFit>& fit) {
+  if (!fit) return {};
+  Json json = {{"front", fit->wall_front},
+               {"back", fit->wall_back},
+               {"leaves", fit->leaves},
+               {"hinge_left", fit->hinge_left},
+               {"outline", Json::array()}};
+  for (const auto& p : fit->outline) json["outline"].push_back({p.x(), p.y()});
+  return json.dump();
+}
+
+std::optional<WallFit> wall_fit_of(const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  const auto value = Json::parse(text, nullptr, false);
+  JsonReader::Problems problems("catalogue");
+  const JsonReader json(value, problems);
+  WallFit fit;
+  fit.wall_front = json["front"].number(0, 100);
+  fit.wall_back = json["back"].number(0, 100);
+  fit.leaves = static_cast<int>(json["leaves"].integer_or(0, 0, 20));
+  fit.hinge_left = json["hinge_left"].boolean_or(false);
+  for (const auto& element : json["outline"].elements_or_none()) {
+    const auto p = element.numbers(2, 0, 1);
+    fit.outline.emplace_back(p[0], p[1]);
+  }
+  return problems.first() ? std::nullopt : std::optional(fit);
 }
 
 // "leather_sofa2" and "bathroomRadiator" hold words.
@@ -96,7 +124,8 @@ void insert_asset(Statement& insert, long long number, const IndexedAsset& asset
       .bind(19, info.ref.license)
       .bind(20, info.ref.creator)
       .bind(21, asset.mesh)
-      .bind(22, matrix_text(asset.ours_from_source));
+      .bind(22, matrix_text(asset.ours_from_source))
+      .bind(23, wall_fit_text(info.wall_fit));
   insert.run();
 }
 
@@ -116,7 +145,7 @@ void insert_texts(Statement& insert, long long number, const IndexedAsset& asset
 
 const char* const row_columns =
     "library, asset, name, category, tags, grp, width, depth, height, mount, elevation, support, "
-    "front, round, colors, triangles, sha256, license, creator, mesh, frame";
+    "front, round, colors, triangles, sha256, license, creator, mesh, frame, wall_fit";
 
 IndexedAsset row_of(const Statement& row) {
   IndexedAsset asset;
@@ -140,6 +169,7 @@ IndexedAsset row_of(const Statement& row) {
   info.ref.creator = row.text(18);
   asset.mesh = row.text(19);
   asset.ours_from_source = matrix_of(row.text(20));
+  info.wall_fit = wall_fit_of(row.text(21));
   return asset;
 }
 
@@ -150,8 +180,8 @@ Status write_index(const std::filesystem::path& path, const std::string& stamp,
   if (auto status = database->run(schema); !status) return status;
   Statement meta = database->prepare("INSERT INTO meta VALUES ('stamp', ?)");
   meta.bind(1, stamp).run();
-  Statement rows =
-      database->prepare("INSERT INTO assets VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
+  Statement rows = database->prepare(
+      "INSERT INTO assets VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
   Statement texts = database->prepare(
       "INSERT INTO texts (rowid, name, tags, category, grp, words, looks) VALUES (?,?,?,?,?,?,?)");
   long long number = 0;

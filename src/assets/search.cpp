@@ -213,7 +213,7 @@ Result<std::vector<AssetMatch>> run_search(const std::vector<const Database*>& d
     Statement rows = candidates(*databases[i], plan);
     while (rows.step()) {
       AssetMatch match{row_of(rows).info, 0.0};
-      const long long row = rows.integer(21);
+      const long long row = rows.integer(22);
       match.score =
           match_score({kind_term(plan, match.asset, vocabulary),
                        text_relevance(words.found(i, row)),

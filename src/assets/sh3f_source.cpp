@@ -8,6 +8,7 @@
 #include "asset_source.h"
 #include "properties.h"
 #include "roomgen/base/text.h"
+#include "roomgen/scene/opening_kind.h"
 
 namespace roomgen::assets {
 
@@ -18,6 +19,8 @@ using Properties = std::map<std::string, std::string, std::less<>>;
 constexpr int max_models = 20000;
 constexpr double centimetre = 0.01;
 constexpr double largest = 50.0;  // metres
+constexpr double least_in_wall = 0.005;  // metres
+constexpr std::size_t most_sashes = 20;
 
 // The properties of one model.
 class Entry {
@@ -67,15 +70,21 @@ std::string license_of(const std::string& id, const std::string& library_license
   return license_id(library_license);
 }
 
-// Row-major 3x3, applied to the file's coordinates; nearly orthonormal, or it is ignored.
-Eigen::Matrix3d rotation(const std::string& text) {
-  Eigen::Matrix3d result = Eigen::Matrix3d::Identity();
+// Numbers separated by blanks, one for each sash.
+std::vector<double> numbers(const std::string& text) {
   std::vector<double> values;
   for (const auto& piece : split(text, ' ')) {
     double value = 0.0;
     if (std::from_chars(piece.data(), piece.data() + piece.size(), value).ec == std::errc{})
       values.push_back(value);
   }
+  return values;
+}
+
+// Row-major 3x3, applied to the file's coordinates; nearly orthonormal, or it is ignored.
+Eigen::Matrix3d rotation(const std::string& text) {
+  Eigen::Matrix3d result = Eigen::Matrix3d::Identity();
+  const auto values = numbers(text);
   if (values.size() != 9) return result;
   for (int i = 0; i < 9; ++i) result(i / 3, i % 3) = values[static_cast<std::size_t>(i)];
   const bool orthonormal = (result * result.transpose()).isIdentity(1e-3);
@@ -111,6 +120,29 @@ bool is_human(const std::string& creator) {
   return creator == "Reallusion";
 }
 
+// Doors and windows stand with their back in the wall, the room before them; "wall thickness" is
+// the wall's share of their depth and "wall distance" what stands out behind it. Sashes turn on
+// hinges at "sash x", counted from the left for who looks at the front.
+Result<std::optional<WallFit>> read_wall_fit(const Entry& entry, const Vec3& size) {
+  if (entry.text("doorOrWindow") != "true") return std::optional<WallFit>();
+  WallFit fit;
+  const double behind = std::max(0.0, entry.metres("doorOrWindowWallDistance").value_or(0.0));
+  const double thickness = entry.metres("doorOrWindowWallThickness").value_or(size.y() - behind);
+  fit.wall_back = size.y() - behind;
+  fit.wall_front = std::max(0.0, fit.wall_back - thickness);
+  if (!(fit.wall_back - fit.wall_front >= least_in_wall))
+    return Error{Error::Kind::invalid_input, "no part of it is in the wall"};
+  const auto hinges = numbers(entry.text("doorOrWindowSashXAxis"));
+  fit.leaves = static_cast<int>(std::min(hinges.size(), most_sashes));
+  fit.hinge_left = !hinges.empty() && centimetre * hinges.front() < 0.5 * size.x();
+  if (const std::string path = entry.text("doorOrWindowCutOutShape"); !path.empty()) {
+    auto outline = outline_of_cut_out(path);
+    if (!outline) return with_context(outline.error(), "doorOrWindowCutOutShape");
+    fit.outline = *std::move(outline);
+  }
+  return std::optional<WallFit>(std::move(fit));
+}
+
 Result<SourceAsset> read_entry(const Entry& entry, const FileTree& tree, const std::string& library,
                                const std::string& license) {
   const auto refuse = [&](const std::string& what) {
@@ -136,6 +168,9 @@ Result<SourceAsset> read_entry(const Entry& entry, const FileTree& tree, const s
     asset.carries_nothing = *top < 0.0;
     if (*top > 0.0) info.support_height = *top;
   }
+  auto wall_fit = read_wall_fit(entry, info.size);
+  if (!wall_fit) return refuse(wall_fit.error().message);
+  info.wall_fit = *std::move(wall_fit);
   asset.frame.size = info.size;
   asset.frame.ours_from_source = ours_from_sh3d(entry);
   asset.mesh = relative(entry.text("model"));

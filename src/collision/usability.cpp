@@ -13,8 +13,8 @@ constexpr double zone_tolerance = 0.02;
 
 }  // namespace
 
-bool blocks_floor(const Object& object) {
-  if (object.traits.flat || object.mount == Mount::surface) return false;
+bool blocks_floor(const Object& object, const Category& category) {
+  if (category.covers_window || object.traits.flat || object.mount == Mount::surface) return false;
   if (object.mount == Mount::wall) return bottom(object) <= above_hips;
   return bottom(object) <= above_heads;
 }
@@ -32,7 +32,7 @@ std::vector<FloorThing> floor_things(std::span<const Object> objects,
 
 bool blocks_zone(const FloorThing& other, const FloorThing& owner, const UseZone& zone,
                  const Footprint& area) {
-  return other.object != owner.object && blocks_floor(*other.object) &&
+  return other.object != owner.object && blocks_floor(*other.object, *other.category) &&
          overlaps(area, other.footprint, zone_tolerance) &&
          !is_any_of(*other.category, zone.partners);
 }
@@ -74,7 +74,7 @@ bool is_usable(const Room& room, std::span<const FloorThing> things, const Floor
 WalkMap make_walk_map(const Room& room, std::span<const FloorThing> things) {
   WalkMap map(room);
   for (const auto& thing : things)
-    if (blocks_floor(*thing.object)) map.add(thing.footprint);
+    if (blocks_floor(*thing.object, *thing.category)) map.add(thing.footprint);
   map.flood();
   return map;
 }

@@ -9,8 +9,6 @@ namespace roomgen::design {
 namespace {
 
 constexpr std::size_t furthest = 200;  ///< tokens that one negation reaches
-constexpr std::size_t window_words = 4;
-constexpr double most_windows = 10;
 
 bool is_word(std::span<const Token> tokens, std::size_t i, std::string_view word) {
   return i < tokens.size() && tokens[i].is_word(word);
@@ -66,34 +64,6 @@ std::size_t read_only(std::span<const Token> tokens, std::size_t at, const Vocab
   if (at == 0 || !words.only.count(tokens[at].text)) return at;
   static const WordSet holders = {"with", "containing", "contains", "has"};
   return holders.count(tokens[at - 1].text) ? at + 1 : at;
-}
-
-std::optional<Windows> read_windows(std::span<const Token> tokens, std::size_t at,
-                                    const Vocabulary& words, const KindNames& names) {
-  Windows windows;
-  for (std::size_t i = at; i < tokens.size() && i < at + window_words; ++i) {
-    const Token& token = tokens[i];
-    if (is_window(tokens, i)) {
-      windows.plural = token.text == "windows";
-      windows.end = i + 1;
-      return windows;
-    }
-    if (token.kind == Token::Kind::number) {
-      windows.count = static_cast<int>(std::min(token.value, most_windows));
-      windows.counted = true;
-    } else if (token.kind != Token::Kind::word ||
-               (words.stops.count(token.text) && token.text != "the")) {
-      return std::nullopt;
-    } else if (const auto number = words.numbers.find(token.text); number != words.numbers.end()) {
-      windows.count = std::min(number->second, static_cast<int>(most_windows));
-      windows.counted = windows.count > 1;
-    } else if (names.match(tokens, i).length > 0) {
-      return std::nullopt;
-    } else if (const auto size = words.sizes.find(token.text); size != words.sizes.end()) {
-      windows.wide = windows.wide || size->second.x() > 1.0;
-    }
-  }
-  return std::nullopt;
 }
 
 }  // namespace roomgen::design

@@ -25,15 +25,4 @@ std::optional<Absence> read_absence(std::span<const Token> tokens, std::size_t a
 /// there.
 std::size_t read_only(std::span<const Token> tokens, std::size_t at, const Vocabulary& words);
 
-/// "two large windows"
-struct Windows {
-  int count = 1;
-  bool counted = false;  ///< with a number above one
-  bool plural = false;
-  bool wide = false;
-  std::size_t end = 0;
-};
-std::optional<Windows> read_windows(std::span<const Token> tokens, std::size_t at,
-                                    const Vocabulary& words, const KindNames& names);
-
 }  // namespace roomgen::design

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "opening_wish.h"
 #include "roomgen/geometry/vec.h"
 #include "roomgen/scene/object.h"
 #include "roomgen/scene/relation.h"
@@ -34,6 +35,7 @@ struct Mention {
   std::vector<std::string> looks;  ///< of it: "white", "wooden"
   int quantity = 1;
   bool counted = false;      ///< the prompt gives the number
+  bool open = false;         ///< a plural without a number
   bool varied = false;       ///< they shall differ
   bool contradicts = false;  ///< another number of the same things was asked for before: not planned
   bool sized = false;        ///< the prompt says something about its size
@@ -50,9 +52,10 @@ struct Brief {
   std::optional<Vec2> size;    ///< width and depth, metres
   std::optional<double> area;  ///< square metres
   int people = 0;              ///< 0: not said
-  std::optional<int> windows;  ///< how many
+  std::optional<int> windows;  ///< how many, apart from those of `openings`
   bool wide_windows = false;
   RoomMaterials materials;  ///< what it says about them
+  std::vector<OpeningWish> openings;  ///< of which more is said than how many windows there are
   std::vector<Mention> mentions;
   bool bare = false;                  ///< nothing but what is mentioned
   std::vector<std::string> excluded;  ///< categories

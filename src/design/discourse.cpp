@@ -74,8 +74,12 @@ Mention Discourse::new_mention(const NounPhrase& phrase) const {
     mention.category = category_name(phrase.kind);
     mention.noun = phrase.kind.name;
     description.push_back(phrase.kind.name);
-    const bool open = phrase.kind.plural && !phrase.article;
+    const bool at_windows = lexicon_.table.get(mention.category).covers_window;
+    // "Curtains" are a name of their own, in the plural.
+    const bool open = (phrase.kind.plural || at_windows) && !phrase.article;
     if (open) mention.quantity = 0;  // to be settled
+    // The two halves of a curtain.
+    if (phrase.set && at_windows) mention.quantity = 1;
   } else {
     mention.known = false;
     mention.category = phrase.noun;

@@ -268,6 +268,17 @@ std::vector<Draft> asked_items(const Brief& brief, const CategoryTable& table) {
   return drafts;
 }
 
+void one_for_each_window(std::vector<Draft>& drafts, const Brief& brief, const Room& room,
+                         const CategoryTable& table) {
+  const auto windows = static_cast<int>(
+      std::count_if(room.openings.begin(), room.openings.end(),
+                    [](const Opening& opening) { return !opening.is_entrance(); }));
+  for (auto& draft : drafts) {
+    if (draft.mention == Demand::none || !table.get(draft.item.category).covers_window) continue;
+    if (brief.mentions[draft.mention].open) draft.item.quantity = std::max(1, windows);
+  }
+}
+
 double floor_area(const PlanItem& item, const CategoryTable& table) {
   if (item.mount != Mount::floor || table.get(item.category).traits.flat || !item.size) return 0.0;
   return item.quantity * item.size->x() * item.size->y();

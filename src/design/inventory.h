@@ -23,6 +23,10 @@ struct Draft {
 /// What the prompt asks for.
 std::vector<Draft> asked_items(const Brief& brief, const CategoryTable& table);
 
+/// Curtains and blinds (Category::covers_window) that are only named in the plural hang at every window.
+void one_for_each_window(std::vector<Draft>& drafts, const Brief& brief, const Room& room,
+                         const CategoryTable& table);
+
 /// Floor that things cover: no rugs, nothing on walls or on other things.
 double floor_area(const PlanItem& item, const CategoryTable& table);
 double floor_area(const std::vector<Draft>& drafts, const CategoryTable& table);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "opening_phrase.h"
+
 namespace roomgen::design {
 
 namespace {
@@ -45,6 +47,9 @@ bool thing_follows(const std::vector<Token>& tokens, std::size_t at, const KindN
   for (std::size_t i = at; i < tokens.size() && i < at + ahead; ++i) {
     if (tokens[i].kind != Token::Kind::word) return false;
     if (names.match(tokens, i).length > 0 && !words.materials.count(tokens[i].text)) return true;
+    if (const auto& kinds = OpeningKinds::built_in();
+        kinds && opening_name_at(tokens, i, *kinds) > 0)
+      return true;
     if (words.stops.count(tokens[i].text) || words.room_words.count(tokens[i].text)) return false;
   }
   return false;

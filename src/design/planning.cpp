@@ -7,6 +7,7 @@
 #include "inventory.h"
 #include "ledger.h"
 #include "looks.h"
+#include "opening_plan.h"
 #include "order.h"
 #include "prompt.h"
 #include "rehearsal.h"
@@ -94,6 +95,8 @@ class Planner {
   Room given_room(Plan& plan) const {
     Room room = *request_.room;
     if (room.type.empty()) room.type = brief_.type;
+    if (!brief_.openings.empty())
+      plan.notes.push_back("the doors and windows of the floor plan were kept");
     if (ensure_door(room, kind_))
       plan.notes.push_back("the floor plan has no door; one was put into wall " +
                            std::to_string(room.openings.back().wall));
@@ -107,8 +110,10 @@ class Planner {
     const Vec2 size = request_.size
                           ? *request_.size
                           : choose_size(kind_, brief_, scale, furniture, random.fork("size"));
-    return make_room(kind_, size, window_count(random.fork("windows")), brief_.wide_windows,
-                     random.fork("openings"));
+    Room room = make_room(kind_, size, window_count(random.fork("windows")), brief_.wide_windows,
+                          random.fork("openings"));
+    plan_openings(room, kind_, brief_.openings, random.fork("told openings"), plan.notes);
+    return room;
   }
 
   Attempt attempt(int n) const {
@@ -122,6 +127,7 @@ class Planner {
     auto drafts = asked_items(brief_, table_);
     plan.room = make_the_room(floor_area(drafts, table_), random, n, plan);
     put_on(plan.room, brief_.materials);
+    one_for_each_window(drafts, brief_, plan.room, table_);
     const Vec2 box = bounds(plan.room.polygon).size();
     // Of a room that is no rectangle, one of its area.
     const Vec2 usable(box.x(), area(plan.room.polygon) / box.x());

@@ -6,9 +6,10 @@
 #include "discourse.h"
 #include "finishes.h"
 #include "measures.h"
+#include "opening_phrase.h"
 #include "room_type.h"
-#include "settle.h"
 #include "roomgen/design/tokens.h"
+#include "settle.h"
 
 namespace roomgen::design {
 
@@ -395,15 +396,25 @@ class PromptReader {
   }
 
   bool read_openings() {
-    const auto windows = read_windows(tokens_, at_, words_, names_);
-    if (!windows) return false;
-    if (windows->counted)
-      brief_.windows = windows->count;
-    else if (!brief_.windows)
-      brief_.windows = windows->plural ? 2 : 1;
-    brief_.wide_windows = brief_.wide_windows || windows->wide;
-    at_ = windows->end;
+    const auto& kinds = OpeningKinds::built_in();
+    if (!kinds) return false;
+    const auto phrase = read_opening(tokens_, at_, sentence_start_, words_, names_, *kinds);
+    if (!phrase) return false;
+    const bool part = is_part_of_owner(*phrase);
+    at_ = phrase->end;
+    if (part) owner_end_ = at_;
+    else ask_for(*phrase, brief_);
     return true;
+  }
+
+  // "a wardrobe with sliding doors", "a cabinet with drawers and doors"
+  bool is_part_of_owner(const OpeningPhrase& phrase) const {
+    if (phrase.wish.type == OpeningType::window || phrase.wish.has_place()) return false;
+    if (!talk_.subject() || at_ == 0 || at_ - 1 != owner_end_) return false;
+    static const WordSet owners = {"with", "featuring", "has"};
+    const bool introduced =
+        tokens_[at_].kind == Token::Kind::number || words_.numbers.count(tokens_[at_].text) > 0;
+    return owners.count(tokens_[at_ - 1].text) > 0 || !introduced;
   }
 
   std::vector<Token> tokens_;

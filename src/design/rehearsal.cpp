@@ -71,6 +71,7 @@ Rehearsal rehearse(const Plan& plan, const CategoryTable& table, const Arrangeme
   for (const auto& planned : planned_objects(plan)) {
     const PlanItem& item = plan.items[planned.item];
     const Category& category = table.get(item.category);
+    if (category.covers_window) continue;  // it hangs where the windows are
     Object object = object_of(planned, item, category);
     const PlaceRequest request{plan, scene, planned, object};
     const PlaceAdvice advice = advise(request, table, arrangements);

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "floor_plan.h"
+#include "opening_plan.h"
 #include "roomgen/base/random.h"
 #include "roomgen/base/text.h"
 #include "roomgen/design/loose_json.h"
@@ -179,13 +180,20 @@ Room read_reply_room(const Json& json, const PlanRequest& request, const RoomKin
                     : floor.size  ? *floor.size
                                   : choose_size(kind, brief, 1.0, furniture, random.fork("size"));
   Room room = make_room(own, size, windows, brief.wide_windows, random.fork("openings"));
-  if (!floor.polygon) return room;
+  const Random told = random.fork("told openings");
+  if (!floor.polygon) {
+    plan_openings(room, own, brief.openings, told, repairs);
+    return room;
+  }
   Room shaped = room;
   shaped.polygon = *floor.polygon;
   shaped.openings.clear();
   ensure_door(shaped, own);
   add_windows(shaped, own, windows, brief.wide_windows, random.fork("openings"));
-  if (check(shaped)) return shaped;
+  if (check(shaped)) {
+    plan_openings(shaped, own, brief.openings, told, repairs);
+    return shaped;
+  }
   repairs.emplace_back("the outline of the room takes no door; its bounding rectangle is taken");
   return room;
 }

@@ -13,6 +13,7 @@ std::string metres(double value) {
 }
 
 std::string_view kind_of(const Opening& opening) {
+  if (!opening.kind.empty()) return opening.kind;
   switch (opening.type) {
     case OpeningType::door:
       return "door";

@@ -39,6 +39,8 @@ bool is_round(const NounPhrase& phrase) {
 }
 
 int usual_number(const Mention& mention, const Brief& brief, const CategoryTable& table) {
+  // How many windows there will be is not known yet.
+  if (table.get(mention.category).covers_window) return 1;
   const bool seat = table.is_any_of(mention.category, {"chair", "stool"});
   if (seat && brief.people > 0) return brief.people;
   const bool table_there =
@@ -394,7 +396,10 @@ void hang(Mention& mention, Mount where, const KindNames& names) {
 
 void settle(Brief& brief, const CategoryTable& table, const KindNames& names) {
   for (auto& mention : brief.mentions)
-    if (mention.quantity == 0) mention.quantity = usual_number(mention, brief, table);
+    if (mention.quantity == 0) {
+      mention.open = true;
+      mention.quantity = usual_number(mention, brief, table);
+    }
   hand_down_supports(brief);
   for (auto& mention : brief.mentions) drop_listed_supports(mention);
   for (auto& mention : brief.mentions) hang_what_is_above(mention, names);

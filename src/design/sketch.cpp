@@ -89,7 +89,9 @@ bool Sketch::clear_of_openings(const Object& self, const Footprint& fp, double b
   const auto meets = [&](const Footprint& strip) { return overlaps(fp, strip, solid_tolerance); };
   if (bottom < default_door_head && std::any_of(door_strips_.begin(), door_strips_.end(), meets))
     return false;
-  const double top = bottom + self.size.z();
+  if (categories_->get(self.category).covers_window) return true;
+  const double hidden = self.mount == Mount::wall ? window_overlap : 0.0;
+  const double top = bottom + self.size.z() + hidden;
   return std::none_of(window_strips_.begin(), window_strips_.end(), [&](const auto& window) {
     return top > window.second && bottom < room_->height - 0.3 && meets(window.first);
   });

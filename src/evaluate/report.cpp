@@ -25,10 +25,11 @@ void find_overlaps(const Scene& scene, const ModelTable& models, std::vector<Vio
         found.push_back({Fault::overlap, scene.objects[i].id, scene.objects[j].id});
 }
 
-void find_blocked_openings(const Scene& scene, std::vector<Violation>& found) {
+void find_blocked_openings(const Scene& scene, const CategoryTable& categories,
+                           std::vector<Violation>& found) {
   for (const auto& opening : scene.room.openings)
     for (const auto& object : scene.objects)
-      if (!keeps_clear(object, scene.room, opening))
+      if (!keeps_clear(object, categories.get(object.category), scene.room, opening))
         found.push_back({opening.is_entrance() ? Fault::blocks_door : Fault::blocks_window,
                          object.id, opening.id});
 }
@@ -62,9 +63,13 @@ int SceneReport::relations_held() const {
                                         [](const auto& verdict) { return verdict.judgement.held; }));
 }
 
-bool keeps_clear(const Object& object, const Room& room, const Opening& opening) {
+bool keeps_clear(const Object& object, const Category& category, const Room& room,
+                 const Opening& opening) {
+  if (category.covers_window && !opening.is_entrance()) return true;
   if (object.traits.flat || object.mount == Mount::surface) return true;
-  const double from = opening.is_entrance() ? 0.0 : opening.sill + window_overlap;
+  // What stands before a window may hide a little of it; what hangs keeps clear of it.
+  const double hidden = object.mount == Mount::wall ? 0.0 : window_overlap;
+  const double from = opening.is_entrance() ? 0.0 : opening.sill + hidden;
   if (top(object) <= from || bottom(object) >= opening.head) return true;
   const auto areas = clearances(room, opening);
   return std::none_of(areas.begin(), areas.end(), [&](const Footprint& area) {
@@ -77,7 +82,7 @@ SceneReport examine(const Scene& scene, const ModelTable& models, const Category
   for (const auto& object : scene.objects)
     if (!is_inside(object, scene.room)) report.violations.push_back({Fault::outside, object.id, ""});
   find_overlaps(scene, models, report.violations);
-  find_blocked_openings(scene, report.violations);
+  find_blocked_openings(scene, categories, report.violations);
   find_unusable(scene, categories, report.violations);
   report.relations = judge_scene(scene, categories);
   return report;

@@ -18,12 +18,14 @@ struct Credit {
 // By library and id, so that the order does not depend on that of the objects.
 std::vector<Credit> credits(const Scene& scene) {
   std::map<std::tuple<std::string, std::string>, Credit> by_asset;
-  for (const auto& object : scene.objects) {
-    if (object.asset.id.empty() || object.asset.procedural) continue;
-    Credit& credit = by_asset[{object.asset.library, object.asset.id}];
-    credit.asset = object.asset;
-    credit.objects.push_back(object.id);
-  }
+  const auto add = [&](const AssetRef& asset, const std::string& user) {
+    if (asset.id.empty() || asset.procedural) return;
+    Credit& credit = by_asset[{asset.library, asset.id}];
+    credit.asset = asset;
+    credit.objects.push_back(user);
+  };
+  for (const auto& opening : scene.room.openings) add(opening.joinery.asset, opening.id);
+  for (const auto& object : scene.objects) add(object.asset, object.id);
   std::vector<Credit> result;
   for (auto& [key, credit] : by_asset) result.push_back(std::move(credit));
   return result;

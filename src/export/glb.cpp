@@ -48,12 +48,12 @@ class GlbWriter {
   explicit GlbWriter(const GlbOptions& options)
       : options_(options), materials_(options_.encode_image, buffer_) {}
 
-  Status add_room(const Scene& scene) {
+  Status add_room(const Scene& scene, const ModelTable& models) {
     Json children = Json::array();
     Json room = {{"name", "room"}};
     const std::size_t room_node = nodes_.size();
     nodes_.push_back(nullptr);
-    for (const auto& part : room_shell(scene.room, options_.shell)) {
+    for (const auto& part : room_shell(scene.room, options_.shell, models)) {
       const auto mesh = add_mesh(part.name, part.model);
       if (!mesh) return mesh.error();
       if (!*mesh) continue;
@@ -203,7 +203,7 @@ class GlbWriter {
 Result<std::string> make_glb(const Scene& scene, const ModelTable& models,
                              const GlbOptions& options) {
   GlbWriter writer(options);
-  if (auto status = writer.add_room(scene); !status) return status.error();
+  if (auto status = writer.add_room(scene, models); !status) return status.error();
   for (const auto& object : scene.objects)
     if (auto status = writer.add_object(object, models); !status) return status.error();
   if (options.lights) writer.add_lights(scene);

@@ -6,13 +6,15 @@
 #include <map>
 #include <set>
 
+#include "fit_openings.h"
 #include "retrieve.h"
 #include "roomgen/evaluate/attributes.h"
 #include "roomgen/evaluate/ledger.h"
-#include "roomgen/library/vocabulary.h"
 #include "roomgen/geometry/free_rectangles.h"
+#include "roomgen/library/vocabulary.h"
 #include "roomgen/scene/judgement.h"
 #include "roomgen/solve/improve.h"
+#include "window_cover.h"
 
 namespace roomgen {
 
@@ -20,6 +22,9 @@ namespace {
 
 // A picture or mirror hangs this far above what it is above.
 constexpr double gap_above = 0.15;
+
+// What is made to the measure of a window may be stretched a little.
+constexpr double least_stretch = 0.75, most_stretch = 1.3;
 
 // Of the free parts of the floor that a designer is told of: metres, and how many.
 constexpr double least_free_side = 0.3;
@@ -92,9 +97,11 @@ class Generator {
         options_(options),
         retriever_(library, categories, options.seed),
         random_(Random(options.seed).fork("placement")),
-        layout_(plan.room, categories, result_.models) {}
+        room_(plan.room),
+        layout_(room_, categories, result_.models) {}
 
   Result<Generation> run() {
+    if (auto status = join_openings(); !status) return status.error();
     const auto objects = planned_objects(plan_);
     left_ = objects;
     for (std::size_t i = 0; i < objects.size() && !has_stopped(); ++i) {
@@ -111,6 +118,21 @@ class Generator {
   }
 
  private:
+  // Doors and windows get their meshes first: what stands before them shall know them.
+  Status join_openings() {
+    const auto& kinds = OpeningKinds::built_in();
+    if (!kinds) return kinds.error();
+    auto used = fit_openings(room_, *kinds, library_, Random(options_.seed).fork("openings"));
+    if (!used) return used.error();
+    for (const auto& asset : *used) {
+      auto model = library_.load(asset.ref);
+      if (!model) return model.error();
+      result_.models.add(asset_key(asset.ref), *std::move(model));
+    }
+    result_.assets = *std::move(used);
+    return {};
+  }
+
   bool has_stopped() const { return options_.cancel.cancelled() || !result_.stopped.empty(); }
 
   // The one that the designer asked for, else the first in the plan's order.
@@ -154,6 +176,8 @@ class Generator {
     Json record;
     record["object"] = planned.id;
     record["asked"] = {{"category", item.category}, {"description", item.description}};
+    if (categories_.get(item.category).covers_window)
+      return finish_step(planned, cover_window(planned, record), std::move(record), start);
     std::string reason;
     auto assets = retriever_.candidates(item, planned, options_.assets_per_object);
     if (!assets)
@@ -162,6 +186,11 @@ class Generator {
       reason = why_nothing(item);
     else
       reason = try_assets(planned, *assets, record);
+    finish_step(planned, reason, std::move(record), start);
+  }
+
+  void finish_step(const PlannedObject& planned, const std::string& reason, Json record,
+                   Clock::time_point start) {
     if (reason.empty()) {
       record["outcome"] = "placed";
     } else {
@@ -171,6 +200,68 @@ class Generator {
     }
     record["seconds"] = rounded(seconds_since(start));
     result_.trace.push_back({planned, std::move(record)});
+  }
+
+  // A curtain or blind is made to the measure of a window that has none, and needs no advice.
+  // Returns why it does not hang anywhere, or nothing.
+  std::string cover_window(const PlannedObject& planned, Json& record) {
+    const PlanItem& item = plan_.items[planned.item];
+    const Category& category = categories_.get(item.category);
+    std::vector<const Opening*> windows = windows_to_cover(room_, layout_.objects(), item.category);
+    for (const auto& relation : item.relations)
+      std::stable_partition(windows.begin(), windows.end(),
+                            [&](const Opening* window) { return window->id == relation.target; });
+    if (windows.empty()) return "the room has no window at which it could hang";
+    for (const Opening* window : windows) {
+      Object object;
+      object.id = planned.id;
+      object.category = item.category;
+      object.mount = Mount::wall;
+      object.traits = category.traits;
+      object.size = category.size;
+      for (auto& hung : hangings(object, category, room_, *window)) {
+        const auto asset = made_to_measure(planned, hung);
+        if (!asset) return asset.error().message;
+        if (!*asset || !hang(planned, **asset, std::move(hung))) continue;
+        record["window"] = window->id;
+        return "";
+      }
+    }
+    return "at no window is there room for it";
+  }
+
+  // An asset for the box, or nothing if none is of this size.
+  Result<std::optional<AssetInfo>> made_to_measure(const PlannedObject& planned,
+                                                   const Object& hung) {
+    PlanItem item = plan_.items[planned.item];
+    item.size = hung.size;
+    item.asked = true;
+    item.varied = true;  // windows differ
+    const auto assets = retriever_.candidates(item, planned, options_.assets_per_object);
+    if (!assets) return assets.error();
+    for (const auto& asset : *assets) {
+      const Vec3 stretch = hung.size.cwiseQuotient(asset.size);
+      if (stretch.minCoeff() >= least_stretch && stretch.maxCoeff() <= most_stretch)
+        return std::optional(asset);
+    }
+    return std::optional<AssetInfo>();
+  }
+
+  bool hang(const PlannedObject& planned, const AssetInfo& asset, Object hung) {
+    auto model = library_.load(asset.ref);
+    if (!model) return false;
+    const PlanItem& item = plan_.items[planned.item];
+    hung.description = item.description.empty() ? asset.name : item.description;
+    hung.asset = asset.ref;
+    hung.locked = true;  // its window stays where it is
+    hung.traits.front = hung.traits.front && asset.has_front;
+    if (!asset_key(asset.ref).empty()) result_.models.add(asset_key(asset.ref), *model);
+    const auto candidate = layout_.candidate(hung);
+    if (!layout_.fits(candidate, footprint(hung), bottom(hung)) || !layout_.fits_exactly(candidate))
+      return false;
+    layout_.add(std::move(hung));
+    take(planned, asset);
+    return true;
   }
 
   static std::string why_nothing(const PlanItem& item) {
@@ -247,8 +338,8 @@ class Generator {
     const auto doors = layout_.door_areas();
     std::vector<Footprint> taken(doors.begin(), doors.end());
     for (const auto& thing : layout_.things())
-      if (blocks_floor(*thing.object)) taken.push_back(thing.footprint);
-    return free_rectangles(plan_.room.polygon, taken, least_free_side, most_free_parts);
+      if (blocks_floor(*thing.object, *thing.category)) taken.push_back(thing.footprint);
+    return free_rectangles(room_.polygon, taken, least_free_side, most_free_parts);
   }
 
   void tally(const Consultation& consultation) {
@@ -274,7 +365,7 @@ class Generator {
     for (const auto& relation : advice.relations) {
       const Object* target = layout_.find(relation.target);
       if (relation.kind != RelationKind::above || !target) continue;
-      const double highest = plan_.room.height - object.size.z() - 0.05;
+      const double highest = room_.height - object.size.z() - 0.05;
       object.position.z() =
           std::min(highest, std::max(object.position.z(), top(*target) + gap_above));
     }
@@ -330,7 +421,7 @@ class Generator {
 
   // The usual height; what stands on something gets its own when that is known.
   void set_height(const Category& category, const AssetInfo& asset, Object& object) const {
-    const double room_left = plan_.room.height - object.size.z();
+    const double room_left = room_.height - object.size.z();
     if (object.mount == Mount::ceiling) object.position.z() = room_left;
     if (object.mount == Mount::wall) {
       const double usual = category.elevation > 0 ? category.elevation : asset.elevation;
@@ -434,7 +525,7 @@ class Generator {
     Scene scene;
     scene.prompt = plan_.prompt;
     scene.seed = plan_.seed;
-    scene.room = plan_.room;
+    scene.room = room_;
     scene.objects.assign(layout_.objects().begin(), layout_.objects().end());
     return scene;
   }
@@ -499,6 +590,7 @@ class Generator {
   Retriever retriever_;
   Random random_;
   Generation result_;
+  Room room_;  ///< the plan's, with meshes in its openings
   Layout layout_;
   std::vector<PlannedObject> left_;                ///< still to be tried, in the plan's order
   std::string next_;                               ///< of them, what the designer wants next

@@ -4,13 +4,15 @@ namespace roomgen {
 
 ModelTable load_models(const Scene& scene, const AssetLibrary& library, const LogSink& log_sink) {
   ModelTable models;
-  for (const auto& object : scene.objects) {
-    const std::string key = asset_key(object.asset);
-    if (key.empty() || models.find(key)) continue;
-    auto model = library.load(object.asset);
+  const auto add = [&](const std::string& owner, const AssetRef& asset) {
+    const std::string key = asset_key(asset);
+    if (key.empty() || models.find(key)) return;
+    auto model = library.load(asset);
     if (model) models.add(key, *std::move(model));
-    else log(log_sink, LogLevel::warning, object.id + ": " + model.error().message);
-  }
+    else log(log_sink, LogLevel::warning, owner + ": " + model.error().message);
+  };
+  for (const auto& opening : scene.room.openings) add(opening.id, opening.joinery.asset);
+  for (const auto& object : scene.objects) add(object.id, object.asset);
   return models;
 }
 

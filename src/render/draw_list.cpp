@@ -70,11 +70,11 @@ void GpuCache::drop_unused() {
   ++pictures_;
 }
 
-DrawList draw_objects(const Scene& scene, const ModelTable& models, bool with_ceiling,
-                      GpuCache& cache) {
+DrawList draw_objects(const Scene& scene, const ModelTable& models,
+                      const std::function<bool(const Object&)>& shown, GpuCache& cache) {
   DrawList list;
   for (const auto& object : scene.objects) {
-    if (object.mount == Mount::ceiling && !with_ceiling) continue;
+    if (!shown(object)) continue;
     const std::string key = model_key(object, models);
     DrawItem item;
     item.source = models.find(asset_key(object.asset));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -51,8 +52,8 @@ class GpuCache {
   long long pictures_ = 0;
 };
 
-/// The objects of a scene, in their order; what hangs from the ceiling only `with_ceiling`.
-DrawList draw_objects(const Scene& scene, const ModelTable& models, bool with_ceiling,
-                      GpuCache& cache);
+/// The objects of a scene that are to be `shown`, in their order.
+DrawList draw_objects(const Scene& scene, const ModelTable& models,
+                      const std::function<bool(const Object&)>& shown, GpuCache& cache);
 
 }  // namespace roomgen::detail

@@ -32,7 +32,8 @@ std::string frame_key(const Scene& scene, const View& view, const Camera& camera
   return key.dump();
 }
 
-std::shared_ptr<const Model> shell_model(const Room& room, const View& view, const Camera& camera) {
+std::shared_ptr<const Model> shell_model(const Room& room, const ModelTable& models, const View& view,
+                                         const Camera& camera) {
   const bool plan = view.kind == View::Kind::top;
   ShellOptions options;
   options.wall_heights = wall_heights(room, view, camera);
@@ -40,7 +41,7 @@ std::shared_ptr<const Model> shell_model(const Room& room, const View& view, con
   options.door_leaves = !plan;  // drawn open, as a symbol
   options.ceiling = view.kind == View::Kind::eye;
   auto merged = std::make_shared<Model>();
-  for (auto& part : room_shell(room, options)) {
+  for (auto& part : room_shell(room, options, models)) {
     const int first = static_cast<int>(merged->materials.size());
     for (auto& piece : part.model.parts)
       merged->parts.push_back({std::move(piece.mesh), piece.material + first});
@@ -143,11 +144,17 @@ class OsmesaRenderer : public Renderer {
 
   DrawList draw_list(const Scene& scene, const ModelTable& models, const View& view,
                      const Camera& camera, const std::string& key) {
-    // From above, lamps would hide what stands under them; their ceiling is off as well.
-    DrawList items = draw_objects(scene, models, view.kind != View::Kind::top, cache_);
+    // From above, lamps would hide what stands under them; their ceiling is off as well. From a corner,
+    // what hangs on a lowered wall would float before the room.
+    const auto heights = wall_heights(scene.room, view, camera);
+    const auto shown = [&](const Object& object) {
+      if (view.kind == View::Kind::top) return object.mount != Mount::ceiling;
+      return !hangs_on_lowered_wall(scene.room, object, heights);
+    };
+    DrawList items = draw_objects(scene, models, shown, cache_);
     DrawItem shell;
     shell.source = cache_.source(key);
-    if (!shell.source) shell.source = shell_model(scene.room, view, camera);
+    if (!shell.source) shell.source = shell_model(scene.room, models, view, camera);
     shell.model = cache_.get(key, shell.source);
     shell.box = shell.model->model_bounds();
     items.push_back(std::move(shell));  // last: objects hide much of it

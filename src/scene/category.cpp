@@ -55,7 +55,7 @@ void read_traits(const JsonReader& json, Traits& traits) {
 // What the entry does not say stays as `category` has it: inherited.
 void read_category(const JsonReader& json, Category& category) {
   json.allow_only({"is", "synonyms", "size", "mount", "elevation", "traits", "zones", "gaps",
-                   "tucks_under", "lamp", "source"});
+                   "tucks_under", "covers_window", "lamp", "source"});
   category.synonyms = read_texts(json["synonyms"]);
   if (const auto size = json["size"]; size.exists()) {
     const auto v = size.numbers(3, 0.001, 20.0);
@@ -66,6 +66,7 @@ void read_category(const JsonReader& json, Category& category) {
     else mount.report("is none of floor, wall, ceiling, surface");
   }
   category.elevation = json["elevation"].number_or(category.elevation, 0, 20);
+  category.covers_window = json["covers_window"].boolean_or(category.covers_window);
   read_traits(json["traits"], category.traits);
   if (const auto zones = json["zones"]; zones.exists()) {
     category.zones.clear();

@@ -11,13 +11,6 @@ namespace {
 constexpr std::array<std::string_view, 4> mount_names = {"floor", "wall", "ceiling", "surface"};
 }
 
-std::string asset_key(const AssetRef& asset) {
-  if (asset.procedural)
-    return "procedural:" + asset.procedural->recipe + ":" + asset.procedural->params.dump() + ":" +
-           std::to_string(asset.procedural->seed);
-  return asset.id.empty() ? std::string() : asset.library + "/" + asset.id;
-}
-
 Object with_rounded_pose(Object object) {
   for (int axis = 0; axis < 3; ++axis) object.position[axis] = rounded(object.position[axis]);
   object.yaw = radians(rounded(degrees(wrap_angle(object.yaw)), 3));

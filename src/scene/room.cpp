@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "roomgen/base/text.h"
+#include "roomgen/geometry/outline.h"
 
 namespace roomgen {
 
@@ -12,6 +13,8 @@ namespace {
 // A door that does not swing in still needs a step of free floor behind it.
 constexpr double step_depth = 0.6;
 constexpr double tolerance = 1e-6;
+// Of its square, what an outline must fill: less is a slit.
+constexpr double least_filled = 0.2;
 
 Footprint strip_before(const Room& room, const Opening& opening, double depth) {
   const Segment line = segment(room, opening);
@@ -39,10 +42,74 @@ Status check_opening(const Room& room, const Opening& opening) {
                                    format_number(length) + " m");
   if (opening.sill < 0 || opening.head <= opening.sill || opening.head > room.height + 1e-3)
     return room_error(opening, "must have 0 <= sill < head <= room height");
+  if (!opening.outline.empty() && !is_opening_outline(opening.outline))
+    return room_error(opening, "its outline must be 3 to " + std::to_string(max_outline_points) +
+                                   " points within [0, 1], counter-clockwise, that every upright "
+                                   "line crosses once");
   return {};
 }
 
+// The leaf's edge draws a quarter circle around the hinge; beyond the approach it stays within this
+// rectangle on the side of the hinge.
+Footprint beyond_approach(const Room& room, const Opening& door, double leaf, bool at_from) {
+  const Segment line = segment(room, door);
+  const Vec2 hinge = at_from ? line.a : line.b;
+  const Vec2 along = at_from ? line.direction() : Vec2(-line.direction());
+  const double reach = std::sqrt(leaf * leaf - door_approach * door_approach);
+  const Vec2 normal = inward(room, door);
+  return Footprint(hinge + 0.5 * reach * along + 0.5 * (door_approach + leaf) * normal,
+                   Vec2(reach, leaf - door_approach), yaw_facing(normal));
+}
+
+// How often the points turn from going right to going left or back, all the way round.
+int count_turns(const std::vector<Vec2>& points) {
+  int turns = 0;
+  double last = 0.0;
+  for (std::size_t i = 0; i < 2 * points.size(); ++i) {
+    const double step = points[(i + 1) % points.size()].x() - points[i % points.size()].x();
+    if (std::abs(step) < 1e-12) continue;
+    // The first round only finds the direction.
+    if (i >= points.size() && last * step < 0) ++turns;
+    last = step;
+  }
+  return turns;
+}
+
+// Height of the chain of edges that go in this direction of x, at x.
+double height_of_chain(const std::vector<Vec2>& points, double x, bool rightwards) {
+  double height = rightwards ? -1e9 : 1e9;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vec2& a = points[i];
+    const Vec2& b = points[(i + 1) % points.size()];
+    const double step = b.x() - a.x();
+    if (std::abs(step) < 1e-12 || (step > 0) != rightwards) continue;
+    if (x < std::min(a.x(), b.x()) - 1e-12 || x > std::max(a.x(), b.x()) + 1e-12) continue;
+    const double z = a.y() + (x - a.x()) / step * (b.y() - a.y());
+    height = rightwards ? std::max(height, z) : std::min(height, z);
+  }
+  return height;
+}
+
 }  // namespace
+
+std::vector<Vec2> outline(const Opening& opening) {
+  static const std::vector<Vec2> whole = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  std::vector<Vec2> points;
+  for (const auto& p : opening.outline.empty() ? whole : opening.outline)
+    points.emplace_back(opening.from + p.x() * opening.width(),
+                        opening.sill + p.y() * (opening.head - opening.sill));
+  return points;
+}
+
+bool is_opening_outline(const std::vector<Vec2>& points) {
+  if (points.size() < 3 || points.size() > max_outline_points) return false;
+  for (const auto& p : points)
+    if (!(p.minCoeff() >= -1e-9 && p.maxCoeff() <= 1.0 + 1e-9)) return false;
+  if (!(signed_area(points) >= least_filled) || count_turns(points) != 2) return false;
+  return std::all_of(points.begin(), points.end(), [&](const Vec2& p) {
+    return height_of_chain(points, p.x(), true) <= height_of_chain(points, p.x(), false) + 1e-9;
+  });
+}
 
 Segment segment(const Room& room, const Opening& opening) {
   const Segment wall = room.polygon.edge(opening.wall);
@@ -65,18 +132,11 @@ Footprint window_clearance(const Room& room, const Opening& window) {
 std::vector<Footprint> clearances(const Room& room, const Opening& opening) {
   if (!opening.is_entrance()) return {window_clearance(room, opening)};
   std::vector<Footprint> areas = {door_clearance(room, opening)};
-  const double leaf = opening.width();
-  if (swings_in(opening) && leaf > door_approach) {
-    // The leaf's edge draws a quarter circle around the hinge; beyond the approach it stays within this
-    // rectangle on the side of the hinge.
-    const Segment line = segment(room, opening);
-    const Vec2 hinge = opening.hinge_at_from ? line.a : line.b;
-    const Vec2 along = opening.hinge_at_from ? line.direction() : Vec2(-line.direction());
-    const double reach = std::sqrt(leaf * leaf - door_approach * door_approach);
-    const Vec2 normal = inward(room, opening);
-    areas.emplace_back(hinge + 0.5 * reach * along + 0.5 * (door_approach + leaf) * normal,
-                       Vec2(reach, leaf - door_approach), yaw_facing(normal));
-  }
+  const double leaf = opening.width() / std::max(1, opening.leaves);
+  if (!swings_in(opening) || leaf <= door_approach) return areas;
+  for (const bool at_from : {true, false})
+    if (opening.leaves > 1 || at_from == opening.hinge_at_from)
+      areas.push_back(beyond_approach(room, opening, leaf, at_from));
   return areas;
 }
 

@@ -1,8 +1,10 @@
+#include <algorithm>
 #include <array>
 
 #include "file_walls.h"
 #include "roomgen/base/file.h"
 #include "roomgen/base/text.h"
+#include "roomgen/geometry/outline.h"
 #include "roomgen/scene/scene.h"
 
 namespace roomgen {
@@ -12,6 +14,9 @@ namespace {
 constexpr double max_coordinate = 1000.0;
 constexpr std::size_t max_corners = 500;
 constexpr std::size_t max_openings = 200;
+constexpr int max_leaves = 2;
+constexpr int max_side_by_side = 20;
+constexpr double least_in_wall = 0.001;  // metres: a thinner mesh cannot be fitted to a wall
 
 template <typename Enum, std::size_t count>
 Enum read_name(const JsonReader& json, Enum fallback, const std::array<Enum, count>& values) {
@@ -25,8 +30,34 @@ Enum read_name(const JsonReader& json, Enum fallback, const std::array<Enum, cou
   return fallback;
 }
 
+std::vector<Vec2> read_outline(const JsonReader& json) {
+  std::vector<Vec2> points;
+  for (const auto& element : json.elements_or_none(max_outline_points)) {
+    const auto p = element.numbers(2, 0.0, 1.0);
+    points.emplace_back(p[0], p[1]);
+  }
+  if (signed_area(points) < 0) std::reverse(points.begin(), points.end());
+  return points;
+}
+
+Joinery read_joinery(const JsonReader& json) {
+  Joinery joinery;
+  joinery.asset = read_asset(json["asset"]);
+  if (const auto in_wall = json["in_wall"]; in_wall.exists()) {
+    const auto depths = in_wall.numbers(2, 0.0, 5.0);
+    joinery.wall_front = depths[0];
+    joinery.wall_back = depths[1];
+    if (depths[1] < depths[0] + least_in_wall)
+      in_wall.report("must rise by at least " + format_number(least_in_wall) + " m");
+  }
+  joinery.mirrored = json["mirrored"].boolean_or(false);
+  joinery.side_by_side = static_cast<int>(json["side_by_side"].integer_or(1, 1, max_side_by_side));
+  return joinery;
+}
+
 Opening read_opening(const JsonReader& json) {
-  json.allow_only({"id", "type", "wall", "from", "to", "sill", "head", "hinge", "swing"});
+  json.allow_only({"id", "type", "wall", "from", "to", "sill", "head", "hinge", "swing", "kind",
+                   "leaves", "glazed", "outline", "asset", "in_wall", "mirrored", "side_by_side"});
   Opening opening;
   opening.type = read_name(json["type"], OpeningType::door,
                            std::array{OpeningType::door, OpeningType::window, OpeningType::passage});
@@ -42,7 +73,20 @@ Opening read_opening(const JsonReader& json) {
   opening.hinge_at_from = hinge != "to";
   opening.swing = read_name(json["swing"], DoorSwing::in,
                             std::array{DoorSwing::in, DoorSwing::out, DoorSwing::sliding});
+  opening.kind = json["kind"].text_or("", 200);
+  opening.leaves = static_cast<int>(json["leaves"].integer_or(1, 1, max_leaves));
+  opening.glazed = json["glazed"].boolean_or(false);
+  opening.outline = read_outline(json["outline"]);
+  opening.joinery = read_joinery(json);
   return opening;
+}
+
+void add_joinery(Json& json, const Joinery& joinery) {
+  if (joinery.asset.is_box()) return;
+  json["asset"] = to_json(joinery.asset);
+  json["in_wall"] = {rounded(joinery.wall_front), rounded(joinery.wall_back)};
+  if (joinery.mirrored) json["mirrored"] = true;
+  if (joinery.side_by_side > 1) json["side_by_side"] = joinery.side_by_side;
 }
 
 Json opening_json(const Opening& opening) {
@@ -58,7 +102,19 @@ Json opening_json(const Opening& opening) {
     json["hinge"] = opening.hinge_at_from ? "from" : "to";
     json["swing"] = name(opening.swing);
   }
+  if (!opening.kind.empty()) json["kind"] = opening.kind;
+  if (opening.leaves != 1) json["leaves"] = opening.leaves;
+  if (opening.glazed) json["glazed"] = true;
+  for (const auto& p : opening.outline) json["outline"].push_back({rounded(p.x()), rounded(p.y())});
+  add_joinery(json, opening.joinery);
   return json;
+}
+
+// The same opening in a wall that runs the other way.
+void turn_round(Opening& opening) {
+  opening.hinge_at_from = !opening.hinge_at_from;
+  for (auto& p : opening.outline) p.x() = 1.0 - p.x();
+  std::reverse(opening.outline.begin(), opening.outline.end());
 }
 
 // A polygon given clockwise is turned round, and needless corners are dropped; openings that count
@@ -87,7 +143,7 @@ void move_openings(Room& room, const std::vector<Vec2>& given, const JsonReader&
       opening.wall = k;
       opening.from = std::min(a, b);
       opening.to = std::max(a, b);
-      if (b < a) opening.hinge_at_from = !opening.hinge_at_from;
+      if (b < a) turn_round(opening);
       found = true;
     }
     if (!found)

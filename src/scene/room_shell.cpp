@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "joinery.h"
 #include "roomgen/scene/finish.h"
 #include "wall_builder.h"
 #include "woodwork.h"
@@ -14,6 +15,7 @@ using detail::add_quad;
 using detail::Span;
 using detail::WallColumn;
 using detail::WallFrame;
+using detail::WallPiece;
 
 constexpr double tolerance = 1e-6;
 
@@ -74,22 +76,28 @@ class WallSolid {
       : frame_(frame), height_(height), uv_scale_(1.0 / uv_extent) {}
 
   void add_column(const WallColumn& column) {
-    for (const auto& span : column.solid) {
-      add_face(meshes_.painted, column.to, column.from, false, span);
-      add_face(meshes_.painted, column.from, column.to, true, span);
-      const bool at_top = span.high > height_ - tolerance, at_floor = span.low < tolerance;
-      add_level(at_top ? meshes_.top : meshes_.reveals, column.from, column.to, span.high, true);
-      add_level(at_floor ? meshes_.painted : meshes_.reveals, column.from, column.to, span.low,
-                false);
+    for (const auto& piece : column.solid) {
+      add_face(meshes_.painted, column, piece, false);
+      add_face(meshes_.painted, column, piece, true);
+      const bool at_top = std::min(piece.from.high, piece.to.high) > height_ - tolerance;
+      const bool at_floor = std::max(piece.from.low, piece.to.low) < tolerance;
+      add_edge(at_top ? meshes_.top : meshes_.reveals, column, piece.from.high, piece.to.high,
+               true);
+      add_edge(at_floor ? meshes_.painted : meshes_.reveals, column, piece.from.low, piece.to.low,
+               false);
     }
   }
 
   /// Closes the sides at s where `left` is solid and `right` is not, or the other way round.
-  void add_jambs(double s, std::vector<Span> left, std::vector<Span> right) {
+  void add_jambs(double s, const std::vector<WallPiece>& left,
+                 const std::vector<WallPiece>& right) {
     const bool at_end = s < tolerance || s > frame_.length - tolerance;
     Mesh& mesh = at_end ? meshes_.painted : meshes_.reveals;
-    for (const auto& span : difference(right, left)) add_jamb(mesh, s, span, false);
-    for (const auto& span : difference(left, right)) add_jamb(mesh, s, span, true);
+    std::vector<Span> before, after;
+    for (const auto& piece : left) before.push_back(piece.to);
+    for (const auto& piece : right) after.push_back(piece.from);
+    for (const auto& span : difference(after, before)) add_jamb(mesh, s, span, false);
+    for (const auto& span : difference(before, after)) add_jamb(mesh, s, span, true);
   }
 
   WallMeshes take() { return std::move(meshes_); }
@@ -112,16 +120,24 @@ class WallSolid {
     return {static_cast<float>(s * uv_scale_), static_cast<float>(-z * uv_scale_)};
   }
 
-  void add_face(Mesh& mesh, double s0, double s1, bool outer, const Span& z) const {
-    add_quad(mesh,
-             {frame_.corner(s0, outer, z.low), frame_.corner(s1, outer, z.low),
-              frame_.corner(s1, outer, z.high), frame_.corner(s0, outer, z.high)},
-             {uv(s0, z.low), uv(s1, z.low), uv(s1, z.high), uv(s0, z.high)});
+  void add_face(Mesh& mesh, const WallColumn& column, const WallPiece& z, bool outer) const {
+    const double s0 = column.from, s1 = column.to;
+    std::array<Vec3, 4> points = {
+        frame_.corner(s0, outer, z.from.low), frame_.corner(s1, outer, z.to.low),
+        frame_.corner(s1, outer, z.to.high), frame_.corner(s0, outer, z.from.high)};
+    std::array<Eigen::Vector2f, 4> uvs = {uv(s0, z.from.low), uv(s1, z.to.low), uv(s1, z.to.high),
+                                          uv(s0, z.from.high)};
+    if (!outer) {
+      std::reverse(points.begin(), points.end());
+      std::reverse(uvs.begin(), uvs.end());
+    }
+    add_quad(mesh, points, uvs);
   }
 
-  void add_level(Mesh& mesh, double s0, double s1, double z, bool up) const {
-    std::array<Vec3, 4> points = {frame_.corner(s0, true, z), frame_.corner(s1, true, z),
-                                  frame_.corner(s1, false, z), frame_.corner(s0, false, z)};
+  void add_edge(Mesh& mesh, const WallColumn& column, double z0, double z1, bool up) const {
+    std::array<Vec3, 4> points = {
+        frame_.corner(column.from, true, z0), frame_.corner(column.to, true, z1),
+        frame_.corner(column.to, false, z1), frame_.corner(column.from, false, z0)};
     if (!up) std::swap(points[1], points[3]);
     add_quad(mesh, points);
   }
@@ -147,7 +163,7 @@ class WallSolid {
 WallMeshes wall_solid(const Room& room, std::size_t wall, double height, double uv_extent) {
   const WallFrame frame = detail::wall_frame(room, wall);
   WallSolid solid(frame, height, uv_extent);
-  std::vector<Span> before;
+  std::vector<WallPiece> before;
   for (const auto& column : detail::wall_columns(room, wall, height)) {
     solid.add_column(column);
     solid.add_jambs(column.from, before, column.solid);
@@ -183,7 +199,8 @@ Model wall_model(const Room& room, std::size_t wall, const Finish& finish,
 
 }  // namespace
 
-std::vector<ShellPart> room_shell(const Room& room, const ShellOptions& options) {
+std::vector<ShellPart> room_shell(const Room& room, const ShellOptions& options,
+                                  const ModelTable& models) {
   std::vector<ShellPart> shell;
   shell.push_back({"floor", floor_slab(room)});
   const Finish finish = wall_finish(room);
@@ -195,8 +212,10 @@ std::vector<ShellPart> room_shell(const Room& room, const ShellOptions& options)
                      wall_model(room, wall, wall == accented ? accent : finish, options)});
   if (options.ceiling) shell.push_back({"ceiling", ceiling_sheet(room)});
   for (const auto& opening : room.openings) {
-    Model model =
-        detail::opening_woodwork(room, opening, height_of(room, options, opening.wall), options);
+    const double height = height_of(room, options, opening.wall);
+    const auto joinery = detail::joinery_to_show(opening, height, options, models);
+    Model model = joinery ? detail::fitted_joinery(room, opening, *joinery)
+                          : detail::opening_woodwork(room, opening, height, options);
     if (!model.parts.empty()) shell.push_back({opening.id, std::move(model)});
   }
   return shell;

@@ -18,48 +18,12 @@ Json numbers(const Vec3& v) {
   return {rounded(v.x()), rounded(v.y()), rounded(v.z())};
 }
 
-Json asset_json(const AssetRef& asset) {
-  Json json = Json::object();
-  if (asset.procedural) {
-    json["procedural"] = {{"recipe", asset.procedural->recipe},
-                          {"params", asset.procedural->params},
-                          {"seed", asset.procedural->seed}};
-  } else if (!asset.id.empty()) {
-    json["library"] = asset.library;
-    json["id"] = asset.id;
-    json["sha256"] = asset.sha256;
-    json["license"] = asset.license;
-    json["creator"] = asset.creator;
-  }
-  return json;
-}
-
-AssetRef read_asset(const JsonReader& json) {
-  AssetRef asset;
-  if (!json.exists()) return asset;
-  json.allow_only({"library", "id", "sha256", "license", "creator", "procedural"});
-  asset.library = json["library"].text_or("");
-  asset.id = json["id"].text_or("");
-  asset.sha256 = json["sha256"].text_or("");
-  asset.license = json["license"].text_or("");
-  asset.creator = json["creator"].text_or("");
-  if (const auto procedural = json["procedural"]; procedural.exists()) {
-    procedural.allow_only({"recipe", "params", "seed"});
-    ProceduralSource source;
-    source.recipe = procedural["recipe"].text(200);
-    if (const auto params = procedural["params"]; params.exists()) source.params = *params.raw();
-    source.seed = static_cast<std::uint64_t>(procedural["seed"].integer_or(0, 0, max_seed));
-    asset.procedural = source;
-  }
-  return asset;
-}
-
 Json object_json(const Object& object) {
   Json json;
   json["id"] = object.id;
   json["category"] = object.category;
   json["description"] = object.description;
-  json["asset"] = asset_json(object.asset);
+  json["asset"] = to_json(object.asset);
   json["traits"] = Json::array();
   if (object.traits.front) json["traits"].push_back("front");
   if (object.traits.flat) json["traits"].push_back("flat");

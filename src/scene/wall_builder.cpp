@@ -2,6 +2,9 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <optional>
+
+#include "roomgen/geometry/outline.h"
 
 namespace roomgen::detail {
 
@@ -9,12 +12,25 @@ namespace {
 
 constexpr double tolerance = 1e-6;
 
-std::vector<double> cut_positions(const std::vector<const Opening*>& openings, double length) {
-  std::vector<double> cuts = {0.0, length};
-  for (const auto* opening : openings) {
-    cuts.push_back(std::clamp(opening->from, 0.0, length));
-    cuts.push_back(std::clamp(opening->to, 0.0, length));
+constexpr double least_area = 1e-8;  // square metres
+
+// What the openings of a wall leave out, up to a height.
+std::vector<std::vector<Vec2>> holes_in(const Room& room, std::size_t wall, double height) {
+  std::vector<std::vector<Vec2>> holes;
+  const double length = room.polygon.edge(wall).length();
+  for (const auto& opening : room.openings) {
+    if (opening.wall != wall) continue;
+    auto hole = clipped(outline(opening), {0, 1}, height);
+    for (auto& p : hole) p.x() = std::clamp(p.x(), 0.0, length);
+    if (signed_area(hole) > least_area) holes.push_back(std::move(hole));
   }
+  return holes;
+}
+
+std::vector<double> cut_positions(const std::vector<std::vector<Vec2>>& holes, double length) {
+  std::vector<double> cuts = {0.0, length};
+  for (const auto& hole : holes)
+    for (const auto& p : hole) cuts.push_back(p.x());
   std::sort(cuts.begin(), cuts.end());
   cuts.erase(
       std::unique(cuts.begin(), cuts.end(), [](double a, double b) { return b - a < tolerance; }),
@@ -23,14 +39,51 @@ std::vector<double> cut_positions(const std::vector<const Opening*>& openings, d
   return cuts;
 }
 
-void subtract(std::vector<Span>& spans, const Span& hole) {
-  std::vector<Span> rest;
-  for (const auto& span : spans) {
-    if (hole.low > span.low + tolerance) rest.push_back({span.low, std::min(span.high, hole.low)});
-    if (hole.high < span.high - tolerance)
-      rest.push_back({std::max(span.low, hole.high), span.high});
+double height_at(const Vec2& a, const Vec2& b, double s) {
+  return a.y() + (s - a.x()) / (b.x() - a.x()) * (b.y() - a.y());
+}
+
+// The hole's part in a strip that has none of its corners inside; nothing if it lies elsewhere.
+std::optional<WallPiece> part_in_strip(const std::vector<Vec2>& hole, double from, double to) {
+  const double middle = 0.5 * (from + to);
+  std::optional<Span> at_from, at_to;
+  for (std::size_t i = 0; i < hole.size(); ++i) {
+    const Vec2& a = hole[i];
+    const Vec2& b = hole[(i + 1) % hole.size()];
+    if (middle < std::min(a.x(), b.x()) || middle > std::max(a.x(), b.x())) continue;
+    if (std::abs(b.x() - a.x()) < tolerance) continue;
+    const double z0 = height_at(a, b, from), z1 = height_at(a, b, to);
+    if (!at_from) {
+      at_from = Span{z0, z0};
+      at_to = Span{z1, z1};
+    } else {
+      at_from = Span{std::min(at_from->low, z0), std::max(at_from->high, z0)};
+      at_to = Span{std::min(at_to->low, z1), std::max(at_to->high, z1)};
+    }
   }
-  spans = std::move(rest);
+  if (!at_from) return std::nullopt;
+  return WallPiece{*at_from, *at_to};
+}
+
+bool is_empty(const WallPiece& piece) {
+  return piece.from.high - piece.from.low < tolerance && piece.to.high - piece.to.low < tolerance;
+}
+
+// The strip without the holes, which do not overlap.
+std::vector<WallPiece> between(std::vector<WallPiece> holes, double height) {
+  std::sort(holes.begin(), holes.end(), [](const WallPiece& a, const WallPiece& b) {
+    return a.from.low + a.to.low < b.from.low + b.to.low;
+  });
+  std::vector<WallPiece> solid;
+  WallPiece rest{{0.0, height}, {0.0, height}};
+  for (const auto& hole : holes) {
+    const WallPiece below{{rest.from.low, hole.from.low}, {rest.to.low, hole.to.low}};
+    if (!is_empty(below)) solid.push_back(below);
+    rest.from.low = hole.from.high;
+    rest.to.low = hole.to.high;
+  }
+  if (!is_empty(rest)) solid.push_back(rest);
+  return solid;
 }
 
 }  // namespace
@@ -88,20 +141,43 @@ void add_box(Mesh& mesh, const WallFrame& frame, const Vec3& low, const Vec3& hi
   add_quad(mesh, {p(0, 0, 0), p(1, 0, 0), p(1, 1, 0), p(0, 1, 0)});
 }
 
-std::vector<WallColumn> wall_columns(const Room& room, std::size_t wall, double height) {
-  std::vector<const Opening*> openings;
-  for (const auto& opening : room.openings)
-    if (opening.wall == wall) openings.push_back(&opening);
+void add_prism(Mesh& mesh, const WallFrame& frame, const std::vector<Vec2>& outline, double d0,
+               double d1) {
+  if (outline.size() < 3 || signed_area(outline) <= least_area || d1 - d0 <= tolerance) return;
+  const auto at = [&](const Vec2& p, double d) { return frame.at(p.x(), d, p.y()); };
+  // (along, outward, up) is left-handed: the outline runs clockwise for who stands in the room.
+  for (const double d : {d0, d1}) {
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    const double side = d == d0 ? -1.0 : 1.0;
+    const Vec3 normal(side * frame.outward.x(), side * frame.outward.y(), 0.0);
+    for (const auto& p : outline) {
+      mesh.positions.push_back(at(p, d).cast<float>());
+      mesh.normals.push_back(normal.cast<float>());
+      mesh.uvs.push_back(p.cast<float>());
+    }
+    for (const auto& t : triangulate(Polygon{outline})) {
+      if (d == d0)
+        mesh.triangles.push_back({first + t[0], first + t[2], first + t[1]});
+      else
+        mesh.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+    }
+  }
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Vec2& a = outline[i];
+    const Vec2& b = outline[(i + 1) % outline.size()];
+    if ((b - a).norm() > tolerance) add_quad(mesh, {at(a, d0), at(b, d0), at(b, d1), at(a, d1)});
+  }
+}
 
-  const auto cuts = cut_positions(openings, room.polygon.edge(wall).length());
+std::vector<WallColumn> wall_columns(const Room& room, std::size_t wall, double height) {
+  const auto holes = holes_in(room, wall, height);
+  const auto cuts = cut_positions(holes, room.polygon.edge(wall).length());
   std::vector<WallColumn> columns;
   for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
-    WallColumn column{cuts[i], cuts[i + 1], {{0.0, height}}};
-    const double middle = 0.5 * (column.from + column.to);
-    for (const auto* opening : openings)
-      if (opening->from < middle && middle < opening->to)
-        subtract(column.solid, {opening->sill, opening->head});
-    columns.push_back(std::move(column));
+    std::vector<WallPiece> parts;
+    for (const auto& hole : holes)
+      if (const auto part = part_in_strip(hole, cuts[i], cuts[i + 1])) parts.push_back(*part);
+    columns.push_back({cuts[i], cuts[i + 1], between(std::move(parts), height)});
   }
   return columns;
 }

@@ -28,18 +28,27 @@ WallFrame wall_frame(const Room& room, std::size_t wall);
 void add_quad(Mesh& mesh, const std::array<Vec3, 4>& points,
               const std::array<Eigen::Vector2f, 4>& uvs);
 void add_quad(Mesh& mesh, const std::array<Vec3, 4>& points);
+/// Appends the solid between depths d0 and d1 behind an outline in metres along the wall and height,
+/// counter-clockwise; nothing if it is empty.
+void add_prism(Mesh& mesh, const WallFrame& frame, const std::vector<Vec2>& outline, double d0,
+               double d1);
 /// Appends a box in wall coordinates; nothing if it is empty.
 void add_box(Mesh& mesh, const WallFrame& frame, const Vec3& low, const Vec3& high);
 
+/// Heights on one upright line.
 struct Span {
   double low, high;
+};
+/// A solid part of a strip of wall, its edges straight from one side of the strip to the other.
+struct WallPiece {
+  Span from, to;
 };
 /// One vertical strip of a wall: where it is solid, bottom up.
 struct WallColumn {
   double from, to;
-  std::vector<Span> solid;
+  std::vector<WallPiece> solid;
 };
-/// The wall up to `height`, cut into strips at the sides of its openings.
+/// The wall up to `height`, cut into strips at the corners of its openings.
 std::vector<WallColumn> wall_columns(const Room& room, std::size_t wall, double height);
 
 }  // namespace roomgen::detail

@@ -71,8 +71,8 @@ Layout::Layout(const Room& room, const CategoryTable& categories, const ModelTab
   for (const auto& opening : room.openings) {
     if (opening.is_entrance()) door_areas_.push_back(door_clearance(room, opening));
     for (const auto& area : clearances(room, opening))
-      clearances_.push_back(
-          {area, opening.is_entrance() ? 0.0 : opening.sill + window_overlap, opening.head});
+      clearances_.push_back({area, opening.is_entrance() ? 0.0 : opening.sill + window_overlap,
+                             opening.head, !opening.is_entrance()});
   }
 }
 
@@ -127,7 +127,7 @@ void Layout::remove(std::string_view id) {
 
 void Layout::bring_walk_map_up_to_date() {
   for (std::size_t i = 0; i < objects_.size(); ++i)  // things_ may hold a newcomer more
-    if (!in_walk_map_[i] && blocks_floor(objects_[i])) {
+    if (!in_walk_map_[i] && blocks_floor(objects_[i], *things_[i].category)) {
       walk_map_.add(things_[i].footprint);
       in_walk_map_[i] = true;
     }
@@ -172,7 +172,10 @@ bool Layout::fits_room(const Candidate& candidate, const Footprint& footprint,
   }
   if (object.traits.flat || object.mount == Mount::surface) return true;
   return std::none_of(clearances_.begin(), clearances_.end(), [&](const Clearance& clearance) {
-    return top > clearance.from && bottom < clearance.to &&
+    if (clearance.of_window && candidate.category->covers_window) return false;
+    // What stands before a window may hide a little of it; what hangs keeps clear of it.
+    const bool hangs = clearance.of_window && object.mount == Mount::wall;
+    return top > clearance.from - (hangs ? window_overlap : 0.0) && bottom < clearance.to &&
            overlaps(footprint, clearance.area, inside_tolerance);
   });
 }
@@ -209,7 +212,7 @@ Layout::Verdict Layout::fits_exactly(const Candidate& candidate) {
     if (own.bounds().overlaps(things_[i].footprint.bounds()) &&
         solids_.overlap(object, *things_[i].object))
       return {false, {i}};
-  if (!blocks_floor(object)) return {};
+  if (!blocks_floor(object, *candidate.category)) return {};
 
   things_.push_back({&object, candidate.category, own});
   Verdict verdict = all_have_a_free_zone();

@@ -157,6 +157,19 @@ std::vector<double> wall_heights(const Room& room, const View& view, const Camer
   return heights;
 }
 
+bool hangs_on_lowered_wall(const Room& room, const Object& object,
+                           const std::vector<double>& heights) {
+  if (object.mount != Mount::wall) return false;
+  constexpr double at_wall = 0.1;
+  const Footprint box = footprint(object);
+  const Vec2 back = box.to_world({0.0, box.half().y()});
+  for (std::size_t k = 0; k < heights.size(); ++k)
+    if (heights[k] < std::min(top(object), room.height) - 1e-3 &&
+        distance(room.polygon.edge(k), back) < at_wall)
+      return true;
+  return false;
+}
+
 Result<Camera> make_camera(const Scene& scene, const View& view) {
   if (view.pixels < min_picture_pixels || view.pixels > max_picture_pixels)
     return Error{Error::Kind::invalid_input,

@@ -12,24 +12,37 @@ Points to_pixels(const Points& points, const Camera& camera) {
   return pixels;
 }
 
+// One leaf, open, and the way of its edge.
+void add_leaf(Drawing& drawing, const Vec2& hinge, const Vec2& latch, const Vec2& side,
+              const Camera& camera) {
+  const double length = (latch - hinge).norm();
+  const double closed = std::atan2((latch - hinge).y(), (latch - hinge).x());
+  const double turn = cross(latch - hinge, side) > 0 ? 0.5 * pi : -0.5 * pi;
+  Points leaf = {hinge, hinge + length * side}, swing;
+  constexpr int steps = 24;
+  for (int i = 0; i <= steps; ++i) {
+    const double angle = closed + turn * i / steps;
+    swing.push_back(hinge + length * Vec2(std::cos(angle), std::sin(angle)));
+  }
+  drawing.strokes.push_back({Drawing::Line::plan_symbol, to_pixels(leaf, camera)});
+  drawing.strokes.push_back({Drawing::Line::plan_symbol, to_pixels(swing, camera)});
+}
+
 void add_door(Drawing& drawing, const Room& room, const Opening& door, const Camera& camera) {
   const Segment line = segment(room, door);
   const bool swings_in = door.swing == DoorSwing::in;
   const Vec2 side = (swings_in ? 1.0 : -1.0) * inward(room, door);
   // A door that opens outward hangs at the outer face.
   const Vec2 face = swings_in ? Vec2::Zero() : Vec2(wall_thickness * side);
-  const Vec2 hinge = (door.hinge_at_from ? line.a : line.b) + face;
-  const Vec2 latch = (door.hinge_at_from ? line.b : line.a) + face;
-  const double closed = std::atan2((latch - hinge).y(), (latch - hinge).x());
-  const double turn = cross(latch - hinge, side) > 0 ? 0.5 * pi : -0.5 * pi;
-  Points leaf = {hinge, hinge + door.width() * side}, swing;
-  constexpr int steps = 24;
-  for (int i = 0; i <= steps; ++i) {
-    const double angle = closed + turn * i / steps;
-    swing.push_back(hinge + door.width() * Vec2(std::cos(angle), std::sin(angle)));
+  const Vec2 from = line.a + face, to = line.b + face, middle = line.middle() + face;
+  if (door.leaves > 1) {
+    add_leaf(drawing, from, middle, side, camera);
+    add_leaf(drawing, to, middle, side, camera);
+  } else if (door.hinge_at_from) {
+    add_leaf(drawing, from, to, side, camera);
+  } else {
+    add_leaf(drawing, to, from, side, camera);
   }
-  drawing.strokes.push_back({Drawing::Line::plan_symbol, to_pixels(leaf, camera)});
-  drawing.strokes.push_back({Drawing::Line::plan_symbol, to_pixels(swing, camera)});
 }
 
 // Lines along the opening at these depths outward from the inner face.

@@ -70,6 +70,24 @@ TEST_CASE("The leaf of a wide door is free to swing, on the side of its hinge") 
     }
 }
 
+TEST_CASE("Both leaves of a double door are free to swing, and need no more than a leaf's depth") {
+  for (double width : {1.2, 1.6, 2.0, 2.6}) {
+    Room room = rooms::box(5, 4);
+    room.openings = {rooms::door("door-0", 0, 1.0, 1.0 + width)};
+    room.openings[0].leaves = 2;
+    const auto areas = clearances(room, room.openings[0]);
+    for (const bool at_from : {true, false})
+      for (int degree = 1; degree < 90; ++degree)
+        for (double along : {0.2, 0.5, 0.9, 0.999}) {
+          const double a = radians(degree), r = along * 0.5 * width;
+          const Vec2 hinge(at_from ? 1.0 : 1.0 + width, 0);
+          CHECK(covered(areas, hinge + r * Vec2(at_from ? std::cos(a) : -std::cos(a), std::sin(a))));
+        }
+    for (const auto& area : areas)
+      CHECK(area.bounds().high.y() <= std::max(0.9, 0.5 * width) + 1e-9);
+  }
+}
+
 TEST_CASE("A sliding door and a window sweep nothing") {
   Room room = rooms::box(4, 4);
   auto sliding = rooms::door("door-0", 0, 1.0, 2.5);

@@ -28,6 +28,11 @@ inline Room random_room(Random& random) {
                              : door(i == 0 ? "door-0" : "door-1", wall, from, from + width);
     opening.hinge_at_from = random.chance(0.5);
     if (random.chance(0.2)) opening.swing = DoorSwing::out;
+    // Apart, so that the rooms are otherwise those without them.
+    Random style = random.fork("style");
+    if (opening.is_entrance() && style.chance(0.3)) opening.leaves = 2;
+    if (opening.is_entrance() && style.chance(0.15)) opening.swing = DoorSwing::sliding;
+    if (opening.is_entrance() && style.chance(0.15)) opening.type = OpeningType::passage;
     room.openings.push_back(opening);
     if (!check(room)) room.openings.pop_back();
   }

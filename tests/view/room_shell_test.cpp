@@ -1,6 +1,7 @@
 #include "roomgen/scene/room_shell.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <map>
 
 #include "catch.h"
@@ -233,4 +234,188 @@ TEST_CASE("words choose floors and walls, the room's type the rest") {
   const auto color = wall_finish(room).material.base_color;
   CHECK(color[1] > color[0]);
   CHECK(color[1] > color[2]);
+}
+
+namespace {
+
+// Upright strips of random height: every one a shape that a hole may have.
+std::vector<Vec2> random_outline(Random& random) {
+  std::vector<Vec2> lower, upper;
+  const int strips = random.integer(1, 6);
+  for (int i = 0; i <= strips; ++i) {
+    const double x = static_cast<double>(i) / strips;
+    lower.emplace_back(x, random.uniform(0.0, 0.35));
+    upper.emplace_back(x, random.uniform(0.65, 1.0));
+  }
+  if (random.chance(0.3)) lower.back().y() = upper.back().y() = 0.5;  // ends in a point
+  std::reverse(upper.begin(), upper.end());
+  lower.insert(lower.end(), upper.begin(), upper.end());
+  if (lower[static_cast<std::size_t>(strips)] == lower[static_cast<std::size_t>(strips) + 1])
+    lower.erase(lower.begin() + strips);
+  return lower;
+}
+
+double volume_of(const std::vector<ShellPart>& shell, const std::string& name) {
+  for (const auto& part : shell)
+    if (part.name == name) return measure(part.model).volume;
+  return 0.0;
+}
+
+// A mesh of its own for every corner of a box, its front half of another depth.
+Model wedge(const Vec3& size) {
+  Model model = test::colored_box(size, {200, 0, 0});
+  append(model.parts[0].mesh, make_box({0.3 * size.x(), -0.5 * size.y() - 0.05, 0.4 * size.z()},
+                                       {0.4 * size.x(), -0.5 * size.y(), 0.5 * size.z()}));
+  return model;
+}
+
+Opening with_joinery(Opening opening, ModelTable& models, const Model& model) {
+  opening.joinery.asset.library = "test";
+  opening.joinery.asset.id = opening.id;
+  models.add(asset_key(opening.joinery.asset), std::make_shared<Model>(model));
+  return opening;
+}
+
+Model part(const std::vector<ShellPart>& shell, const std::string& name) {
+  for (const auto& one : shell)
+    if (one.name == name) return one.model;
+  FAIL("no part " << name);
+  return {};
+}
+
+}  // namespace
+
+TEST_CASE("Holes have their outlines, in walls of any height") {
+  Random random(23);
+  for (int round = 0; round < 60; ++round) {
+    Room room = test::plain_room();
+    Opening& window = room.openings[1];
+    window.outline = random_outline(random);
+    REQUIRE(is_opening_outline(window.outline));
+    ShellOptions options = bare();
+    const auto whole = room_shell(room, options);
+    const double hole = signed_area(outline(window));
+    Room blind = room;
+    blind.openings.pop_back();
+    const double solid = volume_of(room_shell(blind, options), "wall-2");
+    CHECK(volume_of(whole, "wall-2") == Approx(solid - hole * wall_thickness).epsilon(1e-5));
+    CHECK(measure(part(whole, "wall-2")).area_vector.norm() < 1e-5);
+    // Rays where the outline says so.
+    for (int ray = 0; ray < 20; ++ray) {
+      const Vec2 at(random.uniform(0.9, 3.1), random.uniform(0.8, 2.2));  // along the wall, up
+      const Vec2 from_edge = at - Vec2(window.from, window.sill);
+      const Polygon shape{outline(window)};
+      if (distance_to_boundary(shape, at) < 1e-3) continue;
+      INFO("at " << from_edge.x() << ", " << from_edge.y());
+      CHECK(hits(part(whole, "wall-2"), {4 - at.x(), 2, at.y()}, {4 - at.x(), 4, at.y()}) !=
+            contains(shape, at));
+    }
+    // Cut at any height the wall stays a closed solid.
+    options.wall_heights = {2.7, 2.7, random.uniform(0.1, 2.6), 2.7};
+    CHECK(measure(part(room_shell(room, options), "wall-2")).area_vector.norm() < 1e-5);
+  }
+}
+
+TEST_CASE("The woodwork of every kind of opening stays in its hole and is closed") {
+  Random random(29);
+  for (int round = 0; round < 80; ++round) {
+    Room room = test::plain_room();
+    Opening& door = room.openings[0];
+    door.to = door.from + random.uniform(0.7, 2.6);
+    door.leaves = random.integer(1, 2);
+    door.glazed = random.chance(0.5);
+    door.swing = random.chance(0.3) ? DoorSwing::sliding : DoorSwing::in;
+    door.hinge_at_from = random.chance(0.5);
+    if (random.chance(0.3)) door.type = OpeningType::passage;
+    if (random.chance(0.5))
+      door.outline = {{0, 0}, {1, 0}, {1, 0.7}, {0.8, 0.95}, {0.5, 1}, {0.2, 0.95}, {0, 0.7}};
+    if (random.chance(0.5))
+      room.openings[1].outline = {{0.5, 0}, {0.9, 0.2}, {1, 0.5}, {0.8, 0.9},
+                                  {0.5, 1}, {0.1, 0.8}, {0, 0.5}, {0.1, 0.2}};
+    ShellOptions options;
+    if (random.chance(0.4))
+      options.wall_heights = {random.uniform(0.2, 2.6), 2.7, random.uniform(0.2, 2.6), 2.7};
+    for (const auto& one : room_shell(room, options)) {
+      if (one.name != "door-0" && one.name != "window-0") continue;
+      const Opening& opening = *find_opening(room, one.name);
+      const Segment line = segment(room, opening);
+      const double top = opening.wall < options.wall_heights.size()
+                             ? std::min(opening.head, options.wall_heights[opening.wall])
+                             : opening.head;
+      const Bounds3 box = bounds(one.model);
+      INFO(one.name);
+      CHECK(box.low.x() >= std::min(line.a.x(), line.b.x()) - 1e-5);
+      CHECK(box.high.x() <= std::max(line.a.x(), line.b.x()) + 1e-5);
+      CHECK(box.low.z() >= opening.sill - 1e-5);
+      CHECK(box.high.z() <= top + 1e-5);
+      CHECK(measure(one.model).area_vector.norm() < 1e-4);
+      CHECK(measure(one.model).volume > 0);
+    }
+  }
+}
+
+TEST_CASE("A mesh fills its hole, as deep in the wall as the wall") {
+  for (const bool window : {false, true})
+    for (const bool outward : {false, true}) {
+      Room room = test::plain_room();
+      ModelTable models;
+      Opening& opening = room.openings[window ? 1 : 0];
+      if (outward && !window) opening.swing = DoorSwing::out;
+      opening = with_joinery(opening, models, wedge({0.8, 0.3, 1.9}));
+      opening.joinery.wall_front = 0.05;  // behind what stands out
+      opening.joinery.wall_back = 0.35;
+      const Model shown = part(room_shell(room, {}, models), opening.id);
+      const Bounds3 box = bounds(shown);
+      const Segment line = segment(room, opening);
+      CHECK(box.low.x() == Approx(std::min(line.a.x(), line.b.x())));
+      CHECK(box.high.x() == Approx(std::max(line.a.x(), line.b.x())));
+      CHECK(box.low.z() == Approx(opening.sill).margin(1e-6));
+      CHECK(box.high.z() == Approx(opening.head));
+      // What stands out is in the room, or outside for a door that opens outward.
+      const double out = -inward(room, opening).y(), face = line.a.y();
+      const bool front_outside = outward && !window;
+      const double low = out > 0 ? face - (front_outside ? 0 : 0.05)
+                                 : face - wall_thickness - (front_outside ? 0.05 : 0);
+      CHECK(box.low.y() == Approx(low).margin(1e-6));
+      CHECK(box.size().y() == Approx(wall_thickness + 0.05));
+      CHECK(measure(shown).volume > 0);  // not turned inside out
+    }
+}
+
+TEST_CASE("A mirrored door has its handle at the other side, and is not inside out") {
+  double handle[2];
+  for (const bool mirrored : {false, true}) {
+    Room room = test::plain_room();
+    ModelTable models;
+    Opening& door = room.openings[0];
+    door = with_joinery(door, models, wedge({0.9, 0.3, 2.05}));
+    door.joinery.wall_front = 0.05;
+    door.joinery.wall_back = 0.35;
+    door.joinery.mirrored = mirrored;
+    const Model shown = part(room_shell(room, {}, models), "door-0");
+    CHECK(measure(shown).volume > 0);
+    for (const auto& p : shown.parts[0].mesh.positions)
+      if (p.y() > 0.04f) handle[mirrored] = p.x();
+  }
+  const double middle = 0.5 * (0.5 + 1.4);
+  // At the model's right, as seen from the room, which looks along -y here: lower x.
+  CHECK(handle[0] < middle);
+  CHECK(handle[1] > middle);
+}
+
+TEST_CASE("Side by side, meshes share the width; a cut wall and a missing model have woodwork") {
+  Room room = test::plain_room();
+  ModelTable models;
+  Opening& window = room.openings[1];
+  window = with_joinery(window, models, test::colored_box({0.7, 0.1, 1.2}, {0, 200, 0}));
+  window.joinery.side_by_side = 3;
+  const Model shown = part(room_shell(room, {}, models), "window-0");
+  REQUIRE(shown.parts.size() == 3);
+  CHECK(bounds(shown).size().x() == Approx(window.width()));
+  for (const auto& piece : shown.parts)
+    CHECK(bounds(piece.mesh).size().x() == Approx(window.width() / 3));
+  ShellOptions cut;
+  cut.wall_heights = {2.7, 2.7, 1.5, 2.7};
+  CHECK(bounds(part(room_shell(room, cut, models), "window-0")).high.z() <= 1.5 + 1e-6);
+  CHECK(part(room_shell(room, {}, {}), "window-0").parts.size() == 2);  // frame and pane
 }

@@ -20,8 +20,8 @@ std::vector<FloorThing> floor_things(std::span<const Object> objects,
                                      const CategoryTable& categories);
 
 /// Does the thing stand in the way of a person's feet or body? Not rugs, things on tables, lamps on
-/// the ceiling and pictures on the wall.
-bool blocks_floor(const Object& object);
+/// the ceiling, pictures on the wall and curtains, which give way.
+bool blocks_floor(const Object& object, const Category& category);
 
 /// Does the other thing stand in `area`, the zone's footprint, where it must not?
 bool blocks_zone(const FloorThing& other, const FloorThing& owner, const UseZone& zone,

@@ -33,6 +33,7 @@ struct SceneReport {
 SceneReport examine(const Scene& scene, const ModelTable& models, const CategoryTable& categories);
 
 /// Does the object keep the clearance of this door or window free?
-bool keeps_clear(const Object& object, const Room& room, const Opening& opening);
+bool keeps_clear(const Object& object, const Category& category, const Room& room,
+                 const Opening& opening);
 
 }  // namespace roomgen

@@ -6,8 +6,8 @@
 
 namespace roomgen {
 
-/// ATTRIBUTION.md for a scene: every asset of a library once, with creator, licence and the objects
-/// that use it. Things that roomgen made itself need none.
+/// ATTRIBUTION.md for a scene: every asset of a library once, with creator, licence and the objects,
+/// doors and windows that use it. Things that roomgen made itself need none.
 std::string attribution_markdown(const Scene& scene);
 
 /// The same in one line, for files that have a field for it; empty if nothing needs it.

@@ -66,8 +66,8 @@ struct ModelUse {
 
 struct Generation {
   Scene scene;
-  ModelTable models;  ///< of all objects placed
-  std::vector<AssetInfo> assets;  ///< of all objects placed, without repetition
+  ModelTable models;  ///< of all openings and all objects placed
+  std::vector<AssetInfo> assets;  ///< of all openings and all objects placed, without repetition
   std::vector<Step> trace;
   int constraints = 0;
   int held = 0;

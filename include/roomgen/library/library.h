@@ -11,6 +11,17 @@
 
 namespace roomgen {
 
+/// How the mesh of a door or window sits in a wall.
+struct WallFit {
+  double wall_front = 0.0;    ///< where the wall begins and ends, metres behind the mesh's front
+  double wall_back = 0.0;
+  std::vector<Vec2> outline;  ///< of the hole, as Opening::outline, seen from the front; empty: all
+  int leaves = 0;             ///< that turn on hinges
+  bool hinge_left = false;    ///< of a single leaf, seen from the front, towards which it opens
+
+  bool operator==(const WallFit&) const = default;
+};
+
 /// What a catalogue knows about one mesh.
 struct AssetInfo {
   AssetRef ref;
@@ -26,6 +37,7 @@ struct AssetInfo {
   bool round = false;                  ///< covers the ellipse inscribed in its rectangle
   std::vector<std::string> colors;     ///< names of its main colours, largest area first: "white"
   std::size_t triangles = 0;
+  std::optional<WallFit> wall_fit;     ///< of doors and windows
   bool approximate = false;            ///< put together from words: nobody knows what it really is
 };
 

@@ -8,8 +8,8 @@
 
 namespace roomgen {
 
-/// The meshes of all objects of a scene. An asset that the library does not have (any more) is reported
-/// to `log` and its objects stay boxes.
+/// The meshes of all objects and openings of a scene. An asset that the library does not have (any more)
+/// is reported to `log`; its objects stay boxes, its openings keep the room's own woodwork.
 ModelTable load_models(const Scene& scene, const AssetLibrary& library, const LogSink& log = {});
 
 }  // namespace roomgen

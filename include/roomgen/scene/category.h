@@ -47,6 +47,7 @@ struct Category {
   Vec3 size{0.6, 0.6, 0.9};  ///< usual width, depth, height
   Mount mount = Mount::floor;
   double elevation = 0.0;    ///< usual height of the bottom above the floor, for Mount::wall
+  bool covers_window = false;  ///< hangs before a window and is made to its measure: a curtain
   Traits traits;
   std::vector<UseZone> zones;  ///< usable when one is free and reachable; none: always usable
   std::vector<PreferredGap> gaps;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -8,36 +7,12 @@
 
 #include "roomgen/geometry/footprint.h"
 #include "roomgen/geometry/vec.h"
+#include "roomgen/scene/asset_ref.h"
 #include "roomgen/scene/relation.h"
 
 namespace roomgen {
 
 enum class Mount { floor, wall, ceiling, surface };
-
-/// A mesh built by a recipe instead of taken from a library.
-struct ProceduralSource {
-  std::string recipe;             ///< "mirror"
-  nlohmann::ordered_json params;  ///< numbers and texts that the recipe reads, null if none
-  std::uint64_t seed = 0;
-
-  bool operator==(const ProceduralSource&) const = default;
-};
-
-/// Where the mesh of an object comes from. Empty ids mean a plain box.
-struct AssetRef {
-  std::string library;
-  std::string id;
-  std::string sha256;  ///< of the source file
-  std::string license;
-  std::string creator;
-  std::optional<ProceduralSource> procedural;
-
-  bool is_box() const { return id.empty() && !procedural; }
-  bool operator==(const AssetRef&) const = default;
-};
-
-/// One string that identifies the geometry: the key of a ModelTable. Empty for a plain box.
-std::string asset_key(const AssetRef& asset);
 
 struct Traits {
   bool front = true;   ///< has a front side; without it any yaw is as good

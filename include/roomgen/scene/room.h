@@ -6,6 +6,7 @@
 
 #include "roomgen/base/result.h"
 #include "roomgen/geometry/polygon.h"
+#include "roomgen/scene/asset_ref.h"
 
 namespace roomgen {
 
@@ -24,6 +25,17 @@ inline constexpr double window_overlap = 0.1;
 enum class OpeningType { door, window, passage };
 enum class DoorSwing { in, out, sliding };
 
+/// The mesh of a door or window, from a library.
+struct Joinery {
+  AssetRef asset;  ///< empty: the room's own woodwork
+  /// Of the mesh's depth, what is in the wall: metres behind its front. That part takes the wall's
+  /// thickness; what stands out before and behind it keeps its measure.
+  double wall_front = 0.0;
+  double wall_back = wall_thickness;
+  bool mirrored = false;  ///< left and right have changed places, so that a door hangs on its hinge
+  int side_by_side = 1;   ///< so many of the mesh fill the width
+};
+
 /// A hole in wall `wall`, which runs from polygon[wall] to polygon[wall + 1]; `from` and `to` are
 /// metres along it, `sill` and `head` metres above the floor.
 struct Opening {
@@ -36,6 +48,13 @@ struct Opening {
   double head = default_door_head;
   bool hinge_at_from = true;
   DoorSwing swing = DoorSwing::in;
+  std::string kind;     ///< "double door", "round window"; empty: as its type says
+  int leaves = 1;       ///< of a door: 2 hang at both sides, or slide past each other
+  bool glazed = false;  ///< a door with panes
+  /// The outline of the hole, counter-clockwise, each coordinate a part of the rectangle: x from
+  /// `from` to `to`, y from `sill` to `head`. Every upright line crosses it once. Empty: all of it.
+  std::vector<Vec2> outline;
+  Joinery joinery;
 
   double width() const { return to - from; }
   bool is_entrance() const { return type != OpeningType::window; }
@@ -56,6 +75,11 @@ struct Room {
   RoomMaterials materials;
 };
 
+/// The outline of the hole in metres along the wall and over the floor, counter-clockwise.
+std::vector<Vec2> outline(const Opening& opening);
+/// Is every upright line's part inside the outline in one piece, and does it fill enough of its square
+/// to be a hole? What an Opening's outline must be.
+bool is_opening_outline(const std::vector<Vec2>& outline);
 /// The opening on the floor, in the direction of its wall.
 Segment segment(const Room& room, const Opening& opening);
 /// Unit normal of the opening's wall, towards the inside.
@@ -66,7 +90,7 @@ Footprint door_clearance(const Room& room, const Opening& door);
 /// The strip before a window in which nothing may reach higher than sill + window_overlap.
 Footprint window_clearance(const Room& room, const Opening& window);
 /// All floor that an opening needs: the above, and for a door that swings in where its leaf sweeps
-/// beyond the approach (a leaf wider than door_approach).
+/// beyond the approach (a leaf wider than door_approach), for each of its leaves.
 std::vector<Footprint> clearances(const Room& room, const Opening& opening);
 /// The wall that wears RoomMaterials::accent: the longest one without an opening, else the longest without
 /// an entrance, else the longest.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "roomgen/geometry/model.h"
+#include "roomgen/scene/model_table.h"
 #include "roomgen/scene/room.h"
 
 namespace roomgen {
@@ -31,12 +32,15 @@ struct ShellOptions {
 
 /// The room as solids: walls stand outside the polygon, wall_thickness deep, mitred at the corners,
 /// each closed (its volume is its own) with the openings cut out; the floor is a slab under room
-/// and walls, its upper face at z = 0, so that thresholds belong to it.
+/// and walls, its upper face at z = 0, so that thresholds belong to it. Doors and windows are the meshes of
+/// their assets where `models` has them, fitted to the hole and the wall, and the room's own woodwork
+/// elsewhere: without a model, in walls that are cut, and for doors without leaves.
 ///
 /// The ceiling is one sheet without thickness over room and walls at the room's height, and faces down
 /// alone: whoever draws only the fronts of faces (the default of glTF) looks through it from above, and
 /// still finds the room closed from inside.
-std::vector<ShellPart> room_shell(const Room& room, const ShellOptions& options = {});
+std::vector<ShellPart> room_shell(const Room& room, const ShellOptions& options = {},
+                                  const ModelTable& models = {});
 
 /// Thickness of the floor slab, metres.
 inline constexpr double floor_thickness = 0.10;

@@ -96,6 +96,7 @@ class Layout {
     Footprint area;
     double from;  ///< things that reach above `from` and start below `to` must keep off
     double to;
+    bool of_window;  ///< where curtains and blinds belong
   };
   bool rests_on(const Object& upper, const Object& lower) const;
   bool may_sit_over(const Object& object, const Category& other) const;

@@ -54,4 +54,8 @@ std::vector<Vec3> box_corners(const Object& object);
 /// would hide the room, at eye level they are whole.
 std::vector<double> wall_heights(const Room& room, const View& view, const Camera& camera);
 
+/// Does the object hang on a wall that is drawn too low to hold it? It would float in the air.
+bool hangs_on_lowered_wall(const Room& room, const Object& object,
+                           const std::vector<double>& heights);
+
 }  // namespace roomgen

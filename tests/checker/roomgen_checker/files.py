@@ -107,6 +107,7 @@ class Opening:
     head: float
     swing: str = "in"
     hinge: str = "from"
+    leaves: int = 1
 
     @property
     def width(self):
@@ -194,6 +195,7 @@ def read_opening(entry, walls):
         float(entry.get("head", DEFAULT_DOOR_HEAD)),
         entry.get("swing", "in"),
         entry.get("hinge", "from"),
+        int(entry.get("leaves", 1)),
     )
 
 
@@ -339,6 +341,10 @@ class Categories:
 
     def zones(self, text):
         return self.property(text, "zones", [])
+
+    def covers_window(self, text):
+        """Curtains and blinds, which hang before windows and give way to people."""
+        return bool(self.property(text, "covers_window", False))
 
     def is_a(self, text, kind):
         return kind.lower() in self.lineage(text) or text.strip().lower() == kind.lower()

@@ -12,7 +12,7 @@ import shapely
 from scipy import ndimage
 
 from . import geometry as geo
-from .rules import Violation, door_clearance
+from .rules import Violation, covers_window, door_clearance
 
 RADIUS = 0.25
 LENIENCE = 0.02
@@ -29,7 +29,7 @@ def overhead(thing):
 
 def is_obstacle(thing):
     """Whether a thing is in the way of a person."""
-    return thing.solid and thing.mount != "surface" and not overhead(thing)
+    return thing.solid and thing.mount != "surface" and not overhead(thing) and not covers_window(thing)
 
 
 class WalkMap:

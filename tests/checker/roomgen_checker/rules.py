@@ -6,6 +6,7 @@ from shapely.geometry import Point
 
 from . import geometry as geo
 from .constraints import Judge
+from .files import Categories
 
 WINDOW_STRIP = 0.5
 WINDOW_OVER_SILL = 0.1
@@ -15,6 +16,7 @@ SOLID_SLACK = 0.005
 AT_WALL = 0.05
 RESTS = 0.02
 LIFTED = 0.05
+CATEGORIES = Categories.default()
 
 
 @dataclass(frozen=True)
@@ -92,13 +94,16 @@ def door_clearance(opening):
 
 
 def door_keep_out(opening):
-    """The clearance, and the quarter disc that the leaf of a door sweeps."""
-    clearance = door_clearance(opening)
+    """The clearance, and the quarter discs that the leaves of a door sweep."""
+    area = door_clearance(opening)
     if not swings_in(opening):
-        return clearance
-    hinge = opening.wall.point(opening.begin if opening.hinge == "from" else opening.end)
-    square = opening.wall.strip(opening.begin, opening.end, opening.width)
-    return clearance.union(Point(hinge).buffer(opening.width, 64).intersection(square))
+        return area
+    leaf = opening.width / opening.leaves
+    square = opening.wall.strip(opening.begin, opening.end, leaf)
+    for end, hinge in ((opening.begin, "from"), (opening.end, "to")):
+        if opening.leaves > 1 or opening.hinge == hinge:
+            area = area.union(Point(opening.wall.point(end)).buffer(leaf, 64).intersection(square))
+    return area
 
 
 def check_doors(scene):
@@ -113,6 +118,10 @@ def check_doors(scene):
     return found
 
 
+def covers_window(thing):
+    return thing.mount == "wall" and CATEGORIES.covers_window(thing.category)
+
+
 def check_windows(scene):
     """Things that begin above the window's head are not before it."""
     found = []
@@ -123,6 +132,8 @@ def check_windows(scene):
         limit = opening.sill + WINDOW_OVER_SILL
         for t in scene.things:
             before = t.top > limit + geo.SLACK and t.bottom < opening.head - geo.SLACK
+            if covers_window(t):
+                continue
             if before and t.mount != "surface" and geo.share_area(t.footprint, strip, geo.SLACK):
                 found.append(Violation("windows", (t.id, opening.id),
                                        f"reaches {t.top:.2f} m, allowed {limit:.2f} m"))
@@ -151,6 +162,7 @@ def check_wall_mount(thing, scene):
         Violation("mount", (thing.id, o.id), "hangs over an opening")
         for o in scene.room.openings
         if any(covers_opening(thing, w, o) for w in walls)
+        and not (o.type == "window" and covers_window(thing))
     ]
 
 

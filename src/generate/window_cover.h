@@ -1,0 +1,24 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "roomgen/scene/category.h"
+#include "roomgen/scene/room.h"
+
+namespace roomgen {
+
+/// How a curtain or blind (Category::covers_window) may hang at a window: before the middle of it,
+/// its rod above the head. The first is as wide as usual and, if its kind reaches lower than the
+/// sill, down to its usual height over the floor; then it ends under the sill, as over furniture,
+/// then it is no wider than the hole, and at last it is drawn up to the middle, over what stands on
+/// that furniture. Each is the object with size and pose; none where the wall leaves no room.
+std::vector<Object> hangings(const Object& object, const Category& category, const Room& room,
+                             const Opening& window);
+
+/// The windows, those first at which nothing of this kind hangs yet.
+std::vector<const Opening*> windows_to_cover(const Room& room, std::span<const Object> objects,
+                                             const std::string& category);
+
+}  // namespace roomgen
