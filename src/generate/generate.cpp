@@ -24,7 +24,7 @@ namespace {
 constexpr double gap_above = 0.15;
 
 // What is made to the measure of a window may be stretched a little.
-constexpr double least_stretch = 0.75, most_stretch = 1.3;
+constexpr double least_to_measure = 0.75, most_to_measure = 1.3;
 
 // Of the free parts of the floor that a designer is told of: metres, and how many.
 constexpr double least_free_side = 0.3;
@@ -241,7 +241,7 @@ class Generator {
     if (!assets) return assets.error();
     for (const auto& asset : *assets) {
       const Vec3 stretch = hung.size.cwiseQuotient(asset.size);
-      if (stretch.minCoeff() >= least_stretch && stretch.maxCoeff() <= most_stretch)
+      if (stretch.minCoeff() >= least_to_measure && stretch.maxCoeff() <= most_to_measure)
         return std::optional(asset);
     }
     return std::optional<AssetInfo>();
