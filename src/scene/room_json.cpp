@@ -26,7 +26,7 @@ Enum read_name(const JsonReader& json, Enum fallback, const std::array<Enum, cou
 }
 
 Opening read_opening(const JsonReader& json) {
-  json.allow_only({"id", "type", "wall", "from", "to", "sill", "head", "hinge", "swing"});
+  json.allow_only({"id", "type", "wall", "from", "to", "sill", "head", "hinge", "swing", "leads_to"});
   Opening opening;
   opening.type = read_name(json["type"], OpeningType::door,
                            std::array{OpeningType::door, OpeningType::window, OpeningType::passage});
@@ -42,6 +42,7 @@ Opening read_opening(const JsonReader& json) {
   opening.hinge_at_from = hinge != "to";
   opening.swing = read_name(json["swing"], DoorSwing::in,
                             std::array{DoorSwing::in, DoorSwing::out, DoorSwing::sliding});
+  opening.leads_to = json["leads_to"].text_or("", 200);
   return opening;
 }
 
@@ -58,6 +59,7 @@ Json opening_json(const Opening& opening) {
     json["hinge"] = opening.hinge_at_from ? "from" : "to";
     json["swing"] = name(opening.swing);
   }
+  if (!opening.leads_to.empty()) json["leads_to"] = opening.leads_to;
   return json;
 }
 
@@ -101,6 +103,7 @@ void move_openings(Room& room, const std::vector<Vec2>& given, const JsonReader&
 
 Json to_json(const Room& room) {
   Json json;
+  if (!room.id.empty()) json["id"] = room.id;
   json["type"] = room.type;
   json["polygon"] = Json::array();
   for (const auto& point : room.polygon.points)
@@ -117,8 +120,9 @@ Json to_json(const Room& room) {
 }
 
 Room read_room(const JsonReader& json) {
-  json.allow_only({"format", "version", "type", "polygon", "height", "openings", "materials"});
+  json.allow_only({"format", "version", "id", "type", "polygon", "height", "openings", "materials"});
   Room room;
+  room.id = json["id"].text_or("", 200);
   room.type = json["type"].text_or("", 200);
   room.height = json["height"].number_or(default_room_height, 1.5, 20.0);
   const auto points = read_corners(json["polygon"]);

@@ -2,6 +2,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 namespace roomgen::detail {
 
@@ -9,8 +11,15 @@ namespace {
 
 constexpr double tolerance = 1e-6;
 
-std::vector<double> cut_positions(const std::vector<const Opening*>& openings, double length) {
+std::vector<double> cut_positions(const std::vector<const Opening*>& openings, double length,
+                                  const WallNeighbours& neighbours) {
   std::vector<double> cuts = {0.0, length};
+  const auto cut = [&](const Span& span) {
+    cuts.push_back(std::clamp(span.low, 0.0, length));
+    cuts.push_back(std::clamp(span.high, 0.0, length));
+  };
+  for (const auto& span : neighbours.built) cut(span);
+  for (const auto& stretch : neighbours.behind) cut(stretch.span);
   for (const auto* opening : openings) {
     cuts.push_back(std::clamp(opening->from, 0.0, length));
     cuts.push_back(std::clamp(opening->to, 0.0, length));
@@ -31,6 +40,19 @@ void subtract(std::vector<Span>& spans, const Span& hole) {
       rest.push_back({std::max(span.low, hole.high), span.high});
   }
   spans = std::move(rest);
+}
+
+// Where a line that runs the other way lies on this one; metres along this one, which it may
+// overshoot.
+std::optional<Span> facing_span(const Segment& wall, const Segment& other) {
+  constexpr double apart = 1e-3;
+  const Vec2 along = wall.direction();
+  const auto off = [&](const Vec2& p) { return std::abs(cross(along, Vec2(p - wall.a))); };
+  if (off(other.a) > apart || off(other.b) > apart || along.dot(other.direction()) > 0)
+    return std::nullopt;
+  const Span span{(other.b - wall.a).dot(along), (other.a - wall.a).dot(along)};
+  if (span.high < apart || span.low > wall.length() - apart) return std::nullopt;
+  return span;
 }
 
 }  // namespace
@@ -88,16 +110,50 @@ void add_box(Mesh& mesh, const WallFrame& frame, const Vec3& low, const Vec3& hi
   add_quad(mesh, {p(0, 0, 0), p(1, 0, 0), p(1, 1, 0), p(0, 1, 0)});
 }
 
-std::vector<WallColumn> wall_columns(const Room& room, std::size_t wall, double height) {
+bool WallNeighbours::is_built(double s) const {
+  return std::any_of(built.begin(), built.end(),
+                     [&](const Span& span) { return span.low < s && s < span.high; });
+}
+
+const Room* WallNeighbours::room_behind(double s) const {
+  for (const auto& stretch : behind)
+    if (stretch.span.low < s && s < stretch.span.high) return stretch.room;
+  return nullptr;
+}
+
+WallNeighbours wall_neighbours(std::span<const Room> rooms, std::size_t index, std::size_t wall) {
+  WallNeighbours neighbours;
+  const Polygon& own = rooms[index].polygon;
+  const Segment edge = own.edge(wall);
+  const Segment outer{edge.a - wall_thickness * own.inward(wall),
+                      edge.b - wall_thickness * own.inward(wall)};
+  for (std::size_t other = 0; other < rooms.size(); ++other) {
+    if (other == index) continue;
+    const Polygon& inner = rooms[other].polygon;
+    const Polygon shell{offset_outward(inner, wall_thickness)};
+    for (std::size_t k = 0; k < inner.size(); ++k) {
+      if (const auto span = facing_span(edge, shell.edge(k)); span && other < index)
+        neighbours.built.push_back(*span);
+      if (const auto span = facing_span(outer, inner.edge(k)); span && other > index)
+        neighbours.behind.push_back({*span, &rooms[other]});
+    }
+  }
+  return neighbours;
+}
+
+std::vector<WallColumn> wall_columns(const Room& room, std::size_t wall, double height,
+                                     const WallNeighbours& neighbours) {
   std::vector<const Opening*> openings;
   for (const auto& opening : room.openings)
     if (opening.wall == wall) openings.push_back(&opening);
 
-  const auto cuts = cut_positions(openings, room.polygon.edge(wall).length());
+  const auto cuts = cut_positions(openings, room.polygon.edge(wall).length(), neighbours);
   std::vector<WallColumn> columns;
   for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
     WallColumn column{cuts[i], cuts[i + 1], {{0.0, height}}};
     const double middle = 0.5 * (column.from + column.to);
+    column.behind = neighbours.room_behind(middle);
+    if (neighbours.is_built(middle)) column.solid.clear();
     for (const auto* opening : openings)
       if (opening->from < middle && middle < opening->to)
         subtract(column.solid, {opening->sill, opening->head});

@@ -36,6 +36,7 @@ struct Opening {
   double head = default_door_head;
   bool hinge_at_from = true;
   DoorSwing swing = DoorSwing::in;
+  std::string leads_to;  ///< of a door or passage in a dwelling: id of the next room; empty: outdoors
 
   double width() const { return to - from; }
   bool is_entrance() const { return type != OpeningType::window; }
@@ -51,6 +52,7 @@ struct Room {
   double height = default_room_height;
   std::vector<Opening> openings;
   RoomMaterials materials;
+  std::string id;  ///< "bedroom-0" in a dwelling, else empty
 };
 
 /// The opening on the floor, in the direction of its wall.

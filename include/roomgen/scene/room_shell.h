@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,12 @@ struct ShellOptions {
 /// each closed (its volume is its own) with the openings cut out; the floor is a slab under room
 /// and walls, its upper face at z = 0, so that thresholds belong to it. There is no ceiling.
 std::vector<ShellPart> room_shell(const Room& room, const ShellOptions& options = {});
+
+/// The shell of one room of a dwelling (scene/dwelling.h), less what earlier rooms have built: a
+/// wall between two rooms is one solid, that of the first of them, each side painted as its room
+/// is; the other room keeps its skirting. A list of one room is that room alone.
+std::vector<ShellPart> room_shell(std::span<const Room> rooms, std::size_t index,
+                                  const ShellOptions& options = {});
 
 /// Thickness of the floor slab, metres.
 inline constexpr double floor_thickness = 0.10;

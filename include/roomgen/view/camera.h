@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
 #include <vector>
 
 #include "roomgen/geometry/mesh.h"
@@ -29,6 +30,8 @@ inline constexpr int max_picture_pixels = 4096;
 inline constexpr double plan_cut_height = 1.2;
 /// What remains of walls between the viewer and the room.
 inline constexpr double hidden_wall_height = 0.08;
+/// What remains of walls between rooms in the isometric view: enough to see where doors are.
+inline constexpr double inner_wall_height = 0.9;
 
 /// The camera of a view, fitted to the room with its walls and to the objects. Fails if `pixels` is
 /// out of bounds or the room has no extent.
@@ -37,8 +40,9 @@ Result<Camera> make_camera(const Scene& scene, const View& view);
 /// The eight corners of the object's placed box.
 std::vector<Vec3> box_corners(const Object& object);
 
-/// Heights to draw the walls with: the top view cuts them, the isometric view lowers those that
-/// would hide the room.
-std::vector<double> wall_heights(const Room& room, const View& view, const Camera& camera);
+/// Heights to draw the walls of rooms[index] with: the top view cuts them, the isometric view
+/// lowers those that would hide floor, those between rooms less than the others.
+std::vector<double> wall_heights(std::span<const Room> rooms, std::size_t index, const View& view,
+                                 const Camera& camera);
 
 }  // namespace roomgen
