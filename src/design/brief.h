@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "outline.h"
 #include "roomgen/geometry/vec.h"
 #include "roomgen/scene/object.h"
 #include "roomgen/scene/relation.h"
@@ -43,6 +44,7 @@ struct Brief {
   bool type_known = false;
   std::optional<Vec2> size;    ///< width and depth, metres
   std::optional<double> area;  ///< square metres
+  SaidShape shape;             ///< of the floor
   int people = 0;              ///< 0: not said
   std::optional<int> windows;  ///< how many
   bool wide_windows = false;

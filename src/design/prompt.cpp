@@ -7,6 +7,7 @@
 #include "measures.h"
 #include "room_type.h"
 #include "settle.h"
+#include "shape_words.h"
 #include "roomgen/design/tokens.h"
 
 namespace roomgen::design {
@@ -306,6 +307,7 @@ Brief read_prompt(std::string_view prompt, const RoomKinds& kinds, const Categor
                           " words of the prompt were read");
   read_measures(tokens, *words, names, brief);
   read_people(tokens, *words, names, brief);
+  read_floor_shape(tokens, *words, names, kinds, brief);
   read_room_type(tokens, *words, names, kinds, brief);
   PromptReader(std::move(tokens), {*words, names, table, kinds.get(brief.type)}, brief).run();
   settle(brief, table, names);
