@@ -9,12 +9,12 @@
 
 #include "asset_source.h"
 #include "classify.h"
-#include "colors.h"
 #include "import_mesh.h"
 #include "index_file.h"
 #include "roomgen/base/resource.h"
 #include "roomgen/base/sha256.h"
 #include "roomgen/base/text.h"
+#include "roomgen/library/shown_colors.h"
 
 namespace roomgen::assets {
 
@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int format_version = 1;  // of the catalogue's tables and of what is worked out for them
+constexpr int format_version = 3;  // of the catalogue's tables and of what is worked out for them
 constexpr int sample_side = 32;    // pixels: enough of a texture to know its colour
 
 std::string stamp_of_file(const fs::path& path) {

@@ -198,7 +198,7 @@ SearchPlan plan_search(const AssetQuery& query, const Vocabulary& vocabulary) {
   else if (!words(phrase.kind).empty())
     plan.free_kind = phrase.kind;
   plan.words = telling_words(query, phrase, vocabulary);
-  plan.looks = wanted_looks(plan.words, vocabulary);
+  plan.looks = wanted_looks(plan.words);
   if (const Category* category = CategoryTable::built_in().find(phrase.kind))
     plan.usual_size = category->size;
   return plan;

@@ -120,7 +120,8 @@ class CreatedLibrary final : public AssetLibrary {
     const Kind* known = Vocabulary::built_in().find(kind->name);
     const std::vector<Mount> also = known ? known->also : std::vector<Mount>{};
     Order order{kind->name, query.description, size_for(query, *kind)};
-    if (mount_fit(kind->mount, mount, also, order.size.z()) <= 0.0) return matches;
+    // Who asks for a lantern at the ceiling gets it there.
+    if (!query.asked && mount_fit(kind->mount, mount, also, order.size.z()) <= 0.0) return matches;
     order.seed = seed_of(query.category + "\n" + query.description);
     matches.push_back({info_of(order, kind->name, mount), created_score});
     return matches;

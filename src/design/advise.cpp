@@ -25,8 +25,12 @@ constexpr double reserve_weight = 2.4;
 constexpr double taken_weight = 1.2;
 constexpr double sliver_weight = 0.15;
 constexpr double gap_weight = 0.6;
+constexpr double asked_gap_weight = 8.0;
 constexpr double hint_weight = 3.0;
 constexpr double crowded_weight = 1.5;
+constexpr double middle_weight = 4.0;
+constexpr double askew_weight = 8.0;  ///< a radian
+constexpr double farthest_opposite = 3.5;  ///< metres
 constexpr double comfort_range = 8.0;
 // Another try after a refusal goes at least so far away.
 constexpr double elsewhere = 0.6;
@@ -51,20 +55,43 @@ struct Task {
   bool needed = true;  ///< asked for or refused elsewhere: goes anywhere rather than nowhere
 };
 
-// 1 inside the preferred range of the pair, less with the distance to it.
-double gap_degree(const Task& task, const Placed& placed, const Target& target) {
-  if (!target.object) return 1.0 / (1.0 + gap_to(placed, target));
-  const auto& table = task.sketch.categories();
-  PreferredGap wanted{"", 0.0, 0.3};
-  for (const auto& gap : table.get(task.self.category).gaps)
-    if (table.is_a(target.object->category, gap.partner)) wanted = gap;
-  for (const auto& gap : table.get(target.object->category).gaps)
-    if (table.is_a(task.self.category, gap.partner)) wanted = gap;
-  const double gap = gap_to(placed, target);
-  return 1.0 / (1.0 + 3.0 * std::max({0.0, wanted.low - gap, gap - wanted.high}));
+// 1 inside the range that the pair prefers, less with the distance to it.
+double gap_degree(const Placed& placed, const ResolvedRelation& relation) {
+  double degree = 0.0;
+  for (const auto& target : relation.targets) {
+    const double distance = gap(placed.footprint, target);
+    const double off =
+        std::max({0.0, relation.gap_low - distance, distance - relation.gap_high});
+    degree = std::max(degree, 1.0 / (1.0 + 3.0 * off));
+  }
+  return degree;
 }
 
-double comfort(const Task& task, const Placed& placed, const std::vector<Relation>& relations) {
+// Between its front and the middle of the target, radians.
+double angle_to(const Placed& placed, const Target& target) {
+  const Vec2 towards = target.footprint.center() - placed.pose.position;
+  return towards.norm() < 1e-9 ? 0.0
+                               : std::abs(wrap_angle(yaw_facing(towards) - placed.pose.yaw));
+}
+
+// The middle of the room is a matter of degree, and what is opposite is not out of sight.
+double asked_place_degree(const Task& task, const Placed& placed) {
+  double score = 0.0;
+  for (const auto& relation : task.asked) {
+    if (relation.kind == RelationKind::middle)
+      score += middle_weight * degree(task.sketch, placed, Liking::center);
+    for (const auto& target : task.sketch.find(relation.target)) {
+      if (relation.kind == RelationKind::far)
+        score -= std::max(0.0, gap_to(placed, target) - farthest_opposite);
+      if (relation.kind == RelationKind::face_to)
+        score -= askew_weight * angle_to(placed, target);
+    }
+  }
+  return score;
+}
+
+double comfort(const Task& task, const Placed& placed, const std::vector<Relation>& relations,
+               const std::vector<ResolvedRelation>& resolved) {
   double score = 0.0;
   for (const auto& like : task.arrangement.likes)
     score += like.weight * degree(task.sketch, placed, like.liking);
@@ -75,10 +102,11 @@ double comfort(const Task& task, const Placed& placed, const std::vector<Relatio
     if (!task.arrangement.seats && on_crowded_side(task.sketch, placed, relations))
       score -= crowded_weight;
   }
-  for (const auto& relation : relations)
-    if (relation.kind == RelationKind::near || relation.kind == RelationKind::around)
-      for (const auto& target : task.sketch.find(relation.target))
-        score += gap_weight * gap_degree(task, placed, target);
+  for (std::size_t i = 0; i < resolved.size(); ++i)
+    if (resolved[i].kind == RelationKind::near || resolved[i].kind == RelationKind::around)
+      score += (i < task.asked.size() ? asked_gap_weight : gap_weight) *
+               gap_degree(placed, resolved[i]);
+  score += asked_place_degree(task, placed);
   if (task.hint) score += hint_weight / (1.0 + (*task.hint - placed.pose.position).norm());
   return score;
 }
@@ -126,7 +154,7 @@ std::vector<Option> options_for(const Task& task, const std::vector<Relation>& w
   std::erase_if(options, [&](const Option& option) { return option.score < best - comfort_range; });
   for (auto& option : options) {
     const Placed placed{&task.self, option.pose, footprint_at(task.self, option.pose), task.bottom};
-    option.score += comfort(task, placed, all) - burden_weight * burden;
+    option.score += comfort(task, placed, all, resolved) - burden_weight * burden;
   }
   std::stable_sort(options.begin(), options.end(),
                    [](const Option& a, const Option& b) { return a.score > b.score; });

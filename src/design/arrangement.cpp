@@ -61,10 +61,28 @@ void read_reserve(const JsonReader& json, Arrangement& arrangement) {
     arrangement.reserve[i] = json[sides[i]].number_or(0.0, 0, 5);
 }
 
-std::vector<std::vector<Relation>> read_ways(const JsonReader& json) {
+/// By name the constraints of a group, with * for the thing that it gathers at.
+using Groups = std::map<std::string, std::string, std::less<>>;
+
+// "beside: bed" is the group "beside" with a bed in the place of each *.
+std::string spelled_out(const JsonReader& json, const Groups& groups) {
+  const std::string way = json.text();
+  const auto colon = way.find(": ");
+  if (colon == std::string::npos) return way;
+  const auto group = groups.find(way.substr(0, colon));
+  if (group == groups.end()) {
+    json.report("\"" + way.substr(0, colon) + "\" is no group");
+    return "";
+  }
+  std::string text;
+  for (char c : group->second) text += c == '*' ? way.substr(colon + 2) : std::string(1, c);
+  return text;
+}
+
+std::vector<std::vector<Relation>> read_ways(const JsonReader& json, const Groups& groups) {
   std::vector<std::vector<Relation>> ways;
   for (const auto& way : json.elements_or_none(20)) {
-    auto relations = parse_relations(way.text());
+    auto relations = parse_relations(spelled_out(way, groups));
     if (relations)
       ways.push_back(*std::move(relations));
     else
@@ -73,12 +91,12 @@ std::vector<std::vector<Relation>> read_ways(const JsonReader& json) {
   return ways;
 }
 
-Arrangement read_arrangement(const JsonReader& json) {
+Arrangement read_arrangement(const JsonReader& json, const Groups& groups) {
   json.allow_only({"stage", "ways", "likes", "reserve", "seats", "over", "else"});
   Arrangement arrangement;
   arrangement.stage = static_cast<int>(json["stage"].integer_or(4, 0, 20));
-  arrangement.ways = read_ways(json["ways"]);
-  arrangement.otherwise = read_ways(json["else"]);
+  arrangement.ways = read_ways(json["ways"], groups);
+  arrangement.otherwise = read_ways(json["else"], groups);
   read_likes(json["likes"], arrangement);
   read_reserve(json["reserve"], arrangement);
   arrangement.seats = json["seats"].boolean_or(false);
@@ -122,10 +140,13 @@ Result<Arrangements> parse_arrangements(std::string_view text, const std::string
   if (!json) return json.error();
   JsonReader::Problems problems(source);
   const JsonReader root(*json, problems);
-  root.allow_only({"about", "kinds"});
+  root.allow_only({"about", "groups", "kinds"});
+  Groups groups;
+  if (const auto named = root["groups"]; named.exists())
+    for (const auto& [name, way] : named.members()) groups[name] = way.text();
   Arrangements arrangements;
   for (const auto& [kind, entry] : root["kinds"].members())
-    arrangements.kinds[kind] = read_arrangement(entry);
+    arrangements.kinds[kind] = read_arrangement(entry, groups);
   if (problems.first()) return *problems.first();
   return arrangements;
 }

@@ -21,12 +21,15 @@ struct Demand {
   std::string part;            ///< "window-0", "wall-2", "corner"; empty for edge and middle
   bool flank = false;          ///< left and right of the target in turn
   bool shared = false;         ///< with other mentions: each takes a side
+  int nth = -1;                ///< which of the mention's things; -1: in turn
+  bool listed = false;         ///< said of another thing of the same list
 };
 
 /// Things of one kind that the prompt names.
 struct Mention {
   std::string category;     ///< of the table, or the prompt's own word if the table lacks it
   bool known = true;        ///< in the table
+  std::string noun;         ///< the name that it has there: "desk"
   std::string description;  ///< "white wooden desk"
   std::vector<std::string> looks;  ///< of it: "white", "wooden"
   int quantity = 1;
@@ -36,6 +39,7 @@ struct Mention {
   Vec3 size = Vec3::Ones();  ///< wanted
   Mount mount = Mount::floor;
   std::vector<Demand> demands;
+  int sentence = 0;  ///< of the prompt in which it is named first
 };
 
 /// What a prompt says, no more.

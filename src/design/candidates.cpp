@@ -150,7 +150,7 @@ void over(const Sketch& sketch, const Arrangement& arrangement, const Target& ta
       if (sketch.categories().is_a(target.object->category, kind))
         forward = fp.half().y() + before_front;
   for (double more : {0.0, 0.2, 0.4, -0.2, -0.4})
-    for (int turn = 0; turn < 2; ++turn)
+    for (int turn = 0; turn < 4; ++turn)
       poses.push_back({fp.to_world({0, -forward - more}), wrap_angle(fp.yaw() + turn * 0.5 * pi),
                        more == 0.0 ? (turn == 0 ? over_merit : 0.5 * over_merit) : 0.0});
 }
@@ -173,6 +173,15 @@ void all_over(const Sketch& sketch, const Object& self, std::vector<Pose>& poses
       if (distance_to_boundary(polygon, point) < half || !contains(polygon, point)) continue;
       for (double yaw : yaws) poses.push_back({point, yaw});
     }
+}
+
+// Things on a rug.
+void all_over(const Footprint& rug, std::vector<Pose>& poses) {
+  for (double x : {-0.6, -0.3, 0.0, 0.3, 0.6})
+    for (double y : {-0.6, -0.3, 0.0, 0.3, 0.6})
+      for (int turn = 0; turn < 4; ++turn)
+        poses.push_back({rug.to_world(Vec2(x, y).cwiseProduct(rug.half())),
+                         wrap_angle(rug.yaw() + turn * 0.5 * pi)});
 }
 
 // Small things flush into the corners and along walls whichever way they look.
@@ -201,8 +210,10 @@ void around_target(const Sketch& sketch, const Object& self, const Arrangement& 
                    const Relation& relation, const std::vector<Relation>& all, int company,
                    std::vector<Pose>& poses) {
   for (const auto& target : sketch.find(relation.target)) {
-    const bool lies = self.traits.flat || self.mount != Mount::floor;
+    const bool lies = self.traits.flat || self.mount != Mount::floor ||
+                      relation.kind == RelationKind::on;  // furniture on a rug
     if (lies) over(sketch, arrangement, target, poses);
+    if (relation.kind == RelationKind::on) all_over(target.footprint, poses);
     if (lies && target.object) continue;
     if (relation.kind == RelationKind::around) seats(self, target, company, poses);
     if (relation.kind == RelationKind::around && arrangement.seats) continue;

@@ -10,6 +10,8 @@ namespace roomgen::design {
 namespace {
 
 constexpr std::size_t max_mentions = 120;
+constexpr double tray_height = 0.1, tray_side = 0.2;
+constexpr double small_side = 0.7;  ///< metres: what is smaller may stand on other things
 
 // Who describes a room looks at the fronts of things: the mouse to the right of a keyboard is at the
 // hand of who sits before it. Constraints' sides are the thing's own.
@@ -25,7 +27,20 @@ std::string Discourse::category_name(const KindMatch& kind) const {
   return meant == lexicon_.kind.means.end() ? kind.category->name : meant->second;
 }
 
+// "the console" is the media console that was spoken of.
+std::optional<std::size_t> Discourse::same_noun(const NounPhrase& phrase) const {
+  const std::string& noun = phrase.kind.length > 0 ? phrase.kind.name : phrase.noun;
+  for (std::size_t i = count(); i-- > 0;)
+    if (mention(i).noun == noun) return i;
+  // The first of several is the main one: "the table" is the dining table, not the console table.
+  for (std::size_t i = 0; i < count(); ++i)
+    if (mention(i).description.ends_with(" " + noun)) return i;
+  return std::nullopt;
+}
+
 std::optional<std::size_t> Discourse::known(const NounPhrase& phrase) const {
+  if (phrase.definite && phrase.modifiers.empty())
+    if (const auto same = same_noun(phrase)) return same;
   for (std::size_t i = count(); i-- > 0;) {
     const Mention& one = mention(i);
     if (phrase.kind.length == 0) {
@@ -53,15 +68,18 @@ Mention Discourse::new_mention(const NounPhrase& phrase) const {
   mention.quantity = phrase.count;
   mention.counted = phrase.counted;
   mention.looks = phrase.modifiers;
+  mention.sentence = sentence_;
   std::vector<std::string> description = phrase.modifiers;
   if (phrase.kind.length > 0) {
     mention.category = category_name(phrase.kind);
+    mention.noun = phrase.kind.name;
     description.push_back(phrase.kind.name);
     const bool open = phrase.kind.plural && !phrase.article;
     if (open) mention.quantity = 0;  // to be settled
   } else {
     mention.known = false;
     mention.category = phrase.noun;
+    mention.noun = phrase.noun;
     description.push_back(phrase.noun);
   }
   if (!phrase.contents.empty()) description.push_back(phrase.contents);
@@ -75,6 +93,27 @@ std::optional<std::size_t> Discourse::antecedent() const {
   for (std::size_t i = 0; i < count(); ++i)
     if (i != subject_.value_or(count()) && (mention(i).mount == Mount::floor || !best)) best = i;
   return best;
+}
+
+std::optional<std::size_t> Discourse::last_on_floor() const {
+  for (std::size_t i = count(); i-- > 0;)
+    if (mention(i).mount == Mount::floor) return i;
+  return std::nullopt;
+}
+
+std::optional<std::size_t> Discourse::antecedent(RelationKind kind) const {
+  if (!subject_) return antecedent();
+  const Mention& one = mention(*subject_);
+  if (one.mount == Mount::ceiling || kind == RelationKind::above || kind == RelationKind::under)
+    if (const auto carrier = last_carrier()) return carrier;
+  // Chairs stand before desks and tables.
+  if (kind == RelationKind::in_front_of && lexicon_.table.is_a(one.category, "seat"))
+    if (const auto table = last_carrier("table")) return table;
+  // On a desk the mouse to the right is to the right of the keyboard.
+  if (one.mount == Mount::surface && kind != RelationKind::on)
+    for (std::size_t i = *subject_; i-- > 0 && mention(i).sentence + 1 >= one.sentence;)
+      if (mention(i).mount == Mount::surface) return i;
+  return antecedent();
 }
 
 void Discourse::list(std::size_t mention, bool continues) {
@@ -93,7 +132,10 @@ void Discourse::demand(const Demand& what, bool leads) {
     leading_.push_back(what);
     return;
   }
-  const auto all = subjects();
+  auto all = subjects();
+  // Of a desk, a lamp and a cup on it only the small ones are meant.
+  if (all.size() > 1 && what.kind == RelationKind::on)
+    std::erase_if(all, [this](std::size_t i) { return i != *subject_ && !is_small(i); });
   for (std::size_t subject : all) {
     Demand own = what;
     own.shared = own.shared || all.size() > 1;
@@ -135,6 +177,8 @@ void Discourse::locate(const Placement& placement, const PlacePhrase& place, boo
       mount(Mount::ceiling, leads);
       return;
     case Place::room:
+      if (placement.centered) demand({RelationKind::middle, Demand::none, "", false}, leads);
+      return;
     case Place::floor:
       return;
   }
@@ -162,7 +206,8 @@ void Discourse::locate_at_wall(RelationKind first, const PlacePhrase& place, boo
     demand({RelationKind::face_same_as, Demand::none, id, false}, leads);
   } else if (place.opposite) {
     if (const auto other = antecedent())
-      demand({RelationKind::in_front_of, *other, "", false}, leads);
+      for (auto kind : {RelationKind::in_front_of, RelationKind::face_to, RelationKind::far})
+        demand({kind, *other, "", false}, leads);
   }
 }
 
@@ -172,11 +217,11 @@ void Discourse::mount(Mount where, bool leads) {
     return;
   }
   for (std::size_t subject : subjects())
-    hang(brief_.mentions[subject], where, lexicon_.table, lexicon_.names);
+    hang(brief_.mentions[subject], where, lexicon_.names);
 }
 
 void Discourse::apply_leading(std::size_t index) {
-  if (leading_mount_) hang(brief_.mentions[index], *leading_mount_, lexicon_.table, lexicon_.names);
+  if (leading_mount_) hang(brief_.mentions[index], *leading_mount_, lexicon_.names);
   leading_mount_.reset();
   bool used = false;
   for (const auto& what : leading_) {
@@ -184,12 +229,89 @@ void Discourse::apply_leading(std::size_t index) {
     add(index, what);
     used = true;
   }
-  if (used) leading_.clear();
+  if (used) {
+    open_list(leading_);
+    leading_.clear();
+  }
+}
+
+void Discourse::extend_list(std::size_t index) {
+  for (auto what : listed_) {
+    if (what.mention == index || (what.kind == RelationKind::on && !is_small(index))) continue;
+    what.listed = true;
+    add(index, what);
+  }
+}
+
+bool Discourse::is_small(std::size_t index) const {
+  const Mention& one = mention(index);
+  const auto comes_small = [&](const char* prefix) {
+    const Category* small = lexicon_.names.find(prefix + one.category);
+    return small && small->mount == Mount::surface;
+  };
+  return one.mount == Mount::surface || comes_small("table ") || comes_small("small ") ||
+         (one.mount == Mount::floor && one.size.maxCoeff() <= small_side &&
+          !lexicon_.table.is_any_of(one.category, {"seat", "table", "storage"}));
+}
+
+bool Discourse::may_carry(std::size_t index) const {
+  const Mention& one = mention(index);
+  const bool tray = one.size.z() <= tray_height && one.size.head<2>().minCoeff() >= tray_side;
+  return one.mount == Mount::floor || (one.mount == Mount::surface && tray);
+}
+
+std::optional<std::size_t> Discourse::holder() const {
+  if (!subject_ || !with_owner_) return subject_;
+  const Mention& one = mention(*subject_);
+  const bool unable = one.quantity != 1 || one.mount == Mount::surface ||
+                      lexicon_.table.is_a(one.category, "seat");
+  return unable ? with_owner_ : subject_;
+}
+
+bool Discourse::speak_of_one_of_them(bool other) {
+  for (std::size_t i = count(); i-- > 0;) {
+    const int quantity = mention(i).quantity;
+    if (quantity < 2 || mention(i).mount != Mount::floor) continue;
+    const int next = other ? std::min(last_nth_ + 1, quantity - 1) : 0;
+    subject_ = i;
+    nth_ = last_nth_ = next;
+    return true;
+  }
+  return false;
+}
+
+void Discourse::relate_listed(const Placement& placement) {
+  if (group_.size() < 2) return;
+  for (auto kind : placement.relations)
+    add(group_.back(), {kind, group_[group_.size() - 2], "", false});
+}
+
+std::optional<std::size_t> Discourse::last_carrier(std::string_view top) const {
+  const auto find = [&](auto test) -> std::optional<std::size_t> {
+    for (std::size_t i = count(); i-- > 0;)
+      if (mention(i).mount == Mount::floor && test(mention(i))) return i;
+    return std::nullopt;
+  };
+  const bool table = top.starts_with("table"), desk = top.starts_with("desk");
+  if (table)
+    if (const auto found = find([](const Mention& one) { return one.noun == "table"; })) return found;
+  if (table || desk)
+    if (const auto found = find([&](const Mention& one) {
+          return lexicon_.table.is_a(one.category, table ? "table" : "desk");
+        }))
+      return found;
+  return find([&](const Mention& one) {
+    return one.mount == Mount::floor &&
+           lexicon_.table.is_any_of(one.category, {"table", "storage", "kitchen unit", "washbasin"});
+  });
 }
 
 void Discourse::end_sentence() {
   leading_.clear();
   leading_mount_.reset();
+  listed_.clear();
+  with_owner_.reset();
+  ++sentence_;
 }
 
 }  // namespace roomgen::design

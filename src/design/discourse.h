@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "brief.h"
@@ -39,9 +40,17 @@ class Discourse {
 
   /// The thing of which the next placement speaks.
   std::optional<std::size_t> subject() const { return subject_; }
-  void speak_of(std::optional<std::size_t> mention) { subject_ = mention; }
+  void speak_of(std::optional<std::size_t> mention) {
+    subject_ = mention;
+    nth_ = -1;
+  }
+  /// "one holds …, the other …": of the several that were spoken of last; false if there are none.
+  bool speak_of_one_of_them(bool other);
   /// What "it" means: the last floor thing that is not the subject.
   std::optional<std::size_t> antecedent() const;
+  std::optional<std::size_t> last_on_floor() const;
+  /// What a placement without a target is relative to.
+  std::optional<std::size_t> antecedent(RelationKind kind) const;
 
   /// Things listed together; "are against the wall" is said of all.
   void list(std::size_t mention, bool continues);
@@ -56,10 +65,27 @@ class Discourse {
 
   /// What was said beforehand becomes true of this thing.
   void apply_leading(std::size_t mention);
+
+  /// "holds a lamp, two books and a mug": what is said of the first is said of all that are listed.
+  void open_list(std::vector<Demand> demands) { listed_ = std::move(demands); }
+  void extend_list(std::size_t mention);
+  void close_list() { listed_.clear(); }
+  /// "a desk and a shelf side by side"
+  void relate_listed(const Placement& placement);
+  /// What was spoken of last of what things stand on; "tabletop" is a table's.
+  std::optional<std::size_t> last_carrier(std::string_view top = "") const;
+  /// "a desk with a lamp", "a tray with two cups", but no "monitor with a keyboard".
+  bool may_carry(std::size_t mention) const;
+  /// "a table with four stools holds": who holds.
+  void join_with(std::size_t owner) { with_owner_ = owner; }
+  std::optional<std::size_t> holder() const;
+  int holder_number() const { return nth_; }
   void end_sentence();
 
  private:
   Mention new_mention(const NounPhrase& phrase) const;
+  std::optional<std::size_t> same_noun(const NounPhrase& phrase) const;
+  bool is_small(std::size_t mention) const;
   std::vector<std::size_t> subjects() const;
   void locate_at_window(const Placement& placement, bool leads);
   void locate_at_wall(RelationKind first, const PlacePhrase& place, bool leads);
@@ -70,7 +96,12 @@ class Discourse {
   std::optional<std::size_t> subject_;
   std::vector<std::size_t> group_;
   bool plural_ = false;
+  int last_nth_ = 0;
+  int nth_ = -1;  ///< which of the subject's things
   std::vector<Demand> leading_;
+  std::vector<Demand> listed_;
+  int sentence_ = 0;
+  std::optional<std::size_t> with_owner_;
   std::optional<Mount> leading_mount_;
 };
 

@@ -86,12 +86,19 @@ class Completion {
     return table_.is_any_of(category, brief_.excluded);
   }
 
-  // The prompt's own things of this kind, or of a kind in which it is.
+  // The prompt's own things of this kind, of a kind in which it is, or of its name: who asks for one
+  // swivel chair wants no armchair besides.
   bool asked(const std::string& category) const {
     return std::any_of(drafts_.begin(), drafts_.end(), [&](const Draft& draft) {
-      return draft.item.asked && (table_.is_a(draft.item.category, category) ||
-                                  table_.is_a(category, draft.item.category));
+      return draft.item.asked &&
+             (table_.is_a(draft.item.category, category) ||
+              table_.is_a(category, draft.item.category) ||
+              shares_name(category, brief_.mentions[draft.mention].noun));
     });
+  }
+
+  static bool shares_name(const std::string& category, const std::string& noun) {
+    return category.ends_with(noun) || (noun.ends_with("chair") && category.ends_with("chair"));
   }
 
   bool pointless(const Piece& piece) const {

@@ -145,7 +145,9 @@ class Reader {
   bool read_head() {
     KindMatch head = names_.match(tokens_, at_);
     if (head.length == 0) return false;
-    if (head.length == 1 && words_.stops.count(token(at_).text)) return false;
+    if (head.length == 1 &&
+        (words_.stops.count(token(at_).text) || is_brightness() || is_verb(at_)))
+      return false;
     std::size_t start = at_;
     for (bool further = true; further;) {
       further = false;
@@ -155,6 +157,7 @@ class Reader {
         if (adjacent && !phrase_.article && !phrase_.definite &&
             !words_.materials.count(token(start).text))
           break;
+        if (is_verb(k)) break;
         const KindMatch next = names_.match(tokens_, k);
         if (next.length == 0 || k + next.length <= start + head.length) continue;
         for (std::size_t i = start; i < k; ++i) phrase_.modifiers.push_back(token(i).text);
@@ -166,6 +169,24 @@ class Reader {
     phrase_.kind = head;
     at_ = start + head.length;
     return true;
+  }
+
+  // "a bookshelf displays two vases"
+  bool is_verb(std::size_t i) const {
+    const auto placement = words_.placements.find(token(i).text);
+    const bool places = placement != words_.placements.end() && placement->second.inverse;
+    if ((!places && !words_.verbs.count(token(i).text)) || ended(i + 1)) return false;
+    const Token& next = token(i + 1);
+    return next.kind == Token::Kind::number || words_.numbers.count(next.text) ||
+           words_.definite.count(next.text);
+  }
+
+  // "light grey linen", "soft light filters through": no lamp.
+  bool is_brightness() const {
+    if (!is_word(at_, "light")) return false;
+    if (!phrase_.article && !phrase_.definite) return true;
+    return !ended(at_ + 1) && token(at_ + 1).kind == Token::Kind::word &&
+           !words_.stops.count(token(at_ + 1).text) && !words_.verbs.count(token(at_ + 1).text);
   }
 
   // "a jar of honey": bare nouns say what is in it, and are no things beside it.
@@ -206,7 +227,7 @@ class Reader {
     const std::string noun = phrase_.modifiers.back();
     if (noun.size() < 3 || words_.no_things.count(noun) || words_.parts.count(noun) ||
         words_.sizes.count(noun) || words_.room_words.count(noun) ||
-        words_.people_words.count(noun))
+        words_.people_words.count(noun) || words_.stops.count(noun) || words_.verbs.count(noun))
       return false;
     phrase_.noun = noun;
     phrase_.modifiers.pop_back();

@@ -57,6 +57,23 @@ const Relation* find(const std::vector<Relation>& relations, RelationKind kind) 
   return found == relations.end() ? nullptr : &*found;
 }
 
+// At a side of, or near, something else than what carries it: the solver finds the spot.
+bool beside_others(const std::vector<Relation>& relations, const std::string& carrier) {
+  return std::any_of(relations.begin(), relations.end(), [&](const Relation& relation) {
+    switch (relation.kind) {
+      case RelationKind::left_of:
+      case RelationKind::right_of:
+        return true;
+      case RelationKind::side_of:
+      case RelationKind::near:
+      case RelationKind::behind:
+        return !relation.target.empty() && relation.target != carrier;
+      default:
+        return false;
+    }
+  });
+}
+
 // Habits first that put the thing onto what was wished for, then the wish alone, then other habits.
 std::vector<std::vector<Relation>> ways_onto(const CategoryTable& categories,
                                              std::vector<std::vector<Relation>> ways,
@@ -68,6 +85,26 @@ std::vector<std::vector<Relation>> ways_onto(const CategoryTable& categories,
   });
   ways.insert(rest, {Relation{RelationKind::on, wish}});
   return ways;
+}
+
+// Flat enough to be stacked on its like: towels, books, plates.
+constexpr double stackable_height = 0.15;
+
+// The one that is named; when it had no room, its like that lie there already, and others of its kind.
+std::vector<Target> carriers(const Sketch& sketch, const Object& self, const std::string& id,
+                             bool others) {
+  auto found = sketch.find(id);
+  if (!others || found.empty() || !found.front().object) return found;
+  const std::string category = found.front().object->category;
+  const auto add = [&](const Object& object) {
+    for (auto& target : sketch.find(object.id)) found.push_back(std::move(target));
+  };
+  for (const auto& object : sketch.objects())
+    if (object.on == id && object.category == self.category && object.size.z() <= stackable_height)
+      add(object);
+  for (const auto& object : sketch.objects())
+    if (object.category == category && object.id != id) add(object);
+  return found;
 }
 
 }  // namespace
@@ -86,10 +123,11 @@ PlaceAdvice advise_on(const Sketch& sketch, const Object& self, const Arrangemen
     auto relations = asked;
     for (const auto& habit : habits)
       if (!told || habit.kind != RelationKind::on) relations.push_back(habit);
-    for (const auto& carrier : sketch.find(carrier_wish->target)) {
+    for (const auto& carrier : carriers(sketch, self, carrier_wish->target, told && refused > 0)) {
       std::optional<Pose> pose;
-      const bool beside = find(habits, RelationKind::left_of) || find(habits, RelationKind::right_of);
-      if (beside) {
+      for (auto& relation : relations)
+        if (relation.kind == RelationKind::on) relation.target = carrier.id;
+      if (beside_others(relations, carrier.id)) {
         if (skip-- > 0) continue;
         return PlaceAdvice{relations, std::nullopt, std::nullopt, "on " + carrier.id};
       }

@@ -36,7 +36,15 @@ int own_stage(const Draft& draft, const CategoryTable& table, const Arrangements
   return tied && stands ? std::min(usual, tied_stage) : usual;
 }
 
-// What others wait for comes as early as they would: a bookshelf before the sofa that is to stand
+// What is told to be at a side of a thing stands there before others take that side.
+bool follows(const Draft& draft, const Draft& target, const CategoryTable& table) {
+  const auto stands = [&](const Draft& one) {
+    return one.item.mount == Mount::floor && !table.get(one.item.category).traits.flat;
+  };
+  return draft.item.asked && stands(draft) && stands(target) && waits_for(draft, target);
+}
+
+// What others wait for comes as early as they would, and so does what waits for it: a bookshelf before the sofa that is to stand
 // in front of it, so that the sofa is still early enough for its coffee table.
 std::vector<int> stages_of(const std::vector<Draft>& drafts, const CategoryTable& table,
                            const Arrangements& arrangements) {
@@ -46,7 +54,8 @@ std::vector<int> stages_of(const std::vector<Draft>& drafts, const CategoryTable
     changed = false;
     for (std::size_t i = 0; i < drafts.size(); ++i)
       for (std::size_t j = 0; j < drafts.size(); ++j)
-        if (stages[j] > stages[i] && waits_for(drafts[i], drafts[j])) {
+        if (stages[j] > stages[i] &&
+            (waits_for(drafts[i], drafts[j]) || follows(drafts[j], drafts[i], table))) {
           stages[j] = stages[i];
           changed = true;
         }
@@ -61,6 +70,7 @@ void sort_by_stage(std::vector<Draft>& drafts, const CategoryTable& table,
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     if (stages[a] != stages[b]) return stages[a] < stages[b];
+    if (drafts[a].item.asked != drafts[b].item.asked) return drafts[a].item.asked;
     return floor_of(drafts[a]) > floor_of(drafts[b]) + 1e-9;
   });
   std::vector<Draft> sorted;
@@ -124,9 +134,10 @@ class Ids {
       ids_[drafts[planned.item].mention].push_back(planned.id);
   }
 
-  std::string next(std::size_t asking, std::size_t mention) {
+  std::string next(std::size_t asking, std::size_t mention, int nth) {
     const auto& ids = ids_[mention];
     if (ids.empty()) return "";
+    if (nth >= 0) return ids[static_cast<std::size_t>(nth) % ids.size()];
     return ids[static_cast<std::size_t>(turn_[{asking, mention}]++) % ids.size()];
   }
 
@@ -150,7 +161,7 @@ class Resolver {
       Relation relation{demand.kind, part_of(room_, demand.part)};
       if (demand.mention != Demand::none) {
         if (!targets.count(demand.mention))
-          targets[demand.mention] = ids_.next(draft.mention, demand.mention);
+          targets[demand.mention] = ids_.next(draft.mention, demand.mention, demand.nth);
         relation.target = targets[demand.mention];
         if (relation.target.empty()) continue;
         if (demand.flank) {

@@ -17,7 +17,8 @@ namespace roomgen::design {
 namespace {
 
 constexpr const char* default_type = "living room";
-constexpr int max_attempts = 5;
+constexpr int usual_attempts = 5;
+constexpr int max_attempts = 9;  ///< while something of the prompt is not heeded
 constexpr double growth = 1.05;  ///< of the sides from attempt to attempt
 constexpr int fewest = 8;
 constexpr std::size_t most_rehearsed = 80;  ///< things; larger plans are taken as they are
@@ -28,6 +29,7 @@ struct Attempt {
   std::vector<Draft> drafts;          ///< of plan.items
   std::vector<PlannedObject> missed;  ///< found no place
   double fault = 0.0;
+  bool heeds_prompt = true;  ///< what was asked for has its place
 };
 
 class Planner {
@@ -46,6 +48,7 @@ class Planner {
   Plan plan() const {
     Attempt best = attempt(0);
     for (int n = 1; n < max_attempts && best.fault > 0 && !request_.cancel.cancelled(); ++n) {
+      if (n >= usual_attempts && best.heeds_prompt) break;
       Attempt next = attempt(n);
       if (next.fault < best.fault) best = std::move(next);
     }
@@ -136,6 +139,7 @@ class Planner {
     Rehearsal rehearsal = rehearse(attempt.plan, table_, arrangements_);
     attempt.missed = std::move(rehearsal.missed);
     attempt.fault = 2.0 * rehearsal.broken;
+    attempt.heeds_prompt = rehearsal.broken == 0;
     int on_floor = 0;
     for (const auto& object : planned)
       on_floor += attempt.plan.items[object.item].mount == Mount::floor;
@@ -143,6 +147,7 @@ class Planner {
       const bool asked = attempt.plan.items[object.item].asked;
       on_floor -= attempt.plan.items[object.item].mount == Mount::floor;
       attempt.fault += asked ? 20.0 : attempt.drafts[object.item].core ? 5.0 : 1.0;
+      attempt.heeds_prompt = attempt.heeds_prompt && !asked;
     }
     if (!brief_.bare) attempt.fault += 3.0 * std::max(0, fewest - on_floor);
   }

@@ -38,6 +38,7 @@ class PromptReader {
                  read_placement() || read_thing()) {
         continue;
       }
+      if (words_.verbs.count(tokens_[at_].text)) talk_.close_list();
       ++at_;
     }
   }
@@ -68,12 +69,37 @@ class PromptReader {
   bool read_thing() {
     const auto phrase = read_noun_phrase(tokens_, at_, words_, names_, lists(at_));
     if (!phrase) return false;
-    const bool part = describes_owner(*phrase);
+    const bool part = describes_owner(*phrase) || is_on_small_owner(*phrase);
+    const auto owner = talk_.subject();
+    const bool with = phrase->begin == owner_end_ + 1 && is_word(owner_end_, "with");
+    const bool continues = phrase->begin > 0 && (is_word(phrase->begin - 1, "and") ||
+                                                 tokens_[phrase->begin - 1].kind == Token::Kind::comma);
+    const std::size_t before = talk_.count();
     if (!part) talk_.speak_of(refer(*phrase));
     at_ = phrase->end;
     owner_end_ = at_;
-    if (!part && talk_.subject()) talk_.apply_leading(*talk_.subject());
+    if (part || !talk_.subject()) return true;
+    if (clause_begins()) talk_.close_list();
+    if (with && owner && owner != talk_.subject() && talk_.may_carry(*owner)) {
+      talk_.open_list({{RelationKind::on, *owner, "", false}});
+      talk_.join_with(*owner);
+    }
+    if (talk_.count() > before && (with || continues)) talk_.extend_list(*talk_.subject());
+    talk_.apply_leading(*talk_.subject());
     return true;
+  }
+
+  // "… and a lamp stands": what was said of a list is not said of it.
+  bool clause_begins() const {
+    std::size_t i = owner_end_;
+    while (i < tokens_.size() && is_adverb(tokens_[i])) ++i;
+    return i < tokens_.size() && words_.verbs.count(tokens_[i].text) > 0;
+  }
+
+  static bool is_adverb(const Token& token) {
+    static const WordSet others = {"just", "right", "close"};
+    return token.kind == Token::Kind::word &&
+           ((token.text.size() > 4 && token.text.ends_with("ly")) || others.count(token.text) > 0);
   }
 
   // "a desk with drawers": drawers are no thing of their own.
@@ -83,6 +109,13 @@ class PromptReader {
     const Token& before = tokens_[phrase.begin - 1];
     return (before.kind == Token::Kind::comma || links.count(before.text)) &&
            words_.parts.count(tokens_[phrase.end - 1].text) > 0;
+  }
+
+  // "a photo frame with a black-and-white print": no other picture.
+  bool is_on_small_owner(const NounPhrase& phrase) const {
+    return talk_.subject() && phrase.begin == owner_end_ + 1 && is_word(owner_end_, "with") &&
+           phrase.kind.length > 0 && phrase.kind.category->mount != Mount::surface &&
+           talk_.mention(*talk_.subject()).mount == Mount::surface;
   }
 
   std::optional<std::size_t> refer(const NounPhrase& phrase) {
@@ -112,6 +145,13 @@ class PromptReader {
       return i < tokens_.size() && (words_.pronouns.count(tokens_[i].text) > 0 ||
                                     words_.definite.count(tokens_[i].text) > 0);
     };
+    // "one holds a lamp, the other a plant"
+    const bool holder = is_word(at_, "one") && holds(at_ + 1);
+    const bool other_holder = is_word(at_, "the") && is_word(at_ + 1, "other") && holds(at_ + 2);
+    if ((holder || other_holder) && talk_.speak_of_one_of_them(other_holder)) {
+      at_ += holder ? 1 : 2;
+      return true;
+    }
     const bool one = is_word(at_, "one") && is_word(at_ + 1, "of") && refers_back(at_ + 2);
     const bool other = is_word(at_, "the") &&
                        (is_word(at_ + 1, "other") || is_word(at_ + 1, "others")) &&
@@ -123,35 +163,79 @@ class PromptReader {
     return true;
   }
 
+  bool holds(std::size_t i) const {
+    const auto match = longest(words_.placements, tokens_, i, longest_placement);
+    return match && match.value->inverse;
+  }
+
   // --- Placements -----------------------------------------------------------------------------
 
   bool read_placement() {
-    const auto match = longest(words_.placements, tokens_, at_, longest_placement);
+    auto match = longest(words_.placements, tokens_, at_, longest_placement);
+    if (!match && is_adverb(tokens_[at_])) {
+      // "directly under the window"
+      match = longest(words_.placements, tokens_, at_ + 1, longest_placement);
+      if (match) ++match.length;
+    }
     if (!match) return false;
     const Placement& placement = *match.value;
     const std::size_t after = at_ + match.length;
     if (placement.inverse) return read_inverse(placement, after);
     if (placement.pronoun) return read_implied_target(placement, after);
+    if (placement.mutual) {
+      talk_.relate_listed(placement);
+      at_ = after;
+      return true;
+    }
     // "Next to the bed is a lamp": before any thing of the sentence.
-    const bool leads =
-        at_ == sentence_start_ || (at_ == sentence_start_ + 1 && is_word(sentence_start_, "and"));
+    const bool leads = at_ == sentence_start_ ||
+                       (at_ == sentence_start_ + 1 && is_word(sentence_start_, "and")) ||
+                       is_inverted(after);
     hear_plural();
-    const bool read =
-        read_place_target(placement, after, leads) || read_thing_target(placement, after, leads);
+    const bool read = read_place_target(placement, after, leads) ||
+                      read_thing_target(placement, after, leads) ||
+                      (placement.adverb && ends_here(after) && read_implied_target(placement, after));
     talk_.speak_of_one();
     return read;
   }
 
-  // "… are", "… both": of all that were listed.
+  // "…, and on the shelf sits a vase": the thing comes after the verb.
+  bool is_inverted(std::size_t after) const {
+    std::size_t end = after;
+    if (const auto place = read_place(tokens_, after, words_))
+      end += place->length;
+    else if (const auto phrase = read_noun_phrase(tokens_, after, words_, names_, false))
+      end = phrase->end;
+    static const WordSet postures = {"is",   "are",   "sit",  "sits", "stand", "stands",
+                                     "rest", "rests", "lie",  "lies", "hang",  "hangs"};
+    if (end == after || end + 1 >= tokens_.size() || !postures.count(tokens_[end].text))
+      return false;
+    const Token& next = tokens_[end + 1];
+    return next.kind == Token::Kind::number ||
+           (words_.numbers.count(next.text) > 0 && !words_.definite.count(next.text));
+  }
+
+  bool ends_here(std::size_t i) const {
+    return i >= tokens_.size() || tokens_[i].kind != Token::Kind::word || is_word(i, "and") ||
+           is_word(i, "with") || is_word(i, "while") || words_.verbs.count(tokens_[i].text) > 0;
+  }
+
+  // "… are", "… both sit": of all that were listed.
   void hear_plural() {
-    if (is_word(owner_end_, "are") || is_word(owner_end_, "both") || is_word(owner_end_, "all"))
-      talk_.speak_of_all();
+    std::size_t i = owner_end_;
+    while (i < tokens_.size() && is_adverb(tokens_[i])) ++i;
+    if (i < tokens_.size() && words_.plural_verbs.count(tokens_[i].text) > 0) talk_.speak_of_all();
   }
 
   bool read_place_target(const Placement& placement, std::size_t after, bool leads) {
     const auto place = read_place(tokens_, after, words_);
-    if (!place) return false;
+    if (!place || names_thing(after, after + place->length)) return false;
     const std::size_t end = after + place->length;
+    // "at its center": of the table that holds it.
+    if (place->place == Place::middle && is_word(after, "its")) {
+      at_ = end;
+      return true;
+    }
     // "the middle of the table" is on the table.
     if (place->place == Place::middle && is_word(end, "of")) {
       Placement on;
@@ -163,11 +247,26 @@ class PromptReader {
     return true;
   }
 
+  // "a wall-mounted television" is no wall.
+  bool names_thing(std::size_t begin, std::size_t end) const {
+    const auto phrase = read_noun_phrase(tokens_, begin, words_, names_, false);
+    if (!phrase || phrase->kind.length == 0 || phrase->end <= end) return false;
+    return std::none_of(tokens_.begin() + static_cast<std::ptrdiff_t>(begin),
+                        tokens_.begin() + static_cast<std::ptrdiff_t>(phrase->end),
+                        [](const Token& token) {
+                          return token.kind == Token::Kind::comma || token.is_word("and");
+                        });
+  }
+
   // "to its left", "on top": of what was spoken of before.
   bool read_implied_target(const Placement& placement, std::size_t after) {
-    const auto target = talk_.antecedent();
-    if (!talk_.subject() || !target) return false;
-    say(placement, *target, false);
+    // "Across the room, a wardrobe …"
+    const bool leads = at_ == sentence_start_;
+    const auto target =
+        leads ? talk_.last_on_floor() : talk_.antecedent(placement.relations.front());
+    if ((!talk_.subject() && !leads) || !target) return false;
+    say(placement, *target, leads);
+    if (leads) talk_.speak_of(std::nullopt);
     at_ = after;
     return true;
   }
@@ -215,6 +314,7 @@ class PromptReader {
       ++end;
       return talk_.antecedent();
     }
+    if (const auto carrier = read_top(end)) return carrier;
     const auto phrase = read_noun_phrase(tokens_, end, words_, names_, false);
     if (!phrase) return std::nullopt;
     end = phrase->end;
@@ -224,9 +324,25 @@ class PromptReader {
     return talk_.refer(*phrase);
   }
 
+  // "the countertop", "its surface": of the table or cabinet that was spoken of.
+  std::optional<std::size_t> read_top(std::size_t& end) const {
+    if (!words_.definite.count(tokens_[end].text)) return std::nullopt;
+    std::size_t i = end + 1;
+    if (i + 1 < tokens_.size() && !words_.tops.count(tokens_[i].text) &&
+        names_.match(tokens_, i).length == 0)
+      ++i;  // "the wooden surface"
+    if (i >= tokens_.size() || !words_.tops.count(tokens_[i].text) || is_word(i + 1, "of"))
+      return std::nullopt;
+    if (is_word(i + 1, "shelf")) ++i;
+    const auto carrier = talk_.last_carrier(tokens_[i].text);
+    if (carrier) end = i + 1;
+    return carrier;
+  }
+
   // "flanked by two lamps", "surrounded by chairs": the subject is the target.
   bool read_inverse(const Placement& placement, std::size_t after) {
-    const auto target = talk_.subject();
+    const bool holds = placement.relations.front() == RelationKind::on;
+    const auto target = holds ? talk_.holder() : talk_.subject();
     if (!target) return false;
     const auto phrase = read_noun_phrase(tokens_, after, words_, names_, true);
     if (!phrase) return false;
@@ -243,7 +359,13 @@ class PromptReader {
       }
     for (const std::size_t each : others)
       for (auto kind : placement.relations)
-        talk_.add(each, {kind, *target, "", placement.flank, others.size() > 1});
+        talk_.add(each, {kind, *target, "", placement.flank, others.size() > 1,
+                         talk_.holder_number()});
+    std::vector<Demand> listed;
+    for (auto kind : placement.relations)
+      if (!placement.flank)
+        listed.push_back({kind, *target, "", false, false, talk_.holder_number()});
+    talk_.open_list(std::move(listed));
     talk_.speak_of(others.back());
     return true;
   }

@@ -39,6 +39,18 @@ Placement read_placement(const JsonReader& json) {
       placement.pronoun = true;
       continue;
     }
+    if (word == "~it") {
+      placement.adverb = true;
+      continue;
+    }
+    if (word == "middle") {
+      placement.centered = true;
+      continue;
+    }
+    if (word == "each") {
+      placement.mutual = true;
+      continue;
+    }
     if (word == "flank") {
       placement.flank = true;
       continue;
@@ -63,7 +75,8 @@ Result<Vocabulary> parse_vocabulary(std::string_view text, const std::string& so
                    "negations",  "only",          "measured",       "stops",    "parts",
                    "no things",  "materials",     "sizes",          "people",   "people words",
                    "room words", "generic rooms", "parts of rooms", "walls",    "units",
-                   "areas",      "placements",    "pairs"});
+                   "areas",      "placements",    "pairs",          "verbs",    "plural verbs",
+                   "tops"});
   Vocabulary words;
   words.numbers = read_integers(root["numbers"]);
   words.people = read_integers(root["people"]);
@@ -91,7 +104,10 @@ Result<Vocabulary> parse_vocabulary(std::string_view text, const std::string& so
                                                    {"people words", &words.people_words},
                                                    {"room words", &words.room_words},
                                                    {"generic rooms", &words.generic_rooms},
-                                                   {"pairs", &words.pairs}};
+                                                   {"pairs", &words.pairs},
+                                                   {"verbs", &words.verbs},
+                                                   {"plural verbs", &words.plural_verbs},
+                                                   {"tops", &words.tops}};
   for (const auto& [key, set] : sets) *set = read_set(root[key]);
   if (problems.first()) return *problems.first();
   return words;

@@ -10,12 +10,17 @@ namespace roomgen::design {
 
 namespace {
 
+constexpr double size_margin = 1.05;
+constexpr double loose_gap = 0.1;  ///< metres beyond what the pair prefers
+
 Object object_of(const PlannedObject& planned, const PlanItem& item, const Category& category) {
   Object object;
   object.id = planned.id;
   object.category = item.category;
   object.traits = category.traits;
   object.size = item.size.value_or(category.size);
+  // Real ones may be a little larger.
+  if (item.asked && item.mount == Mount::floor) object.size.head<2>() *= size_margin;
   object.mount = item.mount;
   return object;
 }
@@ -32,6 +37,14 @@ void put(Object& object, const PlaceAdvice& advice, const Category& category, co
       }
 }
 
+// Near in name only: who asks for "next to" wants no gap to walk through.
+bool is_loose(const Placed& placed, const ResolvedRelation& relation) {
+  if (relation.kind != RelationKind::near) return false;
+  return std::none_of(relation.targets.begin(), relation.targets.end(), [&](const Footprint& target) {
+    return gap(placed.footprint, target) <= relation.gap_high + loose_gap;
+  });
+}
+
 int broken_relations(const Scene& scene, const Object& object, const PlanItem& item,
                      const CategoryTable& table, const Arrangements& arrangements) {
   if (item.relations.empty()) return 0;
@@ -39,9 +52,14 @@ int broken_relations(const Scene& scene, const Object& object, const PlanItem& i
   const Placed placed{
       &object, {object.position.head<2>(), object.yaw}, footprint(object), object.position.z()};
   const auto resolved = resolve_all(sketch, object, item.relations);
-  return static_cast<int>(std::count_if(
+  int broken = static_cast<int>(std::count_if(
       resolved.begin(), resolved.end(),
       [&](const ResolvedRelation& relation) { return !holds(sketch, placed, relation); }));
+  if (object.mount == Mount::floor)
+    broken += static_cast<int>(std::count_if(
+        resolved.begin(), resolved.end(),
+        [&](const ResolvedRelation& relation) { return is_loose(placed, relation); }));
+  return broken;
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 #include "settle.h"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include "table_size.h"
 
@@ -12,6 +14,7 @@ constexpr double small_side = 0.7;  ///< what is smaller may stand on other thin
 constexpr int seats_at_a_table = 4;
 constexpr int usual_few = 2;
 const Vec3 unknown_size(0.5, 0.5, 0.8);
+const Vec3 small_unknown_size(0.2, 0.2, 0.2);
 
 void become(Mention& mention, const Category& category) {
   mention.category = category.name;
@@ -46,6 +49,35 @@ int usual_number(const Mention& mention, const Brief& brief, const CategoryTable
   return seat && table_there ? seats_at_a_table : usual_few;
 }
 
+// Makes it what stands on tables: a table lamp, a small plant; a fern stays a fern, as small as small
+// plants are. False if there is no such kind.
+bool become_small(Mention& mention, const CategoryTable& table, const KindNames& names) {
+  const Category* kind = table.find(mention.category);
+  for (int i = 0; kind && i < 4; ++i) {
+    for (const char* prefix : {"table ", "small "}) {
+      const Category* small = names.find(prefix + kind->name);
+      if (!small || small->mount != Mount::surface) continue;
+      if (i == 0) {
+        become(mention, *small);
+      } else {
+        mention.mount = Mount::surface;
+        mention.size *= std::min(1.0, (small->size.array() / mention.size.array()).minCoeff());
+        mention.sized = true;
+      }
+      return true;
+    }
+    kind = kind->parent.empty() ? nullptr : table.find(kind->parent);
+  }
+  return false;
+}
+
+// A model railway on a large table.
+bool stands_easily_on(const Mention& mention, const Mention& carrier, const CategoryTable& table) {
+  return mention.size.x() < 0.95 * carrier.size.x() && mention.size.y() < 0.95 * carrier.size.y() &&
+         mention.size.z() <= small_side &&
+         !table.is_any_of(mention.category, {"seat", "table", "storage", "bed"});
+}
+
 // A lamp on a nightstand is a table lamp, a plant on a desk a small one.
 void stand_on_things(Mention& mention, const Brief& brief, const CategoryTable& table,
                      const KindNames& names) {
@@ -55,25 +87,188 @@ void stand_on_things(Mention& mention, const Brief& brief, const CategoryTable& 
       });
   if (on == mention.demands.end()) return;
   const Mention& carrier = brief.mentions[on->mention];
+  const bool lies = table.get(carrier.category).traits.flat;
+  // What is on a rug stands on the floor.
+  if (lies && mention.mount == Mount::surface) mention.mount = Mount::floor;
+  if (!mention.known && !mention.sized) mention.size = small_unknown_size;
   if (mention.mount == Mount::surface) return;
+  if (!lies && become_small(mention, table, names)) return;
   if (mention.mount == Mount::wall || mention.mount == Mount::ceiling) {
     on->kind = RelationKind::above;
     return;
   }
-  const bool lies = table.get(carrier.category).traits.flat;
-  for (const char* prefix : {"table ", "small "})
-    if (const Category* small = names.find(prefix + mention.category); small && !lies) {
-      if (small->mount != Mount::surface) continue;
-      become(mention, *small);
-      return;
-    }
-  if (!lies && std::max(mention.size.x(), mention.size.y()) <= small_side)
+  if (lies) return;
+  if (mention.size.maxCoeff() <= small_side || stands_easily_on(mention, carrier, table))
     mention.mount = Mount::surface;
   else
     on->kind = RelationKind::near;
 }
 
-// Furniture on a rug: the rug comes last and lies under it.
+bool is_beside(RelationKind kind) {
+  return kind == RelationKind::near || kind == RelationKind::side_of ||
+         kind == RelationKind::left_of || kind == RelationKind::right_of ||
+         kind == RelationKind::in_front_of || kind == RelationKind::behind;
+}
+
+bool is_support(const Demand& demand) {
+  return demand.kind == RelationKind::on && demand.mention != Demand::none;
+}
+
+// "a tray with two cups on the table": the tray is on the table, the cups are on the tray.
+void hand_down_supports(Brief& brief) {
+  for (auto& mention : brief.mentions) {
+    auto& demands = mention.demands;
+    const auto listed = std::find_if(demands.begin(), demands.end(), [](const Demand& demand) {
+      return is_support(demand) && demand.listed;
+    });
+    const auto told = std::find_if(demands.begin(), demands.end(), [](const Demand& demand) {
+      return is_support(demand) && !demand.listed;
+    });
+    if (listed == demands.end() || told == demands.end()) continue;
+    Mention& tray = brief.mentions[listed->mention];
+    if (tray.mount != Mount::surface || &tray == &mention || told->mention == listed->mention)
+      continue;
+    listed->listed = false;
+    if (std::none_of(tray.demands.begin(), tray.demands.end(), is_support))
+      tray.demands.insert(tray.demands.begin(), *told);
+    demands.erase(told);
+  }
+}
+
+// What was only heard from a list gives way to what is said of the thing itself.
+void drop_listed_supports(Mention& mention) {
+  const bool told = std::any_of(
+      mention.demands.begin(), mention.demands.end(),
+      [&](const Demand& demand) { return is_support(demand) && !demand.listed; });
+  const auto is_beside_it = [&](const Demand& support) {
+    return std::any_of(mention.demands.begin(), mention.demands.end(), [&](const Demand& demand) {
+      return demand.mention == support.mention && is_beside(demand.kind);
+    });
+  };
+  std::erase_if(mention.demands, [&](const Demand& demand) {
+    return is_support(demand) && demand.listed && (told || is_beside_it(demand));
+  });
+}
+
+// A shelf above a desk hangs on the wall.
+void hang_what_is_above(Mention& mention, const KindNames& names) {
+  if (mention.mount == Mount::floor &&
+      std::any_of(mention.demands.begin(), mention.demands.end(), [](const Demand& demand) {
+        return demand.kind == RelationKind::above && demand.mention != Demand::none;
+      }))
+    hang(mention, Mount::wall, names);
+}
+
+// Wider both ways than what shall carry it?
+bool is_too_large(const Mention& mention, const Mention& carrier) {
+  return mention.size.head<2>().minCoeff() > carrier.size.head<2>().minCoeff();
+}
+
+std::optional<std::size_t> support_of(const Mention& mention) {
+  for (const auto& demand : mention.demands)
+    if (demand.kind == RelationKind::on && demand.mention != Demand::none) return demand.mention;
+  return std::nullopt;
+}
+
+// What is beside a thing on a table is on that table too, and the other way round.
+bool share_support(Brief& brief, std::size_t a, std::size_t b) {
+  for (const auto& [one, other] : {std::pair{a, b}, std::pair{b, a}}) {
+    const auto support = support_of(brief.mentions[other]);
+    Mention& mention = brief.mentions[one];
+    if (!support || *support == one || support_of(mention) || mention.mount != Mount::surface)
+      continue;
+    mention.demands.insert(mention.demands.begin(), {RelationKind::on, *support, "", false});
+    return true;
+  }
+  return false;
+}
+
+void share_supports(Brief& brief) {
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (std::size_t i = 0; i < brief.mentions.size(); ++i) {
+      const auto demands = brief.mentions[i].demands;
+      for (const auto& demand : demands)
+        if (demand.mention != Demand::none && is_beside(demand.kind))
+          changed = share_support(brief, i, demand.mention) || changed;
+    }
+  }
+}
+
+// A fern beside the books on a table is a small one.
+void shrink_beside_small(Brief& brief, const CategoryTable& table, const KindNames& names) {
+  for (auto& mention : brief.mentions) {
+    if (mention.mount != Mount::floor) continue;
+    for (const auto& demand : mention.demands) {
+      if (demand.mention == Demand::none || !is_beside(demand.kind) ||
+          brief.mentions[demand.mention].mount != Mount::surface)
+        continue;
+      become_small(mention, table, names);
+      break;
+    }
+  }
+}
+
+// "The table holds a lamp … and a book": small things of which nothing else is said stand where
+// others of their sentence do, the nearest in the text.
+void support_by_sentence(Brief& brief) {
+  auto& mentions = brief.mentions;
+  for (std::size_t i = 0; i < mentions.size(); ++i) {
+    if (mentions[i].mount != Mount::surface || support_of(mentions[i])) continue;
+    std::optional<std::size_t> nearest;
+    for (std::size_t j = 0; j < mentions.size(); ++j) {
+      if (j == i || mentions[j].sentence != mentions[i].sentence || !support_of(mentions[j]) ||
+          *support_of(mentions[j]) == i ||
+          is_too_large(mentions[i], mentions[*support_of(mentions[j])]))
+        continue;
+      const auto distance = [&](std::size_t k) { return k > i ? k - i : i - k; };
+      if (!nearest || distance(j) < distance(*nearest)) nearest = j;
+    }
+    if (nearest)
+      mentions[i].demands.insert(mentions[i].demands.begin(),
+                                 {RelationKind::on, *support_of(mentions[*nearest]), "", false});
+  }
+}
+
+// "A television on a stand across from the sofa": where the stand stands.
+bool places_on_floor(const Demand& demand, const Brief& brief, std::size_t carrier) {
+  if (demand.kind == RelationKind::on || demand.kind == RelationKind::above ||
+      demand.kind == RelationKind::under)
+    return false;
+  if (demand.mention == Demand::none)
+    return !demand.part.empty() || demand.kind == RelationKind::edge ||
+           demand.kind == RelationKind::corner;
+  return demand.mention != carrier && brief.mentions[demand.mention].mount == Mount::floor;
+}
+
+void lift_to_carriers(Brief& brief) {
+  for (auto& mention : brief.mentions) {
+    const auto support = support_of(mention);
+    if (mention.mount != Mount::surface || !support) continue;
+    Mention& carrier = brief.mentions[*support];
+    if (carrier.mount != Mount::floor) continue;
+    const auto lifted = std::stable_partition(
+        mention.demands.begin(), mention.demands.end(),
+        [&](const Demand& demand) { return !places_on_floor(demand, brief, *support); });
+    // Its own place, where it has one, is what counts.
+    if (carrier.demands.empty()) carrier.demands.assign(lifted, mention.demands.end());
+    mention.demands.erase(lifted, mention.demands.end());
+  }
+}
+
+// Two at one table, or two things on it, are opposite each other without being far apart.
+void calm_opposites(Brief& brief, const CategoryTable& table) {
+  const auto small_or_seat = [&](const Mention& mention) {
+    return mention.mount == Mount::surface || table.is_any_of(mention.category, {"chair", "stool"});
+  };
+  for (auto& mention : brief.mentions)
+    std::erase_if(mention.demands, [&](const Demand& demand) {
+      return demand.kind == RelationKind::far && demand.mention != Demand::none &&
+             small_or_seat(mention) && small_or_seat(brief.mentions[demand.mention]);
+    });
+}
+
+// Furniture on a rug whose place is told stands over it; else the rug comes last and lies under it.
 void lay_rugs(Brief& brief, const CategoryTable& table) {
   for (std::size_t i = 0; i < brief.mentions.size(); ++i)
     for (auto& demand : brief.mentions[i].demands) {
@@ -82,6 +277,8 @@ void lay_rugs(Brief& brief, const CategoryTable& table) {
       if (!table.get(rug.category).traits.flat || table.get(brief.mentions[i].category).traits.flat)
         continue;
       if (demand.kind != RelationKind::near && demand.kind != RelationKind::on) continue;
+      const bool small = brief.mentions[i].size.maxCoeff() <= small_side;
+      if (demand.kind == RelationKind::on && (small || !rug.demands.empty())) continue;
       if (rug.demands.empty()) rug.demands.push_back({RelationKind::under, i, "", false});
       demand = {RelationKind::near, Demand::none, "", false};
     }
@@ -163,26 +360,32 @@ void shape(Mention& mention, const NounPhrase& phrase, const Vocabulary& words,
            phrase.modifiers.end();
   };
   mention.varied = said("different") || said("mismatched") || said("various") || said("assorted");
-  if (said("mounted") || said("wall")) hang(mention, Mount::wall, table, names);
+  if (said("mounted") || said("wall")) hang(mention, Mount::wall, names);
 }
 
-void hang(Mention& mention, Mount where, const CategoryTable& table, const KindNames& names) {
+void hang(Mention& mention, Mount where, const KindNames& names) {
   if (mention.mount == where) return;
-  const std::string prefix = where == Mount::wall ? "wall " : "ceiling ";
-  if (const Category* hanging = names.find(prefix + mention.category);
-      hanging && hanging->mount == where) {
-    become(mention, *hanging);
-    return;
-  }
-  if (mention.mount == Mount::surface ||
-      (where == Mount::ceiling && table.is_a(mention.category, "lamp")))
-    mention.mount = where;
+  for (const char* prefix : {where == Mount::wall ? "wall " : "ceiling ", "hanging "})
+    if (const Category* hanging = names.find(prefix + mention.category);
+        hanging && hanging->mount == where) {
+      become(mention, *hanging);
+      return;
+    }
+  if (mention.mount == Mount::surface || where == Mount::ceiling) mention.mount = where;
 }
 
 void settle(Brief& brief, const CategoryTable& table, const KindNames& names) {
   for (auto& mention : brief.mentions)
     if (mention.quantity == 0) mention.quantity = usual_number(mention, brief, table);
+  hand_down_supports(brief);
+  for (auto& mention : brief.mentions) drop_listed_supports(mention);
+  for (auto& mention : brief.mentions) hang_what_is_above(mention, names);
   for (auto& mention : brief.mentions) stand_on_things(mention, brief, table, names);
+  shrink_beside_small(brief, table, names);
+  share_supports(brief);
+  support_by_sentence(brief);
+  lift_to_carriers(brief);
+  calm_opposites(brief, table);
   lay_rugs(brief, table);
   turn_behind(brief, table);
   // What is asked for is not forbidden.

@@ -13,7 +13,7 @@ void shape(Mention& mention, const NounPhrase& phrase, const Vocabulary& words,
 
 /// Makes a mention one that hangs on a wall or under the ceiling, if such a thing can: a television
 /// becomes a wall tv, a wardrobe "on the wall" stays what it is.
-void hang(Mention& mention, Mount where, const CategoryTable& table, const KindNames& names);
+void hang(Mention& mention, Mount where, const KindNames& names);
 
 /// Ends the reading: numbers of uncounted things, small things for what stands on others, rugs
 /// under what stands on them, "behind" turned into "in front of" where the one behind needs the

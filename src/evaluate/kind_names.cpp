@@ -31,6 +31,11 @@ bool ends_with_words(const std::string& text, const std::string& ending) {
          text[text.size() - ending.size() - 1] == ' ';
 }
 
+// A "console table" is some table.
+bool ends_with_kind(const std::string& kind, const std::string& category) {
+  return ends_with_words(kind, category) && !makes_an_image(words(kind).front());
+}
+
 Json parsed(std::string_view path) {
   auto json = parse_json(resource(path).value_or("{}"), std::string(path));
   return json ? *std::move(json) : Json::object();
@@ -90,6 +95,7 @@ Identity KindNames::identify(const Object& object) const {
     identity.basis = "name of " + asset.library + "/" + asset.id;
   }
   for (auto& word : words(identity.kind)) identity.words.insert(std::move(word));
+  for (const auto& word : words(object.description)) identity.asked.insert(singular(word));
   return identity;
 }
 
@@ -115,6 +121,11 @@ bool KindNames::descends(const std::string& kind, const std::string& category) c
          CategoryTable::built_in().is_a(mine->second, theirs->second);
 }
 
+bool KindNames::is_known(const std::string& category) const {
+  return Vocabulary::built_in().find(category) || shape_kinds_of_.count(category) ||
+         categories_of_.count(category);
+}
+
 int KindNames::rank(const Identity& identity, std::string_view name) const {
   const std::string category = key(name);
   const std::string& kind = identity.kind;
@@ -125,19 +136,21 @@ int KindNames::rank(const Identity& identity, std::string_view name) const {
   // "wooden desk": the words before the kind may only say how it is, or stand in the label.
   const auto pieces = words(category);
   const auto& vocabulary = Vocabulary::built_in();
+  // A table lamp is no floor lamp by being a lamp, but a mere lamp may be one.
+  const bool compound = is_known(category);
   for (std::size_t first = 1; first < pieces.size(); ++first) {
     const bool only_manner =
         std::all_of(pieces.begin(), pieces.begin() + static_cast<std::ptrdiff_t>(first),
                     [&](const std::string& word) {
-                      return vocabulary.is_modifier(word) || identity.words.count(word);
+                      return vocabulary.is_modifier(word) || identity.words.count(word) ||
+                             identity.asked.count(word);
                     });
     if (!only_manner) break;
     const std::string head =
         join({pieces.begin() + static_cast<std::ptrdiff_t>(first), pieces.end()}, " ");
-    if (kind == head || same(kind, head) || descends(kind, head)) return 2;
+    if (kind == head || (!compound && (same(kind, head) || descends(kind, head)))) return 2;
   }
-  if (ends_with_words(kind, category) && !makes_an_image(words(kind).front())) return 1;
-  return 0;
+  return ends_with_kind(kind, category) ? 1 : 0;
 }
 
 std::map<std::string, std::vector<std::size_t>> KindNames::match(

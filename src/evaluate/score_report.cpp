@@ -1,5 +1,6 @@
 #include "roomgen/evaluate/score_report.h"
 
+#include <algorithm>
 #include <functional>
 #include <optional>
 #include <set>
@@ -11,11 +12,12 @@ namespace roomgen {
 namespace {
 
 struct Share {
-  std::size_t held = 0, of = 0;
+  double held = 0.0;  ///< a count, or the sum of shares
+  std::size_t of = 0;
 
   std::optional<double> percent() const {
     if (of == 0) return std::nullopt;
-    return 100.0 * static_cast<double>(held) / static_cast<double>(of);
+    return 100.0 * held / static_cast<double>(of);
   }
 };
 
@@ -24,6 +26,15 @@ Share satisfied(const std::vector<Verdict>& verdicts) {
   share.of = verdicts.size();
   for (const auto& verdict : verdicts) share.held += verdict.satisfied;
   return share;
+}
+
+Share share_of(std::size_t held, std::size_t of) { return {static_cast<double>(held), of}; }
+
+Share unjudged(const std::vector<Verdict>& verdicts) {
+  return share_of(static_cast<std::size_t>(
+                      std::count_if(verdicts.begin(), verdicts.end(),
+                                    [](const Verdict& verdict) { return !verdict.unjudged.empty(); })),
+                  verdicts.size());
 }
 
 struct Measure {
@@ -36,18 +47,28 @@ const std::vector<Measure>& measures() {
   static const std::vector<Measure> all = {
       {"CNT", "counts that hold", [](const RoomScore& s) { return satisfied(s.counts); }},
       {"ATR", "attributes that hold", [](const RoomScore& s) { return satisfied(s.attributes); }},
+      {"ATR unjudged", "attributes that fail because nothing could tell",
+       [](const RoomScore& s) { return unjudged(s.attributes); }},
       {"OOR", "object-object relations that hold",
        [](const RoomScore& s) { return satisfied(s.object_relations); }},
       {"OAR", "object-architecture relations that hold",
        [](const RoomScore& s) { return satisfied(s.room_relations); }},
       {"COL", "objects in collision, rugs included",
-       [](const RoomScore& s) { return Share{s.colliding.size(), s.objects}; }},
+       [](const RoomScore& s) { return share_of(s.colliding.size(), s.objects); }},
       {"COL solids", "solids in collision with another",
-       [](const RoomScore& s) { return Share{s.colliding_solids.size(), s.solids}; }},
+       [](const RoomScore& s) { return share_of(s.colliding_solids.size(), s.solids); }},
       {"COL scenes", "rooms with a collision",
-       [](const RoomScore& s) { return Share{s.colliding.empty() ? 0u : 1u, 1}; }},
+       [](const RoomScore& s) { return share_of(s.colliding.empty() ? 0 : 1, 1); }},
       {"OOB", "objects out of bounds",
-       [](const RoomScore& s) { return Share{s.outside.size(), s.objects}; }},
+       [](const RoomScore& s) { return share_of(s.outside.size(), s.objects); }},
+      {"SUP", "objects that something holds",
+       [](const RoomScore& s) { return share_of(s.objects - s.unsupported.size(), s.objects); }},
+      {"NAV", "free floor that hangs together, mean of the rooms",
+       [](const RoomScore& s) { return Share{s.navigability, 1}; }},
+      {"CLR doors", "doors with nothing before them",
+       [](const RoomScore& s) { return share_of(s.clear_doors, s.doors); }},
+      {"CLR windows", "windows with nothing before them",
+       [](const RoomScore& s) { return share_of(s.clear_windows, s.windows); }},
   };
   return all;
 }
@@ -76,7 +97,7 @@ std::vector<std::string> difficulties(std::span<const RoomScore> scores) {
 }
 
 Json share_json(const Share& share) {
-  Json json = {{"held", share.held}, {"of", share.of}};
+  Json json = {{"held", rounded(share.held, 4)}, {"of", share.of}};
   if (const auto percent = share.percent()) json["percent"] = rounded(*percent, 2);
   return json;
 }
@@ -95,6 +116,7 @@ Json verdicts_json(const std::vector<Verdict>& verdicts) {
                   {"satisfied", verdict.satisfied},
                   {"reason", verdict.reason}};
     if (!verdict.missing.empty()) entry["missing"] = verdict.missing;
+    if (!verdict.unjudged.empty()) entry["unjudged"] = verdict.unjudged;
     json.push_back(std::move(entry));
   }
   return json;
@@ -111,13 +133,16 @@ Json room_json(const RoomScore& score) {
   json["colliding"] = score.colliding;
   json["colliding_solids"] = score.colliding_solids;
   json["outside"] = score.outside;
+  json["unsupported"] = score.unsupported;
+  json["navigability"] = rounded(score.navigability, 4);
+  json["in_the_way"] = score.in_the_way;
   return json;
 }
 
 std::string cell(const Share& share) {
   const auto percent = share.percent();
   if (!percent) return "-";
-  return format_number(*percent, 1) + " % (" + std::to_string(share.held) + "/" +
+  return format_number(*percent, 1) + " % (" + format_number(share.held, 1) + "/" +
          std::to_string(share.of) + ")";
 }
 
@@ -136,6 +161,9 @@ void add_room(std::string& text, const RoomScore& score) {
   for (const auto& [a, b] : score.collisions)
     failures += "- COL " + a + " and " + b + "\n";
   for (const auto& id : score.outside) failures += "- OOB " + id + "\n";
+  for (const auto& id : score.unsupported) failures += "- SUP " + id + "\n";
+  for (const auto& [opening, ids] : score.in_the_way)
+    failures += "- CLR " + opening + ": " + join(ids, ", ") + "\n";
   if (!failures.empty()) text += "\n## " + score.id + "\n\n" + failures;
 }
 

@@ -85,12 +85,13 @@ struct Thing::Impl {
 Thing::Thing(const OrientedBox& box, Mesh mesh) : impl_(std::make_shared<Impl>()) {
   impl_->box = box;
   impl_->mesh = std::move(mesh);
-  impl_->bounds = bounds(impl_->mesh);
+  impl_->bounds = roomgen::bounds(impl_->mesh);
   impl_->centroid = surface_centroid(impl_->mesh);
 }
 
 const OrientedBox& Thing::box() const { return impl_->box; }
 const Mesh& Thing::mesh() const { return impl_->mesh; }
+const Bounds3& Thing::bounds() const { return impl_->bounds; }
 const Vec3& Thing::centroid() const { return impl_->centroid; }
 
 std::optional<double> Thing::ray(const Vec3& origin, const Vec3& direction) const {

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <map>
 #include <set>
 
-#include "asset_looks.h"
 #include "retrieve.h"
+#include "roomgen/evaluate/attributes.h"
 #include "roomgen/evaluate/ledger.h"
 #include "roomgen/library/vocabulary.h"
 #include "roomgen/geometry/free_rectangles.h"
@@ -26,6 +27,16 @@ constexpr std::size_t most_free_parts = 6;
 
 // A yaw this far from the suggested one still follows it.
 constexpr double facing_tolerance = pi / 12;
+
+// The share by which a mesh is stretched or squeezed at most.
+constexpr double most_stretch = 0.12;
+
+// Small things: how small they get at most, and by how much with each refusal; the share of a surface
+// that they take; after how many refusals they go elsewhere.
+constexpr double least_shrink = 0.6;
+constexpr double shrink_step = 0.9;
+constexpr double fit_margin = 0.96;
+constexpr std::size_t patience_with_support = 2;
 
 using Clock = std::chrono::steady_clock;
 
@@ -197,7 +208,8 @@ class Generator {
         attempt["answer"] = advice_json(*advice);
         if (Json asked = consultation_json(advice->consultation); !asked.is_null())
           attempt["model"] = std::move(asked);
-        if (auto status = apply(*advice, planned, *task); !status) return status.error().message;
+        if (auto status = apply(*advice, planned, refusals.size(), *task); !status)
+          return status.error().message;
         auto placed = place(layout_, *task, {}, options_.place, random_);
         if (!first) first = *task;
         if (placed) {
@@ -249,12 +261,15 @@ class Generator {
   }
 
   // The advice decides what carries the object or what it hangs above, and so its height.
-  Status apply(const PlaceAdvice& advice, const PlannedObject& planned, PlacementTask& task) const {
+  Status apply(const PlaceAdvice& advice, const PlannedObject& planned, std::size_t refused,
+               PlacementTask& task) const {
     Object& object = task.object;
     object.relations = advice.relations;
+    task.wishes = put_wishes_first(plan_.items[planned.item], object.relations);
     task.location = advice.location;
     task.facing = advice.yaw;
-    if (object.mount == Mount::surface) return put_on_support(plan_.items[planned.item], object);
+    if (object.mount == Mount::surface)
+      return put_on_support(plan_.items[planned.item], refused, object);
     if (object.mount != Mount::wall) return {};
     for (const auto& relation : advice.relations) {
       const Object* target = layout_.find(relation.target);
@@ -264,6 +279,28 @@ class Generator {
           std::min(highest, std::max(object.position.z(), top(*target) + gap_above));
     }
     return {};
+  }
+
+  // What the plan asks for, before what the designer adds; how many they are.
+  static int put_wishes_first(const PlanItem& item, std::vector<Relation>& relations) {
+    const auto end = std::stable_partition(
+        relations.begin(), relations.end(), [&](const Relation& relation) {
+          return std::find(item.relations.begin(), item.relations.end(), relation) !=
+                 item.relations.end();
+        });
+    return item.asked ? static_cast<int>(end - relations.begin()) : 0;
+  }
+
+  // Width and depth of furniture come as near to what was planned as a mesh can be stretched without
+  // showing it.
+  static Vec3 fitted_size(const AssetInfo& asset, const PlanItem& item, const Category& category) {
+    Vec3 size = asset.size;
+    if (item.mount != Mount::floor || asset.ref.procedural) return size;
+    const Vec3 wanted = item.size.value_or(category.size);
+    Vec2 factor = wanted.head<2>().cwiseQuotient(size.head<2>());
+    if (asset.round) factor.setConstant(factor.mean());
+    size.head<2>().array() *= factor.array().max(1.0 - most_stretch).min(1.0 + most_stretch);
+    return size;
   }
 
   // The object as the asset makes it, with its mounting height.
@@ -282,10 +319,11 @@ class Generator {
     object.traits = category.traits;
     object.traits.front = category.traits.front && asset.has_front;
     object.traits.round = asset.round;
-    object.size = asset.size;
+    object.size = fitted_size(asset, item, category);
     object.mount = item.mount;
     object.relations = item.relations;
     task.location = item.location;
+    task.asked = item.asked;
     set_height(category, asset, object);
     return task;
   }
@@ -295,31 +333,56 @@ class Generator {
     const double room_left = plan_.room.height - object.size.z();
     if (object.mount == Mount::ceiling) object.position.z() = room_left;
     if (object.mount == Mount::wall) {
-      const double usual = asset.elevation > 0 ? asset.elevation : category.elevation;
+      const double usual = category.elevation > 0 ? category.elevation : asset.elevation;
       object.position.z() = std::clamp(usual, 0.0, std::max(0.0, room_left - 0.05));
     }
   }
 
-  Status put_on_support(const PlanItem& item, Object& object) const {
+  Status put_on_support(const PlanItem& item, std::size_t refused, Object& object) const {
     const Object* support = nullptr;
     for (const auto& relation : object.relations)
       if (relation.kind == RelationKind::on && !support) support = layout_.find(relation.target);
+    // What finds no place where it was asked for stands on something else rather than nowhere.
+    if (support && item.asked && refused >= patience_with_support) support = nullptr;
     if (!support) support = find_support(item.on, object);
     if (!support)
       return Error{Error::Kind::not_found,
                    "nothing in the room can carry it" +
                        (item.on.empty() ? std::string() : " (wanted: " + item.on + ")")};
     object.on = support->id;
+    if (item.asked) object.size *= shrink_factor(object, *support, refused);
     return {};
+  }
+
+  // A cushion comes in many sizes: what is asked for is made to fit what carries it, within limits.
+  double shrink_factor(const Object& object, const Object& support, std::size_t refused) const {
+    double fit = 0.0;
+    for (const auto& surface : layout_.perches().surfaces(support)) {
+      const Vec2 room = surface.box().size();
+      for (const Vec2& side : {Vec2(object.size.x(), object.size.y()),
+                               Vec2(object.size.y(), object.size.x())})
+        fit = std::max(fit, room.cwiseQuotient(side).minCoeff());
+    }
+    const double factor = std::min(1.0, fit_margin * fit) * std::pow(shrink_step, refused);
+    return std::max(factor, least_shrink);
   }
 
   // The placed thing of the wanted kind, or else a table or cabinet, with the most free places; if
   // all are full, the one that could carry it, which then says why it does not.
   const Object* find_support(const std::string& wanted, const Object& object) const {
+    const Object* usual = find_support(object, [&](const Object& other) {
+      return other.id == wanted || could_carry(other.category, wanted);
+    });
+    if (usual || !wanted.empty()) return usual;
+    return find_support(object, [](const Object&) { return true; });
+  }
+
+  template <typename Test>
+  const Object* find_support(const Object& object, Test could_carry) const {
     const Object* best = nullptr;
     std::size_t best_room = 0;
     for (const auto& other : layout_.objects()) {
-      if (other.id != wanted && !could_carry(other.category, wanted)) continue;
+      if (!could_carry(other)) continue;
       if (layout_.perches().surfaces(other).empty()) continue;
       const std::size_t room = layout_.free_perches(object, other).size();
       if (!best || room > best_room) best = &other, best_room = room;
@@ -401,7 +464,8 @@ class Generator {
     }
     scene.requirements = check_requirements(
         plan_.requirements, scene, categories_, [&](const Object& object, const std::string& word) {
-          return looks_like(assets_.at(object.id), word) ? std::string() : "is not known to be " + word;
+          const auto verdict = judge_attribute(known_looks(object, result_.models), word);
+          return verdict.held ? std::string() : "is not known to be " + word + ": " + verdict.reason;
         });
     for (const auto& task : tasks_)
       result_.constraints += static_cast<int>(task.object.relations.size());

@@ -1,10 +1,10 @@
 #include "roomgen/library/looks.h"
 
 #include <algorithm>
-#include <map>
 #include <set>
 
 #include "roomgen/base/text.h"
+#include "roomgen/library/attribute_words.h"
 
 namespace roomgen {
 
@@ -16,51 +16,40 @@ using Words = std::set<std::string, std::less<>>;
 constexpr double most_off = 1.3;
 constexpr double least_said = 0.05;  // metres: thinner than this, thickness is nobody's wish
 
-// The names that catalogues give to colours, by the family of the word that asks for one.
-const std::map<std::string, Words, std::less<>>& colors_by_family() {
-  static const std::map<std::string, Words, std::less<>> colors = {
-      {"white", {"white", "beige"}}, {"grey", {"grey"}},     {"black", {"black"}},
-      {"brown", {"brown", "orange"}}, {"beige", {"beige"}},  {"red", {"red"}},
-      {"orange", {"orange", "brown"}}, {"yellow", {"yellow"}}, {"green", {"green"}},
-      {"blue", {"blue"}},             {"purple", {"purple"}}, {"pink", {"pink"}},
-      // Materials that are seldom painted show their own.
-      {"wood", {"brown", "beige", "orange", "yellow"}},
-      {"bamboo", {"brown", "beige", "orange", "yellow"}},
-      {"rattan", {"brown", "beige", "orange", "yellow"}},
-      {"brass", {"yellow", "brown", "orange", "beige"}},
-      {"chrome", {"grey", "white", "black"}},
-      {"leather", {"brown", "black", "beige", "white", "grey", "red", "orange"}}};
+constexpr std::size_t most_colors = 7;  // a word that leaves more open tells nothing of colour
+
+bool tells_color(const AttributeMeaning& meaning) {
+  return !meaning.colors.empty() && meaning.colors.size() <= most_colors;
+}
+
+Words colors_of(const std::vector<std::string>& phrases) {
+  Words colors;
+  for (const auto& phrase : phrases) {
+    const auto* meaning = AttributeWords::built_in().find(phrase);
+    if (meaning && tells_color(*meaning)) colors.insert(meaning->colors.begin(), meaning->colors.end());
+  }
   return colors;
 }
 
-const Words material_families = {"wood", "metal", "chrome",  "brass",   "glass", "leather", "fabric",
-                                 "plastic", "stone", "rattan", "ceramic", "bamboo"};
-
-// Gold and mustard are brownish in a picture.
-Words colors_of(const std::string& word, const Vocabulary& vocabulary) {
-  static const Words golden = {"gold", "golden", "mustard", "copper", "terracotta", "brass", "bronze"};
-  if (golden.count(word)) return {"yellow", "brown", "orange", "beige"};
-  if (word == "silver") return {"grey", "white"};
-  const auto found = colors_by_family().find(vocabulary.family_name(word));
-  return found == colors_by_family().end() ? Words{} : found->second;
+// What is seen first has another colour.
+bool contradicts_color(const AssetInfo& asset, const std::vector<std::string>& wanted) {
+  const Words accepted = colors_of(wanted);
+  return !accepted.empty() && !asset.colors.empty() && !accepted.count(asset.colors.front());
 }
 
-bool has_any(const std::vector<std::string>& colors, const Words& accepted) {
-  return std::any_of(colors.begin(), colors.end(),
-                     [&](const std::string& color) { return accepted.count(color) > 0; });
+// No main colour is one that the material has: legs of oak may carry a white top.
+bool contradicts_natural_color(const AssetInfo& asset, const std::vector<std::string>& materials) {
+  const Words accepted = colors_of(materials);
+  return !accepted.empty() && !asset.colors.empty() &&
+         std::none_of(asset.colors.begin(), asset.colors.end(),
+                      [&](const std::string& color) { return accepted.count(color) > 0; });
 }
 
-bool contradicts_color(const AssetInfo& asset, const std::vector<std::string>& wanted,
-                       const Vocabulary& vocabulary) {
-  Words accepted;
-  for (const auto& word : wanted) accepted.merge(colors_of(word, vocabulary));
-  return !accepted.empty() && !asset.colors.empty() && !has_any(asset.colors, accepted);
-}
-
-bool names_other_material(const AssetInfo& asset, const Vocabulary& vocabulary) {
+bool names_other_material(const AssetInfo& asset) {
   const auto told = words(asset.name + " " + join(asset.tags, " "));
   return std::any_of(told.begin(), told.end(), [&](const std::string& word) {
-    return material_families.count(vocabulary.family_name(word)) > 0;
+    const auto* meaning = AttributeWords::built_in().find(word);
+    return meaning && !meaning->materials.empty();
   });
 }
 
@@ -81,31 +70,38 @@ bool any_far_off(const Vec3& have, const Vec3& want) {
 
 }  // namespace
 
-WantedLooks wanted_looks(const std::vector<std::string>& words, const Vocabulary& vocabulary) {
+WantedLooks wanted_looks(const std::vector<std::string>& words) {
+  const auto& table = AttributeWords::built_in();
   WantedLooks wanted;
-  for (const auto& word : words) {
-    const std::string family = vocabulary.family_name(word);
-    if (material_families.count(family)) wanted.materials.push_back(word);
-    else if (colors_by_family().count(family)) wanted.colors.push_back(word);
-    else if (word == "round" || word == "circular" || word == "oval")
-      wanted.outline = WantedLooks::Outline::round;
-    else if (word == "square" || word == "rectangular")
-      wanted.outline = WantedLooks::Outline::angular;
+  for (const auto& phrase : table.phrases(words)) {
+    const AttributeMeaning* meaning = table.find(phrase);
+    if (!meaning) continue;
+    const auto has = [&](const char* outline) {
+      return std::find(meaning->outlines.begin(), meaning->outlines.end(), outline) !=
+             meaning->outlines.end();
+    };
+    if (!meaning->materials.empty()) wanted.materials.push_back(phrase);
+    else if (!meaning->colors.empty()) wanted.colors.push_back(phrase);
+    else if (has("round")) wanted.outline = WantedLooks::Outline::round;
+    else if (has("square")) wanted.outline = WantedLooks::Outline::angular;
   }
   return wanted;
 }
 
 bool contradicts(const AssetInfo& asset, const WantedLooks& wanted, const Vocabulary& vocabulary,
                  const std::function<bool(const std::string&)>& says) {
-  const auto said = [&](const std::vector<std::string>& words) {
-    return std::any_of(words.begin(), words.end(), says);
+  const auto said = [&](const std::vector<std::string>& phrases) {
+    return std::any_of(phrases.begin(), phrases.end(), [&](const std::string& phrase) {
+      const auto pieces = words(phrase);
+      return std::all_of(pieces.begin(), pieces.end(), says);
+    });
   };
   if (contradicts_outline(asset, wanted.outline, vocabulary)) return true;
-  if (!said(wanted.colors) && contradicts_color(asset, wanted.colors, vocabulary)) return true;
-  if (wanted.materials.empty() || said(wanted.materials)) return false;
-  if (names_other_material(asset, vocabulary)) return true;
+  if (contradicts_color(asset, wanted.colors)) return true;
+  if (wanted.materials.empty()) return false;
   // Painted wood is asked for by its colour.
-  return wanted.colors.empty() && contradicts_color(asset, wanted.materials, vocabulary);
+  if (wanted.colors.empty() && contradicts_natural_color(asset, wanted.materials)) return true;
+  return !said(wanted.materials) && names_other_material(asset);
 }
 
 bool contradicts_size(const AssetInfo& asset, const Vec3& wanted) {

@@ -242,6 +242,18 @@ AlignAxis align_axis(const Object& object, const std::string& target) {
   return AlignAxis::either;
 }
 
+// What is near a thing and not at a side of it leaves a gap: who means "beside" says so.
+constexpr double near_gap_low = 0.25;
+constexpr double near_gap_high = 0.7;
+
+bool is_merely_near(const Object& object, const Relation& relation) {
+  if (relation.kind != RelationKind::near) return false;
+  return std::none_of(object.relations.begin(), object.relations.end(), [&](const Relation& other) {
+    return other.target == relation.target && other.kind != RelationKind::near &&
+           other.kind != RelationKind::face_to;
+  });
+}
+
 // The range that either of the two prefers for the other.
 void set_preferred_gap(ResolvedRelation& resolved, const Category& own, const Category& other) {
   for (const auto* pair : {&own, &other}) {
@@ -276,6 +288,10 @@ std::vector<ResolvedRelation> resolve(const Object& object, const Room& room,
     resolved.kind = relation.kind;
     resolved.target_top = room.height;
     resolved.axis = align_axis(object, relation.target);
+    if (is_merely_near(object, relation)) {
+      resolved.gap_low = near_gap_low;
+      resolved.gap_high = near_gap_high;
+    }
     const auto target = std::find_if(placed.begin(), placed.end(), [&](const Object& other) {
       return other.id == relation.target;
     });

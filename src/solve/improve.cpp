@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 #include <set>
+#include <tuple>
 
 #include "arrange.h"
 #include "propose.h"
@@ -17,6 +18,8 @@ constexpr double degree_gain = 1e-6;
 constexpr double eject_pitch = 0.3;
 // Rounds without gain before a new start.
 constexpr int patience = 12;
+// Rounds for one object before its wishes are given up.
+constexpr int most_vain_tries = 4;
 
 int constraints_of(const PlacementTask& task) {
   return static_cast<int>(task.object.relations.size());
@@ -28,13 +31,31 @@ int constraint_count(const std::vector<PlacementTask>& tasks) {
   return count;
 }
 
-int held_by(const Layout& layout, const Object& object) {
-  const auto relations = resolve(object, layout.room(), layout.objects(), layout.categories());
+int count_held(std::span<const ResolvedRelation> relations, const Object& object,
+               const Room& room) {
   const Subject subject{footprint(object), bottom(object), top(object)};
   return static_cast<int>(
       std::count_if(relations.begin(), relations.end(), [&](const ResolvedRelation& relation) {
-        return judge(relation, subject, layout.room()).held;
+        return judge(relation, subject, room).held;
       }));
+}
+
+int held_by(const Layout& layout, const Object& object) {
+  return count_held(resolve(object, layout.room(), layout.objects(), layout.categories()), object,
+                    layout.room());
+}
+
+int wishes_held(const ProposalContext& context, const Object& object) {
+  const auto wishes = std::min(static_cast<std::size_t>(context.task.wishes),
+                               context.relations.size());
+  return count_held(std::span(context.relations).first(wishes), object, context.layout.room());
+}
+
+// Its wishes alone, without what its kind usually likes.
+PlacementTask with_wishes_only(PlacementTask task) {
+  task.object.relations.resize(
+      std::min(static_cast<std::size_t>(task.wishes), task.object.relations.size()));
+  return task;
 }
 
 class Search {
@@ -50,8 +71,11 @@ class Search {
     for (; round < options_.rounds && !options_.cancel.cancelled(); ++round) {
       if (best.quality.placed == static_cast<int>(tasks_.size()) && best.quality.held == wanted)
         break;
+      if (has_wishes_ && is_hopeless()) break;
       const bool start_anew = barren >= patience;
-      lost_allowed_ = start_anew ? wanted : wanted - current.quality.held;
+      // For a wish any number of habits may go.
+      lost_allowed_ =
+          start_anew || !wishes_fulfilled() ? wanted : wanted - current.quality.held;
       if (start_anew)
         put_elsewhere(everything(), 7);
       else if (round % 2 == 0)
@@ -59,8 +83,9 @@ class Search {
       else
         put_elsewhere(choose_ruin(), 1);
       const LayoutQuality now = quality(layout_, tasks_);
-      const bool gained = now.placed > current.quality.placed || now.held > current.quality.held;
+      const bool gained = !current.quality.as_good_as(now);
       barren = start_anew || gained ? 0 : barren + 1;
+      if (!gained && !start_anew) ++vain_tries_[chosen_];
       // Sideways steps lead out of dead ends, and so does a new start, however it ends.
       if (start_anew || now.as_good_as(current.quality))
         current = state();
@@ -108,6 +133,36 @@ class Search {
     return !placed || held_by(layout_, *placed) < static_cast<int>(task.object.relations.size());
   }
 
+  bool lacks_wishes(const PlacementTask& task) const {
+    if (!task.asked && task.wishes == 0) return false;
+    const Object* placed = layout_.find(task.object.id);
+    if (!placed) return task.asked;
+    Object wishful = *placed;
+    wishful.relations = with_wishes_only(task).object.relations;
+    return held_by(layout_, wishful) < static_cast<int>(wishful.relations.size());
+  }
+
+  // Worth another try: some wishes contradict each other.
+  bool may_gain_wishes(const PlacementTask& task) const {
+    return !is_given_up(task.object.id) && lacks_wishes(task);
+  }
+
+  bool is_given_up(const std::string& id) const {
+    const auto tries = vain_tries_.find(id);
+    return tries != vain_tries_.end() && tries->second >= most_vain_tries;
+  }
+
+  bool wishes_fulfilled() const {
+    return std::none_of(tasks_.begin(), tasks_.end(),
+                        [this](const PlacementTask& task) { return may_gain_wishes(task); });
+  }
+
+  bool is_hopeless() const {
+    return std::all_of(tasks_.begin(), tasks_.end(), [this](const PlacementTask& task) {
+      return !is_troubled(task) || is_given_up(task.object.id);
+    });
+  }
+
   bool is_fixed(const std::string& id) const {
     const Object* placed = layout_.find(id);
     return placed && placed->locked;
@@ -143,11 +198,22 @@ class Search {
     }
   }
 
-  const PlacementTask& choose_troubled() {
-    std::vector<const PlacementTask*> troubled;
+  template <typename Test>
+  std::vector<const PlacementTask*> movable_that(Test test) const {
+    std::vector<const PlacementTask*> found;
     for (const auto& task : tasks_)
-      if (is_troubled(task) && !is_fixed(task.object.id)) troubled.push_back(&task);
-    return troubled.empty() ? random_.pick(tasks_) : *random_.pick(troubled);
+      if (!is_fixed(task.object.id) && test(task)) found.push_back(&task);
+    return found;
+  }
+
+  // Those whose wishes are not fulfilled come first, mostly.
+  const PlacementTask& choose_troubled() {
+    auto troubled = movable_that([this](const auto& task) { return may_gain_wishes(task); });
+    if (troubled.empty() || !random_.chance(0.7))
+      troubled = movable_that([this](const auto& task) { return is_troubled(task); });
+    const PlacementTask& chosen = troubled.empty() ? random_.pick(tasks_) : *random_.pick(troubled);
+    chosen_ = chosen.object.id;
+    return chosen;
   }
 
   // Gives a troubled object a pose where all its constraints hold, whoever stands there: those are
@@ -155,8 +221,9 @@ class Search {
   void eject() {
     const PlacementTask& task = choose_troubled();
     if (is_fixed(task.object.id)) return;
+    const bool for_wishes = lacks_wishes(task) && random_.chance(0.5);
     layout_.remove(task.object.id);
-    const auto pose = pose_with_least_in_the_way(task);
+    const auto pose = pose_with_least_in_the_way(for_wishes ? with_wishes_only(task) : task);
     std::set<std::string> ruin = {task.object.id};
     if (pose)
       for (const auto& id : in_the_way(task, *pose)) ruin.insert(id);
@@ -184,6 +251,15 @@ class Search {
     return ids;
   }
 
+  // What was asked for is harder to put elsewhere, since it may not be left out.
+  double burden_of(const std::vector<std::string>& ids) const {
+    double burden = 0.0;
+    for (const auto& task : tasks_)
+      if (std::find(ids.begin(), ids.end(), task.object.id) != ids.end())
+        burden += task.asked ? 2.0 : 1.0;
+    return burden;
+  }
+
   std::optional<Pose> pose_with_least_in_the_way(const PlacementTask& task) {
     const auto context = make_context(
         layout_, task,
@@ -204,7 +280,7 @@ class Search {
       const auto blockers = in_the_way(task, pose);
       const bool fixed = std::any_of(blockers.begin(), blockers.end(),
                                      [this](const std::string& id) { return is_fixed(id); });
-      const double cost = static_cast<double>(blockers.size()) + 1.5 * random_.uniform();
+      const double cost = burden_of(blockers) + 1.5 * random_.uniform();
       if (!fixed && cost < best_cost) best = pose, best_cost = cost;
     }
     return best;
@@ -263,8 +339,17 @@ class Search {
   std::map<std::string, std::string>& reasons_;
   const ImproveOptions& options_;
   Random& random_;
+  bool has_wishes_ = std::any_of(tasks_.begin(), tasks_.end(), [](const PlacementTask& task) {
+    return task.asked || task.wishes > 0;
+  });
+  std::string chosen_;                     ///< the troubled object of this round
+  std::map<std::string, int> vain_tries_;  ///< rounds that gained nothing, by object
   int lost_allowed_ = 0;  ///< a round that loses more constraints is given up
 };
+
+std::tuple<int, int, int, int> counts(const LayoutQuality& quality) {
+  return {quality.asked, quality.wishes, quality.placed, quality.held};
+}
 
 // The task and those that depend on it.
 std::vector<PlacementTask> with_dependants(const PlacementTask& task,
@@ -278,12 +363,11 @@ std::vector<PlacementTask> with_dependants(const PlacementTask& task,
 }  // namespace
 
 bool LayoutQuality::as_good_as(const LayoutQuality& other) const {
-  return placed > other.placed || (placed == other.placed && held >= other.held);
+  return counts(*this) >= counts(other);
 }
 
 bool LayoutQuality::better_than(const LayoutQuality& other) const {
-  if (placed != other.placed) return placed > other.placed;
-  if (held != other.held) return held > other.held;
+  if (counts(*this) != counts(other)) return counts(*this) > counts(other);
   return degree > other.degree + degree_gain;
 }
 
@@ -296,6 +380,8 @@ LayoutQuality quality(const Layout& layout, const std::vector<PlacementTask>& ta
         layout, task, resolve(*object, layout.room(), layout.objects(), layout.categories()),
         count_around(task.object, layout.objects()));
     const auto terms = score(context, footprint(*object), bottom(*object));
+    result.asked += task.asked ? 1 : 0;
+    result.wishes += wishes_held(context, *object);
     ++result.placed;
     result.held += terms.held;
     result.degree += total_degree(terms);

@@ -13,13 +13,15 @@ constexpr double high_furniture = 1.15;   // whose top is not where its things a
 constexpr double hand_low = 0.35, hand_high = 1.5;
 constexpr double seat_reach = 0.45;       // of a chair from its table
 
-// What a surface is worth: of low furniture the top, of high furniture what hands and eyes reach.
-double level_degree(const SupportSurface& surface, double base, double height, double most_area) {
+// What a surface is worth: of low furniture the top, of high furniture what hands and eyes reach; of
+// shelves the boards.
+double level_degree(const SupportSurface& surface, double base, double height, double most_area,
+                    bool shelves) {
   const double at = base + surface.height;
   const double area = std::min(1.0, surface.area / (0.6 * most_area));
   if (base + height < high_furniture) {
     const bool covered = surface.clearance != SupportSurface::open;
-    return area * (covered ? 0.4 : 1.0);
+    return area * (covered == shelves ? 1.0 : 0.4);
   }
   const double off = std::max({0.0, hand_low - at, at - hand_high});
   return area * std::clamp(1.0 - 1.5 * off, 0.1, 1.0);
@@ -69,8 +71,10 @@ double rest_degree(const ProposalContext& context, const Footprint& footprint, d
   const auto& surfaces = context.layout.perches().surfaces(*support);
   if (surfaces.empty()) return 0.0;
   const double base = roomgen::bottom(*support);
+  const bool shelves =
+      context.layout.categories().is_any_of(support->category, {"bookshelf", "shelf"});
   const auto worth = [&](const SupportSurface& surface) {
-    return level_degree(surface, base, support->size.z(), surfaces.front().area);
+    return level_degree(surface, base, support->size.z(), surfaces.front().area, shelves);
   };
   double best = 1e-6;
   for (const auto& surface : surfaces) best = std::max(best, worth(surface));

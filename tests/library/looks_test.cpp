@@ -18,7 +18,7 @@ AssetInfo asset(const std::string& category, std::vector<std::string> colors) {
 }
 
 bool contradicts(const AssetInfo& info, const std::vector<std::string>& words) {
-  return contradicts(info, wanted_looks(words, vocabulary()), vocabulary(),
+  return contradicts(info, wanted_looks(words), vocabulary(),
                      [](const std::string&) { return false; });
 }
 
@@ -26,9 +26,16 @@ bool contradicts(const AssetInfo& info, const std::vector<std::string>& words) {
 
 TEST_CASE("A sofa of another colour is not the red one that was asked for") {
   CHECK(contradicts(asset("sofa", {"blue", "brown"}), {"red", "velvet"}));
-  CHECK_FALSE(contradicts(asset("sofa", {"brown", "red"}), {"red"}));
+  CHECK_FALSE(contradicts(asset("sofa", {"red", "brown"}), {"red"}));
   CHECK_FALSE(contradicts(asset("sofa", {"white"}), {"cream"}));
   CHECK_FALSE(contradicts(asset("sofa", {"blue"}), {"comfortable"}));
+}
+
+TEST_CASE("The largest colour decides, and phrases of colour are read as one") {
+  CHECK(contradicts(asset("desk", {"white", "black"}), {"black"}));
+  CHECK_FALSE(contradicts(asset("desk", {"black", "white"}), {"black"}));
+  CHECK(contradicts(asset("desk", {"blue"}), {"wine", "red"}));
+  CHECK_FALSE(contradicts(asset("desk", {"purple"}), {"wine", "red"}));
 }
 
 TEST_CASE("Of what is not known nothing contradicts") {
@@ -47,10 +54,14 @@ TEST_CASE("A material is contradicted by another one's name, and wood by a colou
   CHECK_FALSE(contradicts(asset("coffee table", {"white"}), {"white", "wooden"}));
 }
 
-TEST_CASE("What an asset's own texts say is believed") {
-  const auto says_red = [](const std::string& word) { return word == "red"; };
-  CHECK_FALSE(contradicts(asset("sofa", {"brown"}), wanted_looks({"red"}, vocabulary()), vocabulary(),
-                          says_red));
+TEST_CASE("Texts are believed of materials, but not against a colour that was measured") {
+  const auto says_all = [](const std::string&) { return true; };
+  CHECK(contradicts(asset("desk", {"white"}), wanted_looks({"black"}), vocabulary(), says_all));
+  CHECK(contradicts(asset("desk", {"beige"}), wanted_looks({"mahogany"}), vocabulary(), says_all));
+  AssetInfo both = asset("coffee table", {"brown", "grey"});
+  both.tags = {"glass"};
+  CHECK(contradicts(both, {"oak"}));
+  CHECK_FALSE(contradicts(both, wanted_looks({"oak"}), vocabulary(), says_all));
 }
 
 TEST_CASE("A round table is asked for, or a square one") {

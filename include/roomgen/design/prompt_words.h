@@ -21,6 +21,9 @@ struct Placement {
   std::vector<RelationKind> relations;
   bool flank = false;    ///< one on each side
   bool pronoun = false;  ///< names its target itself: "to its left"
+  bool adverb = false;   ///< may do without a target: "a chair nearby"
+  bool centered = false;  ///< of a room: in its middle
+  bool mutual = false;   ///< of things to each other: "side by side"
   bool inverse = false;  ///< said of the target: "a sofa flanked by two lamps"
 };
 
@@ -32,6 +35,9 @@ struct Vocabulary {
   std::map<std::string, std::string, std::less<>> room_parts;
   std::map<std::string, Placement, std::less<>> placements;
   WordSet pairs;  ///< one thing though a plural: "headphones", "a pair of scissors"
+  WordSet verbs;         ///< finite: what stands before begins a clause
+  WordSet plural_verbs;  ///< said of all that were listed
+  WordSet tops;          ///< "the countertop": of what was spoken of
   WordSet vague, definite, pronouns, negations, only, measured, stops, parts, no_things, materials,
       people_words, room_words, generic_rooms;
 };

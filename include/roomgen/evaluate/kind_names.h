@@ -15,6 +15,7 @@ namespace roomgen {
 struct Identity {
   std::string kind;             ///< "dining chair"
   std::set<std::string> words;  ///< of the kind and of the mesh's label, in the singular
+  std::set<std::string> asked;  ///< of what it was made or chosen for: they name, they prove nothing
   std::string basis;            ///< "label of Scopia/chair", "recipe kind"
 };
 
@@ -27,7 +28,7 @@ class KindNames {
   Identity identify(const Object& object) const;
   /// How well a thing of this identity is what the category names; 0 is not at all. 5: the same
   /// name, 4: another name of the same kind, 3: a kind of it, 2: it by all but words that say how a
-  /// thing is ("wooden desk"), 1: a compound of it ("lava lamp" for "lamp").
+  /// thing is ("wooden desk") or for which it was chosen (a plate for "sushi plate"), or merely without the rest of its name (a lamp for "floor lamp"), 1: a compound of it ("lava lamp" for "lamp").
   int rank(const Identity& identity, std::string_view category) const;
 
   /// Which objects are which category, by index. An object is one category at most: the one of the
@@ -37,6 +38,7 @@ class KindNames {
 
  private:
   KindNames();
+  bool is_known(const std::string& category) const;
   bool same(const std::string& kind, const std::string& category) const;
   bool descends(const std::string& kind, const std::string& category) const;
 

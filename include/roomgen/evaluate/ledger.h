@@ -11,7 +11,7 @@
 
 namespace roomgen {
 
-/// Says whether a thing has an attribute: nothing if it has, else why not.
+/// Says whether a thing has an attribute (attributes.h): nothing if it has, else why not.
 using AttributeJudge = std::function<std::string(const Object& object, const std::string& attribute)>;
 
 /// Checks every clause on the finished scene. Counts are of all things of the category (those of

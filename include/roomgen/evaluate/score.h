@@ -16,6 +16,7 @@ struct Verdict {
   bool satisfied = false;
   std::string reason;   ///< "2 in the scene", "no lamp"
   std::string missing;  ///< the category for want of which it fails; may be empty
+  std::vector<std::string> unjudged;  ///< attributes that nothing known of a thing could tell
 };
 
 /// How a scene meets the requirements of its description, measure by measure, after SceneEval
@@ -28,6 +29,11 @@ struct RoomScore {
   std::vector<std::string> colliding;         ///< ids, rugs included, as SceneEval counts
   std::vector<std::string> colliding_solids;  ///< in collision with another solid
   std::vector<std::string> outside;
+  std::vector<std::string> unsupported;  ///< ids: held by nothing, or out of balance
+  double navigability = 0.0;  ///< the share of the free floor that hangs together
+  std::size_t doors = 0, clear_doors = 0;      ///< passages are doors
+  std::size_t windows = 0, clear_windows = 0;  ///< clear: nothing stands before it
+  std::map<std::string, std::vector<std::string>> in_the_way;  ///< what stands before an opening; ids
   std::map<std::string, std::vector<std::string>> matched;  ///< category to ids
 };
 

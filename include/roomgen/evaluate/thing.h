@@ -20,6 +20,7 @@ class Thing {
 
   const OrientedBox& box() const;
   const Mesh& mesh() const;
+  const Bounds3& bounds() const;
   /// Area-weighted mean of the surface.
   const Vec3& centroid() const;
   /// Distance along the ray to the first triangle it meets, not behind the origin.

@@ -12,17 +12,18 @@ namespace roomgen {
 /// What words say of looks that can be held against what is known of a mesh.
 struct WantedLooks {
   enum class Outline { any, round, angular };
-  std::vector<std::string> colors;     ///< "navy"
+  std::vector<std::string> colors;     ///< "navy blue", as AttributeWords has them
   std::vector<std::string> materials;  ///< "oak"
   Outline outline = Outline::any;
 };
 
-/// Of single words in lower case.
-WantedLooks wanted_looks(const std::vector<std::string>& words, const Vocabulary& vocabulary);
+/// Of single words in lower case, in the order in which they were said.
+WantedLooks wanted_looks(const std::vector<std::string>& words);
 
-/// Does the asset look otherwise than wanted? Only what is known can disagree: its main colours, the
-/// materials that its name and tags tell, its outline. `says` tells whether the asset's own texts have a
-/// word or one of its family; what they say is believed.
+/// Does the asset look otherwise than wanted? Only what is known can disagree: its outline, its largest
+/// colour, whether any main colour is one of the material, the materials that its name and tags tell.
+/// What was measured counts before texts: meshes are called after colours that they do not show. `says`
+/// tells whether the asset's own texts have a word or one of its family; it is believed of materials.
 bool contradicts(const AssetInfo& asset, const WantedLooks& wanted, const Vocabulary& vocabulary,
                  const std::function<bool(const std::string&)>& says);
 

@@ -17,6 +17,8 @@ struct PlacementTask {
   Object object;                 ///< position and yaw mean nothing yet; relations are the constraints
   std::optional<Vec2> location;  ///< suggested centre
   std::optional<double> facing;  ///< suggested yaw, radians
+  bool asked = false;            ///< somebody asked for it: what was merely added makes way
+  int wishes = 0;                ///< so many of the relations, the first ones, were asked for
 };
 
 /// Input of the solver alone: a room and objects with known sizes and constraints, in file order.

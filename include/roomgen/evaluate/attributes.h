@@ -1,0 +1,42 @@
+#pragma once
+
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "roomgen/evaluate/kind_names.h"
+#include "roomgen/evaluate/outline.h"
+#include "roomgen/library/shown_colors.h"
+#include "roomgen/scene/model_table.h"
+
+namespace roomgen {
+
+/// What is known of how an object looks: measured on its mesh, and said by who looked at it (the label of a
+/// library's mesh) or made it (a recipe). What the scene's description asked for is no evidence.
+struct KnownLooks {
+  Identity identity;
+  std::vector<ShownColor> colors;
+  std::set<std::string> surfaces;  ///< words of the names of materials that cover a seventh or more; "glass"
+                                   ///< and "metal" also of what lets light through or is metallic
+  std::set<std::string> told;      ///< words that a recipe was given: believed where the mesh agrees
+  double roughness = 0.8;          ///< mean over the surface
+  Vec3 size = Vec3::Ones();        ///< metres
+  Vec3 usual = Vec3::Ones();       ///< size of the kind
+  Mount mount = Mount::floor;
+  Outline outline = Outline::other;
+};
+KnownLooks known_looks(const Object& object, const ModelTable& models);
+
+struct AttributeVerdict {
+  bool held = false;
+  bool judged = true;  ///< false: nothing that is known could tell
+  std::string reason;  ///< "mostly white", "no word of it is known"
+};
+
+/// Has the thing the attribute ("matte_black", "l-shaped", "pastel pink")? All words of it must hold, the
+/// longest known phrases first (data/evaluate/attributes.json); a word that is in no table holds if the
+/// label says it and cannot be judged otherwise. docs/evaluation.md has the rules.
+AttributeVerdict judge_attribute(const KnownLooks& looks, std::string_view attribute);
+
+}  // namespace roomgen

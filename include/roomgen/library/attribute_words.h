@@ -1,0 +1,77 @@
+#pragma once
+
+#include <limits>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "roomgen/base/result.h"
+#include "roomgen/scene/object.h"
+
+namespace roomgen {
+
+/// A closed interval.
+struct Range {
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+
+  bool contains(double value) const { return value >= low && value <= high; }
+};
+
+/// What is measured of a thing's size against the usual one of its kind or in itself.
+enum class SizeMeasure {
+  width, depth, height, longest,  ///< metres; longest: of the three
+  usual_width, usual_depth, usual_height, usual_volume,  ///< as a multiple of the usual one
+  slimness,   ///< height over the longer side of the footprint
+  elongation  ///< longer side of the footprint over the shorter
+};
+std::optional<SizeMeasure> parse_size_measure(std::string_view text);
+
+/// What a word says of a thing's looks (data/evaluate/attributes.json). Members that are empty say
+/// nothing; `kinds` and `said` are other ways to be so, all else must hold together.
+struct AttributeMeaning {
+  /// Names of shown_colors.h, of which one must be shown; with `materials`, those that the material can
+  /// have by nature.
+  std::vector<std::string> colors;
+  std::optional<Range> lightness;      ///< of the shown colour, in [0, 1]
+  std::optional<int> least_colors;     ///< so many must be shown
+  std::vector<std::string> materials;  ///< words that name this material
+  std::string family;                  ///< of an oak: "wood"
+  std::vector<std::string> outlines;   ///< round, oval, square, rectangular, l-shaped
+  std::vector<std::map<SizeMeasure, Range>> sizes;  ///< alternatives; of one all must hold
+  std::optional<Range> roughness;      ///< of the surface, in [0, 1]
+  std::optional<Mount> mount;
+  std::vector<std::string> kinds;      ///< that are so by nature: a pillow is soft
+  std::vector<std::string> kinds_of_its_color;  ///< that are of this material when they have its colour: a
+                                                ///< grey fridge is of steel, a brown desk of wood
+  std::vector<std::string> said;       ///< words of a label that say the same
+
+  /// Can it be seen on the mesh, whatever texts say?
+  bool measured() const {
+    return !colors.empty() || !outlines.empty() || !sizes.empty() || least_colors || roughness || mount ||
+           lightness;
+  }
+};
+
+/// The words of attributes: one table for what is looked for and for the judgement of what was found.
+class AttributeWords {
+ public:
+  static Result<AttributeWords> parse(std::string_view text, const std::string& source);
+  static const AttributeWords& built_in();
+
+  /// By a word or phrase in lower case, words separated by blanks: "stainless steel". Null if unknown.
+  const AttributeMeaning* find(std::string_view phrase) const;
+  /// Words that add nothing to the others of an attribute: "matte finish".
+  bool says_nothing(std::string_view word) const;
+  /// The words in phrases that are known, the longest first; what is not known is a phrase of its own.
+  std::vector<std::string> phrases(const std::vector<std::string>& words) const;
+  const std::map<std::string, AttributeMeaning, std::less<>>& all() const { return meanings_; }
+
+ private:
+  std::map<std::string, AttributeMeaning, std::less<>> meanings_;
+  std::map<std::string, bool, std::less<>> empty_words_;
+};
+
+}  // namespace roomgen

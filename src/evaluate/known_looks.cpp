@@ -1,0 +1,62 @@
+#include <map>
+
+#include "roomgen/base/text.h"
+#include "roomgen/evaluate/attributes.h"
+#include "roomgen/scene/category.h"
+
+namespace roomgen {
+
+namespace {
+
+constexpr double least_surface = 1.0 / 7.0;
+constexpr float metallic_from = 0.5f;
+
+void add_words(const std::string& text, std::set<std::string>& to) {
+  for (auto& word : words(text)) to.insert(singular(word));
+}
+
+void look_at_surfaces(const Model& model, KnownLooks& looks) {
+  std::map<std::string, double> areas;
+  double whole = 0.0, rough = 0.0;
+  for (const auto& part : model.parts) {
+    const Material& material = model.materials[static_cast<std::size_t>(part.material)];
+    const double covered = surface_area(part.mesh);
+    whole += covered;
+    rough += covered * material.roughness;
+    std::set<std::string> names;
+    add_words(material.name, names);
+    if (material.transparent()) names.insert("glass");
+    if (material.metallic >= metallic_from) names.insert("metal");
+    for (const auto& name : names) areas[name] += covered;
+  }
+  if (whole <= 0.0) return;
+  looks.roughness = rough / whole;
+  for (const auto& [name, covered] : areas)
+    if (covered >= least_surface * whole) looks.surfaces.insert(name);
+}
+
+std::string text_of(const AssetRef& asset, const char* key) {
+  const auto& params = asset.procedural->params;
+  const bool there = params.is_object() && params.contains(key) && params[key].is_string();
+  return there ? params[key].get<std::string>() : std::string();
+}
+
+}  // namespace
+
+KnownLooks known_looks(const Object& object, const ModelTable& models) {
+  KnownLooks looks;
+  looks.identity = KindNames::built_in().identify(object);
+  if (object.asset.procedural) add_words(text_of(object.asset, "description"), looks.told);
+  if (const auto model = models.find(asset_key(object.asset))) {
+    looks.colors = shown_colors(*model);
+    look_at_surfaces(*model, looks);
+    looks.outline = outline_of(merged_mesh(*model));
+  }
+  looks.size = object.size;
+  const Category* category = CategoryTable::built_in().find(looks.identity.kind);
+  looks.usual = category ? category->size : object.size;
+  looks.mount = object.mount;
+  return looks;
+}
+
+}  // namespace roomgen

@@ -1,0 +1,148 @@
+#include "roomgen/library/attribute_words.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "roomgen/base/json.h"
+#include "roomgen/base/resource.h"
+#include "roomgen/base/text.h"
+
+namespace roomgen {
+
+namespace {
+
+constexpr std::array<std::pair<std::string_view, SizeMeasure>, 10> measure_names = {{
+    {"width", SizeMeasure::width},
+    {"depth", SizeMeasure::depth},
+    {"height", SizeMeasure::height},
+    {"longest", SizeMeasure::longest},
+    {"usual width", SizeMeasure::usual_width},
+    {"usual depth", SizeMeasure::usual_depth},
+    {"usual height", SizeMeasure::usual_height},
+    {"usual volume", SizeMeasure::usual_volume},
+    {"slimness", SizeMeasure::slimness},
+    {"elongation", SizeMeasure::elongation},
+}};
+constexpr std::array known_outlines = {"round", "oval", "square", "rectangular", "l-shaped"};
+constexpr double most = 1000.0;
+constexpr std::size_t longest_phrase = 4;
+
+// [low, high]; null is no limit.
+Range read_range(const JsonReader& json) {
+  const auto ends = json.elements(2);
+  Range range;
+  if (ends.size() != 2) {
+    json.report("expected [low, high], null for no limit");
+    return range;
+  }
+  if (ends[0].exists() && !ends[0].raw()->is_null()) range.low = ends[0].number(0.0, most);
+  if (ends[1].exists() && !ends[1].raw()->is_null()) range.high = ends[1].number(0.0, most);
+  return range;
+}
+
+std::vector<std::string> read_words(const JsonReader& json) {
+  std::vector<std::string> result;
+  for (const auto& word : json.elements_or_none(200)) result.push_back(word.text(60));
+  return result;
+}
+
+std::map<SizeMeasure, Range> read_size(const JsonReader& json) {
+  std::map<SizeMeasure, Range> size;
+  for (const auto& [name, range] : json.members()) {
+    if (const auto measure = parse_size_measure(name)) size[*measure] = read_range(range);
+    else range.report("no measure \"" + name + "\"");
+  }
+  return size;
+}
+
+AttributeMeaning read_meaning(const JsonReader& json) {
+  json.allow_only({"colors", "lightness", "least_colors", "materials", "family", "outlines", "sizes",
+                   "roughness", "mount", "kinds", "kinds_of_its_color", "said"});
+  AttributeMeaning meaning;
+  meaning.colors = read_words(json["colors"]);
+  if (json["lightness"].exists()) meaning.lightness = read_range(json["lightness"]);
+  if (json["least_colors"].exists())
+    meaning.least_colors = static_cast<int>(json["least_colors"].integer_or(2, 1, 12));
+  meaning.materials = read_words(json["materials"]);
+  meaning.family = json["family"].text_or("", 60);
+  meaning.outlines = read_words(json["outlines"]);
+  for (const auto& outline : meaning.outlines)
+    if (std::find(known_outlines.begin(), known_outlines.end(), outline) == known_outlines.end())
+      json["outlines"].report("no outline \"" + outline + "\"");
+  for (const auto& size : json["sizes"].elements_or_none(8)) meaning.sizes.push_back(read_size(size));
+  if (json["roughness"].exists()) meaning.roughness = read_range(json["roughness"]);
+  if (json["mount"].exists()) {
+    meaning.mount = parse_mount(json["mount"].text(20));
+    if (!meaning.mount) json["mount"].report("expected floor, wall, ceiling or surface");
+  }
+  meaning.kinds = read_words(json["kinds"]);
+  meaning.kinds_of_its_color = read_words(json["kinds_of_its_color"]);
+  meaning.said = read_words(json["said"]);
+  return meaning;
+}
+
+}  // namespace
+
+std::optional<SizeMeasure> parse_size_measure(std::string_view text) {
+  for (const auto& [name, measure] : measure_names)
+    if (name == text) return measure;
+  return std::nullopt;
+}
+
+Result<AttributeWords> AttributeWords::parse(std::string_view text, const std::string& source) {
+  const auto json = parse_json(text, source);
+  if (!json) return json.error();
+  JsonReader::Problems problems(source);
+  const JsonReader root(*json, problems);
+  root.allow_only({"about", "says_nothing", "attributes"});
+  AttributeWords result;
+  for (const auto& word : read_words(root["says_nothing"])) result.empty_words_[word] = true;
+  std::vector<std::pair<std::string, JsonReader>> synonyms;
+  for (const auto& [word, meaning] : root["attributes"].members()) {
+    if (meaning.is_string()) synonyms.emplace_back(word, meaning);
+    else result.meanings_[word] = read_meaning(meaning);
+  }
+  for (const auto& [word, other] : synonyms) {
+    const auto found = result.meanings_.find(other.text(60));
+    if (found == result.meanings_.end()) other.report("no attribute \"" + other.text(60) + "\"");
+    else result.meanings_[word] = AttributeMeaning(found->second);
+  }
+  if (problems.first()) return *problems.first();
+  return result;
+}
+
+const AttributeWords& AttributeWords::built_in() {
+  static const AttributeWords words = [] {
+    auto parsed = parse(resource("data/evaluate/attributes.json").value_or("{}"),
+                        "data/evaluate/attributes.json");
+    return parsed ? *std::move(parsed) : AttributeWords();  // a test parses the file
+  }();
+  return words;
+}
+
+const AttributeMeaning* AttributeWords::find(std::string_view phrase) const {
+  const auto found = meanings_.find(phrase);
+  return found == meanings_.end() ? nullptr : &found->second;
+}
+
+std::vector<std::string> AttributeWords::phrases(const std::vector<std::string>& words) const {
+  std::vector<std::string> result;
+  for (std::size_t i = 0; i < words.size();) {
+    std::size_t count = std::min(longest_phrase, words.size() - i);
+    const auto text = [&] {
+      const auto from = words.begin() + static_cast<std::ptrdiff_t>(i);
+      return join({from, from + static_cast<std::ptrdiff_t>(count)}, " ");
+    };
+    while (count > 1 && !find(text())) --count;
+    result.push_back(text());
+    i += count;
+  }
+  return result;
+}
+
+bool AttributeWords::says_nothing(std::string_view word) const {
+  return empty_words_.find(word) != empty_words_.end();
+}
+
+}  // namespace roomgen
