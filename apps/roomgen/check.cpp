@@ -5,7 +5,10 @@
 #include "command.h"
 #include "models.h"
 #include "roomgen/base/file.h"
+#include "roomgen/base/text.h"
 #include "roomgen/evaluate/report.h"
+#include "roomgen/import/floor_plan.h"
+#include "roomgen/scene/dwelling.h"
 #include "roomgen/scene/plan.h"
 #include "roomgen/scene/problem.h"
 #include "roomgen/shape/evaluate.h"
@@ -70,6 +73,20 @@ Result<std::string> check_shape(const CheckCommand& command, const Json& json) {
   return "shape of " + std::to_string(made->bodies.size()) + " bodies";
 }
 
+void print_sound(const Context& context, const std::string& file, const std::string& what) {
+  if (context.json) {
+    const Json summary = {{"file", file}, {"sound", what}};
+    std::fputs(dump_json(summary).c_str(), stdout);
+  } else {
+    std::printf("%s: sound %s\n", file.c_str(), what.c_str());
+  }
+}
+
+std::string floor_plan_text(const Room& room) {
+  return "room with " + std::to_string(room.polygon.size()) + " walls, " +
+         format_number(area(room.polygon), 2) + " m2";
+}
+
 // A document without a format is a problem if it has what problems have, else a room.
 Result<int> check_other(const Context& context, const CheckCommand& command, const Json& json) {
   const std::string format =
@@ -77,7 +94,11 @@ Result<int> check_other(const Context& context, const CheckCommand& command, con
           ? json["format"].get<std::string>()
           : "";
   std::string what;
-  if (format == "roomgen-plan") {
+  if (format == "roomgen-plan" && is_dwelling_plan(json)) {
+    auto plan = dwelling_plan_from_json(json, command.file);
+    if (!plan) return plan.error();
+    what = "plan of " + std::to_string(plan->rooms.size()) + " rooms";
+  } else if (format == "roomgen-plan") {
     auto plan = plan_from_json(json, command.file);
     if (!plan) return plan.error();
     what = "plan of " + std::to_string(planned_objects(*plan).size()) + " objects";
@@ -88,24 +109,31 @@ Result<int> check_other(const Context& context, const CheckCommand& command, con
   } else if (json.is_object() && json.contains("polygon")) {
     auto room = read_room_file(command.file);
     if (!room) return room.error();
-    what = "room with " + std::to_string(room->polygon.size()) + " walls";
+    what = floor_plan_text(*room);
   } else {
     auto problem = problem_from_json(json, command.file);
     if (!problem) return problem.error();
     what = "problem of " + std::to_string(problem->tasks.size()) + " objects";
   }
-  if (context.json) {
-    Json summary;
-    summary["file"] = command.file;
-    summary["sound"] = what;
-    std::fputs(dump_json(summary).c_str(), stdout);
-  } else {
-    std::printf("%s: sound %s\n", command.file.c_str(), what.c_str());
-  }
+  print_sound(context, command.file, what);
+  return exit_ok;
+}
+
+// A drawing has no format of ours; its name says what it is.
+bool is_drawing(const std::filesystem::path& path) {
+  const std::string ending = lower(path.extension().string());
+  return ending == ".svg" || ending == ".dxf";
+}
+
+Result<int> check_drawing(const Context& context, const CheckCommand& command) {
+  const auto room = read_floor_plan(command.file);
+  if (!room) return room.error();
+  print_sound(context, command.file, floor_plan_text(*room));
   return exit_ok;
 }
 
 Result<int> run(const Context& context, const CheckCommand& command) {
+  if (is_drawing(command.file)) return check_drawing(context, command);
   auto text = read_file(command.file);
   if (!text) return text.error();
   auto json = parse_json(*text, command.file);
@@ -123,8 +151,10 @@ Result<int> run(const Context& context, const CheckCommand& command) {
 void add_check_command(CLI::App& app, Context& context) {
   auto command = std::make_shared<CheckCommand>();
   auto* sub = app.add_subcommand(
-      "check", "Check a scene, plan, problem, room or shape file; exit 1 if a scene breaks a rule");
-  sub->add_option("file", command->file, "JSON file")->required();
+      "check",
+      "Check a scene, plan, problem, room or shape file, or a drawing of a floor plan; exit 1 if a "
+      "scene breaks a rule");
+  sub->add_option("file", command->file, "JSON, SVG or DXF file")->required();
   add_model_options(*sub, command->models);
   sub->callback([command, &context] {
     context.run = [command, &context] { return run(context, *command); };

@@ -8,6 +8,7 @@
 #include "command.h"
 #include "models.h"
 #include "roomgen/base/file.h"
+#include "roomgen/base/text.h"
 #include "roomgen/evaluate/score_report.h"
 
 namespace roomgen::cli {
@@ -17,13 +18,27 @@ namespace {
 namespace fs = std::filesystem;
 
 struct EvaluateCommand {
-  std::string requirements, id, scene, rooms, markdown, json_file;
+  std::string requirements, id, scene, rooms, markdown, json_file, part;
   ModelOptions models;
 };
 
+// Requirements speak of single rooms.
+Result<Scene> part_of(const Scene& scene, const std::string& id, const fs::path& file) {
+  std::vector<std::string> ids;
+  for (auto& part : parts_of(scene)) {
+    if (part.room.id == id) return std::move(part);
+    ids.push_back(part.room.id);
+  }
+  return Error{Error::Kind::invalid_input,
+               file.string() + ": is a dwelling; say with --part which of its rooms is scored: " +
+                   join(ids, ", ")};
+}
+
 Result<RoomScore> score_file(const Requirements& row, const fs::path& file,
                              const EvaluateCommand& command, const Context& context) {
-  const auto scene = read_scene(file);
+  auto scene = read_scene(file);
+  if (!scene) return scene.error();
+  if (!scene->rooms.empty()) scene = part_of(*scene, command.part, file);
   if (!scene) return scene.error();
   const auto models = models_of(*scene, command.models, context);
   if (!models) return models.error();
@@ -100,6 +115,7 @@ void add_evaluate_command(CLI::App& app, Context& context) {
   auto* scene = sub->add_option("room", command->scene, "scene.json, or the folder that holds it");
   auto* id = sub->add_option("--id", command->id, "The row that the room answers")->needs(scene);
   scene->needs(id);
+  sub->add_option("--part", command->part, "The room of a dwelling that is scored, by its id");
   auto* rooms = sub->add_option("--rooms", command->rooms,
                                 "Folder with a folder of each row's id, instead of one room");
   rooms->excludes(scene);

@@ -7,15 +7,18 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <variant>
 
 #include "command.h"
 #include "designers.h"
 #include "libraries.h"
 #include "options.h"
 #include "roomgen/base/file.h"
+#include "roomgen/design/dwelling.h"
 #include "roomgen/export/attribution.h"
 #include "roomgen/export/glb.h"
 #include "roomgen/generate/output.h"
+#include "roomgen/import/floor_plan.h"
 #include "roomgen/render/image_file.h"
 #include "roomgen/render/osmesa_renderer.h"
 
@@ -56,8 +59,27 @@ class ProgressBar {
   bool shown_;
 };
 
-Result<Plan> make_plan(const GenerateCommand& command, const Context& context, Designer& designer) {
-  if (!command.plan_file.empty()) return read_plan(command.plan_file);
+/// What is to be furnished: one room, or the rooms of a dwelling.
+using AnyPlan = std::variant<Plan, DwellingPlan>;
+
+Result<AnyPlan> read_any_plan(const std::string& file) {
+  const auto text = read_file(file);
+  if (!text) return text.error();
+  const auto json = parse_json(*text, file);
+  if (!json) return json.error();
+  if (is_dwelling_plan(*json)) {
+    auto plan = dwelling_plan_from_json(*json, file);
+    if (!plan) return plan.error();
+    return AnyPlan(*std::move(plan));
+  }
+  auto plan = plan_from_json(*json, file);
+  if (!plan) return plan.error();
+  return AnyPlan(*std::move(plan));
+}
+
+Result<AnyPlan> make_plan(const GenerateCommand& command, const Context& context,
+                          Designer& designer) {
+  if (!command.plan_file.empty()) return read_any_plan(command.plan_file);
   PlanRequest request;
   request.prompt = command.prompt;
   request.seed = command.seed;
@@ -68,11 +90,16 @@ Result<Plan> make_plan(const GenerateCommand& command, const Context& context, D
     request.size = *size;
   }
   if (!command.room_file.empty()) {
-    auto room = read_room_file(command.room_file);
+    auto room = read_floor_plan(command.room_file);
     if (!room) return room.error();
     request.room = *std::move(room);
   }
-  return designer.plan(request);
+  auto dwelling = plan_dwelling(request, designer);
+  if (!dwelling) return dwelling.error();
+  if (*dwelling) return AnyPlan(**std::move(dwelling));
+  auto plan = designer.plan(request);
+  if (!plan) return plan.error();
+  return AnyPlan(*std::move(plan));
 }
 
 Status write_pictures(const GenerateCommand& command, const fs::path& folder,
@@ -112,9 +139,10 @@ Status write_marks(const GenerateCommand& command, const fs::path& folder,
   return {};
 }
 
-Status write_all(const GenerateCommand& command, const fs::path& folder, const Plan& plan,
+Status write_all(const GenerateCommand& command, const fs::path& folder, const AnyPlan& plan,
                  const Generation& generation) {
-  if (auto status = write_documents(folder, plan, generation); !status) return status;
+  const Json json = std::visit([](const auto& each) { return to_json(each); }, plan);
+  if (auto status = write_documents(folder, json, generation); !status) return status;
   if (auto status = write_file(folder / "ATTRIBUTION.md", attribution_markdown(generation.scene));
       !status)
     return status;
@@ -202,13 +230,28 @@ void print_left_out(const Scene& scene) {
     std::printf("  and %zu more were left out (scene.json has them all)\n", printed - most_lines);
 }
 
-void print_summary(const Context& context, const fs::path& folder, const Plan& plan,
+// Of a dwelling those of its rooms too.
+std::vector<std::string> notes_of(const AnyPlan& plan) {
+  auto notes = std::visit([](const auto& each) { return each.notes; }, plan);
+  if (const auto* dwelling = std::get_if<DwellingPlan>(&plan))
+    for (const auto& room : dwelling->rooms)
+      for (const auto& note : room.notes) notes.push_back(room.room.id + ": " + note);
+  return notes;
+}
+
+std::string title(const Scene& scene) {
+  if (scene.rooms.empty()) return scene.room.type;
+  return "dwelling of " + std::to_string(scene.rooms.size()) + " rooms";
+}
+
+void print_summary(const Context& context, const fs::path& folder, const AnyPlan& plan,
                    const Generation& generation, const ComposedDesigner& composed, double seconds) {
   const Scene& scene = generation.scene;
   if (context.json) {
     Json json;
     json["output"] = folder.string();
-    json["room_type"] = scene.room.type;
+    json["room_type"] = scene.rooms.empty() ? scene.room.type : "dwelling";
+    for (const auto& room : scene.rooms) json["rooms"].push_back(room.id);
     json["seed"] = scene.seed;
     json["objects"] = scene.objects.size();
     json["unplaced"] = Json::array();
@@ -227,10 +270,10 @@ void print_summary(const Context& context, const fs::path& folder, const Plan& p
     std::fputs(dump_json(json).c_str(), stdout);
     return;
   }
-  for (const auto& note : plan.notes) std::printf("note: %s\n", note.c_str());
+  for (const auto& note : notes_of(plan)) std::printf("note: %s\n", note.c_str());
   for (const auto& note : generation.notes) std::printf("note: %s\n", note.c_str());
   std::printf("%s: %s with %zu objects, %d of %d constraints held (%.1f s)\n",
-              folder.string().c_str(), scene.room.type.c_str(), scene.objects.size(),
+              folder.string().c_str(), title(scene).c_str(), scene.objects.size(),
               generation.held, generation.constraints, seconds);
   if (composed.model) print_model_use(composed, generation);
   print_requirements(scene);
@@ -267,7 +310,7 @@ Result<int> run(const Context& context, const GenerateCommand& command) {
   if (!library) return library.error();
 
   GenerateOptions options;
-  options.seed = plan->seed;
+  options.seed = std::visit([](const auto& each) { return each.seed; }, *plan);
   options.cancel = context.cancel;
   options.place.fusion.alpha = command.alpha;
   options.place.fusion.c = command.rrf_c;
@@ -281,7 +324,11 @@ Result<int> run(const Context& context, const GenerateCommand& command) {
   options.on_step = [&](const StepProgress& progress) {
     bar.show(progress.step, progress.total, progress.object);
   };
-  auto generation = generate(*plan, designer, **library, CategoryTable::built_in(), options);
+  auto generation = std::visit(
+      [&](const auto& each) {
+        return generate(each, designer, **library, CategoryTable::built_in(), options);
+      },
+      *plan);
   if (!generation) return generation.error();
   bar.show(1, 1, "writing files");
   if (auto status = write_all(command, folder, *plan, *generation); !status) return status.error();
@@ -298,15 +345,15 @@ Result<int> run(const Context& context, const GenerateCommand& command) {
 void add_generate_command(CLI::App& app, Context& context) {
   auto command = std::make_shared<GenerateCommand>();
   auto* sub =
-      app.add_subcommand("generate", "Furnish a room from a sentence and write all its files");
-  auto* prompt = sub->add_option("prompt", command->prompt, "What the room shall be");
+      app.add_subcommand("generate", "Furnish a room, or a dwelling of several, from a sentence and write all its files");
+  auto* prompt = sub->add_option("prompt", command->prompt, "What the room or dwelling shall be");
   sub->add_option("-o,--output", command->output,
                   "Folder to write (default: out/ and the first words of the prompt)");
   sub->add_option("--seed", command->seed, "Another seed, another room")
       ->check(CLI::Range(std::uint64_t{0}, max_seed))
       ->capture_default_str();
   sub->add_option("--size", command->size, "Inner width x depth in metres, as in 4x5");
-  sub->add_option("--room", command->room_file, "Floor plan to use (docs/room.schema.json)");
+  sub->add_option("--room", command->room_file, "Floor plan to use: room.json, SVG or DXF (docs/floor-plans.md)");
   sub->add_option("--plan", command->plan_file, "Inventory to use (docs/plan.schema.json)")
       ->excludes(prompt);
   sub->add_flag("--force", command->force, "Write into a folder that holds other files");

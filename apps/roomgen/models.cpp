@@ -18,12 +18,15 @@ void add_model_options(CLI::App& command, ModelOptions& options) {
 Result<ModelTable> models_of(const Scene& scene, const ModelOptions& options,
                              const Context& context) {
   const auto& objects = scene.objects;
-  const auto& openings = scene.room.openings;
+  const auto rooms = rooms_of(scene);
   const bool boxes_only =
       std::all_of(objects.begin(), objects.end(),
                   [](const Object& object) { return object.asset.is_box(); }) &&
-      std::all_of(openings.begin(), openings.end(),
-                  [](const Opening& opening) { return opening.joinery.asset.is_box(); });
+      std::all_of(rooms.begin(), rooms.end(), [](const Room& room) {
+        return std::all_of(room.openings.begin(), room.openings.end(), [](const Opening& opening) {
+          return opening.joinery.asset.is_box();
+        });
+      });
   if (boxes_only) return ModelTable();
   auto library = open_all_libraries(options.libraries, context);
   if (!library) return library.error();

@@ -5,7 +5,9 @@
 #include "options.h"
 #include "roomgen/base/file.h"
 #include "roomgen/base/text.h"
+#include "roomgen/design/dwelling.h"
 #include "roomgen/design/rule_designer.h"
+#include "roomgen/import/floor_plan.h"
 
 namespace roomgen::cli {
 
@@ -26,8 +28,9 @@ std::string size_text(const Vec3& size) {
 
 void print_room(const Room& room) {
   const Vec2 box = bounds(room.polygon).size();
-  std::printf("%s, %s x %s m, %s m high\n", room.type.c_str(), format_number(box.x(), 2).c_str(),
-              format_number(box.y(), 2).c_str(), format_number(room.height, 2).c_str());
+  std::printf("%s, %s x %s m, %s m2, %s m high\n", room.type.c_str(), format_number(box.x(), 2).c_str(),
+              format_number(box.y(), 2).c_str(), format_number(area(room.polygon), 2).c_str(),
+              format_number(room.height, 2).c_str());
   for (const auto& opening : room.openings)
     std::printf("  %-10s %-18s wall %zu, from %s to %s m\n", opening.id.c_str(),
                 opening.kind.empty() ? "" : opening.kind.c_str(), opening.wall,
@@ -59,34 +62,51 @@ Result<PlanRequest> request_of(const PlanOptions& options, const Context& contex
     request.size = *size;
   }
   if (!options.room.empty()) {
-    auto room = read_room_file(options.room);
+    auto room = read_floor_plan(options.room);
     if (!room) return room.error();
     request.room = *std::move(room);
   }
   return request;
 }
 
-Result<int> run_plan(const PlanOptions& options, const Context& context) {
-  const auto request = request_of(options, context);
-  if (!request) return request.error();
-  const auto plan = make_rule_designer()->plan(*request);
-  if (!plan) return plan.error();
-  const std::string json = dump_json(to_json(*plan));
+void print_plan(const DwellingPlan& plan) {
+  for (const auto& room : plan.rooms) {
+    std::printf("%s: ", room.room.id.c_str());
+    print_plan(room);
+  }
+  for (const auto& note : plan.notes) std::printf("note: %s\n", note.c_str());
+}
+
+template <typename AnyPlan>
+Result<int> show(const AnyPlan& plan, const PlanOptions& options, const Context& context) {
+  const std::string json = dump_json(to_json(plan));
   if (!options.output.empty()) {
     if (auto written = write_file(options.output, json); !written) return written.error();
   }
   if (context.json)
     std::fputs(json.c_str(), stdout);
   else if (options.output.empty() || !context.quiet)
-    print_plan(*plan);
+    print_plan(plan);
   return exit_ok;
+}
+
+Result<int> run_plan(const PlanOptions& options, const Context& context) {
+  const auto request = request_of(options, context);
+  if (!request) return request.error();
+  const auto designer = make_rule_designer();
+  const auto dwelling = plan_dwelling(*request, *designer);
+  if (!dwelling) return dwelling.error();
+  if (*dwelling) return show(**dwelling, options, context);
+  const auto plan = designer->plan(*request);
+  if (!plan) return plan.error();
+  return show(*plan, options, context);
 }
 
 }  // namespace
 
 void add_plan_command(CLI::App& app, Context& context) {
   const auto options = std::make_shared<PlanOptions>();
-  auto* command = app.add_subcommand("plan", "Say what a room shall hold, without furnishing it");
+  auto* command = app.add_subcommand("plan", "Say what a room, or each room of a dwelling, shall hold, without furnishing it");
   command->add_option("prompt", options->prompt, "What the room shall be, in English")->required();
   command->add_option("--seed", options->seed, "Another number, another room")
       ->capture_default_str();
@@ -95,7 +115,7 @@ void add_plan_command(CLI::App& app, Context& context) {
         const auto size = parse_size(text);
         return size ? std::string() : size.error().message;
       });
-  command->add_option("--room", options->room, "A floor plan of your own (room.json)");
+  command->add_option("--room", options->room, "A floor plan of your own: room.json, SVG or DXF");
   command->add_option("-o,--output", options->output, "Write the plan here (plan.json)");
   command->callback([options, &context] {
     context.run = [options, &context] { return run_plan(*options, context); };

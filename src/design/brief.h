@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "opening_wish.h"
+#include "outline.h"
 #include "roomgen/geometry/vec.h"
 #include "roomgen/scene/object.h"
 #include "roomgen/scene/relation.h"
@@ -51,6 +52,7 @@ struct Brief {
   bool type_known = false;
   std::optional<Vec2> size;    ///< width and depth, metres
   std::optional<double> area;  ///< square metres
+  SaidShape shape;             ///< of the floor
   int people = 0;              ///< 0: not said
   std::optional<int> windows;  ///< how many, apart from those of `openings`
   bool wide_windows = false;

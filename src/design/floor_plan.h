@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "brief.h"
+#include "outline.h"
 #include "room_kinds.h"
 #include "roomgen/base/random.h"
 #include "roomgen/scene/room.h"
@@ -17,13 +18,25 @@ inline constexpr double max_chosen_area = 48.0;
 Vec2 choose_size(const RoomKind& kind, const Brief& brief, double scale, double furniture,
                  Random random);
 
-/// A rectangle with one corner at the origin, a door near the corner of a wall and windows in
-/// others.
-Room make_room(const RoomKind& kind, const Vec2& size, int windows, bool wide_windows,
+/// The floor that the prompt asks for. `chosen` is its box if that is asked for, else that of a
+/// rectangle of the area that it shall have. Fills `notes` with what had no place.
+Outline choose_outline(const Brief& brief, const Vec2& chosen, bool is_box,
+                       std::vector<std::string>& notes, Random random);
+
+/// A room of that floor with a door near the corner of a wall and windows in others: those that are
+/// glazed, then walls opposite the door, then beside it.
+Room make_room(const RoomKind& kind, const Outline& outline, int windows, bool wide_windows,
                Random random);
 
 /// What the prompt says of materials, in place of what the room has.
 void put_on(Room& room, const RoomMaterials& said);
+
+/// The wall of a polygon that a rectangle's side stands for: 0 the front wall (lower on the plan),
+/// then counter-clockwise 1 the right, 2 the back, 3 the left one; where several look there, the
+/// longest.
+std::size_t wall_on_side(const Polygon& polygon, std::size_t side);
+/// What the prompt calls a part of the room ("wall-3": the left wall), as the room has it.
+std::string part_of(const Room& room, const std::string& said);
 
 /// Puts a door into the longest wall of a floor plan that has none. True if it did.
 bool ensure_door(Room& room, const RoomKind& kind);

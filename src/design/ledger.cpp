@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <map>
 
+#include "floor_plan.h"
+
 namespace roomgen::design {
 
 namespace {
 
 class Ledger {
  public:
-  Ledger(const Brief& brief, const std::vector<Draft>& drafts, const Plan& plan) : brief_(brief) {
+  Ledger(const Brief& brief, const std::vector<Draft>& drafts, const Plan& plan)
+      : brief_(brief), room_(plan.room) {
     for (const auto& planned : planned_objects(plan)) {
       const std::size_t mention = drafts[planned.item].mention;
       if (mention != Demand::none) ids_[mention].push_back(planned.id);
@@ -64,7 +67,7 @@ class Ledger {
       requirement.targets = ids_[demand.mention];
       requirement.clause += " " + brief_.mentions[demand.mention].category;
     } else if (!demand.part.empty()) {
-      requirement.targets = {demand.part};
+      requirement.targets = {part_of(room_, demand.part)};
       requirement.clause += " " + demand.part;
     }
     if (std::find(requirements_.begin(), requirements_.end(), requirement) == requirements_.end())
@@ -90,6 +93,7 @@ class Ledger {
   }
 
   const Brief& brief_;
+  const Room& room_;
   std::map<std::size_t, std::vector<std::string>> ids_;  ///< by mention
   std::vector<Requirement> requirements_;
 };

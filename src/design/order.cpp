@@ -4,6 +4,7 @@
 #include <map>
 #include <numeric>
 
+#include "floor_plan.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen::design {
@@ -150,7 +151,8 @@ class Ids {
 /// Turns the demands of drafts into relations, one draft after the other.
 class Resolver {
  public:
-  Resolver(const std::vector<Draft>& drafts, const Plan& plan) : ids_(drafts, plan) {}
+  Resolver(const std::vector<Draft>& drafts, const Plan& plan)
+      : ids_(drafts, plan), room_(plan.room) {}
 
   std::vector<Relation> relations_of(const Draft& draft) {
     std::map<std::size_t, std::string> targets;  // one thing of each mention for all its demands
@@ -158,7 +160,7 @@ class Resolver {
     std::string flanked;
     std::size_t sharing = draft.mention;  // which mentions take the sides in turn
     for (const auto& demand : draft.demands) {
-      Relation relation{demand.kind, demand.part};
+      Relation relation{demand.kind, part_of(room_, demand.part)};
       if (demand.mention != Demand::none) {
         if (!targets.count(demand.mention))
           targets[demand.mention] = ids_.next(draft.mention, demand.mention, demand.nth);
@@ -185,6 +187,7 @@ class Resolver {
   }
 
   Ids ids_;
+  const Room& room_;
   std::map<std::pair<std::size_t, std::string>, int> sides_;
 };
 

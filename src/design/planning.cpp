@@ -110,7 +110,9 @@ class Planner {
     const Vec2 size = request_.size
                           ? *request_.size
                           : choose_size(kind_, brief_, scale, furniture, random.fork("size"));
-    Room room = make_room(kind_, size, window_count(random.fork("windows")), brief_.wide_windows,
+    const Outline outline =
+        choose_outline(brief_, size, request_.size || brief_.size, plan.notes, random.fork("outline"));
+    Room room = make_room(kind_, outline, window_count(random.fork("windows")), brief_.wide_windows,
                           random.fork("openings"));
     plan_openings(room, kind_, brief_.openings, random.fork("told openings"), plan.notes);
     return room;

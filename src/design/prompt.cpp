@@ -8,6 +8,7 @@
 #include "measures.h"
 #include "opening_phrase.h"
 #include "room_type.h"
+#include "shape_words.h"
 #include "roomgen/design/tokens.h"
 #include "settle.h"
 
@@ -440,6 +441,7 @@ Brief read_prompt(std::string_view prompt, const RoomKinds& kinds, const Categor
                           " words of the prompt were read");
   read_measures(tokens, *words, names, brief);
   read_people(tokens, *words, names, brief);
+  read_floor_shape(tokens, *words, names, kinds, brief);
   read_room_type(tokens, *words, names, kinds, brief);
   read_finishes(tokens, *words, names, finish_words(), brief);
   PromptReader(std::move(tokens), {*words, names, table, kinds.get(brief.type)}, brief).run();

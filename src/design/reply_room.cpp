@@ -179,7 +179,12 @@ Room read_reply_room(const Json& json, const PlanRequest& request, const RoomKin
   const Vec2 size = floor.polygon ? Vec2(bounds(*floor.polygon).size())
                     : floor.size  ? *floor.size
                                   : choose_size(kind, brief, 1.0, furniture, random.fork("size"));
-  Room room = make_room(own, size, windows, brief.wide_windows, random.fork("openings"));
+  // Without an outline of its own, the answer is taken to mean the prompt's.
+  const bool is_box = floor.size || brief.size;
+  const Outline outline = floor.polygon
+                              ? rectangle_of(size)
+                              : choose_outline(brief, size, is_box, repairs, random.fork("outline"));
+  Room room = make_room(own, outline, windows, brief.wide_windows, random.fork("openings"));
   const Random told = random.fork("told openings");
   if (!floor.polygon) {
     plan_openings(room, own, brief.openings, told, repairs);

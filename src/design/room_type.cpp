@@ -18,15 +18,6 @@ const WordSet& style_heads() {
   return heads;
 }
 
-std::map<std::string, std::string, std::less<>> all_names(const RoomKinds& kinds) {
-  std::map<std::string, std::string, std::less<>> names;
-  for (const auto& [type, kind] : kinds.types) {
-    names[type] = type;
-    for (const auto& other : kind.names) names.try_emplace(join(words(other), " "), type);
-  }
-  return names;
-}
-
 void collect_styles(const std::vector<Token>& tokens, std::size_t before, const RoomKinds& kinds,
                     const Vocabulary& words, Brief& brief) {
   for (std::size_t n = 1; n <= back && n <= before; ++n) {
@@ -104,9 +95,18 @@ void read_leading_noun(std::vector<Token>& tokens, const Vocabulary& words, cons
 
 }  // namespace
 
+std::map<std::string, std::string, std::less<>> room_names(const RoomKinds& kinds) {
+  std::map<std::string, std::string, std::less<>> names;
+  for (const auto& [type, kind] : kinds.types) {
+    names[type] = type;
+    for (const auto& other : kind.names) names.try_emplace(join(words(other), " "), type);
+  }
+  return names;
+}
+
 void read_room_type(std::vector<Token>& tokens, const Vocabulary& words, const KindNames& names,
                     const RoomKinds& kinds, Brief& brief) {
-  const auto rooms = all_names(kinds);
+  const auto rooms = room_names(kinds);
   for (std::size_t i = 0; i < tokens.size(); ++i) {
     if (tokens[i].kind != Token::Kind::word) continue;
     if (style_heads().count(tokens[i].text)) collect_styles(tokens, i, kinds, words, brief);

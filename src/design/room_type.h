@@ -10,6 +10,9 @@
 
 namespace roomgen::design {
 
+/// The kinds of rooms by all their names, in words parted by single spaces.
+std::map<std::string, std::string, std::less<>> room_names(const RoomKinds& kinds);
+
 /// Finds what room the prompt speaks of: a known kind by any of its names, or else words such as
 /// "tea house" or "a bakery with …". Every name of a room becomes one token; the words of style
 /// before it, and before "style" and its like, go into the brief.

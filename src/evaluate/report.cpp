@@ -1,9 +1,12 @@
 #include "roomgen/evaluate/report.h"
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 #include "roomgen/collision/solids.h"
 #include "roomgen/collision/usability.h"
+#include "roomgen/scene/dwelling.h"
 
 namespace roomgen {
 
@@ -44,6 +47,12 @@ void find_unusable(const Scene& scene, const CategoryTable& categories,
       found.push_back({Fault::unusable, thing.object->id, ""});
 }
 
+void add(SceneReport part, SceneReport& report) {
+  std::move(part.violations.begin(), part.violations.end(),
+            std::back_inserter(report.violations));
+  std::move(part.relations.begin(), part.relations.end(), std::back_inserter(report.relations));
+}
+
 }  // namespace
 
 std::string_view name(Fault fault) {
@@ -54,6 +63,7 @@ std::string_view name(Fault fault) {
     case Fault::blocks_window: return "blocks window";
     case Fault::unusable: return "unusable";
     case Fault::doors_apart: return "doors not connected";
+    case Fault::no_access: return "room without access";
   }
   return "";
 }
@@ -79,6 +89,12 @@ bool keeps_clear(const Object& object, const Category& category, const Room& roo
 
 SceneReport examine(const Scene& scene, const ModelTable& models, const CategoryTable& categories) {
   SceneReport report;
+  if (!scene.rooms.empty()) {
+    for (const auto& part : parts_of(scene)) add(examine(part, models, categories), report);
+    for (const auto& id : rooms_without_access(scene.rooms))
+      report.violations.push_back({Fault::no_access, "", id});
+    return report;
+  }
   for (const auto& object : scene.objects)
     if (!is_inside(object, scene.room)) report.violations.push_back({Fault::outside, object.id, ""});
   find_overlaps(scene, models, report.violations);

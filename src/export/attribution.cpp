@@ -24,7 +24,8 @@ std::vector<Credit> credits(const Scene& scene) {
     credit.asset = asset;
     credit.objects.push_back(user);
   };
-  for (const auto& opening : scene.room.openings) add(opening.joinery.asset, opening.id);
+  for (const auto& room : rooms_of(scene))
+    for (const auto& opening : room.openings) add(opening.joinery.asset, opening.id);
   for (const auto& object : scene.objects) add(object.asset, object.id);
   std::vector<Credit> result;
   for (auto& [key, credit] : by_asset) result.push_back(std::move(credit));

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <map>
 #include <optional>
+#include <span>
 
 #include "glb_buffer.h"
 #include "glb_lights.h"
@@ -48,22 +49,29 @@ class GlbWriter {
   explicit GlbWriter(const GlbOptions& options)
       : options_(options), materials_(options_.encode_image, buffer_) {}
 
-  Status add_room(const Scene& scene, const ModelTable& models) {
+  Status add_rooms(std::span<const Room> rooms, const ModelTable& models) {
+    for (std::size_t i = 0; i < rooms.size(); ++i)
+      if (auto status = add_room(rooms, i, models); !status) return status;
+    return {};
+  }
+
+  Status add_room(std::span<const Room> rooms, std::size_t index, const ModelTable& models) {
+    const Room& shown = rooms[index];
     Json children = Json::array();
-    Json room = {{"name", "room"}};
+    Json room = {{"name", shown.id.empty() ? "room" : shown.id}};
     const std::size_t room_node = nodes_.size();
     nodes_.push_back(nullptr);
-    for (const auto& part : room_shell(scene.room, options_.shell, models)) {
+    for (const auto& part : room_shell(rooms, index, options_.shell, models)) {
       const auto mesh = add_mesh(part.name, part.model);
       if (!mesh) return mesh.error();
       if (!*mesh) continue;
       children.push_back(nodes_.size());
       nodes_.push_back({{"name", part.name},
                         {"mesh", **mesh},
-                        {extras, {{"category", category_of(scene.room, part.name)}}}});
+                        {extras, {{"category", category_of(shown, part.name)}}}});
     }
     room["children"] = std::move(children);
-    room[extras] = {{"category", "room"}, {"type", scene.room.type}};
+    room[extras] = {{"category", "room"}, {"type", shown.type}};
     nodes_[room_node] = std::move(room);
     roots_.push_back(room_node);
     return {};
@@ -94,7 +102,12 @@ class GlbWriter {
       nodes_.push_back(std::move(node));
     };
     for (const auto& lamp : lamp_lights(scene)) add(lights_.lamp_node(lamp));
-    if (const auto sun = sunlight(scene.room)) add(lights_.sun_node(*sun));
+    // One sun for all: that of the first room with a window.
+    for (const auto& room : rooms_of(scene))
+      if (const auto sun = sunlight(room)) {
+        add(lights_.sun_node(*sun));
+        break;
+      }
     if (group["children"].empty()) return;
     roots_.push_back(nodes_.size());
     nodes_.push_back(std::move(group));
@@ -183,6 +196,7 @@ class GlbWriter {
   static Json describe(const Object& object) {
     Json json = {{"category", object.category}, {"size", to_json(object.size)}};
     if (!object.description.empty()) json["description"] = object.description;
+    if (!object.room.empty()) json["room"] = object.room;
     if (!object.relations.empty()) {
       json["relations"] = Json::array();
       for (const auto& relation : object.relations) json["relations"].push_back(to_text(relation));
@@ -203,11 +217,12 @@ class GlbWriter {
 Result<std::string> make_glb(const Scene& scene, const ModelTable& models,
                              const GlbOptions& options) {
   GlbWriter writer(options);
-  if (auto status = writer.add_room(scene, models); !status) return status.error();
+  if (auto status = writer.add_rooms(rooms_of(scene), models); !status) return status.error();
   for (const auto& object : scene.objects)
     if (auto status = writer.add_object(object, models); !status) return status.error();
   if (options.lights) writer.add_lights(scene);
-  return writer.finish(scene.room.type.empty() ? "room" : scene.room.type, attribution_line(scene));
+  const std::string type = scene.rooms.empty() ? scene.room.type : "dwelling";
+  return writer.finish(type.empty() ? "room" : type, attribution_line(scene));
 }
 
 Result<std::string> make_glb(const std::string& name, const Model& model,

@@ -54,11 +54,11 @@ std::string folder_name(const std::string& prompt) {
   return name.empty() ? "room" : name;
 }
 
-Status write_documents(const fs::path& folder, const Plan& plan, const Generation& generation) {
+Status write_documents(const fs::path& folder, const Json& plan, const Generation& generation) {
   std::string trace;
   for (const auto& step : generation.trace)
     trace += step.record.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
-  if (auto s = write_file(folder / "plan.json", dump_json(to_json(plan))); !s) return s;
+  if (auto s = write_file(folder / "plan.json", dump_json(plan)); !s) return s;
   if (auto s = write_file(folder / "trace.jsonl", trace); !s) return s;
   return write_file(folder / "scene.json", dump_json(to_json(generation.scene)));
 }

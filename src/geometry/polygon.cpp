@@ -37,6 +37,17 @@ void drop_needless_points(std::vector<Vec2>& points) {
   }
 }
 
+// Where the outline turns by half a circle and runs back over itself; the number of points if it
+// does so nowhere.
+std::size_t find_fold(const std::vector<Vec2>& points) {
+  const std::size_t n = points.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec2 in = points[i] - points[(i + n - 1) % n], out = points[(i + 1) % n] - points[i];
+    if (in.dot(out) < 0 && std::abs(cross(in, out)) < 1e-7 * in.norm() * out.norm()) return i;
+  }
+  return n;
+}
+
 // How far two boxes are apart at least.
 double distance(const Bounds2& a, const Segment& b) {
   const Vec2 below = a.low - b.a.cwiseMax(b.b), above = b.a.cwiseMin(b.b) - a.high;
@@ -88,6 +99,8 @@ Result<Polygon> make_polygon(std::vector<Vec2> points) {
     if (!point.allFinite()) return polygon_error("a coordinate is not a finite number");
   drop_needless_points(points);
   if (points.size() < 3) return polygon_error("needs at least three corners that are not in line");
+  if (const std::size_t fold = find_fold(points); fold < points.size())
+    return polygon_error("has a spike at " + coordinates(points[fold]) + "; leave that corner out");
   const double signed_size = signed_area(points);
   if (signed_size < 0) std::reverse(points.begin(), points.end());
 

@@ -11,7 +11,8 @@ ModelTable load_models(const Scene& scene, const AssetLibrary& library, const Lo
     if (model) models.add(key, *std::move(model));
     else log(log_sink, LogLevel::warning, owner + ": " + model.error().message);
   };
-  for (const auto& opening : scene.room.openings) add(opening.id, opening.joinery.asset);
+  for (const auto& room : rooms_of(scene))
+    for (const auto& opening : room.openings) add(opening.id, opening.joinery.asset);
   for (const auto& object : scene.objects) add(object.id, object.asset);
   return models;
 }

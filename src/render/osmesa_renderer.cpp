@@ -21,7 +21,8 @@ const Eigen::Vector3f plan_wall_color(74, 76, 82), wall_top_color(214, 209, 200)
 
 // Everything a picture depends on but the objects.
 std::string frame_key(const Scene& scene, const View& view, const Camera& camera) {
-  Json key = to_json(scene.room);
+  Json key;
+  for (const auto& room : rooms_of(scene)) key["rooms"].push_back(to_json(room));
   for (const double value : {camera.center.x(), camera.center.y(), camera.pixels_per_metre,
                              camera.near, camera.far, camera.backward.x(), camera.backward.y()})
     key["camera"].push_back(value);
@@ -32,20 +33,22 @@ std::string frame_key(const Scene& scene, const View& view, const Camera& camera
   return key.dump();
 }
 
-std::shared_ptr<const Model> shell_model(const Room& room, const ModelTable& models, const View& view,
+std::shared_ptr<const Model> shell_model(std::span<const Room> rooms, const ModelTable& models, const View& view,
                                          const Camera& camera) {
   const bool plan = view.kind == View::Kind::top;
   ShellOptions options;
-  options.wall_heights = wall_heights(room, view, camera);
   options.top_color = plan ? plan_wall_color : wall_top_color;
   options.door_leaves = !plan;  // drawn open, as a symbol
   options.ceiling = view.kind == View::Kind::eye;
   auto merged = std::make_shared<Model>();
-  for (auto& part : room_shell(room, options, models)) {
-    const int first = static_cast<int>(merged->materials.size());
-    for (auto& piece : part.model.parts)
-      merged->parts.push_back({std::move(piece.mesh), piece.material + first});
-    for (auto& material : part.model.materials) merged->materials.push_back(std::move(material));
+  for (std::size_t i = 0; i < rooms.size(); ++i) {
+    options.wall_heights = wall_heights(rooms, i, view, camera);
+    for (auto& part : room_shell(rooms, i, options, models)) {
+      const int first = static_cast<int>(merged->materials.size());
+      for (auto& piece : part.model.parts)
+        merged->parts.push_back({std::move(piece.mesh), piece.material + first});
+      for (auto& material : part.model.materials) merged->materials.push_back(std::move(material));
+    }
   }
   return merged;
 }
@@ -58,13 +61,14 @@ struct Frame {
   Image image;
 };
 
-Sun sun_of(const Room& room, const View& view, const Camera& camera) {
+Sun sun_of(std::span<const Room> rooms, const View& view, const Camera& camera) {
   std::vector<Vec3> points;
-  for (const auto& p : offset_outward(room.polygon, wall_thickness))
-    for (const double z : {-floor_thickness, room.height}) points.push_back({p.x(), p.y(), z});
+  for (const auto& room : rooms)
+    for (const auto& p : offset_outward(room.polygon, wall_thickness))
+      for (const double z : {-floor_thickness, room.height}) points.push_back({p.x(), p.y(), z});
   if (view.kind != View::Kind::eye) return make_sun(sun_direction(camera, view.kind), points);
   // Without a window the ceiling keeps it out.
-  const auto sun = sunlight(room);
+  const auto sun = sunlight(rooms[0]);
   return make_sun(sun ? sun->to_sun : Vec3(0.0, 0.0, 1.0), points);
 }
 
@@ -123,7 +127,7 @@ class OsmesaRenderer : public Renderer {
     update(frame, scene, models, view, *camera);
     Image image = frame.image;
     if (view.kind == View::Kind::top) {
-      draw_overlay(image, plan_symbols(scene.room, *camera));
+      draw_overlay(image, plan_symbols(rooms_of(scene), *camera));
       if (view.marks) draw_overlay(image, layout_marks(scene, *camera, view));
     }
     return image;
@@ -146,15 +150,20 @@ class OsmesaRenderer : public Renderer {
                      const Camera& camera, const std::string& key) {
     // From above, lamps would hide what stands under them; their ceiling is off as well. From a corner,
     // what hangs on a lowered wall would float before the room.
-    const auto heights = wall_heights(scene.room, view, camera);
+    const auto rooms = rooms_of(scene);
+    std::vector<std::vector<double>> heights;
+    for (std::size_t i = 0; i < rooms.size(); ++i)
+      heights.push_back(wall_heights(rooms, i, view, camera));
     const auto shown = [&](const Object& object) {
       if (view.kind == View::Kind::top) return object.mount != Mount::ceiling;
-      return !hangs_on_lowered_wall(scene.room, object, heights);
+      const Room& room = room_of(scene, object);
+      const auto index = static_cast<std::size_t>(&room - rooms.data());
+      return !hangs_on_lowered_wall(room, object, heights[index]);
     };
     DrawList items = draw_objects(scene, models, shown, cache_);
     DrawItem shell;
     shell.source = cache_.source(key);
-    if (!shell.source) shell.source = shell_model(scene.room, models, view, camera);
+    if (!shell.source) shell.source = shell_model(rooms_of(scene), models, view, camera);
     shell.model = cache_.get(key, shell.source);
     shell.box = shell.model->model_bounds();
     items.push_back(std::move(shell));  // last: objects hide much of it
@@ -169,7 +178,7 @@ class OsmesaRenderer : public Renderer {
     PixelRect damage = fresh ? PixelRect{0, 0, camera.width, camera.height} : PixelRect{};
     PixelRect shadow_damage =
         fresh || shadow_owner_ != frame.key ? ShadowMap::whole() : PixelRect{};
-    if (fresh) frame.sun = sun_of(scene.room, view, camera);
+    if (fresh) frame.sun = sun_of(rooms_of(scene), view, camera);
     for (const auto& box : differences(frame.items, items)) {
       damage.cover(touched_pixels(camera, frame.sun, box));
       shadow_damage.cover(ShadowMap::covered_by(frame.sun, box));

@@ -54,7 +54,9 @@ std::vector<RoomLight> lamps(const Scene& scene) {
 }  // namespace
 
 std::vector<RoomLight> room_lights(const Scene& scene) {
-  auto lights = windows(scene.room);
+  std::vector<RoomLight> lights;
+  for (const auto& room : rooms_of(scene))
+    for (const auto& window : windows(room)) lights.push_back(window);
   for (const auto& lamp : lamps(scene)) lights.push_back(lamp);
   lights.resize(std::min(lights.size(), most_room_lights));
   return lights;

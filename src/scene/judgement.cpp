@@ -325,6 +325,11 @@ Judgement judge(const ResolvedRelation& relation, const Subject& subject, const 
 
 std::vector<RelationVerdict> judge_scene(const Scene& scene, const CategoryTable& categories) {
   std::vector<RelationVerdict> verdicts;
+  if (!scene.rooms.empty()) {
+    for (const auto& part : parts_of(scene))
+      for (auto& verdict : judge_scene(part, categories)) verdicts.push_back(std::move(verdict));
+    return verdicts;
+  }
   for (const auto& object : scene.objects) {
     const Subject subject{footprint(object), bottom(object), top(object)};
     const auto resolved = resolve(object, scene.room, scene.objects, categories);

@@ -71,7 +71,7 @@ std::vector<LampLight> lamp_lights(const Scene& scene, const CategoryTable& tabl
   for (const auto& object : scene.objects) {
     const Category& category = table.get(object.category);
     if (!category.lamp) continue;
-    lights.push_back({object.id, place_of(object, *category.lamp, scene.room),
+    lights.push_back({object.id, place_of(object, *category.lamp, room_of(scene, object)),
                       category.lamp->candela, radians(category.lamp->cone)});
   }
   return lights;

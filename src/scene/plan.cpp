@@ -5,6 +5,7 @@
 #include "file_walls.h"
 #include "roomgen/base/file.h"
 #include "roomgen/base/text.h"
+#include "roomgen/scene/dwelling.h"
 #include "roomgen/scene/scene.h"
 
 namespace roomgen {
@@ -66,7 +67,7 @@ PlanItem read_item(const JsonReader& json) {
 
 std::vector<PlannedObject> planned_objects(const Plan& plan) {
   std::vector<PlannedObject> objects;
-  std::map<std::string, int> next_number;
+  auto next_number = plan.first_numbers;
   for (std::size_t i = 0; i < plan.items.size(); ++i)
     for (int n = 0; n < plan.items[i].quantity; ++n) {
       const std::string category = lower(plan.items[i].category);
@@ -93,6 +94,8 @@ Json to_json(const Plan& plan) {
 }
 
 Result<Plan> plan_from_json(const Json& json, const std::string& source) {
+  if (is_dwelling_plan(json))
+    return Error{Error::Kind::invalid_input, source + ": is the plan of a dwelling, not of one room"};
   JsonReader::Problems problems(source);
   const JsonReader root(json, problems);
   if (root["format"].text_or("") != "roomgen-plan")

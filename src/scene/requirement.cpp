@@ -45,6 +45,7 @@ Requirement read_members(const JsonReader& json) {
   if (requirement.kind == Requirement::Kind::relation)
     requirement.relation = read_relation(json["relation"]);
   requirement.targets = read_ids(json["targets"]);
+  requirement.room = json["room"].text_or("", 200);
   return requirement;
 }
 
@@ -77,6 +78,7 @@ Json to_json(const Requirement& requirement) {
       break;
   }
   if (!requirement.subjects.empty()) json["subjects"] = requirement.subjects;
+  if (!requirement.room.empty()) json["room"] = requirement.room;
   return json;
 }
 
@@ -89,13 +91,13 @@ Json to_json(const RequirementVerdict& verdict) {
 
 Requirement read_requirement(const JsonReader& json) {
   json.allow_only({"clause", "kind", "category", "subjects", "count", "at_least", "attribute",
-                   "relation", "targets"});
+                   "relation", "targets", "room"});
   return read_members(json);
 }
 
 RequirementVerdict read_verdict(const JsonReader& json) {
   json.allow_only({"clause", "kind", "category", "subjects", "count", "at_least", "attribute",
-                   "relation", "targets", "met", "reason"});
+                   "relation", "targets", "room", "met", "reason"});
   RequirementVerdict verdict;
   verdict.requirement = read_members(json);
   verdict.met = json["met"].boolean_or(false);

@@ -56,8 +56,8 @@ Joinery read_joinery(const JsonReader& json) {
 }
 
 Opening read_opening(const JsonReader& json) {
-  json.allow_only({"id", "type", "wall", "from", "to", "sill", "head", "hinge", "swing", "kind",
-                   "leaves", "glazed", "outline", "asset", "in_wall", "mirrored", "side_by_side"});
+  json.allow_only({"id", "type", "wall", "from", "to", "sill", "head", "hinge", "swing", "kind", "leaves",
+                   "glazed", "outline", "asset", "in_wall", "mirrored", "side_by_side", "leads_to"});
   Opening opening;
   opening.type = read_name(json["type"], OpeningType::door,
                            std::array{OpeningType::door, OpeningType::window, OpeningType::passage});
@@ -78,6 +78,7 @@ Opening read_opening(const JsonReader& json) {
   opening.glazed = json["glazed"].boolean_or(false);
   opening.outline = read_outline(json["outline"]);
   opening.joinery = read_joinery(json);
+  opening.leads_to = json["leads_to"].text_or("", 200);
   return opening;
 }
 
@@ -107,6 +108,7 @@ Json opening_json(const Opening& opening) {
   if (opening.glazed) json["glazed"] = true;
   for (const auto& p : opening.outline) json["outline"].push_back({rounded(p.x()), rounded(p.y())});
   add_joinery(json, opening.joinery);
+  if (!opening.leads_to.empty()) json["leads_to"] = opening.leads_to;
   return json;
 }
 
@@ -157,6 +159,7 @@ void move_openings(Room& room, const std::vector<Vec2>& given, const JsonReader&
 
 Json to_json(const Room& room) {
   Json json;
+  if (!room.id.empty()) json["id"] = room.id;
   json["type"] = room.type;
   json["polygon"] = Json::array();
   for (const auto& point : room.polygon.points)
@@ -174,8 +177,9 @@ Json to_json(const Room& room) {
 }
 
 Room read_room(const JsonReader& json) {
-  json.allow_only({"format", "version", "type", "polygon", "height", "openings", "materials"});
+  json.allow_only({"format", "version", "id", "type", "polygon", "height", "openings", "materials"});
   Room room;
+  room.id = json["id"].text_or("", 200);
   room.type = json["type"].text_or("", 200);
   room.height = json["height"].number_or(default_room_height, 1.5, 20.0);
   const auto points = read_corners(json["polygon"]);

@@ -1,8 +1,10 @@
 #include "roomgen/scene/room_shell.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "joinery.h"
+#include "roomgen/geometry/convex.h"
 #include "roomgen/scene/finish.h"
 #include "wall_builder.h"
 #include "woodwork.h"
@@ -15,6 +17,7 @@ using detail::add_quad;
 using detail::Span;
 using detail::WallColumn;
 using detail::WallFrame;
+using detail::WallNeighbours;
 using detail::WallPiece;
 
 constexpr double tolerance = 1e-6;
@@ -24,21 +27,21 @@ double height_of(const Room& room, const ShellOptions& options, std::size_t wall
                                             : room.height;
 }
 
-Model floor_slab(const Room& room) {
-  const Finish finish = floor_finish(room);
-  const Polygon outline{offset_outward(room.polygon, wall_thickness)};
-  Mesh upper, rest;
+// A convex or simple piece of the floor.
+void add_tile(Mesh& upper, Mesh& rest, const Polygon& outline, double extent) {
+  const auto first = static_cast<std::uint32_t>(upper.positions.size());
+  const auto under = static_cast<std::uint32_t>(rest.positions.size());
   for (const auto& p : outline.points) {
     upper.positions.push_back(Vec3(p.x(), p.y(), 0.0).cast<float>());
     upper.normals.push_back(Eigen::Vector3f::UnitZ());
-    upper.uvs.push_back((p / finish.extent).cast<float>());
+    upper.uvs.push_back((p / extent).cast<float>());
     rest.positions.push_back(Vec3(p.x(), p.y(), -floor_thickness).cast<float>());
     rest.normals.push_back(-Eigen::Vector3f::UnitZ());
-    rest.uvs.push_back((p / finish.extent).cast<float>());
+    rest.uvs.push_back((p / extent).cast<float>());
   }
   for (const auto& t : triangulate(outline)) {
-    upper.triangles.push_back(t);
-    rest.triangles.push_back({t[0], t[2], t[1]});
+    upper.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+    rest.triangles.push_back({under + t[0], under + t[2], under + t[1]});
   }
   for (std::size_t k = 0; k < outline.size(); ++k) {
     const Segment e = outline.edge(k);
@@ -46,6 +49,20 @@ Model floor_slab(const Room& room) {
     add_quad(rest,
              {at(e.a, -floor_thickness), at(e.b, -floor_thickness), at(e.b, 0.0), at(e.a, 0.0)});
   }
+}
+
+// The floor under a room and its walls, less those of earlier rooms.
+std::vector<Polygon> floor_tiles(std::span<const Room> rooms, std::size_t index) {
+  std::vector<Polygon> tiles = {{offset_outward(rooms[index].polygon, wall_thickness)}};
+  for (std::size_t other = 0; other < index; ++other)
+    tiles = subtract(tiles, {offset_outward(rooms[other].polygon, wall_thickness)});
+  return tiles;
+}
+
+Model floor_slab(const Room& room, const std::vector<Polygon>& tiles) {
+  const Finish finish = floor_finish(room);
+  Mesh upper, rest;
+  for (const auto& tile : tiles) add_tile(upper, rest, tile, finish.extent);
   Material edge;
   edge.name = "slab";
   edge.base_color = material_color({150, 142, 132});
@@ -68,6 +85,14 @@ Model ceiling_sheet(const Room& room) {
 // The faces of one wall, sorted by what they are made of.
 struct WallMeshes {
   Mesh painted, reveals, top;
+  std::vector<std::pair<const Room*, Mesh>> of_others;  ///< painted as another room is
+
+  Mesh& outer(const Room* behind) {
+    if (!behind) return painted;
+    for (auto& [room, mesh] : of_others)
+      if (room == behind) return mesh;
+    return of_others.emplace_back(behind, Mesh()).second;
+  }
 };
 
 class WallSolid {
@@ -78,7 +103,7 @@ class WallSolid {
   void add_column(const WallColumn& column) {
     for (const auto& piece : column.solid) {
       add_face(meshes_.painted, column, piece, false);
-      add_face(meshes_.painted, column, piece, true);
+      add_face(meshes_.outer(column.behind), column, piece, true);
       const bool at_top = std::min(piece.from.high, piece.to.high) > height_ - tolerance;
       const bool at_floor = std::max(piece.from.low, piece.to.low) < tolerance;
       add_edge(at_top ? meshes_.top : meshes_.reveals, column, piece.from.high, piece.to.high,
@@ -160,11 +185,15 @@ class WallSolid {
   WallMeshes meshes_;
 };
 
-WallMeshes wall_solid(const Room& room, std::size_t wall, double height, double uv_extent) {
-  const WallFrame frame = detail::wall_frame(room, wall);
+WallMeshes wall_solid(const Room& room, std::size_t wall, double height, double uv_extent,
+                      const WallNeighbours& neighbours) {
+  WallFrame frame = detail::wall_frame(room, wall);
+  // Where the post at a corner is another room's, the wall ends square against it.
+  if (neighbours.built_before) frame.outer_from = 0.0;
+  if (neighbours.built_behind) frame.outer_to = frame.length;
   WallSolid solid(frame, height, uv_extent);
   std::vector<WallPiece> before;
-  for (const auto& column : detail::wall_columns(room, wall, height)) {
+  for (const auto& column : detail::wall_columns(room, wall, height, neighbours)) {
     solid.add_column(column);
     solid.add_jambs(column.from, before, column.solid);
     before = column.solid;
@@ -180,9 +209,9 @@ void add_part(Model& model, Mesh mesh, const Material& material) {
 }
 
 Model wall_model(const Room& room, std::size_t wall, const Finish& finish,
-                 const ShellOptions& options) {
+                 const ShellOptions& options, const WallNeighbours& neighbours) {
   const double height = height_of(room, options, wall);
-  WallMeshes meshes = wall_solid(room, wall, height, finish.extent);
+  WallMeshes meshes = wall_solid(room, wall, height, finish.extent, neighbours);
   Material top = finish.material;
   if (options.top_color.x() >= 0) {
     top = Material{};
@@ -191,27 +220,60 @@ Model wall_model(const Room& room, std::size_t wall, const Finish& finish,
   }
   Model model;
   add_part(model, std::move(meshes.painted), finish.material);
+  for (auto& [other, mesh] : meshes.of_others)
+    add_part(model, std::move(mesh), wall_finish(*other).material);
   add_part(model, std::move(meshes.top), top);
   if (options.skirting) append(meshes.reveals, detail::skirting_board(room, wall, height));
   add_part(model, std::move(meshes.reveals), detail::woodwork_paint());
   return model;
 }
 
+// Does the post outside a corner belong to an earlier room?
+bool is_corner_built(std::span<const Room> rooms, std::size_t index, std::size_t corner) {
+  const Polygon& polygon = rooms[index].polygon;
+  if (index == 0 || !polygon.is_convex_corner(corner)) return false;
+  const Vec2 post =
+      0.5 * (polygon.points[corner] + offset_outward(polygon, wall_thickness)[corner]);
+  return std::any_of(rooms.begin(), rooms.begin() + static_cast<std::ptrdiff_t>(index),
+                     [&](const Room& earlier) {
+                       return contains(Polygon{offset_outward(earlier.polygon, wall_thickness)}, post);
+                     });
+}
+
+// Of all walls of a room, with what is known of the corners between them.
+std::vector<WallNeighbours> neighbours_of_walls(std::span<const Room> rooms, std::size_t index) {
+  const Polygon& polygon = rooms[index].polygon;
+  std::vector<WallNeighbours> walls;
+  for (std::size_t wall = 0; wall < polygon.size(); ++wall)
+    walls.push_back(detail::wall_neighbours(rooms, index, wall));
+  const std::size_t n = walls.size();
+  for (std::size_t corner = 0; corner < n; ++corner) {
+    const bool built = is_corner_built(rooms, index, corner);
+    walls[corner].built_before = built;
+    walls[(corner + n - 1) % n].built_behind = built;
+  }
+  return walls;
+}
+
 }  // namespace
 
-std::vector<ShellPart> room_shell(const Room& room, const ShellOptions& options,
-                                  const ModelTable& models) {
+std::vector<ShellPart> room_shell(std::span<const Room> rooms, std::size_t index,
+                                  const ShellOptions& options, const ModelTable& models) {
+  const Room& room = rooms[index];
   std::vector<ShellPart> shell;
-  shell.push_back({"floor", floor_slab(room)});
+  shell.push_back({"floor", floor_slab(room, floor_tiles(rooms, index))});
   const Finish finish = wall_finish(room);
   const bool has_accent = !room.materials.accent.empty();
   const Finish accent = has_accent ? accent_finish(room) : finish;
   const std::size_t accented = accent_wall(room);
+  const auto neighbours = neighbours_of_walls(rooms, index);
   for (std::size_t wall = 0; wall < room.polygon.size(); ++wall)
-    shell.push_back({"wall-" + std::to_string(wall),
-                     wall_model(room, wall, wall == accented ? accent : finish, options)});
+    shell.push_back(
+        {"wall-" + std::to_string(wall),
+         wall_model(room, wall, wall == accented ? accent : finish, options, neighbours[wall])});
   if (options.ceiling) shell.push_back({"ceiling", ceiling_sheet(room)});
   for (const auto& opening : room.openings) {
+    if (neighbours[opening.wall].is_built(0.5 * (opening.from + opening.to))) continue;
     const double height = height_of(room, options, opening.wall);
     const auto joinery = detail::joinery_to_show(opening, height, options, models);
     Model model = joinery ? detail::fitted_joinery(room, opening, *joinery)
@@ -219,6 +281,11 @@ std::vector<ShellPart> room_shell(const Room& room, const ShellOptions& options,
     if (!model.parts.empty()) shell.push_back({opening.id, std::move(model)});
   }
   return shell;
+}
+
+std::vector<ShellPart> room_shell(const Room& room, const ShellOptions& options,
+                                  const ModelTable& models) {
+  return room_shell({&room, 1}, 0, options, models);
 }
 
 }  // namespace roomgen

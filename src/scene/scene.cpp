@@ -2,6 +2,8 @@
 
 #include <set>
 
+#include "roomgen/scene/dwelling.h"
+
 namespace roomgen {
 
 const Object* find_object(const Scene& scene, std::string_view id) {
@@ -14,8 +16,35 @@ Object* find_object(Scene& scene, std::string_view id) {
   return const_cast<Object*>(find_object(static_cast<const Scene&>(scene), id));
 }
 
+std::span<const Room> rooms_of(const Scene& scene) {
+  if (scene.rooms.empty()) return {&scene.room, 1};
+  return scene.rooms;
+}
+
+const Room& room_of(const Scene& scene, const Object& object) {
+  const Room* room = find_room(scene.rooms, object.room);
+  return room ? *room : rooms_of(scene).front();
+}
+
+std::vector<Scene> parts_of(const Scene& scene) {
+  if (scene.rooms.empty()) return {scene};
+  std::vector<Scene> parts;
+  for (const auto& room : scene.rooms) {
+    Scene part;
+    part.prompt = scene.prompt;
+    part.seed = scene.seed;
+    part.incomplete = scene.incomplete;
+    part.room = room;
+    for (const auto& object : scene.objects)
+      if (object.room == room.id) part.objects.push_back(object);
+    parts.push_back(std::move(part));
+  }
+  return parts;
+}
+
 Status check(const Scene& scene) {
-  if (auto status = check(scene.room); !status) return status;
+  if (auto status = scene.rooms.empty() ? check(scene.room) : check_dwelling(scene.rooms); !status)
+    return status;
   std::set<std::string, std::less<>> ids;
   const auto error = [](const Object& object, const std::string& what) {
     return Error{Error::Kind::invalid_input, "object \"" + object.id + "\": " + what};
@@ -24,6 +53,8 @@ Status check(const Scene& scene) {
     if (object.id.empty()) return error(object, "has no id");
     if (!ids.insert(object.id).second) return error(object, "there are two of this id");
     if (!(object.size.minCoeff() > 0)) return error(object, "its size must be positive");
+    if (!scene.rooms.empty() && !find_room(scene.rooms, object.room))
+      return error(object, "is in room \"" + object.room + "\", which the dwelling does not have");
   }
   for (const auto& object : scene.objects) {
     if (object.mount == Mount::surface && !ids.count(object.on))

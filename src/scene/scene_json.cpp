@@ -36,6 +36,7 @@ Json object_json(const Object& object) {
   json["relations"] = Json::array();
   for (const auto& relation : object.relations) json["relations"].push_back(to_text(relation));
   json["locked"] = object.locked;
+  if (!object.room.empty()) json["room"] = object.room;
   return json;
 }
 
@@ -73,7 +74,19 @@ Object read_object(const JsonReader& json) {
     else element.report(relation.error().message);
   }
   object.locked = json["locked"].boolean_or(false);
+  object.room = json["room"].text_or("", 200);
   return object;
+}
+
+// Relations count walls as the file does, each in its object's room.
+void rename_walls(Scene& scene, const JsonReader& root) {
+  const auto rooms = rooms_of(scene);
+  for (std::size_t i = 0; i < rooms.size(); ++i) {
+    const JsonReader json = scene.rooms.empty() ? root["room"] : root["rooms"].elements(max_rooms)[i];
+    const FileWalls walls(read_corners(json["polygon"]), rooms[i].polygon);
+    for (auto& object : scene.objects)
+      if (scene.rooms.empty() || object.room == rooms[i].id) walls.rename(object.relations);
+  }
 }
 
 }  // namespace
@@ -88,7 +101,8 @@ Json to_json(const Scene& scene) {
   json["prompt"] = scene.prompt;
   json["seed"] = scene.seed;
   if (scene.incomplete) json["incomplete"] = true;
-  json["room"] = to_json(scene.room);
+  if (scene.rooms.empty()) json["room"] = to_json(scene.room);
+  for (const auto& room : scene.rooms) json["rooms"].push_back(to_json(room));
   json["objects"] = Json::array();
   for (const auto& object : scene.objects) json["objects"].push_back(object_json(object));
   json["unplaced"] = Json::array();
@@ -109,12 +123,18 @@ Result<Scene> scene_from_json(const Json& json, const std::string& source) {
   if (root["version"].integer_or(1, 1, 1000) != 1)
     root["version"].report("this version of roomgen reads version 1 only");
   root.allow_only({"format", "version", "units", "up", "front", "prompt", "seed", "incomplete",
-                   "room", "objects", "unplaced", "requirements"});
+                   "room", "rooms", "objects", "unplaced", "requirements"});
   Scene scene;
   scene.prompt = root["prompt"].text_or("", 100000);
   scene.seed = static_cast<std::uint64_t>(root["seed"].integer_or(0, 0, max_seed));
   scene.incomplete = root["incomplete"].boolean_or(false);
-  scene.room = read_room(root["room"]);
+  if (root["rooms"].exists() && root["room"].exists())
+    root.report("has both \"room\" and \"rooms\"; a dwelling has \"rooms\" only");
+  if (root["rooms"].exists())
+    for (const auto& element : root["rooms"].elements(max_rooms))
+      scene.rooms.push_back(read_room(element));
+  else
+    scene.room = read_room(root["room"]);
   for (const auto& element : root["objects"].elements(max_objects))
     scene.objects.push_back(read_object(element));
   for (const auto& element : root["unplaced"].elements_or_none(max_objects))
@@ -123,8 +143,7 @@ Result<Scene> scene_from_json(const Json& json, const std::string& source) {
   for (const auto& element : root["requirements"].elements_or_none(max_objects))
     scene.requirements.push_back(read_verdict(element));
   if (problems.first()) return *problems.first();
-  const FileWalls walls(read_corners(root["room"]["polygon"]), scene.room.polygon);
-  for (auto& object : scene.objects) walls.rename(object.relations);
+  rename_walls(scene, root);
   if (auto status = check(scene); !status) return with_context(status.error(), source);
   return scene;
 }

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "roomgen/geometry/outline.h"
@@ -27,8 +28,15 @@ std::vector<std::vector<Vec2>> holes_in(const Room& room, std::size_t wall, doub
   return holes;
 }
 
-std::vector<double> cut_positions(const std::vector<std::vector<Vec2>>& holes, double length) {
+std::vector<double> cut_positions(const std::vector<std::vector<Vec2>>& holes, double length,
+                                  const WallNeighbours& neighbours) {
   std::vector<double> cuts = {0.0, length};
+  const auto cut = [&](const Span& span) {
+    cuts.push_back(std::clamp(span.low, 0.0, length));
+    cuts.push_back(std::clamp(span.high, 0.0, length));
+  };
+  for (const auto& span : neighbours.built) cut(span);
+  for (const auto& stretch : neighbours.behind) cut(stretch.span);
   for (const auto& hole : holes)
     for (const auto& p : hole) cuts.push_back(p.x());
   std::sort(cuts.begin(), cuts.end());
@@ -84,6 +92,19 @@ std::vector<WallPiece> between(std::vector<WallPiece> holes, double height) {
   }
   if (!is_empty(rest)) solid.push_back(rest);
   return solid;
+}
+
+// Where a line that runs the other way lies on this one; metres along this one, which it may
+// overshoot.
+std::optional<Span> facing_span(const Segment& wall, const Segment& other) {
+  constexpr double apart = 1e-3;
+  const Vec2 along = wall.direction();
+  const auto off = [&](const Vec2& p) { return std::abs(cross(along, Vec2(p - wall.a))); };
+  if (off(other.a) > apart || off(other.b) > apart || along.dot(other.direction()) > 0)
+    return std::nullopt;
+  const Span span{(other.b - wall.a).dot(along), (other.a - wall.a).dot(along)};
+  if (span.high < apart || span.low > wall.length() - apart) return std::nullopt;
+  return span;
 }
 
 }  // namespace
@@ -169,15 +190,51 @@ void add_prism(Mesh& mesh, const WallFrame& frame, const std::vector<Vec2>& outl
   }
 }
 
-std::vector<WallColumn> wall_columns(const Room& room, std::size_t wall, double height) {
+bool WallNeighbours::is_built(double s) const {
+  return std::any_of(built.begin(), built.end(),
+                     [&](const Span& span) { return span.low < s && s < span.high; });
+}
+
+const Room* WallNeighbours::room_behind(double s) const {
+  for (const auto& stretch : behind)
+    if (stretch.span.low < s && s < stretch.span.high) return stretch.room;
+  return nullptr;
+}
+
+WallNeighbours wall_neighbours(std::span<const Room> rooms, std::size_t index, std::size_t wall) {
+  WallNeighbours neighbours;
+  const Polygon& own = rooms[index].polygon;
+  const Segment edge = own.edge(wall);
+  const Segment outer{edge.a - wall_thickness * own.inward(wall),
+                      edge.b - wall_thickness * own.inward(wall)};
+  for (std::size_t other = 0; other < rooms.size(); ++other) {
+    if (other == index) continue;
+    const Polygon& inner = rooms[other].polygon;
+    const Polygon shell{offset_outward(inner, wall_thickness)};
+    for (std::size_t k = 0; k < inner.size(); ++k) {
+      if (const auto span = facing_span(edge, shell.edge(k)); span && other < index)
+        neighbours.built.push_back(*span);
+      if (const auto span = facing_span(outer, inner.edge(k)); span && other > index)
+        neighbours.behind.push_back({*span, &rooms[other]});
+    }
+  }
+  return neighbours;
+}
+
+std::vector<WallColumn> wall_columns(const Room& room, std::size_t wall, double height,
+                                     const WallNeighbours& neighbours) {
   const auto holes = holes_in(room, wall, height);
-  const auto cuts = cut_positions(holes, room.polygon.edge(wall).length());
+  const auto cuts = cut_positions(holes, room.polygon.edge(wall).length(), neighbours);
   std::vector<WallColumn> columns;
   for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+    WallColumn column{cuts[i], cuts[i + 1], {}, nullptr};
+    const double middle = 0.5 * (column.from + column.to);
+    column.behind = neighbours.room_behind(middle);
     std::vector<WallPiece> parts;
     for (const auto& hole : holes)
-      if (const auto part = part_in_strip(hole, cuts[i], cuts[i + 1])) parts.push_back(*part);
-    columns.push_back({cuts[i], cuts[i + 1], between(std::move(parts), height)});
+      if (const auto part = part_in_strip(hole, column.from, column.to)) parts.push_back(*part);
+    if (!neighbours.is_built(middle)) column.solid = between(std::move(parts), height);
+    columns.push_back(std::move(column));
   }
   return columns;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "roomgen/geometry/model.h"
@@ -39,6 +40,21 @@ void add_box(Mesh& mesh, const WallFrame& frame, const Vec3& low, const Vec3& hi
 struct Span {
   double low, high;
 };
+/// What the other rooms of a dwelling make of a wall; s along it. Nothing for a room alone.
+struct WallNeighbours {
+  struct Stretch {
+    Span span;
+    const Room* room = nullptr;
+  };
+  std::vector<Span> built;      ///< that an earlier room has built
+  std::vector<Stretch> behind;  ///< where the outer face is the inner face of a later room
+  bool built_before = false, built_behind = false;  ///< the post at its start, at its end
+
+  bool is_built(double s) const;
+  const Room* room_behind(double s) const;
+};
+WallNeighbours wall_neighbours(std::span<const Room> rooms, std::size_t index, std::size_t wall);
+
 /// A solid part of a strip of wall, its edges straight from one side of the strip to the other.
 struct WallPiece {
   Span from, to;
@@ -47,8 +63,10 @@ struct WallPiece {
 struct WallColumn {
   double from, to;
   std::vector<WallPiece> solid;
+  const Room* behind = nullptr;  ///< whose paint its outer face has; null: its own room's
 };
-/// The wall up to `height`, cut into strips at the corners of its openings.
-std::vector<WallColumn> wall_columns(const Room& room, std::size_t wall, double height);
+/// The wall up to `height`, cut into strips at the corners of its openings and at its neighbours.
+std::vector<WallColumn> wall_columns(const Room& room, std::size_t wall, double height,
+                                     const WallNeighbours& neighbours = {});
 
 }  // namespace roomgen::detail

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "eye_camera.h"
+#include "roomgen/scene/dwelling.h"
 
 namespace roomgen {
 
@@ -26,7 +27,9 @@ Vec3 horizontal(const Vec2& direction, double z = 0.0) {
 // How well the room shows when the viewer looks from `to_viewer`: objects should show their fronts,
 // and tall things should not stand in front of the rest.
 double corner_score(const Scene& scene, const Vec2& to_viewer) {
-  const Bounds2 extent = bounds(scene.room.polygon);
+  Bounds2 extent;
+  for (const auto& room : rooms_of(scene))
+    for (const auto& p : room.polygon.points) extent.add(p);
   const Vec2 middle = 0.5 * (extent.low + extent.high);
   const double radius = std::max(0.5 * extent.size().norm(), 1e-6);
   double score = 0.0;
@@ -37,8 +40,9 @@ double corner_score(const Scene& scene, const Vec2& to_viewer) {
     const double nearness = (object.position.head<2>() - middle).dot(to_viewer) / radius;
     if (nearness > 0) score -= 1.5 * nearness * weight * std::max(0.0, top(object) - 0.6);
   }
-  for (const auto& opening : scene.room.openings)
-    score += 0.15 * opening.width() * inward(scene.room, opening).dot(to_viewer);
+  for (const auto& room : rooms_of(scene))
+    for (const auto& opening : room.openings)
+      score += 0.15 * opening.width() * inward(room, opening).dot(to_viewer);
   return score;
 }
 
@@ -51,7 +55,7 @@ Vec2 longest_wall_direction(const Room& room) {
 
 // One of the four diagonals of the room; the horizontal direction towards the viewer.
 Vec2 choose_corner(const Scene& scene) {
-  const Vec2 along = longest_wall_direction(scene.room);
+  const Vec2 along = longest_wall_direction(rooms_of(scene)[0]);
   Vec2 best = rotated(along, 0.25 * pi);
   double best_score = -std::numeric_limits<double>::max();
   for (int quarter = 0; quarter < 4; ++quarter) {
@@ -66,6 +70,14 @@ Vec2 choose_corner(const Scene& scene) {
   return best;
 }
 
+// A visitor of a dwelling stands in its largest room.
+Scene largest_part(const Scene& scene) {
+  const auto parts = parts_of(scene);
+  return *std::max_element(parts.begin(), parts.end(), [](const Scene& a, const Scene& b) {
+    return area(a.room.polygon) < area(b.room.polygon);
+  });
+}
+
 void aim(Camera& camera, const Scene& scene, const View& view) {
   if (view.kind == View::Kind::top) return;
   const Vec2 to_viewer = choose_corner(scene);
@@ -76,13 +88,16 @@ void aim(Camera& camera, const Scene& scene, const View& view) {
 
 std::vector<Vec3> points_to_show(const Scene& scene, const Camera& camera, const View& view) {
   std::vector<Vec3> points;
-  const auto outline = offset_outward(scene.room.polygon, wall_thickness);
-  const auto heights = wall_heights(scene.room, view, camera);
-  const std::size_t n = outline.size();
-  for (std::size_t k = 0; k < n; ++k) {
-    points.push_back(horizontal(outline[k], -0.1));
-    points.push_back(horizontal(outline[k], heights[k]));
-    points.push_back(horizontal(outline[(k + 1) % n], heights[k]));
+  const auto rooms = rooms_of(scene);
+  for (std::size_t i = 0; i < rooms.size(); ++i) {
+    const auto outline = offset_outward(rooms[i].polygon, wall_thickness);
+    const auto heights = wall_heights(rooms, i, view, camera);
+    const std::size_t n = outline.size();
+    for (std::size_t k = 0; k < n; ++k) {
+      points.push_back(horizontal(outline[k], -0.1));
+      points.push_back(horizontal(outline[k], heights[k]));
+      points.push_back(horizontal(outline[(k + 1) % n], heights[k]));
+    }
   }
   for (const auto& object : scene.objects)
     for (const auto& corner : box_corners(object)) points.push_back(corner);
@@ -112,15 +127,26 @@ void fit(Camera& camera, const std::vector<Vec3>& points, const View& view) {
   camera.height = side(size.y());
 }
 
-// Would a wall of full height hide floor behind it? Only in rooms that are not convex.
-bool hides_room(const Room& room, std::size_t wall, const Camera& camera) {
+// Would a wall of full height hide floor behind it? Only in rooms that are not convex, and in
+// dwellings.
+bool hides_floor(std::span<const Room> rooms, std::size_t index, std::size_t wall,
+                 const Camera& camera) {
+  const Room& room = rooms[index];
   const Vec2 away = -camera.backward.head<2>().normalized();
   const double shadow = room.height / std::tan(iso_elevation);
   const Segment edge = room.polygon.edge(wall);
   for (const double along : {0.1, 0.3, 0.5, 0.7, 0.9})
-    for (double d = 0.3; d < shadow; d += 0.2)
-      if (contains(room.polygon, Vec2(edge.a + along * (edge.b - edge.a) + d * away))) return true;
+    for (double d = 0.3; d < shadow; d += 0.2) {
+      const Vec2 behind = edge.a + along * (edge.b - edge.a) + d * away;
+      for (const auto& other : rooms)
+        if (contains(other.polygon, behind)) return true;
+    }
   return false;
+}
+
+bool is_shared(const std::vector<SharedStretch>& stretches, std::size_t wall) {
+  return std::any_of(stretches.begin(), stretches.end(),
+                     [&](const SharedStretch& stretch) { return stretch.wall == wall; });
 }
 
 }  // namespace
@@ -142,7 +168,10 @@ std::vector<Vec3> box_corners(const Object& object) {
   return corners;
 }
 
-std::vector<double> wall_heights(const Room& room, const View& view, const Camera& camera) {
+std::vector<double> wall_heights(std::span<const Room> rooms, std::size_t index, const View& view,
+                                 const Camera& camera) {
+  const Room& room = rooms[index];
+  const auto shared = shared_stretches(rooms, index);
   std::vector<double> heights(room.polygon.size(), room.height);
   if (view.kind == View::Kind::eye) return heights;
   for (std::size_t k = 0; k < heights.size(); ++k) {
@@ -151,7 +180,9 @@ std::vector<double> wall_heights(const Room& room, const View& view, const Camer
       continue;
     }
     const bool faces_viewer = room.polygon.inward(k).dot(camera.backward.head<2>()) > 0.05;
-    if (!faces_viewer || hides_room(room, k, camera))
+    if (is_shared(shared, k))
+      heights[k] = std::min(room.height, inner_wall_height);
+    else if (!faces_viewer || hides_floor(rooms, index, k, camera))
       heights[k] = std::min(room.height, hidden_wall_height);
   }
   return heights;
@@ -176,9 +207,9 @@ Result<Camera> make_camera(const Scene& scene, const View& view) {
                  "a picture must be " + std::to_string(min_picture_pixels) + " to " +
                      std::to_string(max_picture_pixels) + " pixels long, not " +
                      std::to_string(view.pixels)};
-  if (scene.room.polygon.size() < 3)
+  if (rooms_of(scene)[0].polygon.size() < 3)
     return Error{Error::Kind::invalid_input, "the room has no floor to look at"};
-  if (view.kind == View::Kind::eye) return detail::eye_camera(scene, view.pixels);
+  if (view.kind == View::Kind::eye) return detail::eye_camera(largest_part(scene), view.pixels);
   Camera camera;
   aim(camera, scene, view);
   fit(camera, points_to_show(scene, camera, view), view);

@@ -59,6 +59,18 @@ std::optional<Drawing> try_layout(const Scene& scene, const Camera& camera, cons
   return drawing;
 }
 
+// The grid of a dwelling is that of the rectangle around it.
+Scene with_one_room(const Scene& scene) {
+  Scene framed = scene;
+  Bounds2 box;
+  for (const auto& room : scene.rooms)
+    for (const auto& p : room.polygon.points) box.add(p);
+  framed.rooms.clear();
+  framed.room.polygon.points = {box.low, {box.high.x(), box.low.y()}, box.high,
+                                {box.low.x(), box.high.y()}};
+  return framed;
+}
+
 }  // namespace
 
 double grid_step(const Room& room) {
@@ -85,6 +97,7 @@ Vec2 label_size(const std::string& text, double letter_height) {
 }
 
 Drawing layout_marks(const Scene& scene, const Camera& camera, const View& view) {
+  if (!scene.rooms.empty()) return layout_marks(with_one_room(scene), camera, view);
   const double longest = std::max(camera.width, camera.height);
   double letters = std::max(letters_at_1024 * longest / 1024.0, smallest_letters);
   for (;; letters *= shrink) {

@@ -56,18 +56,25 @@ void add_lines_along(Drawing& drawing, const Room& room, const Opening& opening,
          to_pixels({line.a + depth * outward, line.b + depth * outward}, camera)});
 }
 
+void add_symbol(Drawing& drawing, const Room& room, const Opening& opening, const Camera& camera) {
+  if (opening.type == OpeningType::window)
+    add_lines_along(drawing, room, opening, {0.0, 0.5 * wall_thickness, wall_thickness}, camera);
+  else if (opening.type == OpeningType::door && opening.swing == DoorSwing::sliding)
+    add_lines_along(drawing, room, opening, {0.3 * wall_thickness, 0.7 * wall_thickness}, camera);
+  else if (opening.type == OpeningType::door)
+    add_door(drawing, room, opening, camera);
+}
+
 }  // namespace
 
-Drawing plan_symbols(const Room& room, const Camera& camera) {
+Drawing plan_symbols(std::span<const Room> rooms, const Camera& camera) {
   Drawing drawing;
-  for (const auto& opening : room.openings) {
-    if (opening.type == OpeningType::window)
-      add_lines_along(drawing, room, opening, {0.0, 0.5 * wall_thickness, wall_thickness}, camera);
-    else if (opening.type == OpeningType::door && opening.swing == DoorSwing::sliding)
-      add_lines_along(drawing, room, opening, {0.3 * wall_thickness, 0.7 * wall_thickness}, camera);
-    else if (opening.type == OpeningType::door)
-      add_door(drawing, room, opening, camera);
-  }
+  for (const auto& room : rooms)
+    for (const auto& opening : room.openings) {
+      // A door between rooms is drawn by the one into which it opens.
+      if (!opening.leads_to.empty() && opening.swing == DoorSwing::out) continue;
+      add_symbol(drawing, room, opening, camera);
+    }
   return drawing;
 }
 

@@ -108,3 +108,10 @@ TEST_CASE("Two corners of a star swapped make it cross itself, and it is refused
   }
   CHECK(refused == 200);
 }
+
+TEST_CASE("A polygon that runs back over itself is refused") {
+  const auto spike = make_polygon({{0, 0}, {4, 0}, {4, 3}, {4, 5}, {4, 3}, {0, 3}});
+  REQUIRE_FALSE(spike);
+  CHECK(spike.error().message.find("(4, 5)") != std::string::npos);
+  CHECK_FALSE(make_polygon({{0, 0}, {4, 0}, {6, 0}, {4, 0}, {4, 3}, {0, 3}}));
+}

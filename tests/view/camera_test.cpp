@@ -55,7 +55,7 @@ TEST_CASE("the corner view keeps the two far walls of a rectangular room") {
   const View view = view_of(View::Kind::isometric);
   const auto camera = make_camera(scene, view);
   REQUIRE(camera);
-  const auto heights = wall_heights(scene.room, view, *camera);
+  const auto heights = wall_heights(rooms_of(scene), 0, view, *camera);
   for (std::size_t k = 0; k < heights.size(); ++k) {
     const bool far = scene.room.polygon.inward(k).dot(camera->backward.head<2>()) > 0;
     CHECK(heights[k] == (far ? scene.room.height : hidden_wall_height));
@@ -82,7 +82,7 @@ TEST_CASE("a wall that would hide a part of the room is lowered") {
   const View view = view_of(View::Kind::isometric);
   const auto camera = make_camera(scene, view);
   REQUIRE(camera);
-  const auto heights = wall_heights(scene.room, view, *camera);
+  const auto heights = wall_heights(rooms_of(scene), 0, view, *camera);
   const Vec2 away = -camera->backward.head<2>().normalized();
   for (std::size_t k = 0; k < heights.size(); ++k) {
     if (heights[k] < scene.room.height) continue;

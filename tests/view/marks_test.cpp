@@ -187,7 +187,7 @@ TEST_CASE("a door is drawn open with the arc of its swing") {
   Scene scene;
   scene.room = test::plain_room();  // door from x = 0.5 to 1.4 in the south wall, hinge at 0.5
   const auto camera = lay(scene).camera;
-  const Drawing drawing = plan_symbols(scene.room, camera);
+  const Drawing drawing = plan_symbols(rooms_of(scene), camera);
   const Vec2 hinge = camera.pixel({0.5, 0, 0}), open = camera.pixel({0.5, 0.9, 0}),
              shut = camera.pixel({1.4, 0, 0});
   bool has_leaf = false, has_arc = false;

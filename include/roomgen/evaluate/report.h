@@ -10,14 +10,14 @@
 
 namespace roomgen {
 
-enum class Fault { outside, overlap, blocks_door, blocks_window, unusable, doors_apart };
+enum class Fault { outside, overlap, blocks_door, blocks_window, unusable, doors_apart, no_access };
 std::string_view name(Fault fault);
 
 /// Something that docs/constraints.md ("Valid") forbids.
 struct Violation {
   Fault fault = Fault::outside;
   std::string object;  ///< id, or empty for the room
-  std::string other;   ///< the second object, the opening
+  std::string other;   ///< the second object, the opening, the room that nobody can enter
 };
 
 /// What can be said about a scene without knowing what was wished for.
@@ -28,7 +28,8 @@ struct SceneReport {
   int relations_held() const;
 };
 
-/// Examines a whole scene. `models` decides solids whose boxes overlap; objects without a model count as
+/// Examines a whole scene, a dwelling room by room: people come through its doors, and each room
+/// must have one that leads outdoors by way of others. `models` decides solids whose boxes overlap; objects without a model count as
 /// boxes.
 SceneReport examine(const Scene& scene, const ModelTable& models, const CategoryTable& categories);
 

@@ -10,6 +10,7 @@
 #include "roomgen/base/result.h"
 #include "roomgen/design/designer.h"
 #include "roomgen/library/library.h"
+#include "roomgen/scene/dwelling.h"
 #include "roomgen/scene/model_table.h"
 #include "roomgen/scene/plan.h"
 #include "roomgen/scene/scene.h"
@@ -84,5 +85,11 @@ struct Generation {
 /// (Error::Kind::limit), what is placed so far is returned and the scene is marked incomplete.
 Result<Generation> generate(const Plan& plan, Designer& designer, const AssetLibrary& library,
                             const CategoryTable& categories, const GenerateOptions& options = {});
+
+/// Furnishes the rooms of a dwelling one after the other into one scene. What was stopped in one
+/// room is stopped in those after it.
+Result<Generation> generate(const DwellingPlan& plan, Designer& designer,
+                            const AssetLibrary& library, const CategoryTable& categories,
+                            const GenerateOptions& options = {});
 
 }  // namespace roomgen

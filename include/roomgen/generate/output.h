@@ -16,8 +16,9 @@ Status prepare_output_folder(const std::filesystem::path& folder, bool force);
 /// A short folder name for a prompt: "a-cosy-bedroom-for-two".
 std::string folder_name(const std::string& prompt);
 
-/// scene.json, plan.json and trace.jsonl of a finished (or interrupted) generation.
-Status write_documents(const std::filesystem::path& folder, const Plan& plan,
+/// scene.json, plan.json and trace.jsonl of a finished (or interrupted) generation; `plan` is that
+/// of a room or of a dwelling.
+Status write_documents(const std::filesystem::path& folder, const Json& plan,
                        const Generation& generation);
 
 }  // namespace roomgen

@@ -30,7 +30,8 @@ Bounds2 bounds(const Polygon& polygon);
 
 /// A polygon from points in either winding: repeated points and points in the middle of a straight
 /// edge are dropped, the order is made counter-clockwise. Fails when less than a triangle of
-/// 1e-4 m2 remains or when edges cross or touch each other.
+/// 1e-4 m2 remains or when edges cross, touch or run
+/// back over each other.
 Result<Polygon> make_polygon(std::vector<Vec2> points);
 
 bool contains(const Polygon& polygon, const Vec2& point);

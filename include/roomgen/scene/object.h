@@ -36,6 +36,7 @@ struct Object {
   std::string on;                 ///< id of the object under it, for Mount::surface
   std::vector<Relation> relations;
   bool locked = false;            ///< neither repair nor improvement may move it
+  std::string room;               ///< id of its room in a dwelling, else empty
 };
 
 inline Footprint footprint(const Object& object) {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,6 +38,9 @@ struct Plan {
   std::vector<std::string> excluded;  ///< categories that the prompt forbids
   std::vector<std::string> notes;     ///< what was assumed, for people
   std::vector<Requirement> requirements;  ///< the prompt's clauses, to be checked at the end
+  /// Numbers of a category from which its objects count; 0 unless given. In a dwelling, those that
+  /// other rooms have.
+  std::map<std::string, int, std::less<>> first_numbers;
 };
 
 /// One object of an item: "chair-2".

@@ -28,6 +28,7 @@ struct Requirement {
   RelationKind relation = RelationKind::near;
   std::vector<std::string> targets;   ///< ids or parts of the room, of which one will do; none for
                                       ///< edge and middle
+  std::string room;                   ///< id of the room that it is about, in a dwelling
 
   bool operator==(const Requirement&) const = default;
 };

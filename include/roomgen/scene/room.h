@@ -55,6 +55,7 @@ struct Opening {
   /// `from` to `to`, y from `sill` to `head`. Every upright line crosses it once. Empty: all of it.
   std::vector<Vec2> outline;
   Joinery joinery;
+  std::string leads_to;  ///< of a door or passage in a dwelling: id of the next room; empty: outdoors
 
   double width() const { return to - from; }
   bool is_entrance() const { return type != OpeningType::window; }
@@ -73,6 +74,7 @@ struct Room {
   double height = default_room_height;
   std::vector<Opening> openings;
   RoomMaterials materials;
+  std::string id;  ///< "bedroom-0" in a dwelling, else empty
 };
 
 /// The outline of the hole in metres along the wall and over the floor, counter-clockwise.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,12 @@ struct ShellOptions {
 /// still finds the room closed from inside.
 std::vector<ShellPart> room_shell(const Room& room, const ShellOptions& options = {},
                                   const ModelTable& models = {});
+
+/// The shell of one room of a dwelling (scene/dwelling.h), less what earlier rooms have built: a
+/// wall between two rooms is one solid, that of the first of them, each side painted as its room
+/// is; the other room keeps its skirting. A list of one room is that room alone.
+std::vector<ShellPart> room_shell(std::span<const Room> rooms, std::size_t index,
+                                  const ShellOptions& options = {}, const ModelTable& models = {});
 
 /// Thickness of the floor slab, metres.
 inline constexpr double floor_thickness = 0.10;

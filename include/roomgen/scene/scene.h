@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,7 +21,10 @@ struct Unplaced {
   std::string reason;  ///< for people
 };
 
-/// A furnished room: the one source of truth for every export, picture, edit and figure.
+/// A furnished room, or a dwelling of several: the one source of truth for every export, picture,
+/// edit and figure. A dwelling has its rooms in `rooms`, in one common frame, and `room` stays
+/// empty; each object names its room. Ids of objects are unique in the whole dwelling, ids of
+/// openings in their room: what a relation says is meant in the object's room.
 struct Scene {
   std::string prompt;
   std::uint64_t seed = 0;
@@ -29,7 +33,19 @@ struct Scene {
   std::vector<Object> objects;
   std::vector<Unplaced> unplaced;
   std::vector<RequirementVerdict> requirements;  ///< what the prompt asked for, met or not
+  std::vector<Room> rooms;  ///< of a dwelling
 };
+
+inline constexpr std::size_t max_rooms = 12;  ///< of a dwelling
+
+/// The one room, or those of the dwelling.
+std::span<const Room> rooms_of(const Scene& scene);
+/// One room of a scene with what stands in it, as a scene of its own: what is true of single rooms
+/// is asked of each part. A scene of one room has itself as its only part.
+std::vector<Scene> parts_of(const Scene& scene);
+
+/// The room that an object of the scene is in.
+const Room& room_of(const Scene& scene, const Object& object);
 
 const Object* find_object(const Scene& scene, std::string_view id);
 Object* find_object(Scene& scene, std::string_view id);

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "roomgen/geometry/mesh.h"
@@ -34,6 +35,8 @@ inline constexpr int max_picture_pixels = 4096;
 inline constexpr double plan_cut_height = 1.2;
 /// What remains of walls between the viewer and the room.
 inline constexpr double hidden_wall_height = 0.08;
+/// What remains of walls between rooms in the isometric view: enough to see where doors are.
+inline constexpr double inner_wall_height = 0.9;
 
 /// Height of the eye of a standing person above the floor, metres (Neufert, Architects' Data).
 inline constexpr double eye_level = 1.6;
@@ -50,9 +53,11 @@ Result<Camera> make_camera(const Scene& scene, const View& view);
 /// The eight corners of the object's placed box.
 std::vector<Vec3> box_corners(const Object& object);
 
-/// Heights to draw the walls with: the top view cuts them, the isometric view lowers those that
-/// would hide the room, at eye level they are whole.
-std::vector<double> wall_heights(const Room& room, const View& view, const Camera& camera);
+/// Heights to draw the walls of rooms[index] with: the top view cuts them, the isometric view
+/// lowers those that would hide floor, those between rooms less than the others, at eye level they are
+/// whole.
+std::vector<double> wall_heights(std::span<const Room> rooms, std::size_t index, const View& view,
+                                 const Camera& camera);
 
 /// Does the object hang on a wall that is drawn too low to hold it? It would float in the air.
 bool hangs_on_lowered_wall(const Room& room, const Object& object,

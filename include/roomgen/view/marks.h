@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -41,8 +42,8 @@ struct Drawing {
   double text_height = 12.0;  ///< capital letters of object labels, pixels
 };
 
-/// Door leaves with their swing and panes of windows, as architects draw them.
-Drawing plan_symbols(const Room& room, const Camera& camera);
+/// Door leaves with their swing and panes of windows, as architects draw them, of all rooms.
+Drawing plan_symbols(std::span<const Room> rooms, const Camera& camera);
 
 /// The marks of set-of-mark prompting: grid lines every `grid_step` metres with their coordinates,
 /// the axes by name, each object's id, outline and front. No two label boxes overlap, all lie

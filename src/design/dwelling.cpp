@@ -1,0 +1,130 @@
+#include "roomgen/design/dwelling.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "dwelling_kinds.h"
+#include "dwelling_layout.h"
+#include "dwelling_openings.h"
+#include "dwelling_prompt.h"
+#include "prompt.h"
+#include "room_kinds.h"
+#include "roomgen/base/random.h"
+#include "roomgen/base/text.h"
+#include "roomgen/scene/category.h"
+
+namespace roomgen {
+
+namespace {
+
+using namespace design;
+
+constexpr double height = 2.6;           // of all rooms: they have one ceiling
+// Of what such a room usually has: rooms must lie around each other.
+constexpr double least_share = 0.75, greatest_share = 2.0;
+
+double bounded(double area, const DwellingRoom& kind) {
+  return std::clamp(area, least_share * kind.area.low, greatest_share * kind.area.high);
+}
+
+// What the prompt says of the room's size, else drawn by its kind.
+double area_of(const SaidRoom& said, const DwellingRoom& kind, const RoomKinds& kinds,
+               Random random) {
+  const Brief brief = read_prompt(said.prompt, kinds, CategoryTable::built_in());
+  if (brief.size) return bounded(brief.size->prod(), kind);
+  if (brief.area) return bounded(*brief.area, kind);
+  double area = random.uniform(kind.area.low, kind.area.high);
+  for (const auto& word : brief.styles)
+    if (const Style* style = kinds.style(word)) area *= style->size * style->size;
+  return bounded(area, kind);
+}
+
+std::vector<LaidRoom> lay(const SaidDwelling& said, const DwellingKinds& dwellings,
+                          const RoomKinds& kinds, const Random& random) {
+  std::vector<LaidRoom> rooms;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < said.rooms.size(); ++i) {
+    const double area = area_of(said.rooms[i], dwellings.rooms.at(said.rooms[i].type), kinds,
+                                random.fork("area " + std::to_string(i)));
+    rooms.push_back({said.rooms[i].type, area, said.rooms[i].owner, {}});
+    sum += area;
+  }
+  if (said.area)
+    for (auto& room : rooms)
+      room.area = bounded(room.area * *said.area / sum, dwellings.rooms.at(room.type));
+  return lay_out(std::move(rooms), dwellings);
+}
+
+std::vector<Room> make_rooms(const std::vector<LaidRoom>& laid, const RoomKinds& kinds,
+                             Random random) {
+  std::vector<Room> rooms;
+  std::map<std::string, int> numbers;
+  for (const auto& each : laid) {
+    const RoomKind& kind = kinds.get(each.type);
+    Room room;
+    room.type = each.type;
+    room.id = join(words(each.type), "-") + "-" + std::to_string(numbers[each.type]++);
+    room.height = height;
+    const Vec2 &low = each.box.low, &high = each.box.high;
+    room.polygon.points = {low, {high.x(), low.y()}, high, {low.x(), high.y()}};
+    if (!kind.floors.empty()) room.materials.floor = random.pick(kind.floors);
+    if (!kind.walls.empty()) room.materials.walls = random.pick(kind.walls);
+    room.materials.ceiling = "white ceiling";
+    rooms.push_back(std::move(room));
+  }
+  return rooms;
+}
+
+// One floor runs through a dwelling, but for rooms that get wet.
+void share_floors(std::vector<Room>& rooms) {
+  const auto is_wooden = [](const Room& room) {
+    return room.materials.floor.find("tile") == std::string::npos;
+  };
+  const auto first = std::find_if(rooms.begin(), rooms.end(), is_wooden);
+  if (first == rooms.end()) return;
+  const std::string floor = first->materials.floor;
+  for (auto& room : rooms)
+    if (is_wooden(room)) room.materials.floor = floor;
+}
+
+}  // namespace
+
+Result<std::optional<DwellingPlan>> plan_dwelling(const PlanRequest& request, Designer& designer) {
+  const std::optional<DwellingPlan> none;
+  const auto& dwellings = built_in_dwelling_kinds();
+  if (!dwellings) return dwellings.error();
+  const auto& kinds = built_in_room_kinds();
+  if (!kinds) return kinds.error();
+  if (request.room || request.size) return none;
+  const auto said = read_dwelling(request.prompt, *dwellings, *kinds, CategoryTable::built_in());
+  if (!said) return none;
+
+  const Random random = Random(request.seed).fork("dwelling");
+  const auto laid = lay(*said, *dwellings, *kinds, random);
+  auto rooms = make_rooms(laid, *kinds, random.fork("finish"));
+  share_floors(rooms);
+  open_up(rooms, laid, *dwellings, *kinds, random.fork("openings"));
+  if (auto status = check_dwelling(rooms); !status) return status.error();
+
+  DwellingPlan plan;
+  plan.prompt = request.prompt;
+  plan.seed = request.seed;
+  plan.notes = said->notes;
+  if (laid.size() > said->rooms.size())
+    plan.notes.push_back("a hallway was added, from which the rooms are entered");
+  for (std::size_t i = 0; i < rooms.size(); ++i) {
+    PlanRequest own;
+    own.prompt = i < said->rooms.size() ? said->rooms[i].prompt : "a " + rooms[i].type;
+    own.seed = random.fork("plan of " + rooms[i].id).fork("seed").next();
+    own.room = rooms[i];
+    own.cancel = request.cancel;
+    auto room = designer.plan(own);
+    if (!room) return with_context(room.error(), "room \"" + rooms[i].id + "\"");
+    plan.rooms.push_back(*std::move(room));
+  }
+  number_through(plan);
+  return std::optional<DwellingPlan>(std::move(plan));
+}
+
+}  // namespace roomgen

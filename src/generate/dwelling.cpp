@@ -1,0 +1,116 @@
+#include <map>
+#include <set>
+#include <utility>
+
+#include "roomgen/generate/generate.h"
+
+namespace roomgen {
+
+namespace {
+
+void add(const SuggestionFigures& part, SuggestionFigures& sum) {
+  sum.located += part.located;
+  sum.within_half += part.within_half;
+  sum.within_one += part.within_one;
+  sum.faced += part.faced;
+  sum.facing_kept += part.facing_kept;
+}
+
+void add(const ModelUse& part, ModelUse& sum) {
+  sum.calls += part.calls;
+  sum.input_tokens += part.input_tokens;
+  sum.output_tokens += part.output_tokens;
+  sum.seconds += part.seconds;
+  sum.fallbacks += part.fallbacks;
+}
+
+/// Takes over one furnished room after the other.
+class Joiner {
+ public:
+  explicit Joiner(const DwellingPlan& plan) {
+    whole_.scene.prompt = plan.prompt;
+    whole_.scene.seed = plan.seed;
+  }
+
+  void add_room(const Room& room, Generation part) {
+    Scene& scene = whole_.scene;
+    for (const auto& opening : part.scene.room.openings)
+      add_model(opening.joinery.asset, part.models);
+    scene.rooms.push_back(part.scene.room);
+    scene.incomplete = scene.incomplete || part.scene.incomplete;
+    for (auto& object : part.scene.objects) {
+      object.room = room.id;
+      add_model(object.asset, part.models);
+      scene.objects.push_back(std::move(object));
+    }
+    for (auto& missing : part.scene.unplaced) scene.unplaced.push_back(std::move(missing));
+    for (auto& verdict : part.scene.requirements) {
+      verdict.requirement.room = room.id;
+      scene.requirements.push_back(std::move(verdict));
+    }
+    for (auto& asset : part.assets)
+      if (assets_.insert(asset_key(asset.ref)).second) whole_.assets.push_back(std::move(asset));
+    for (auto& step : part.trace) {
+      step.record["room"] = room.id;
+      whole_.trace.push_back(std::move(step));
+    }
+    for (auto& note : part.notes) whole_.notes.push_back(room.id + ": " + note);
+    whole_.constraints += part.constraints;
+    whole_.held += part.held;
+    add(part.suggestions, whole_.suggestions);
+    add(part.model_use, whole_.model_use);
+    if (whole_.stopped.empty()) whole_.stopped = part.stopped;
+  }
+
+  const std::string& stopped() const { return whole_.stopped; }
+  Generation take() { return std::move(whole_); }
+
+ private:
+  void add_model(const AssetRef& asset, const ModelTable& models) {
+    const std::string key = asset_key(asset);
+    if (key.empty()) return;
+    if (const auto model = models.find(key)) whole_.models.add(key, model);
+  }
+
+  Generation whole_;
+  std::set<std::string> assets_;
+};
+
+// The progress of one room as part of the whole.
+std::function<void(const StepProgress&)> shifted(const GenerateOptions& options, std::size_t before,
+                                                 std::size_t total) {
+  if (!options.on_step) return {};
+  return [&options, before, total](const StepProgress& progress) {
+    options.on_step({before + progress.step, total, progress.object});
+  };
+}
+
+}  // namespace
+
+Result<Generation> generate(const DwellingPlan& plan, Designer& designer,
+                            const AssetLibrary& library, const CategoryTable& categories,
+                            const GenerateOptions& options) {
+  std::vector<Room> rooms;
+  std::size_t total = 0, before = 0;
+  for (const auto& room : plan.rooms) {
+    rooms.push_back(room.room);
+    total += planned_objects(room).size();
+  }
+  if (auto status = check_dwelling(rooms); !status) return status.error();
+  Joiner joiner(plan);
+  for (const auto& room : plan.rooms) {
+    GenerateOptions own = options;
+    own.on_step = shifted(options, before, total);
+    if (!joiner.stopped().empty()) {
+      own.cancel = CancelToken();  // not the flag of others
+      own.cancel.cancel();
+    }
+    auto part = generate(room, designer, library, categories, own);
+    if (!part) return with_context(part.error(), "room \"" + room.room.id + "\"");
+    before += planned_objects(room).size();
+    joiner.add_room(room.room, *std::move(part));
+  }
+  return joiner.take();
+}
+
+}  // namespace roomgen

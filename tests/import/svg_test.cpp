@@ -1,0 +1,124 @@
+#include "catch.h"
+#include "roomgen/base/file.h"
+#include "roomgen/import/floor_plan.h"
+
+using namespace roomgen;
+
+namespace {
+
+const std::string folder = ROOMGEN_TEST_DATA "/floor-plans/";
+
+std::string svg(const std::string& body, const std::string& head = "width='6m' viewBox='0 0 600 600'") {
+  return "<svg " + head + ">\n" + body + "\n</svg>\n";
+}
+
+std::string refusal(const std::string& text) {
+  const auto room = room_from_svg(text, "plan.svg");
+  return room ? "" : room.error().message;
+}
+
+bool has(const std::string& text, const std::string& part) {
+  INFO(text << " should hold " << part);
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("An SVG in millimetres is a room with its doors and windows") {
+  const auto room = read_floor_plan(folder + "l-room.svg");
+  REQUIRE(room);
+  CHECK(check(*room));
+  CHECK(room->polygon.size() == 6);
+  CHECK(area(room->polygon) == Approx(5.4 * 4.8 - 2.6 * 2.0));
+  const Bounds2 box = bounds(room->polygon);
+  CHECK(box.low.norm() == Approx(0.0).margin(1e-9));
+  CHECK((box.high - Vec2(5.4, 4.8)).norm() == Approx(0.0).margin(1e-9));
+  REQUIRE(room->openings.size() == 3);
+  // The page counts downwards: its lower edge is the front of the room.
+  const Opening& door = *find_opening(*room, "door-0");
+  const Segment at = segment(*room, door);
+  CHECK(at.a.y() == Approx(0.0).margin(1e-9));
+  CHECK(at.middle().x() == Approx(0.57));
+  CHECK(door.width() == Approx(0.9));
+  CHECK(segment(*room, *find_opening(*room, "window-0")).middle().y() == Approx(4.8));
+  const Opening& right = *find_opening(*room, "window-1");
+  CHECK(segment(*room, right).middle().x() == Approx(5.4));
+  CHECK(right.width() == Approx(1.4));
+}
+
+TEST_CASE("Groups may move, turn and mirror what they hold") {
+  const auto room = read_floor_plan(folder + "bay.svg");
+  REQUIRE(room);
+  CHECK(room->polygon.size() == 8);
+  CHECK(bounds(room->polygon).size().y() == Approx(4.1));
+  CHECK(room->openings.size() == 4);
+  // Mirrored twice, the door is in front again.
+  CHECK(segment(*room, *find_opening(*room, "door-0")).middle().y() == Approx(0.0).margin(1e-9));
+  for (const auto& opening : room->openings)
+    if (opening.type == OpeningType::window)
+      CHECK(segment(*room, opening).middle().y() > 3.5);
+}
+
+TEST_CASE("The scale of an SVG follows its width, height and viewBox") {
+  const std::string box = "<rect width='400' height='300'/>";
+  const auto size = [&](const std::string& head) {
+    const auto room = room_from_svg(svg(box, head), "plan.svg");
+    return room ? bounds(room->polygon).size().x() : 0.0;
+  };
+  CHECK(size("width='6m' viewBox='0 0 600 600'") == Approx(4.0));
+  CHECK(size("height='3000mm' viewBox='0 0 600 600'") == Approx(2.0));
+  CHECK(size("width='6000mm' height='900cm' viewBox='0 0 600 900'") == Approx(4.0));
+  CHECK(size("width='500cm'") == Approx(4.0));
+  CHECK(size("width='500mm'") == 0.0);  // 0.4 m wide: no room
+  CHECK(room_from_svg(svg("<rect width='4' height='3'/>", ""), "plan.svg"));
+  CHECK(has(refusal(svg(box, "")), "400 x 300 m"));
+  CHECK(has(refusal(svg(box, "")), "width="));
+}
+
+TEST_CASE("Curves of a path become walls") {
+  const auto round = room_from_svg(svg("<path d='M0 200 A200 200 0 1 1 400 200 A200 200 0 0 1 0 200'/>"), "plan.svg");
+  REQUIRE(round);
+  CHECK(area(round->polygon) == Approx(pi * 4.0).epsilon(0.02));
+  CHECK(area(round->polygon) < pi * 4.0);
+  const auto circle = room_from_svg(svg("<circle cx='9' cy='9' r='200'/>"), "plan.svg");
+  REQUIRE(circle);
+  CHECK(area(circle->polygon) == Approx(pi * 4.0).epsilon(0.02));
+  const auto bow = room_from_svg(svg("<path d='m0,0 400,0 v300 C300,400 100,400 0,300 z'/>"), "plan.svg");
+  REQUIRE(bow);
+  // Under a cubic with its controls at 1/4 and 3/4, as high as 3/4 of theirs: 3/5 of 1 x 4, 0.6 x 4.
+  CHECK(area(bow->polygon) > 12.0);
+  CHECK(bounds(bow->polygon).size().y() == Approx(3.75));
+}
+
+TEST_CASE("What is wrong with an SVG is told with its line and the way out") {
+  CHECK(has(refusal(svg("<path d='M0 0 H400 V300 H0'/>")), "plan.svg:2: the outline is open"));
+  CHECK(has(refusal(svg("<polygon points='0,0 400,300 400,0 0,300'/>")), "plan.svg:2: polygon"));
+  CHECK(has(refusal(svg("<polygon points='0,0 400,0 400,300 400,500 400,300 0,300'/>")), "spike"));
+  CHECK(has(refusal(svg("<polygon points='0,0 400,0 200,3'/>")), "a room"));
+  CHECK(has(refusal(svg("<rect width='400000' height='300000'/>")), "4000 x 3000 m"));
+  CHECK(has(refusal(svg("<rect width='400' height='300'/><rect x='500' width='90' height='90'/>")),
+            "second outline"));
+  CHECK(has(refusal(svg("<rect width='400' height='300'/>\n<line id='door' x1='100' y1='100' x2='190' y2='100'/>")),
+            "plan.svg:3: \"door\" lies along no wall"));
+  CHECK(has(refusal(svg("<rect width='400' height='300'/><line id='door' x1='0' x2='90'/>"
+                        "<line id='door' x1='50' x2='150'/>")),
+            "overlaps"));
+  CHECK(has(refusal(svg("<text>room</text>")), "draws no outline"));
+  CHECK(has(refusal(svg("<rect width='4x' height='300'/><path d='M0 0 L 5'/>")), "plan.svg:2"));
+  CHECK(has(refusal("<svg><g></svg>"), "closes nothing"));
+  CHECK(has(refusal("<svg>\n<rect width='1'"), "plan.svg:2"));
+  CHECK(has(refusal("<html></html>"), "no SVG"));
+  CHECK(has(refusal("<!DOCTYPE svg [<!ENTITY a 'aaaa'>]><svg/>"), "document type"));
+  std::string corners;
+  for (int i = 0; i < 2000; ++i)
+    corners += std::to_string(300 + 200 * std::cos(i * pi / 1000)) + "," +
+               std::to_string(300 + 200 * std::sin(i * pi / 1000)) + " ";
+  CHECK(has(refusal(svg("<polygon points='" + corners + "'/>")), "at most 500"));
+}
+
+TEST_CASE("A file of JSON is still a room") {
+  const auto room = read_floor_plan(ROOMGEN_TEST_DATA "/floor-plans/alcove.json");
+  REQUIRE(room);
+  CHECK(room->polygon.size() == 8);
+  CHECK_FALSE(read_floor_plan(folder + "missing.svg"));
+}
