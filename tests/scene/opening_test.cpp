@@ -180,7 +180,7 @@ TEST_CASE("A broken file of kinds is refused where it is broken") {
   refused(R"({"kinds":{"a":{"colour":"red"}}})", "/kinds/a");
 }
 
-TEST_CASE("Cut-out shapes are turned upright; the whole square is none") {
+TEST_CASE("Cut-out shapes are turned upright, the whole square is none") {
   const auto whole = outline_of_cut_out("M0,0 v1 h1 v-1 z");
   REQUIRE(whole);
   CHECK(whole->empty());

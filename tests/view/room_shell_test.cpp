@@ -403,7 +403,7 @@ TEST_CASE("A mirrored door has its handle at the other side, and is not inside o
   CHECK(handle[1] > middle);
 }
 
-TEST_CASE("Side by side, meshes share the width; a cut wall and a missing model have woodwork") {
+TEST_CASE("Side by side, meshes share the width, a cut wall and a missing model have woodwork") {
   Room room = test::plain_room();
   ModelTable models;
   Opening& window = room.openings[1];
