@@ -121,7 +121,8 @@ std::optional<std::size_t> Discourse::antecedent(RelationKind kind) const {
 }
 
 void Discourse::list(std::size_t mention, bool continues) {
-  if (!continues) group_.clear();
+  if (!continues || group_placed_) group_.clear();
+  group_placed_ = false;
   group_.push_back(mention);
 }
 
@@ -137,6 +138,7 @@ void Discourse::demand(const Demand& what, bool leads) {
     return;
   }
   auto all = subjects();
+  group_placed_ = true;
   // Of a desk, a lamp and a cup on it only the small ones are meant.
   if (all.size() > 1 && what.kind == RelationKind::on)
     std::erase_if(all, [this](std::size_t i) { return i != *subject_ && !is_small(i); });

@@ -37,6 +37,7 @@ class Discourse {
   /// That, if the phrase is definite, else a new mention; none when there are too many.
   std::optional<std::size_t> refer(const NounPhrase& phrase);
   void multiply_last(int factor) { brief_.mentions.back().quantity *= factor; }
+  void multiply(std::size_t mention, int factor) { brief_.mentions[mention].quantity *= factor; }
 
   /// The thing of which the next placement speaks.
   std::optional<std::size_t> subject() const { return subject_; }
@@ -95,6 +96,7 @@ class Discourse {
   Brief& brief_;
   std::optional<std::size_t> subject_;
   std::vector<std::size_t> group_;
+  bool group_placed_ = false;  ///< its place was told: what is listed then is another group
   bool plural_ = false;
   int last_nth_ = 0;
   int nth_ = -1;  ///< which of the subject's things

@@ -174,6 +174,9 @@ class PromptReader {
 
   bool read_placement() {
     auto match = longest(words_.placements, tokens_, at_, longest_placement);
+    // "on each side table" is on a table.
+    if (match && match.length > 1 && names_.match(tokens_, at_ + match.length - 1).length > 1)
+      match = longest(words_.placements, tokens_, at_, match.length - 1);
     if (!match && is_adverb(tokens_[at_])) {
       // "directly under the window"
       match = longest(words_.placements, tokens_, at_ + 1, longest_placement);
@@ -285,6 +288,7 @@ class PromptReader {
     std::size_t end = after;
     const auto target = read_target(end);
     if (!target || (target == speaker && !leads)) return false;
+    if (speaker && !leads) give_each_one(*speaker, *target, after);
     say(placement, *target, leads);
     if (tokens_[after - 1].is_word("between") && is_word(end, "and"))
       read_second_target(placement, end, leads);
@@ -295,6 +299,14 @@ class PromptReader {
     else if (*target >= before)
       talk_.speak_of(target);
     return true;
+  }
+
+  // "a lamp on each nightstand": as many as there are nightstands.
+  void give_each_one(std::size_t subject, std::size_t target, std::size_t after) {
+    const int number = talk_.mention(target).quantity;
+    const bool each = is_word(after, "each") || is_word(after, "every");
+    if (each && talk_.mention(subject).quantity == 1 && number > 1 && number <= most_for_each)
+      talk_.multiply(subject, number);
   }
 
   void read_second_target(const Placement& placement, std::size_t& end, bool leads) {

@@ -217,6 +217,9 @@ TEST_CASE("placements become demands") {
       {"A table with three stools holds a vase.", 2, "on, table"},
       {"a desk and a bookshelf side by side", 1, "near, desk | side of, desk"},
       {"a desk with a chair nearby", 1, "near, desk"},
+      {"A lamp stands on the desk, and a vase and a mug sit on the shelf.", 0, "on, desk"},
+      {"A lamp stands on the desk, and a vase and a mug sit on the shelf.", 2, "on, shelf"},
+      {"Two bookshelves hold a vase and a clock.", 1, "on, bookshelf"},
   };
   for (const auto& one : cases) {
     INFO(one.prompt);
@@ -238,6 +241,13 @@ TEST_CASE("of two numbers of the same things the first is built, and the other i
 
 TEST_CASE("what is in no English word is told") {
   CHECK_FALSE(read("ein Zimmer mit einem Bett").notes.empty());
+}
+
+TEST_CASE("a thing on each of several makes as many") {
+  const auto brief = read("a sofa, two side tables and a lamp on each side table");
+  REQUIRE(brief.mentions.size() == 3);
+  CHECK(brief.mentions[2].quantity == 2);
+  CHECK(places(brief, 2) == "on, side table");
 }
 
 TEST_CASE("a thing on each side makes two") {
