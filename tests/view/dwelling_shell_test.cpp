@@ -72,7 +72,7 @@ const std::vector<std::vector<Box>> plans = {
 
 TEST_CASE("The walls of a dwelling fill the floor between and around its rooms once") {
   ShellOptions options;
-  options.skirting = options.window_frames = options.door_frames = options.door_leaves = false;
+  options.skirting = options.window_frames = options.door_frames = options.door_leaves = options.ceiling = false;
   for (std::size_t plan = 0; plan < plans.size(); ++plan) {
     // In whatever order the rooms come.
     auto boxes = plans[plan];
@@ -107,7 +107,7 @@ TEST_CASE("A door between two rooms is one hole with one leaf") {
   door.leads_to = rooms[0].id;
   rooms[1].openings.push_back(door);
   ShellOptions bare;
-  bare.skirting = bare.window_frames = bare.door_frames = bare.door_leaves = false;
+  bare.skirting = bare.window_frames = bare.door_frames = bare.door_leaves = bare.ceiling = false;
   double walls = 0.0;
   int leaves = 0;
   for (std::size_t i = 0; i < 2; ++i) {
