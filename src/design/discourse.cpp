@@ -260,6 +260,16 @@ bool Discourse::is_small(std::size_t index) const {
           !lexicon_.table.is_any_of(one.category, {"seat", "table", "storage"}));
 }
 
+std::optional<std::size_t> Discourse::last_of(const KindMatch& kind) const {
+  if (kind.length == 0) return std::nullopt;
+  const std::string name = category_name(kind);
+  for (std::size_t i = count(); i-- > 0;)
+    if (mention(i).known && (lexicon_.table.is_a(mention(i).category, name) ||
+                             lexicon_.table.is_a(name, mention(i).category)))
+      return i;
+  return std::nullopt;
+}
+
 bool Discourse::may_carry(std::size_t index) const {
   const Mention& one = mention(index);
   const bool tray = one.size.z() <= tray_height && one.size.head<2>().minCoeff() >= tray_side;
@@ -301,6 +311,12 @@ std::optional<std::size_t> Discourse::last_carrier(std::string_view top) const {
   const bool table = top.starts_with("table"), desk = top.starts_with("desk");
   if (table)
     if (const auto found = find([](const Mention& one) { return one.noun == "table"; })) return found;
+  if (top.starts_with("counter"))
+    if (const auto found = find([&](const Mention& one) {
+          return one.noun.ends_with("counter") || one.noun.ends_with("vanity") ||
+                 lexicon_.table.is_any_of(one.category, {"kitchen unit", "washbasin"});
+        }))
+      return found;
   if (table || desk)
     if (const auto found = find([&](const Mention& one) {
           return lexicon_.table.is_a(one.category, table ? "table" : "desk");

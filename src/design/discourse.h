@@ -75,6 +75,8 @@ class Discourse {
   void relate_listed(const Placement& placement);
   /// What was spoken of last of what things stand on; "tabletop" is a table's.
   std::optional<std::size_t> last_carrier(std::string_view top = "") const;
+  /// The thing of that kind that was spoken of last.
+  std::optional<std::size_t> last_of(const KindMatch& kind) const;
   /// "a desk with a lamp", "a tray with two cups", but no "monitor with a keyboard".
   bool may_carry(std::size_t mention) const;
   /// "a table with four stools holds": who holds.

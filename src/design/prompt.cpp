@@ -77,6 +77,7 @@ class PromptReader {
     const bool continues = phrase->begin > 0 && (is_word(phrase->begin - 1, "and") ||
                                                  tokens_[phrase->begin - 1].kind == Token::Kind::comma);
     const std::size_t before = talk_.count();
+    after_part_ = part;
     if (!part) talk_.speak_of(refer(*phrase));
     at_ = phrase->end;
     owner_end_ = at_;
@@ -107,9 +108,12 @@ class PromptReader {
   // "a desk with drawers": drawers are no thing of their own.
   bool describes_owner(const NounPhrase& phrase) const {
     if (!talk_.subject() || phrase.begin == 0 || phrase.begin - 1 != owner_end_) return false;
-    static const WordSet links = {"with", "and", "featuring", "has"};
+    static const WordSet links = {"with", "featuring", "has"};
     const Token& before = tokens_[phrase.begin - 1];
-    return (before.kind == Token::Kind::comma || links.count(before.text)) &&
+    // "with drawers and a shelf", but "a desk and a shelf".
+    const bool goes_on =
+        after_part_ && (before.kind == Token::Kind::comma || before.is_word("and"));
+    return (goes_on || links.count(before.text)) &&
            words_.parts.count(tokens_[phrase.end - 1].text) > 0;
   }
 
@@ -294,10 +298,12 @@ class PromptReader {
       read_second_target(placement, end, leads);
     at_ = owner_end_ = end;
     // The text goes on about what it has just introduced.
-    if (leads)
+    if (leads) {
       talk_.speak_of(std::nullopt);
-    else if (*target >= before)
+    } else if (*target >= before) {
+      if (talk_.may_carry(*speaker)) talk_.join_with(*speaker);
       talk_.speak_of(target);
+    }
     return true;
   }
 
@@ -342,13 +348,15 @@ class PromptReader {
   std::optional<std::size_t> read_top(std::size_t& end) const {
     if (!words_.definite.count(tokens_[end].text)) return std::nullopt;
     std::size_t i = end + 1;
-    if (i + 1 < tokens_.size() && !words_.tops.count(tokens_[i].text) &&
-        names_.match(tokens_, i).length == 0)
-      ++i;  // "the wooden surface"
+    // "the vanity countertop", "the wooden surface"
+    const KindMatch owner = names_.match(tokens_, i);
+    if (i + 1 < tokens_.size() && !words_.tops.count(tokens_[i].text))
+      i += std::max<std::size_t>(1, owner.length);
     if (i >= tokens_.size() || !words_.tops.count(tokens_[i].text) || is_word(i + 1, "of"))
       return std::nullopt;
     if (is_word(i + 1, "shelf")) ++i;
-    const auto carrier = talk_.last_carrier(tokens_[i].text);
+    auto carrier = talk_.last_of(owner);
+    if (!carrier) carrier = talk_.last_carrier(tokens_[i].text);
     if (carrier) end = i + 1;
     return carrier;
   }
@@ -379,7 +387,8 @@ class PromptReader {
     for (auto kind : placement.relations)
       if (!placement.flank)
         listed.push_back({kind, *target, "", false, false, talk_.holder_number()});
-    talk_.open_list(std::move(listed));
+    // Flowers may fill a vase; what is listed next is not in it.
+    if (!holds || talk_.may_carry(*target)) talk_.open_list(std::move(listed));
     talk_.speak_of(others.back());
     return true;
   }
@@ -437,6 +446,7 @@ class PromptReader {
   Discourse talk_;
   std::size_t at_ = 0;
   std::size_t sentence_start_ = 0;
+  bool after_part_ = false;    ///< the last phrase was of a part, no thing of its own
   std::size_t owner_end_ = 0;  ///< behind the last phrase about a thing
 };
 

@@ -220,6 +220,9 @@ TEST_CASE("placements become demands") {
       {"A lamp stands on the desk, and a vase and a mug sit on the shelf.", 0, "on, desk"},
       {"A lamp stands on the desk, and a vase and a mug sit on the shelf.", 2, "on, shelf"},
       {"Two bookshelves hold a vase and a clock.", 1, "on, bookshelf"},
+      {"A side table next to a sofa holds a vase.", 2, "on, side table"},
+      {"A sideboard holds a vase filled with flowers and a fruit bowl.", 3, "on, sideboard"},
+      {"A desk and a shelf. A cup is on the desk surface.", 2, "on, desk"},
   };
   for (const auto& one : cases) {
     INFO(one.prompt);
