@@ -11,7 +11,6 @@ namespace {
 
 constexpr std::size_t max_mentions = 120;
 constexpr double tray_height = 0.1, tray_side = 0.2;
-constexpr double small_side = 0.7;  ///< metres: what is smaller may stand on other things
 
 // Who describes a room looks at the fronts of things: the mouse to the right of a keyboard is at the
 // hand of who sits before it. Constraints' sides are the thing's own.
@@ -41,17 +40,9 @@ std::optional<std::size_t> Discourse::same_noun(const NounPhrase& phrase) const 
 std::optional<std::size_t> Discourse::known(const NounPhrase& phrase) const {
   if (phrase.definite && phrase.modifiers.empty())
     if (const auto same = same_noun(phrase)) return same;
-  for (std::size_t i = count(); i-- > 0;) {
-    const Mention& one = mention(i);
-    if (phrase.kind.length == 0) {
-      if (one.category == phrase.noun) return i;
-      continue;
-    }
-    const std::string name = category_name(phrase.kind);
-    if (one.known &&
-        (lexicon_.table.is_a(one.category, name) || lexicon_.table.is_a(name, one.category)))
-      return i;
-  }
+  if (phrase.kind.length > 0) return last_of(phrase.kind);
+  for (std::size_t i = count(); i-- > 0;)
+    if (mention(i).category == phrase.noun) return i;
   return std::nullopt;
 }
 
@@ -251,11 +242,7 @@ void Discourse::extend_list(std::size_t index) {
 
 bool Discourse::is_small(std::size_t index) const {
   const Mention& one = mention(index);
-  const auto comes_small = [&](const char* prefix) {
-    const Category* small = lexicon_.names.find(prefix + one.category);
-    return small && small->mount == Mount::surface;
-  };
-  return one.mount == Mount::surface || comes_small("table ") || comes_small("small ") ||
+  return one.mount == Mount::surface || small_kind(one.category, lexicon_.names) ||
          (one.mount == Mount::floor && one.size.maxCoeff() <= small_side &&
           !lexicon_.table.is_any_of(one.category, {"seat", "table", "storage"}));
 }
@@ -323,8 +310,7 @@ std::optional<std::size_t> Discourse::last_carrier(std::string_view top) const {
         }))
       return found;
   return find([&](const Mention& one) {
-    return one.mount == Mount::floor &&
-           lexicon_.table.is_any_of(one.category, {"table", "storage", "kitchen unit", "washbasin"});
+    return lexicon_.table.is_any_of(one.category, {"table", "storage", "kitchen unit", "washbasin"});
   });
 }
 

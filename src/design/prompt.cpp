@@ -99,10 +99,10 @@ class PromptReader {
     return i < tokens_.size() && words_.verbs.count(tokens_[i].text) > 0;
   }
 
-  static bool is_adverb(const Token& token) {
-    static const WordSet others = {"just", "right", "close"};
+  bool is_adverb(const Token& token) const {
     return token.kind == Token::Kind::word &&
-           ((token.text.size() > 4 && token.text.ends_with("ly")) || others.count(token.text) > 0);
+           ((token.text.size() > 4 && token.text.ends_with("ly")) ||
+            words_.adverbs.count(token.text) > 0);
   }
 
   // "a desk with drawers": drawers are no thing of their own.
@@ -215,9 +215,7 @@ class PromptReader {
       end += place->length;
     else if (const auto phrase = read_noun_phrase(tokens_, after, words_, names_, false))
       end = phrase->end;
-    static const WordSet postures = {"is",   "are",   "sit",  "sits", "stand", "stands",
-                                     "rest", "rests", "lie",  "lies", "hang",  "hangs"};
-    if (end == after || end + 1 >= tokens_.size() || !postures.count(tokens_[end].text))
+    if (end == after || end + 1 >= tokens_.size() || !words_.postures.count(tokens_[end].text))
       return false;
     const Token& next = tokens_[end + 1];
     return next.kind == Token::Kind::number ||

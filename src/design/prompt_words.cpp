@@ -76,7 +76,7 @@ Result<Vocabulary> parse_vocabulary(std::string_view text, const std::string& so
                    "no things",  "materials",     "sizes",          "people",   "people words",
                    "room words", "generic rooms", "parts of rooms", "walls",    "units",
                    "areas",      "placements",    "pairs",          "verbs",    "plural verbs",
-                   "tops"});
+                   "tops",       "postures",      "adverbs"});
   Vocabulary words;
   words.numbers = read_integers(root["numbers"]);
   words.people = read_integers(root["people"]);
@@ -107,7 +107,9 @@ Result<Vocabulary> parse_vocabulary(std::string_view text, const std::string& so
                                                    {"pairs", &words.pairs},
                                                    {"verbs", &words.verbs},
                                                    {"plural verbs", &words.plural_verbs},
-                                                   {"tops", &words.tops}};
+                                                   {"tops", &words.tops},
+                                                   {"postures", &words.postures},
+                                                   {"adverbs", &words.adverbs}};
   for (const auto& [key, set] : sets) *set = read_set(root[key]);
   if (problems.first()) return *problems.first();
   return words;

@@ -10,7 +10,6 @@ namespace roomgen::design {
 
 namespace {
 
-constexpr double small_side = 0.7;  ///< what is smaller may stand on other things
 constexpr int seats_at_a_table = 4;
 constexpr int usual_few = 2;
 const Vec3 unknown_size(0.5, 0.5, 0.8);
@@ -56,9 +55,7 @@ int usual_number(const Mention& mention, const Brief& brief, const CategoryTable
 bool become_small(Mention& mention, const CategoryTable& table, const KindNames& names) {
   const Category* kind = table.find(mention.category);
   for (int i = 0; kind && i < 4; ++i) {
-    for (const char* prefix : {"table ", "small "}) {
-      const Category* small = names.find(prefix + kind->name);
-      if (!small || small->mount != Mount::surface) continue;
+    if (const Category* small = small_kind(kind->name, names)) {
       if (i == 0) {
         become(mention, *small);
       } else {
@@ -73,6 +70,19 @@ bool become_small(Mention& mention, const CategoryTable& table, const KindNames&
   return false;
 }
 
+bool is_support(const Demand& demand) {
+  return demand.kind == RelationKind::on && demand.mention != Demand::none;
+}
+
+std::optional<std::size_t> support_of(const Mention& mention) {
+  const auto on = std::find_if(mention.demands.begin(), mention.demands.end(), is_support);
+  return on == mention.demands.end() ? std::nullopt : std::optional(on->mention);
+}
+
+void put_on(Mention& mention, std::size_t support) {
+  mention.demands.insert(mention.demands.begin(), {RelationKind::on, support, "", false});
+}
+
 // A model railway on a large table.
 bool stands_easily_on(const Mention& mention, const Mention& carrier, const CategoryTable& table) {
   return mention.size.x() < 0.95 * carrier.size.x() && mention.size.y() < 0.95 * carrier.size.y() &&
@@ -83,10 +93,7 @@ bool stands_easily_on(const Mention& mention, const Mention& carrier, const Cate
 // A lamp on a nightstand is a table lamp, a plant on a desk a small one.
 void stand_on_things(Mention& mention, const Brief& brief, const CategoryTable& table,
                      const KindNames& names) {
-  const auto on =
-      std::find_if(mention.demands.begin(), mention.demands.end(), [](const Demand& demand) {
-        return demand.kind == RelationKind::on && demand.mention != Demand::none;
-      });
+  const auto on = std::find_if(mention.demands.begin(), mention.demands.end(), is_support);
   if (on == mention.demands.end()) return;
   const Mention& carrier = brief.mentions[on->mention];
   const bool lies = table.get(carrier.category).traits.flat;
@@ -110,10 +117,6 @@ bool is_beside(RelationKind kind) {
   return kind == RelationKind::near || kind == RelationKind::side_of ||
          kind == RelationKind::left_of || kind == RelationKind::right_of ||
          kind == RelationKind::in_front_of || kind == RelationKind::behind;
-}
-
-bool is_support(const Demand& demand) {
-  return demand.kind == RelationKind::on && demand.mention != Demand::none;
 }
 
 // "a tray with two cups on the table": the tray is on the table, the cups are on the tray.
@@ -166,12 +169,6 @@ bool is_too_large(const Mention& mention, const Mention& carrier) {
   return mention.size.head<2>().minCoeff() > carrier.size.head<2>().minCoeff();
 }
 
-std::optional<std::size_t> support_of(const Mention& mention) {
-  for (const auto& demand : mention.demands)
-    if (demand.kind == RelationKind::on && demand.mention != Demand::none) return demand.mention;
-  return std::nullopt;
-}
-
 // What is beside a thing on a table is on that table too, and the other way round.
 bool share_support(Brief& brief, std::size_t a, std::size_t b) {
   for (const auto& [one, other] : {std::pair{a, b}, std::pair{b, a}}) {
@@ -179,7 +176,7 @@ bool share_support(Brief& brief, std::size_t a, std::size_t b) {
     Mention& mention = brief.mentions[one];
     if (!support || *support == one || support_of(mention) || mention.mount != Mount::surface)
       continue;
-    mention.demands.insert(mention.demands.begin(), {RelationKind::on, *support, "", false});
+    put_on(mention, *support);
     return true;
   }
   return false;
@@ -219,16 +216,14 @@ void support_by_sentence(Brief& brief) {
     if (mentions[i].mount != Mount::surface || support_of(mentions[i])) continue;
     std::optional<std::size_t> nearest;
     for (std::size_t j = 0; j < mentions.size(); ++j) {
-      if (j == i || mentions[j].sentence != mentions[i].sentence || !support_of(mentions[j]) ||
-          *support_of(mentions[j]) == i ||
-          is_too_large(mentions[i], mentions[*support_of(mentions[j])]))
+      const auto support = support_of(mentions[j]);
+      if (j == i || mentions[j].sentence != mentions[i].sentence || !support || *support == i ||
+          is_too_large(mentions[i], mentions[*support]))
         continue;
       const auto distance = [&](std::size_t k) { return k > i ? k - i : i - k; };
       if (!nearest || distance(j) < distance(*nearest)) nearest = j;
     }
-    if (nearest)
-      mentions[i].demands.insert(mentions[i].demands.begin(),
-                                 {RelationKind::on, *support_of(mentions[*nearest]), "", false});
+    if (nearest) put_on(mentions[i], *support_of(mentions[*nearest]));
   }
 }
 
@@ -381,6 +376,14 @@ void shape(Mention& mention, const NounPhrase& phrase, const Vocabulary& words,
   };
   mention.varied = said("different") || said("mismatched") || said("various") || said("assorted");
   if (said("mounted") || said("wall")) hang(mention, Mount::wall, names);
+}
+
+const Category* small_kind(const std::string& category, const KindNames& names) {
+  for (const char* prefix : {"table ", "small "})
+    if (const Category* small = names.find(prefix + category);
+        small && small->mount == Mount::surface)
+      return small;
+  return nullptr;
 }
 
 void hang(Mention& mention, Mount where, const KindNames& names) {

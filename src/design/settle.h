@@ -11,6 +11,13 @@ namespace roomgen::design {
 void shape(Mention& mention, const NounPhrase& phrase, const Vocabulary& words,
            const CategoryTable& table, const KindNames& names);
 
+/// What is smaller, metres, may stand on other things.
+inline constexpr double small_side = 0.7;
+
+/// The kind of this name that stands on things: "table lamp" of "lamp", "small plant" of "plant"; null
+/// if there is none.
+const Category* small_kind(const std::string& category, const KindNames& names);
+
 /// Makes a mention one that hangs on a wall or under the ceiling, if such a thing can: a television
 /// becomes a wall tv, a wardrobe "on the wall" stays what it is.
 void hang(Mention& mention, Mount where, const KindNames& names);

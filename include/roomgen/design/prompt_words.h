@@ -37,6 +37,8 @@ struct Vocabulary {
   WordSet pairs;  ///< one thing though a plural: "headphones", "a pair of scissors"
   WordSet verbs;         ///< finite: what stands before begins a clause
   WordSet plural_verbs;  ///< said of all that were listed
+  WordSet postures;      ///< verbs behind which the thing may come: "on the shelf sits a vase"
+  WordSet adverbs;       ///< before a placement, besides those in -ly
   WordSet tops;          ///< "the countertop": of what was spoken of
   WordSet vague, definite, pronouns, negations, only, measured, stops, parts, no_things, materials,
       people_words, room_words, generic_rooms;
