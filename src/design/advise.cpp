@@ -103,7 +103,8 @@ double comfort(const Task& task, const Placed& placed, const std::vector<Relatio
       score -= crowded_weight;
   }
   for (std::size_t i = 0; i < resolved.size(); ++i)
-    if (resolved[i].kind == RelationKind::near || resolved[i].kind == RelationKind::around)
+    if (resolved[i].kind == RelationKind::near || resolved[i].kind == RelationKind::next_to ||
+        resolved[i].kind == RelationKind::around)
       score += (i < task.asked.size() ? asked_gap_weight : gap_weight) *
                gap_degree(placed, resolved[i]);
   score += asked_place_degree(task, placed);

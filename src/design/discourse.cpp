@@ -40,9 +40,19 @@ std::optional<std::size_t> Discourse::same_noun(const NounPhrase& phrase) const 
 std::optional<std::size_t> Discourse::known(const NounPhrase& phrase) const {
   if (phrase.definite && phrase.modifiers.empty())
     if (const auto same = same_noun(phrase)) return same;
-  if (phrase.kind.length > 0) return last_of(phrase.kind);
+  if (phrase.kind.length > 0) {
+    if (const auto same = last_of(phrase.kind)) return same;
+    return phrase.definite ? last_compound(phrase.kind.name) : std::nullopt;
+  }
   for (std::size_t i = count(); i-- > 0;)
     if (mention(i).category == phrase.noun) return i;
+  return std::nullopt;
+}
+
+// "The bench" is the workbench, "the cabinet" the filing cabinet.
+std::optional<std::size_t> Discourse::last_compound(std::string_view noun) const {
+  for (std::size_t i = count(); i-- > 0;)
+    if (mention(i).noun.ends_with(noun) || mention(i).category.ends_with(noun)) return i;
   return std::nullopt;
 }
 
@@ -140,9 +150,30 @@ void Discourse::demand(const Demand& what, bool leads) {
   }
 }
 
+void Discourse::put_on_what_was_named() {
+  const auto carrier = antecedent();
+  if (!carrier) return;
+  const auto stands_alone = [&](std::size_t i) {
+    const auto& demands = mention(i).demands;
+    return mention(i).mount == Mount::surface &&
+           std::none_of(demands.begin(), demands.end(),
+                        [](const Demand& one) { return one.kind == RelationKind::on; });
+  };
+  auto things = group_;
+  if (std::find(things.begin(), things.end(), *subject_) == things.end()) things = {*subject_};
+  for (std::size_t i : things)
+    if (i != *carrier && stands_alone(i)) add(i, {RelationKind::on, *carrier, "", false});
+}
+
 void Discourse::add(std::size_t index, const Demand& what) {
   if (what.mention == index) return;
   Mention& mention = brief_.mentions[index];
+  // "flanked by six chairs, three on each long side": the later is the more exact.
+  if (what.flank && what.kind == RelationKind::in_front_of)
+    std::erase_if(mention.demands, [&](const Demand& earlier) {
+      return earlier.flank && earlier.mention == what.mention && earlier.kind != what.kind &&
+             earlier.kind != RelationKind::around;
+    });
   mention.demands.push_back(what);
   mention.demands.back().kind = as_seen(what.kind);
   // "a lamp on each side" is two, but not "a lamp and a plant flank it".
@@ -161,7 +192,8 @@ void Discourse::locate(const Placement& placement, const PlacePhrase& place, boo
           demand({kind, Demand::none, "door-0", false}, leads);
       return;
     case Place::corner:
-      if (first == RelationKind::on || first == RelationKind::near)
+      if (first == RelationKind::on || first == RelationKind::near ||
+          first == RelationKind::next_to)
         demand({RelationKind::corner, Demand::none, "", false}, leads);
       return;
     case Place::middle:
@@ -177,8 +209,18 @@ void Discourse::locate(const Placement& placement, const PlacePhrase& place, boo
       if (placement.centered) demand({RelationKind::middle, Demand::none, "", false}, leads);
       return;
     case Place::floor:
+      if (first == RelationKind::on) stand_on_floor(leads);
       return;
   }
+}
+
+// "On the floor, two books": small things that nothing carries.
+void Discourse::stand_on_floor(bool leads) {
+  if (leads) {
+    leading_mount_ = Mount::floor;
+    return;
+  }
+  for (std::size_t subject : subjects()) hang(brief_.mentions[subject], Mount::floor, lexicon_.names);
 }
 
 void Discourse::locate_at_window(const Placement& placement, bool leads) {

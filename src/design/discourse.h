@@ -61,6 +61,8 @@ class Discourse {
   /// Says something of the subject, or of the next thing when `leads`.
   void demand(const Demand& what, bool leads);
   void add(std::size_t mention, const Demand& what);
+  /// The small things listed last stand on what was named before them.
+  void put_on_what_was_named();
   /// Says in what part of the room the subject is.
   void locate(const Placement& placement, const PlacePhrase& place, bool leads);
 
@@ -88,11 +90,13 @@ class Discourse {
  private:
   Mention new_mention(const NounPhrase& phrase) const;
   std::optional<std::size_t> same_noun(const NounPhrase& phrase) const;
+  std::optional<std::size_t> last_compound(std::string_view noun) const;
   bool is_small(std::size_t mention) const;
   std::vector<std::size_t> subjects() const;
   void locate_at_window(const Placement& placement, bool leads);
   void locate_at_wall(RelationKind first, const PlacePhrase& place, bool leads);
   void mount(Mount where, bool leads);
+  void stand_on_floor(bool leads);
 
   Lexicon lexicon_;
   Brief& brief_;

@@ -60,6 +60,8 @@ class Ledger {
   }
 
   void relation(std::size_t index, const Mention& mention, const Demand& demand) {
+    // Of those that share the long sides half are behind the target.
+    if (demand.flank && demand.kind == RelationKind::in_front_of) return;
     Requirement requirement = about(index, mention, Requirement::Kind::relation);
     requirement.relation = demand.kind;
     requirement.clause = mention.category + " " + std::string(name(demand.kind));

@@ -16,6 +16,7 @@ Group group(RelationKind kind) {
     case RelationKind::corner:
       return Group::wall;
     case RelationKind::near:
+    case RelationKind::next_to:
     case RelationKind::far:
       return Group::distance;
     case RelationKind::in_front_of:
@@ -33,6 +34,7 @@ Group group(RelationKind kind) {
     case RelationKind::face_opposite_to:
       return Group::facing;
     case RelationKind::on:
+    case RelationKind::inside:
     case RelationKind::above:
     case RelationKind::under:
     case RelationKind::hang_from:

@@ -102,8 +102,11 @@ class Reader {
         ++at_;
       } else if (read_measured()) {
         continue;
-      } else if (joins_modifiers()) {
+      } else if (joins_modifiers() || is_adverb()) {
         ++at_;
+      } else if (here.is_word("built") && is_word(at_ + 1, "in")) {
+        phrase_.modifiers.push_back("built in");
+        at_ += 2;
       } else if (here.kind != Token::Kind::word || words_.stops.count(here.text) ||
                  words_.negations.count(here.text) || words_.definite.count(here.text) ||
                  words_.numbers.count(here.text)) {
@@ -141,9 +144,18 @@ class Reader {
     return !words_.stops.count(next) && !words_.numbers.count(next) && !words_.definite.count(next);
   }
 
+  // "a neatly folded towel"
+  bool is_adverb() const {
+    return phrase_.article && token(at_).kind == Token::Kind::word && token(at_).text.size() > 4 &&
+           token(at_).text.ends_with("ly") && names_.match(tokens_, at_).length == 0 &&
+           !ended(at_ + 1) && token(at_ + 1).kind == Token::Kind::word &&
+           words_.stops.count(token(at_).text) > 0;
+  }
+
   // The head, which in a compound is the last noun: "bedside table lamp".
   bool read_head() {
     KindMatch head = names_.match(tokens_, at_);
+    if (is_clause(head)) head = names_.match(tokens_.first(at_ + head.length - 1), at_);
     if (head.length == 0) return false;
     if (head.length == 1 &&
         (words_.stops.count(token(at_).text) || is_brightness() || is_verb(at_)))
@@ -169,6 +181,12 @@ class Reader {
     phrase_.kind = head;
     at_ = start + head.length;
     return true;
+  }
+
+  // "a plant stands near the window" is about a plant, no plant stand.
+  bool is_clause(const KindMatch& head) const {
+    return head.plural && head.length > 1 && phrase_.article && phrase_.count == 1 &&
+           words_.verbs.count(token(at_ + head.length - 1).text) > 0;
   }
 
   // "a bookshelf displays two vases"

@@ -66,6 +66,7 @@ bool beside_others(const std::vector<Relation>& relations, const std::string& ca
         return true;
       case RelationKind::side_of:
       case RelationKind::near:
+      case RelationKind::next_to:
       case RelationKind::behind:
         return !relation.target.empty() && relation.target != carrier;
       default:

@@ -158,6 +158,7 @@ class Resolver {
     std::map<std::size_t, std::string> targets;  // one thing of each mention for all its demands
     std::vector<Relation> relations;
     std::string flanked;
+    bool along = false;  ///< at the long sides
     std::size_t sharing = draft.mention;  // which mentions take the sides in turn
     for (const auto& demand : draft.demands) {
       Relation relation{demand.kind, part_of(room_, demand.part)};
@@ -167,15 +168,21 @@ class Resolver {
         relation.target = targets[demand.mention];
         if (relation.target.empty()) continue;
         if (demand.flank) {
-          flanked = relation.target;
           sharing = demand.shared ? Demand::none : draft.mention;
+          if (demand.kind != RelationKind::around) flanked = relation.target;
+          // The long sides of tables are the front and the back.
+          along = along || demand.kind == RelationKind::in_front_of;
+          if (demand.kind == RelationKind::in_front_of) continue;
         }
       }
       add(relations, relation);
     }
     if (!flanked.empty()) {
-      const bool left = sides_[{sharing, flanked}]++ % 2 == 0;
-      add(relations, {left ? RelationKind::left_of : RelationKind::right_of, flanked});
+      const bool first = sides_[{sharing, flanked}]++ % 2 == 0;
+      if (along)
+        add(relations, {first ? RelationKind::in_front_of : RelationKind::behind, flanked});
+      else
+        add(relations, {first ? RelationKind::left_of : RelationKind::right_of, flanked});
     }
     return relations;
   }

@@ -107,6 +107,7 @@ class PromptReader {
 
   // "a desk with drawers": drawers are no thing of their own.
   bool describes_owner(const NounPhrase& phrase) const {
+    if (is_built_in(phrase)) return true;
     if (!talk_.subject() || phrase.begin == 0 || phrase.begin - 1 != owner_end_) return false;
     static const WordSet links = {"with", "featuring", "has"};
     const Token& before = tokens_[phrase.begin - 1];
@@ -115,6 +116,12 @@ class PromptReader {
         after_part_ && (before.kind == Token::Kind::comma || before.is_word("and"));
     return (goes_on || links.count(before.text)) &&
            words_.parts.count(tokens_[phrase.end - 1].text) > 0;
+  }
+
+  // "with an integrated sink"
+  bool is_built_in(const NounPhrase& phrase) const {
+    return std::any_of(phrase.modifiers.begin(), phrase.modifiers.end(),
+                       [&](const std::string& word) { return words_.built_in.count(word) > 0; });
   }
 
   // "a photo frame with a black-and-white print": no other picture.
@@ -238,8 +245,9 @@ class PromptReader {
     const auto place = read_place(tokens_, after, words_);
     if (!place || names_thing(after, after + place->length)) return false;
     const std::size_t end = after + place->length;
-    // "at its center": of the table that holds it.
+    // "a desk with a laptop at its center"
     if (place->place == Place::middle && is_word(after, "its")) {
+      if (talk_.subject()) talk_.put_on_what_was_named();
       at_ = end;
       return true;
     }
@@ -287,11 +295,15 @@ class PromptReader {
     const auto speaker = talk_.subject();
     if (!speaker && !leads) return false;
     const std::size_t before = talk_.count();
-    std::size_t end = after;
+    std::size_t end = skip_portion(after);
+    const bool portion = end > after;
     const auto target = read_target(end);
     if (!target || (target == speaker && !leads)) return false;
     if (speaker && !leads) give_each_one(*speaker, *target, after);
-    say(placement, *target, leads);
+    if (portion && !leads && talk_.mention(*speaker).mount == Mount::surface)
+      talk_.demand({RelationKind::on, *target, "", false}, leads);
+    else
+      say(placement, *target, leads);
     if (tokens_[after - 1].is_word("between") && is_word(end, "and"))
       read_second_target(placement, end, leads);
     at_ = owner_end_ = end;
@@ -324,6 +336,15 @@ class PromptReader {
     }
   }
 
+  // "the edge of" the bathtub, "one end of" the vanity
+  std::size_t skip_portion(std::size_t i) const {
+    std::size_t end = i;
+    while (end < tokens_.size() && end < i + 3 && !words_.portions.count(tokens_[end].text)) ++end;
+    const bool determined = end > i && (words_.definite.count(tokens_[i].text) > 0 ||
+                                        words_.numbers.count(tokens_[i].text) > 0);
+    return determined && end < i + 3 && is_word(end + 1, "of") ? end + 2 : i;
+  }
+
   // A pronoun or a noun phrase at `end`, which moves behind it.
   std::optional<std::size_t> read_target(std::size_t& end) {
     if (end >= tokens_.size() || (is_word(end, "each") && is_word(end + 1, "other")))
@@ -350,7 +371,10 @@ class PromptReader {
     const KindMatch owner = names_.match(tokens_, i);
     if (i + 1 < tokens_.size() && !words_.tops.count(tokens_[i].text))
       i += std::max<std::size_t>(1, owner.length);
-    if (i >= tokens_.size() || !words_.tops.count(tokens_[i].text) || is_word(i + 1, "of"))
+    const bool known_owner = owner.length > 0 && talk_.last_of(owner);
+    if (i >= tokens_.size() || is_word(i + 1, "of") ||
+        !(words_.tops.count(tokens_[i].text) ||
+          (known_owner && words_.portions.count(tokens_[i].text))))
       return std::nullopt;
     if (is_word(i + 1, "shelf")) ++i;
     auto carrier = talk_.last_of(owner);

@@ -76,7 +76,7 @@ Result<Vocabulary> parse_vocabulary(std::string_view text, const std::string& so
                    "no things",  "materials",     "sizes",          "people",   "people words",
                    "room words", "generic rooms", "parts of rooms", "walls",    "units",
                    "areas",      "placements",    "pairs",          "verbs",    "plural verbs",
-                   "tops",       "postures",      "adverbs"});
+                   "tops",       "postures",      "adverbs",  "portions",      "built in"});
   Vocabulary words;
   words.numbers = read_integers(root["numbers"]);
   words.people = read_integers(root["people"]);
@@ -109,7 +109,9 @@ Result<Vocabulary> parse_vocabulary(std::string_view text, const std::string& so
                                                    {"plural verbs", &words.plural_verbs},
                                                    {"tops", &words.tops},
                                                    {"postures", &words.postures},
-                                                   {"adverbs", &words.adverbs}};
+                                                   {"adverbs", &words.adverbs},
+                                                   {"portions", &words.portions},
+                                                   {"built in", &words.built_in}};
   for (const auto& [key, set] : sets) *set = read_set(root[key]);
   if (problems.first()) return *problems.first();
   return words;

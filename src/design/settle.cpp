@@ -114,7 +114,8 @@ void stand_on_things(Mention& mention, const Brief& brief, const CategoryTable& 
 }
 
 bool is_beside(RelationKind kind) {
-  return kind == RelationKind::near || kind == RelationKind::side_of ||
+  return kind == RelationKind::near || kind == RelationKind::next_to ||
+         kind == RelationKind::side_of ||
          kind == RelationKind::left_of || kind == RelationKind::right_of ||
          kind == RelationKind::in_front_of || kind == RelationKind::behind;
 }
@@ -155,13 +156,22 @@ void drop_listed_supports(Mention& mention) {
   });
 }
 
-// A shelf above a desk hangs on the wall.
-void hang_what_is_above(Mention& mention, const KindNames& names) {
-  if (mention.mount == Mount::floor &&
-      std::any_of(mention.demands.begin(), mention.demands.end(), [](const Demand& demand) {
-        return demand.kind == RelationKind::above && demand.mention != Demand::none;
-      }))
-    hang(mention, Mount::wall, names);
+bool has_hanging_kind(const Mention& mention, const KindNames& names) {
+  return names.find("wall " + mention.category) || names.find("hanging " + mention.category) ||
+         names.find("ceiling " + mention.category);
+}
+
+// A shelf above a desk hangs on the wall; a table lamp that lights a sideboard stands on it.
+void hang_what_is_above(Mention& mention, const Brief& brief, const KindNames& names) {
+  for (auto& demand : mention.demands) {
+    if (demand.kind != RelationKind::above || demand.mention == Demand::none) continue;
+    const bool small = mention.mount == Mount::surface;
+    if (small && !has_hanging_kind(mention, names) &&
+        brief.mentions[demand.mention].mount == Mount::floor)
+      demand.kind = RelationKind::on;
+    else if (small || mention.mount == Mount::floor)
+      hang(mention, Mount::wall, names);
+  }
 }
 
 // Wider both ways than what shall carry it?
@@ -208,6 +218,12 @@ void shrink_beside_small(Brief& brief, const CategoryTable& table, const KindNam
   }
 }
 
+bool stands_beside(const Mention& mention, std::size_t target) {
+  return std::any_of(mention.demands.begin(), mention.demands.end(), [&](const Demand& demand) {
+    return demand.mention == target && is_beside(demand.kind);
+  });
+}
+
 // "The table holds a lamp … and a book": small things of which nothing else is said stand where
 // others of their sentence do, the nearest in the text.
 void support_by_sentence(Brief& brief) {
@@ -218,7 +234,7 @@ void support_by_sentence(Brief& brief) {
     for (std::size_t j = 0; j < mentions.size(); ++j) {
       const auto support = support_of(mentions[j]);
       if (j == i || mentions[j].sentence != mentions[i].sentence || !support || *support == i ||
-          is_too_large(mentions[i], mentions[*support]))
+          stands_beside(mentions[*support], i) || is_too_large(mentions[i], mentions[*support]))
         continue;
       const auto distance = [&](std::size_t k) { return k > i ? k - i : i - k; };
       if (!nearest || distance(j) < distance(*nearest)) nearest = j;
@@ -227,10 +243,33 @@ void support_by_sentence(Brief& brief) {
   }
 }
 
+// A stool beside the lamp on a table is beside the table.
+void stand_beside_carriers(Brief& brief) {
+  for (std::size_t i = 0; i < brief.mentions.size(); ++i) {
+    Mention& mention = brief.mentions[i];
+    if (mention.mount != Mount::floor) continue;
+    for (auto& demand : mention.demands) {
+      if (demand.mention == Demand::none || !is_beside(demand.kind)) continue;
+      const Mention& target = brief.mentions[demand.mention];
+      const auto carrier = target.mount == Mount::surface ? support_of(target) : std::nullopt;
+      if (carrier && *carrier != i) demand.mention = *carrier;
+    }
+  }
+}
+
+// Only what is on a thing can be inside it.
+void keep_inside_what_carries(Mention& mention) {
+  const auto support = support_of(mention);
+  std::erase_if(mention.demands, [&](const Demand& demand) {
+    return demand.kind == RelationKind::inside &&
+           (mention.mount != Mount::surface || support != demand.mention);
+  });
+}
+
 // "A television on a stand across from the sofa": where the stand stands.
 bool places_on_floor(const Demand& demand, const Brief& brief, std::size_t carrier) {
-  if (demand.kind == RelationKind::on || demand.kind == RelationKind::above ||
-      demand.kind == RelationKind::under)
+  if (demand.kind == RelationKind::on || demand.kind == RelationKind::inside ||
+      demand.kind == RelationKind::above || demand.kind == RelationKind::under)
     return false;
   if (demand.mention == Demand::none)
     return !demand.part.empty() || demand.kind == RelationKind::edge ||
@@ -273,7 +312,8 @@ void lay_rugs(Brief& brief, const CategoryTable& table) {
       Mention& rug = brief.mentions[demand.mention];
       if (!table.get(rug.category).traits.flat || table.get(brief.mentions[i].category).traits.flat)
         continue;
-      if (demand.kind != RelationKind::near && demand.kind != RelationKind::on) continue;
+      const bool beside = demand.kind == RelationKind::near || demand.kind == RelationKind::next_to;
+      if (!beside && demand.kind != RelationKind::on) continue;
       const bool small = brief.mentions[i].size.maxCoeff() <= small_side;
       if (demand.kind == RelationKind::on && (small || !rug.demands.empty())) continue;
       if (rug.demands.empty()) rug.demands.push_back({RelationKind::under, i, "", false});
@@ -388,6 +428,10 @@ const Category* small_kind(const std::string& category, const KindNames& names) 
 
 void hang(Mention& mention, Mount where, const KindNames& names) {
   if (mention.mount == where) return;
+  if (where == Mount::floor) {
+    if (mention.mount == Mount::surface) mention.mount = where;
+    return;
+  }
   for (const char* prefix : {where == Mount::wall ? "wall " : "ceiling ", "hanging "})
     if (const Category* hanging = names.find(prefix + mention.category);
         hanging && hanging->mount == where) {
@@ -405,12 +449,14 @@ void settle(Brief& brief, const CategoryTable& table, const KindNames& names) {
     }
   hand_down_supports(brief);
   for (auto& mention : brief.mentions) drop_listed_supports(mention);
-  for (auto& mention : brief.mentions) hang_what_is_above(mention, names);
+  for (auto& mention : brief.mentions) hang_what_is_above(mention, brief, names);
   for (auto& mention : brief.mentions) stand_on_things(mention, brief, table, names);
   shrink_beside_small(brief, table, names);
   share_supports(brief);
   support_by_sentence(brief);
+  stand_beside_carriers(brief);
   lift_to_carriers(brief);
+  for (auto& mention : brief.mentions) keep_inside_what_carries(mention);
   calm_opposites(brief, table);
   lay_rugs(brief, table);
   turn_behind(brief, table);

@@ -19,7 +19,8 @@ inline constexpr double small_side = 0.7;
 const Category* small_kind(const std::string& category, const KindNames& names);
 
 /// Makes a mention one that hangs on a wall or under the ceiling, if such a thing can: a television
-/// becomes a wall tv, a wardrobe "on the wall" stays what it is.
+/// becomes a wall tv, a wardrobe "on the wall" stays what it is. Small things can also stand on the
+/// floor.
 void hang(Mention& mention, Mount where, const KindNames& names);
 
 /// Ends the reading: numbers of uncounted things, small things for what stands on others, rugs

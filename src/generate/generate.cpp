@@ -14,6 +14,7 @@
 #include "roomgen/library/vocabulary.h"
 #include "roomgen/scene/judgement.h"
 #include "roomgen/solve/improve.h"
+#include "roomgen/solve/make_room.h"
 #include "window_cover.h"
 
 namespace roomgen {
@@ -305,6 +306,13 @@ class Generator {
         if (!first) first = *task;
         if (placed) {
           accept(planned, assets[a], *task, *placed, attempt);
+          record["attempts"].push_back(std::move(attempt));
+          return "";
+        }
+        if (task->asked && make_room(layout_, *task, tasks_, options_.cancel, random_)) {
+          tasks_.push_back(*task);
+          take(planned, assets[a]);
+          attempt["made_room"] = true;
           record["attempts"].push_back(std::move(attempt));
           return "";
         }

@@ -13,6 +13,7 @@ constexpr double edge_gap = 0.05;
 constexpr double middle_gap = 0.30;
 constexpr double corner_gap = 0.10;
 constexpr double near_gap = 1.5;
+constexpr double beside_gap = 0.5;
 constexpr double around_gap = 0.6;
 constexpr double align_offset = 0.05;
 constexpr double angle_tolerance = pi / 180.0;
@@ -90,6 +91,13 @@ Judgement judge_near(const ResolvedRelation& relation, double gap) {
           clamp01(1.0 - outside(gap, relation.gap_low, relation.gap_high) / (2.0 * near_gap))};
 }
 
+// The slope ends where being near does, so that the search is drawn from afar.
+Judgement judge_next_to(const ResolvedRelation& relation, double gap) {
+  const double high = std::min(relation.gap_high, beside_gap);
+  return {gap <= beside_gap + rounding,
+          clamp01(1.0 - outside(gap, std::min(relation.gap_low, high), high) / near_gap)};
+}
+
 Judgement judge_far(double gap) {
   return {gap >= near_gap - rounding, clamp01(gap / (2.0 * near_gap))};
 }
@@ -164,6 +172,17 @@ Judgement judge_over(bool vertical, const Footprint& subject, const Footprint& t
           vertical ? clamp01(1.0 - apart) : 0.0};
 }
 
+// Its middle below the top of what contains it.
+Judgement judge_inside(const ResolvedRelation& relation, const Subject& subject,
+                       const Footprint& target) {
+  const double middle = 0.5 * (subject.bottom + subject.top);
+  const bool below_top = subject.bottom >= relation.target_bottom - rounding &&
+                         middle <= relation.target_top + rounding;
+  Judgement judgement = judge_over(true, subject.footprint, target);
+  if (!below_top) judgement = {false, 0.5 * judgement.degree};
+  return judgement;
+}
+
 Judgement judge_against(const ResolvedRelation& relation, const Subject& subject,
                         const Footprint& target, const Room& room) {
   const Footprint& own = subject.footprint;
@@ -176,6 +195,8 @@ Judgement judge_against(const ResolvedRelation& relation, const Subject& subject
       return judge_corner(own, room);
     case RelationKind::near:
       return judge_near(relation, gap(own, target));
+    case RelationKind::next_to:
+      return judge_next_to(relation, gap(own, target));
     case RelationKind::far:
       return judge_far(gap(own, target));
     case RelationKind::in_front_of:
@@ -199,6 +220,8 @@ Judgement judge_against(const ResolvedRelation& relation, const Subject& subject
       return judge_over(
           subject.bottom <= relation.target_top + 0.02 && subject.bottom >= relation.target_bottom,
           own, target);
+    case RelationKind::inside:
+      return judge_inside(relation, subject, target);
     case RelationKind::above:
       return judge_over(subject.bottom >= relation.target_top - rounding, own, target);
     case RelationKind::under:

@@ -16,6 +16,7 @@ constexpr std::array vocabulary = {
     RelationSpelling{"middle", RelationKind::middle},
     RelationSpelling{"corner", RelationKind::corner},
     RelationSpelling{"near", RelationKind::near},
+    RelationSpelling{"next to", RelationKind::next_to},
     RelationSpelling{"far", RelationKind::far},
     RelationSpelling{"in front of", RelationKind::in_front_of},
     RelationSpelling{"behind", RelationKind::behind},
@@ -29,6 +30,7 @@ constexpr std::array vocabulary = {
     RelationSpelling{"face same as", RelationKind::face_same_as},
     RelationSpelling{"face opposite to", RelationKind::face_opposite_to},
     RelationSpelling{"on", RelationKind::on},
+    RelationSpelling{"inside", RelationKind::inside},
     RelationSpelling{"above", RelationKind::above},
     RelationSpelling{"under", RelationKind::under},
     RelationSpelling{"hang from", RelationKind::hang_from},
@@ -36,7 +38,6 @@ constexpr std::array vocabulary = {
     RelationSpelling{"against wall", RelationKind::edge},
     RelationSpelling{"center", RelationKind::middle},
     RelationSpelling{"close to", RelationKind::near},
-    RelationSpelling{"next to", RelationKind::near},
     RelationSpelling{"far from", RelationKind::far},
     RelationSpelling{"to the left of", RelationKind::left_of},
     RelationSpelling{"to the right of", RelationKind::right_of},
@@ -50,6 +51,7 @@ constexpr std::array vocabulary = {
     RelationSpelling{"facing", RelationKind::face_to},
     RelationSpelling{"face", RelationKind::face_to},
     RelationSpelling{"on top of", RelationKind::on},
+    RelationSpelling{"within", RelationKind::inside},
     RelationSpelling{"below", RelationKind::under},
 };
 

@@ -158,6 +158,7 @@ class Arrangement {
       case RelationKind::corner:
         return 2;
       case RelationKind::near:
+      case RelationKind::next_to:
       case RelationKind::far:
       case RelationKind::around:
         return 1;

@@ -251,6 +251,7 @@ void propose_above_targets(const ProposalContext& context, std::vector<Pose>& po
 bool places_beside(RelationKind kind) {
   switch (kind) {
     case RelationKind::near:
+    case RelationKind::next_to:
     case RelationKind::in_front_of:
     case RelationKind::behind:
     case RelationKind::left_of:

@@ -40,6 +40,8 @@ struct Vocabulary {
   WordSet postures;      ///< verbs behind which the thing may come: "on the shelf sits a vase"
   WordSet adverbs;       ///< before a placement, besides those in -ly
   WordSet tops;          ///< "the countertop": of what was spoken of
+  WordSet portions;      ///< "the edge of the bathtub", "the sofa cushion": stand for the whole
+  WordSet built_in;      ///< what is so is no thing of its own
   WordSet vague, definite, pronouns, negations, only, measured, stops, parts, no_things, materials,
       people_words, room_words, generic_rooms;
 };
