@@ -1,6 +1,7 @@
 #include "settle.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -12,6 +13,9 @@ namespace {
 
 constexpr int seats_at_a_table = 4;
 constexpr int usual_few = 2;
+constexpr double between_loads = 0.05;  ///< metres between things on a table
+constexpr double fullest_top = 0.55;    ///< share of a top that things take
+constexpr double widest = 1.35, widest_if_sized = 1.1;
 const Vec3 unknown_size(0.5, 0.5, 0.8);
 const Vec3 small_unknown_size(0.2, 0.2, 0.2);
 
@@ -266,6 +270,28 @@ void keep_inside_what_carries(Mention& mention) {
   });
 }
 
+// Whose one top is what carries things.
+bool has_one_top(const Mention& mention, const CategoryTable& table) {
+  return table.is_any_of(mention.category, {"table", "nightstand", "bar cart", "tray"}) &&
+         !table.get(mention.category).traits.flat;
+}
+
+// A table for many things is a larger one.
+void widen_for_loads(Brief& brief, const CategoryTable& table) {
+  std::vector<double> loads(brief.mentions.size(), 0.0);
+  for (const auto& mention : brief.mentions)
+    if (const auto support = support_of(mention); support && mention.mount == Mount::surface)
+      loads[*support] += mention.quantity *
+                         (mention.size.head<2>() + Vec2::Constant(between_loads)).prod();
+  for (std::size_t i = 0; i < brief.mentions.size(); ++i) {
+    Mention& carrier = brief.mentions[i];
+    if (loads[i] == 0.0 || !has_one_top(carrier, table)) continue;
+    const double need = loads[i] / carrier.quantity / fullest_top;
+    const double factor = std::sqrt(need / carrier.size.head<2>().prod());
+    carrier.size.head<2>() *= std::clamp(factor, 1.0, carrier.sized ? widest_if_sized : widest);
+  }
+}
+
 // "A television on a stand across from the sofa": where the stand stands.
 bool places_on_floor(const Demand& demand, const Brief& brief, std::size_t carrier) {
   if (demand.kind == RelationKind::on || demand.kind == RelationKind::inside ||
@@ -454,6 +480,7 @@ void settle(Brief& brief, const CategoryTable& table, const KindNames& names) {
   shrink_beside_small(brief, table, names);
   share_supports(brief);
   support_by_sentence(brief);
+  widen_for_loads(brief, table);
   stand_beside_carriers(brief);
   lift_to_carriers(brief);
   for (auto& mention : brief.mentions) keep_inside_what_carries(mention);

@@ -31,6 +31,11 @@ constexpr double least_to_measure = 0.75, most_to_measure = 1.3;
 constexpr double least_free_side = 0.3;
 constexpr std::size_t most_free_parts = 6;
 
+// Assets that are looked at for one that can carry what it shall; of which each thing may be this much
+// smaller than planned.
+constexpr int most_carriers = 6;
+constexpr double least_load = 0.8;
+
 // A yaw this far from the suggested one still follows it.
 constexpr double facing_tolerance = pi / 12;
 
@@ -43,6 +48,8 @@ constexpr double least_shrink = 0.6;
 constexpr double shrink_step = 0.9;
 constexpr double fit_margin = 0.96;
 constexpr std::size_t patience_with_support = 2;
+constexpr double least_squeeze = 0.65;
+constexpr double squeeze_step = 0.81;
 
 using Clock = std::chrono::steady_clock;
 
@@ -180,7 +187,7 @@ class Generator {
     if (categories_.get(item.category).covers_window)
       return finish_step(planned, cover_window(planned, record), std::move(record), start);
     std::string reason;
-    auto assets = retriever_.candidates(item, planned, options_.assets_per_object);
+    auto assets = able_candidates(planned);
     if (!assets)
       reason = assets.error().message;
     else if (assets->empty())
@@ -188,6 +195,60 @@ class Generator {
     else
       reason = try_assets(planned, *assets, record);
     finish_step(planned, reason, std::move(record), start);
+  }
+
+  // What shall carry things takes an asset that can, if there is one.
+  Result<std::vector<AssetInfo>> able_candidates(const PlannedObject& planned) {
+    const PlanItem& item = plan_.items[planned.item];
+    const auto loads = loads_of(planned.id);
+    const int count = options_.assets_per_object;
+    if (loads.empty()) return retriever_.candidates(item, planned, count);
+    auto assets = retriever_.candidates(item, planned, std::max(count, most_carriers));
+    if (!assets) return assets;
+    const auto able = std::find_if(assets->begin(), assets->end(), [&](const AssetInfo& asset) {
+      return can_carry(planned, asset, loads);
+    });
+    if (able != assets->end()) std::rotate(assets->begin(), able, able + 1);
+    if (assets->size() > static_cast<std::size_t>(count)) assets->resize(static_cast<std::size_t>(count));
+    return assets;
+  }
+
+  struct Load {
+    Object object;
+    bool inside = false;
+  };
+
+  // What the plan puts onto a thing, as boxes.
+  std::vector<Load> loads_of(const std::string& id) const {
+    std::vector<Load> loads;
+    for (const auto& item : plan_.items) {
+      const auto wants = [&](RelationKind kind) {
+        return std::find(item.relations.begin(), item.relations.end(), Relation{kind, id}) !=
+               item.relations.end();
+      };
+      if (item.mount != Mount::surface || !wants(RelationKind::on)) continue;
+      const Category& category = categories_.get(item.category);
+      Load load;
+      load.object.category = item.category;
+      load.object.size = least_load * item.size.value_or(category.size);
+      load.object.mount = Mount::surface;
+      load.inside = wants(RelationKind::inside);
+      loads.push_back(std::move(load));
+    }
+    return loads;
+  }
+
+  bool can_carry(const PlannedObject& planned, const AssetInfo& asset,
+                 const std::vector<Load>& loads) {
+    const auto task = prepare(planned, asset);
+    if (!task) return false;
+    const Object& carrier = task->object;
+    return std::all_of(loads.begin(), loads.end(), [&](const Load& load) {
+      const auto& perches = layout_.perches().everywhere(load.object, carrier);
+      return std::any_of(perches.begin(), perches.end(), [&](const Perch& perch) {
+        return !load.inside || perch.bottom + 0.5 * load.object.size.z() <= carrier.size.z();
+      });
+    });
   }
 
   void finish_step(const PlannedObject& planned, const std::string& reason, Json record,
@@ -309,7 +370,7 @@ class Generator {
           record["attempts"].push_back(std::move(attempt));
           return "";
         }
-        if (task->asked && make_room(layout_, *task, tasks_, options_.cancel, random_)) {
+        if (squeeze_in(*task)) {
           tasks_.push_back(*task);
           take(planned, assets[a]);
           attempt["made_room"] = true;
@@ -323,6 +384,20 @@ class Generator {
     }
     if (brief) return refusals.back();
     return repair(planned, assets.front(), *first, refusals.back(), record);
+  }
+
+  // Where a small thing was asked for and found no room: others there make some, and it gets smaller.
+  bool squeeze_in(PlacementTask& task) {
+    if (!task.asked || task.object.mount != Mount::surface) return false;
+    PlacementTask smaller = task;
+    for (double factor = 1.0; factor >= least_squeeze; factor *= squeeze_step) {
+      if (options_.cancel.cancelled()) return false;
+      smaller.object.size = factor * task.object.size;
+      if (!make_room(layout_, smaller, tasks_, options_.cancel, random_)) continue;
+      task = smaller;
+      return true;
+    }
+    return false;
   }
 
   Result<PlaceAdvice> ask(const PlannedObject& planned, const PlacementTask& task,
