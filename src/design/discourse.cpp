@@ -214,6 +214,16 @@ void Discourse::locate(const Placement& placement, const PlacePhrase& place, boo
   }
 }
 
+// Lamps that hang over a table hang from the ceiling.
+void Discourse::hang_lamps(bool leads) {
+  if (leads) return;
+  for (std::size_t subject : subjects()) {
+    Mention& mention = brief_.mentions[subject];
+    if (is_lamp(mention.category) && mention.mount != Mount::wall)
+      hang(mention, Mount::ceiling, lexicon_.names);
+  }
+}
+
 // "On the floor, two books": small things that nothing carries.
 void Discourse::stand_on_floor(bool leads) {
   if (leads) {
@@ -339,7 +349,11 @@ std::optional<std::size_t> Discourse::last_carrier(std::string_view top) const {
   };
   const bool table = top.starts_with("table"), desk = top.starts_with("desk");
   if (table)
-    if (const auto found = find([](const Mention& one) { return one.noun == "table"; })) return found;
+    if (const auto found = find([&](const Mention& one) {
+          return one.noun == "table" || one.category == "table" ||
+                 lexicon_.table.is_any_of(one.category, {"dining table", "round table"});
+        }))
+      return found;
   if (top.starts_with("counter"))
     if (const auto found = find([&](const Mention& one) {
           return one.noun.ends_with("counter") || one.noun.ends_with("vanity") ||

@@ -61,6 +61,8 @@ class Discourse {
   /// Says something of the subject, or of the next thing when `leads`.
   void demand(const Demand& what, bool leads);
   void add(std::size_t mention, const Demand& what);
+  /// Said of what hangs above something: pictures stay on the wall.
+  void hang_lamps(bool leads);
   /// The small things listed last stand on what was named before them.
   void put_on_what_was_named();
   /// Says in what part of the room the subject is.

@@ -104,6 +104,10 @@ class Reader {
         continue;
       } else if (joins_modifiers() || is_adverb()) {
         ++at_;
+      } else if (is_way_of_standing()) {
+        phrase_.modifiers.push_back(here.text);
+        phrase_.modifiers.push_back(token(at_ + 1).text);
+        at_ += 2;
       } else if (here.is_word("built") && is_word(at_ + 1, "in")) {
         phrase_.modifiers.push_back("built in");
         at_ += 2;
@@ -142,6 +146,15 @@ class Reader {
       return false;
     const std::string& next = token(at_ + 1).text;
     return !words_.stops.count(next) && !words_.numbers.count(next) && !words_.definite.count(next);
+  }
+
+  // "a wall-mounted shelf", "a floor-standing speaker", but no "shelf on the wall mounted above"
+  bool is_way_of_standing() const {
+    static const WordSet where = {"wall", "ceiling", "floor", "free"};
+    static const WordSet how = {"mounted", "standing", "hung"};
+    return where.count(token(at_).text) && !ended(at_ + 2) && how.count(token(at_ + 1).text) &&
+           token(at_ + 2).kind != Token::Kind::comma && !words_.stops.count(token(at_ + 2).text) &&
+           !words_.placements.count(token(at_ + 2).text);
   }
 
   // "a neatly folded towel"

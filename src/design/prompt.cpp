@@ -142,7 +142,7 @@ class PromptReader {
 
   // "a desk, a chair and a lamp": after a comma or an "and" that follows a thing.
   bool continues_list(std::size_t begin) const {
-    return begin > 0 && begin <= owner_end_ + 2 &&
+    return begin > 0 && begin <= owner_end_ + 2 && begin != leading_end_ + 1 &&
            (is_word(begin - 1, "and") || tokens_[begin - 1].kind == Token::Kind::comma);
   }
 
@@ -287,6 +287,7 @@ class PromptReader {
   }
 
   void say(const Placement& placement, std::size_t target, bool leads) {
+    if (placement.hanging) talk_.hang_lamps(leads);
     for (auto kind : placement.relations) talk_.demand({kind, target, "", placement.flank}, leads);
   }
 
@@ -309,6 +310,7 @@ class PromptReader {
     at_ = owner_end_ = end;
     // The text goes on about what it has just introduced.
     if (leads) {
+      leading_end_ = end;
       talk_.speak_of(std::nullopt);
     } else if (*target >= before) {
       if (talk_.may_carry(*speaker)) talk_.join_with(*speaker);
@@ -469,6 +471,7 @@ class PromptReader {
   std::size_t at_ = 0;
   std::size_t sentence_start_ = 0;
   bool after_part_ = false;    ///< the last phrase was of a part, no thing of its own
+  std::size_t leading_end_ = 0;  ///< behind the last place told before its thing
   std::size_t owner_end_ = 0;  ///< behind the last phrase about a thing
 };
 

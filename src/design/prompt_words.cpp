@@ -47,6 +47,10 @@ Placement read_placement(const JsonReader& json) {
       placement.centered = true;
       continue;
     }
+    if (word == "hanging") {
+      placement.hanging = true;
+      continue;
+    }
     if (word == "each") {
       placement.mutual = true;
       continue;

@@ -441,7 +441,10 @@ void shape(Mention& mention, const NounPhrase& phrase, const Vocabulary& words,
            phrase.modifiers.end();
   };
   mention.varied = said("different") || said("mismatched") || said("various") || said("assorted");
-  if (said("mounted") || said("wall")) hang(mention, Mount::wall, names);
+  if (said("ceiling"))
+    hang(mention, Mount::ceiling, names);
+  else if (said("mounted") || said("wall"))
+    hang(mention, Mount::wall, names);
 }
 
 const Category* small_kind(const std::string& category, const KindNames& names) {
@@ -464,7 +467,14 @@ void hang(Mention& mention, Mount where, const KindNames& names) {
       become(mention, *hanging);
       return;
     }
+  // What hangs from the ceiling and gives light is no table lamp turned over.
+  const Category* pendant = names.find("pendant lamp");
+  if (where == Mount::ceiling && pendant && is_lamp(mention.category)) return become(mention, *pendant);
   if (mention.mount == Mount::surface || where == Mount::ceiling) mention.mount = where;
+}
+
+bool is_lamp(const std::string& category) {
+  return category.ends_with("lamp") || category.ends_with("light") || category.ends_with("lantern");
 }
 
 void settle(Brief& brief, const CategoryTable& table, const KindNames& names) {

@@ -171,12 +171,19 @@ std::map<std::string, std::vector<std::size_t>> KindNames::match(
   for (std::size_t i = 0; i < objects.size(); ++i) {
     const Identity identity = identify(objects[i]);
     const std::string placed_as = key(objects[i].category);
+    const auto was_asked_as = [&](const std::string& category) {
+      const auto pieces = words(key(category));
+      return std::all_of(pieces.begin(), pieces.end(), [&](const std::string& word) {
+        return identity.asked.count(word) > 0;
+      });
+    };
     int best = 0;
     const std::string* chosen = nullptr;
     for (const auto& category : categories) {
-      const int value = 2 * rank(identity, category);
+      const int value = 4 * rank(identity, category);
       if (value == 0) continue;
-      const int wanted = value + (key(category) == placed_as ? 1 : 0);
+      const int wanted =
+          value + (was_asked_as(category) ? 2 : 0) + (key(category) == placed_as ? 1 : 0);
       if (wanted <= best) continue;
       best = wanted;
       chosen = &category;

@@ -19,12 +19,11 @@ double level_degree(const SupportSurface& surface, double base, double height, d
                     bool shelves) {
   const double at = base + surface.height;
   const double area = std::min(1.0, surface.area / (0.6 * most_area));
-  if (base + height < high_furniture) {
-    const bool covered = surface.clearance != SupportSurface::open;
-    return area * (covered == shelves ? 1.0 : 0.4);
-  }
+  const bool covered = surface.clearance != SupportSurface::open;
+  const double usual = covered == shelves ? 1.0 : 0.4;
+  if (base + height < high_furniture) return area * usual;
   const double off = std::max({0.0, hand_low - at, at - hand_high});
-  return area * std::clamp(1.0 - 1.5 * off, 0.1, 1.0);
+  return area * (shelves ? usual : 1.0) * std::clamp(1.0 - 1.5 * off, 0.1, 1.0);
 }
 
 const SupportSurface* surface_at(const std::vector<SupportSurface>& surfaces, double height) {

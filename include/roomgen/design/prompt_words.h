@@ -23,6 +23,7 @@ struct Placement {
   bool pronoun = false;  ///< names its target itself: "to its left"
   bool adverb = false;   ///< may do without a target: "a chair nearby"
   bool centered = false;  ///< of a room: in its middle
+  bool hanging = false;  ///< of lamps: from the ceiling
   bool mutual = false;   ///< of things to each other: "side by side"
   bool inverse = false;  ///< said of the target: "a sofa flanked by two lamps"
 };

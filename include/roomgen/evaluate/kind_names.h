@@ -32,7 +32,8 @@ class KindNames {
   int rank(const Identity& identity, std::string_view category) const;
 
   /// Which objects are which category, by index. An object is one category at most: the one of the
-  /// highest rank; among equals the one that the object was placed as, else the first.
+  /// highest rank; among equals the one whose words it was chosen for (a buffet of a sideboard), then
+  /// the one that it was placed as, else the first.
   std::map<std::string, std::vector<std::size_t>> match(
       const std::vector<Object>& objects, const std::vector<std::string>& categories) const;
 
