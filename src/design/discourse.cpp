@@ -117,7 +117,7 @@ std::optional<std::size_t> Discourse::antecedent(RelationKind kind) const {
   // On a desk the mouse to the right is to the right of the keyboard.
   if (one.mount == Mount::surface && kind != RelationKind::on)
     for (std::size_t i = *subject_; i-- > 0 && mention(i).sentence + 1 >= one.sentence;)
-      if (mention(i).mount == Mount::surface) return i;
+      if (mention(i).mount == Mount::surface && !(plural_ && is_listed(i))) return i;
   return antecedent();
 }
 
@@ -127,10 +127,13 @@ void Discourse::list(std::size_t mention, bool continues) {
   group_.push_back(mention);
 }
 
+bool Discourse::is_listed(std::size_t index) const {
+  return std::find(group_.begin(), group_.end(), index) != group_.end();
+}
+
 std::vector<std::size_t> Discourse::subjects() const {
   if (!subject_) return {};
-  const bool listed = std::find(group_.begin(), group_.end(), *subject_) != group_.end();
-  return plural_ && listed ? group_ : std::vector<std::size_t>{*subject_};
+  return plural_ && is_listed(*subject_) ? group_ : std::vector<std::size_t>{*subject_};
 }
 
 void Discourse::demand(const Demand& what, bool leads) {
@@ -216,12 +219,16 @@ void Discourse::locate(const Placement& placement, const PlacePhrase& place, boo
 
 // Lamps that hang over a table hang from the ceiling.
 void Discourse::hang_lamps(bool leads) {
-  if (leads) return;
-  for (std::size_t subject : subjects()) {
-    Mention& mention = brief_.mentions[subject];
-    if (is_lamp(mention.category) && mention.mount != Mount::wall)
-      hang(mention, Mount::ceiling, lexicon_.names);
+  if (leads) {
+    lamps_hang_ = true;
+    return;
   }
+  for (std::size_t subject : subjects()) hang_lamp(brief_.mentions[subject]);
+}
+
+void Discourse::hang_lamp(Mention& mention) const {
+  if (is_lamp(mention.category) && mention.mount != Mount::wall)
+    hang(mention, Mount::ceiling, lexicon_.names);
 }
 
 // "On the floor, two books": small things that nothing carries.
@@ -272,6 +279,8 @@ void Discourse::mount(Mount where, bool leads) {
 void Discourse::apply_leading(std::size_t index) {
   if (leading_mount_) hang(brief_.mentions[index], *leading_mount_, lexicon_.names);
   leading_mount_.reset();
+  if (lamps_hang_) hang_lamp(brief_.mentions[index]);
+  lamps_hang_ = false;
   bool used = false;
   for (const auto& what : leading_) {
     if (what.mention == index) continue;
@@ -286,10 +295,21 @@ void Discourse::apply_leading(std::size_t index) {
 
 void Discourse::extend_list(std::size_t index) {
   for (auto what : listed_) {
-    if (what.mention == index || (what.kind == RelationKind::on && !is_small(index))) continue;
+    if (what.mention == index) continue;
+    if (what.kind == RelationKind::on && !is_small(index)) {
+      // "a table with two benches"
+      if (!seats_at(index, what.mention)) continue;
+      what.kind = RelationKind::around;
+    }
     what.listed = true;
     add(index, what);
   }
+}
+
+bool Discourse::seats_at(std::size_t seat, std::size_t other) const {
+  const auto& table = lexicon_.table;
+  return other != Demand::none && table.is_any_of(mention(seat).category, {"chair", "stool", "bench"}) &&
+         table.is_a(mention(other).category, "table") && !table.is_a(mention(other).category, "desk");
 }
 
 bool Discourse::is_small(std::size_t index) const {
@@ -373,6 +393,7 @@ std::optional<std::size_t> Discourse::last_carrier(std::string_view top) const {
 void Discourse::end_sentence() {
   leading_.clear();
   leading_mount_.reset();
+  lamps_hang_ = false;
   listed_.clear();
   with_owner_.reset();
   ++sentence_;

@@ -87,6 +87,7 @@ class Discourse {
   void join_with(std::size_t owner) { with_owner_ = owner; }
   std::optional<std::size_t> holder() const;
   int holder_number() const { return nth_; }
+  std::optional<std::size_t> with_owner() const { return with_owner_; }
   void end_sentence();
 
  private:
@@ -94,11 +95,15 @@ class Discourse {
   std::optional<std::size_t> same_noun(const NounPhrase& phrase) const;
   std::optional<std::size_t> last_compound(std::string_view noun) const;
   bool is_small(std::size_t mention) const;
+  /// Chairs and benches at a table, not at a desk.
+  bool seats_at(std::size_t seat, std::size_t other) const;
   std::vector<std::size_t> subjects() const;
+  bool is_listed(std::size_t mention) const;
   void locate_at_window(const Placement& placement, bool leads);
   void locate_at_wall(RelationKind first, const PlacePhrase& place, bool leads);
   void mount(Mount where, bool leads);
   void stand_on_floor(bool leads);
+  void hang_lamp(Mention& mention) const;
 
   Lexicon lexicon_;
   Brief& brief_;
@@ -113,6 +118,7 @@ class Discourse {
   int sentence_ = 0;
   std::optional<std::size_t> with_owner_;
   std::optional<Mount> leading_mount_;
+  bool lamps_hang_ = false;  ///< "Above hangs a lantern": of what is to be named
 };
 
 }  // namespace roomgen::design

@@ -127,7 +127,7 @@ class PromptReader {
   // "a photo frame with a black-and-white print": no other picture.
   bool is_on_small_owner(const NounPhrase& phrase) const {
     return talk_.subject() && phrase.begin == owner_end_ + 1 && is_word(owner_end_, "with") &&
-           phrase.kind.length > 0 && phrase.kind.category->mount != Mount::surface &&
+           phrase.kind.length > 0 && phrase.kind.category->mount == Mount::wall &&
            talk_.mention(*talk_.subject()).mount == Mount::surface;
   }
 
@@ -197,7 +197,12 @@ class PromptReader {
     const Placement& placement = *match.value;
     const std::size_t after = at_ + match.length;
     if (placement.inverse) return read_inverse(placement, after);
-    if (placement.pronoun) return read_implied_target(placement, after);
+    if (placement.pronoun) {
+      hear_plural();
+      const bool read = read_implied_target(placement, after);
+      talk_.speak_of_one();
+      return read;
+    }
     if (placement.mutual) {
       talk_.relate_listed(placement);
       at_ = after;
@@ -277,10 +282,19 @@ class PromptReader {
   bool read_implied_target(const Placement& placement, std::size_t after) {
     // "Across the room, a wardrobe …"
     const bool leads = at_ == sentence_start_;
-    const auto target =
-        leads ? talk_.last_on_floor() : talk_.antecedent(placement.relations.front());
+    const RelationKind first = placement.relations.front();
+    const bool vertical = first == RelationKind::above || first == RelationKind::under;
+    auto target = leads ? talk_.last_on_floor() : talk_.antecedent(first);
+    if (leads && vertical)
+      if (const auto carrier = talk_.last_carrier()) target = carrier;
+    // "a board with a knife on top"
+    const bool on_owner = first == RelationKind::on && !leads && talk_.with_owner() &&
+                          talk_.with_owner() != talk_.subject();
+    if (on_owner) target = talk_.with_owner();
     if ((!talk_.subject() && !leads) || !target) return false;
+    if (first == RelationKind::above && is_word(after, "hangs")) talk_.hang_lamps(leads);
     say(placement, *target, leads);
+    if (on_owner) talk_.speak_of(target);
     if (leads) talk_.speak_of(std::nullopt);
     at_ = after;
     return true;
@@ -390,6 +404,7 @@ class PromptReader {
     const bool holds = placement.relations.front() == RelationKind::on;
     const auto target = holds ? talk_.holder() : talk_.subject();
     if (!target) return false;
+    if (is_word(after, "in") && is_word(after + 1, "total")) after += 2;
     const auto phrase = read_noun_phrase(tokens_, after, words_, names_, true);
     if (!phrase) return false;
     const auto other = refer(*phrase);

@@ -247,6 +247,23 @@ void support_by_sentence(Brief& brief) {
   }
 }
 
+// "An island under the window, where a cooktop heats a pot": what carries things and was named before
+// them in their sentence carries small things of which nothing else is said.
+void stand_on_what_was_named(Brief& brief, const CategoryTable& table) {
+  auto& mentions = brief.mentions;
+  for (std::size_t i = 0; i < mentions.size(); ++i) {
+    if (mentions[i].mount != Mount::surface || !mentions[i].demands.empty() ||
+        table.is_any_of(mentions[i].category, {"pillow", "blanket"}))
+      continue;
+    for (std::size_t j = i; j-- > 0 && mentions[j].sentence == mentions[i].sentence;) {
+      if (!table.is_any_of(mentions[j].category, {"table", "storage", "kitchen unit", "washbasin"}))
+        continue;
+      if (mentions[j].mount == Mount::floor && !is_too_large(mentions[i], mentions[j])) put_on(mentions[i], j);
+      break;
+    }
+  }
+}
+
 // A stool beside the lamp on a table is beside the table.
 void stand_beside_carriers(Brief& brief) {
   for (std::size_t i = 0; i < brief.mentions.size(); ++i) {
@@ -469,7 +486,9 @@ void hang(Mention& mention, Mount where, const KindNames& names) {
     }
   // What hangs from the ceiling and gives light is no table lamp turned over.
   const Category* pendant = names.find("pendant lamp");
-  if (where == Mount::ceiling && pendant && is_lamp(mention.category)) return become(mention, *pendant);
+  if (where == Mount::ceiling && pendant && !mention.category.ends_with("lantern") &&
+      is_lamp(mention.category))
+    return become(mention, *pendant);
   if (mention.mount == Mount::surface || where == Mount::ceiling) mention.mount = where;
 }
 
@@ -490,6 +509,8 @@ void settle(Brief& brief, const CategoryTable& table, const KindNames& names) {
   shrink_beside_small(brief, table, names);
   share_supports(brief);
   support_by_sentence(brief);
+  stand_on_what_was_named(brief, table);
+  share_supports(brief);
   widen_for_loads(brief, table);
   stand_beside_carriers(brief);
   lift_to_carriers(brief);

@@ -12,6 +12,8 @@ namespace roomgen {
 
 namespace {
 
+constexpr int name_rank = 5, synonym_rank = 4;
+
 // "Coffee_Tables" is "coffee table".
 std::string key(std::string_view name) {
   auto pieces = words(name);
@@ -140,8 +142,8 @@ int KindNames::rank(const Identity& identity, std::string_view name) const {
   const std::string category = key(name);
   const std::string& kind = identity.kind;
   if (kind.empty() || category.empty()) return 0;
-  if (kind == category) return 5;
-  if (same(kind, category)) return 4;
+  if (kind == category) return name_rank;
+  if (same(kind, category)) return synonym_rank;
   if (descends(kind, category)) return 3;
   // "wooden desk": the words before the kind may only say how it is, or stand in the label.
   const auto pieces = words(category);
@@ -180,10 +182,11 @@ std::map<std::string, std::vector<std::size_t>> KindNames::match(
     int best = 0;
     const std::string* chosen = nullptr;
     for (const auto& category : categories) {
-      const int value = 4 * rank(identity, category);
+      int value = rank(identity, category);
       if (value == 0) continue;
-      const int wanted =
-          value + (was_asked_as(category) ? 2 : 0) + (key(category) == placed_as ? 1 : 0);
+      const bool asked = was_asked_as(category);
+      if (asked && value == synonym_rank) value = name_rank;
+      const int wanted = 4 * value + (asked ? 2 : 0) + (key(category) == placed_as ? 1 : 0);
       if (wanted <= best) continue;
       best = wanted;
       chosen = &category;
