@@ -26,6 +26,13 @@ constexpr double low_part = 0.06;       // of an object that may touch a curved 
 constexpr double most_places = 160;     // a surface and turn
 constexpr double hull_slack = 0.002;
 
+bool is_upright(const Mesh& mesh, const Triangle& t) {
+  const Vec3 a = mesh.positions[t[0]].cast<double>(), b = mesh.positions[t[1]].cast<double>(),
+             c = mesh.positions[t[2]].cast<double>();
+  const Vec3 normal = (b - a).cross(c - a);
+  return std::abs(normal.z()) < 0.5 * normal.norm();
+}
+
 // What rests: sampled points of its underside, and where its weight is.
 struct Underside {
   std::vector<Vec3> points;
@@ -186,9 +193,21 @@ struct Perches::Impl {
   const std::vector<SupportSurface>& surfaces(const Object& object) {
     Body& own = body(object);
     if (!own.surfaces)
-      own.surfaces =
-          object.traits.flat ? std::vector<SupportSurface>{} : support_surfaces(own.mesh);
+      own.surfaces = object.traits.flat ? std::vector<SupportSurface>{}
+                                        : support_surfaces(without_panes(object));
     return *own.surfaces;
+  }
+
+  // Without upright panes: what is behind the glass of a cabinet is seen, and its doors open.
+  Mesh without_panes(const Object& object) const {
+    Model open = *model_or_box(object, models);
+    const Vec3 scale = model_placement(object, bounds(open)).scale;
+    for (auto& part : open.parts)
+      if (open.materials[static_cast<std::size_t>(part.material)].transparent())
+        std::erase_if(part.mesh.triangles, [&](const auto& t) { return is_upright(part.mesh, t); });
+    Mesh mesh;
+    append(mesh, merged_mesh(open), scale);
+    return mesh;
   }
 
   const Underside& underside(const Object& object) {

@@ -57,7 +57,9 @@ std::optional<std::size_t> Discourse::last_compound(std::string_view noun) const
 }
 
 std::optional<std::size_t> Discourse::refer(const NounPhrase& phrase) {
-  if (!phrase.article || phrase.definite)
+  const bool further = std::any_of(phrase.modifiers.begin(), phrase.modifiers.end(),
+                                   [&](const std::string& word) { return lexicon_.words.further.count(word) > 0; });
+  if (!further && (!phrase.article || phrase.definite))
     if (const auto before = known(phrase)) return before;
   if (count() >= max_mentions) return std::nullopt;
   brief_.mentions.push_back(new_mention(phrase));

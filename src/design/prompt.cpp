@@ -283,6 +283,10 @@ class PromptReader {
     // "Across the room, a wardrobe …"
     const bool leads = at_ == sentence_start_;
     const RelationKind first = placement.relations.front();
+    // "chairs with cushions, three on each long side"
+    if (first == RelationKind::around && talk_.subject() && talk_.with_owner() &&
+        talk_.mention(*talk_.subject()).mount == Mount::surface)
+      talk_.speak_of(talk_.with_owner());
     const bool vertical = first == RelationKind::above || first == RelationKind::under;
     auto target = leads ? talk_.last_on_floor() : talk_.antecedent(first);
     if (leads && vertical)
@@ -384,9 +388,9 @@ class PromptReader {
     if (!words_.definite.count(tokens_[end].text)) return std::nullopt;
     std::size_t i = end + 1;
     // "the vanity countertop", "the wooden surface"
-    const KindMatch owner = names_.match(tokens_, i);
-    if (i + 1 < tokens_.size() && !words_.tops.count(tokens_[i].text))
-      i += std::max<std::size_t>(1, owner.length);
+    const bool bare = i < tokens_.size() && words_.tops.count(tokens_[i].text) > 0;
+    const KindMatch owner = bare ? KindMatch() : names_.match(tokens_, i);
+    if (!bare && i + 1 < tokens_.size()) i += std::max<std::size_t>(1, owner.length);
     const bool known_owner = owner.length > 0 && talk_.last_of(owner);
     if (i >= tokens_.size() || is_word(i + 1, "of") ||
         !(words_.tops.count(tokens_[i].text) ||

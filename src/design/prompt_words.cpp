@@ -80,7 +80,7 @@ Result<Vocabulary> parse_vocabulary(std::string_view text, const std::string& so
                    "no things",  "materials",     "sizes",          "people",   "people words",
                    "room words", "generic rooms", "parts of rooms", "walls",    "units",
                    "areas",      "placements",    "pairs",          "verbs",    "plural verbs",
-                   "tops",       "postures",      "adverbs",  "portions",      "built in"});
+                   "tops",       "postures",      "adverbs",  "portions",      "built in",      "further"});
   Vocabulary words;
   words.numbers = read_integers(root["numbers"]);
   words.people = read_integers(root["people"]);
@@ -115,7 +115,8 @@ Result<Vocabulary> parse_vocabulary(std::string_view text, const std::string& so
                                                    {"postures", &words.postures},
                                                    {"adverbs", &words.adverbs},
                                                    {"portions", &words.portions},
-                                                   {"built in", &words.built_in}};
+                                                   {"built in", &words.built_in},
+                                                   {"further", &words.further}};
   for (const auto& [key, set] : sets) *set = read_set(root[key]);
   if (problems.first()) return *problems.first();
   return words;

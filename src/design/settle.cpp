@@ -105,7 +105,11 @@ void stand_on_things(Mention& mention, const Brief& brief, const CategoryTable& 
   if (lies && mention.mount == Mount::surface) mention.mount = Mount::floor;
   if (!mention.known && !mention.sized) mention.size = small_unknown_size;
   if (mention.mount == Mount::surface) return;
-  if (!lies && become_small(mention, table, names)) return;
+  const bool hangs =
+      mention.mount == Mount::wall &&
+      (mention.sized || std::any_of(mention.demands.begin(), mention.demands.end(),
+                                    [](const Demand& one) { return one.kind == RelationKind::above; }));
+  if (!lies && !hangs && become_small(mention, table, names)) return;
   if (mention.mount == Mount::wall || mention.mount == Mount::ceiling) {
     on->kind = RelationKind::above;
     return;

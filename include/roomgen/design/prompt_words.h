@@ -42,6 +42,7 @@ struct Vocabulary {
   WordSet adverbs;       ///< before a placement, besides those in -ly
   WordSet tops;          ///< "the countertop": of what was spoken of
   WordSet portions;      ///< "the edge of the bathtub", "the sofa cushion": stand for the whole
+  WordSet further;       ///< "extra towels": besides those spoken of
   WordSet built_in;      ///< what is so is no thing of its own
   WordSet vague, definite, pronouns, negations, only, measured, stops, parts, no_things, materials,
       people_words, room_words, generic_rooms;
