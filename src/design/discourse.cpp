@@ -379,7 +379,7 @@ std::optional<std::size_t> Discourse::last_carrier(std::string_view top) const {
   if (top.starts_with("counter"))
     if (const auto found = find([&](const Mention& one) {
           return one.noun.ends_with("counter") || one.noun.ends_with("vanity") ||
-                 lexicon_.table.is_any_of(one.category, {"kitchen unit", "washbasin"});
+                 lexicon_.table.is_any_of(one.category, {"kitchen unit", "kitchen island", "washbasin"});
         }))
       return found;
   if (table || desk)
@@ -388,7 +388,7 @@ std::optional<std::size_t> Discourse::last_carrier(std::string_view top) const {
         }))
       return found;
   return find([&](const Mention& one) {
-    return lexicon_.table.is_any_of(one.category, {"table", "storage", "kitchen unit", "washbasin"});
+    return keeps_things(one.category, lexicon_.table);
   });
 }
 

@@ -206,7 +206,8 @@ void share_supports(Brief& brief) {
     for (std::size_t i = 0; i < brief.mentions.size(); ++i) {
       const auto demands = brief.mentions[i].demands;
       for (const auto& demand : demands)
-        if (demand.mention != Demand::none && is_beside(demand.kind))
+        if (demand.mention != Demand::none &&
+            (is_beside(demand.kind) || demand.kind == RelationKind::around))
           changed = share_support(brief, i, demand.mention) || changed;
     }
   }
@@ -260,8 +261,7 @@ void stand_on_what_was_named(Brief& brief, const CategoryTable& table) {
         table.is_any_of(mentions[i].category, {"pillow", "blanket"}))
       continue;
     for (std::size_t j = i; j-- > 0 && mentions[j].sentence == mentions[i].sentence;) {
-      if (!table.is_any_of(mentions[j].category, {"table", "storage", "kitchen unit", "washbasin"}))
-        continue;
+      if (!keeps_things(mentions[j].category, table)) continue;
       if (mentions[j].mount == Mount::floor && !is_too_large(mentions[i], mentions[j])) put_on(mentions[i], j);
       break;
     }
@@ -293,7 +293,7 @@ void keep_inside_what_carries(Mention& mention) {
 
 // Whose one top is what carries things.
 bool has_one_top(const Mention& mention, const CategoryTable& table) {
-  return table.is_any_of(mention.category, {"table", "nightstand", "bar cart", "tray"}) &&
+  return table.is_any_of(mention.category, {"table", "nightstand", "bar cart", "tray", "kitchen island"}) &&
          !table.get(mention.category).traits.flat;
 }
 
@@ -494,6 +494,11 @@ void hang(Mention& mention, Mount where, const KindNames& names) {
       is_lamp(mention.category))
     return become(mention, *pendant);
   if (mention.mount == Mount::surface || where == Mount::ceiling) mention.mount = where;
+}
+
+bool keeps_things(const std::string& category, const CategoryTable& table) {
+  return table.is_any_of(category,
+                         {"table", "storage", "kitchen unit", "kitchen island", "washbasin"});
 }
 
 bool is_lamp(const std::string& category) {

@@ -19,6 +19,8 @@ inline constexpr double small_side = 0.7;
 const Category* small_kind(const std::string& category, const KindNames& names);
 
 bool is_lamp(const std::string& category);
+/// Tables, cabinets, shelves and counters: where small things are kept.
+bool keeps_things(const std::string& category, const CategoryTable& table);
 
 /// Makes a mention one that hangs on a wall or under the ceiling, if such a thing can: a television
 /// becomes a wall tv, a wardrobe "on the wall" stays what it is. Small things can also stand on the

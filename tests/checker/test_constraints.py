@@ -93,6 +93,10 @@ class Gaps(Case):
         self.yes("near, t-0", (0, 0.5 + 1.45 + 0.2))
         self.no("near, t-0", (0, 0.5 + 1.55 + 0.2))
 
+    def test_next_to(self):
+        self.yes("next to, t-0", (1 + 0.45 + 0.2, 0))
+        self.no("next to, t-0", (1 + 0.55 + 0.2, 0))
+
     #        .-'''-.
     #       (   t   )               the corner of a round target's box is empty:
     #        `-...-'                the diagonal gap is larger than that of the box

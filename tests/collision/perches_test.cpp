@@ -78,3 +78,34 @@ TEST_CASE("Between the boards of a shelf stands what is lower than the next boar
   CHECK(levels(0.42) == std::set<int>{82, 130});
   CHECK(levels(0.6) == std::set<int>{130});
 }
+
+//   +------+   A cabinet with two boards, closed all round; its doors are of glass or of wood.
+//   |------|
+//   |------|
+//   +------+
+TEST_CASE("Things stand behind doors of glass, and not behind doors of wood") {
+  const auto boards_within = [](float opacity) {
+    Mesh wood, doors;
+    for (double x : {-0.4, 0.38}) append(wood, make_box({x, -0.2, 0}, {x + 0.02, 0.2, 1.2}));
+    append(wood, make_box({-0.4, 0.18, 0}, {0.4, 0.2, 1.2}));
+    for (double z : {0.0, 0.4, 0.8, 1.18})
+      append(wood, make_box({-0.4, -0.19, z}, {0.4, 0.2, z + 0.02}));
+    append(doors, make_box({-0.4, -0.2, 0}, {0.4, -0.19, 1.2}));
+    auto model = std::make_shared<Model>();
+    model->materials.resize(2);
+    model->materials[1].base_color[3] = opacity;
+    model->parts = {{wood, 0}, {doors, 1}};
+    ModelTable models;
+    Object cabinet = thing("cabinet", {0.8, 0.4, 1.2});
+    cabinet.asset.library = "test";
+    cabinet.asset.id = "cabinet";
+    models.add(asset_key(cabinet.asset), model);
+    const Perches perches(models);
+    std::set<int> levels;
+    for (const auto& perch : perches.everywhere(thing("vase", {0.1, 0.1, 0.2}), cabinet))
+      levels.insert(static_cast<int>(std::lround(100 * perch.bottom)));
+    return levels;
+  };
+  CHECK(boards_within(0.3f) == std::set<int>{2, 42, 82, 120});
+  CHECK(boards_within(1.0f) == std::set<int>{120});
+}

@@ -194,7 +194,7 @@ TEST_CASE("placements become demands") {
       {"a sofa with a coffee table in front of it", 1, "in front of, sofa"},
       {"a bed with a nightstand to its right", 1, "left of, bed"},
       {"The desk is near the door.", 0, "near, door-0"},
-      {"Next to the bed stands a lamp.", 1, "near, bed | side of, bed"},
+      {"Next to the bed stands a lamp.", 1, "next to, bed | side of, bed"},
       {"a painting above the sofa", 0, "above, sofa"},
       {"a chest at the foot of the bed", 0, "in front of, bed | near, bed"},
       {"a chair behind the desk", 0, "around, desk"},
@@ -213,9 +213,9 @@ TEST_CASE("placements become demands") {
       {"A desk, a laptop on it and a mouse to the right of the laptop.", 2,
        "on, desk | left of, laptop"},
       {"A media console stands by the wall. A plant is next to the console.", 1,
-       "near, tv stand | side of, tv stand"},
+       "next to, tv stand | side of, tv stand"},
       {"A table with three stools holds a vase.", 2, "on, table"},
-      {"a desk and a bookshelf side by side", 1, "near, desk | side of, desk"},
+      {"a desk and a bookshelf side by side", 1, "next to, desk | side of, desk"},
       {"a desk with a chair nearby", 1, "near, desk"},
       {"A lamp stands on the desk, and a vase and a mug sit on the shelf.", 0, "on, desk"},
       {"A lamp stands on the desk, and a vase and a mug sit on the shelf.", 2, "on, shelf"},
@@ -223,6 +223,27 @@ TEST_CASE("placements become demands") {
       {"A side table next to a sofa holds a vase.", 2, "on, side table"},
       {"A sideboard holds a vase filled with flowers and a fruit bowl.", 3, "on, sideboard"},
       {"A desk and a shelf. A cup is on the desk surface.", 2, "on, desk"},
+      // What stands for the whole: its edge, its lid, its cushion.
+      {"A rubber duck sits on the edge of the bathtub.", 0, "on, bathtub"},
+      {"a teddy bear on the lid of a low toy box", 0, "on, toy box"},
+      {"A vase rests at one end of the sideboard.", 0, "on, sideboard"},
+      {"A sofa. A remote control lies on the sofa cushion.", 1, "on, sofa"},
+      {"A table, a console table, and a bowl on the tabletop.", 2, "on, table"},
+      {"A desk faces the wall, with a laptop at its center.", 1, "on, desk"},
+      // Inside: the books are not on the basket's rim.
+      {"a basket filled with two books", 1, "on, basket | inside, basket"},
+      {"two books inside the bookshelf", 0, "on, bookshelf | inside, bookshelf"},
+      {"A shelf holds a neatly folded towel.", 1, "on, shelf"},
+      // Who is meant: the workbench, the furniture under a small thing, the one with the board.
+      {"A workbench and a stool. A lamp stands on the bench.", 2, "on, workbench"},
+      {"A desk holds a tray. A stool stands next to the tray.", 2, "next to, desk | side of, desk"},
+      {"A board game with a cup on top lies on a desk.", 0, "on, desk"},
+      {"A sideboard is lit by a table lamp.", 1, "on, sideboard"},
+      {"A monitor is on the desk, with a keyboard and a mouse arranged in front.", 3,
+       "on, desk | in front of, monitor"},
+      {"A table is surrounded by two chairs. Above hangs a lantern.", 2, "above, table"},
+      {"A dining table with two benches", 1, "around, dining table"},
+      {"A kitchen island stands under the window, where a kettle boils.", 1, "on, kitchen island"},
   };
   for (const auto& one : cases) {
     INFO(one.prompt);
@@ -230,6 +251,48 @@ TEST_CASE("placements become demands") {
     REQUIRE(brief.mentions.size() > one.mention);
     CHECK(places(brief, one.mention) == one.expected);
   }
+}
+
+TEST_CASE("what is built in or said again is no further thing, and what is further is one") {
+  CHECK(things(read("a bathroom vanity with an integrated sink and a built-in shelf")) ==
+        "1 bathroom vanity");
+  CHECK(things(read("a plant stands near the door")) == "1 plant");
+  CHECK(things(read("A stool holds a towel. A cabinet holds extra towels.")) ==
+        "1 stool, 1 towel, 1 cabinet, 2 towel");
+  CHECK(things(read("a wardrobe with two wicker baskets in total")) == "1 wardrobe, 2 basket");
+}
+
+TEST_CASE("how things are put up is heard in and behind their names") {
+  const auto mount = [](const std::string& prompt, std::size_t mention) {
+    return read(prompt).mentions.at(mention).mount;
+  };
+  CHECK(mount("a sofa facing a wall-mounted 65-inch flat-screen TV", 1) == Mount::wall);
+  CHECK(mount("a projector hangs from the ceiling", 0) == Mount::ceiling);
+  CHECK(mount("a table and a work lamp that hangs above the table", 1) == Mount::ceiling);
+  CHECK(mount("a painting hangs above the sofa", 0) == Mount::wall);
+  CHECK(mount("two candles on the floor", 0) == Mount::floor);
+  CHECK(mount("A bookshelf holds two books and a framed photo.", 2) == Mount::surface);
+}
+
+TEST_CASE("seats on the long sides of a table are before and behind it in turn") {
+  const auto plan = roomgen::test::plan_of("A dining table with six chairs, three on each long side.");
+  int before = 0, behind = 0;
+  for (const auto& item : plan.items)
+    for (const auto& relation : item.relations) {
+      before += relation.kind == RelationKind::in_front_of ? item.quantity : 0;
+      behind += relation.kind == RelationKind::behind ? item.quantity : 0;
+    }
+  CHECK(before == 3);
+  CHECK(behind == 3);
+}
+
+TEST_CASE("what carries many things is larger") {
+  const auto tray = [](const std::string& prompt) {
+    const auto brief = read(prompt);
+    return brief.mentions.front().size.head<2>().prod();
+  };
+  CHECK(tray("a tray with six mugs") > 1.2 * tray("a tray with one mug"));
+  CHECK(tray("a bookshelf with six mugs") == tray("a bookshelf with one mug"));
 }
 
 TEST_CASE("of two numbers of the same things the first is built, and the other is told") {

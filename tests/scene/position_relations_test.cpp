@@ -33,6 +33,12 @@ TEST_CASE("near and far part at a gap of 1.5 m between the footprints") {
   CHECK_FALSE(is("far", 0, -0.8));
 }
 
+TEST_CASE("next to ends at a gap of 0.5 m") {
+  CHECK(is("next to", 0, -0.8));
+  CHECK(is("next to", 1 + 0.2 + 0.5, 0));
+  CHECK_FALSE(is("next to", 1 + 0.2 + 0.51, 0));
+}
+
 TEST_CASE("in front of: beyond the front, at most half the width off the middle") {
   //        +--------+
   //        +--------+

@@ -43,7 +43,7 @@ TEST_CASE("Every kind has a name of its own that parses back to it") {
     REQUIRE(parsed);
     CHECK(*parsed == relation);
   }
-  CHECK(names.size() == 20);
+  CHECK(names.size() == 22);
   CHECK(names.count("") == 0);
 }
 
@@ -57,7 +57,7 @@ TEST_CASE("Other common spellings are understood") {
   CHECK(parse_relation("against wall")->kind == RelationKind::edge);
   CHECK(parse_relation("center")->kind == RelationKind::middle);
   CHECK(kind_of("close to") == RelationKind::near);
-  CHECK(kind_of("next to") == RelationKind::near);
+  CHECK(kind_of("within") == RelationKind::inside);
   CHECK(kind_of("far from") == RelationKind::far);
   CHECK(kind_of("to the left of") == RelationKind::left_of);
   CHECK(kind_of("to the right of") == RelationKind::right_of);

@@ -31,6 +31,14 @@ TEST_CASE("on: stands on the target, not beside or over it") {
   CHECK_FALSE(is("on", lamp(1.2)));
 }
 
+TEST_CASE("inside: within the target, its middle not above the target's top") {
+  CHECK(is("inside", lamp(0.1)));
+  CHECK(is("inside", lamp(0.54)));  // its middle at 0.74, the target's top at 0.75
+  CHECK_FALSE(is("inside", lamp(0.56)));
+  CHECK_FALSE(is("inside", lamp(0.75)));
+  CHECK_FALSE(is("inside", lamp(0.1, 1.2)));
+}
+
 TEST_CASE("above: over the target's top, its centre over the target") {
   CHECK(is("above", lamp(0.75)));
   CHECK(is("above", lamp(2.0)));

@@ -24,12 +24,14 @@ NAMES = (
     + ALIGNED
     + (
         "near",
+        "next to",
         "far",
         "around",
         "face to",
         "face same as",
         "face opposite to",
         "on",
+        "inside",
         "above",
         "under",
         "hang from",
@@ -44,6 +46,7 @@ class Limits:
     corner: float = 0.10
     middle: float = 0.30
     near: float = 1.5
+    beside: float = 0.5
     around: float = 0.6
     aligned: float = 0.05
 
@@ -198,6 +201,9 @@ class Judge:
     def near(self, thing, place):
         return self.gap(thing, place) <= self.limits.near + geo.SLACK
 
+    def next_to(self, thing, place):
+        return self.gap(thing, place) <= self.limits.beside + geo.SLACK
+
     def far(self, thing, place):
         return self.gap(thing, place) >= self.limits.near - geo.SLACK
 
@@ -272,6 +278,13 @@ class Judge:
         return (
             thing.mount == "surface" and thing.on is not None and self.places.get(thing.on.lower()) is place
         )
+
+    def inside(self, thing, place):
+        """Between the floor and the top of what contains it, for the most part of its height."""
+        slack = 1e-4
+        below_top = (thing.bottom + thing.top) / 2 <= place.top + slack and thing.bottom >= place.bottom - slack
+        own, other = thing.footprint, place.shape
+        return below_top and (other.buffer(slack).covers(own) or own.buffer(slack).covers(other))
 
     def hangs(self, thing, target):
         walls = {f"wall-{w.index}" for w in self.walls_at_back(thing, 0.05)}
