@@ -389,6 +389,22 @@ bool faces_something(const Mention& mention) {
   });
 }
 
+// A chair in front of a desk is drawn up to it.
+void draw_up_seats(Brief& brief, const CategoryTable& table) {
+  for (auto& mention : brief.mentions) {
+    if (!table.is_any_of(mention.category, {"chair", "stool"})) continue;
+    const auto before = std::find_if(
+        mention.demands.begin(), mention.demands.end(), [&](const Demand& demand) {
+          return demand.kind == RelationKind::in_front_of && demand.mention != Demand::none &&
+                 table.is_a(brief.mentions[demand.mention].category, "table");
+        });
+    if (before == mention.demands.end() || faces_something(mention)) continue;
+    Demand around = *before;
+    around.kind = RelationKind::around;
+    mention.demands.push_back(around);
+  }
+}
+
 void turn_behind(Brief& brief, const CategoryTable& table) {
   for (std::size_t i = 0; i < brief.mentions.size(); ++i)
     for (auto& demand : brief.mentions[i].demands) {
@@ -526,6 +542,7 @@ void settle(Brief& brief, const CategoryTable& table, const KindNames& names) {
   for (auto& mention : brief.mentions) keep_inside_what_carries(mention);
   calm_opposites(brief, table);
   lay_rugs(brief, table);
+  draw_up_seats(brief, table);
   turn_behind(brief, table);
   find_contradictions(brief);
   // What is asked for is not forbidden.

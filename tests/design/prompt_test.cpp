@@ -242,6 +242,7 @@ TEST_CASE("placements become demands") {
       {"A monitor is on the desk, with a keyboard and a mouse arranged in front.", 3,
        "on, desk | in front of, monitor"},
       {"A table is surrounded by two chairs. Above hangs a lantern.", 2, "above, table"},
+      {"A desk with a swivel chair in front of it.", 1, "in front of, desk | around, desk"},
       {"A dining table with two benches", 1, "around, dining table"},
       {"A kitchen island stands under the window, where a kettle boils.", 1, "on, kitchen island"},
   };
