@@ -112,6 +112,12 @@ class Indexer {
 
   void work() {
     for (std::size_t i; (i = next_++) < rows_.size() && !options_.cancel.cancelled();) {
+      const Label* label =
+          Labels::built_in().find(source_.library, source_.assets[i].info.ref.id);
+      if (label && label->unsteady) {
+        report();
+        continue;
+      }
       auto row = index_asset(source_, source_.assets[i], log_);
       if (row)
         rows_[i] = *std::move(row);

@@ -14,10 +14,12 @@ void read_traits(const std::string& text, const JsonReader& json, Label& label) 
       label.round = true;
     else if (trait == "frontless")
       label.front = false;
+    else if (trait == "unsteady")
+      label.unsteady = true;
     else if (const auto mount = parse_mount(trait))
       label.mount = mount;
     else
-      json.report("\"" + trait + "\" is none of round, frontless, floor, wall, ceiling, surface");
+      json.report("\"" + trait + "\" is none of round, frontless, unsteady, floor, wall, ceiling, surface");
   }
 }
 

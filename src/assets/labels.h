@@ -19,10 +19,11 @@ struct Label {
   std::optional<bool> front;
   std::optional<bool> round;
   std::optional<Mount> mount;
+  bool unsteady = false;  ///< does not stand by itself as its mesh is: left out of the catalogue
 };
 
 /// data/furniture-labels.json: library, then asset id, to "category | tag tag | trait trait".
-/// Traits are: round, frontless, and the mounts.
+/// Traits are: round, frontless, unsteady, and the mounts.
 class Labels {
  public:
   static Result<Labels> parse(std::string_view text, const std::string& source);
