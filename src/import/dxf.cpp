@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "drawing.h"
-#include "numbers.h"
+#include "roomgen/base/numbers.h"
 #include "roomgen/base/text.h"
 #include "roomgen/import/floor_plan.h"
 

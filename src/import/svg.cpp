@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "drawing.h"
-#include "numbers.h"
+#include "roomgen/base/numbers.h"
 #include "roomgen/base/text.h"
+#include "roomgen/geometry/svg_path.h"
 #include "roomgen/import/floor_plan.h"
-#include "svg_path.h"
 #include "xml.h"
 
 namespace roomgen {
@@ -20,6 +20,8 @@ using namespace detail;
 using Transform = Eigen::Transform<double, 2, Eigen::Affine>;
 
 constexpr int circle_corners = 24;
+constexpr int curve_steps = 8;
+constexpr std::size_t max_path_points = 20000;
 constexpr const char* units_hint =
     "Give the drawing a width with a unit and a viewBox, as in width=\"4200mm\" "
     "viewBox=\"0 0 4200 3600\"; without a unit numbers are metres";
@@ -166,11 +168,26 @@ class SvgReader {
                 {{number(element, "x2"), number(element, "y2")}, element.line}}}};
     if (name == "polygon" || name == "polyline") return corners(element, name == "polygon");
     if (name == "circle" || name == "ellipse") return ellipse(element);
-    if (name != "path" || !element.find("d")) return {};
-    auto lines = parse_svg_path(*element.find("d"), source_, element.line);
-    if (lines) return *std::move(lines);
-    if (!error_) error_ = lines.error();
-    return {};
+    return name == "path" ? path(element) : std::vector<DrawnLine>();
+  }
+
+  std::vector<DrawnLine> path(const XmlElement& element) {
+    const std::string* data = element.find("d");
+    if (!data) return {};
+    const auto subpaths = read_svg_path(
+        *data,
+        {.curve_steps = curve_steps, .arc_step = arc_step, .most_points = max_path_points});
+    if (!subpaths) {
+      fail(element, subpaths.error().message);
+      return {};
+    }
+    std::vector<DrawnLine> lines;
+    for (const auto& subpath : *subpaths) {
+      DrawnLine& line = lines.emplace_back();
+      line.closed = subpath.closed;
+      for (const auto& point : subpath.points) line.points.push_back({point, element.line});
+    }
+    return lines;
   }
 
   std::vector<DrawnLine> rectangle(const XmlElement& element) {

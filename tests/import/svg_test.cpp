@@ -83,6 +83,9 @@ TEST_CASE("Curves of a path become walls") {
   const auto circle = room_from_svg(svg("<circle cx='9' cy='9' r='200'/>"), "plan.svg");
   REQUIRE(circle);
   CHECK(area(circle->polygon) == Approx(pi * 4.0).epsilon(0.02));
+  const auto oval = room_from_svg(svg("<path d='M0 0 a200 100 0 0 1 400 0 a200 100 0 0 1 -400 0'/>"), "plan.svg");
+  REQUIRE(oval);
+  CHECK(bounds(oval->polygon).size().y() == Approx(2.0));
   const auto bow = room_from_svg(svg("<path d='m0,0 400,0 v300 C300,400 100,400 0,300 z'/>"), "plan.svg");
   REQUIRE(bow);
   // Under a cubic with its controls at 1/4 and 3/4, as high as 3/4 of theirs: 3/5 of 1 x 4, 0.6 x 4.

@@ -1,9 +1,9 @@
-#include "numbers.h"
+#include "roomgen/base/numbers.h"
 
 #include <charconv>
 #include <cmath>
 
-namespace roomgen::detail {
+namespace roomgen {
 
 std::optional<double> take_number(std::string_view& text) {
   std::string_view rest = text;
@@ -21,4 +21,4 @@ void skip_separators(std::string_view& text) {
     text.remove_prefix(1);
 }
 
-}  // namespace roomgen::detail
+}  // namespace roomgen
