@@ -8,6 +8,7 @@
 #include <string>
 
 #include "columns.h"
+#include "roomgen/geometry/centroid.h"
 #include "roomgen/scene/box_model.h"
 
 namespace roomgen {
@@ -78,22 +79,9 @@ bool is_over(const Vec2& point, const std::vector<Vec2>& contacts) {
   return true;
 }
 
-Vec2 surface_centroid(const Mesh& mesh) {
-  Vec3 sum = Vec3::Zero();
-  double area = 0.0;
-  for (const auto& t : mesh.triangles) {
-    const Vec3 a = mesh.positions[t[0]].cast<double>(), b = mesh.positions[t[1]].cast<double>(),
-               c = mesh.positions[t[2]].cast<double>();
-    const double weight = (b - a).cross(c - a).norm();
-    sum += weight * (a + b + c) / 3.0;
-    area += weight;
-  }
-  return area > 0.0 ? Vec2((sum / area).head<2>()) : Vec2(Vec2::Zero());
-}
-
 Underside underside_of(const Mesh& mesh, const Columns& columns) {
   Underside underside;
-  underside.centroid = surface_centroid(mesh);
+  underside.centroid = surface_centroid(mesh).head<2>();
   const Vec3 size = columns.box().size();
   const double step = std::clamp(size.head<2>().maxCoeff() / 24.0, 0.004, 0.03);
   const int nx = std::max(2, static_cast<int>(size.x() / step));

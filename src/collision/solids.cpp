@@ -7,6 +7,7 @@
 #include <map>
 #include <string>
 
+#include "roomgen/geometry/centroid.h"
 #include "roomgen/geometry/decimate.h"
 
 namespace roomgen {
@@ -44,17 +45,7 @@ Body make_body(const Mesh& source, const Vec3& scale) {
   body.mesh = decimated(body.mesh, max_triangles);
   if (body.mesh.triangles.empty()) return body;
   body.tree = make_tree(body.mesh);
-  // Area-weighted mean of the surface.
-  double area = 0.0;
-  for (const auto& t : body.mesh.triangles) {
-    const Vec3 a = body.mesh.positions[t[0]].cast<double>();
-    const Vec3 b = body.mesh.positions[t[1]].cast<double>();
-    const Vec3 c = body.mesh.positions[t[2]].cast<double>();
-    const double weight = 0.5 * (b - a).cross(c - a).norm();
-    body.centroid += weight * (a + b + c) / 3.0;
-    area += weight;
-  }
-  if (area > 0.0) body.centroid /= area;
+  body.centroid = surface_centroid(body.mesh);
   return body;
 }
 

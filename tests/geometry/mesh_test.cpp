@@ -5,6 +5,7 @@
 
 #include "catch.h"
 #include "roomgen/base/random.h"
+#include "roomgen/geometry/centroid.h"
 
 using namespace roomgen;
 using Eigen::Vector3f;
@@ -161,4 +162,17 @@ TEST_CASE("An appended mesh is scaled and moved, and keeps unit normals") {
   CHECK(bounds(mesh).high == Vec3(12, 3, 4));
   for (const auto& t : mesh.triangles)
     for (auto v : t) CHECK(face_normal(mesh, t).dot(mesh.normals[v]) == Approx(1.0));
+}
+
+TEST_CASE("The centroid of a surface does not depend on how finely it is cut") {
+  Mesh mesh = make_box({0, 0, 0}, {2, 4, 6});
+  CHECK((surface_centroid(mesh) - Vec3(1, 2, 3)).norm() == Approx(0.0).margin(1e-6));
+  const auto [a, b, c] = mesh.triangles.back();
+  const auto middle = static_cast<std::uint32_t>(mesh.positions.size());
+  mesh.positions.push_back((mesh.positions[a] + mesh.positions[b] + mesh.positions[c]) / 3.0f);
+  mesh.triangles.pop_back();
+  for (const Triangle& t : {Triangle{a, b, middle}, Triangle{b, c, middle}, Triangle{c, a, middle}})
+    mesh.triangles.push_back(t);
+  CHECK((surface_centroid(mesh) - Vec3(1, 2, 3)).norm() == Approx(0.0).margin(1e-6));
+  CHECK(surface_centroid(Mesh()) == Vec3(Vec3::Zero()));
 }
