@@ -204,30 +204,36 @@ void print_model_use(const ComposedDesigner& composed, const Generation& generat
   if (!generation.stopped.empty()) std::printf("  stopped: %s\n", generation.stopped.c_str());
 }
 
-// Of each list in the summary.
-constexpr std::size_t most_lines = 30;
+/// What the room does not have, and why.
+struct Lack {
+  std::string what, reason;
+};
+
+// The first of them; the rest are only counted.
+void print_lacks(const std::vector<Lack>& lacks, const char* verb, const char* fate) {
+  constexpr std::size_t most_lines = 30;
+  for (std::size_t i = 0; i < std::min(lacks.size(), most_lines); ++i)
+    std::printf("  %s: %s: %s\n", fate, lacks[i].what.c_str(), lacks[i].reason.c_str());
+  if (lacks.size() > most_lines)
+    std::printf("  and %zu more %s %s (scene.json has them all)\n", lacks.size() - most_lines, verb,
+                fate);
+}
 
 // What the prompt asked for and the room does not have.
 void print_requirements(const Scene& scene) {
   if (scene.requirements.empty()) return;
-  const auto met = std::count_if(scene.requirements.begin(), scene.requirements.end(),
-                                 [](const RequirementVerdict& verdict) { return verdict.met; });
-  std::printf("  %td of %zu requirements of the prompt are met\n", met, scene.requirements.size());
-  std::size_t printed = 0;
+  std::vector<Lack> unmet;
   for (const auto& verdict : scene.requirements)
-    if (!verdict.met && printed++ < most_lines)
-      std::printf("  not met: %s: %s\n", verdict.requirement.clause.c_str(), verdict.reason.c_str());
-  if (printed > most_lines)
-    std::printf("  and %zu more are not met (scene.json has them all)\n", printed - most_lines);
+    if (!verdict.met) unmet.push_back({verdict.requirement.clause, verdict.reason});
+  std::printf("  %zu of %zu requirements of the prompt are met\n",
+              scene.requirements.size() - unmet.size(), scene.requirements.size());
+  print_lacks(unmet, "are", "not met");
 }
 
 void print_left_out(const Scene& scene) {
-  std::size_t printed = 0;
-  for (const auto& missing : scene.unplaced)
-    if (printed++ < most_lines)
-      std::printf("  left out: %s: %s\n", missing.id.c_str(), missing.reason.c_str());
-  if (printed > most_lines)
-    std::printf("  and %zu more were left out (scene.json has them all)\n", printed - most_lines);
+  std::vector<Lack> left_out;
+  for (const auto& missing : scene.unplaced) left_out.push_back({missing.id, missing.reason});
+  print_lacks(left_out, "were", "left out");
 }
 
 // Of a dwelling those of its rooms too.
