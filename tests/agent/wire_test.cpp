@@ -6,6 +6,7 @@
 #include "catch.h"
 #include "openai_wire.h"
 #include "support/contains.h"
+#include "support/error_of.h"
 #include "utf8.h"
 
 using namespace roomgen;
@@ -18,10 +19,6 @@ Result<ChatReply> openai_reply(const char* text) {
 
 Result<ChatReply> anthropic_reply(const char* text) {
   return read_anthropic_reply(Json::parse(text), "there");
-}
-
-std::string error_of(const Result<ChatReply>& reply) {
-  return reply ? "" : reply.error().message;
 }
 
 }  // namespace

@@ -1,29 +1,22 @@
 #include "roomgen/evaluate/ledger.h"
 
 #include "catch.h"
+#include "support/rooms.h"
 
 using namespace roomgen;
 
 namespace {
 
-Object thing(const std::string& id, const std::string& category, const Vec3& size, const Vec3& at) {
-  Object object;
-  object.id = id;
-  object.category = category;
-  object.size = size;
-  object.position = at;
-  return object;
-}
-
 // A bed at the back wall, a nightstand beside it, a lamp on that.
 Scene bedroom() {
   Scene scene;
+  scene.room = rooms::box(4, 4);
   scene.room.type = "bedroom";
   scene.room.materials.floor = "oak floor";
-  scene.room.polygon.points = {{0, 0}, {4, 0}, {4, 4}, {0, 4}};
-  scene.objects = {thing("bed-0", "bed", {1.6, 2.0, 0.5}, {2, 3, 0}),
-                   thing("nightstand-0", "nightstand", {0.4, 0.4, 0.5}, {3.05, 3.75, 0}),
-                   thing("table lamp-0", "table lamp", {0.2, 0.2, 0.4}, {3.05, 3.75, 0.5})};
+  scene.objects = {rooms::thing("bed-0", "bed", {1.6, 2.0, 0.5}, {2, 3}),
+                   rooms::thing("nightstand-0", "nightstand", {0.4, 0.4, 0.5}, {3.05, 3.75}),
+                   rooms::thing("table lamp-0", "table lamp", {0.2, 0.2, 0.4}, {3.05, 3.75})};
+  scene.objects[2].position.z() = 0.5;
   scene.objects[2].mount = Mount::surface;
   scene.objects[2].on = "nightstand-0";
   scene.unplaced = {{"rug-0", "rug", "no room"}};
@@ -65,7 +58,7 @@ TEST_CASE("Numbers are met exactly unless more are as good") {
 
 TEST_CASE("Things of which another number speaks are not counted") {
   Scene scene = bedroom();
-  scene.objects.push_back(thing("bed-1", "bed", {1.6, 2.0, 0.5}, {1, 1, 0}));
+  scene.objects.push_back(rooms::thing("bed-1", "bed", {1.6, 2.0, 0.5}, {1, 1}));
   const auto first = about(Requirement::Kind::count, "bed", {"bed-0"});
   const auto second = about(Requirement::Kind::count, "bed", {"bed-1"});
   const auto met = [&](const std::vector<Requirement>& all) {

@@ -1,6 +1,7 @@
 #include "roomgen/evaluate/requirements.h"
 
 #include "catch.h"
+#include "support/error_of.h"
 
 using namespace roomgen;
 
@@ -11,8 +12,7 @@ Result<std::vector<Requirements>> read(const std::string& text) {
 }
 
 std::string message(const std::string& text) {
-  const auto rows = read(text);
-  return rows ? std::string() : rows.error().message;
+  return error_of(read(text));
 }
 
 const std::string head = "ID,Description,ObjCount,ObjAttr,OORel,OARel,Difficulty\n";

@@ -3,6 +3,7 @@
 #include "catch.h"
 #include "roomgen/geometry/polygon.h"
 #include "support/contains.h"
+#include "support/error_of.h"
 #include "support/shapes.h"
 
 using namespace roomgen;
@@ -10,8 +11,7 @@ using namespace roomgen;
 namespace {
 
 std::string complaint(std::vector<Vec2> points) {
-  const auto polygon = make_polygon(std::move(points));
-  return polygon ? "" : polygon.error().message;
+  return error_of(make_polygon(std::move(points)));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "roomgen/geometry/svg_path.h"
 
 #include "catch.h"
+#include "support/error_of.h"
 
 using namespace roomgen;
 
@@ -37,8 +38,7 @@ TEST_CASE("Arcs have lines of an angle or of a number, and their ellipse's own r
 
 TEST_CASE("A path is read within its limits, and errors tell the byte") {
   const auto refusal = [](std::string_view path, const SvgPathOptions& options = {}) {
-    const auto read = read_svg_path(path, options);
-    return read ? "" : read.error().message.substr(0, 13);
+    return error_of(read_svg_path(path, options)).substr(0, 13);
   };
   CHECK(refusal("M0,0 h1 v1 z", {.most_points = 3, .most_subpaths = 1, .greatest = 1}) == "");
   CHECK(refusal("M0,0 h1 v1 h1", {.most_points = 3}) == "path, byte 13");

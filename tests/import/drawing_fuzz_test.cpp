@@ -1,8 +1,8 @@
 // Whatever a file holds, reading it ends, and a room that comes out of it is sound.
-#include "../support/damaged.h"
 #include "catch.h"
 #include "roomgen/base/file.h"
 #include "roomgen/import/floor_plan.h"
+#include "support/damaged.h"
 
 using namespace roomgen;
 

@@ -3,6 +3,7 @@
 #include "catch.h"
 #include "roomgen/evaluate/report.h"
 #include "roomgen/scene/scene.h"
+#include "support/error_of.h"
 #include "support/rooms.h"
 
 using namespace roomgen;
@@ -49,8 +50,7 @@ Scene furnished() {
 }
 
 std::string refusal(const std::vector<Room>& list) {
-  const auto status = check_dwelling(list);
-  return status ? "" : status.error().message;
+  return error_of(check_dwelling(list));
 }
 
 }  // namespace
