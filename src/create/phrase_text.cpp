@@ -11,6 +11,12 @@ namespace roomgen::create {
 
 using design::Token;
 
+bool says_nothing(const std::string& word) {
+  const auto& vocabulary = *design::built_in_vocabulary();
+  return vocabulary.no_things.count(word) || vocabulary.people_words.count(word) ||
+         vocabulary.stops.count(word);
+}
+
 PhraseText::PhraseText(const std::string& prompt, const PartForms& parts, const ShapeKinds& kinds)
     : parts_(parts), kinds_(kinds), tokens_(design::tokenize(prompt)) {
   for (const auto& token : tokens_)

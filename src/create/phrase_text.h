@@ -12,6 +12,9 @@
 
 namespace roomgen::create {
 
+/// Words of place, number and purpose are no parts: "down the right side".
+bool says_nothing(const std::string& word);
+
 /// A sentence as words, and what the words from one place on may be. Places beyond the end hold
 /// nothing.
 class PhraseText {
