@@ -1,0 +1,141 @@
+#include "dwelling_clauses.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace roomgen::design {
+
+namespace {
+
+// How much such a thing belongs to such a room.
+double usual(const RoomKind& kind, const std::string& category, const CategoryTable& table) {
+  const auto hears = [&](const std::vector<Piece>& pieces) {
+    return std::any_of(pieces.begin(), pieces.end(), [&](const Piece& piece) {
+      return std::any_of(piece.any.begin(), piece.any.end(), [&](const auto& any) {
+        return table.is_a(category, any.first);
+      });
+    });
+  };
+  return hears(kind.core) ? 3.0 : hears(kind.extras) ? 2.0 : hears(kind.details) ? 1.0 : 0.0;
+}
+
+class ClauseSharer {
+ public:
+  ClauseSharer(const DwellingText& text, const std::vector<NamedRoom>& names,
+               const std::vector<FoundRoom>& rooms, const RoomKinds& kinds,
+               const CategoryTable& table)
+      : text_(text), names_(names), rooms_(rooms), kinds_(kinds), table_(table) {}
+
+  std::vector<std::vector<Stretch>> run() {
+    about_.resize(rooms_.size());
+    std::size_t begin = 0;
+    for (std::size_t i = 0; i <= text_.tokens.size(); ++i) {
+      if (i < text_.tokens.size() && text_.tokens[i].kind != Token::Kind::stop) continue;
+      share_sentence({begin, i});
+      begin = i + 1;
+    }
+    return std::move(about_);
+  }
+
+ private:
+  // "in the bedroom": what is said of it came before.
+  bool looks_back(const NamedRoom& named) const {
+    if (named.begin == 0) return false;
+    for (const char* word : {"in", "inside", "within", "into", "for"})
+      if (text_.is_word(named.begin - 1, word)) return true;
+    return false;
+  }
+
+  void share_sentence(const Stretch& sentence) {
+    std::vector<const NamedRoom*> here;
+    for (const auto& named : names_)
+      if (named.noun >= sentence.begin && named.noun < sentence.end &&
+          (!named.rooms.empty() || named.type.empty()))
+        here.push_back(&named);
+    if (here.empty()) return give_away(sentence);
+    std::size_t begin = sentence.begin;
+    for (std::size_t k = 0; k < here.size(); ++k) {
+      const NamedRoom& named = *here[k];
+      // What stands before the first room is said of it when it looks back, else of nobody known.
+      if (k == 0 && !looks_back(named)) {
+        give_away({begin, named.begin});
+        begin = named.begin;
+      }
+      const std::size_t end = k + 1 < here.size() ? border(named, *here[k + 1]) : sentence.end;
+      give(named, {begin, end});
+      begin = end;
+    }
+  }
+
+  bool joins(std::size_t i) const {
+    return text_.tokens[i].kind == Token::Kind::comma || text_.tokens[i].is_word("and");
+  }
+
+  // Where the words about one room end and those about the next begin.
+  std::size_t border(const NamedRoom& named, const NamedRoom& next) const {
+    if (!looks_back(next)) return next.begin;
+    if (looks_back(named)) return named.end;
+    for (std::size_t i = next.begin; i-- > named.end;)
+      if (joins(i)) return i;
+    return next.begin;
+  }
+
+  void give(const NamedRoom& named, const Stretch& range) {
+    if (named.type.empty()) return give_away({std::max(range.begin, named.end), range.end});
+    for (const std::size_t room : named.rooms) {
+      if (looks_back(named)) about_[room].push_back({range.begin, named.begin});
+      about_[room].push_back({named.end, range.end});
+    }
+  }
+
+  // Clauses that name no room: piece by piece to the room where such things stand.
+  void give_away(const Stretch& range) {
+    std::size_t begin = range.begin;
+    for (std::size_t i = range.begin; i <= range.end; ++i) {
+      if (i != range.end && !joins(i)) continue;
+      if (const auto room = usual_room({begin, i})) about_[*room].push_back({begin, i});
+      begin = i + 1;
+    }
+  }
+
+  std::optional<std::size_t> usual_room(const Stretch& range) const {
+    std::optional<std::size_t> best;
+    double most = 0.0;
+    for (std::size_t i = range.begin; i < range.end; ++i) {
+      const KindMatch thing = text_.things.match(text_.tokens, i);
+      if (!thing.category) continue;
+      for (std::size_t room = 0; room < rooms_.size(); ++room) {
+        const double vote = usual(kinds_.get(rooms_[room].type), thing.category->name, table_);
+        if (vote > most) best = room, most = vote;
+      }
+      i += thing.length - 1;
+      if (!best) best = living_room();  // wherever people are
+    }
+    return best;
+  }
+
+  std::size_t living_room() const {
+    for (const char* type : {"living room", "studio", "bedroom"})
+      if (const auto found = rooms_of_type(rooms_, type); !found.empty()) return found[0];
+    return 0;
+  }
+
+  const DwellingText& text_;
+  const std::vector<NamedRoom>& names_;
+  const std::vector<FoundRoom>& rooms_;
+  const RoomKinds& kinds_;
+  const CategoryTable& table_;
+  std::vector<std::vector<Stretch>> about_;  ///< by room
+};
+
+}  // namespace
+
+std::vector<std::vector<Stretch>> share_clauses(const DwellingText& text,
+                                                const std::vector<NamedRoom>& names,
+                                                const std::vector<FoundRoom>& rooms,
+                                                const RoomKinds& kinds,
+                                                const CategoryTable& table) {
+  return ClauseSharer(text, names, rooms, kinds, table).run();
+}
+
+}  // namespace roomgen::design

@@ -1,0 +1,209 @@
+#include "dwelling_rooms.h"
+
+#include <algorithm>
+
+#include "roomgen/scene/scene.h"
+
+namespace roomgen::design {
+
+namespace {
+
+bool is_in(const std::vector<std::string>& list, const std::string& word) {
+  return std::find(list.begin(), list.end(), word) != list.end();
+}
+
+// Not "a kitchen corner" or "a bedroom set": a name goes on with what is no part of it.
+bool is_whole(const DwellingText& text, const std::vector<NamedRoom>& names,
+              const NamedRoom& named) {
+  if (text.ends_phrase(named.end)) return true;
+  const Token& next = text.tokens[named.end];
+  if (text.words.room_parts.count(next.text)) return false;
+  const bool name_follows = std::any_of(names.begin(), names.end(), [&](const NamedRoom& other) {
+    return other.noun == named.end;
+  });
+  return text.words.stops.count(next.text) || name_follows ||
+         longest(text.dwellings.links, text.tokens, named.end, 2) ||
+         text.words.definite.count(next.text) || next.is_word("each") || next.is_word("plus");
+}
+
+class RoomFinder {
+ public:
+  RoomFinder(const DwellingText& text, std::vector<NamedRoom>& names,
+             std::vector<std::string>& notes)
+      : text_(text), names_(names), notes_(notes) {}
+
+  std::vector<FoundRoom> run() {
+    introduce();
+    const NamedRoom* whole = whole_dwelling(text_, names_);
+    if (rooms_.size() < 2 && (!whole || rooms_.empty())) return {};
+    if (whole) add_usual_rooms(*whole);
+    bound_rooms();
+    return std::move(rooms_);
+  }
+
+ private:
+  void introduce() {
+    for (auto& named : names_) {
+      if (named.type.empty()) continue;
+      const auto known = rooms_of_type(rooms_, named.type);
+      if (named.definite || (named.ordinal > 0 && !known.empty())) {
+        if (named.every) named.rooms = known;
+        else if (!known.empty()) named.rooms = {known[std::min(named.ordinal, known.size() - 1)]};
+        continue;
+      }
+      const bool told = is_first(named) || named.numbered || is_plural(named) ||
+                        whole_dwelling(text_, names_);
+      if (!told || !is_whole(text_, names_, named) || !is_linked(named)) continue;
+      for (int n = 0; n < named.count; ++n) add_room(named);
+    }
+  }
+
+  // "with a", ", a", "leading to two": how a further room is named.
+  bool is_linked(const NamedRoom& named) const {
+    const auto& links = text_.dwellings.links;
+    std::size_t at = named.begin;
+    // "a modern three-bedroom house"
+    while (at > 0 && named.begin - at < longest_phrase &&
+           text_.tokens[at - 1].kind == Token::Kind::word &&
+           !text_.words.stops.count(text_.tokens[at - 1].text) &&
+           !links.count(text_.tokens[at - 1].text))
+      --at;
+    if (at == 0 || text_.ends_phrase(at - 1)) return true;
+    for (std::size_t n = 1; n <= 2 && n <= at; ++n)
+      if (const auto link = longest(links, text_.tokens, at - n, n); link.length == n) return true;
+    return false;
+  }
+
+  bool is_first(const NamedRoom& named) const {
+    return std::none_of(names_.begin(), names_.end(), [&](const NamedRoom& other) {
+      return !other.type.empty() && other.noun < named.noun;
+    });
+  }
+
+  bool is_plural(const NamedRoom& named) const {
+    const std::string& last = text_.tokens[named.end - 1].text;
+    return !text_.rooms.count(last) && last.ends_with('s');
+  }
+
+  void add_room(NamedRoom& named) {
+    const auto owners = owners_of(named);
+    // Each of two bedrooms has its own.
+    const std::size_t copies = std::max<std::size_t>(1, owners.size());
+    for (std::size_t n = 0; n < copies; ++n) {
+      named.rooms.push_back(rooms_.size());
+      FoundRoom room;
+      room.type = named.type;
+      if (!owners.empty()) room.owner = owners[n];
+      room.introduced = named.end;
+      room.adjectives = adjectives(named);
+      rooms_.push_back(room);
+    }
+  }
+
+  // "a bedroom with an en-suite bathroom and a closet": the room before "with", if it may have one
+  // of its own.
+  std::vector<std::size_t> owners_of(const NamedRoom& named) const {
+    const auto& kinds = text_.dwellings.rooms;
+    const auto self = static_cast<std::size_t>(&named - names_.data());
+    for (std::size_t k = self; k-- > 0;) {
+      const NamedRoom& other = names_[k];
+      if (other.type.empty() || other.rooms.empty() ||
+          ends_sentence_between(other.end, named.begin))
+        break;
+      const auto kind = kinds.find(other.type);
+      const bool may = kind != kinds.end() && is_in(kind->second.owns, named.type);
+      std::size_t link = other.end;
+      if (text_.is_word(link, "each")) ++link;
+      if (may && (text_.is_word(link, "with") || text_.is_word(link, "has") || named.en_suite))
+        return other.rooms;
+      if (!rooms_.empty() && rooms_[other.rooms[0]].owner == SaidRoom::none && !may) break;
+    }
+    if (!named.en_suite) return {};
+    for (std::size_t i = 0; i < rooms_.size(); ++i)
+      if (is_in(kinds.at(rooms_[i].type).owns, named.type)) return {i};
+    return {};
+  }
+
+  bool ends_sentence_between(std::size_t from, std::size_t to) const {
+    for (std::size_t i = from; i < to; ++i)
+      if (text_.tokens[i].kind == Token::Kind::stop) return true;
+    return false;
+  }
+
+  std::string adjectives(const NamedRoom& named) const {
+    std::string list;
+    for (std::size_t i = named.begin; i < named.noun; ++i) {
+      const Token& token = text_.tokens[i];
+      if (token.kind != Token::Kind::word || text_.words.numbers.count(token.text) ||
+          text_.words.definite.count(token.text) || token.is_word("separate") ||
+          token.is_word("private"))
+        continue;
+      list += token.text + " ";
+    }
+    return list;
+  }
+
+  // "A two-bedroom apartment" says nothing of its kitchen, which it has all the same.
+  void add_usual_rooms(const NamedRoom& whole) {
+    // Who names one of the rooms where people meet has named all that there shall be.
+    if (std::any_of(rooms_.begin(), rooms_.end(), [&](const FoundRoom& room) {
+          return text_.dwellings.rooms.at(room.type).hub > 0;
+        }))
+      return;
+    for (const auto& type : text_.dwellings.dwellings.at(text_.tokens[whole.noun].text)) {
+      if (!rooms_of_type(rooms_, type).empty()) continue;
+      FoundRoom room;
+      room.type = type;
+      room.introduced = text_.tokens.size();
+      rooms_.push_back(room);
+    }
+    notes_.push_back("rooms that such a dwelling usually has were added");
+  }
+
+  void bound_rooms() {
+    // So many need a hallway, which is one of them.
+    const std::size_t most = max_rooms - (rooms_of_type(rooms_, "hallway").empty() ? 1 : 0);
+    if (rooms_.size() <= most) return;
+    notes_.push_back("the prompt asks for " + std::to_string(rooms_.size()) + " rooms; " +
+                     std::to_string(most) + " are made");
+    rooms_.resize(most);
+    for (auto& room : rooms_)
+      if (room.owner != SaidRoom::none && room.owner >= most) room.owner = SaidRoom::none;
+    for (auto& named : names_)
+      std::erase_if(named.rooms, [&](std::size_t room) { return room >= most; });
+  }
+
+  const DwellingText& text_;
+  std::vector<NamedRoom>& names_;
+  std::vector<std::string>& notes_;
+  std::vector<FoundRoom> rooms_;
+};
+
+}  // namespace
+
+std::vector<std::size_t> rooms_of_type(const std::vector<FoundRoom>& rooms,
+                                       const std::string& type) {
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i < rooms.size(); ++i)
+    if (rooms[i].type == type) found.push_back(i);
+  return found;
+}
+
+const NamedRoom* whole_dwelling(const DwellingText& text, const std::vector<NamedRoom>& names) {
+  for (const auto& named : names) {
+    if (!named.type.empty() || named.definite || !is_whole(text, names, named)) continue;
+    // "a room of an apartment" is one room.
+    const std::size_t before = named.begin - 1;
+    if (named.begin == 0 || !(text.is_word(before, "in") || text.is_word(before, "of") ||
+                              text.is_word(before, "for")))
+      return &named;
+  }
+  return nullptr;
+}
+
+std::vector<FoundRoom> find_rooms(const DwellingText& text, std::vector<NamedRoom>& names,
+                                  std::vector<std::string>& notes) {
+  return RoomFinder(text, names, notes).run();
+}
+
+}  // namespace roomgen::design
