@@ -7,6 +7,7 @@
 #include <set>
 
 #include "fit_openings.h"
+#include "loads.h"
 #include "retrieve.h"
 #include "roomgen/evaluate/attributes.h"
 #include "roomgen/evaluate/ledger.h"
@@ -15,6 +16,8 @@
 #include "roomgen/scene/judgement.h"
 #include "roomgen/solve/improve.h"
 #include "roomgen/solve/make_room.h"
+#include "sizing.h"
+#include "trace_json.h"
 #include "window_cover.h"
 
 namespace roomgen {
@@ -31,67 +34,21 @@ constexpr double least_to_measure = 0.75, most_to_measure = 1.3;
 constexpr double least_free_side = 0.3;
 constexpr std::size_t most_free_parts = 6;
 
-// Assets that are looked at for one that can carry what it shall; of which each thing may be this much
-// smaller than planned.
-constexpr int most_carriers = 6;
-constexpr double least_load = 0.8;
-
 // A yaw this far from the suggested one still follows it.
 constexpr double facing_tolerance = pi / 12;
 
-// The share by which a mesh is stretched or squeezed at most.
-constexpr double most_stretch = 0.12;
-
-// Small things: how small they get at most, and by how much with each refusal; the share of a surface
-// that they take; after how many refusals they go elsewhere.
-constexpr double least_shrink = 0.6;
-constexpr double shrink_step = 0.9;
-constexpr double fit_margin = 0.96;
+// After how many refusals a small thing goes elsewhere; how much smaller it gets where others make room.
 constexpr std::size_t patience_with_support = 2;
 constexpr double least_squeeze = 0.65;
 constexpr double squeeze_step = 0.81;
+
+// Assets that are looked at for one that can carry what it shall.
+constexpr int most_carriers = 6;
 
 using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-Json terms_json(const PlacementTerms& terms) {
-  return {{"held", terms.held},
-          {"lost", terms.lost},
-          {"relations", rounded(terms.relations)},
-          {"rest", rounded(terms.rest)},
-          {"walkway", rounded(terms.walkway)},
-          {"spread", rounded(terms.spread)},
-          {"evenness", rounded(terms.evenness)},
-          {"closeness", rounded(terms.closeness)},
-          {"rank_c", rounded(terms.rank_c)},
-          {"rank_l", rounded(terms.rank_l)},
-          {"fused", rounded(terms.fused, 8)}};
-}
-
-// What a language model was asked for an answer; nothing if none was.
-Json consultation_json(const Consultation& consultation) {
-  if (consultation.calls == 0 && consultation.notes.empty()) return nullptr;
-  return {{"calls", consultation.calls},
-          {"input_tokens", consultation.input_tokens},
-          {"output_tokens", consultation.output_tokens},
-          {"seconds", rounded(consultation.seconds)},
-          {"prompt_sha256", consultation.prompt_sha256},
-          {"image_sha256", consultation.image_sha256},
-          {"notes", consultation.notes},
-          {"fell_back", consultation.fell_back}};
-}
-
-Json advice_json(const PlaceAdvice& advice) {
-  Json json;
-  json["reasoning"] = advice.reasoning;
-  json["constraints"] = to_text(advice.relations);
-  json["location"] =
-      advice.location ? Json{rounded(advice.location->x()), rounded(advice.location->y())} : Json();
-  json["facing_deg"] = advice.yaw ? Json(rounded(degrees(*advice.yaw), 2)) : Json();
-  return json;
 }
 
 class Generator {
@@ -200,55 +157,18 @@ class Generator {
   // What shall carry things takes an asset that can, if there is one.
   Result<std::vector<AssetInfo>> able_candidates(const PlannedObject& planned) {
     const PlanItem& item = plan_.items[planned.item];
-    const auto loads = loads_of(planned.id);
+    const auto loads = loads_on(planned.id, plan_, categories_);
     const int count = options_.assets_per_object;
     if (loads.empty()) return retriever_.candidates(item, planned, count);
     auto assets = retriever_.candidates(item, planned, std::max(count, most_carriers));
     if (!assets) return assets;
     const auto able = std::find_if(assets->begin(), assets->end(), [&](const AssetInfo& asset) {
-      return can_carry(planned, asset, loads);
+      const auto task = prepare(planned, asset);
+      return task && can_carry(task->object, loads, layout_.perches());
     });
     if (able != assets->end()) std::rotate(assets->begin(), able, able + 1);
     if (assets->size() > static_cast<std::size_t>(count)) assets->resize(static_cast<std::size_t>(count));
     return assets;
-  }
-
-  struct Load {
-    Object object;
-    bool inside = false;
-  };
-
-  // What the plan puts onto a thing, as boxes.
-  std::vector<Load> loads_of(const std::string& id) const {
-    std::vector<Load> loads;
-    for (const auto& item : plan_.items) {
-      const auto wants = [&](RelationKind kind) {
-        return std::find(item.relations.begin(), item.relations.end(), Relation{kind, id}) !=
-               item.relations.end();
-      };
-      if (item.mount != Mount::surface || !wants(RelationKind::on)) continue;
-      const Category& category = categories_.get(item.category);
-      Load load;
-      load.object.category = item.category;
-      load.object.size = least_load * item.size.value_or(category.size);
-      load.object.mount = Mount::surface;
-      load.inside = wants(RelationKind::inside);
-      loads.push_back(std::move(load));
-    }
-    return loads;
-  }
-
-  bool can_carry(const PlannedObject& planned, const AssetInfo& asset,
-                 const std::vector<Load>& loads) {
-    const auto task = prepare(planned, asset);
-    if (!task) return false;
-    const Object& carrier = task->object;
-    return std::all_of(loads.begin(), loads.end(), [&](const Load& load) {
-      const auto& perches = layout_.perches().everywhere(load.object, carrier);
-      return std::any_of(perches.begin(), perches.end(), [&](const Perch& perch) {
-        return !load.inside || perch.bottom + 0.5 * load.object.size.z() <= carrier.size.z();
-      });
-    });
   }
 
   void finish_step(const PlannedObject& planned, const std::string& reason, Json record,
@@ -465,18 +385,6 @@ class Generator {
     return item.asked ? static_cast<int>(end - relations.begin()) : 0;
   }
 
-  // Width and depth of furniture come as near to what was planned as a mesh can be stretched without
-  // showing it.
-  static Vec3 fitted_size(const AssetInfo& asset, const PlanItem& item, const Category& category) {
-    Vec3 size = asset.size;
-    if (item.mount != Mount::floor || asset.ref.procedural) return size;
-    const Vec3 wanted = item.size.value_or(category.size);
-    Vec2 factor = wanted.head<2>().cwiseQuotient(size.head<2>());
-    if (asset.round) factor.setConstant(factor.mean());
-    size.head<2>().array() *= factor.array().max(1.0 - most_stretch).min(1.0 + most_stretch);
-    return size;
-  }
-
   // The object as the asset makes it, with its mounting height.
   Result<PlacementTask> prepare(const PlannedObject& planned, const AssetInfo& asset) {
     const PlanItem& item = plan_.items[planned.item];
@@ -524,21 +432,9 @@ class Generator {
                    "nothing in the room can carry it" +
                        (item.on.empty() ? std::string() : " (wanted: " + item.on + ")")};
     object.on = support->id;
-    if (item.asked) object.size *= shrink_factor(object, *support, refused);
+    if (item.asked)
+      object.size *= shrink_factor(object, layout_.perches().surfaces(*support), refused);
     return {};
-  }
-
-  // A cushion comes in many sizes: what is asked for is made to fit what carries it, within limits.
-  double shrink_factor(const Object& object, const Object& support, std::size_t refused) const {
-    double fit = 0.0;
-    for (const auto& surface : layout_.perches().surfaces(support)) {
-      const Vec2 room = surface.box().size();
-      for (const Vec2& side : {Vec2(object.size.x(), object.size.y()),
-                               Vec2(object.size.y(), object.size.x())})
-        fit = std::max(fit, room.cwiseQuotient(side).minCoeff());
-    }
-    const double factor = std::min(1.0, fit_margin * fit) * std::pow(shrink_step, refused);
-    return std::max(factor, least_shrink);
   }
 
   // The placed thing of the wanted kind, or else a table or cabinet, with the most free places; if

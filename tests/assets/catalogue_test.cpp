@@ -221,7 +221,7 @@ TEST_CASE("The installed furniture is whole: boxes, normals, licences") {
   if (!catalogue) return;
   const auto all = catalogue->all();
   REQUIRE(all);
-  CHECK(all->size() == 795);
+  CHECK(all->size() == 789);  // of 795, without the six that do not stand
   std::size_t index = 0;
   for (const auto& info : *all) {
     INFO(info.ref.library << "/" << info.ref.id);
