@@ -472,7 +472,7 @@ class Generator {
   }
 
   void take(const PlannedObject& planned, const AssetInfo& asset) {
-    retriever_.remember(planned, asset);
+    retriever_.remember(plan_.items[planned.item], asset);
     assets_[planned.id] = asset;
   }
 

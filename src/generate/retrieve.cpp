@@ -1,6 +1,8 @@
 #include "retrieve.h"
 
 #include <algorithm>
+#include <cmath>
+#include <string>
 
 namespace roomgen {
 
@@ -9,6 +11,15 @@ namespace {
 // Scores that differ by less are equally good answers to the same words.
 constexpr double equal_score = 0.06;
 constexpr double same_size = 0.02;
+
+// What is asked for in the same words looks the same: six chairs of which three stand on each side.
+std::string words_of(const PlanItem& item) {
+  std::string text = item.category + "|" + item.description;
+  if (item.size)
+    for (int axis = 0; axis < 3; ++axis)
+      text += "|" + std::to_string(std::lround(1000 * (*item.size)[axis]));
+  return text;
+}
 
 }  // namespace
 
@@ -36,7 +47,7 @@ Result<std::vector<AssetInfo>> Retriever::candidates(const PlanItem& item,
   std::copy(top.begin(), top.end(), matches->begin());
 
   std::vector<AssetInfo> result;
-  const auto chosen = chosen_.find(planned.item);
+  const auto chosen = chosen_.find(words_of(item));
   if (!item.varied && chosen != chosen_.end()) result.push_back(chosen->second);
   for (const auto& match : *matches) {
     if (static_cast<int>(result.size()) >= count) break;
@@ -46,8 +57,8 @@ Result<std::vector<AssetInfo>> Retriever::candidates(const PlanItem& item,
   return result;
 }
 
-void Retriever::remember(const PlannedObject& planned, const AssetInfo& asset) {
-  chosen_.try_emplace(planned.item, asset);
+void Retriever::remember(const PlanItem& item, const AssetInfo& asset) {
+  chosen_.try_emplace(words_of(item), asset);
 }
 
 }  // namespace roomgen

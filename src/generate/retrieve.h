@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <string>
 #include <vector>
 
 #include "roomgen/base/random.h"
@@ -10,8 +11,8 @@
 
 namespace roomgen {
 
-/// Chooses the assets to try for planned objects. Objects of one item share their asset unless the item
-/// asks for variety; among assets that fit about equally well the seed decides.
+/// Chooses the assets to try for planned objects. Objects that are asked for in the same words share
+/// their asset unless the item asks for variety; among assets that fit about equally well the seed decides.
 class Retriever {
  public:
   /// All must outlive this.
@@ -21,14 +22,14 @@ class Retriever {
   /// The best few, in the order in which they shall be tried; empty if nothing fits.
   Result<std::vector<AssetInfo>> candidates(const PlanItem& item, const PlannedObject& planned,
                                             int count);
-  /// The others of the item take what this one took.
-  void remember(const PlannedObject& planned, const AssetInfo& asset);
+  /// Others of the same words take what this one took.
+  void remember(const PlanItem& item, const AssetInfo& asset);
 
  private:
   const AssetLibrary& library_;
   const CategoryTable& categories_;
   Random random_;
-  std::map<std::size_t, AssetInfo> chosen_;  ///< by item
+  std::map<std::string, AssetInfo> chosen_;  ///< by what was asked for
 };
 
 }  // namespace roomgen

@@ -9,6 +9,7 @@ namespace {
 
 constexpr double edge_comfort = 0.04;     // metres between a thing and the edge
 constexpr double same_level = 0.03;
+constexpr double sunk = 0.1;              // what the bottom of a basin is worth against its rim
 constexpr double high_furniture = 1.15;   // whose top is not where its things are
 constexpr double hand_low = 0.35, hand_high = 1.5;
 constexpr double seat_reach = 0.45;       // of a chair from its table
@@ -72,8 +73,14 @@ double rest_degree(const ProposalContext& context, const Footprint& footprint, d
   const double base = roomgen::bottom(*support);
   const bool shelves =
       context.layout.categories().is_any_of(support->category, {"bookshelf", "shelf"});
+  const bool basin =
+      context.layout.categories().is_any_of(support->category, {"washbasin", "kitchen sink"});
+  double rim = 0.0;
+  for (const auto& surface : surfaces) rim = std::max(rim, surface.height);
   const auto worth = [&](const SupportSurface& surface) {
-    return level_degree(surface, base, support->size.z(), surfaces.front().area, shelves);
+    const double degree =
+        level_degree(surface, base, support->size.z(), surfaces.front().area, shelves);
+    return basin && surface.height < rim - same_level ? sunk * degree : degree;
   };
   double best = 1e-6;
   for (const auto& surface : surfaces) best = std::max(best, worth(surface));
