@@ -1,171 +1,31 @@
 """What of a furnished room stays where it is: two seconds of MuJoCo with convex pieces by CoACD.
 
 Furniture and what stands on it is free; the room, rugs, and what hangs from walls and ceilings are not.
+Where a convex piece is in another thing at the start although the mesh is not (physics/bulges.py), it only
+weighs, and the surface of the mesh itself is what touches.
 Usage: check_physics.py [--json FILE] FOLDER..., each with scene.json and scene.glb.
 """
 
 import argparse
-import hashlib
 import json
 import math
 import os
-import struct
 import sys
 
-import coacd
 import mujoco
 import numpy as np
-from scipy.sparse import coo_matrix
-from scipy.sparse.csgraph import connected_components
-from scipy.spatial import ConvexHull, QhullError
+
+from physics.bulges import bulges
+from physics.glb import read_glb
+from physics.pieces import convex_pieces
+from physics.surface import sheets
 
 SECONDS = 2.0
 MOST_MOVED = 0.01  # metres
 MOST_TILTED = 0.1  # radians
 GOAL = 0.98
-MOST_SHELLS = 250  # of a mesh, the largest; leaves of plants beyond them carry nothing
-MOST_INTRICATE = 4  # of them cut into convex pieces, others count as their hulls
-CACHE = os.path.join(os.environ.get("XDG_CACHE_HOME", os.path.expanduser("~/.cache")), "roomgen", "convex")
-
-
-def read_glb(path):
-    """Vertices and triangles of every node that has a mesh, in metres, Z up, by the node's name."""
-    with open(path, "rb") as file:
-        data = file.read()
-    length = struct.unpack("<I", data[12:16])[0]
-    gltf = json.loads(data[20 : 20 + length])
-    binary = data[20 + length + 8 :]
-
-    def accessor(index):
-        a = gltf["accessors"][index]
-        view = gltf["bufferViews"][a["bufferView"]]
-        kind = {5126: np.float32, 5125: np.uint32, 5123: np.uint16, 5121: np.uint8}[a["componentType"]]
-        width = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}[a["type"]]
-        start = view.get("byteOffset", 0) + a.get("byteOffset", 0)
-        return np.frombuffer(binary, kind, a["count"] * width, start).reshape(a["count"], width)
-
-    def matrix(node):
-        if "matrix" in node:
-            return np.array(node["matrix"], float).reshape(4, 4).T
-        result = np.eye(4)
-        x, y, z, w = node.get("rotation", [0, 0, 0, 1])
-        result[:3, :3] = np.array(
-            [
-                [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
-                [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
-                [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
-            ]
-        ) @ np.diag(node.get("scale", [1, 1, 1]))
-        result[:3, 3] = node.get("translation", [0, 0, 0])
-        return result
-
-    found = {}
-
-    def visit(index, parent, name):
-        node = gltf["nodes"][index]
-        to_world = parent @ matrix(node)
-        name = node.get("name", name)
-        if "mesh" in node:
-            for part in gltf["meshes"][node["mesh"]]["primitives"]:
-                points = accessor(part["attributes"]["POSITION"]).astype(float)
-                points = points @ to_world[:3, :3].T + to_world[:3, 3]
-                faces = accessor(part["indices"]).reshape(-1, 3).astype(np.int64)
-                if np.linalg.det(to_world[:3, :3]) < 0:
-                    faces = faces[:, ::-1]
-                found.setdefault(name, []).append((points, faces))
-        for child in node.get("children", []):
-            visit(child, to_world, name)
-
-    up = np.array([[1, 0, 0, 0], [0, 0, -1, 0], [0, 1, 0, 0], [0, 0, 0, 1]], float)
-    for root in gltf["scenes"][gltf.get("scene", 0)]["nodes"]:
-        visit(root, up, "")
-    meshes = {}
-    for name, parts in found.items():
-        start, points, faces = 0, [], []
-        for p, f in parts:
-            points.append(p)
-            faces.append(f + start)
-            start += len(p)
-        meshes[name] = (np.vstack(points), np.vstack(faces))
-    return meshes
-
-
-def hull_of(points):
-    """The hull's corners, and how deep the deepest point lies under it; sheets get a thickness of 1 mm."""
-    points = np.unique(np.round(points, 6), axis=0)
-    if len(points) < 3:
-        return None
-    centre = points.mean(0)
-    _, spread, axes = np.linalg.svd(points - centre, full_matrices=False)
-    if len(points) < 4 or spread[-1] / math.sqrt(len(points)) < 2e-4:
-        points = np.vstack([points + 5e-4 * axes[-1], points - 5e-4 * axes[-1]])
-    try:
-        hull = ConvexHull(points)
-    except (QhullError, ValueError):
-        return None
-    if hull.volume < 1e-9:
-        return None
-    equations = np.unique(np.round(hull.equations, 6), axis=0)
-    depth = 0.0
-    for start in range(0, len(points), 2000):
-        under = -(points[start : start + 2000] @ equations[:, :3].T + equations[:, 3])
-        depth = max(depth, float(under.min(1).max()))
-    return points[hull.vertices], depth
-
-
-def shells(points, faces):
-    """The parts of a mesh that hang together, vertices at one place taken as one; the largest first."""
-    _, same = np.unique(np.round(points, 5), axis=0, return_inverse=True)
-    same = same.reshape(-1)
-    joined = same[faces]
-    rows = np.concatenate([joined[:, 0], joined[:, 1]])
-    columns = np.concatenate([joined[:, 1], joined[:, 2]])
-    count = int(same.max()) + 1
-    graph = coo_matrix((np.ones(len(rows)), (rows, columns)), shape=(count, count))
-    _, label = connected_components(graph, directed=False)
-    of_face = label[joined[:, 0]]
-    order = np.argsort(of_face, kind="stable")
-    groups = np.split(faces[order], np.flatnonzero(np.diff(of_face[order])) + 1)
-    return sorted(groups, key=lambda g: -np.prod(np.ptp(points[g.ravel()], axis=0) + 1e-3))
-
-
-def decomposed(points, faces):
-    used, index = np.unique(faces, return_inverse=True)
-    parts = coacd.run_coacd(
-        coacd.Mesh(points[used], index.reshape(-1, 3)), threshold=0.05, max_convex_hull=32,
-        preprocess_mode="auto", preprocess_resolution=30, resolution=300, mcts_nodes=8,
-        mcts_iterations=20, mcts_max_depth=2, seed=0)
-    # Pieces are of a remeshed surface; they end where the mesh ends.
-    low, high = points[used].min(0), points[used].max(0)
-    return [np.clip(np.asarray(p, float), low, high) for p, _ in parts]
-
-
-def convex_pieces(points, faces):
-    """Arrays of points, one for each piece; kept between runs."""
-    key = hashlib.sha256(np.round(points, 4).tobytes() + faces.tobytes()).hexdigest()[:24]
-    path = os.path.join(CACHE, key + ".npz")
-    if os.path.exists(path):
-        with np.load(path) as file:
-            return [file[name] for name in file.files]
-    coacd.set_log_level("error")
-    pieces, intricate = [], []
-    for shell in shells(points, faces)[:MOST_SHELLS]:
-        found = hull_of(points[np.unique(shell)])
-        if found is None:
-            continue
-        size = np.linalg.norm(np.ptp(found[0], axis=0))
-        if found[1] < max(0.002, 0.02 * size) or size < 0.04 or len(intricate) >= MOST_INTRICATE:
-            pieces.append(found[0])
-        else:
-            intricate.append(shell)
-    for shell in intricate:
-        for piece in decomposed(points, shell):
-            found = hull_of(piece)
-            if found is not None:
-                pieces.append(found[0])
-    os.makedirs(CACHE, exist_ok=True)
-    np.savez(path, *pieces)
-    return pieces
+NEAR = 0.01  # metres about other things where the mesh itself may be touched
+MOST_ROUNDS = 6  # of looking for bulging pieces
 
 
 def numbers(values):
@@ -177,25 +37,57 @@ def rotation(yaw):
     return np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]])
 
 
-def build(scene, meshes):
-    """The MuJoCo model, and the names of the free bodies."""
+def near_others(name, points, faces, boxes, polygon):
+    """Which triangles are near the floor, a wall or pieces of other things."""
+    low, high = points[faces].min(1), points[faces].max(1)
+    near = low[:, 2] < NEAR
+    for other, pieces in boxes.items():
+        for least, most in pieces if other != name else ():
+            near |= ((low < most + NEAR) & (high > least - NEAR)).all(1)
+    for a, b in zip(polygon, polygon[1:] + polygon[:1]):
+        along = (np.array(b) - a) / np.linalg.norm(np.array(b) - a)
+        inward = (points[:, :2] - a) @ np.array([-along[1], along[0]])
+        near |= (np.abs(inward[faces]) < NEAR).any(1)
+    return near
+
+
+def build(scene, meshes, bulging=None):
+    """The MuJoCo model, and the names of the free bodies; of `bulging` pieces the mesh is touched."""
+    bulging = bulging or {}
     assets, bodies, free = [], [], []
+    pieces, boxes = {}, {}
     for thing in scene["objects"]:
         if thing["id"] not in meshes or "flat" in thing.get("traits", []):
             continue
         points, faces = meshes[thing["id"]]
         own = rotation(math.radians(thing["yaw_deg"]))
         position = np.array(thing["position"])
-        pieces = convex_pieces((points - position) @ own, faces)
-        if not pieces:
+        found = convex_pieces((points - position) @ own, faces)
+        if not found:
             print(f"  {thing['id']}: no solid piece, left out", file=sys.stderr)
             continue
+        pieces[thing["id"]] = found
+        turned = [piece @ own.T + position for piece in found]
+        boxes[thing["id"]] = [(piece.min(0), piece.max(0)) for piece in turned]
+    for thing in scene["objects"]:
+        if thing["id"] not in pieces:
+            continue
+        points, faces = meshes[thing["id"]]
+        own = rotation(math.radians(thing["yaw_deg"]))
+        position = np.array(thing["position"])
         fixed = thing["mount"] in ("wall", "ceiling")
         geoms = ""
-        for k, piece in enumerate(pieces):
+        for k, piece in enumerate(pieces[thing["id"]]):
             name = f"{thing['id']}/{k}"
             assets.append(f'<mesh name="{name}" vertex="{numbers(piece)}"/>')
-            geoms += f'<geom type="mesh" mesh="{name}"/>'
+            touch = ' contype="0" conaffinity="0"' if k in bulging.get(thing["id"], ()) else ""
+            geoms += f'<geom name="{name}" type="mesh" mesh="{name}"{touch}/>'
+        if thing["id"] in bulging:
+            near = near_others(thing["id"], points, faces, boxes, scene["room"]["polygon"])
+            for k, sheet in enumerate(sheets((points - position) @ own, faces[near])):
+                name = f"{thing['id']}/sheet-{k}"
+                assets.append(f'<mesh name="{name}" inertia="legacy" vertex="{numbers(sheet)}"/>')
+                geoms += f'<geom name="{name}" type="mesh" mesh="{name}" mass="0"/>'
         half = math.radians(thing["yaw_deg"]) / 2
         joint = "" if fixed else "<freejoint/>"
         bodies.append(
@@ -224,13 +116,26 @@ def build(scene, meshes):
     return mujoco.MjModel.from_xml_string(xml), free
 
 
+def set_up(scene, meshes):
+    """The model at rest, without overlaps that only convex pieces have; and the free bodies' names."""
+    bulging = {}
+    for _ in range(MOST_ROUNDS):
+        model, free = build(scene, meshes, bulging)
+        data = mujoco.MjData(model)
+        mujoco.mj_forward(model, data)
+        more = bulges(model, data, meshes)
+        if not more:
+            break
+        for name, pieces in more.items():
+            bulging.setdefault(name, set()).update(pieces)
+    return model, data, free
+
+
 def drop(folder):
     """For each free object how far it moved (metres) and tilted (radians)."""
     with open(os.path.join(folder, "scene.json"), encoding="utf-8") as file:
         scene = json.load(file)
-    model, free = build(scene, read_glb(os.path.join(folder, "scene.glb")))
-    data = mujoco.MjData(model)
-    mujoco.mj_forward(model, data)
+    model, data, free = set_up(scene, read_glb(os.path.join(folder, "scene.glb")))
     before = {name: (data.body(name).xpos.copy(), data.body(name).xmat.reshape(3, 3).copy()) for name in free}
     while data.time < SECONDS:
         mujoco.mj_step(model, data)
