@@ -41,6 +41,7 @@ class PromptReader {
         continue;
       }
       if (words_.verbs.count(tokens_[at_].text)) talk_.close_list();
+      if (is_word(at_, "where")) where_ = last_target_;
       ++at_;
     }
   }
@@ -52,6 +53,8 @@ class PromptReader {
 
   void end_sentence() {
     talk_.end_sentence();
+    where_.reset();
+    last_target_.reset();
     sentence_start_ = at_ + 1;
   }
 
@@ -291,10 +294,11 @@ class PromptReader {
     auto target = leads ? talk_.last_on_floor() : talk_.antecedent(first);
     if (leads && vertical)
       if (const auto carrier = talk_.last_carrier()) target = carrier;
-    // "a board with a knife on top"
-    const bool on_owner = first == RelationKind::on && !leads && talk_.with_owner() &&
-                          talk_.with_owner() != talk_.subject();
-    if (on_owner) target = talk_.with_owner();
+    // "a stool faces the bench, where a computer is on top", "a board with a knife on top"
+    const auto owner = where_ ? where_ : talk_.with_owner();
+    const bool on_owner =
+        first == RelationKind::on && !leads && owner && owner != talk_.subject();
+    if (on_owner) target = owner;
     if ((!talk_.subject() && !leads) || !target) return false;
     if (first == RelationKind::above && is_word(after, "hangs")) talk_.hang_lamps(leads);
     say(placement, *target, leads);
@@ -318,6 +322,7 @@ class PromptReader {
     const bool portion = end > after;
     const auto target = read_target(end);
     if (!target || (target == speaker && !leads)) return false;
+    last_target_ = target;
     if (speaker && !leads) give_each_one(*speaker, *target, after);
     if (portion && !leads && talk_.mention(*speaker).mount == Mount::surface)
       talk_.demand({RelationKind::on, *target, "", false}, leads);
@@ -490,6 +495,8 @@ class PromptReader {
   std::size_t at_ = 0;
   std::size_t sentence_start_ = 0;
   bool after_part_ = false;    ///< the last phrase was of a part, no thing of its own
+  std::optional<std::size_t> last_target_;  ///< of a placement of this sentence
+  std::optional<std::size_t> where_;        ///< what a "where" of this sentence speaks of
   std::size_t leading_end_ = 0;  ///< behind the last place told before its thing
   std::size_t owner_end_ = 0;  ///< behind the last phrase about a thing
 };

@@ -238,6 +238,7 @@ TEST_CASE("placements become demands") {
       {"A workbench and a stool. A lamp stands on the bench.", 2, "on, workbench"},
       {"A desk holds a tray. A stool stands next to the tray.", 2, "next to, desk | side of, desk"},
       {"A board game with a cup on top lies on a desk.", 0, "on, desk"},
+      {"A stool faces the workbench, where a computer stands on top.", 2, "on, workbench"},
       {"A sideboard is lit by a table lamp.", 1, "on, sideboard"},
       {"A monitor is on the desk, with a keyboard and a mouse arranged in front.", 3,
        "on, desk | in front of, monitor"},
