@@ -6,6 +6,7 @@
 
 #include "command.h"
 #include "libraries.h"
+#include "options.h"
 #ifdef ROOMGEN_HAS_RENDER
 #include "portrait.h"
 #endif
@@ -17,7 +18,7 @@ namespace roomgen::cli {
 
 namespace {
 
-struct Options {
+struct AssetsOptions {
   LibraryOptions libraries;
   std::string category;
   std::string text;
@@ -52,11 +53,6 @@ Json to_json(const AssetInfo& info) {
   return json;
 }
 
-std::string size_text(const Vec3& size) {
-  return format_number(size.x(), 2) + " x " + format_number(size.y(), 2) + " x " +
-         format_number(size.z(), 2);
-}
-
 std::string key(const AssetInfo& info) {
   return info.ref.library + "/" + info.ref.id;
 }
@@ -72,7 +68,7 @@ void print_table(const std::vector<AssetMatch>& matches) {
   }
 }
 
-Result<AssetQuery> query_of(const Options& options) {
+Result<AssetQuery> query_of(const AssetsOptions& options) {
   AssetQuery query;
   query.category = options.category;
   query.description = options.text;
@@ -86,7 +82,7 @@ Result<AssetQuery> query_of(const Options& options) {
   return query;
 }
 
-Result<int> search(const Options& options, const Context& context) {
+Result<int> search(const AssetsOptions& options, const Context& context) {
   const auto query = query_of(options);
   if (!query) return query.error();
   auto catalogue = open_libraries(options.libraries, context);
@@ -130,7 +126,7 @@ void print_fields(const AssetInfo& info) {
   line("sha256", info.ref.sha256);
 }
 
-Result<int> show(const Options& options, const Context& context) {
+Result<int> show(const AssetsOptions& options, const Context& context) {
   auto catalogue = open_libraries(options.libraries, context);
   if (!catalogue) return catalogue.error();
   const auto info = (*catalogue)->find(options.asset);
@@ -155,7 +151,7 @@ Result<int> show(const Options& options, const Context& context) {
   return exit_ok;
 }
 
-Result<int> index(const Options& options, const Context& context) {
+Result<int> index(const AssetsOptions& options, const Context& context) {
   const auto start = std::chrono::steady_clock::now();
   auto libraries = options.libraries;
   libraries.rebuild = options.rebuild;
@@ -177,7 +173,7 @@ Result<int> index(const Options& options, const Context& context) {
 }  // namespace
 
 void add_assets_command(CLI::App& app, Context& context) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<AssetsOptions>();
   CLI::App* command = app.add_subcommand("assets", "Look into the furniture libraries");
   command->require_subcommand(1);
   command->fallthrough();

@@ -5,6 +5,7 @@
 #include "command.h"
 #include "models.h"
 #include "roomgen/base/file.h"
+#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "roomgen/evaluate/report.h"
 #include "roomgen/import/floor_plan.h"

@@ -11,6 +11,7 @@
 #include "makers.h"
 #include "options.h"
 #include "roomgen/base/file.h"
+#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "roomgen/create/create.h"
 #include "roomgen/create/created_library.h"
@@ -31,7 +32,7 @@ namespace fs = std::filesystem;
 constexpr int most_variants = 64;
 constexpr int sheet_columns = 4;
 
-struct Options {
+struct CreateOptions {
   std::string prompt, program, refine, size, output, write_program, views;
   std::string variant = "full";
   int variants = 1;
@@ -47,7 +48,7 @@ Error cancelled() {
   return {Error::Kind::cancelled, "interrupted; nothing was written"};
 }
 
-Result<shape::Values> values_of(const Options& options, const Json& recipe) {
+Result<shape::Values> values_of(const CreateOptions& options, const Json& recipe) {
   const auto parameters = shape::describe_parameters(recipe, options.program);
   if (!parameters) return parameters.error();
   shape::Values values;
@@ -62,7 +63,7 @@ Result<shape::Values> values_of(const Options& options, const Json& recipe) {
   return values;
 }
 
-Result<shape::Program> load(const Options& options) {
+Result<shape::Program> load(const CreateOptions& options) {
   const auto recipe = shape::read_recipe(options.program);
   if (!recipe) return recipe.error();
   const auto values = values_of(options, *recipe);
@@ -72,7 +73,7 @@ Result<shape::Program> load(const Options& options) {
                             options.program);
 }
 
-Result<Made> from_program(const Options& options) {
+Result<Made> from_program(const CreateOptions& options) {
   auto program = load(options);
   if (!program) return program.error();
   auto shape = shape::evaluate_within(*program, shape::default_triangles, options.tolerance);
@@ -80,7 +81,7 @@ Result<Made> from_program(const Options& options) {
   return Made{*std::move(program), *std::move(shape), {}, false, false, {}, {}};
 }
 
-Result<create::CreateOptions> create_options(const Context& context, const Options& options) {
+Result<create::CreateOptions> create_options(const Context& context, const CreateOptions& options) {
   create::CreateOptions result;
   result.seed = options.seed;
   result.cancel = context.cancel;
@@ -93,7 +94,7 @@ Result<create::CreateOptions> create_options(const Context& context, const Optio
   return result;
 }
 
-Result<MadeAll> from_words(const Context& context, const Options& options) {
+Result<MadeAll> from_words(const Context& context, const CreateOptions& options) {
   const auto chosen = create_options(context, options);
   if (!chosen) return chosen.error();
   auto makers = ComposedMakers::compose(options.maker, context, options.cache);
@@ -121,7 +122,7 @@ Result<MadeAll> from_words(const Context& context, const Options& options) {
   return made;
 }
 
-Result<MadeAll> make(const Context& context, const Options& options) {
+Result<MadeAll> make(const Context& context, const CreateOptions& options) {
   if (!options.prompt.empty() || !options.refine.empty()) return from_words(context, options);
   auto made = from_program(options);
   if (!made) return made.error();
@@ -155,7 +156,7 @@ Status write_sheet(const fs::path& folder, const std::vector<Model>& models) {
   return write_png(folder / "variants.png", contact_sheet(pictures, sheet_columns));
 }
 
-Status write_all(const Context& context, const Options& options, const shape::Program& program,
+Status write_all(const Context& context, const CreateOptions& options, const shape::Program& program,
                  const Model& model) {
   const std::string name =
       program.name.empty() ? fs::path(options.program).stem().string() : program.name;
@@ -173,7 +174,7 @@ Status write_all(const Context& context, const Options& options, const shape::Pr
   return {};
 }
 
-void report(const Context& context, const Options& options, const MadeAll& all) {
+void report(const Context& context, const CreateOptions& options, const MadeAll& all) {
   const auto& objects = all.objects;
   if (context.json) {
     Json json = objects_json(all);
@@ -206,7 +207,7 @@ void report(const Context& context, const Options& options, const MadeAll& all) 
     std::fprintf(stderr, "  %s: %d of 5, %s\n", rubric, score.points, score.reason.c_str());
 }
 
-Result<int> make_one(const Context& context, const Options& options) {
+Result<int> make_one(const Context& context, const CreateOptions& options) {
   const auto made = make(context, options);
   if (!made) return made.error();
   if (context.cancel.cancelled()) return cancelled();
@@ -232,10 +233,10 @@ std::string numbered(const std::string& path, int number) {
 }
 
 // The same words with other seeds, and a picture of all.
-Result<int> make_variants(const Context& context, const Options& options) {
+Result<int> make_variants(const Context& context, const CreateOptions& options) {
   std::vector<Model> models;
   for (int k = 0; k < options.variants; ++k) {
-    Options one = options;
+    CreateOptions one = options;
     one.seed = options.seed + static_cast<std::uint64_t>(k);
     one.output = numbered(options.output, k);
     one.write_program = numbered(options.write_program, k);
@@ -253,11 +254,11 @@ Result<int> make_variants(const Context& context, const Options& options) {
   return exit_ok;
 }
 
-Result<int> create_command(const Context& context, const Options& options) {
+Result<int> create_command(const Context& context, const CreateOptions& options) {
   return options.variants > 1 ? make_variants(context, options) : make_one(context, options);
 }
 
-void check_usage(const Options& options) {
+void check_create_usage(const CreateOptions& options) {
   for (const auto& setting : options.set)
     if (const auto equals = setting.find('='); equals == std::string::npos || equals == 0)
       throw CLI::ValidationError("--set", "\"" + setting + "\": write name=value");
@@ -275,7 +276,7 @@ void check_usage(const Options& options) {
 }  // namespace
 
 void add_create_command(CLI::App& app, Context& context) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CreateOptions>();
   auto* sub = app.add_subcommand("create", "Make one object from a sentence (docs/objects.md) or from a shape program (docs/shapes.md)");
   sub->add_option("prompt", options->prompt, "What the object is: \"a bar stool with a round seat\"");
   sub->add_option("--program", options->program,
@@ -309,7 +310,7 @@ void add_create_command(CLI::App& app, Context& context) {
                   "Folder for pictures: front, side, back, above, and all in views.png");
   add_maker_options(*sub, options->maker);
   sub->callback([options, &context] {
-    check_usage(*options);
+    check_create_usage(*options);
     context.run = [options, &context] { return create_command(context, *options); };
   });
 }

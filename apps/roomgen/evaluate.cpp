@@ -8,6 +8,7 @@
 #include "command.h"
 #include "models.h"
 #include "roomgen/base/file.h"
+#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "roomgen/evaluate/score_report.h"
 

@@ -14,6 +14,7 @@
 #include "makers.h"
 #include "options.h"
 #include "roomgen/base/file.h"
+#include "roomgen/base/json.h"
 #include "roomgen/base/sha256.h"
 #include "roomgen/base/text.h"
 #include "roomgen/create/suite.h"
@@ -28,7 +29,7 @@ constexpr const char* lines_name = "results.jsonl";
 constexpr const char* summary_name = "results.json";
 constexpr const char* report_name = "report.md";
 
-struct Options {
+struct ExperimentOptions {
   std::string suite, output, cache;
   std::vector<std::string> variants = {"full"};
   std::vector<int> only;
@@ -125,7 +126,7 @@ class Results {
 /// Makes and judges the sentences of a suite.
 class Experiment {
  public:
-  Experiment(const Context& context, const Options& options,
+  Experiment(const Context& context, const ExperimentOptions& options,
              std::vector<create::SuiteSentence> suite, ComposedMakers makers)
       : context_(context),
         options_(options),
@@ -226,12 +227,12 @@ class Experiment {
   }
 
   const Context& context_;
-  const Options& options_;
+  const ExperimentOptions& options_;
   std::vector<create::SuiteSentence> suite_;
   ComposedMakers makers_;
 };
 
-std::vector<Task> tasks_of(const Options& options, std::size_t sentences) {
+std::vector<Task> tasks_of(const ExperimentOptions& options, std::size_t sentences) {
   std::vector<Task> tasks;
   std::set<Task> seen;
   for (const auto& variant : options.variants)
@@ -244,7 +245,7 @@ std::vector<Task> tasks_of(const Options& options, std::size_t sentences) {
   return tasks;
 }
 
-Json head_of(const Options& options, const std::string& suite) {
+Json head_of(const ExperimentOptions& options, const std::string& suite) {
   Json head = {{"format", "roomgen-experiment"},
                {"version", 1},
                {"suite", sha256_hex(suite)},
@@ -256,7 +257,7 @@ Json head_of(const Options& options, const std::string& suite) {
   return head;
 }
 
-std::string physics_text(const Options& options) {
+std::string physics_text(const ExperimentOptions& options) {
   std::string text;
   std::set<std::string> seen;
   for (const auto& variant : options.variants)
@@ -267,7 +268,7 @@ std::string physics_text(const Options& options) {
   return text;
 }
 
-Status write_report(const Options& options, const std::vector<create::SuiteResult>& results) {
+Status write_report(const ExperimentOptions& options, const std::vector<create::SuiteResult>& results) {
   const fs::path folder = options.output;
   Json json = {{"seed", options.seed}, {"figures", create::suite_summary(results)}};
   for (const auto& result : results) json["results"].push_back(to_json(result));
@@ -303,7 +304,7 @@ Status make_missing(const Context& context, const std::vector<Task>& tasks, Expe
   return {};
 }
 
-Result<int> experiment(const Context& context, const Options& options) {
+Result<int> experiment(const Context& context, const ExperimentOptions& options) {
   const auto text = read_file(options.suite);
   if (!text) return text.error();
   const auto json = parse_json(*text, options.suite);
@@ -334,7 +335,7 @@ Result<int> experiment(const Context& context, const Options& options) {
   return exit_ok;
 }
 
-void check_usage(const Options& options) {
+void check_experiment_usage(const ExperimentOptions& options) {
   for (const auto& variant : options.variants)
     if (variant == "direct" && options.maker.designer.designer != "model")
       throw CLI::ValidationError("--variants", "direct needs --designer model");
@@ -343,7 +344,7 @@ void check_usage(const Options& options) {
 }  // namespace
 
 void add_experiment_command(CLI::App& app, Context& context) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ExperimentOptions>();
   auto* sub = app.add_subcommand(
       "experiment", "Make a suite of things in several variants and score them (docs/objects.md)");
   sub->add_option("--create", options->suite,
@@ -369,7 +370,7 @@ void add_experiment_command(CLI::App& app, Context& context) {
                   "Where answers are kept (default: the user's cache folder)");
   add_maker_options(*sub, options->maker);
   sub->callback([options, &context] {
-    check_usage(*options);
+    check_experiment_usage(*options);
     context.run = [options, &context] { return experiment(context, *options); };
   });
 }

@@ -14,6 +14,7 @@
 #include "libraries.h"
 #include "options.h"
 #include "roomgen/base/file.h"
+#include "roomgen/base/json.h"
 #include "roomgen/design/dwelling.h"
 #include "roomgen/export/attribution.h"
 #include "roomgen/export/glb.h"

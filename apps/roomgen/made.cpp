@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "roomgen/base/json.h"
 #include "roomgen/create/suite.h"
 #include "roomgen/generate/set_out.h"
 #include "roomgen/render/image_file.h"

@@ -4,6 +4,7 @@
 #include "command.h"
 #include "options.h"
 #include "roomgen/base/file.h"
+#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "roomgen/design/dwelling.h"
 #include "roomgen/design/rule_designer.h"
@@ -20,11 +21,6 @@ struct PlanOptions {
   std::string room;
   std::string output;
 };
-
-std::string size_text(const Vec3& size) {
-  return format_number(size.x(), 2) + " x " + format_number(size.y(), 2) + " x " +
-         format_number(size.z(), 2);
-}
 
 void print_room(const Room& room) {
   const Vec2 box = bounds(room.polygon).size();

@@ -4,6 +4,7 @@
 
 #include "command.h"
 #include "models.h"
+#include "roomgen/base/json.h"
 #include "roomgen/render/image_file.h"
 #include "roomgen/render/osmesa_renderer.h"
 #include "roomgen/scene/scene.h"
@@ -12,14 +13,14 @@ namespace roomgen::cli {
 
 namespace {
 
-struct Options {
+struct RenderOptions {
   std::string scene, output = "top.png", view = "top", frame = "plan";
   int pixels = 1024;
   bool marks = false;
   ModelOptions models;
 };
 
-void report(const Context& context, const Options& options, const Image& image) {
+void report(const Context& context, const RenderOptions& options, const Image& image) {
   if (context.json) {
     const Json summary = {
         {"file", options.output}, {"width", image.width}, {"height", image.height}};
@@ -29,7 +30,7 @@ void report(const Context& context, const Options& options, const Image& image) 
   }
 }
 
-Result<int> render(const Context& context, const Options& options) {
+Result<int> render(const Context& context, const RenderOptions& options) {
   const auto scene = read_scene(options.scene);
   if (!scene) return scene.error();
   const auto models = models_of(*scene, options.models, context);
@@ -54,7 +55,7 @@ Result<int> render(const Context& context, const Options& options) {
 }  // namespace
 
 void add_render_command(CLI::App& app, Context& context) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RenderOptions>();
   CLI::App* command = app.add_subcommand("render", "Draw a picture of a scene");
   command->add_option("scene", options->scene, "scene.json")->required()->check(CLI::ExistingFile);
   command->add_option("-o,--output", options->output, "PNG file to write")->capture_default_str();

@@ -5,6 +5,7 @@
 #include "command.h"
 #include "options.h"
 #include "roomgen/base/file.h"
+#include "roomgen/base/json.h"
 #include "roomgen/solve/solve.h"
 
 namespace roomgen::cli {

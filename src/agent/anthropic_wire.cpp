@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base64.h"
+#include "roomgen/base/json.h"
 
 namespace roomgen {
 

@@ -4,6 +4,7 @@
 #include "http_status.h"
 #include "openai_wire.h"
 #include "retrying_sender.h"
+#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen {

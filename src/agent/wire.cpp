@@ -1,5 +1,6 @@
 #include "wire.h"
 
+#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "utf8.h"
 

@@ -9,7 +9,7 @@ namespace roomgen::assets {
 
 namespace {
 
-constexpr double largest = 50.0;  // metres
+constexpr double largest_side = 50.0;  // metres
 
 double metres_per_unit(const JsonReader& json, double fallback) {
   if (!json.exists()) return fallback;
@@ -53,7 +53,7 @@ Status apply_sidecar(const std::string& text, const std::string& source, SourceA
   for (const auto& tag : root["tags"].elements_or_none(100)) info.tags.push_back(tag.text(100));
   if (root["category"].exists()) asset.category = root["category"].text(100);
   if (root["size"].exists()) {
-    const auto v = root["size"].numbers(3, 1e-3, largest);
+    const auto v = root["size"].numbers(3, 1e-3, largest_side);
     if (v.size() == 3) asset.frame.size = Vec3(v[0], v[1], v[2]);
   }
   read_axes(root, asset);
@@ -63,9 +63,9 @@ Status apply_sidecar(const std::string& text, const std::string& source, SourceA
     asset.mount = parse_mount(root["mount"].text());
     if (!asset.mount) root["mount"].report("is none of floor, wall, ceiling, surface");
   }
-  info.elevation = root["elevation"].number_or(info.elevation, 0.0, largest);
+  info.elevation = root["elevation"].number_or(info.elevation, 0.0, largest_side);
   if (root["support_height"].exists())
-    info.support_height = root["support_height"].number(0.0, largest);
+    info.support_height = root["support_height"].number(0.0, largest_side);
   info.ref.license = root["license"].text_or("", 500);
   info.ref.creator = root["creator"].text_or("", 500);
   if (problems.first()) return *problems.first();

@@ -108,6 +108,10 @@ void JsonReader::Problems::add(const std::string& pointer, const std::string& wh
                    source_ + ": " + (pointer.empty() ? "" : pointer + ": ") + what};
 }
 
+bool JsonReader::is_object() const { return value_ && value_->is_object(); }
+bool JsonReader::is_array() const { return value_ && value_->is_array(); }
+bool JsonReader::is_string() const { return value_ && value_->is_string(); }
+
 JsonReader JsonReader::operator[](std::string_view key) const {
   const std::string pointer = pointer_ + "/" + std::string(key);
   if (!value_) return {nullptr, *problems_, pointer};

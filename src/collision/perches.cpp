@@ -41,8 +41,8 @@ struct Underside {
   bool stands = false;  // upright on a level floor
 };
 
-struct Body {
-  explicit Body(Mesh scaled) : mesh(std::move(scaled)), columns(mesh) {}
+struct PerchBody {
+  explicit PerchBody(Mesh scaled) : mesh(std::move(scaled)), columns(mesh) {}
   Mesh mesh;
   Columns columns;
   std::optional<std::vector<SupportSurface>> surfaces;
@@ -159,7 +159,7 @@ bool rim_is_carried(const Columns& columns, const Footprint& footprint, double l
 
 struct Perches::Impl {
   const ModelTable& models;
-  std::map<std::string, Body> bodies;
+  std::map<std::string, PerchBody> bodies;
   std::map<std::string, std::vector<Perch>> places;
 
   std::string key(const Object& object) const {
@@ -169,7 +169,7 @@ struct Perches::Impl {
     return text;
   }
 
-  Body& body(const Object& object) {
+  PerchBody& body(const Object& object) {
     const std::string name = key(object);
     if (const auto found = bodies.find(name); found != bodies.end()) return found->second;
     const auto model = model_or_box(object, models);
@@ -179,7 +179,7 @@ struct Perches::Impl {
   }
 
   const std::vector<SupportSurface>& surfaces(const Object& object) {
-    Body& own = body(object);
+    PerchBody& own = body(object);
     if (!own.surfaces)
       own.surfaces = object.traits.flat ? std::vector<SupportSurface>{}
                                         : support_surfaces(without_panes(object));
@@ -199,7 +199,7 @@ struct Perches::Impl {
   }
 
   const Underside& underside(const Object& object) {
-    Body& own = body(object);
+    PerchBody& own = body(object);
     if (!own.underside) own.underside = underside_of(own.mesh, own.columns);
     return *own.underside;
   }

@@ -12,7 +12,6 @@ namespace roomgen::create {
 
 namespace {
 
-constexpr double coarse = 0.01;
 // Shares of the height.
 constexpr double short_feet = 0.18, top_room = 0.2, back_room = 0.4, plate = 0.05;
 constexpr double pile_room = 0.5;
@@ -254,7 +253,7 @@ void raise(shape::Program& program, double by) {
 
 // The frame of a thing that is there.
 std::optional<Frame> measured(const shape::Program& program) {
-  const auto shape = shape::evaluate(program, {.tolerance = coarse, .paint = false});
+  const auto shape = shape::evaluate(program, shape::for_measuring);
   if (!shape || shape->bodies.empty()) return std::nullopt;
   const Bounds3 whole = bounds(*shape);
   Frame frame;

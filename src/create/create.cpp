@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "relative_size.h"
+#include "roomgen/base/json.h"
 #include "roomgen/create/kinds.h"
 
 namespace roomgen::create {
@@ -12,7 +13,6 @@ namespace {
 
 constexpr std::size_t examples_shown = 2;
 constexpr double most_growth = 1.4;  // of the longest side, by repairs
-constexpr double coarse = 0.01;
 // Sides that differ by more than this from what was asked are made again.
 constexpr double size_tolerance = 0.004;
 constexpr int size_rounds = 3;
@@ -135,7 +135,7 @@ class Creator {
 
  private:
   static bool grown(const shape::Program& before, const shape::Program& after) {
-    const shape::EvaluateOptions measuring{.tolerance = coarse, .paint = false};
+    const shape::EvaluateOptions& measuring = shape::for_measuring;
     const auto old_shape = shape::evaluate(before, measuring),
                new_shape = shape::evaluate(after, measuring);
     if (!old_shape || !new_shape || old_shape->bodies.empty()) return false;

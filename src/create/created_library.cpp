@@ -6,6 +6,7 @@
 #include <mutex>
 
 #include "phrase.h"
+#include "roomgen/base/json.h"
 #include "roomgen/base/sha256.h"
 #include "roomgen/create/create.h"
 #include "roomgen/create/kinds.h"
@@ -42,11 +43,12 @@ ProceduralSource source_of(const Order& order) {
   ProceduralSource source;
   source.recipe = recipe_name;
   source.seed = order.seed;
-  source.params = {
+  Json params = {
       {"kind", order.kind},
       {"description", order.description},
       {"size", {rounded(order.size.x()), rounded(order.size.y()), rounded(order.size.z())}}};
-  if (order.approximate) source.params["approximate"] = true;
+  if (order.approximate) params["approximate"] = true;
+  source.params = params.dump();
   return source;
 }
 
@@ -54,7 +56,9 @@ Result<Order> order_of(const AssetRef& ref) {
   const Error unknown{Error::Kind::not_found, asset_key(ref) + ": nothing is built this way"};
   if (!ref.procedural || ref.procedural->recipe != recipe_name) return unknown;
   JsonReader::Problems problems("asset " + asset_key(ref));
-  const JsonReader params(ref.procedural->params, problems);
+  const auto json = parse_json(ref.procedural->params, "asset " + asset_key(ref));
+  if (!json) return json.error();
+  const JsonReader params(*json, problems);
   Order order;
   order.kind = params["kind"].text();
   order.description = params["description"].text_or("");

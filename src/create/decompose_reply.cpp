@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "description_words.h"
+#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "roomgen/design/loose_json.h"
 #include "roomgen/design/reply_measure.h"

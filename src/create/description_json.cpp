@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "description_words.h"
+#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "roomgen/create/description.h"
 

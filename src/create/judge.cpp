@@ -4,6 +4,7 @@
 
 #include "interview.h"
 #include "reply_schema.h"
+#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "roomgen/design/loose_json.h"
 #include "roomgen/design/reply_measure.h"

@@ -2,6 +2,7 @@
 #include <map>
 
 #include "roomgen/base/file.h"
+#include "roomgen/base/json.h"
 #include "roomgen/base/sha256.h"
 #include "roomgen/base/text.h"
 #include "roomgen/create/created_library.h"

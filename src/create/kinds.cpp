@@ -4,6 +4,7 @@
 #include <mutex>
 #include <optional>
 
+#include "roomgen/base/json.h"
 #include "roomgen/base/resource.h"
 #include "roomgen/base/text.h"
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "roomgen/design/loose_json.h"
 #include "roomgen/shape/color.h"

@@ -11,7 +11,6 @@ namespace {
 using shape::Component;
 using shape::Group;
 
-constexpr double coarse = 0.01;
 
 std::string label_of(const Component& component, const std::string& inherited) {
   if (!component.label.empty()) return component.label;
@@ -95,13 +94,13 @@ struct NamedBody {
 
 using NamedCopies = std::vector<std::vector<NamedBody>>;
 
-void repeat(NamedCopies& copies, int times) {
+void repeat_copies(NamedCopies& copies, int times) {
   NamedCopies result;
   for (int k = 0; k < times; ++k) result.insert(result.end(), copies.begin(), copies.end());
   copies = std::move(result);
 }
 
-void join(NamedCopies& copies) {
+void join_copies(NamedCopies& copies) {
   std::vector<NamedBody> joined;
   for (auto& bodies : copies)
     for (auto& body : bodies)
@@ -124,10 +123,10 @@ std::vector<NamedBody> named_bodies(const std::vector<Component>& components,
     if (group) copies.push_back(named_bodies(group->components, label, material));
     else copies.push_back({{"", label.empty() ? component.name : label, material}});
     for (const auto& operation : component.operations) {
-      if (std::holds_alternative<shape::Mirror>(operation)) repeat(copies, 2);
-      if (const auto* array = std::get_if<shape::Array>(&operation)) repeat(copies, array->count);
-      if (const auto* radial = std::get_if<shape::Radial>(&operation)) repeat(copies, radial->count);
-      if (std::holds_alternative<shape::Join>(operation)) join(copies);
+      if (std::holds_alternative<shape::Mirror>(operation)) repeat_copies(copies, 2);
+      if (const auto* array = std::get_if<shape::Array>(&operation)) repeat_copies(copies, array->count);
+      if (const auto* radial = std::get_if<shape::Radial>(&operation)) repeat_copies(copies, radial->count);
+      if (std::holds_alternative<shape::Join>(operation)) join_copies(copies);
     }
     for (std::size_t k = 0; k < copies.size(); ++k) {
       const std::string name = component.name + (copies.size() > 1 ? "-" + std::to_string(k) : "");
@@ -172,7 +171,7 @@ int count_parts(const shape::Program& program, std::string_view label) {
 
 Vec3 part_size(const shape::Program& program, std::string_view label) {
   Vec3 largest = Vec3::Zero();
-  const auto shape = shape::evaluate(program, {.tolerance = coarse, .paint = false});
+  const auto shape = shape::evaluate(program, shape::for_measuring);
   if (!shape) return largest;
   for (const auto& body : shape->bodies) {
     const Vec3 size = bounds(body.mesh).size();

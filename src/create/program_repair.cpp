@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "roomgen/design/loose_json.h"
 #include "roomgen/shape/color.h"

@@ -43,7 +43,7 @@ std::string plain_label(const std::string& text) {
 }
 
 // How many times each part is made. What has no label in a group is a piece of the group.
-void count_parts(const std::vector<shape::Component>& components, int times, bool inside,
+void tally_parts(const std::vector<shape::Component>& components, int times, bool inside,
                  Counts& counts) {
   for (const auto& component : components) {
     const int made = std::min(times * copies_of(component), most_counted);
@@ -51,7 +51,7 @@ void count_parts(const std::vector<shape::Component>& components, int times, boo
     if (label.empty() && !inside) label = plain_label(component.name);
     if (!label.empty()) counts[label] = std::min(counts[label] + made, most_counted);
     if (const auto* group = std::get_if<shape::Group>(&component.solid))
-      count_parts(group->components, std::min(made, most_counted / 1000), true, counts);
+      tally_parts(group->components, std::min(made, most_counted / 1000), true, counts);
   }
 }
 
@@ -85,7 +85,7 @@ void compare_size(const shape::Shape& shape, const Description& wanted,
 void compare_parts(const shape::Program& program, const Description& wanted,
                    std::vector<std::string>& complaints) {
   Counts counts;
-  count_parts(program.components, 1, false, counts);
+  tally_parts(program.components, 1, false, counts);
   for (const auto& part : wanted.parts) {
     const int made = count_of(counts, plain_label(part.label));
     const int asked = part.count.value_or(1);

@@ -71,9 +71,9 @@ const T* look_up(const WordMap<T>& map, const std::string& word) {
   return found == map.end() ? nullptr : &found->second;
 }
 
-class Reader {
+class SizeReader {
  public:
-  explicit Reader(const std::string& prompt) : tokens_(design::tokenize(prompt)) {}
+  explicit SizeReader(const std::string& prompt) : tokens_(design::tokenize(prompt)) {}
 
   RelativeSize run() {
     for (std::size_t at = 0; at < tokens_.size(); ++at) {
@@ -194,7 +194,7 @@ class Reader {
 }  // namespace
 
 RelativeSize read_relative_size(const std::string& prompt) {
-  return Reader(prompt).run();
+  return SizeReader(prompt).run();
 }
 
 std::optional<Vec3> said_size(const Description& description, const ShapeKind* kind) {

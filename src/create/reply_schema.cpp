@@ -1,6 +1,7 @@
 #include "reply_schema.h"
 
 #include "description_words.h"
+#include "roomgen/base/json.h"
 
 namespace roomgen::create {
 

@@ -1,5 +1,6 @@
 #include "request_text.h"
 
+#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen::create {

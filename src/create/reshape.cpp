@@ -13,7 +13,6 @@ namespace {
 
 using shape::Component;
 
-constexpr double coarse = 0.01;
 constexpr int most_copies = 200;
 
 bool stands_on_floor(const std::string& label) {
@@ -234,7 +233,7 @@ void lean(shape::Program& program, const std::string& label, double angle) {
     alone.materials = program.materials;
     alone.components = {component};
     alone.components[0].operations.clear();
-    const auto shape = shape::evaluate(alone, {.tolerance = coarse, .paint = false});
+    const auto shape = shape::evaluate(alone, shape::for_measuring);
     if (!shape || component.at.head<2>().norm() < 1e-4) return true;
     const Bounds3 box = bounds(*shape);
     const Vec3 top(component.at.x(), component.at.y(), box.high.z());

@@ -11,6 +11,7 @@
 #include "phrase.h"
 #include "refine.h"
 #include "reshape.h"
+#include "roomgen/base/json.h"
 #include "settings.h"
 #include "roomgen/shape/evaluate.h"
 
@@ -18,7 +19,6 @@ namespace roomgen::create {
 
 namespace {
 
-constexpr double coarse = 0.01;
 const Vec3 usual_size(0.5, 0.5, 0.8);
 constexpr double over_corners = 1.4;  // a circle around a square is so much wider
 
@@ -102,7 +102,7 @@ class RuleMaker final : public Maker {
     };
     auto program = make();
     // At the ends of their ranges parameters may not go together: then the usual ones, which do.
-    if (!program || !shape::evaluate(*program, {.tolerance = coarse, .paint = false})) {
+    if (!program || !shape::evaluate(*program, shape::for_measuring)) {
       notes_.push_back("a " + kind.name + " of these proportions cannot be made: it has the usual ones");
       settings.values = usual_values(kind, *parameters);
       program = make();
@@ -187,7 +187,7 @@ class RuleMaker final : public Maker {
     if (std::isnan(wanted) || height == parameters.end()) return;
     for (int round = 0; round < 3; ++round) {
       const double missing = wanted - part_size(program, label).z();
-      if (std::abs(missing) < coarse) return;
+      if (std::abs(missing) < shape::for_measuring.tolerance) return;
       shape::Values changed = values;
       double& value = std::get<double>(changed["height"]);
       value = std::clamp(value + missing, height->min, height->max);

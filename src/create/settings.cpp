@@ -13,7 +13,6 @@ namespace roomgen::create {
 
 namespace {
 
-constexpr const char* axes[] = {"width", "depth", "height"};
 
 // "shelf" is counted by `shelves`, an armrest by `arms`.
 std::vector<std::string> counters(std::string label) {

@@ -10,6 +10,9 @@
 
 namespace roomgen::create {
 
+/// How recipes name the parameters of their size.
+inline constexpr const char* axes[] = {"width", "depth", "height"};
+
 struct Sizing {
   Vec3 size;  ///< width, depth, height, metres
   std::vector<std::string> notes;

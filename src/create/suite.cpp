@@ -3,6 +3,7 @@
 #include <array>
 #include <string_view>
 
+#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen::create {

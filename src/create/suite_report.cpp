@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "roomgen/base/text.h"
+#include "roomgen/base/json.h"
 #include "roomgen/create/suite.h"
 
 namespace roomgen::create {

@@ -27,15 +27,15 @@ class Sets {
   std::vector<std::size_t> parent_;
 };
 
-using Place = std::array<long long, 3>;
+using Cell = std::array<long long, 3>;
 
 // For each vertex the first one in its place.
 std::vector<std::size_t> welded(const Mesh& mesh) {
-  std::map<Place, std::size_t> first;
+  std::map<Cell, std::size_t> first;
   std::vector<std::size_t> result(mesh.positions.size());
   for (std::size_t k = 0; k < result.size(); ++k) {
     const Vec3 position = mesh.positions[k].cast<double>() / same_point;
-    const Place place = {std::llround(position.x()), std::llround(position.y()),
+    const Cell place = {std::llround(position.x()), std::llround(position.y()),
                          std::llround(position.z())};
     result[k] = first.emplace(place, k).first->second;
   }

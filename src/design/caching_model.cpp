@@ -3,6 +3,7 @@
 
 #include "chat_question.h"
 #include "roomgen/base/file.h"
+#include "roomgen/base/json.h"
 #include "roomgen/design/chat_decorators.h"
 
 namespace roomgen {

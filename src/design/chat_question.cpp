@@ -1,5 +1,6 @@
 #include "chat_question.h"
 
+#include "roomgen/base/json.h"
 #include "roomgen/base/sha256.h"
 
 namespace roomgen {

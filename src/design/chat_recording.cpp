@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "chat_question.h"
+#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen {

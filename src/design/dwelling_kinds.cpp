@@ -15,7 +15,7 @@ std::vector<std::string> read_texts(const JsonReader& json) {
   return texts;
 }
 
-DwellingRoom read_room(const JsonReader& json) {
+DwellingRoom read_dwelling_room(const JsonReader& json) {
   json.allow_only({"hub", "wing", "area", "opens_to", "passage", "owns"});
   DwellingRoom room;
   room.hub = static_cast<int>(json["hub"].integer_or(0, 0, max_hub));
@@ -44,7 +44,7 @@ Result<DwellingKinds> parse_dwelling_kinds(std::string_view text, const std::str
     kinds.dwellings[noun] = read_texts(usual);
   for (const auto& link : read_texts(root["links"])) kinds.links[link] = 1;
   for (const auto& name : read_texts(root["no rooms"])) kinds.no_rooms.insert(name);
-  for (const auto& [type, entry] : root["rooms"].members()) kinds.rooms[type] = read_room(entry);
+  for (const auto& [type, entry] : root["rooms"].members()) kinds.rooms[type] = read_dwelling_room(entry);
   if (problems.first()) return *problems.first();
   return kinds;
 }

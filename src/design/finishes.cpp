@@ -20,9 +20,9 @@ struct Finding {
   std::string description;
 };
 
-class Reader {
+class FinishReader {
  public:
-  Reader(const std::vector<Token>& tokens, const Vocabulary& words, const KindNames& names,
+  FinishReader(const std::vector<Token>& tokens, const Vocabulary& words, const KindNames& names,
          const FinishWords& finishes)
       : tokens_(tokens), words_(words), names_(names), finishes_(finishes) {}
 
@@ -184,7 +184,7 @@ std::string& material(RoomMaterials& materials, const Finding& found) {
 
 void read_finishes(std::vector<Token>& tokens, const Vocabulary& words, const KindNames& names,
                    const FinishWords& finishes, Brief& brief) {
-  const Reader reader(tokens, words, names, finishes);
+  const FinishReader reader(tokens, words, names, finishes);
   for (std::size_t at = 0; at < tokens.size(); ++at) {
     const auto found = reader.read(at);
     if (!found) continue;

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "loose_parser.h"
+#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen::design {

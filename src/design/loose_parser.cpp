@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen::design {

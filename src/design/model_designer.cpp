@@ -4,6 +4,7 @@
 
 #include "place_reply.h"
 #include "plan_reply.h"
+#include "roomgen/base/json.h"
 #include "roomgen/base/sha256.h"
 #include "roomgen/base/text.h"
 #include "scene_text.h"

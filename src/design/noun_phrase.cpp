@@ -10,9 +10,9 @@ constexpr std::size_t max_modifiers = 8;
 constexpr int max_count = 200;
 constexpr std::size_t most_contents = 2;  ///< words
 
-class Reader {
+class NounPhraseReader {
  public:
-  Reader(std::span<const Token> tokens, std::size_t at, const Vocabulary& words,
+  NounPhraseReader(std::span<const Token> tokens, std::size_t at, const Vocabulary& words,
          const KindNames& names)
       : tokens_(tokens), at_(at), words_(words), names_(names) {
     phrase_.begin = at;
@@ -279,7 +279,7 @@ std::optional<NounPhrase> read_noun_phrase(std::span<const Token> tokens, std::s
                                            const Vocabulary& words, const KindNames& names,
                                            bool may_be_unknown) {
   if (at >= tokens.size()) return std::nullopt;
-  return Reader(tokens, at, words, names).run(may_be_unknown);
+  return NounPhraseReader(tokens, at, words, names).run(may_be_unknown);
 }
 
 }  // namespace roomgen::design

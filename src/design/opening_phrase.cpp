@@ -42,9 +42,9 @@ NameMatch name_at(std::span<const Token> tokens, std::size_t at, const OpeningKi
 }
 
 // Reads one phrase from left to right.
-class Reader {
+class OpeningReader {
  public:
-  Reader(std::span<const Token> tokens, std::size_t at, const Vocabulary& words,
+  OpeningReader(std::span<const Token> tokens, std::size_t at, const Vocabulary& words,
          const KindNames& names, const OpeningKinds& kinds)
       : tokens_(tokens), at_(at), words_(words), names_(names), kinds_(kinds) {}
 
@@ -378,7 +378,7 @@ void ask_for_windows(const OpeningPhrase& phrase, Brief& brief) {
 std::optional<OpeningPhrase> read_opening(std::span<const Token> tokens, std::size_t at,
                                           std::size_t sentence, const Vocabulary& words,
                                           const KindNames& names, const OpeningKinds& kinds) {
-  return Reader(tokens, at, words, names, kinds).run(sentence);
+  return OpeningReader(tokens, at, words, names, kinds).run(sentence);
 }
 
 void ask_for(const OpeningPhrase& phrase, Brief& brief) {

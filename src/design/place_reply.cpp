@@ -6,6 +6,7 @@
 #include "reply_facing.h"
 #include "reply_location.h"
 #include "reply_relations.h"
+#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "roomgen/design/loose_json.h"
 #include "target_names.h"

@@ -3,6 +3,7 @@
 #include <array>
 #include <charconv>
 
+#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen::design {

@@ -8,14 +8,15 @@
 #include "prompt.h"
 #include "reply_items.h"
 #include "reply_room.h"
+#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "roomgen/design/loose_json.h"
+#include "room_type.h"
 
 namespace roomgen::design {
 
 namespace {
 
-constexpr const char* default_type = "living room";
 constexpr std::size_t max_excluded = 60;
 constexpr std::size_t max_repairs = 60;
 
@@ -32,8 +33,8 @@ std::string choose_type(const Json& json, const PlanRequest& request, const Brie
   for (const auto& type :
        {room_type_in(json), brief.type, request.room ? request.room->type : std::string()})
     if (!type.empty()) return type;
-  repairs.push_back(std::string("the answer names no kind of room; taken for a ") + default_type);
-  return default_type;
+  repairs.push_back(std::string("the answer names no kind of room; taken for a ") + default_room_type);
+  return default_room_type;
 }
 
 // What the prompt and the answer forbid.

@@ -11,13 +11,13 @@
 #include "order.h"
 #include "prompt.h"
 #include "rehearsal.h"
+#include "room_type.h"
 #include "roomgen/base/random.h"
 
 namespace roomgen::design {
 
 namespace {
 
-constexpr const char* default_type = "living room";
 constexpr int usual_attempts = 5;
 constexpr int max_attempts = 9;  ///< while something of the prompt is not heeded
 constexpr double growth = 1.05;  ///< of the sides from attempt to attempt
@@ -68,10 +68,10 @@ class Planner {
       brief_.type_known = kinds_.types.count(brief_.type) > 0;
     }
     if (brief_.type.empty()) {
-      brief_.type = default_type;
+      brief_.type = default_room_type;
       brief_.type_known = true;
       brief_.notes.push_back(std::string("the prompt names no kind of room; taken for a ") +
-                             default_type);
+                             default_room_type);
     }
     kind_ = kinds_.get(brief_.type);
     kind_.type = brief_.type;

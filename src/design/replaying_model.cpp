@@ -6,6 +6,7 @@
 #include "chat_recording.h"
 #include "question_difference.h"
 #include "roomgen/base/file.h"
+#include "roomgen/base/json.h"
 #include "roomgen/design/chat_decorators.h"
 
 namespace roomgen {

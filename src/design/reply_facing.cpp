@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "roomgen/design/reply_measure.h"
 #include "roomgen/scene/judgement.h"

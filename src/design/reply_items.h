@@ -6,7 +6,7 @@
 #include "inventory.h"
 #include "kind_names.h"
 #include "room_kinds.h"
-#include "roomgen/base/json.h"
+#include "roomgen/base/json_fwd.h"
 
 namespace roomgen::design {
 

@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "roomgen/design/reply_measure.h"
 

@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "roomgen/design/prompt_words.h"
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string_view>
 
+#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "roomgen/design/loose_json.h"
 
@@ -286,12 +287,12 @@ std::string comma_text(const Json& value) {
   return join(texts, ", ");
 }
 
-const std::vector<std::string> type_keys = {"type", "constraint", "relation", "kind", "name"};
+const std::vector<std::string> relation_type_keys = {"type", "constraint", "relation", "kind", "name"};
 const std::vector<std::string> target_keys = {"target", "targets", "object",          "reference",
                                               "to",     "anchor",  "reference object"};
 
 Pieces pieces_of_object(const Json& value) {
-  if (const Json* type = member(value, type_keys)) {
+  if (const Json* type = member(value, relation_type_keys)) {
     const Json* target = member(value, target_keys);
     return {plain_text(*type) + (target ? ", " + comma_text(*target) : "")};
   }

@@ -6,6 +6,7 @@
 
 #include "floor_plan.h"
 #include "opening_plan.h"
+#include "roomgen/base/json.h"
 #include "roomgen/base/random.h"
 #include "roomgen/base/text.h"
 #include "roomgen/design/loose_json.h"
@@ -25,7 +26,7 @@ constexpr std::size_t max_type = 60;  ///< bytes
 constexpr int max_windows = 3;
 
 const std::vector<std::string> room_keys = {"room", "room info", "layout"};
-const std::vector<std::string> type_keys = {"room type", "type", "name", "kind"};
+const std::vector<std::string> room_type_keys = {"room type", "type", "name", "kind"};
 const std::vector<std::string> size_keys = {"size m", "size",      "dimensions", "dimensions m",
                                             "area m", "room size", "size cm"};
 const std::vector<std::string> polygon_keys = {"polygon m", "polygon", "vertices",
@@ -148,7 +149,7 @@ Room given_room(const PlanRequest& request, const RoomKind& kind,
 }  // namespace
 
 std::string room_type_in(const Json& json) {
-  const Json* type = member(room_part(json), type_keys);
+  const Json* type = member(room_part(json), room_type_keys);
   if (!type && member(json, room_keys)) type = member(json, room_keys);
   if (!type || !type->is_string()) return "";
   const std::string text = join(words(type->get_ref<const std::string&>()), " ");

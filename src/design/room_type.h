@@ -10,6 +10,9 @@
 
 namespace roomgen::design {
 
+/// Of a plan that names no room.
+inline constexpr const char* default_room_type = "living room";
+
 /// The kinds of rooms by all their names, in words parted by single spaces.
 std::map<std::string, std::string, std::less<>> room_names(const RoomKinds& kinds);
 

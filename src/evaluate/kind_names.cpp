@@ -89,9 +89,8 @@ Identity KindNames::identify(const Object& object) const {
     identity.kind = key(object.category);
     identity.basis = "category of a plain box";
   } else if (asset.procedural) {
-    const auto& params = asset.procedural->params;
-    const bool named = params.is_object() && params.contains("kind") && params["kind"].is_string();
-    identity.kind = key(named ? params["kind"].get<std::string>() : asset.procedural->recipe);
+    const std::string kind = text_parameter(*asset.procedural, "kind");
+    identity.kind = key(kind.empty() ? asset.procedural->recipe : kind);
     identity.basis = "recipe kind " + identity.kind;
   } else if (const auto label = labels_.find(asset.library + "/" + asset.id);
              label != labels_.end()) {

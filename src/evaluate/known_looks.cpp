@@ -35,18 +35,12 @@ void look_at_surfaces(const Model& model, KnownLooks& looks) {
     if (covered >= least_surface * whole) looks.surfaces.insert(name);
 }
 
-std::string text_of(const AssetRef& asset, const char* key) {
-  const auto& params = asset.procedural->params;
-  const bool there = params.is_object() && params.contains(key) && params[key].is_string();
-  return there ? params[key].get<std::string>() : std::string();
-}
-
 }  // namespace
 
 KnownLooks known_looks(const Object& object, const ModelTable& models) {
   KnownLooks looks;
   looks.identity = KindNames::built_in().identify(object);
-  if (object.asset.procedural) add_words(text_of(object.asset, "description"), looks.told);
+  if (object.asset.procedural) add_words(text_parameter(*object.asset.procedural, "description"), looks.told);
   if (const auto model = models.find(asset_key(object.asset))) {
     looks.colors = shown_colors(*model);
     look_at_surfaces(*model, looks);

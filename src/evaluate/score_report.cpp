@@ -5,6 +5,7 @@
 #include <optional>
 #include <set>
 
+#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen {

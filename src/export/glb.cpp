@@ -9,6 +9,7 @@
 #include "glb_lights.h"
 #include "glb_materials.h"
 #include "roomgen/base/file.h"
+#include "roomgen/base/json.h"
 #include "roomgen/export/attribution.h"
 #include "roomgen/geometry/conventions.h"
 #include "roomgen/scene/box_model.h"

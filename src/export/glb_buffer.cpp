@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <cstring>
 
+#include "roomgen/base/json.h"
+
 namespace roomgen::detail {
 
 namespace {

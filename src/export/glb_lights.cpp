@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "roomgen/base/json.h"
 #include "roomgen/geometry/conventions.h"
 
 namespace roomgen::detail {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "roomgen/base/json.h"
 #include "roomgen/base/sha256.h"
 
 namespace roomgen::detail {

@@ -25,9 +25,9 @@ void add(const ModelUse& part, ModelUse& sum) {
 }
 
 /// Takes over one furnished room after the other.
-class Joiner {
+class DwellingJoiner {
  public:
-  explicit Joiner(const DwellingPlan& plan) {
+  explicit DwellingJoiner(const DwellingPlan& plan) {
     whole_.scene.prompt = plan.prompt;
     whole_.scene.seed = plan.seed;
   }
@@ -97,7 +97,7 @@ Result<Generation> generate(const DwellingPlan& plan, Designer& designer,
     total += planned_objects(room).size();
   }
   if (auto status = check_dwelling(rooms); !status) return status.error();
-  Joiner joiner(plan);
+  DwellingJoiner joiner(plan);
   for (const auto& room : plan.rooms) {
     GenerateOptions own = options;
     own.on_step = shifted(options, before, total);

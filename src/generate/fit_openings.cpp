@@ -71,9 +71,9 @@ bool has_tag(const AssetInfo& asset, const std::string& word) {
   return std::find(asset.tags.begin(), asset.tags.end(), word) != asset.tags.end();
 }
 
-class Joiner {
+class OpeningFitter {
  public:
-  Joiner(const OpeningKinds& kinds, const AssetLibrary& library, const Random& random)
+  OpeningFitter(const OpeningKinds& kinds, const AssetLibrary& library, const Random& random)
       : kinds_(kinds), library_(library), random_(random) {}
 
   Status run(Room& room) {
@@ -160,7 +160,7 @@ class Joiner {
 
 Result<std::vector<AssetInfo>> fit_openings(Room& room, const OpeningKinds& kinds,
                                             const AssetLibrary& library, const Random& random) {
-  Joiner joiner(kinds, library, random);
+  OpeningFitter joiner(kinds, library, random);
   if (auto status = joiner.run(room); !status) return status.error();
   return joiner.take_used();
 }

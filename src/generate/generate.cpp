@@ -9,6 +9,7 @@
 #include "fit_openings.h"
 #include "loads.h"
 #include "retrieve.h"
+#include "roomgen/base/json.h"
 #include "roomgen/evaluate/attributes.h"
 #include "roomgen/evaluate/ledger.h"
 #include "roomgen/geometry/free_rectangles.h"

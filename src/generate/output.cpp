@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "roomgen/base/file.h"
+#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen {

@@ -8,7 +8,7 @@ namespace roomgen {
 namespace {
 
 // The share by which a mesh is stretched or squeezed at most.
-constexpr double most_stretch = 0.12;
+constexpr double most_asset_stretch = 0.12;
 
 // Small things: how small they get at most, and by how much with each refusal; the share of a surface
 // that they take.
@@ -24,7 +24,7 @@ Vec3 fitted_size(const AssetInfo& asset, const PlanItem& item, const Category& c
   const Vec3 wanted = item.size.value_or(category.size);
   Vec2 factor = wanted.head<2>().cwiseQuotient(size.head<2>());
   if (asset.round) factor.setConstant(factor.mean());
-  size.head<2>().array() *= factor.array().max(1.0 - most_stretch).min(1.0 + most_stretch);
+  size.head<2>().array() *= factor.array().max(1.0 - most_asset_stretch).min(1.0 + most_asset_stretch);
   return size;
 }
 

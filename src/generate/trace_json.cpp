@@ -1,5 +1,7 @@
 #include "trace_json.h"
 
+#include "roomgen/base/json.h"
+
 namespace roomgen {
 
 Json terms_json(const PlacementTerms& terms) {

@@ -22,7 +22,7 @@ using Transform = Eigen::Transform<double, 2, Eigen::Affine>;
 constexpr int circle_corners = 24;
 constexpr int curve_steps = 8;
 constexpr std::size_t max_path_points = 20000;
-constexpr const char* units_hint =
+constexpr const char* svg_units_hint =
     "Give the drawing a width with a unit and a viewBox, as in width=\"4200mm\" "
     "viewBox=\"0 0 4200 3600\"; without a unit numbers are metres";
 
@@ -47,7 +47,7 @@ class SvgReader {
     for (std::size_t i = 0; i < elements_.size() && !error_; ++i)
       if (!is_hidden(i)) draw(i, unit);
     if (error_) return *error_;
-    return room_from_lines(std::move(lines_), source_, units_hint);
+    return room_from_lines(std::move(lines_), source_, svg_units_hint);
   }
 
  private:

@@ -12,7 +12,7 @@ namespace {
 
 using namespace detail;
 
-constexpr double shadow_width = 0.008;     // metres, of a shadow's soft edge
+constexpr double model_shadow_width = 0.008;     // metres, of a shadow's soft edge
 constexpr double floor_thickness = 0.002;  // thin: it must not hide anything in a level view
 
 std::shared_ptr<const Model> floor_under(const Bounds3& box) {
@@ -70,7 +70,7 @@ Result<std::vector<Image>> draw_model(const std::shared_ptr<const Model>& model,
     const Sun sun = make_sun(sun_direction(camera, View::Kind::isometric), lit);
     shadows.update(*painter, items, sun, ShadowMap::whole());
     Image image(camera.width, camera.height);
-    picture->draw(*painter, items, camera, {&sun, shadows.texture(), shadow_width / sun.extent},
+    picture->draw(*painter, items, camera, {&sun, shadows.texture(), model_shadow_width / sun.extent},
                   {0, 0, camera.width, camera.height}, false, image);
     images.push_back(std::move(image));
   }

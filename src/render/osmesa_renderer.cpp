@@ -5,6 +5,7 @@
 #include "gl_context.h"
 #include "overlay.h"
 #include "picture.h"
+#include "roomgen/base/json.h"
 #include "roomgen/scene/lights.h"
 #include "roomgen/scene/room_shell.h"
 #include "shadow_map.h"

@@ -34,8 +34,8 @@ Eigen::Matrix4d clip_from_pixel(const Camera& camera, const PixelRect& area) {
   return m;
 }
 
-// What a picture of nothing looks like: paper, and before the window a bright sky.
-constexpr float paper[3] = {0.955f, 0.948f, 0.935f}, sky[3] = {0.94f, 0.97f, 0.995f};
+// What a picture of nothing looks like: paper_background, and before the window a bright sky_background.
+constexpr float paper_background[3] = {0.955f, 0.948f, 0.935f}, sky_background[3] = {0.94f, 0.97f, 0.995f};
 
 }  // namespace
 
@@ -127,7 +127,7 @@ void Picture::paint(const ScenePainter& painter, const DrawList& items, const Ca
   gl_->Viewport(-2 * tile.area.x0, -2 * tile.area.y0, 2 * camera.width, 2 * camera.height);
   set_scissor(tile.painted, tile.area, 2);
   gl_->Enable(GL_DEPTH_TEST);
-  const auto& background = camera.eye ? sky : paper;
+  const auto& background = camera.eye ? sky_background : paper_background;
   gl_->ClearColor(background[0], background[1], background[2], 1.0f);
   gl_->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   painter.paint_surfaces(

@@ -14,12 +14,6 @@ Error png_error_of(const char* what) {
   return {Error::Kind::invalid_input, std::string("PNG: ") + what};
 }
 
-bool is_opaque(const Image& image) {
-  for (std::size_t i = 3; i < image.pixels.size(); i += 4)
-    if (image.pixels[i] != 255) return false;
-  return true;
-}
-
 // libpng reports errors by a long jump: nothing between setjmp and the end may need a destructor
 // that was not constructed before.
 void append_bytes(png_structp png, png_bytep data, std::size_t size) {

@@ -10,7 +10,7 @@ namespace roomgen::detail {
 namespace {
 
 constexpr double exposure = 0.0035;     // of the picture, for a lux
-constexpr double sky = 0.3;             // what a square metre of window gives 1 m away
+constexpr double window_light = 0.3;             // what a square metre of window gives 1 m away
 constexpr double before_window = 0.15;  // metres, lest the pane be brightest of all
 constexpr std::size_t most_windows = 4;
 
@@ -30,7 +30,7 @@ std::vector<RoomLight> windows(const Room& room) {
     light.place << middle, 0.5 * (opening->sill + opening->head);
     light.axis << in, 0.0;
     light.cosine = 2.0;
-    light.color = static_cast<float>(sky * area(*opening)) * Eigen::Vector3f(0.92f, 0.97f, 1.0f);
+    light.color = static_cast<float>(window_light * area(*opening)) * Eigen::Vector3f(0.92f, 0.97f, 1.0f);
     lights.push_back(light);
   }
   return lights;

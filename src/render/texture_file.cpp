@@ -9,12 +9,6 @@ namespace {
 // Below this many pixels JPEG saves nothing worth its blur.
 constexpr std::size_t small_texture = 64 * 64;
 
-bool is_opaque(const Image& image) {
-  for (std::size_t i = 3; i < image.pixels.size(); i += 4)
-    if (image.pixels[i] != 255) return false;
-  return true;
-}
-
 }  // namespace
 
 Result<EncodedImage> encode_texture(const Image& image) {

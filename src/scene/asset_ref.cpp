@@ -1,14 +1,32 @@
 #include "roomgen/scene/asset_ref.h"
 
+#include "file_limits.h"
+#include "roomgen/base/json.h"
+
 namespace roomgen {
 
 namespace {
-constexpr long long max_seed = 9007199254740991;  // exact in a double
+
+std::string written_parameters(const ProceduralSource& source) {
+  return source.params.empty() ? "null" : source.params;
+}
+
+Json parsed_parameters(const ProceduralSource& source) {
+  auto json = parse_json(written_parameters(source), source.recipe);
+  return json ? *std::move(json) : Json();
+}
+
+}  // namespace
+
+std::string text_parameter(const ProceduralSource& source, std::string_view name) {
+  const Json params = parsed_parameters(source);
+  const auto found = params.is_object() ? params.find(std::string(name)) : params.end();
+  return found != params.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
 std::string asset_key(const AssetRef& asset) {
   if (asset.procedural)
-    return "procedural:" + asset.procedural->recipe + ":" + asset.procedural->params.dump() + ":" +
+    return "procedural:" + asset.procedural->recipe + ":" + written_parameters(*asset.procedural) + ":" +
            std::to_string(asset.procedural->seed);
   return asset.id.empty() ? std::string() : asset.library + "/" + asset.id;
 }
@@ -17,7 +35,7 @@ Json to_json(const AssetRef& asset) {
   Json json = Json::object();
   if (asset.procedural) {
     json["procedural"] = {{"recipe", asset.procedural->recipe},
-                          {"params", asset.procedural->params},
+                          {"params", parsed_parameters(*asset.procedural)},
                           {"seed", asset.procedural->seed}};
   } else if (!asset.id.empty()) {
     json["library"] = asset.library;
@@ -42,7 +60,7 @@ AssetRef read_asset(const JsonReader& json) {
     procedural.allow_only({"recipe", "params", "seed"});
     ProceduralSource source;
     source.recipe = procedural["recipe"].text(200);
-    if (const auto params = procedural["params"]; params.exists()) source.params = *params.raw();
+    if (const auto params = procedural["params"]; params.exists()) source.params = params.raw()->dump();
     source.seed = static_cast<std::uint64_t>(procedural["seed"].integer_or(0, 0, max_seed));
     asset.procedural = source;
   }

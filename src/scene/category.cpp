@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "roomgen/base/json.h"
 #include "roomgen/base/resource.h"
 #include "roomgen/base/text.h"
 

@@ -13,7 +13,7 @@ namespace roomgen {
 namespace {
 
 // How far inner faces may be from one wall's thickness and still be those of one wall.
-constexpr double tolerance = 1e-3;
+constexpr double touch_tolerance = 1e-3;
 
 Error dwelling_error(const std::string& what) {
   return {Error::Kind::invalid_input, "dwelling: " + what};
@@ -37,7 +37,7 @@ double distance(const Polygon& a, const Polygon& b) {
 Status check_apart(const Room& a, const Room& b) {
   if (!near_each_other(bounds(a.polygon), bounds(b.polygon))) return {};
   const double gap = distance(a.polygon, b.polygon);
-  if (gap > wall_thickness - tolerance) return {};
+  if (gap > wall_thickness - touch_tolerance) return {};
   return dwelling_error("the rooms \"" + a.id + "\" and \"" + b.id + "\" are " +
                         format_number(gap) + " m apart; between them must be a wall of " +
                         format_number(wall_thickness) + " m");
@@ -59,8 +59,8 @@ Status check_links(std::span<const Room> rooms) {
 
 bool meets(const Segment& a, const Segment& b) {
   // The other room sees the wall from its side, so its openings run the other way.
-  return std::abs((a.a - b.b).norm() - wall_thickness) < tolerance &&
-         std::abs((a.b - b.a).norm() - wall_thickness) < tolerance &&
+  return std::abs((a.a - b.b).norm() - wall_thickness) < touch_tolerance &&
+         std::abs((a.b - b.a).norm() - wall_thickness) < touch_tolerance &&
          a.direction().dot(b.direction()) < 0;
 }
 
@@ -106,7 +106,7 @@ std::vector<SharedStretch> shared_stretches(std::span<const Room> rooms, std::si
     const Segment edge = own.edge(wall);
     const Vec2 along = edge.direction(), outward = -own.inward(wall);
     const auto is_behind = [&](const Vec2& p) {
-      return std::abs((p - edge.a).dot(outward) - wall_thickness) < tolerance;
+      return std::abs((p - edge.a).dot(outward) - wall_thickness) < touch_tolerance;
     };
     for (std::size_t other = 0; other < rooms.size(); ++other) {
       if (other == index) continue;
@@ -116,7 +116,7 @@ std::vector<SharedStretch> shared_stretches(std::span<const Room> rooms, std::si
           continue;
         const double from = std::max(0.0, (facing.b - edge.a).dot(along));
         const double to = std::min(edge.length(), (facing.a - edge.a).dot(along));
-        if (to > from + tolerance) stretches.push_back({wall, from, to, other});
+        if (to > from + touch_tolerance) stretches.push_back({wall, from, to, other});
       }
     }
   }

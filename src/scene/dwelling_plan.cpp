@@ -1,6 +1,8 @@
 #include <map>
 
 #include "roomgen/base/text.h"
+#include "file_limits.h"
+#include "roomgen/base/json.h"
 #include "roomgen/scene/dwelling.h"
 #include "roomgen/scene/scene.h"
 
@@ -9,7 +11,6 @@ namespace roomgen {
 namespace {
 
 constexpr std::size_t max_notes = 500;
-constexpr long long max_seed = 9007199254740991;
 
 using Renaming = std::map<std::string, std::string, std::less<>>;
 

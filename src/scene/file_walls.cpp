@@ -2,11 +2,13 @@
 
 #include <string>
 
+#include "file_limits.h"
+#include "roomgen/base/json.h"
+
 namespace roomgen {
 
 namespace {
 
-constexpr double max_coordinate = 1000.0;
 constexpr std::size_t max_corners = 500;
 
 }  // namespace

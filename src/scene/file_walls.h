@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "roomgen/base/json.h"
+#include "roomgen/base/json_fwd.h"
 #include "roomgen/geometry/polygon.h"
 #include "roomgen/scene/relation.h"
 

@@ -25,9 +25,9 @@ const Surface* find_surface(const FinishWords& words, const std::string& name) {
   return found == words.surfaces.end() ? nullptr : &found->second;
 }
 
-class Reader {
+class FinishReader {
  public:
-  Reader(std::string_view text, const FinishWords& words)
+  FinishReader(std::string_view text, const FinishWords& words)
       : all_(roomgen::words(text)), words_(words) {
     for (const auto& word : all_)
       if (const auto shade = words_.shades.find(word); shade != words_.shades.end())
@@ -130,7 +130,7 @@ std::array<float, 4> material_color(const Eigen::Vector3f& srgb, float alpha) {
 
 Finish make_finish(std::string_view description, RoomPart part, std::string_view room_type,
                    const FinishWords& words) {
-  const Reader reader(description, words);
+  const FinishReader reader(description, words);
   const Described said = reader.run();
   const UsualFinish* usual = usual_finish(part, room_type, words);
   const Surface* surface = said.surface;

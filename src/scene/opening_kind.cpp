@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "roomgen/base/json.h"
 #include "roomgen/base/resource.h"
 #include "roomgen/base/text.h"
 #include "roomgen/geometry/outline.h"

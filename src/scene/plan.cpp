@@ -2,8 +2,10 @@
 
 #include <map>
 
+#include "file_limits.h"
 #include "file_walls.h"
 #include "roomgen/base/file.h"
+#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "roomgen/scene/dwelling.h"
 #include "roomgen/scene/scene.h"
@@ -14,8 +16,6 @@ namespace {
 
 constexpr std::size_t max_items = 500, max_requirements = 5000;
 constexpr long long max_quantity = 200;
-constexpr long long max_seed = 9007199254740991;
-constexpr double max_coordinate = 1000.0;
 
 Json item_json(const PlanItem& item) {
   Json json;

@@ -4,8 +4,10 @@
 #include <map>
 #include <set>
 
+#include "file_limits.h"
 #include "file_walls.h"
 #include "roomgen/base/file.h"
+#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "roomgen/scene/category.h"
 
@@ -13,7 +15,6 @@ namespace roomgen {
 
 namespace {
 
-constexpr double max_coordinate = 1000.0;
 constexpr std::size_t max_tasks = 2000;
 constexpr double on_wall_tolerance = 0.02;
 

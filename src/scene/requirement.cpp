@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "roomgen/base/json.h"
+
 namespace roomgen {
 
 namespace {

@@ -12,7 +12,7 @@ namespace {
 
 // A door that does not swing in still needs a step of free floor behind it.
 constexpr double step_depth = 0.6;
-constexpr double tolerance = 1e-6;
+constexpr double opening_tolerance = 1e-6;
 // Of its square, what an outline must fill: less is a slit.
 constexpr double least_filled = 0.2;
 
@@ -168,8 +168,8 @@ Status check(const Room& room) {
     for (std::size_t j = 0; j < i; ++j) {
       const Opening& other = room.openings[j];
       if (other.id == opening.id) return room_error(opening, "there are two of this id");
-      if (other.wall == opening.wall && other.from < opening.to - tolerance &&
-          opening.from < other.to - tolerance && other.sill < opening.head &&
+      if (other.wall == opening.wall && other.from < opening.to - opening_tolerance &&
+          opening.from < other.to - opening_tolerance && other.sill < opening.head &&
           opening.sill < other.head)
         return room_error(opening, "overlaps \"" + other.id + "\"");
     }

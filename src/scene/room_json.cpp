@@ -2,7 +2,9 @@
 #include <array>
 
 #include "file_walls.h"
+#include "file_limits.h"
 #include "roomgen/base/file.h"
+#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "roomgen/geometry/outline.h"
 #include "roomgen/scene/scene.h"
@@ -11,7 +13,6 @@ namespace roomgen {
 
 namespace {
 
-constexpr double max_coordinate = 1000.0;
 constexpr std::size_t max_corners = 500;
 constexpr std::size_t max_openings = 200;
 constexpr int max_leaves = 2;

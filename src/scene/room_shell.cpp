@@ -20,7 +20,7 @@ using detail::WallFrame;
 using detail::WallNeighbours;
 using detail::WallPiece;
 
-constexpr double tolerance = 1e-6;
+constexpr double least_length = 1e-6;
 
 double height_of(const Room& room, const ShellOptions& options, std::size_t wall) {
   return wall < options.wall_heights.size() ? std::min(options.wall_heights[wall], room.height)
@@ -104,8 +104,8 @@ class WallSolid {
     for (const auto& piece : column.solid) {
       add_face(meshes_.painted, column, piece, false);
       add_face(meshes_.outer(column.behind), column, piece, true);
-      const bool at_top = std::min(piece.from.high, piece.to.high) > height_ - tolerance;
-      const bool at_floor = std::max(piece.from.low, piece.to.low) < tolerance;
+      const bool at_top = std::min(piece.from.high, piece.to.high) > height_ - least_length;
+      const bool at_floor = std::max(piece.from.low, piece.to.low) < least_length;
       add_edge(at_top ? meshes_.top : meshes_.reveals, column, piece.from.high, piece.to.high,
                true);
       add_edge(at_floor ? meshes_.painted : meshes_.reveals, column, piece.from.low, piece.to.low,
@@ -116,7 +116,7 @@ class WallSolid {
   /// Closes the sides at s where `left` is solid and `right` is not, or the other way round.
   void add_jambs(double s, const std::vector<WallPiece>& left,
                  const std::vector<WallPiece>& right) {
-    const bool at_end = s < tolerance || s > frame_.length - tolerance;
+    const bool at_end = s < least_length || s > frame_.length - least_length;
     Mesh& mesh = at_end ? meshes_.painted : meshes_.reveals;
     std::vector<Span> before, after;
     for (const auto& piece : left) before.push_back(piece.to);
@@ -133,10 +133,10 @@ class WallSolid {
     for (Span span : a) {
       for (const auto& hole : b) {
         if (hole.high <= span.low || hole.low >= span.high) continue;
-        if (hole.low > span.low + tolerance) rest.push_back({span.low, hole.low});
+        if (hole.low > span.low + least_length) rest.push_back({span.low, hole.low});
         span.low = std::min(hole.high, span.high);
       }
-      if (span.high > span.low + tolerance) rest.push_back(span);
+      if (span.high > span.low + least_length) rest.push_back(span);
     }
     return rest;
   }

@@ -1,5 +1,7 @@
 #include "file_walls.h"
+#include "file_limits.h"
 #include "roomgen/base/file.h"
+#include "roomgen/base/json.h"
 #include "roomgen/scene/scene.h"
 
 namespace roomgen {
@@ -7,8 +9,6 @@ namespace roomgen {
 namespace {
 
 constexpr std::size_t max_objects = 5000;
-constexpr double max_coordinate = 1000.0;
-constexpr long long max_seed = 9007199254740991;  // exact in a double
 
 Vec3 vec3(const std::vector<double>& v) {
   return {v[0], v[1], v[2]};

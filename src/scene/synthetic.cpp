@@ -9,12 +9,12 @@ namespace roomgen {
 
 namespace {
 
-struct Kind {
+struct SyntheticKind {
   const char* category;
   Vec3 size;
 };
 
-const Kind kinds[] = {
+const SyntheticKind synthetic_kinds[] = {
     {"sideboard", {1.0, 0.42, 0.85}},
     {"table", {1.0, 0.7, 0.74}},
     {"chair", {0.46, 0.5, 0.9}},
@@ -25,9 +25,9 @@ PlacementTask make_task(int index, const std::string& table, Random& random) {
   const int kind = index % 4;
   PlacementTask task;
   Object& object = task.object;
-  object.category = kinds[kind].category;
+  object.category = synthetic_kinds[kind].category;
   object.id = object.category + "-" + std::to_string(index);
-  object.size = random.uniform(0.9, 1.1) * kinds[kind].size;
+  object.size = random.uniform(0.9, 1.1) * synthetic_kinds[kind].size;
   if (kind == 0) object.relations = {{RelationKind::edge, ""}};
   if (kind == 1) object.relations = {{RelationKind::middle, ""}};
   if (kind >= 2) object.relations = {{RelationKind::around, table}};

@@ -35,7 +35,7 @@ Result<Mesh> mesh(const Box& solid, double tolerance) {
   double bevel = std::min(solid.bevel, half.minCoeff());
   if (bevel < smallest_bevel) bevel = 0.0;
   const Vec3 inner = (half.array() - bevel).matrix(), middle(0.0, 0.0, half.z());
-  Surface surface;
+  SurfaceBuilder surface;
   if (bevel == 0.0) {
     add_cube_skin(surface, {{-1.0, -1.0}, {1.0, 1.0}}, [&](const Vec3&, const Vec3& side) {
       return Corner{middle + side.cwiseProduct(half), Vec2::Zero(), Vec3::Zero(), 0};

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "solid_json.h"
 

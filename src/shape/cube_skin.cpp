@@ -34,7 +34,7 @@ void set_uvs(Grid& grid) {
 
 }  // namespace
 
-void add_cube_skin(Surface& surface, const std::vector<Tick>& ticks,
+void add_cube_skin(SurfaceBuilder& surface, const std::vector<Tick>& ticks,
                    const std::function<Corner(const Vec3& at, const Vec3& side)>& place) {
   const std::size_t n = ticks.size();
   int group = 0;

@@ -16,7 +16,7 @@ struct Tick {
 /// Wraps the six gridded faces of the cube [-1, 1]^3 around a body. `place` maps a point of the
 /// cube (and the halves it counts to, an axis each) to a position with its normal; it must depend
 /// on nothing else, so that faces agree along their edges. Ticks are ascending and symmetric.
-void add_cube_skin(Surface& surface, const std::vector<Tick>& ticks,
+void add_cube_skin(SurfaceBuilder& surface, const std::vector<Tick>& ticks,
                    const std::function<Corner(const Vec3& at, const Vec3& side)>& place);
 
 }  // namespace roomgen::shape

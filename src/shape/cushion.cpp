@@ -79,7 +79,7 @@ Mesh superellipsoid(const Vec3& size, double softness, double tolerance) {
   auto ticks = angular_ticks(2, crowding);
   for (int n = 3; n <= most && body.deviation(ticks) > tolerance; ++n)
     ticks = angular_ticks(n, crowding);
-  Surface surface;
+  SurfaceBuilder surface;
   const Vec3 middle(0.0, 0.0, 0.5 * size.z());
   add_cube_skin(surface, ticks, [&](const Vec3& at, const Vec3&) {
     Corner corner = body.at(at);

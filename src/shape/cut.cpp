@@ -130,7 +130,7 @@ class Cutter {
   Weld weld_;
   std::vector<std::uint32_t> points_;
   std::vector<double> heights_;
-  Surface surface_;
+  SurfaceBuilder surface_;
   bool mesh_has_area_ = false;
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> open_;
   std::unordered_map<std::uint32_t, Vec3> position_;

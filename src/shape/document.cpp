@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "solid_json.h"
 

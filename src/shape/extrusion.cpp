@@ -65,7 +65,7 @@ double fitting_bevel(const std::vector<Loop>& loops, double bevel, double height
 }
 
 // The side around one loop, its rows from the inset lower edge to the inset upper one.
-void add_side(Surface& surface, const Chain2& chain, double height, double bevel,
+void add_side(SurfaceBuilder& surface, const Chain2& chain, double height, double bevel,
               double tolerance) {
   Skin skin;
   skin.column_crease = chain.crease;
@@ -124,7 +124,7 @@ Result<Mesh> mesh(const Extrusion& solid, double tolerance) {
   if (any_cross(loops)) return input_error("extrusion: the outline and its holes cross each other");
 
   const double bevel = fitting_bevel(loops, solid.bevel, solid.height);
-  Surface surface;
+  SurfaceBuilder surface;
   for (const auto& chain : *chains) add_side(surface, chain, solid.height, bevel, tolerance);
   if (bevel > 0)
     for (auto& loop : loops) loop = inset(loop, bevel);

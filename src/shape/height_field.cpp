@@ -31,7 +31,7 @@ Result<Grid> sampled_grid(const HeightField& solid) {
 }
 
 // A wall below a border of the surface that runs from left to right as seen from outside.
-void add_wall(Surface& surface, const std::vector<Vec3>& border, const Vec3& normal) {
+void add_wall(SurfaceBuilder& surface, const std::vector<Vec3>& border, const Vec3& normal) {
   Loop loop;
   std::vector<Vec3> points;
   const Vec3& start = border.front();
@@ -72,7 +72,7 @@ Result<Mesh> mesh(const HeightField& solid, double tolerance) {
   const auto grid = sampled_grid(solid);
   if (!grid) return grid.error();
 
-  Surface surface;
+  SurfaceBuilder surface;
   Skin top;
   top.rows = *grid;
   top.columns_closed = false;

@@ -50,7 +50,7 @@ std::vector<Loop> lobes(const Chain2& profile) {
 }
 
 // The flat faces at the start and end of a part of a turn.
-void add_faces(Surface& surface, const Chain2& profile, const Vec2& first, const Vec2& last) {
+void add_faces(SurfaceBuilder& surface, const Chain2& profile, const Vec2& first, const Vec2& last) {
   auto loops = lobes(profile);
   std::vector<Vec3> points;
   for (const auto& loop : loops)
@@ -75,7 +75,7 @@ bool is_disc(const Vec2& end, const Vec2& next) {
 }
 
 // Flat ends become caps, whose texture is not drawn together towards the axis.
-void replace_discs(Surface& surface, Skin& skin, const Chain2& profile,
+void replace_discs(SurfaceBuilder& surface, Skin& skin, const Chain2& profile,
                    const std::vector<Vec2>& columns) {
   const auto add_disc = [&](const Vec2& rim, bool upward) {
     Loop loop;
@@ -133,7 +133,7 @@ Mesh turned(const Chain2& profile, double angle, double tolerance) {
   double radius = 0.0;
   for (const auto& p : profile.points) radius = std::max(radius, p.x());
   const auto columns = directions(angle, radius, tolerance);
-  Surface surface;
+  SurfaceBuilder surface;
   Skin skin;
   skin.row_crease = profile.crease;
   skin.rows_closed = profile.closed;

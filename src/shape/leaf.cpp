@@ -67,7 +67,7 @@ Section section(const Leaf& leaf, double part) {
   return result;
 }
 
-void add_half(Surface& surface, const Corner& a, const Corner& b, const Corner& c, const Corner& d,
+void add_half(SurfaceBuilder& surface, const Corner& a, const Corner& b, const Corner& c, const Corner& d,
               int group) {
   std::array<Corner, 4> corners{a, b, c, d};
   for (auto& corner : corners) corner.group = group;
@@ -86,7 +86,7 @@ Result<Mesh> mesh(const Leaf& solid, double tolerance) {
     return input_error("leaf: the bend must be at most three quarters of a turn");
   if (!(std::abs(solid.fold) <= 1.5)) return input_error("leaf: the fold must be at most 1.5");
 
-  Surface surface;
+  SurfaceBuilder surface;
   const auto parts = rows(solid, tolerance);
   for (std::size_t k = 0; k + 1 < parts.size(); ++k) {
     const Section a = section(solid, parts[k]), b = section(solid, parts[k + 1]);

@@ -261,7 +261,7 @@ Result<Mesh> mesh(const Loft& solid, double tolerance) {
   } else {
     skin.rows = smoothed(skin.rows, tolerance);
   }
-  Surface surface;
+  SurfaceBuilder surface;
   add_skin(surface, skin);
   add_level_cap(surface, {ends.front()}, solid.levels.front().z, false);
   add_level_cap(surface, {ends.back()}, solid.levels.back().z, true);

@@ -9,7 +9,7 @@
 
 namespace roomgen::shape {
 
-using Rgb = Eigen::Vector3d;
+using Tint = Eigen::Vector3d;
 
 // Inline, all of this: an image calls it a million times.
 
@@ -61,7 +61,7 @@ class Clouds {
   Noise broad_, middle_, fine_;
 };
 
-inline Rgb mixed(const Rgb& a, const Rgb& b, double t) {
+inline Tint mixed(const Tint& a, const Tint& b, double t) {
   return a + t * (b - a);
 }
 
@@ -71,7 +71,7 @@ Image painted(int width, int height, const Color& color) {
   Image image(width, height);
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
-      const Rgb rgb = color((x + 0.5) / width, (y + 0.5) / height);
+      const Tint rgb = color((x + 0.5) / width, (y + 0.5) / height);
       std::uint8_t* pixel = image.at(x, y);
       for (int k = 0; k < 3; ++k)
         pixel[k] = static_cast<std::uint8_t>(std::clamp(rgb[k], 0.0, 255.0) + 0.5);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "roomgen/shape/program.h"
 

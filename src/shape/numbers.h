@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "roomgen/base/json.h"
+#include "roomgen/base/json_reader.h"
 #include "roomgen/shape/expression.h"
 #include "roomgen/shape/primitives.h"
 

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "roomgen/shape/primitives.h"
+#include "roomgen/base/json.h"
 #include "rounds.h"
 
 namespace roomgen::shape {

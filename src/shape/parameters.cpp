@@ -6,6 +6,7 @@
 #include <set>
 
 #include "expression_parser.h"
+#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "roomgen/shape/color.h"
 

@@ -14,7 +14,7 @@ namespace {
 constexpr int side = 256;
 
 struct Colors {
-  Rgb first, second;
+  Tint first, second;
 };
 
 // 0 at whole numbers, 1 in the middle between.
@@ -25,7 +25,7 @@ double ridge(double x) {
 Image grain(const Colors& c, std::uint64_t seed) {
   const Noise fibre(5, 128, seed), pore(24, 200, seed + 1);
   const Clouds wave(1, 4, seed + 2), tone(1, 4, seed + 3);
-  return painted(side, side, [&](double u, double v) -> Rgb {
+  return painted(side, side, [&](double u, double v) -> Tint {
     // Year rings, cut at a slant: bands along u that wander.
     const double ring = fraction(9.0 * v + 1.3 * wave(u, v));
     const double band = smooth_step(0.0, 0.75, ring) * (1.0 - smooth_step(0.88, 1.0, ring));
@@ -39,7 +39,7 @@ Image grain(const Colors& c, std::uint64_t seed) {
 // Over and under: `threads` strands each way, the upper one at a place of the first colour along u.
 Image woven(const Colors& c, int threads, double depth, double unevenness, std::uint64_t seed) {
   const Noise along(8, threads, seed), across(threads, 8, seed + 1), fibre(128, 128, seed + 2);
-  return painted(side, side, [&](double u, double v) -> Rgb {
+  return painted(side, side, [&](double u, double v) -> Tint {
     const double x = u * threads, y = v * threads;
     const bool level = (static_cast<int>(x) + static_cast<int>(y)) % 2 == 0;
     const double over = level ? ridge(x) : ridge(y), round = level ? ridge(y) : ridge(x);
@@ -53,7 +53,7 @@ Image woven(const Colors& c, int threads, double depth, double unevenness, std::
 
 Image marble(const Colors& c, std::uint64_t seed) {
   const Clouds bend(3, 3, seed), branch(4, 4, seed + 1), cloud(3, 3, seed + 2);
-  return painted(side, side, [&](double u, double v) -> Rgb {
+  return painted(side, side, [&](double u, double v) -> Tint {
     const double main = ridge(u + v + 1.9 * bend(u, v));
     const double fine = ridge(2 * u - v + 2.6 * branch(u, v));
     const double vein = std::max(smooth_step(0.90, 1.0, main), 0.5 * smooth_step(0.94, 1.0, fine)) *
@@ -107,7 +107,7 @@ struct Cells {
 Image leather(const Colors& c, std::uint64_t seed) {
   const Cells pebbles(40, seed);
   const Clouds wear(3, 3, seed + 1), crumple(9, 9, seed + 2);
-  return painted(side, side, [&](double u, double v) -> Rgb {
+  return painted(side, side, [&](double u, double v) -> Tint {
     const double du = 0.012 * (crumple(u, v) - 0.5), dv = 0.012 * (crumple(v, u) - 0.5);
     const auto nearest = pebbles.at(fraction(u + du), fraction(v + dv));
     const double pebble = smooth_step(0.0, 0.30, nearest.second - nearest.first);
@@ -118,7 +118,7 @@ Image leather(const Colors& c, std::uint64_t seed) {
 Image brushed(const Colors& c, std::uint64_t seed) {
   const Noise fine(3, 256, seed), middle(2, 90, seed + 1);
   const Clouds sheen(2, 3, seed + 2);
-  return painted(side, side, [&](double u, double v) -> Rgb {
+  return painted(side, side, [&](double u, double v) -> Tint {
     return c.first * (1.0 + 0.11 * (fine(u, v) - 0.5) + 0.07 * (middle(u, v) - 0.5) +
                       0.05 * (sheen(u, v) - 0.5));
   });
@@ -126,7 +126,7 @@ Image brushed(const Colors& c, std::uint64_t seed) {
 
 Image stripes(const Colors& c, std::uint64_t seed) {
   const Noise thread(4, 128, seed), weft(128, 128, seed + 1);
-  return painted(side, side, [&](double u, double v) -> Rgb {
+  return painted(side, side, [&](double u, double v) -> Tint {
     const double at = fraction(4.0 * v);
     const double wide = smooth_step(0.24, 0.26, at) * (1.0 - smooth_step(0.74, 0.76, at));
     const double thin = smooth_step(0.06, 0.07, at) * (1.0 - smooth_step(0.11, 0.12, at));
@@ -141,7 +141,7 @@ Image checks(const Colors& c, std::uint64_t seed) {
     const double at = fraction(x);
     return smooth_step(0.24, 0.26, at) * (1.0 - smooth_step(0.74, 0.76, at));
   };
-  return painted(side, side, [&](double u, double v) -> Rgb {
+  return painted(side, side, [&](double u, double v) -> Tint {
     // The threads of both directions show by turns where both are dyed.
     const double twill = ridge(48.0 * (u + v)) * 0.08;
     const double dye = 0.5 * (band(4 * u) + band(4 * v));
@@ -158,13 +158,13 @@ Image speckle(const Colors& c, std::uint64_t seed) {
     size.push_back(random.chance(0.6) ? random.uniform(0.12, 0.42) : 0.0);
     shade.push_back(random.uniform(0.75, 1.2));
   }
-  return painted(side, side, [&](double u, double v) -> Rgb {
+  return painted(side, side, [&](double u, double v) -> Tint {
     const auto chip = chips.at(u, v);
     const auto cell = static_cast<std::size_t>(chip.cell);
     const double edge = std::min(size[cell], 0.9 * chip.second) - chip.first;
     const double inside = size[cell] > 0 ? smooth_step(-0.03, 0.05, edge) : 0.0;
     const double dust = 0.4 * (1.0 - smooth_step(0.10, 0.22, grit.at(u, v).first));
-    const Rgb ground = mixed(c.first * (0.97 + 0.05 * tone(u, v)), c.second, dust * 0.5);
+    const Tint ground = mixed(c.first * (0.97 + 0.05 * tone(u, v)), c.second, dust * 0.5);
     return mixed(ground, c.second * shade[cell], inside);
   });
 }
@@ -173,8 +173,8 @@ Image rug(const Colors& c, std::uint64_t seed) {
   const Noise tuft(128, 128, seed), wear(6, 6, seed + 1);
   Random random(seed);
   const double inner = random.uniform(0.18, 0.32), dots = random.integer(2, 4);
-  const Rgb third = 0.55 * c.first + 0.45 * c.second;
-  return painted(side, side, [&](double u, double v) -> Rgb {
+  const Tint third = 0.55 * c.first + 0.45 * c.second;
+  return painted(side, side, [&](double u, double v) -> Tint {
     // Diamonds in a grid, drawn in steps like knots.
     const double knots = 64.0;
     const double x = (std::floor(u * knots) + 0.5) / knots,
@@ -182,7 +182,7 @@ Image rug(const Colors& c, std::uint64_t seed) {
     const double a = std::abs(2.0 * fraction(2 * x) - 1.0),
                  b = std::abs(2.0 * fraction(2 * y) - 1.0);
     const double diamond = a + b;
-    Rgb color = c.first;
+    Tint color = c.first;
     if (diamond > 0.86 && diamond < 1.14) color = c.second;
     if (diamond < 0.62 && diamond > 0.62 - inner) color = third;
     if (diamond < 0.14) color = c.second;
@@ -197,14 +197,14 @@ Image tiles(const Colors& c, std::uint64_t seed) {
   Random random(seed);
   std::vector<double> tone;
   for (int i = 0; i < count * count; ++i) tone.push_back(random.uniform(0.965, 1.035));
-  return painted(side, side, [&](double u, double v) -> Rgb {
+  return painted(side, side, [&](double u, double v) -> Tint {
     const double x = u * count, y = v * count;
     const double edge = 0.5 * std::min(ridge(x), ridge(y));
     const double tile = smooth_step(0.014, 0.032, edge);
     const double rim = 0.06 * (1.0 - smooth_step(0.03, 0.09, edge));
     const double own =
         tone[static_cast<std::size_t>(static_cast<int>(y) * count + static_cast<int>(x))];
-    const Rgb face = c.first * (own - rim + 0.04 * (glaze(u, v) - 0.5));
+    const Tint face = c.first * (own - rim + 0.04 * (glaze(u, v) - 0.5));
     return mixed(c.second * (0.95 + 0.1 * grit(u, v)), face, tile);
   });
 }

@@ -32,8 +32,8 @@ Canvas canvas(double aspect) {
 }
 
 // A colour of the wheel: hue in turns, the rest 0 to 1.
-Rgb hue(double turn, double saturation, double value) {
-  Rgb result;
+Tint hue(double turn, double saturation, double value) {
+  Tint result;
   for (int k = 0; k < 3; ++k) {
     const double away = std::abs(std::remainder(turn - k / 3.0, 1.0)) * 6.0;
     result[k] = 255.0 * value * (1.0 - saturation * std::clamp(away - 1.0, 0.0, 1.0));
@@ -47,7 +47,7 @@ double cover(double distance, double softness = 0.006) {
 }
 
 // Paint is never quite even.
-Rgb brushed(const Rgb& color, const Noise& strokes, double u, double v) {
+Tint brushed(const Tint& color, const Noise& strokes, double u, double v) {
   return color * (0.95 + 0.10 * strokes(u, v));
 }
 
@@ -55,23 +55,23 @@ Image landscape(const Canvas& c, Random& random, std::uint64_t seed) {
   const Noise strokes(30, 90, seed);
   const Clouds clouds(3, 6, seed + 1);
   const double time = random.uniform();  // from noon to evening
-  const Rgb high = mixed({92, 148, 205}, {72, 74, 128}, time);
-  const Rgb low = mixed({214, 230, 240}, {246, 178, 118}, time);
+  const Tint high = mixed({92, 148, 205}, {72, 74, 128}, time);
+  const Tint low = mixed({214, 230, 240}, {246, 178, 118}, time);
   const double ground_hue = random.uniform(0.20, 0.40), horizon = random.uniform(0.38, 0.58);
   const Vec2 sun(random.uniform(0.15, 0.85), horizon - random.uniform(0.05, 0.22));
   std::vector<Noise> hills;
   for (std::uint64_t k = 0; k < 4; ++k)
     hills.emplace_back(3 + static_cast<int>(2 * k), 1, seed + 2 + k);
   return painted(c.width, c.height, [&](double u, double v) {
-    Rgb color = mixed(high, low, smooth_step(0.0, horizon, v));
+    Tint color = mixed(high, low, smooth_step(0.0, horizon, v));
     color = mixed(color, {250, 246, 238}, 0.75 * smooth_step(0.52, 0.75, clouds(u, v)));
     const Vec2 from_sun = c.place(u, v) - c.place(sun.x(), sun.y());
     color = mixed(color, {255, 240, 205}, cover(from_sun.norm() - 0.05, 0.012));
     for (int k = 0; k < 4; ++k) {
       const double near = (k + 1) / 4.0;
       const double top = horizon + 0.13 * k - 0.26 * (1.0 - 0.5 * near) * (hills[k](u, 0.5) - 0.35);
-      const Rgb green = hue(ground_hue - 0.06 * near, 0.25 + 0.30 * near, 0.62 - 0.22 * near);
-      const Rgb hill = mixed(mixed(low, high, 0.5), green, 0.35 + 0.65 * near);
+      const Tint green = hue(ground_hue - 0.06 * near, 0.25 + 0.30 * near, 0.62 - 0.22 * near);
+      const Tint hill = mixed(mixed(low, high, 0.5), green, 0.35 + 0.65 * near);
       color = mixed(color, hill * (1.06 - 0.35 * std::max(v - top, 0.0)), cover(top - v));
     }
     return brushed(color, strokes, u, v);
@@ -82,11 +82,11 @@ Image abstract(const Canvas& c, Random& random, std::uint64_t seed) {
   const Noise strokes(60, 60, seed);
   const Clouds edge(5, 5, seed + 1);
   const double base = random.uniform();
-  const Rgb paper = hue(base + 0.1, 0.08, 0.94);
+  const Tint paper = hue(base + 0.1, 0.08, 0.94);
   struct Blot {
     Vec2 at, half;
     double turn, roundness;
-    Rgb color;
+    Tint color;
   };
   std::vector<Blot> blots;
   const int count = random.integer(5, 8);
@@ -100,7 +100,7 @@ Image abstract(const Canvas& c, Random& random, std::uint64_t seed) {
         {c.half().cwiseProduct(Vec2(x, y)), {w, h}, turn, round, hue(base + own, strength, light)});
   }
   return painted(c.width, c.height, [&](double u, double v) {
-    Rgb color = paper;
+    Tint color = paper;
     for (const auto& blot : blots) {
       const Vec2 p = rotated(c.place(u, v) - blot.at, blot.turn);
       const double radius = blot.roundness * blot.half.minCoeff();
@@ -115,15 +115,15 @@ Image abstract(const Canvas& c, Random& random, std::uint64_t seed) {
 Image still_life(const Canvas& c, Random& random, std::uint64_t seed) {
   const Noise strokes(40, 60, seed);
   const Clouds wall(4, 3, seed + 1);
-  const Rgb wall_color = hue(random.uniform(), 0.22, random.uniform(0.35, 0.6));
-  const Rgb cloth = hue(random.uniform(0.03, 0.13), 0.30, random.uniform(0.55, 0.8));
-  const Rgb vase = hue(random.uniform(), 0.45, random.uniform(0.5, 0.8));
+  const Tint wall_color = hue(random.uniform(), 0.22, random.uniform(0.35, 0.6));
+  const Tint cloth = hue(random.uniform(0.03, 0.13), 0.30, random.uniform(0.55, 0.8));
+  const Tint vase = hue(random.uniform(), 0.45, random.uniform(0.5, 0.8));
   const double vase_x = random.uniform(-0.25, 0.25) * c.half().x() * 2;
   const double vase_width = random.uniform(0.11, 0.17), table = 0.5 * random.uniform(0.30, 0.44);
   struct Fruit {
     Vec2 at;
     double radius;
-    Rgb color;
+    Tint color;
   };
   std::vector<Fruit> fruits;
   const int count = random.integer(3, 6);
@@ -134,13 +134,13 @@ Image still_life(const Canvas& c, Random& random, std::uint64_t seed) {
     const double kind = random.uniform(0.0, 0.28);
     fruits.push_back({{x, y}, radius, hue(kind, 0.72, random.uniform(0.65, 0.9))});
   }
-  const auto lit = [](const Rgb& color, const Vec2& from_middle) {
-    return Rgb(color *
+  const auto lit = [](const Tint& color, const Vec2& from_middle) {
+    return Tint(color *
                std::clamp(0.95 - 0.45 * (0.7 * from_middle.x() + 0.7 * from_middle.y()), 0.3, 1.3));
   };
   return painted(c.width, c.height, [&](double u, double v) {
     const Vec2 p = c.place(u, v);
-    Rgb color = wall_color * (0.8 + 0.35 * wall(u, v) - 0.2 * p.x());
+    Tint color = wall_color * (0.8 + 0.35 * wall(u, v) - 0.2 * p.x());
     color = mixed(color, cloth * (1.0 - 0.3 * (p.y() - table)), cover(table - p.y()));
     // The vase: a belly that narrows to a neck.
     const double foot = table + 0.05, up = (foot - p.y()) / 0.52;
@@ -164,8 +164,8 @@ Image still_life(const Canvas& c, Random& random, std::uint64_t seed) {
 
 Image botanical(const Canvas& c, Random& random, std::uint64_t seed) {
   const Noise paper(40, 40, seed);
-  const Rgb ground = hue(random.uniform(0.08, 0.16), random.uniform(0.04, 0.12), 0.95);
-  const Rgb green =
+  const Tint ground = hue(random.uniform(0.08, 0.16), random.uniform(0.04, 0.12), 0.95);
+  const Tint green =
       hue(random.uniform(0.24, 0.42), random.uniform(0.35, 0.6), random.uniform(0.35, 0.55));
   const double sway = random.uniform(-0.25, 0.25), length = random.uniform(0.22, 0.34);
   const double slim = random.uniform(0.22, 0.45), lift = random.uniform(0.5, 1.1);
@@ -175,7 +175,7 @@ Image botanical(const Canvas& c, Random& random, std::uint64_t seed) {
   struct Blade {
     Vec2 from, along;
     double length;
-    Rgb color;
+    Tint color;
   };
   std::vector<Blade> blades;
   for (int k = 0; k <= pairs; ++k)
@@ -189,7 +189,7 @@ Image botanical(const Canvas& c, Random& random, std::uint64_t seed) {
     }
   return painted(c.width, c.height, [&](double u, double v) {
     const Vec2 p = c.place(u, v);
-    Rgb color = ground;
+    Tint color = ground;
     const double t = std::clamp((1.0 - p.y() / tall) / 2.0, 0.0, 1.0);
     color = mixed(color, green * 0.8, cover((p - stem(t)).norm() - 0.008));
     for (const auto& blade : blades) {
@@ -201,14 +201,14 @@ Image botanical(const Canvas& c, Random& random, std::uint64_t seed) {
       color = mixed(color, blade.color * (1.0 + vein + (off > 0 ? 0.08 : -0.04)),
                     cover(std::abs(off) - half));
     }
-    return Rgb(color * (0.98 + 0.03 * paper(u, v)));
+    return Tint(color * (0.98 + 0.03 * paper(u, v)));
   });
 }
 
 Image map(const Canvas& c, Random& random, std::uint64_t seed) {
   const Clouds land(4, 3, seed);
   const Noise paper(60, 60, seed + 1);
-  const Rgb sea = hue(random.uniform(0.50, 0.58), 0.22, 0.84),
+  const Tint sea = hue(random.uniform(0.50, 0.58), 0.22, 0.84),
             soil = hue(random.uniform(0.10, 0.22), 0.28, 0.90);
   const double shore = random.uniform(0.44, 0.52);
   return painted(c.width, c.height, [&](double u, double v) {
@@ -216,7 +216,7 @@ Image map(const Canvas& c, Random& random, std::uint64_t seed) {
     // Away from the edges, where the noise would repeat.
     const double height = land(0.02 + 0.96 * u, 0.02 + 0.96 * v) - 0.12 * p.squaredNorm();
     const double level = height - shore;
-    Rgb color = level > 0 ? mixed(soil, soil.cwiseProduct(Rgb(0.80, 0.70, 0.58)),
+    Tint color = level > 0 ? mixed(soil, soil.cwiseProduct(Tint(0.80, 0.70, 0.58)),
                                   std::min(5.0 * level, 1.0))
                           : mixed(sea, sea * 0.86, std::min(-2.5 * level, 1.0));
     const double contour = std::abs(std::remainder(level, 0.06));
@@ -229,26 +229,26 @@ Image map(const Canvas& c, Random& random, std::uint64_t seed) {
     const double edge = rim.minCoeff();
     if (edge < 0.06)
       color = mixed({238, 228, 206}, {105, 88, 66}, cover(std::abs(edge - 0.045) - 0.004, 0.003));
-    return Rgb(color * (0.96 + 0.06 * paper(u, v)));
+    return Tint(color * (0.96 + 0.06 * paper(u, v)));
   });
 }
 
 Image screen(const Canvas& c, Random& random, std::uint64_t seed) {
   const Clouds glow(2, 2, seed);
   const double base = random.uniform(0.48, 0.68);
-  const Rgb dark = hue(base, 0.70, 0.30),
+  const Tint dark = hue(base, 0.70, 0.30),
             light = hue(base + random.uniform(-0.10, 0.14), 0.55, 0.85);
   const int cards = random.integer(3, 5);
   const double row = random.uniform(0.52, 0.66), tall = random.uniform(0.16, 0.24);
-  std::vector<Rgb> colors;
+  std::vector<Tint> colors;
   for (int k = 0; k < cards; ++k)
     colors.push_back(hue(base + random.uniform(-0.2, 0.2), 0.45, random.uniform(0.55, 0.95)));
   return painted(c.width, c.height, [&](double u, double v) {
-    Rgb color =
+    Tint color =
         mixed(dark, light,
               std::clamp(0.9 * (1.0 - v) * u + 0.7 * (glow(0.3 + 0.4 * u, 0.3 + 0.4 * v) - 0.35),
                          0.0, 1.0));
-    const auto panel = [&](double left, double top, double right, double bottom, const Rgb& tone,
+    const auto panel = [&](double left, double top, double right, double bottom, const Tint& tone,
                            double strength) {
       const Vec2 low = c.place(left, top), high = c.place(right, bottom);
       const double radius = 0.02;
@@ -275,19 +275,19 @@ Image mirror(const Canvas& c, Random& random, std::uint64_t seed) {
   const double tilt = random.uniform(-0.4, 0.4), tint = random.uniform(0.52, 0.60);
   return painted(c.width, c.height, [&](double u, double v) {
     const double down = v + tilt * (u - 0.5);
-    const Rgb sky =
+    const Tint sky =
         mixed(hue(tint, 0.16, 0.90), hue(tint, 0.05, 0.97), smooth_step(0.0, 0.65, down));
-    const Rgb color = mixed(sky, hue(tint - 0.4, 0.10, 0.78), smooth_step(0.60, 1.0, down));
-    return Rgb(color * (0.97 + 0.06 * haze(0.5 * u, 0.5 * v)));
+    const Tint color = mixed(sky, hue(tint - 0.4, 0.10, 0.78), smooth_step(0.60, 1.0, down));
+    return Tint(color * (0.97 + 0.06 * haze(0.5 * u, 0.5 * v)));
   });
 }
 
 Image clock(const Canvas& c, Random& random, std::uint64_t) {
   const bool dark = random.chance(0.35);
-  const Rgb face =
+  const Tint face =
       dark ? hue(random.uniform(), 0.2, 0.18) : hue(random.uniform(0.05, 0.17), 0.06, 0.96);
-  const Rgb ink = dark ? Rgb(235, 230, 220) : Rgb(38, 36, 36);
-  const Rgb accent = hue(random.uniform(), 0.75, 0.75);
+  const Tint ink = dark ? Tint(235, 230, 220) : Tint(38, 36, 36);
+  const Tint accent = hue(random.uniform(), 0.75, 0.75);
   const double minutes = random.integer(0, 719);
   const auto direction = [](double turn) {
     return Vec2(std::sin(2 * pi * turn), -std::cos(2 * pi * turn));
@@ -296,8 +296,8 @@ Image clock(const Canvas& c, Random& random, std::uint64_t) {
              second = direction(random.uniform());
   return painted(c.width, c.height, [&](double u, double v) {
     const Vec2 p = c.place(u, v);
-    Rgb color = face * (1.0 - 0.10 * p.squaredNorm());
-    const auto line = [&](const Vec2& a, const Vec2& b, double width, const Rgb& tone) {
+    Tint color = face * (1.0 - 0.10 * p.squaredNorm());
+    const auto line = [&](const Vec2& a, const Vec2& b, double width, const Tint& tone) {
       color = mixed(color, tone, cover(distance(Segment{a, b}, p) - width));
     };
     for (int k = 0; k < 12; ++k)
@@ -313,9 +313,9 @@ Image clock(const Canvas& c, Random& random, std::uint64_t) {
 
 Image plain(const Canvas& c, Random& random, std::uint64_t seed) {
   const Noise canvas_weave(96, 96, seed);
-  const Rgb tone = hue(random.uniform(), random.uniform(0.05, 0.35), random.uniform(0.6, 0.92));
+  const Tint tone = hue(random.uniform(), random.uniform(0.05, 0.35), random.uniform(0.6, 0.92));
   return painted(c.width, c.height, [&](double u, double v) {
-    return Rgb(tone * (0.97 + 0.05 * canvas_weave(u, v)));
+    return Tint(tone * (0.97 + 0.05 * canvas_weave(u, v)));
   });
 }
 

@@ -28,7 +28,7 @@ Result<Mesh> mesh(const Prism& solid, double tolerance) {
 
   const Loop bottom = corners(solid.sides, solid.bottom_radius);
   const Loop top = corners(solid.sides, solid.top_radius);
-  Surface surface;
+  SurfaceBuilder surface;
   Skin skin;
   skin.rows = {raised(bottom, 0.0), raised(top, solid.height)};
   skin.column_crease.assign(bottom.size(), true);

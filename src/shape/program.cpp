@@ -4,6 +4,7 @@
 
 #include "component_reader.h"
 #include "document.h"
+#include "roomgen/base/json.h"
 #include "solid_json.h"
 
 namespace roomgen::shape {

@@ -7,6 +7,7 @@
 #include "document.h"
 #include "parameters.h"
 #include "roomgen/base/file.h"
+#include "roomgen/base/json.h"
 #include "roomgen/base/random.h"
 #include "roomgen/base/text.h"
 

@@ -35,7 +35,7 @@ class SkinBuilder {
     upright_ = along_.back() > widest_;
   }
 
-  void add(Surface& surface) const {
+  void add(SurfaceBuilder& surface) const {
     const auto row_band = bands(skin_.row_crease, rows_, skin_.rows_closed);
     const auto column_band = bands(skin_.column_crease, columns_, skin_.columns_closed);
     for (std::size_t i = 0; i < row_band.size(); ++i)
@@ -98,11 +98,11 @@ class SkinBuilder {
 
 }  // namespace
 
-void add_skin(Surface& surface, const Skin& skin) {
+void add_skin(SurfaceBuilder& surface, const Skin& skin) {
   SkinBuilder(skin).add(surface);
 }
 
-void add_cap(Surface& surface, const std::vector<Loop>& loops, const std::vector<Vec3>& points,
+void add_cap(SurfaceBuilder& surface, const std::vector<Loop>& loops, const std::vector<Vec3>& points,
              const Vec3& normal) {
   Vec2 low = Vec2::Constant(1e300), high = -low;
   for (const auto& loop : loops)
@@ -119,7 +119,7 @@ void add_cap(Surface& surface, const std::vector<Loop>& loops, const std::vector
   for (const auto& t : fill(loops)) surface.triangle(corners[t[0]], corners[t[1]], corners[t[2]]);
 }
 
-void add_level_cap(Surface& surface, std::vector<Loop> loops, double z, bool upward) {
+void add_level_cap(SurfaceBuilder& surface, std::vector<Loop> loops, double z, bool upward) {
   std::vector<Vec3> points;
   for (auto& loop : loops) {
     if (!upward) std::reverse(loop.begin(), loop.end());

@@ -17,14 +17,14 @@ struct Skin {
   /// What the skin runs into at its ends, when it does so without a crease.
   std::optional<Vec3> first_normal, last_normal;
 };
-void add_skin(Surface& surface, const Skin& skin);
+void add_skin(SurfaceBuilder& surface, const Skin& skin);
 
 /// The flat area between the loops, as seen from the side of `normal`: `points` are the loops'
 /// points one after the other in space, `loops` the same in the plane.
-void add_cap(Surface& surface, const std::vector<Loop>& loops, const std::vector<Vec3>& points,
+void add_cap(SurfaceBuilder& surface, const std::vector<Loop>& loops, const std::vector<Vec3>& points,
              const Vec3& normal);
 /// The same between level loops (counter-clockwise from above, holes clockwise) at height `z`.
-void add_level_cap(Surface& surface, std::vector<Loop> loops, double z, bool upward);
+void add_level_cap(SurfaceBuilder& surface, std::vector<Loop> loops, double z, bool upward);
 
 std::vector<Vec3> raised(const Loop& loop, double z);
 

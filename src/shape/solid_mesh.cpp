@@ -3,6 +3,7 @@
 #include <limits>
 #include <optional>
 
+#include "roomgen/base/json.h"
 #include "roomgen/shape/expression.h"
 #include "roomgen/shape/primitives.h"
 

@@ -206,11 +206,11 @@ class Assembly {
 
 }  // namespace
 
-void Surface::triangle(const Corner& a, const Corner& b, const Corner& c) {
+void SurfaceBuilder::triangle(const Corner& a, const Corner& b, const Corner& c) {
   faces_.push_back({a, b, c});
 }
 
-void Surface::quad(const Corner& a, const Corner& b, const Corner& c, const Corner& d) {
+void SurfaceBuilder::quad(const Corner& a, const Corner& b, const Corner& c, const Corner& d) {
   const double first = (c.position - a.position).squaredNorm();
   const double second = (d.position - b.position).squaredNorm();
   if (first <= second * (1.0 + 1e-9)) {
@@ -222,7 +222,7 @@ void Surface::quad(const Corner& a, const Corner& b, const Corner& c, const Corn
   }
 }
 
-Mesh Surface::mesh() const {
+Mesh SurfaceBuilder::mesh() const {
   return Assembly(faces_).mesh();
 }
 

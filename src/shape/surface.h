@@ -19,7 +19,7 @@ struct Corner {
 /// Collects triangles by their corners' values and makes a mesh of them. Corners at one position
 /// are one point of the surface, however many pieces meet there: a body is closed when its pieces
 /// compute their common positions from the same numbers.
-class Surface {
+class SurfaceBuilder {
  public:
   void triangle(const Corner& a, const Corner& b, const Corner& c);
   /// Split along the shorter diagonal.

@@ -124,7 +124,7 @@ Chain3 divided(const Chain3& path, double twist, double step) {
   return result;
 }
 
-void add_ends(Surface& surface, const Route& route, const Chain2& section, const Skin& skin) {
+void add_ends(SurfaceBuilder& surface, const Route& route, const Chain2& section, const Skin& skin) {
   add_cap(surface, {section.points}, skin.rows.back(), route.direction(skin.rows.size() - 2));
   Loop loop = section.points;
   auto points = skin.rows.front();
@@ -170,7 +170,7 @@ Result<Mesh> mesh(const Sweep& solid, double tolerance) {
     skin.rows.push_back(
         route.ring(section->points, row, 1.0 + (solid.taper - 1.0) * part, solid.twist * part));
   }
-  Surface surface;
+  SurfaceBuilder surface;
   add_skin(surface, skin);
   if (!path->closed) add_ends(surface, route, *section, skin);
   return surface.mesh();

@@ -16,7 +16,7 @@ constexpr double grid = 0.25;             // of places to stand, where doors and
 // shifted rather than the camera tilted, so that walls stay upright.
 constexpr double shift = 0.14;  // of the picture's width
 constexpr int rays = 48;        // across the picture, to measure what is seen
-constexpr int directions = 48;
+constexpr int eye_directions = 48;
 constexpr double comfortable = 1.6;  // metres of air before the eye
 constexpr double nearest = 0.05;     // metres before the eye that are drawn
 
@@ -147,8 +147,8 @@ class Watcher {
   // The direction in which most floor and most fronts of things are seen.
   Sighted look_around(const Vec2& place) const {
     Sighted best;
-    for (int i = 0; i < directions; ++i) {
-      const Vec2 towards = rotated(Vec2::UnitY(), 2.0 * pi * i / directions);
+    for (int i = 0; i < eye_directions; ++i) {
+      const Vec2 towards = rotated(Vec2::UnitY(), 2.0 * pi * i / eye_directions);
       const double worth = (seen_floor(place, towards) + 1.5 * seen_things(place, towards)) *
                            airiness(place, towards);
       if (worth > best.worth + 1e-9) best = {towards, worth};

@@ -9,7 +9,7 @@ namespace roomgen::detail {
 namespace {
 
 constexpr double arrow_overhang = 0.10;  ///< metres beyond the front edge
-constexpr int directions = 16;
+constexpr int label_directions = 16;
 constexpr double ring_step = 0.5;  ///< in heights of a label
 
 Polygon as_polygon(const ObjectMark& mark) {
@@ -58,9 +58,9 @@ Spot best_spot(const std::vector<ObjectMark>& marks, std::size_t own, const Vec2
   Spot best;
   const double step = ring_step * size.y();
   for (double radius = 0.0; radius < reach && radius < best.cost; radius += step)
-    for (int i = 0; i < (radius > 0.0 ? directions : 1); ++i) {
+    for (int i = 0; i < (radius > 0.0 ? label_directions : 1); ++i) {
       // Labels are wide: stretch the rings so that a step to the side clears as much as one up.
-      const Vec2 direction = rotated(Vec2(0, 1), 2.0 * pi * i / directions);
+      const Vec2 direction = rotated(Vec2(0, 1), 2.0 * pi * i / label_directions);
       const Vec2 center = marks[own].center + radius * Vec2(direction.x() * 1.6, direction.y());
       if (!placer.fits(center, size)) continue;
       const double c = cost(marks, own, center, size);

@@ -2,6 +2,8 @@
 
 #include <cstdlib>
 
+#include "roomgen/base/json.h"
+
 using namespace roomgen;
 
 namespace {

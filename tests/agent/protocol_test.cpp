@@ -1,6 +1,7 @@
 // Both protocols against a server that checks what it gets.
 #include "asking.h"
 #include "catch.h"
+#include "roomgen/base/json.h"
 #include "roomgen/base/sha256.h"
 
 using namespace roomgen;

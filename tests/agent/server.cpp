@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "roomgen/base/file.h"
+#include "roomgen/base/json.h"
 
 namespace {
 

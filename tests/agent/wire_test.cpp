@@ -5,6 +5,7 @@
 #include "base64.h"
 #include "catch.h"
 #include "openai_wire.h"
+#include "roomgen/base/json.h"
 #include "support/contains.h"
 #include "support/error_of.h"
 #include "utf8.h"

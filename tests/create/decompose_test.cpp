@@ -2,6 +2,8 @@
 
 #include "conversation.h"
 
+#include "roomgen/base/json.h"
+
 using namespace conversation;
 
 namespace {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "catch.h"
+#include "roomgen/base/json.h"
 #include "support/contains.h"
 
 using namespace roomgen;

@@ -1,4 +1,5 @@
 #include "conversation.h"
+#include "roomgen/base/json.h"
 #include "roomgen/create/create.h"
 #include "roomgen/shape/recipe.h"
 

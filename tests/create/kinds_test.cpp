@@ -1,6 +1,7 @@
 #include "roomgen/create/kinds.h"
 
 #include "catch.h"
+#include "roomgen/base/json.h"
 #include "roomgen/create/create.h"
 #include "roomgen/create/created_library.h"
 #include "roomgen/create/rule_maker.h"

@@ -1,5 +1,6 @@
 // What the prompts show is what the format is.
 #include "conversation.h"
+#include "roomgen/base/json.h"
 #include "roomgen/base/resource.h"
 #include "roomgen/shape/recipe.h"
 

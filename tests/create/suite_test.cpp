@@ -2,6 +2,7 @@
 
 #include "programs.h"
 #include "roomgen/base/file.h"
+#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "support/contains.h"
 

@@ -8,6 +8,7 @@
 #include "dwelling_prompt.h"
 #include "plans.h"
 #include "room_kinds.h"
+#include "roomgen/base/json.h"
 #include "roomgen/design/dwelling.h"
 
 using namespace roomgen;

@@ -6,6 +6,7 @@
 #include "opening_plan.h"
 #include "plans.h"
 #include "prompt.h"
+#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "roomgen/scene/opening_kind.h"
 #include "support/shapes.h"

@@ -2,6 +2,7 @@
 
 #include "catch.h"
 #include "plans.h"
+#include "roomgen/base/json.h"
 #include "roomgen/scene/scene.h"
 
 using namespace roomgen;

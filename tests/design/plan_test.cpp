@@ -2,6 +2,7 @@
 
 #include "catch.h"
 #include "plans.h"
+#include "roomgen/base/json.h"
 
 using namespace roomgen;
 using roomgen::test::count_of;

@@ -4,6 +4,7 @@
 #include "catch.h"
 #include "chat_question.h"
 #include "roomgen/base/file.h"
+#include "roomgen/base/json.h"
 #include "roomgen/base/sha256.h"
 #include "roomgen/design/chat_decorators.h"
 #include "scripted_model.h"

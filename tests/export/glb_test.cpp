@@ -7,6 +7,7 @@
 
 #include "catch.h"
 #include "roomgen/base/file.h"
+#include "roomgen/base/json.h"
 #include "support/furnished_room.h"
 
 using namespace roomgen;

@@ -1,6 +1,7 @@
 #include <set>
 
 #include "catch.h"
+#include "roomgen/base/json.h"
 #include "roomgen/create/created_library.h"
 #include "roomgen/design/dwelling.h"
 #include "roomgen/design/rule_designer.h"

@@ -1,4 +1,5 @@
 #include "catch.h"
+#include "roomgen/base/json.h"
 #include "roomgen/scene/scene.h"
 #include "support/contains.h"
 

@@ -1,6 +1,7 @@
 #include "roomgen/scene/dwelling.h"
 
 #include "catch.h"
+#include "roomgen/base/json.h"
 #include "roomgen/evaluate/report.h"
 #include "roomgen/scene/scene.h"
 #include "support/error_of.h"

@@ -1,5 +1,6 @@
 // What an opening is beyond its rectangle: outline, leaves, kind and mesh; and how files hold them.
 #include "catch.h"
+#include "roomgen/base/json.h"
 #include "roomgen/base/random.h"
 #include "roomgen/geometry/outline.h"
 #include "roomgen/scene/opening_kind.h"

@@ -1,6 +1,7 @@
 #include "roomgen/scene/plan.h"
 
 #include "catch.h"
+#include "roomgen/base/json.h"
 #include "roomgen/scene/scene.h"
 #include "support/contains.h"
 #include "support/rooms.h"

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "catch.h"
+#include "roomgen/base/json.h"
 #include "support/contains.h"
 #include "support/rooms.h"
 #include "support/shapes.h"

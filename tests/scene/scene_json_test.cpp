@@ -1,4 +1,5 @@
 #include "catch.h"
+#include "roomgen/base/json.h"
 #include "roomgen/scene/category.h"
 #include "support/random_problem.h"
 

@@ -6,6 +6,7 @@
 
 #include "catch.h"
 #include "primitive_checks.h"
+#include "roomgen/base/json.h"
 #include "roomgen/base/random.h"
 #include "roomgen/geometry/polygon.h"
 

@@ -2,6 +2,7 @@
 #include <chrono>
 
 #include "roomgen/base/random.h"
+#include "roomgen/base/json.h"
 #include "shape_files.h"
 
 using namespace roomgen;

@@ -1,5 +1,6 @@
 #include "roomgen/shape/program.h"
 
+#include "roomgen/base/json.h"
 #include "shape_files.h"
 #include "support/contains.h"
 

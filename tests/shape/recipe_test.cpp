@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "roomgen/base/json.h"
 #include "roomgen/shape/primitives.h"
 #include "shape_files.h"
 #include "support/contains.h"

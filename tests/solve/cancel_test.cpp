@@ -2,6 +2,7 @@
 #include <thread>
 
 #include "support/random_problem.h"
+#include "roomgen/base/json.h"
 #include "support/solved.h"
 
 using namespace roomgen;

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "roomgen/base/json.h"
+#include "roomgen/base/json_fwd.h"
 #include "roomgen/base/result.h"
 #include "roomgen/create/create.h"
 #include "roomgen/create/judge.h"

@@ -3,7 +3,7 @@
 #include <span>
 #include <string>
 
-#include "roomgen/base/json.h"
+#include "roomgen/base/json_fwd.h"
 #include "roomgen/evaluate/score.h"
 
 namespace roomgen {

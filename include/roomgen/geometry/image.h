@@ -22,4 +22,10 @@ struct Image {
   }
 };
 
+inline bool is_opaque(const Image& image) {
+  for (std::size_t i = 3; i < image.pixels.size(); i += 4)
+    if (image.pixels[i] != 255) return false;
+  return true;
+}
+
 }  // namespace roomgen

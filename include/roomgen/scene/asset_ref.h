@@ -1,18 +1,18 @@
 #pragma once
 
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 
-#include "roomgen/base/json.h"
+#include "roomgen/base/json_fwd.h"
 
 namespace roomgen {
 
 /// A mesh built by a recipe instead of taken from a library.
 struct ProceduralSource {
-  std::string recipe;             ///< "mirror"
-  nlohmann::ordered_json params;  ///< numbers and texts that the recipe reads, null if none
+  std::string recipe;  ///< "mirror"
+  std::string params;  ///< what the recipe reads, as compact JSON; empty if nothing
   std::uint64_t seed = 0;
 
   bool operator==(const ProceduralSource&) const = default;
@@ -31,6 +31,9 @@ struct AssetRef {
   bool is_box() const { return id.empty() && !procedural; }
   bool operator==(const AssetRef&) const = default;
 };
+
+/// A text among the parameters; empty if there is none of this name.
+std::string text_parameter(const ProceduralSource& source, std::string_view name);
 
 /// One string that identifies the geometry: the key of a ModelTable. Empty for a plain box.
 std::string asset_key(const AssetRef& asset);

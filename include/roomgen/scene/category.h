@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "roomgen/base/json.h"
+#include "roomgen/base/json_fwd.h"
 #include "roomgen/base/result.h"
 #include "roomgen/geometry/footprint.h"
 #include "roomgen/scene/kind_record.h"

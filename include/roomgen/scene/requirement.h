@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "roomgen/base/json.h"
+#include "roomgen/base/json_fwd.h"
 #include "roomgen/scene/relation.h"
 
 namespace roomgen {

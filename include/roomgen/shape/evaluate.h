@@ -50,6 +50,8 @@ struct EvaluateOptions {
   /// that components scaled a little more or less have the same mesh.
   const MeshMemory* memory = nullptr;
 };
+/// Coarse and without paint: enough to measure sides and to see whether a program makes sense.
+inline const EvaluateOptions for_measuring{.tolerance = 0.01, .paint = false};
 
 /// Meshes of a program. Copies are bodies of their own unless joined; joined ones are one body for
 /// each material. `tolerance` bounds, in metres, how far chords may be from round surfaces. An

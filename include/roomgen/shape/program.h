@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "roomgen/base/json.h"
+#include "roomgen/base/json_fwd.h"
 #include "roomgen/base/result.h"
 #include "roomgen/shape/primitives.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "roomgen/base/json.h"
+#include "roomgen/base/json_fwd.h"
 #include "roomgen/base/result.h"
 #include "roomgen/shape/expression.h"
 #include "roomgen/shape/program.h"
