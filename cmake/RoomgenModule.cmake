@@ -2,7 +2,8 @@
 #
 # One module of a floor = one static library roomgen_<name>, alias roomgen::<name>. Always static
 # and position independent, so that engines can fold the core into a shared library of their own.
-# PUBLIC and PRIVATE are link dependencies; HEADERS are relative to include/roomgen/<name>.
+# PUBLIC and PRIVATE are link dependencies; HEADERS, which users may include, are relative to
+# include/roomgen/<name>; other modules may include src/<name>/x.h as "<name>/x.h".
 include_guard()
 
 set_property(GLOBAL PROPERTY ROOMGEN_COMPONENTS "")
@@ -26,6 +27,8 @@ function(roomgen_add_module name)
   target_sources(${target} PUBLIC FILE_SET HEADERS BASE_DIRS "${PROJECT_SOURCE_DIR}/include"
                                   FILES ${arg_HEADERS})
   target_compile_features(${target} PUBLIC cxx_std_20)
+  # What modules show each other, but not users: "module/header.h".
+  target_include_directories(${target} PRIVATE "${PROJECT_SOURCE_DIR}/src")
   # No fused multiply-add: placements must not depend on the instruction set.
   target_compile_options(${target} PRIVATE -ffp-contract=off)
   roomgen_warnings(${target})

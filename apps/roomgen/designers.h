@@ -6,7 +6,7 @@
 #include <string>
 
 #include "command.h"
-#include "roomgen/design/chat_decorators.h"
+#include "roomgen/chat/chat_decorators.h"
 #include "roomgen/design/designer.h"
 #include "roomgen/design/model_designer.h"
 #include "roomgen/solve/fuse.h"

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string_view>
 
-#include "roomgen/design/chat_model.h"
+#include "roomgen/chat/chat_model.h"
 
 namespace roomgen {
 

@@ -6,7 +6,7 @@
 #include "dialect.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/result.h"
-#include "roomgen/design/chat_model.h"
+#include "roomgen/chat/chat_model.h"
 
 namespace roomgen {
 

@@ -5,8 +5,8 @@
 
 #include "part_forms.h"
 #include "roomgen/base/text.h"
-#include "roomgen/design/prompt_words.h"
-#include "roomgen/design/tokens.h"
+#include "brief/prompt_words.h"
+#include "brief/tokens.h"
 
 namespace roomgen::create {
 

@@ -6,8 +6,8 @@
 #include "description_words.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
-#include "roomgen/design/loose_json.h"
-#include "roomgen/design/reply_measure.h"
+#include "chat/loose_json.h"
+#include "brief/reply_measure.h"
 
 namespace roomgen::create {
 

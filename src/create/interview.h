@@ -8,8 +8,8 @@
 
 #include "roomgen/base/cancel.h"
 #include "roomgen/base/result.h"
-#include "roomgen/design/chat_model.h"
-#include "roomgen/design/prompts.h"
+#include "roomgen/chat/chat_model.h"
+#include "roomgen/chat/prompts.h"
 
 namespace roomgen::create {
 

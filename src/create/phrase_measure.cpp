@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "part_forms.h"
-#include "roomgen/design/prompt_words.h"
+#include "brief/prompt_words.h"
 
 namespace roomgen::create {
 

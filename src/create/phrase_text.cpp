@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "roomgen/base/text.h"
-#include "roomgen/design/prompt_words.h"
+#include "brief/prompt_words.h"
 #include "roomgen/shape/color.h"
 
 namespace roomgen::create {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "roomgen/create/kinds.h"
-#include "roomgen/design/tokens.h"
+#include "brief/tokens.h"
 #include "part_forms.h"
 
 namespace roomgen::create {

@@ -6,7 +6,7 @@
 
 #include "program_repair.h"
 #include "roomgen/base/text.h"
-#include "roomgen/design/loose_json.h"
+#include "chat/loose_json.h"
 #include "roomgen/shape/evaluate.h"
 #include "roomgen/shape/recipe.h"
 #include "shape_checks.h"

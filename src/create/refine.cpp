@@ -7,8 +7,8 @@
 #include "parts.h"
 #include "reshape.h"
 #include "roomgen/base/text.h"
-#include "roomgen/design/prompt_words.h"
-#include "roomgen/design/tokens.h"
+#include "brief/prompt_words.h"
+#include "brief/tokens.h"
 #include "roomgen/shape/color.h"
 #include "roomgen/shape/evaluate.h"
 

@@ -7,8 +7,8 @@
 #include "roomgen/base/json.h"
 #include "roomgen/base/resource.h"
 #include "roomgen/base/text.h"
-#include "roomgen/design/prompt_words.h"
-#include "roomgen/design/tokens.h"
+#include "brief/prompt_words.h"
+#include "brief/tokens.h"
 #include "part_forms.h"
 #include "words.h"
 

@@ -4,7 +4,7 @@
 
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
-#include "roomgen/design/loose_json.h"
+#include "chat/loose_json.h"
 
 namespace roomgen::create {
 

@@ -4,12 +4,12 @@
 #include <map>
 #include <utility>
 
-#include "dwelling_kinds.h"
+#include "brief/dwelling_kinds.h"
 #include "dwelling_layout.h"
 #include "dwelling_openings.h"
-#include "dwelling_prompt.h"
-#include "prompt.h"
-#include "room_kinds.h"
+#include "brief/dwelling_prompt.h"
+#include "brief/prompt.h"
+#include "brief/room_kinds.h"
 #include "roomgen/base/random.h"
 #include "roomgen/base/text.h"
 #include "roomgen/scene/category.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "dwelling_kinds.h"
+#include "brief/dwelling_kinds.h"
 #include "roomgen/base/random.h"
 #include "roomgen/geometry/footprint.h"
 

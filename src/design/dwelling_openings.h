@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "dwelling_kinds.h"
+#include "brief/dwelling_kinds.h"
 #include "dwelling_layout.h"
-#include "room_kinds.h"
+#include "brief/room_kinds.h"
 #include "roomgen/base/random.h"
 #include "roomgen/scene/room.h"
 

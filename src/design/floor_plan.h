@@ -2,9 +2,9 @@
 
 #include <optional>
 
-#include "brief.h"
-#include "outline.h"
-#include "room_kinds.h"
+#include "brief/brief.h"
+#include "brief/outline.h"
+#include "brief/room_kinds.h"
 #include "roomgen/base/random.h"
 #include "roomgen/scene/room.h"
 

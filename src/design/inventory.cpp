@@ -4,7 +4,8 @@
 #include <cmath>
 #include <set>
 
-#include "table_size.h"
+#include "brief/table_size.h"
+#include "fit_tables.h"
 
 namespace roomgen::design {
 

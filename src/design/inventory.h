@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "brief.h"
+#include "brief/brief.h"
 #include "looks.h"
-#include "room_kinds.h"
+#include "brief/room_kinds.h"
 #include "roomgen/base/random.h"
 #include "roomgen/scene/category.h"
 #include "roomgen/scene/plan.h"

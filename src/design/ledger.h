@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "brief.h"
+#include "brief/brief.h"
 #include "inventory.h"
 #include "roomgen/scene/plan.h"
 

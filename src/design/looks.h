@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "room_kinds.h"
+#include "brief/room_kinds.h"
 #include "roomgen/base/random.h"
 #include "roomgen/scene/category.h"
 

@@ -42,9 +42,9 @@ const Vec2& direction_of_side(int side) {
   return directions[static_cast<std::size_t>(side) % 4];
 }
 
-class Planner {
+class OpeningPlanner {
  public:
-  Planner(Room& room, const RoomKind& kind, const OpeningKinds& kinds, Random random,
+  OpeningPlanner(Room& room, const RoomKind& kind, const OpeningKinds& kinds, Random random,
           std::vector<std::string>& notes)
       : room_(room), kind_(kind), kinds_(kinds), random_(random), notes_(notes) {
     walls_.resize(room.polygon.size());
@@ -394,7 +394,7 @@ void plan_openings(Room& room, const RoomKind& kind, const std::vector<OpeningWi
   for (const auto* wanted : attempts) {
     if (wanted->empty()) return;
     Room planned = room;
-    Planner(planned, kind, *kinds, random, notes).run(*wanted);
+    OpeningPlanner(planned, kind, *kinds, random, notes).run(*wanted);
     const bool has_entrance =
         std::any_of(planned.openings.begin(), planned.openings.end(),
                     [](const Opening& opening) { return opening.is_entrance(); });

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "opening_wish.h"
-#include "room_kinds.h"
+#include "brief/opening_wish.h"
+#include "brief/room_kinds.h"
 #include "roomgen/base/random.h"
 
 namespace roomgen::design {

@@ -2,25 +2,25 @@
 
 #include <algorithm>
 
-#include "plain_reply.h"
+#include "chat/plain_reply.h"
 #include "reply_facing.h"
 #include "reply_location.h"
 #include "reply_relations.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
-#include "roomgen/design/loose_json.h"
+#include "chat/loose_json.h"
 #include "target_names.h"
 
 namespace roomgen::design {
 
 namespace {
 
-constexpr std::size_t max_repairs = 40;
+constexpr std::size_t max_place_repairs = 40;
 constexpr std::size_t max_repair = 300;      ///< bytes
 constexpr std::size_t max_reasoning = 4000;  ///< bytes
 
 // The keys that tell an answer from other objects in the text; then all their spellings.
-const WantedKeys wanted_keys = {{"constraints", "location"},
+const WantedKeys place_keys = {{"constraints", "location"},
                                 {"constraint", "constrains", "position"}};
 const std::vector<std::string> constraint_keys = {"constraints",
                                                   "constraint",
@@ -55,7 +55,7 @@ std::string read_next(const Json& json, const std::vector<std::string>& later,
 }
 
 void bound(std::vector<std::string>& repairs) {
-  if (repairs.size() > max_repairs) repairs.resize(max_repairs);
+  if (repairs.size() > max_place_repairs) repairs.resize(max_place_repairs);
   for (auto& repair : repairs) repair = shortened(std::move(repair), max_repair);
 }
 
@@ -74,7 +74,7 @@ std::optional<Vec2> read_location(const Json& json, const PlaceReplyContext& con
 }
 
 Result<LooseJson> find_answer(std::string_view text) {
-  auto found = find_json(text, wanted_keys);
+  auto found = find_json(text, place_keys);
   if (found || found.error().kind != Error::Kind::invalid_input) return found;
   if (auto plain = read_plain_reply(text))
     return LooseJson{*std::move(plain),

@@ -5,23 +5,23 @@
 #include "arrangement.h"
 #include "floor_plan.h"
 #include "order.h"
-#include "prompt.h"
+#include "brief/prompt.h"
 #include "reply_items.h"
 #include "reply_room.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
-#include "roomgen/design/loose_json.h"
-#include "room_type.h"
+#include "chat/loose_json.h"
+#include "brief/room_type.h"
 
 namespace roomgen::design {
 
 namespace {
 
 constexpr std::size_t max_excluded = 60;
-constexpr std::size_t max_repairs = 60;
+constexpr std::size_t max_plan_repairs = 60;
 
 const std::vector<std::string> object_keys = {"objects", "items", "inventory", "furniture"};
-const WantedKeys wanted_keys = {{"objects"}, object_keys};
+const WantedKeys plan_keys = {{"objects"}, object_keys};
 const std::vector<std::string> excluded_keys = {"excluded", "exclude", "forbidden", "not wanted"};
 
 Error invalid(const std::string& message) {
@@ -93,7 +93,7 @@ Result<PlanReply> read_plan_reply(std::string_view text, const PlanRequest& requ
   if (!built_in_room_kinds()) return built_in_room_kinds().error();
   if (!built_in_vocabulary()) return built_in_vocabulary().error();
   if (!built_in_arrangements()) return built_in_arrangements().error();
-  auto found = find_json(text, wanted_keys);
+  auto found = find_json(text, plan_keys);
   if (!found) return found.error();
   const Json& json = found->json;
   const Json* objects = member(json, object_keys);
@@ -124,7 +124,7 @@ Result<PlanReply> read_plan_reply(std::string_view text, const PlanRequest& requ
   put_on(plan.room, brief.materials);
   fit_into(plan.room, drafts, reply.repairs);
   order_items(std::move(drafts), categories, *built_in_arrangements(), plan);
-  if (reply.repairs.size() > max_repairs) reply.repairs.resize(max_repairs);
+  if (reply.repairs.size() > max_plan_repairs) reply.repairs.resize(max_plan_repairs);
   return reply;
 }
 

@@ -9,9 +9,9 @@
 #include "looks.h"
 #include "opening_plan.h"
 #include "order.h"
-#include "prompt.h"
+#include "brief/prompt.h"
 #include "rehearsal.h"
-#include "room_type.h"
+#include "brief/room_type.h"
 #include "roomgen/base/random.h"
 
 namespace roomgen::design {

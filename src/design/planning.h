@@ -1,7 +1,7 @@
 #pragma once
 
 #include "arrangement.h"
-#include "room_kinds.h"
+#include "brief/room_kinds.h"
 #include "roomgen/design/designer.h"
 #include "roomgen/scene/category.h"
 

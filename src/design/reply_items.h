@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "inventory.h"
-#include "kind_names.h"
-#include "room_kinds.h"
+#include "brief/kind_names.h"
+#include "brief/room_kinds.h"
 #include "roomgen/base/json_fwd.h"
 
 namespace roomgen::design {

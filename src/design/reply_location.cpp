@@ -4,7 +4,7 @@
 
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
-#include "roomgen/design/reply_measure.h"
+#include "brief/reply_measure.h"
 
 namespace roomgen::design {
 

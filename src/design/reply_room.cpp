@@ -9,25 +9,22 @@
 #include "roomgen/base/json.h"
 #include "roomgen/base/random.h"
 #include "roomgen/base/text.h"
-#include "roomgen/design/loose_json.h"
-#include "roomgen/design/reply_measure.h"
+#include "chat/loose_json.h"
+#include "brief/reply_measure.h"
 
 namespace roomgen::design {
 
 namespace {
 
-constexpr double least_side = 0.5;
-constexpr double greatest_side = 50.0;
 constexpr double least_height = 2.0;
 constexpr double greatest_height = 10.0;
-constexpr double centimetre = 0.01;
 constexpr std::size_t max_corners = 64;
 constexpr std::size_t max_type = 60;  ///< bytes
 constexpr int max_windows = 3;
 
 const std::vector<std::string> room_keys = {"room", "room info", "layout"};
 const std::vector<std::string> room_type_keys = {"room type", "type", "name", "kind"};
-const std::vector<std::string> size_keys = {"size m", "size",      "dimensions", "dimensions m",
+const std::vector<std::string> room_size_keys = {"size m", "size",      "dimensions", "dimensions m",
                                             "area m", "room size", "size cm"};
 const std::vector<std::string> polygon_keys = {"polygon m", "polygon", "vertices",
                                                "corners",   "outline", "floor plan"};
@@ -51,11 +48,11 @@ double side_labelled(const std::vector<Measure>& measures,
 
 // Nobody asks for a room of more than 50 m, but models answer in centimetres.
 double unit_for(double greatest, bool has_unit) {
-  return !has_unit && greatest > greatest_side ? centimetre : 1.0;
+  return !has_unit && greatest > greatest_room_side ? 0.01 : 1.0;
 }
 
 std::optional<Vec2> read_size(const Json& room, std::vector<std::string>& repairs) {
-  const Json* given = member(room, size_keys);
+  const Json* given = member(room, room_size_keys);
   const auto measures = measures_in(given ? *given : room);
   if (measures.empty()) return std::nullopt;
   Vec2 size(side_labelled(measures, {"width", "w", "x"}),
@@ -66,7 +63,7 @@ std::optional<Vec2> read_size(const Json& room, std::vector<std::string>& repair
     size = {measures[0].value, measures[1].value};
   }
   size *= unit_for(size.maxCoeff(), measures[0].has_unit);
-  const Vec2 bounded = size.cwiseMax(least_side).cwiseMin(greatest_side);
+  const Vec2 bounded = size.cwiseMax(least_room_side).cwiseMin(greatest_room_side);
   if (bounded != size) repairs.emplace_back("the size of the room was bounded");
   return bounded;
 }
@@ -89,7 +86,7 @@ Bounds2 box_of(const std::vector<Vec2>& points) {
 }
 
 bool has_sound_size(const Vec2& size) {
-  return size.minCoeff() >= least_side && size.maxCoeff() <= greatest_side;
+  return size.minCoeff() >= least_room_side && size.maxCoeff() <= greatest_room_side;
 }
 
 /// A floor that is no rectangle, or the size of one.
@@ -114,7 +111,7 @@ Floor read_floor(const Json& room, std::vector<std::string>& repairs) {
   repairs.emplace_back(
       "the outline of the room is no simple polygon; its bounding rectangle is "
       "taken");
-  return {std::nullopt, box.size().cwiseMax(least_side).cwiseMin(greatest_side)};
+  return {std::nullopt, box.size().cwiseMax(least_room_side).cwiseMin(greatest_room_side)};
 }
 
 double read_height(const Json& room, double usual, std::vector<std::string>& repairs) {

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "brief.h"
-#include "room_kinds.h"
+#include "brief/brief.h"
+#include "brief/room_kinds.h"
 #include "roomgen/base/json_fwd.h"
 #include "roomgen/design/designer.h"
 

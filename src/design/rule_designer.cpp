@@ -3,9 +3,9 @@
 #include "advise.h"
 #include "arrangement.h"
 #include "planning.h"
-#include "room_kinds.h"
+#include "brief/room_kinds.h"
 #include "roomgen/base/text.h"
-#include "roomgen/design/prompt_words.h"
+#include "brief/prompt_words.h"
 
 namespace roomgen {
 
@@ -13,8 +13,6 @@ namespace {
 
 using namespace design;
 
-constexpr double least_side = 0.5;
-constexpr double greatest_side = 50.0;
 
 Error invalid(const std::string& message) {
   return {Error::Kind::invalid_input, message};
@@ -29,10 +27,10 @@ Status check_request(const PlanRequest& request) {
                                          " are read"};
   if (request.size && !request.room)
     for (double side : {request.size->x(), request.size->y()})
-      if (!(side >= least_side && side <= greatest_side))
+      if (!(side >= least_room_side && side <= greatest_room_side))
         return invalid("a room of " + format_number(request.size->x()) + " x " +
                        format_number(request.size->y()) + " m: sides must be from " +
-                       format_number(least_side) + " to " + format_number(greatest_side) + " m");
+                       format_number(least_room_side) + " to " + format_number(greatest_room_side) + " m");
   if (request.room) return check(*request.room);
   return {};
 }

@@ -8,7 +8,7 @@ namespace roomgen::design {
 
 namespace {
 
-constexpr std::size_t longest_name = 80;  ///< bytes
+constexpr std::size_t longest_target_name = 80;  ///< bytes
 
 bool is_number(const std::string& word) {
   return !word.empty() && word.find_first_not_of("0123456789") == std::string::npos;
@@ -98,7 +98,7 @@ TargetNames::Entries TargetNames::misspelt(const std::string& base,
 }
 
 NamedTarget TargetNames::find(std::string_view text) const {
-  if (text.size() > longest_name) return {"", "a target's name was too long"};
+  if (text.size() > longest_target_name) return {"", "a target's name was too long"};
   auto pieces = words(text);
   while (!pieces.empty() && is_article(pieces.front())) pieces.erase(pieces.begin());
   if (pieces.empty()) return {"", "a target's name was empty"};

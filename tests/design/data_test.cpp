@@ -2,12 +2,12 @@
 
 #include "arrangement.h"
 #include "catch.h"
-#include "kind_names.h"
-#include "room_kinds.h"
+#include "brief/kind_names.h"
+#include "brief/room_kinds.h"
 #include "roomgen/base/resource.h"
 #include "roomgen/base/text.h"
 #include "roomgen/scene/category.h"
-#include "roomgen/design/prompt_words.h"
+#include "brief/prompt_words.h"
 
 using namespace roomgen;
 using namespace roomgen::design;

@@ -3,11 +3,11 @@
 #include <set>
 
 #include "catch.h"
-#include "dwelling_kinds.h"
+#include "brief/dwelling_kinds.h"
 #include "dwelling_layout.h"
-#include "dwelling_prompt.h"
+#include "brief/dwelling_prompt.h"
 #include "plans.h"
-#include "room_kinds.h"
+#include "brief/room_kinds.h"
 #include "roomgen/base/json.h"
 #include "roomgen/design/dwelling.h"
 

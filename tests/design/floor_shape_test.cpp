@@ -3,11 +3,11 @@
 
 #include "catch.h"
 #include "floor_plan.h"
-#include "floor_shapes.h"
-#include "outline.h"
+#include "brief/floor_shapes.h"
+#include "brief/outline.h"
 #include "plans.h"
-#include "prompt.h"
-#include "room_kinds.h"
+#include "brief/prompt.h"
+#include "brief/room_kinds.h"
 
 using namespace roomgen;
 using namespace roomgen::design;

@@ -1,12 +1,12 @@
 #include <chrono>
 
 #include "catch.h"
-#include "prompt.h"
-#include "room_kinds.h"
+#include "brief/prompt.h"
+#include "brief/room_kinds.h"
 #include "roomgen/base/random.h"
 #include "roomgen/design/rule_designer.h"
 #include "roomgen/scene/category.h"
-#include "roomgen/design/prompt_words.h"
+#include "brief/prompt_words.h"
 
 using namespace roomgen;
 using namespace roomgen::design;

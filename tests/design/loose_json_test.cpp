@@ -1,4 +1,4 @@
-#include "roomgen/design/loose_json.h"
+#include "chat/loose_json.h"
 
 #include <chrono>
 

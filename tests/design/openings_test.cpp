@@ -1,11 +1,11 @@
 // Doors and windows as prompts ask for them: what is read, and the rooms that come of it.
 #include <set>
 
-#include "brief.h"
+#include "brief/brief.h"
 #include "catch.h"
 #include "opening_plan.h"
 #include "plans.h"
-#include "prompt.h"
+#include "brief/prompt.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "roomgen/scene/opening_kind.h"

@@ -1,4 +1,4 @@
-#include "roomgen/design/price_table.h"
+#include "roomgen/chat/price_table.h"
 
 #include "catch.h"
 #include "support/contains.h"

@@ -1,10 +1,10 @@
-#include "prompt.h"
+#include "brief/prompt.h"
 
 #include <algorithm>
 
 #include "catch.h"
 #include "plans.h"
-#include "room_kinds.h"
+#include "brief/room_kinds.h"
 #include "roomgen/scene/category.h"
 
 using namespace roomgen;

@@ -1,4 +1,4 @@
-#include "roomgen/design/prompts.h"
+#include "roomgen/chat/prompts.h"
 
 #include <fstream>
 

@@ -2,11 +2,11 @@
 #include <filesystem>
 
 #include "catch.h"
-#include "chat_question.h"
+#include "chat/chat_question.h"
 #include "roomgen/base/file.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/sha256.h"
-#include "roomgen/design/chat_decorators.h"
+#include "roomgen/chat/chat_decorators.h"
 #include "scripted_model.h"
 #include "support/contains.h"
 #include "support/temporary_folder.h"

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "roomgen/design/chat_model.h"
+#include "roomgen/chat/chat_model.h"
 
 /// Gives the answers of a script, one after the other, and keeps the questions.
 class ScriptedModel final : public roomgen::ChatModel {

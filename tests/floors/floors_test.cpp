@@ -14,8 +14,9 @@ namespace {
 namespace fs = std::filesystem;
 
 const std::map<std::string, double> floors = {
-    {"base", 0},   {"language", 0.5}, {"geometry", 1}, {"shape", 1.5},   {"scene", 2},  {"library", 3}, {"collision", 3},
-    {"export", 3}, {"import", 3}, {"view", 3},     {"design", 4},   {"evaluate", 4}, {"solve", 5}, {"create", 5},
+    {"base", 0}, {"language", 0.5}, {"geometry", 1}, {"shape", 1.5}, {"scene", 2}, {"library", 3},
+    {"collision", 3}, {"export", 3}, {"import", 3}, {"view", 3}, {"chat", 3}, {"brief", 4}, {"design", 4.5},
+    {"evaluate", 4}, {"solve", 5}, {"create", 5},
     {"generate", 6}, {"edit", 6},   {"assets", 7},   {"render", 7}, {"agent", 7},   {"c", 8}};
 
 // Headers of libraries that a user of the core must not need, and the modules that may include them.
@@ -55,8 +56,11 @@ std::vector<Include> all_includes() {
 // The module that an include names, empty for the standard library and others.
 std::string module_of(const std::string& target) {
   constexpr std::string_view prefix = "roomgen/";
-  if (target.rfind(prefix, 0) != 0) return "";
-  return target.substr(prefix.size(), target.find('/', prefix.size()) - prefix.size());
+  if (target.rfind(prefix, 0) == 0)
+    return target.substr(prefix.size(), target.find('/', prefix.size()) - prefix.size());
+  // What modules show each other, but not users.
+  const auto folder = target.substr(0, target.find('/'));
+  return folder != target && floors.count(folder) ? folder : "";
 }
 
 std::string verdict(const Include& include) {
@@ -67,6 +71,8 @@ std::string verdict(const Include& include) {
     if (!floors.count(target)) return "includes no known module";
     if (target != include.module && floors.at(target) >= floors.at(include.module))
       return "points to the same floor or up";
+    if (include.is_public && include.target.rfind("roomgen/", 0) != 0)
+      return "shows a private header in a public one";
   }
   for (const auto& [header, allowed] : adapters) {
     if (include.target.rfind(header, 0) != 0) continue;
@@ -92,6 +98,8 @@ TEST_CASE("The check of floors finds what it looks for") {
   CHECK(verdict({"scene/a.h", "scene", "roomgen/geometry/vec.h", true}) == "");
   CHECK(verdict({"scene/a.h", "scene", "roomgen/scene/room.h", true}) == "");
   CHECK(verdict({"scene/a.h", "scene", "roomgen/solve/solve.h", true}) != "");
+  CHECK(verdict({"scene/a.cpp", "scene", "solve/score.h", false}) != "");
+  CHECK(verdict({"scene/a.h", "scene", "geometry/private.h", true}) != "");
   CHECK(verdict({"library/a.cpp", "library", "roomgen/view/view.h", false}) != "");
   CHECK(verdict({"scene/a.cpp", "scene", "../solve/score.h", false}) != "");
   CHECK(verdict({"collision/a.h", "collision", "fcl/fcl.h", true}) != "");

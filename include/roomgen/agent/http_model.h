@@ -10,7 +10,7 @@
 
 #include "roomgen/base/log.h"
 #include "roomgen/base/result.h"
-#include "roomgen/design/chat_model.h"
+#include "roomgen/chat/chat_model.h"
 
 namespace roomgen {
 

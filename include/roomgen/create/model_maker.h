@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "roomgen/create/maker.h"
-#include "roomgen/design/chat_model.h"
-#include "roomgen/design/prompts.h"
+#include "roomgen/chat/chat_model.h"
+#include "roomgen/chat/prompts.h"
 #include "roomgen/shape/evaluate.h"
 
 namespace roomgen::create {

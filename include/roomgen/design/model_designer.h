@@ -4,9 +4,9 @@
 #include <memory>
 #include <string>
 
-#include "roomgen/design/chat_model.h"
+#include "roomgen/chat/chat_model.h"
 #include "roomgen/design/designer.h"
-#include "roomgen/design/prompts.h"
+#include "roomgen/chat/prompts.h"
 #include "roomgen/scene/category.h"
 
 namespace roomgen {

@@ -12,6 +12,8 @@ namespace roomgen {
 
 inline constexpr double wall_thickness = 0.10;       ///< outward from the polygon
 inline constexpr double default_room_height = 2.7;
+/// Of a room that somebody asks for, metres.
+inline constexpr double least_room_side = 0.5, greatest_room_side = 50.0;
 inline constexpr double default_sill = 0.9;
 inline constexpr double default_door_head = 2.05;
 inline constexpr double default_window_head = 2.1;

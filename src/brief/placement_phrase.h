@@ -1,0 +1,27 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+
+#include "tokens.h"
+#include "prompt_words.h"
+
+namespace roomgen::design {
+
+/// Part of a room that a placement can name.
+enum class Place { window, door, corner, wall, middle, room, floor, ceiling };
+
+/// "the left wall", "a corner of the room", "the two windows"
+struct PlacePhrase {
+  Place place = Place::room;
+  int wall = -1;          ///< which, of a rectangle; -1: not said
+  bool opposite = false;  ///< "the opposite wall"
+  std::size_t length = 0;
+};
+
+/// Reads articles, qualifiers and a part of a room from `at`, and "of the room" after it.
+std::optional<PlacePhrase> read_place(std::span<const Token> tokens, std::size_t at,
+                                      const Vocabulary& words);
+
+}  // namespace roomgen::design

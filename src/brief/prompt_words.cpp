@@ -1,0 +1,131 @@
+#include "prompt_words.h"
+
+#include "roomgen/base/json.h"
+#include "roomgen/base/resource.h"
+#include "roomgen/scene/relation.h"
+
+namespace roomgen::design {
+
+namespace {
+
+WordSet read_set(const JsonReader& json) {
+  WordSet words;
+  for (const auto& element : json.elements_or_none(2000)) words.insert(element.text());
+  return words;
+}
+
+std::map<std::string, int, std::less<>> read_integers(const JsonReader& json) {
+  std::map<std::string, int, std::less<>> map;
+  for (const auto& [word, value] : json.members())
+    map[word] = static_cast<int>(value.integer_or(0, 0, 1000));
+  return map;
+}
+
+std::map<std::string, double, std::less<>> read_factors(const JsonReader& json) {
+  std::map<std::string, double, std::less<>> map;
+  for (const auto& [word, value] : json.members()) map[word] = value.number(1e-6, 1e6);
+  return map;
+}
+
+Placement read_placement(const JsonReader& json) {
+  Placement placement;
+  for (const auto& element : json.elements(10)) {
+    std::string word = element.text();
+    if (word.starts_with("+")) {
+      placement.inverse = true;
+      word.erase(0, 1);
+    }
+    if (word == "it") {
+      placement.pronoun = true;
+      continue;
+    }
+    if (word == "~it") {
+      placement.adverb = true;
+      continue;
+    }
+    if (word == "middle") {
+      placement.centered = true;
+      continue;
+    }
+    if (word == "hanging") {
+      placement.hanging = true;
+      continue;
+    }
+    if (word == "each") {
+      placement.mutual = true;
+      continue;
+    }
+    if (word == "flank") {
+      placement.flank = true;
+      continue;
+    }
+    auto relation = parse_relation(word + ", target");
+    if (relation)
+      placement.relations.push_back(relation->kind);
+    else
+      element.report(relation.error().message);
+  }
+  return placement;
+}
+
+}  // namespace
+
+Result<Vocabulary> parse_vocabulary(std::string_view text, const std::string& source) {
+  auto json = parse_json(text, source);
+  if (!json) return json.error();
+  JsonReader::Problems problems(source);
+  const JsonReader root(*json, problems);
+  root.allow_only({"about",      "numbers",       "vague",          "definite", "pronouns",
+                   "negations",  "only",          "measured",       "stops",    "parts",
+                   "no things",  "materials",     "sizes",          "people",   "people words",
+                   "room words", "generic rooms", "parts of rooms", "walls",    "units",
+                   "areas",      "placements",    "pairs",          "verbs",    "plural verbs",
+                   "tops",       "postures",      "adverbs",  "portions",      "built in",      "further"});
+  Vocabulary words;
+  words.numbers = read_integers(root["numbers"]);
+  words.people = read_integers(root["people"]);
+  words.walls = read_integers(root["walls"]);
+  words.units = read_factors(root["units"]);
+  words.areas = read_factors(root["areas"]);
+  for (const auto& [word, scale] : root["sizes"].members()) {
+    const auto v = scale.numbers(3, 0.1, 5.0);
+    words.sizes[word] = {v[0], v[1], v[2]};
+  }
+  for (const auto& [word, part] : root["parts of rooms"].members())
+    words.room_parts[word] = part.text();
+  for (const auto& [phrase, relations] : root["placements"].members())
+    words.placements[phrase] = read_placement(relations);
+  const std::pair<const char*, WordSet*> sets[] = {{"vague", &words.vague},
+                                                   {"definite", &words.definite},
+                                                   {"pronouns", &words.pronouns},
+                                                   {"negations", &words.negations},
+                                                   {"only", &words.only},
+                                                   {"measured", &words.measured},
+                                                   {"stops", &words.stops},
+                                                   {"parts", &words.parts},
+                                                   {"no things", &words.no_things},
+                                                   {"materials", &words.materials},
+                                                   {"people words", &words.people_words},
+                                                   {"room words", &words.room_words},
+                                                   {"generic rooms", &words.generic_rooms},
+                                                   {"pairs", &words.pairs},
+                                                   {"verbs", &words.verbs},
+                                                   {"plural verbs", &words.plural_verbs},
+                                                   {"tops", &words.tops},
+                                                   {"postures", &words.postures},
+                                                   {"adverbs", &words.adverbs},
+                                                   {"portions", &words.portions},
+                                                   {"built in", &words.built_in},
+                                                   {"further", &words.further}};
+  for (const auto& [key, set] : sets) *set = read_set(root[key]);
+  if (problems.first()) return *problems.first();
+  return words;
+}
+
+const Result<Vocabulary>& built_in_vocabulary() {
+  static const auto words =
+      parse_vocabulary(resource("data/words.json").value_or("{}"), "data/words.json");
+  return words;
+}
+
+}  // namespace roomgen::design

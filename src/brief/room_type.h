@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vector>
+
+#include "brief.h"
+#include "kind_names.h"
+#include "room_kinds.h"
+#include "tokens.h"
+#include "prompt_words.h"
+
+namespace roomgen::design {
+
+/// Of a plan that names no room.
+inline constexpr const char* default_room_type = "living room";
+
+/// The kinds of rooms by all their names, in words parted by single spaces.
+std::map<std::string, std::string, std::less<>> room_names(const RoomKinds& kinds);
+
+/// Finds what room the prompt speaks of: a known kind by any of its names, or else words such as
+/// "tea house" or "a bakery with …". Every name of a room becomes one token; the words of style
+/// before it, and before "style" and its like, go into the brief.
+void read_room_type(std::vector<Token>& tokens, const Vocabulary& words, const KindNames& names,
+                    const RoomKinds& kinds, Brief& brief);
+
+/// The known kind of room that usually holds most of what is mentioned; empty if nothing tells.
+std::string guess_room_type(const Brief& brief, const RoomKinds& kinds, const CategoryTable& table);
+
+}  // namespace roomgen::design

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <vector>
+
+#include "brief/brief.h"
+#include "inventory.h"
+#include "roomgen/scene/category.h"
+
+namespace roomgen::design {
+
+/// Makes the tables that the prompt asks for, without saying how large, fit the seats it asks for.
+void fit_tables(std::vector<Draft>& drafts, const Brief& brief, const CategoryTable& table);
+
+}  // namespace roomgen::design
