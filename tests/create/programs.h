@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "catch.h"
+#include "roomgen/base/json.h"
 #include "roomgen/create/validate.h"
 #include "roomgen/shape/recipe.h"
 

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "catch.h"
+#include "roomgen/base/json.h"
 #include "roomgen/shape/evaluate.h"
 #include "roomgen/shape/recipe.h"
 
