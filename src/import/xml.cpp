@@ -1,8 +1,9 @@
 #include "xml.h"
 
 #include <algorithm>
-#include <array>
+#include <cstring>
 #include <optional>
+#include <pugixml.hpp>
 
 #include "drawing.h"
 
@@ -10,142 +11,68 @@ namespace roomgen::detail {
 
 namespace {
 
-bool is_space(char c) {
-  return c == ' ' || c == '\t' || c == '\n' || c == '\r';
-}
-bool is_name(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
-         c == ':' || c == '-' || c == '.' || static_cast<unsigned char>(c) > 127;
+std::string meaning(pugi::xml_parse_status status) {
+  switch (status) {
+    case pugi::status_end_element_mismatch:
+      return "a closing tag closes nothing that is open, or an element is not closed";
+    case pugi::status_no_document_element:
+      return "is no XML document: it has no element";
+    case pugi::status_bad_attribute:
+      return "an attribute has no value in quotes, or a tag has no end";
+    case pugi::status_out_of_memory:
+      return "the document is too large";
+    default:
+      return "is no sound XML: a tag, comment or declaration is broken or has no end";
+  }
 }
 
-class XmlParser {
+// Flattens the tree, in the order of the document and without recursion.
+class Flattener final : public pugi::xml_tree_walker {
  public:
-  XmlParser(std::string_view text, const std::string& source) : text_(text), source_(source) {}
+  Flattener(std::string_view text, const std::string& source) : text_(text), source_(source) {}
 
-  Result<std::vector<XmlElement>> run() {
-    while (!error_ && at_ < text_.size()) {
-      if (text_[at_] != '<') {
-        step();
-      } else if (starts("<!--")) {
-        skip_to("-->", "a comment");
-      } else if (starts("<![CDATA[")) {
-        skip_to("]]>", "a CDATA section");
-      } else if (starts("<?")) {
-        skip_to("?>", "a processing instruction");
-      } else if (starts("<!")) {
-        skip_doctype();
-      } else if (starts("</")) {
-        close();
-      } else {
-        open();
-      }
-    }
-    if (!error_ && !stack_.empty())
-      fail("\"" + elements_[stack_.back()].name + "\" of line " +
-           std::to_string(elements_[stack_.back()].line) + " is not closed");
-    if (!error_ && elements_.empty()) fail("is no XML document: it has no element");
+  Result<std::vector<XmlElement>> flatten(pugi::xml_document& document) && {
+    document.traverse(*this);
     if (error_) return *error_;
     return std::move(elements_);
   }
 
  private:
-  bool starts(std::string_view what) const { return text_.substr(at_).starts_with(what); }
-
-  void step() {
-    if (text_[at_] == '\n') ++line_;
-    ++at_;
+  bool for_each(pugi::xml_node& node) override {
+    advance_to(node.offset_debug());
+    if (node.type() == pugi::node_doctype && std::strchr(node.value(), '['))
+      fail("a document type with declarations is not read; leave it out");
+    if (node.type() == pugi::node_element) add(node);
+    return !error_;
   }
-  void skip_spaces() {
-    while (at_ < text_.size() && is_space(text_[at_])) step();
+
+  void add(const pugi::xml_node& node) {
+    const auto level = static_cast<std::size_t>(depth());
+    if (elements_.size() >= max_xml_elements) return fail("the document has too many elements");
+    if (level >= max_xml_depth) return fail("elements are nested too deeply");
+    XmlElement element;
+    element.name = node.name();
+    element.line = line_;
+    open_.resize(level + 1);
+    element.parent = level == 0 ? XmlElement::none : open_[level - 1];
+    for (const auto& attribute : node.attributes()) {
+      if (element.attributes.size() >= max_xml_attributes) return fail("an element has too many attributes");
+      if (element.find(attribute.name()))
+        return fail("attribute \"" + std::string(attribute.name()) + "\" is there twice");
+      element.attributes.emplace_back(attribute.name(), attribute.value());
+    }
+    open_[level] = elements_.size();
+    elements_.push_back(std::move(element));
+  }
+
+  // Offsets count bytes of UTF-8: in other encodings the line is one near by.
+  void advance_to(std::ptrdiff_t offset) {
+    const auto end = std::min(text_.size(), static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, offset)));
+    for (; at_ < end; ++at_) line_ += text_[at_] == '\n';
   }
 
   void fail(const std::string& what) {
     if (!error_) error_ = located(source_, line_, what);
-  }
-
-  void skip_to(std::string_view end, const std::string& what) {
-    const std::size_t found = text_.find(end, at_);
-    if (found == std::string_view::npos) return fail(what + " has no end");
-    while (at_ < found + end.size()) step();
-  }
-
-  // Without an inner subset: what that declares is not understood.
-  void skip_doctype() {
-    const std::size_t end = text_.find('>', at_), subset = text_.find('[', at_);
-    if (subset < end) return fail("a document type with declarations is not read; leave it out");
-    skip_to(">", "a declaration");
-  }
-
-  std::string name() {
-    const std::size_t start = at_;
-    while (at_ < text_.size() && is_name(text_[at_])) ++at_;
-    if (at_ == start) fail("expected a name");
-    return std::string(text_.substr(start, at_ - start));
-  }
-
-  void open() {
-    if (elements_.size() >= max_xml_elements) return fail("the document has too many elements");
-    if (stack_.size() >= max_xml_depth) return fail("elements are nested too deeply");
-    XmlElement element;
-    element.line = line_;
-    ++at_;
-    element.name = name();
-    element.parent = stack_.empty() ? XmlElement::none : stack_.back();
-    while (!error_) {
-      skip_spaces();
-      if (at_ >= text_.size()) return fail("a tag has no end");
-      if (starts("/>") || starts(">")) break;
-      attribute(element);
-    }
-    if (error_) return;
-    const bool empty = starts("/>");
-    at_ += empty ? 2 : 1;
-    elements_.push_back(std::move(element));
-    if (!empty) stack_.push_back(elements_.size() - 1);
-  }
-
-  void attribute(XmlElement& element) {
-    const std::string key = name();
-    skip_spaces();
-    if (error_ || at_ >= text_.size() || text_[at_] != '=')
-      return fail("attribute \"" + key + "\" has no value");
-    ++at_;
-    skip_spaces();
-    if (at_ >= text_.size() || (text_[at_] != '"' && text_[at_] != '\''))
-      return fail("the value of \"" + key + "\" is not quoted");
-    const char quote = text_[at_++];
-    const std::size_t end = text_.find(quote, at_);
-    if (end == std::string_view::npos) return fail("the value of \"" + key + "\" has no end");
-    if (element.find(key)) return fail("attribute \"" + key + "\" is there twice");
-    std::string value = plain(text_.substr(at_, end - at_));
-    while (at_ <= end) step();
-    element.attributes.emplace_back(key, std::move(value));
-  }
-
-  // Entities that are not known stay as they are written.
-  static std::string plain(std::string_view text) {
-    static constexpr std::array<std::pair<std::string_view, char>, 5> known = {
-        {{"&lt;", '<'}, {"&gt;", '>'}, {"&amp;", '&'}, {"&quot;", '"'}, {"&apos;", '\''}}};
-    std::string result;
-    for (std::size_t i = 0; i < text.size();) {
-      const auto entity = std::find_if(known.begin(), known.end(), [&](const auto& e) {
-        return text.substr(i).starts_with(e.first);
-      });
-      result += entity == known.end() ? text[i] : entity->second;
-      i += entity == known.end() ? 1 : entity->first.size();
-    }
-    return result;
-  }
-
-  void close() {
-    at_ += 2;
-    const std::string closed = name();
-    skip_spaces();
-    if (error_ || !starts(">")) return fail("a closing tag has no end");
-    ++at_;
-    if (stack_.empty() || elements_[stack_.back()].name != closed)
-      return fail("\"</" + closed + ">\" closes nothing that is open");
-    stack_.pop_back();
   }
 
   std::string_view text_;
@@ -153,9 +80,14 @@ class XmlParser {
   std::size_t at_ = 0;
   std::size_t line_ = 1;
   std::vector<XmlElement> elements_;
-  std::vector<std::size_t> stack_;
+  std::vector<std::size_t> open_;  ///< the element on each level above
   std::optional<Error> error_;
 };
+
+std::size_t line_at(std::string_view text, std::ptrdiff_t offset) {
+  const auto before = text.substr(0, static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, offset)));
+  return 1 + static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
+}
 
 }  // namespace
 
@@ -166,7 +98,14 @@ const std::string* XmlElement::find(std::string_view attribute) const {
 }
 
 Result<std::vector<XmlElement>> parse_xml(std::string_view text, const std::string& source) {
-  return XmlParser(text, source).run();
+  // Before a tree is built: each element has at most two tags, and some comments may stand between them.
+  if (static_cast<std::size_t>(std::count(text.begin(), text.end(), '<')) > 4 * max_xml_elements)
+    return located(source, 1, "the document has too many elements");
+  pugi::xml_document document;
+  const auto parsed =
+      document.load_buffer(text.data(), text.size(), pugi::parse_default | pugi::parse_doctype);
+  if (!parsed) return located(source, line_at(text, parsed.offset), meaning(parsed.status));
+  return Flattener(text, source).flatten(document);
 }
 
 }  // namespace roomgen::detail

@@ -10,7 +10,7 @@
 
 namespace roomgen::detail {
 
-/// An element of an XML document.
+/// An element of an XML document. Texts are UTF-8, with entities replaced.
 struct XmlElement {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
@@ -25,10 +25,12 @@ struct XmlElement {
 
 inline constexpr std::size_t max_xml_elements = 50000;
 inline constexpr std::size_t max_xml_depth = 64;
+inline constexpr std::size_t max_xml_attributes = 1000;  ///< of an element
 
-/// The elements of a document, parents before children. Strict: tags must nest, attributes must be
-/// quoted. Text between tags is skipped; of entities the five of XML alone are replaced, so that no
-/// document grows by being read.
+/// The elements of a document, parents before children; text between tags is skipped. UTF-8, UTF-16,
+/// UTF-32 and Latin-1 are told by their marks and declarations. Numeric entities and the five of XML are
+/// replaced, others stay as they are written and declarations of entities are refused: no document grows
+/// by being read, and none makes another file be read.
 Result<std::vector<XmlElement>> parse_xml(std::string_view text, const std::string& source);
 
 }  // namespace roomgen::detail

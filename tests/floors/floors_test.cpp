@@ -23,7 +23,7 @@ const std::map<std::string, double> floors = {
 const std::map<std::string, std::vector<std::string>> adapters = {
     {"fcl/", {"collision", "evaluate"}}, {"assimp/", {"assets"}}, {"sqlite3.h", {"assets"}}, {"zip.h", {"assets"}},
     {"png.h", {"assets", "render"}}, {"jpeglib.h", {"assets", "render"}}, {"GL/", {"render"}},
-    {"opencv2/", {"render", "assets"}}, {"cpr/", {"agent"}}, {"curl/", {"agent"}}, {"CLI/", {}}};
+    {"opencv2/", {"render", "assets"}}, {"pugixml", {"import"}}, {"cpr/", {"agent"}}, {"curl/", {"agent"}}, {"CLI/", {}}};
 
 struct Include {
   std::string file, module, target;

@@ -116,6 +116,26 @@ TEST_CASE("What is wrong with an SVG is told with its line and the way out") {
   CHECK(contains_text(refusal(svg("<polygon points='" + corners + "'/>")), "at most 500"));
 }
 
+TEST_CASE("Numbered entities and other encodings are read, foreign files are not") {
+  const std::string head = "<svg width='6m' viewBox='0 0 600 600'><rect width='400' height='300'/>";
+  const auto named = room_from_svg(head + "<line id='&#100;&#x6F;or' x1='50' x2='150'/></svg>", "plan.svg");
+  REQUIRE(named);
+  CHECK(named->openings.size() == 1);
+  const std::string latin = "<?xml version='1.0' encoding='ISO-8859-1'?>" + head + "<text id='T\xFCr'/></svg>";
+  CHECK(room_from_svg(latin, "plan.svg"));
+  std::string wide = "\xFF\xFE";
+  for (const char c : head + "</svg>") wide += {c, '\0'};
+  CHECK(room_from_svg(wide, "plan.svg"));
+  CHECK(contains_text(refusal("<!DOCTYPE svg [<!ENTITY a SYSTEM 'file:///etc/passwd'>]><svg id='&a;'/>"),
+                      "document type"));
+  CHECK(contains_text(refusal("<svg>\n<g a='1' a='2'/></svg>"), "plan.svg:2: attribute \"a\" is there twice"));
+  std::string deep;
+  for (int i = 0; i < 100; ++i) deep += "<g>";
+  CHECK(error_of(room_from_svg("<svg>" + deep, "plan.svg")) != "");
+  for (int i = 0; i < 100; ++i) deep += "</g>";
+  CHECK(contains_text(refusal("<svg>" + deep + "</svg>"), "nested too deeply"));
+}
+
 TEST_CASE("A file of JSON is still a room") {
   const auto room = read_floor_plan(ROOMGEN_TEST_DATA "/floor-plans/alcove.json");
   REQUIRE(room);
