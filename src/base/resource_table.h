@@ -1,13 +1,14 @@
 #pragma once
 
-#include <string_view>
+#include <cstdint>
 
 namespace roomgen::detail {
 
-/// The table that cmake/embed.cmake generates; an entry without a name ends it.
+/// The table that cmake/RoomgenEmbed.cmake generates; an entry without a name ends it.
 struct ResourceEntry {
-  std::string_view name;
-  std::string_view bytes;
+  const char* name;
+  const unsigned char* bytes;
+  const std::uint64_t* size;
 };
 extern const ResourceEntry resource_table[];
 

@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstdint>
 
 #include "lexicon_layout.h"
 
 extern "C" {
-extern const char roomgen_lexicon[];
-extern const char roomgen_lexicon_end[];
+extern const unsigned char roomgen_lexicon[];
+extern const std::uint64_t roomgen_lexicon_size;
 }
 
 namespace roomgen::language {
@@ -238,7 +239,8 @@ std::string_view Lexicon::licence() const { return section_bytes(bytes_, Section
 
 const Lexicon& lexicon() {
   static const Lexicon built_in(
-      std::string_view(roomgen_lexicon, static_cast<std::size_t>(roomgen_lexicon_end - roomgen_lexicon)));
+      std::string_view(reinterpret_cast<const char*>(roomgen_lexicon),
+                       static_cast<std::size_t>(roomgen_lexicon_size)));
   return built_in;
 }
 
