@@ -8,7 +8,7 @@
 #include "roomgen/render/image_file.h"
 #include "roomgen/scene/category.h"
 #ifdef ROOMGEN_HAS_AGENT
-#include "roomgen/agent/http_model.h"
+#include "http.h"
 #endif
 
 namespace roomgen::cli {
@@ -37,7 +37,7 @@ Result<std::unique_ptr<ChatModel>> open_endpoint(const DesignerOptions& options,
     http.log = [](LogLevel, std::string_view message) {
       std::fprintf(stderr, "roomgen: %.*s\n", static_cast<int>(message.size()), message.data());
     };
-  return make_http_model(http);
+  return load_http_model(http);
 }
 #else
 Result<std::unique_ptr<ChatModel>> open_endpoint(const DesignerOptions&, const Context&) {

@@ -1,6 +1,6 @@
 #include "gl_context.h"
 
-#include <GL/osmesa.h>
+#include "osmesa.h"
 
 namespace roomgen::detail {
 
@@ -13,6 +13,8 @@ Error unavailable(const std::string& what) {
 }  // namespace
 
 Result<std::unique_ptr<GlContext>> GlContext::create() {
+  const auto& mesa = osmesa();
+  if (!mesa) return mesa.error();
   const int attributes[] = {OSMESA_FORMAT,
                             OSMESA_RGBA,
                             OSMESA_DEPTH_BITS,
@@ -26,28 +28,27 @@ Result<std::unique_ptr<GlContext>> GlContext::create() {
                             OSMESA_CONTEXT_MINOR_VERSION,
                             0,
                             0};
-  const OSMesaContext handle = OSMesaCreateContextAttribs(attributes, nullptr);
+  const OSMesaContext handle = mesa->CreateContextAttribs(attributes, nullptr);
   if (!handle) return unavailable("no OpenGL 4.0 core context; Mesa 20.2 or newer is needed");
-  std::unique_ptr<GlContext> context(new GlContext(handle));
+  std::unique_ptr<GlContext> context(new GlContext(*mesa, handle));
   if (auto status = context->make_current(); !status) return status.error();
   if (auto status = context->load_functions(); !status) return status.error();
   return context;
 }
 
 GlContext::~GlContext() {
-  OSMesaDestroyContext(static_cast<OSMesaContext>(handle_));
+  mesa_.DestroyContext(handle_);
 }
 
 Status GlContext::make_current() {
-  if (!OSMesaMakeCurrent(static_cast<OSMesaContext>(handle_), buffer_.data(), GL_UNSIGNED_BYTE, 4,
-                         4))
+  if (!mesa_.MakeCurrent(handle_, buffer_.data(), GL_UNSIGNED_BYTE, 4, 4))
     return unavailable("the context cannot be made current");
   return {};
 }
 
 Status GlContext::load_functions() {
-#define ROOMGEN_LOAD(name)                                                           \
-  gl_.name = reinterpret_cast<decltype(gl_.name)>(OSMesaGetProcAddress("gl" #name)); \
+#define ROOMGEN_LOAD(name)                                                              \
+  gl_.name = reinterpret_cast<decltype(gl_.name)>(mesa_.GetProcAddress("gl" #name)); \
   if (!gl_.name) return unavailable("lacks gl" #name);
   ROOMGEN_GL_FUNCTIONS(ROOMGEN_LOAD)
 #undef ROOMGEN_LOAD

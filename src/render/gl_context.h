@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "gl.h"
+#include "osmesa.h"
 #include "roomgen/base/result.h"
 
 namespace roomgen::detail {
@@ -22,10 +23,11 @@ class GlContext {
   const Gl& gl() const { return gl_; }
 
  private:
-  explicit GlContext(void* handle) : handle_(handle) {}
+  GlContext(const OsMesa& mesa, OSMesaContext handle) : mesa_(mesa), handle_(handle) {}
   Status load_functions();
 
-  void* handle_;  ///< OSMesaContext
+  OsMesa mesa_;
+  OSMesaContext handle_;
   std::array<unsigned char, 4 * 4 * 4> buffer_{};
   Gl gl_;
 };

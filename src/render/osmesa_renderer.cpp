@@ -127,14 +127,19 @@ class OsmesaRenderer : public Renderer {
     Frame& frame = frame_for(frame_key(scene, view, *camera), *camera);
     update(frame, scene, models, view, *camera);
     Image image = frame.image;
-    if (view.kind == View::Kind::top) {
-      draw_overlay(image, plan_symbols(rooms_of(scene), *camera));
-      if (view.marks) draw_overlay(image, layout_marks(scene, *camera, view));
-    }
+    if (view.kind == View::Kind::top)
+      if (auto drawn = draw_over(image, scene, view, *camera); !drawn) return drawn.error();
     return image;
   }
 
  private:
+  static Status draw_over(Image& image, const Scene& scene, const View& view,
+                          const Camera& camera) {
+    auto drawn = draw_overlay(image, plan_symbols(rooms_of(scene), camera));
+    if (!drawn || !view.marks) return drawn;
+    return draw_overlay(image, layout_marks(scene, camera, view));
+  }
+
   Frame& frame_for(const std::string& key, const Camera& camera) {
     const auto known = std::find_if(frames_.begin(), frames_.end(),
                                     [&](const Frame& frame) { return frame.key == key; });

@@ -1,6 +1,12 @@
 #include "overlay.h"
 
-#include <opencv2/imgproc.hpp>
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "opencv.h"
 
 namespace roomgen::detail {
 
@@ -11,20 +17,40 @@ struct Ink {
   double opacity;
 };
 
-constexpr Ink paper{255, 255, 255, 1.0};
 constexpr int subpixel_bits = 4;
 
-cv::Rect clipped(const cv::Rect& rect, const cv::Mat& picture) {
-  return rect & cv::Rect(0, 0, picture.cols, picture.rows);
-}
+// A rectangle of pixels.
+struct PixelArea {
+  int x = 0, y = 0, width = 0, height = 0;
 
-// The picture turns to ink where the mask, which covers `area`, says so.
-void blend(cv::Mat& picture, const cv::Rect& area, const cv::Mat& mask, const Ink& ink) {
+  bool empty() const { return width <= 0 || height <= 0; }
+};
+
+// How far each pixel of an area is covered, 0 to 255.
+class Coverage {
+ public:
+  explicit Coverage(const PixelArea& area)
+      : area_(area), bytes_(static_cast<std::size_t>(area.width) * area.height) {}
+
+  CvMat mat() { return cvMat(area_.height, area_.width, CV_8UC1, bytes_.data()); }
+  const PixelArea& area() const { return area_; }
+  const std::uint8_t* row(int y) const {
+    return bytes_.data() + static_cast<std::size_t>(y) * area_.width;
+  }
+
+ private:
+  PixelArea area_;
+  std::vector<std::uint8_t> bytes_;
+};
+
+// The picture turns to ink where it is covered.
+void blend(Image& picture, const Coverage& covered, const Ink& ink) {
   const int color[3] = {ink.r, ink.g, ink.b};
   const int strength = static_cast<int>(ink.opacity * 256.0);
+  const PixelArea& area = covered.area();
   for (int y = 0; y < area.height; ++y) {
-    const auto* coverage = mask.ptr<std::uint8_t>(y);
-    auto* pixel = picture.ptr<std::uint8_t>(area.y + y) + 4 * area.x;
+    const auto* coverage = covered.row(y);
+    auto* pixel = picture.at(area.x, area.y + y);
     for (int x = 0; x < area.width; ++x, pixel += 4) {
       if (!coverage[x]) continue;
       const int weight = coverage[x] * strength;  // of 255 * 256
@@ -37,30 +63,21 @@ void blend(cv::Mat& picture, const cv::Rect& area, const cv::Mat& mask, const In
 
 class Pen {
  public:
-  explicit Pen(Image& image) : picture_(image.height, image.width, CV_8UC4, image.pixels.data()) {}
+  Pen(const OpenCv& cv, Image& picture) : cv_(cv), picture_(picture) {}
 
   void line(const std::vector<Vec2>& points, int thickness, const Ink& ink) {
-    Bounds2 extent;
-    for (const auto& p : points) extent.add(p);
-    const cv::Rect area = area_of(extent, thickness + 2);
-    if (area.empty()) return;
-    cv::Mat mask = cv::Mat::zeros(area.size(), CV_8UC1);
-    std::vector<cv::Point> fixed;
-    for (const auto& p : points) fixed.push_back(fixed_point(p, area));
-    cv::polylines(mask, fixed, false, cv::Scalar(255), thickness, cv::LINE_AA, subpixel_bits);
-    blend(picture_, area, mask, ink);
+    draw(points, thickness + 2, ink, [&](CvMat& mask, std::vector<CvPoint>& fixed) {
+      CvPoint* corners = fixed.data();
+      const int count = static_cast<int>(fixed.size());
+      cv_.PolyLine(&mask, &corners, &count, 1, false, white, thickness, CV_AA, subpixel_bits);
+    });
   }
 
   void fill(const std::vector<Vec2>& points, const Ink& ink) {
-    Bounds2 extent;
-    for (const auto& p : points) extent.add(p);
-    const cv::Rect area = area_of(extent, 2);
-    if (area.empty()) return;
-    cv::Mat mask = cv::Mat::zeros(area.size(), CV_8UC1);
-    std::vector<cv::Point> fixed;
-    for (const auto& p : points) fixed.push_back(fixed_point(p, area));
-    cv::fillConvexPoly(mask, fixed, cv::Scalar(255), cv::LINE_AA, subpixel_bits);
-    blend(picture_, area, mask, ink);
+    draw(points, 2, ink, [&](CvMat& mask, std::vector<CvPoint>& fixed) {
+      cv_.FillConvexPoly(&mask, fixed.data(), static_cast<int>(fixed.size()), white, CV_AA,
+                         subpixel_bits);
+    });
   }
 
   void arrow(const Vec2& from, const Vec2& to, int thickness, double head, const Ink& ink) {
@@ -73,46 +90,76 @@ class Pen {
   /// Capital letters `letters` pixels high, shrunk if the box would not hold the text.
   void text(const std::string& words, const Vec2& center, const Vec2& box, double letters,
             const Ink& ink, bool halo) {
-    int baseline = 0;
-    const cv::Size unit = cv::getTextSize("H", font, 1.0, 1, &baseline);
-    double scale = letters / unit.height;
-    const cv::Size full = cv::getTextSize(words, font, 1.0, 1, &baseline);
-    scale = std::min(scale, box.x() / (full.width + 4.0));
+    const CvSize unit = size_of("H"), full = size_of(words);
+    const double scale =
+        std::min(letters / unit.height, box.x() / (full.width + 4.0));
     const int thickness = std::max(1, static_cast<int>(std::lround(letters / 14.0)));
 
-    const cv::Rect area = area_of({center - 0.7 * box, center + 0.7 * box}, 3);
+    const PixelArea area = area_of({center - 0.7 * box, center + 0.7 * box}, 3);
     if (area.empty()) return;
-    const cv::Point origin(
-        static_cast<int>(std::lround(center.x() - 0.5 * full.width * scale)) - area.x,
-        static_cast<int>(std::lround(center.y() + 0.5 * unit.height * scale)) - area.y);
+    const CvPoint origin =
+        cvPoint(static_cast<int>(std::lround(center.x() - 0.5 * full.width * scale)) - area.x,
+                static_cast<int>(std::lround(center.y() + 0.5 * unit.height * scale)) - area.y);
     for (const bool background : {true, false}) {
       if (background && !halo) continue;
-      cv::Mat mask = cv::Mat::zeros(area.size(), CV_8UC1);
-      cv::putText(mask, words, origin, font, scale, cv::Scalar(255),
-                  background ? thickness + 2 : thickness, cv::LINE_AA);
-      blend(picture_, area, mask, background ? Ink{255, 255, 255, 0.75} : ink);
+      Coverage coverage(area);
+      CvMat mask = coverage.mat();
+      const CvFont font = font_of(scale, background ? thickness + 2 : thickness);
+      cv_.PutText(&mask, words.c_str(), origin, &font, white);
+      blend(picture_, coverage, background ? Ink{255, 255, 255, 0.75} : ink);
     }
   }
 
  private:
-  static constexpr int font = cv::FONT_HERSHEY_DUPLEX;
+  // `stroke` covers what it draws with white.
+  template <typename Stroke>
+  void draw(const std::vector<Vec2>& points, int margin, const Ink& ink, const Stroke& stroke) {
+    Bounds2 extent;
+    for (const auto& p : points) extent.add(p);
+    const PixelArea area = area_of(extent, margin);
+    if (area.empty()) return;
+    std::vector<CvPoint> fixed;
+    for (const auto& p : points) fixed.push_back(fixed_point(p, area));
+    Coverage coverage(area);
+    CvMat mask = coverage.mat();
+    stroke(mask, fixed);
+    blend(picture_, coverage, ink);
+  }
 
-  cv::Rect area_of(const Bounds2& extent, int margin) const {
-    const cv::Point low(static_cast<int>(std::floor(extent.low.x())) - margin,
-                        static_cast<int>(std::floor(extent.low.y())) - margin);
-    const cv::Point high(static_cast<int>(std::ceil(extent.high.x())) + margin + 1,
-                         static_cast<int>(std::ceil(extent.high.y())) + margin + 1);
-    return clipped(cv::Rect(low, high), picture_);
+  CvFont font_of(double scale, int thickness) const {
+    CvFont font;
+    cv_.InitFont(&font, CV_FONT_HERSHEY_DUPLEX, scale, scale, 0.0, thickness, CV_AA);
+    return font;
+  }
+
+  // At scale 1.
+  CvSize size_of(const std::string& words) const {
+    const CvFont font = font_of(1.0, 1);
+    CvSize size{};
+    int baseline = 0;
+    cv_.GetTextSize(words.c_str(), &font, &size, &baseline);
+    return size;
+  }
+
+  // Of the part within the picture.
+  PixelArea area_of(const Bounds2& extent, int margin) const {
+    const int x0 = std::max(0, static_cast<int>(std::floor(extent.low.x())) - margin),
+              y0 = std::max(0, static_cast<int>(std::floor(extent.low.y())) - margin),
+              x1 = std::min(picture_.width, static_cast<int>(std::ceil(extent.high.x())) + margin + 1),
+              y1 = std::min(picture_.height, static_cast<int>(std::ceil(extent.high.y())) + margin + 1);
+    return {x0, y0, x1 - x0, y1 - y0};
   }
 
   // Pixel centres are at whole numbers in OpenCV, at halves in our coordinates.
-  static cv::Point fixed_point(const Vec2& p, const cv::Rect& area) {
+  static CvPoint fixed_point(const Vec2& p, const PixelArea& area) {
     constexpr double unit = 1 << subpixel_bits;
-    return {static_cast<int>(std::lround((p.x() - 0.5 - area.x) * unit)),
-            static_cast<int>(std::lround((p.y() - 0.5 - area.y) * unit))};
+    return cvPoint(static_cast<int>(std::lround((p.x() - 0.5 - area.x) * unit)),
+                   static_cast<int>(std::lround((p.y() - 0.5 - area.y) * unit)));
   }
 
-  cv::Mat picture_;
+  const CvScalar white = cvScalar(255);
+  const OpenCv& cv_;
+  Image& picture_;
 };
 
 std::vector<Vec2> box_outline(const Vec2& center, const Vec2& size) {
@@ -161,8 +208,10 @@ void draw_label(Pen& pen, const Drawing::Label& label, double letters) {
 
 }  // namespace
 
-void draw_overlay(Image& image, const Drawing& drawing) {
-  Pen pen(image);
+Status draw_overlay(Image& image, const Drawing& drawing) {
+  const auto& cv = opencv();
+  if (!cv) return cv.error();
+  Pen pen(*cv, image);
   const int width = std::max(1, static_cast<int>(std::lround(drawing.text_height / 11.0)));
   for (const auto kind :
        {Drawing::Line::free, Drawing::Line::plan_symbol, Drawing::Line::grid,
@@ -171,6 +220,7 @@ void draw_overlay(Image& image, const Drawing& drawing) {
       if (stroke.kind == kind && stroke.points.size() > 1)
         draw_stroke(pen, stroke, width, drawing.text_height);
   for (const auto& label : drawing.labels) draw_label(pen, label, drawing.text_height);
+  return {};
 }
 
 }  // namespace roomgen::detail

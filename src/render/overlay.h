@@ -1,10 +1,11 @@
 #pragma once
 
+#include "roomgen/base/result.h"
 #include "roomgen/view/marks.h"
 
 namespace roomgen::detail {
 
-/// Draws lines and texts over a picture.
-void draw_overlay(Image& image, const Drawing& drawing);
+/// Draws lines and texts over a picture. Error::Kind::unavailable without OpenCV.
+Status draw_overlay(Image& image, const Drawing& drawing);
 
 }  // namespace roomgen::detail

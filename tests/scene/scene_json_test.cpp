@@ -21,7 +21,7 @@ Object random_object(Random& random, int number) {
   o.relations = {{RelationKind::edge, ""}, {RelationKind::near, "wall-1"}};
   if (random.chance(0.3)) o.asset = {"lib", "id/1", "abc", "CC-BY-4.0", "somebody", std::nullopt};
   else if (random.chance(0.3))
-    o.asset.procedural = ProceduralSource{"table", {{"legs", 4}, {"top", "oak"}}, 12345};
+    o.asset.procedural = ProceduralSource{"table", R"({"legs":4,"top":"oak"})", 12345};
   return o;
 }
 
@@ -105,8 +105,8 @@ TEST_CASE("Objects of one asset have one key, and other assets another") {
   CHECK(asset_key(a) != asset_key(b));
   CHECK(asset_key(a) != asset_key(other_library));
   AssetRef p, q;
-  p.procedural = ProceduralSource{"table", {{"legs", 4}}, 1};
-  q.procedural = ProceduralSource{"table", {{"legs", 4}}, 2};
+  p.procedural = ProceduralSource{"table", R"({"legs":4})", 1};
+  q.procedural = ProceduralSource{"table", R"({"legs":4})", 2};
   CHECK(asset_key(p) != asset_key(q));
   q.procedural->seed = 1;
   CHECK(asset_key(p) == asset_key(q));
