@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "catch.h"
-#include "design/scripted_model.h"
+#include "support/scripted_model.h"
 #include "roomgen/create/model_maker.h"
 #include "support/contains.h"
 

@@ -2,7 +2,7 @@
 
 #include "catch.h"
 #include "roomgen/design/rule_designer.h"
-#include "scripted_model.h"
+#include "support/scripted_model.h"
 #include "support/contains.h"
 #include "support/rooms.h"
 

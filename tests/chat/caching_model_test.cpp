@@ -1,7 +1,7 @@
 #include "catch.h"
 #include "roomgen/base/file.h"
 #include "roomgen/chat/chat_decorators.h"
-#include "scripted_model.h"
+#include "support/scripted_model.h"
 #include "support/temporary_folder.h"
 
 using namespace roomgen;

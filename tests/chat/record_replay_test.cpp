@@ -7,7 +7,7 @@
 #include "roomgen/base/json.h"
 #include "roomgen/base/sha256.h"
 #include "roomgen/chat/chat_decorators.h"
-#include "scripted_model.h"
+#include "support/scripted_model.h"
 #include "support/contains.h"
 #include "support/temporary_folder.h"
 

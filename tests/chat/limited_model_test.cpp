@@ -2,7 +2,7 @@
 
 #include "catch.h"
 #include "roomgen/chat/chat_decorators.h"
-#include "scripted_model.h"
+#include "support/scripted_model.h"
 #include "support/contains.h"
 
 using namespace roomgen;
