@@ -18,9 +18,13 @@ std::string replaced(std::string_view word, std::size_t ending, std::string_view
   return std::string(word.substr(0, word.size() - ending)) + std::string(by);
 }
 
-bool is_vowel(char c) { return std::string_view("aeiou").find(c) != std::string_view::npos; }
+bool is_vowel(char c) {
+  return std::string_view("aeiou").find(c) != std::string_view::npos;
+}
 
-bool is_noun(std::string_view word) { return lexicon().has(word, PartOfSpeech::noun); }
+bool is_noun(std::string_view word) {
+  return lexicon().has(word, PartOfSpeech::noun);
+}
 
 // What an ending may be made of.
 struct Rule {
@@ -55,15 +59,18 @@ std::vector<std::string> by_ending(std::string_view word) {
 
 std::vector<std::string> known_singulars(std::string_view word) {
   std::vector<std::string> forms;
-  for (const auto base : lexicon().irregular_bases(word, PartOfSpeech::noun)) add(forms, std::string(base));
+  for (const auto base : lexicon().irregular_bases(word, PartOfSpeech::noun))
+    add(forms, std::string(base));
   if (!forms.empty()) return forms;
   if (ends(word, "s") && !ends(word, "ss"))
     if (auto form = replaced(word, 1, ""); is_noun(form)) add(forms, std::move(form));
   for (const auto& rule : noun_rules)
     if (ends(word, rule.ending))
-      if (auto form = replaced(word, rule.ending.size(), rule.by); is_noun(form)) add(forms, std::move(form));
+      if (auto form = replaced(word, rule.ending.size(), rule.by); is_noun(form))
+        add(forms, std::move(form));
   if (ends(word, "es"))
-    if (auto form = replaced(word, 2, ""); ends(form, "s") && is_noun(form)) add(forms, std::move(form));
+    if (auto form = replaced(word, 2, ""); ends(form, "s") && is_noun(form))
+      add(forms, std::move(form));
   return forms;
 }
 
@@ -71,9 +78,12 @@ std::vector<std::string> known_singulars(std::string_view word) {
 // that is met more often.
 bool is_own_noun(std::string_view word, const std::vector<std::string>& forms) {
   if (!is_noun(word)) return false;
-  const auto tagged = [](std::string_view noun) { return lexicon().tagged(noun, PartOfSpeech::noun); };
-  return forms.empty() || std::all_of(forms.begin(), forms.end(),
-                                      [&](const auto& form) { return tagged(form) < tagged(word); });
+  const auto tagged = [](std::string_view noun) {
+    return lexicon().tagged(noun, PartOfSpeech::noun);
+  };
+  return forms.empty() || std::all_of(forms.begin(), forms.end(), [&](const auto& form) {
+           return tagged(form) < tagged(word);
+         });
 }
 
 std::vector<std::string> forms_of_word(std::string_view word) {
@@ -118,12 +128,16 @@ constexpr std::array<VerbRule, 8> verb_rules = {{{"s", "", VerbForm::third_perso
                                                  {"ing", "e", VerbForm::gerund},
                                                  {"ing", "", VerbForm::gerund}}};
 
-bool is_verb(std::string_view word) { return lexicon().has(word, PartOfSpeech::verb); }
+bool is_verb(std::string_view word) {
+  return lexicon().has(word, PartOfSpeech::verb);
+}
 
 // "fitted" is made of "fit".
 std::string undoubled(std::string_view stem) {
   const std::size_t n = stem.size();
-  return n > 2 && stem[n - 1] == stem[n - 2] && !is_vowel(stem[n - 1]) ? std::string(stem.substr(0, n - 1)) : "";
+  return n > 2 && stem[n - 1] == stem[n - 2] && !is_vowel(stem[n - 1])
+             ? std::string(stem.substr(0, n - 1))
+             : "";
 }
 
 VerbForm irregular_form(std::string_view word) {
@@ -152,7 +166,9 @@ std::string plural(std::string_view noun) {
   return std::string(before) + form;
 }
 
-bool is_plural(std::string_view noun) { return singular(noun) != noun; }
+bool is_plural(std::string_view noun) {
+  return singular(noun) != noun;
+}
 
 std::optional<Verb> verb(std::string_view word) {
   const auto irregular = lexicon().irregular_bases(word, PartOfSpeech::verb);

@@ -29,8 +29,7 @@ std::size_t read(std::string_view bytes, std::size_t at, std::size_t width) {
 }
 
 std::size_t section_start(std::string_view bytes, std::size_t section) {
-  return read(bytes, layout::magic.size() + layout::offset_width * section,
-              layout::offset_width);
+  return read(bytes, layout::magic.size() + layout::offset_width * section, layout::offset_width);
 }
 
 std::string_view section_bytes(std::string_view bytes, Section section) {
@@ -44,7 +43,9 @@ std::size_t entries(std::string_view bytes, Section section) {
 }
 
 // What a sense weighs against others of its word: rare ones by their rank.
-double weight(const Sense& sense) { return sense.tagged + 1.0 / sense.rank; }
+double weight(const Sense& sense) {
+  return sense.tagged + 1.0 / sense.rank;
+}
 
 // The first number in [0, count) of which `less` does not hold.
 template <typename Less>
@@ -71,12 +72,15 @@ Lexicon::Lexicon(std::string_view bytes) : bytes_(bytes) {
 }
 
 std::size_t Lexicon::number(Section section, std::size_t index) const {
-  return read(bytes_, section_start(bytes_, static_cast<std::size_t>(section)) + layout::width * index, layout::width);
+  return read(bytes_,
+              section_start(bytes_, static_cast<std::size_t>(section)) + layout::width * index,
+              layout::width);
 }
 
 std::string_view Lexicon::text(Section starts, Section texts, std::size_t index) const {
   const std::size_t from = number(starts, index);
-  return bytes_.substr(section_start(bytes_, static_cast<std::size_t>(texts)) + from, number(starts, index + 1) - from);
+  return bytes_.substr(section_start(bytes_, static_cast<std::size_t>(texts)) + from,
+                       number(starts, index + 1) - from);
 }
 
 std::string_view Lexicon::lemma(std::size_t at) const {
@@ -91,8 +95,7 @@ std::optional<std::size_t> Lexicon::find(std::string_view word) const {
 
 PartOfSpeech Lexicon::part_of(std::size_t synset) const {
   int part = 0;
-  while (part < 3 && synset >= number(Section::parts, static_cast<std::size_t>(part + 1)))
-    ++part;
+  while (part < 3 && synset >= number(Section::parts, static_cast<std::size_t>(part + 1))) ++part;
   return static_cast<PartOfSpeech>(part);
 }
 
@@ -109,7 +112,8 @@ std::vector<Sense> Lexicon::senses(std::string_view word) const {
     sense.synset = static_cast<std::uint32_t>(number(Section::senses, i));
     sense.part = part_of(sense.synset);
     if (!result.empty() && result.back().part == sense.part) sense.rank = result.back().rank + 1;
-    sense.tagged = std::exp2(static_cast<double>(read(frequencies, i, 1)) / layout::frequency_scale) - 1.0;
+    sense.tagged =
+        std::exp2(static_cast<double>(read(frequencies, i, 1)) / layout::frequency_scale) - 1.0;
     sense.classes = static_cast<std::uint32_t>(
         read(masks, 4 * read(classes, layout::class_width * sense.synset, layout::class_width), 4));
     result.push_back(sense);
@@ -123,7 +127,9 @@ std::vector<Sense> Lexicon::senses(std::string_view word, PartOfSpeech part) con
   return all;
 }
 
-bool Lexicon::has(std::string_view word, PartOfSpeech part) const { return !senses(word, part).empty(); }
+bool Lexicon::has(std::string_view word, PartOfSpeech part) const {
+  return !senses(word, part).empty();
+}
 
 double Lexicon::tagged(std::string_view word, PartOfSpeech part) const {
   double sum = 0.0;
@@ -147,7 +153,8 @@ bool Lexicon::is(std::string_view word, WordClass word_class) const {
 
 bool Lexicon::may_be(std::string_view word, WordClass word_class) const {
   const auto common = common_senses(word, PartOfSpeech::noun);
-  return std::any_of(common.begin(), common.end(), [&](const Sense& s) { return s.is(word_class); });
+  return std::any_of(common.begin(), common.end(),
+                     [&](const Sense& s) { return s.is(word_class); });
 }
 
 std::vector<Sense> Lexicon::common_senses(std::string_view word, PartOfSpeech part) const {
@@ -209,11 +216,13 @@ std::vector<std::string_view> Lexicon::hypernyms(std::string_view word, PartOfSp
   return result;
 }
 
-std::vector<std::string_view> Lexicon::irregular_bases(std::string_view form, PartOfSpeech part) const {
+std::vector<std::string_view> Lexicon::irregular_bases(std::string_view form,
+                                                       PartOfSpeech part) const {
   const auto starts = Section::irregular_starts;
   const auto texts = Section::irregular_text;
   std::vector<std::string_view> result;
-  auto at = first_not(irregular_count_, [&](std::size_t i) { return text(starts, texts, i) < form; });
+  auto at =
+      first_not(irregular_count_, [&](std::size_t i) { return text(starts, texts, i) < form; });
   for (; at < irregular_count_ && text(starts, texts, at) == form; ++at) {
     const std::size_t key = number(Section::irregular_bases, at);
     if (key % 4 == static_cast<std::size_t>(part)) result.push_back(lemma(key / 4));
@@ -221,7 +230,8 @@ std::vector<std::string_view> Lexicon::irregular_bases(std::string_view form, Pa
   return result;
 }
 
-std::vector<std::string_view> Lexicon::irregular_forms(std::string_view word, PartOfSpeech part) const {
+std::vector<std::string_view> Lexicon::irregular_forms(std::string_view word,
+                                                       PartOfSpeech part) const {
   std::vector<std::string_view> result;
   const auto found = find(word);
   if (!found) return result;
@@ -230,17 +240,17 @@ std::vector<std::string_view> Lexicon::irregular_forms(std::string_view word, Pa
   const auto base = [&](std::size_t i) { return number(Section::irregular_bases, form(i)); };
   auto at = first_not(irregular_count_, [&](std::size_t i) { return base(i) < key; });
   for (; at < irregular_count_ && base(at) == key; ++at)
-    result.push_back(text(Section::irregular_starts,
-                          Section::irregular_text, form(at)));
+    result.push_back(text(Section::irregular_starts, Section::irregular_text, form(at)));
   return result;
 }
 
-std::string_view Lexicon::licence() const { return section_bytes(bytes_, Section::licence); }
+std::string_view Lexicon::licence() const {
+  return section_bytes(bytes_, Section::licence);
+}
 
 const Lexicon& lexicon() {
-  static const Lexicon built_in(
-      std::string_view(reinterpret_cast<const char*>(roomgen_lexicon),
-                       static_cast<std::size_t>(roomgen_lexicon_size)));
+  static const Lexicon built_in(std::string_view(reinterpret_cast<const char*>(roomgen_lexicon),
+                                                 static_cast<std::size_t>(roomgen_lexicon_size)));
   return built_in;
 }
 

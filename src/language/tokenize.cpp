@@ -8,8 +8,25 @@ namespace roomgen::language {
 namespace {
 
 // What a character means, whatever script and style it is written in.
-enum class Sign { letter, digit, space, apostrophe, quote, hyphen, dash, comma, stop, open, close,
-                  feet, inches, times, fraction, squared, symbol };
+enum class Sign {
+  letter,
+  digit,
+  space,
+  apostrophe,
+  quote,
+  hyphen,
+  dash,
+  comma,
+  stop,
+  open,
+  close,
+  feet,
+  inches,
+  times,
+  fraction,
+  squared,
+  symbol
+};
 
 struct Character {
   Sign sign = Sign::symbol;
@@ -25,27 +42,54 @@ struct Mark {
 };
 
 constexpr std::array<Mark, 24> marks = {{
-    {"\u2019", Sign::apostrophe}, {"\u2018", Sign::apostrophe}, {"\u201c", Sign::quote},
-    {"\u201d", Sign::quote},      {"\u201e", Sign::quote},      {"\u00ab", Sign::quote},
-    {"\u00bb", Sign::quote},      {"\u2010", Sign::hyphen},     {"\u2011", Sign::hyphen},
-    {"\u2013", Sign::dash},       {"\u2014", Sign::dash},       {"\u2026", Sign::stop},
-    {"\u3002", Sign::stop},       {"\u2022", Sign::stop},       {"\u00a0", Sign::space},
-    {"\u202f", Sign::space},      {"\u2032", Sign::feet},       {"\u2033", Sign::inches},
-    {"\u00d7", Sign::times},      {"\u00b2", Sign::squared},    {"\u00bd", Sign::fraction, 0.5},
-    {"\u00bc", Sign::fraction, 0.25}, {"\u00be", Sign::fraction, 0.75}, {"\u3001", Sign::comma},
+    {"\u2019", Sign::apostrophe},     {"\u2018", Sign::apostrophe},
+    {"\u201c", Sign::quote},          {"\u201d", Sign::quote},
+    {"\u201e", Sign::quote},          {"\u00ab", Sign::quote},
+    {"\u00bb", Sign::quote},          {"\u2010", Sign::hyphen},
+    {"\u2011", Sign::hyphen},         {"\u2013", Sign::dash},
+    {"\u2014", Sign::dash},           {"\u2026", Sign::stop},
+    {"\u3002", Sign::stop},           {"\u2022", Sign::stop},
+    {"\u00a0", Sign::space},          {"\u202f", Sign::space},
+    {"\u2032", Sign::feet},           {"\u2033", Sign::inches},
+    {"\u00d7", Sign::times},          {"\u00b2", Sign::squared},
+    {"\u00bd", Sign::fraction, 0.5},  {"\u00bc", Sign::fraction, 0.25},
+    {"\u00be", Sign::fraction, 0.75}, {"\u3001", Sign::comma},
 }};
 
 Sign sign_of(char c) {
   switch (c) {
-    case ' ': case '\t': case '\r': case '\f': case '\v': return Sign::space;
-    case '\'': case '`': return Sign::apostrophe;
-    case '"': return Sign::quote;
-    case '-': return Sign::hyphen;
-    case ',': return Sign::comma;
-    case '.': case '!': case '?': case ';': case ':': case '\n': return Sign::stop;
-    case '(': case '[': case '{': return Sign::open;
-    case ')': case ']': case '}': return Sign::close;
-    default: return Sign::symbol;
+    case ' ':
+    case '\t':
+    case '\r':
+    case '\f':
+    case '\v':
+      return Sign::space;
+    case '\'':
+    case '`':
+      return Sign::apostrophe;
+    case '"':
+      return Sign::quote;
+    case '-':
+      return Sign::hyphen;
+    case ',':
+      return Sign::comma;
+    case '.':
+    case '!':
+    case '?':
+    case ';':
+    case ':':
+    case '\n':
+      return Sign::stop;
+    case '(':
+    case '[':
+    case '{':
+      return Sign::open;
+    case ')':
+    case ']':
+    case '}':
+      return Sign::close;
+    default:
+      return Sign::symbol;
   }
 }
 
@@ -57,12 +101,14 @@ Character character_at(std::string_view text, std::size_t at) {
   if (c >= 'A' && c <= 'Z') return {Sign::letter, 1, static_cast<char>(c - 'A' + 'a')};
   if (static_cast<unsigned char>(c) < 128) return {sign_of(c), 1};
   for (const auto& mark : marks)
-    if (text.substr(at).starts_with(mark.text)) return {mark.sign, mark.text.size(), '\0', mark.value};
+    if (text.substr(at).starts_with(mark.text))
+      return {mark.sign, mark.text.size(), '\0', mark.value};
   return {Sign::letter, 1};
 }
 
 // Lower case also for the capitals of Western Europe, U+00C0 to U+00DE.
-void append_lower(std::string& to, std::string_view text, std::size_t at, const Character& character) {
+void append_lower(std::string& to, std::string_view text, std::size_t at,
+                  const Character& character) {
   if (character.letter) {
     to += character.letter;
     return;
@@ -167,7 +213,8 @@ class Splitter {
   void length_mark() {
     const Character c = here();
     const std::size_t begin = at_;
-    const bool feet = c.sign == Sign::feet || (c.sign == Sign::apostrophe && !is_open_ && !is(Sign::letter, c.length));
+    const bool feet = c.sign == Sign::feet ||
+                      (c.sign == Sign::apostrophe && !is_open_ && !is(Sign::letter, c.length));
     const bool inches = c.sign == Sign::inches || (c.sign == Sign::quote && !is_open_);
     if (!feet && !inches) return;
     at_ += c.length;
@@ -183,7 +230,8 @@ class Splitter {
     }
     // "m2" and "m²" are words.
     const bool square = (text == "m" || text == "ft" || text == "cm") &&
-                        (is(Sign::squared) || (this->text(at_) == '2' && !is(Sign::digit, 1) && !is(Sign::letter, 1)));
+                        (is(Sign::squared) ||
+                         (this->text(at_) == '2' && !is(Sign::digit, 1) && !is(Sign::letter, 1)));
     if (square) {
       text += '2';
       at_ += here().length;
@@ -213,7 +261,8 @@ class Splitter {
   // The point of "approx." or "sq." ends nothing.
   bool is_abbreviated(std::string_view text) const {
     if (this->text(at_) != '.') return false;
-    for (const std::string_view known : {"approx", "sq", "ca", "incl", "e", "g", "i", "vs", "max", "min"})
+    for (const std::string_view known :
+         {"approx", "sq", "ca", "incl", "e", "g", "i", "vs", "max", "min"})
       if (text == known) return at_ + 1 < text_.size() && text_[at_ + 1] != '\n';
     return false;
   }
@@ -230,13 +279,25 @@ class Splitter {
           add(Token::Kind::symbol, begin, "-");
         return;
       case Sign::dash:
-        add(joint_ == Token::Joint::none && is(Sign::digit) ? Token::Kind::symbol : Token::Kind::comma, begin, "-");
+        add(joint_ == Token::Joint::none && is(Sign::digit) ? Token::Kind::symbol
+                                                            : Token::Kind::comma,
+            begin, "-");
         return;
-      case Sign::comma: add(Token::Kind::comma, begin, ","); return;
-      case Sign::stop: add(Token::Kind::stop, begin, written); return;
-      case Sign::open: add(Token::Kind::open, begin, written); return;
-      case Sign::close: add(Token::Kind::close, begin, written); return;
-      case Sign::times: add(Token::Kind::word, begin, "x"); return;
+      case Sign::comma:
+        add(Token::Kind::comma, begin, ",");
+        return;
+      case Sign::stop:
+        add(Token::Kind::stop, begin, written);
+        return;
+      case Sign::open:
+        add(Token::Kind::open, begin, written);
+        return;
+      case Sign::close:
+        add(Token::Kind::close, begin, written);
+        return;
+      case Sign::times:
+        add(Token::Kind::word, begin, "x");
+        return;
       case Sign::quote:
         is_open_ = !is_open_;
         add(Token::Kind::quote, begin, "\"");

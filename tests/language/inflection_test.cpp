@@ -9,26 +9,32 @@ using namespace roomgen::language;
 
 TEST_CASE("Nouns become singular") {
   const std::pair<const char*, const char*> table[] = {
-      {"chairs", "chair"},   {"shelves", "shelf"},   {"bookshelves", "bookshelf"}, {"boxes", "box"},
-      {"benches", "bench"},  {"couches", "couch"},   {"glasses", "glass"},         {"vases", "vase"},
-      {"stoves", "stove"},   {"knives", "knife"},    {"sheaves", "sheaf"},         {"berries", "berry"},
-      {"movies", "movie"},   {"cookies", "cookie"},  {"mattresses", "mattress"},   {"buses", "bus"},
-      {"children", "child"}, {"feet", "foot"},       {"mice", "mouse"},            {"menus", "menu"},
-      {"pianos", "piano"},   {"tomatoes", "tomato"}, {"shoes", "shoe"},            {"canvases", "canvas"},
-      {"canvas", "canvas"},  {"bus", "bus"},         {"glass", "glass"},           {"lens", "lens"},
-      {"gas", "gas"},        {"chess", "chess"},     {"tennis", "tennis"},         {"series", "series"},
-      {"dining chairs", "dining chair"},             {"sofas", "sofa"},            {"loaves", "loaf"},
-      {"nightstands", "nightstand"},                 {"worktops", "worktop"},      {"beanbags", "beanbag"},
-      {"pouffes", "pouffe"}, {"settees", "settee"},  {"curtains", "curtain"},      {"blouses", "blouse"},
-      {"wineries", "winery"}, {"foobars", "foobar"}, {"zorches", "zorch"},         {"women", "woman"}};
+      {"chairs", "chair"},     {"shelves", "shelf"},    {"bookshelves", "bookshelf"},
+      {"boxes", "box"},        {"benches", "bench"},    {"couches", "couch"},
+      {"glasses", "glass"},    {"vases", "vase"},       {"stoves", "stove"},
+      {"knives", "knife"},     {"sheaves", "sheaf"},    {"berries", "berry"},
+      {"movies", "movie"},     {"cookies", "cookie"},   {"mattresses", "mattress"},
+      {"buses", "bus"},        {"children", "child"},   {"feet", "foot"},
+      {"mice", "mouse"},       {"menus", "menu"},       {"pianos", "piano"},
+      {"tomatoes", "tomato"},  {"shoes", "shoe"},       {"canvases", "canvas"},
+      {"canvas", "canvas"},    {"bus", "bus"},          {"glass", "glass"},
+      {"lens", "lens"},        {"gas", "gas"},          {"chess", "chess"},
+      {"tennis", "tennis"},    {"series", "series"},    {"dining chairs", "dining chair"},
+      {"sofas", "sofa"},       {"loaves", "loaf"},      {"nightstands", "nightstand"},
+      {"worktops", "worktop"}, {"beanbags", "beanbag"}, {"pouffes", "pouffe"},
+      {"settees", "settee"},   {"curtains", "curtain"}, {"blouses", "blouse"},
+      {"wineries", "winery"},  {"foobars", "foobar"},   {"zorches", "zorch"},
+      {"women", "woman"}};
   for (const auto& [many, one] : table) CHECK(singular(many) == one);
 }
 
 TEST_CASE("Nouns become plural") {
   const std::pair<const char*, const char*> table[] = {
-      {"chair", "chairs"}, {"shelf", "shelves"}, {"box", "boxes"},   {"bench", "benches"}, {"child", "children"},
-      {"foot", "feet"},    {"mouse", "mice"},    {"knife", "knives"}, {"berry", "berries"}, {"toy", "toys"},
-      {"bookcase", "bookcases"}, {"coffee table", "coffee tables"}, {"glass", "glasses"}, {"woman", "women"}};
+      {"chair", "chairs"},  {"shelf", "shelves"},      {"box", "boxes"},
+      {"bench", "benches"}, {"child", "children"},     {"foot", "feet"},
+      {"mouse", "mice"},    {"knife", "knives"},       {"berry", "berries"},
+      {"toy", "toys"},      {"bookcase", "bookcases"}, {"coffee table", "coffee tables"},
+      {"glass", "glasses"}, {"woman", "women"}};
   for (const auto& [one, many] : table) {
     CHECK(plural(one) == many);
     CHECK(is_plural(many));
@@ -41,12 +47,16 @@ TEST_CASE("The singular of the plural is the noun") {
   for (std::size_t i = 0; i < lexicon().size(); ++i) {
     const std::string noun(lexicon().lemma(i));
     const auto senses = lexicon().senses(noun, PartOfSpeech::noun);
-    if (noun.find_first_not_of("abcdefghijklmnopqrstuvwxyz") != std::string::npos || noun.size() < 3) continue;
+    if (noun.find_first_not_of("abcdefghijklmnopqrstuvwxyz") != std::string::npos ||
+        noun.size() < 3)
+      continue;
     // Nouns that are plurals themselves have no plural.
     if (senses.empty() || is_plural(noun)) continue;
     ++asked;
-    if (singular(plural(noun)) == noun) ++kept;
-    else UNSCOPED_INFO(noun << " " << plural(noun) << " " << singular(plural(noun)));
+    if (singular(plural(noun)) == noun)
+      ++kept;
+    else
+      UNSCOPED_INFO(noun << " " << plural(noun) << " " << singular(plural(noun)));
   }
   UNSCOPED_INFO(kept << " of " << asked);
   CHECK(asked > 30'000);

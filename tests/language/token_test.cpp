@@ -12,13 +12,15 @@ namespace {
 
 std::string texts(std::string_view text) {
   std::string result;
-  for (const auto& token : tokenize(text)) result += (result.empty() ? "" : "|") + token.text + token.clitic;
+  for (const auto& token : tokenize(text))
+    result += (result.empty() ? "" : "|") + token.text + token.clitic;
   return result;
 }
 
 std::string random_bytes(Random& random, int length, bool is_ascii) {
   std::string text;
-  for (int i = 0; i < length; ++i) text += static_cast<char>(random.integer(is_ascii ? 9 : 0, is_ascii ? 126 : 255));
+  for (int i = 0; i < length; ++i)
+    text += static_cast<char>(random.integer(is_ascii ? 9 : 0, is_ascii ? 126 : 255));
   return text;
 }
 
@@ -30,7 +32,8 @@ void check_spans(const std::string& text) {
     REQUIRE(token.span.end <= text.size());
     // Nothing but white space and hyphens is left out.
     for (std::uint32_t i = end; i < token.span.begin; ++i)
-      REQUIRE((static_cast<unsigned char>(text[i]) > 127 || std::string_view(" \t\r\f\v-").find(text[i]) != std::string_view::npos));
+      REQUIRE((static_cast<unsigned char>(text[i]) > 127 ||
+               std::string_view(" \t\r\f\v-").find(text[i]) != std::string_view::npos));
     end = token.span.end;
   }
 }
@@ -65,7 +68,8 @@ TEST_CASE("Marks behind a number are feet and inches, quotes are none") {
 }
 
 TEST_CASE("Clitics are parted from their words") {
-  CHECK(texts("don't, kid's, kids', there's, we\u2019ll") == "don't|,|kid's|,|kids'|,|there's|,|we'll");
+  CHECK(texts("don't, kid's, kids', there's, we\u2019ll") ==
+        "don't|,|kid's|,|kids'|,|there's|,|we'll");
   CHECK(tokenize("don't").front().text == "do");
   CHECK(tokenize("can\u2019t").front().clitic == "n't");
   CHECK(tokenize("kids' room").front().text == "kids");
@@ -83,13 +87,15 @@ TEST_CASE("Hyphens and figures are joints") {
 TEST_CASE("Spans are in order and cover the text, whatever its bytes") {
   check_spans("Don\u2019t place 2½ “big” chairs \u2014 6'2\" each – near the café!");
   Random random(3);
-  for (int i = 0; i < 400; ++i) check_spans(random_bytes(random, random.integer(0, 60), i % 2 == 0));
+  for (int i = 0; i < 400; ++i)
+    check_spans(random_bytes(random, random.integer(0, 60), i % 2 == 0));
 }
 
 TEST_CASE("100,000 bytes of anything are read at once") {
   Random random(5);
   const auto start = std::chrono::steady_clock::now();
-  for (const bool is_ascii : {true, false}) CHECK(tokenize(random_bytes(random, 100'000, is_ascii)).size() > 1000);
+  for (const bool is_ascii : {true, false})
+    CHECK(tokenize(random_bytes(random, 100'000, is_ascii)).size() > 1000);
   CHECK(tokenize(std::string(100'000, '\'')).size() <= max_tokens);
   CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(1));
 }

@@ -10,8 +10,9 @@ namespace roomgen::language {
 /// Forms of English words, in lower case. Irregular ones and the choice between spellings come from
 /// the lexicon; words that it does not know are inflected by their ending alone.
 
-/// A noun in the singular: shelves gives shelf, glasses glass, vases vase. A singular stays as it is
-/// (glass, canvas, bus), as do words that are no nouns at all. Of several words the last changes.
+/// A noun in the singular: shelves gives shelf, glasses glass, vases vase. A singular stays as it
+/// is (glass, canvas, bus), as do words that are no nouns at all. Of several words the last
+/// changes.
 std::string singular(std::string_view noun);
 /// All that a noun may be in the singular, the likeliest first, the word itself last if it may be
 /// one: axes gives ax, axe, axis.

@@ -17,18 +17,18 @@ enum class Section : int;
 /// One meaning of a word.
 struct Sense {
   PartOfSpeech part = PartOfSpeech::noun;
-  int rank = 1;                ///< among those of its part of speech, the commonest first
-  std::uint32_t synset = 0;    ///< words that share one are synonyms in this sense
-  double tagged = 0.0;         ///< how often it was met in tagged texts, to about 9 %
-  std::uint32_t classes = 0;   ///< bit k: the k-th WordClass
+  int rank = 1;               ///< among those of its part of speech, the commonest first
+  std::uint32_t synset = 0;   ///< words that share one are synonyms in this sense
+  double tagged = 0.0;        ///< how often it was met in tagged texts, to about 9 %
+  std::uint32_t classes = 0;  ///< bit k: the k-th WordClass
 
   bool is(WordClass word_class) const { return classes >> static_cast<int>(word_class) & 1; }
 };
 
 /// General knowledge of English: the words of WordNet 3.0 with their meanings, synonyms and more
 /// general terms, in lower case, several words with spaces between them ("dining table"). Read in
-/// place from bytes that are part of the program: it costs nothing to begin with, and looking a word
-/// up takes under a microsecond. Words are lemmas: see inflection.h for their other forms.
+/// place from bytes that are part of the program: it costs nothing to begin with, and looking a
+/// word up takes under a microsecond. Words are lemmas: see inflection.h for their other forms.
 class Lexicon {
  public:
   /// `bytes` as src/language/lexicon_layout.h describes them; they must outlive it.
@@ -47,14 +47,16 @@ class Lexicon {
   double tagged(std::string_view word, PartOfSpeech part) const;
 
   /// The share of a noun's (or another part's) uses in which it is of the class, 0 to 1.
-  double share(std::string_view word, WordClass word_class, PartOfSpeech part = PartOfSpeech::noun) const;
+  double share(std::string_view word, WordClass word_class,
+               PartOfSpeech part = PartOfSpeech::noun) const;
   /// Whether that is what the noun usually means: its first sense, or at least half of its uses.
   bool is(std::string_view word, WordClass word_class) const;
   /// Whether one of the common senses is of the class.
   bool may_be(std::string_view word, WordClass word_class) const;
 
   /// Whether the words share one of the common senses of both.
-  bool are_synonyms(std::string_view a, std::string_view b, PartOfSpeech part = PartOfSpeech::noun) const;
+  bool are_synonyms(std::string_view a, std::string_view b,
+                    PartOfSpeech part = PartOfSpeech::noun) const;
   /// How many steps up from a common sense of `word` a common sense of `general` lies: 0 for
   /// synonyms, nothing if none does within `most` steps.
   std::optional<int> steps_up(std::string_view word, std::string_view general, int most = 12,

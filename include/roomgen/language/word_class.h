@@ -46,10 +46,11 @@ enum class WordClass : std::uint8_t {
 };
 
 inline constexpr std::array<std::string_view, 32> word_class_names = {
-    "activity", "animal",     "appliance", "art",     "artefact", "attribute",  "body part", "building",
-    "color",    "container",  "covering",  "event",   "feeling",  "fixture",    "food",      "furnishing",
-    "furniture", "garment",   "group",     "instrument", "material", "message", "person",    "place",
-    "plant",    "quantity",   "room",      "shape",   "substance", "time",      "toy",       "vehicle"};
+    "activity",  "animal",     "appliance", "art",      "artefact", "attribute",  "body part",
+    "building",  "color",      "container", "covering", "event",    "feeling",    "fixture",
+    "food",      "furnishing", "furniture", "garment",  "group",    "instrument", "material",
+    "message",   "person",     "place",     "plant",    "quantity", "room",       "shape",
+    "substance", "time",       "toy",       "vehicle"};
 
 constexpr std::string_view name_of(WordClass word_class) {
   return word_class_names[static_cast<std::size_t>(word_class)];

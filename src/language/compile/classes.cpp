@@ -11,7 +11,6 @@ namespace roomgen::language {
 
 namespace {
 
-
 std::uint32_t class_number(const std::string& name) {
   const auto found = std::find(word_class_names.begin(), word_class_names.end(), name);
   if (found == word_class_names.end()) throw std::runtime_error("no word class: " + name);
@@ -21,7 +20,8 @@ std::uint32_t class_number(const std::string& name) {
 // "dining_table.n.1": the first sense of the noun.
 std::uint32_t synset_named(const WordNet& net, const std::string& name) {
   const auto last = name.rfind('.');
-  if (last == std::string::npos || last < 2) throw std::runtime_error("no name of a sense: " + name);
+  if (last == std::string::npos || last < 2)
+    throw std::runtime_error("no name of a sense: " + name);
   std::string lemma = name.substr(0, last - 2);
   std::replace(lemma.begin(), lemma.end(), '_', ' ');
   const auto part = std::string("nvar").find(name[last - 1]);

@@ -32,7 +32,9 @@ std::string plain(std::string word) {
 }
 
 // The head of an adjective satellite is marked s and numbered with the adjectives.
-char letter_of(const std::string& part) { return part == "s" ? 'a' : part.at(0); }
+char letter_of(const std::string& part) {
+  return part == "s" ? 'a' : part.at(0);
+}
 
 struct Pointer {
   std::string symbol, target;
@@ -147,7 +149,8 @@ class Reader {
       auto& list = result_.lemmas[lemma][part];
       for (std::size_t rank = 1; rank <= senses && in >> offset; ++rank) {
         const auto found = counts_.find(letters[part] + lemma + ' ' + std::to_string(rank));
-        list.push_back({offsets_.at(letters[part] + offset), found == counts_.end() ? 0 : found->second});
+        list.push_back(
+            {offsets_.at(letters[part] + offset), found == counts_.end() ? 0 : found->second});
       }
     }
   }

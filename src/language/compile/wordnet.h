@@ -29,7 +29,8 @@ struct WordNet {
   std::vector<Synset> synsets;
   std::array<std::uint32_t, parts + 1> first{};  ///< synset of each part of speech
   std::map<std::string, std::array<std::vector<Sense>, parts>> lemmas;
-  std::vector<std::pair<std::string, std::pair<std::string, int>>> irregular;  ///< form, lemma, part
+  std::vector<std::pair<std::string, std::pair<std::string, int>>>
+      irregular;  ///< form, lemma, part
 };
 
 /// Reads WordNet 3.0 as WNdb(5) describes it. Throws std::runtime_error when a file is missing or

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "roomgen/language/token.h"
+
+namespace roomgen::language {
+
+/// A length, several sides, or an area.
+struct Measure {
+  enum class Kind : std::uint8_t { length, sides, area, range };
+  /// Which side a length is said of: "2 m long".
+  enum class Side : std::uint8_t {
+    unsaid,
+    length,
+    width,
+    depth,
+    height,
+    thickness,
+    diameter,
+    distance
+  };
+
+  Kind kind = Kind::length;
+  Side side = Side::unsaid;
+  int count = 1;                 ///< of values
+  double values[3] = {0, 0, 0};  ///< metres or square metres; of a range the least and the most
+  bool has_unit = true;          ///< "4 x 5": values as they are
+  std::size_t length = 0;        ///< tokens
+};
+
+/// The measure that begins at a token: 1.8 m, two metres, half a metre, 6'2", 5 feet 10 inches,
+/// 2.5 by 3 metres, 80 x 60 x 75 cm, 2-3 m, 20 m2, twelve square feet; with the side that it is
+/// said of ("1.8 m wide", "2-metre-long"). Sides without units of their own have that of the last;
+/// sides without any are measures too, single numbers are none.
+std::optional<Measure> measure_at(std::span<const Token> tokens, std::size_t at);
+
+}  // namespace roomgen::language

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "roomgen/language/parse.h"
+#include "tagger.h"
+
+namespace roomgen::language {
+
+/// A piece of a sentence, or the pieces that are one noun phrase.
+struct Chunk {
+  Tag tag = Tag::noun;           ///< Tag::noun: a noun phrase, pronouns too
+  std::uint32_t phrase = 0;      ///< of noun phrases: of Parse::phrases
+  const Piece* piece = nullptr;  ///< of everything else
+  Run complement;                ///< of adjectives: of Parse::modifiers
+};
+
+/// Joins pieces to noun phrases, which go into the parse with their modifiers and measures. The
+/// pieces must outlive the chunks.
+std::vector<Chunk> chunk(const std::vector<Piece>& pieces, Parse& parse);
+
+}  // namespace roomgen::language

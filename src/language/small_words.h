@@ -1,0 +1,35 @@
+#pragma once
+
+#include <map>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "roomgen/language/measure.h"
+#include "roomgen/language/parse.h"
+#include "roomgen/language/token.h"
+
+namespace roomgen::language {
+
+using Words = std::set<std::string, std::less<>>;
+
+/// The words of data/language/words.json; docs/language.md explains the lists.
+struct SmallWords {
+  std::map<std::string, double, std::less<>> numbers, scales, fractions, ordinals, lengths, areas,
+      counted_quantities;
+  std::map<std::string, Measure::Side, std::less<>> sides;
+  std::map<std::string, Determiner, std::less<>> determiners;
+  std::map<std::string, std::string, std::less<>> contractions;
+  Words vague_numbers, pronouns, standing_alone, negative_pronouns, relatives, conjunctions,
+      subordinators, negations, be, auxiliaries, verbs, verbs_of_denial, prepositions,
+      denying_prepositions, adverbs, quantities, plurals, exceptions;
+};
+
+const SmallWords& small_words();
+
+/// How many tokens from `at` on are the longest phrase of the set; 0 if none is.
+std::size_t longest_run(const Words& phrases, std::span<const Token> tokens, std::size_t at,
+                        std::size_t most = 4);
+
+}  // namespace roomgen::language
