@@ -34,7 +34,7 @@ int main() {
   request.seed = 3;  // 15 objects or more
   auto plan = designer->plan(request);
   if (!library || !renderer || !plan) return std::puts("(no furniture or no OSMesa)"), 0;
-  auto room = generate(*plan, *designer, **library, CategoryTable::built_in());
+  auto room = generate(*plan, *designer, **library, KindTable::built_in());
   if (!room) return 1;
 
   View marks;

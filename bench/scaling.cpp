@@ -31,7 +31,7 @@ Cost measure(int objects, double area) {
     options.seed = static_cast<std::uint64_t>(seed);
     const Problem problem = synthetic_problem(options);
     const std::clock_t start = std::clock();
-    const auto solution = solve(problem, ModelTable(), CategoryTable::built_in());
+    const auto solution = solve(problem, ModelTable(), KindTable::built_in());
     times.push_back(1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
     if (solution)
       placed += static_cast<double>(solution->scene.objects.size()) / options.objects / seeds;

@@ -60,7 +60,7 @@ Row measure(const fs::path& file, int seeds) {
     SolveOptions options;
     options.seed = static_cast<std::uint64_t>(seed);
     const std::clock_t start = std::clock();
-    const auto solution = solve(*problem, ModelTable(), CategoryTable::built_in(), options);
+    const auto solution = solve(*problem, ModelTable(), KindTable::built_in(), options);
     const double elapsed = 1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
     if (!solution) continue;
     row.milliseconds.push_back(elapsed);
@@ -70,7 +70,7 @@ Row measure(const fs::path& file, int seeds) {
     row.held += solution->held;
     row.constraints += solution->constraints;
     row.faults += static_cast<int>(
-        examine(solution->scene, ModelTable(), CategoryTable::built_in()).violations.size());
+        examine(solution->scene, ModelTable(), KindTable::built_in()).violations.size());
   }
   return row;
 }

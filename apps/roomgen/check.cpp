@@ -43,7 +43,7 @@ void print_report(const SceneReport& report) {
 Result<int> check_scene(const Context& context, const CheckCommand& command, const Scene& scene) {
   auto models = models_of(scene, command.models, context);
   if (!models) return models.error();
-  const auto report = examine(scene, *models, CategoryTable::built_in());
+  const auto report = examine(scene, *models, KindTable::built_in());
   if (context.json) {
     Json json;
     json["format"] = "roomgen-scene";

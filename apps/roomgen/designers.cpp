@@ -6,7 +6,7 @@
 #include "roomgen/base/file.h"
 #include "roomgen/design/rule_designer.h"
 #include "roomgen/render/image_file.h"
-#include "roomgen/scene/category.h"
+#include "roomgen/kinds/kind_table.h"
 #ifdef ROOMGEN_HAS_AGENT
 #include "http.h"
 #endif
@@ -198,7 +198,7 @@ Result<ComposedDesigner> compose_designer(const DesignerOptions& options, const 
     model_options.budget_is_spent = [limited] { return limited->refused(); };
   composed.designer =
       make_model_designer(*composed.model, make_rule_designer(), std::move(model->prompts),
-                          CategoryTable::built_in(), std::move(model_options));
+                          KindTable::built_in(), std::move(model_options));
   return composed;
 }
 

@@ -333,7 +333,7 @@ Result<int> run(const Context& context, const GenerateCommand& command) {
   };
   auto generation = std::visit(
       [&](const auto& each) {
-        return generate(each, designer, **library, CategoryTable::built_in(), options);
+        return generate(each, designer, **library, KindTable::built_in(), options);
       },
       *plan);
   if (!generation) return generation.error();

@@ -23,7 +23,7 @@ Status stand_together(const create::Creation& creation, std::uint64_t seed, Made
     made.model = to_model(objects[0].shape);
     return {};
   }
-  const auto group = set_out(creation, CategoryTable::built_in(), seed);
+  const auto group = set_out(creation, KindTable::built_in(), seed);
   if (!group) return group.error();
   made.model = merged_model(group->scene, group->models);
   for (const auto& missing : group->scene.unplaced)

@@ -46,7 +46,7 @@ Result<int> run(const Context& context, SolveCommand& command) {
   if (!problem) return problem.error();
   command.options.cancel = context.cancel;
   const auto start = std::chrono::steady_clock::now();
-  auto solution = solve(*problem, ModelTable(), CategoryTable::built_in(), command.options);
+  auto solution = solve(*problem, ModelTable(), KindTable::built_in(), command.options);
   if (!solution) return solution.error();
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   if (auto written = write_file(command.output, dump_json(to_json(solution->scene))); !written)

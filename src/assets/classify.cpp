@@ -1,7 +1,7 @@
 #include "classify.h"
 
 #include "roomgen/base/text.h"
-#include "roomgen/scene/category.h"
+#include "roomgen/kinds/kind_table.h"
 
 namespace roomgen::assets {
 
@@ -23,7 +23,7 @@ std::string kind_from_name(const SourceAsset& asset, const Vocabulary& vocabular
 
 std::string kind_of(const SourceAsset& asset, const Label* label, const Vocabulary& vocabulary) {
   if (label && !label->category.empty()) {
-    const Kind* kind = vocabulary.find(label->category);
+    const StockKind* kind = vocabulary.find(label->category);
     return kind ? kind->name : label->category;
   }
   return asset.category ? vocabulary.understand(*asset.category).kind
@@ -38,7 +38,7 @@ Mount guess_mount(const AssetInfo& info) {
 }
 
 Mount mount_of(const SourceAsset& asset, const AssetInfo& info, const Label* label,
-               const Kind* kind) {
+               const StockKind* kind) {
   if (label && label->mount) return *label->mount;
   if (asset.mount) return *asset.mount;
   if (kind && kind->mount) return *kind->mount;
@@ -49,7 +49,7 @@ Mount mount_of(const SourceAsset& asset, const AssetInfo& info, const Label* lab
 double elevation_of(const AssetInfo& info) {
   if (info.mount != Mount::wall) return info.mount == Mount::ceiling ? info.elevation : 0.0;
   if (info.elevation > 0.0) return info.elevation;
-  const Category* category = CategoryTable::built_in().find(info.category);
+  const Kind* category = KindTable::built_in().find(info.category);
   return category && category->elevation > 0.0 ? category->elevation : usual_wall_elevation;
 }
 
@@ -61,7 +61,7 @@ bool round_of(const SourceAsset& asset, const Label* label) {
 bool front_of(const SourceAsset& asset, const AssetInfo& info, const Label* label) {
   if (label && label->front) return *label->front;
   if (asset.front) return *asset.front;
-  const Category* category = CategoryTable::built_in().find(info.category);
+  const Kind* category = KindTable::built_in().find(info.category);
   return category ? category->traits.front : true;
 }
 
@@ -70,7 +70,7 @@ bool front_of(const SourceAsset& asset, const AssetInfo& info, const Label* labe
 AssetInfo classify(const SourceAsset& asset, const Label* label, const Vocabulary& vocabulary) {
   AssetInfo info = asset.info;
   info.category = kind_of(asset, label, vocabulary);
-  const Kind* kind = vocabulary.find(info.category);
+  const StockKind* kind = vocabulary.find(info.category);
   info.mount = mount_of(asset, info, label, kind);
   info.elevation = elevation_of(info);
   info.round = round_of(asset, label);

@@ -7,7 +7,7 @@
 #include "index_file.h"
 #include "roomgen/base/text.h"
 #include "roomgen/library/ranking.h"
-#include "roomgen/scene/category.h"
+#include "roomgen/kinds/kind_table.h"
 
 namespace roomgen::assets {
 
@@ -148,7 +148,7 @@ double size_term(const SearchPlan& plan, const AssetInfo& asset) {
 
 double mount_term(const SearchPlan& plan, const AssetInfo& asset, const Vocabulary& vocabulary) {
   if (!plan.query.mount) return 1.0;
-  const Kind* kind = vocabulary.find(asset.category);
+  const StockKind* kind = vocabulary.find(asset.category);
   return mount_fit(asset.mount, *plan.query.mount, kind ? kind->also : std::vector<Mount>{},
                    asset.size.z());
 }
@@ -199,7 +199,7 @@ SearchPlan plan_search(const AssetQuery& query, const Vocabulary& vocabulary) {
     plan.free_kind = phrase.kind;
   plan.words = telling_words(query, phrase, vocabulary);
   plan.looks = wanted_looks(plan.words);
-  if (const Category* category = CategoryTable::built_in().find(phrase.kind))
+  if (const Kind* category = KindTable::built_in().find(phrase.kind))
     plan.usual_size = category->size;
   return plan;
 }

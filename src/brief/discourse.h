@@ -17,7 +17,7 @@ namespace roomgen::design {
 struct Lexicon {
   const Vocabulary& words;
   const KindNames& names;
-  const CategoryTable& table;
+  const KindTable& table;
   const RoomKind& kind;  ///< of the room: what a "sink" is depends on it
 };
 

@@ -8,7 +8,7 @@ namespace roomgen::design {
 namespace {
 
 // How much such a thing belongs to such a room.
-double usual(const RoomKind& kind, const std::string& category, const CategoryTable& table) {
+double usual(const RoomKind& kind, const std::string& category, const KindTable& table) {
   const auto hears = [&](const std::vector<Piece>& pieces) {
     return std::any_of(pieces.begin(), pieces.end(), [&](const Piece& piece) {
       return std::any_of(piece.any.begin(), piece.any.end(), [&](const auto& any) {
@@ -23,7 +23,7 @@ class ClauseSharer {
  public:
   ClauseSharer(const DwellingText& text, const std::vector<NamedRoom>& names,
                const std::vector<FoundRoom>& rooms, const RoomKinds& kinds,
-               const CategoryTable& table)
+               const KindTable& table)
       : text_(text), names_(names), rooms_(rooms), kinds_(kinds), table_(table) {}
 
   std::vector<std::vector<Stretch>> run() {
@@ -124,7 +124,7 @@ class ClauseSharer {
   const std::vector<NamedRoom>& names_;
   const std::vector<FoundRoom>& rooms_;
   const RoomKinds& kinds_;
-  const CategoryTable& table_;
+  const KindTable& table_;
   std::vector<std::vector<Stretch>> about_;  ///< by room
 };
 
@@ -134,7 +134,7 @@ std::vector<std::vector<Stretch>> share_clauses(const DwellingText& text,
                                                 const std::vector<NamedRoom>& names,
                                                 const std::vector<FoundRoom>& rooms,
                                                 const RoomKinds& kinds,
-                                                const CategoryTable& table) {
+                                                const KindTable& table) {
   return ClauseSharer(text, names, rooms, kinds, table).run();
 }
 

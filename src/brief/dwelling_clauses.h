@@ -17,6 +17,6 @@ std::vector<std::vector<Stretch>> share_clauses(const DwellingText& text,
                                                 const std::vector<NamedRoom>& names,
                                                 const std::vector<FoundRoom>& rooms,
                                                 const RoomKinds& kinds,
-                                                const CategoryTable& table);
+                                                const KindTable& table);
 
 }  // namespace roomgen::design

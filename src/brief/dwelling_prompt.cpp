@@ -75,7 +75,7 @@ std::string prompt_for(const DwellingText& text, const FoundRoom& room,
 }  // namespace
 
 std::optional<SaidDwelling> read_dwelling(std::string_view prompt, const DwellingKinds& dwellings,
-                                          const RoomKinds& kinds, const CategoryTable& table) {
+                                          const RoomKinds& kinds, const KindTable& table) {
   const auto& words = built_in_vocabulary();
   if (!words) return std::nullopt;
   const DwellingText text(prompt, *words, dwellings, kinds, table);

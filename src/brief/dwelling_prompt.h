@@ -7,7 +7,7 @@
 
 #include "dwelling_kinds.h"
 #include "room_kinds.h"
-#include "roomgen/scene/category.h"
+#include "roomgen/kinds/kind_table.h"
 
 namespace roomgen::design {
 
@@ -30,6 +30,6 @@ struct SaidDwelling {
 /// en-suite bathroom"); nothing if it is about one room. Each clause goes to the room that it is
 /// said of, one that names no room to the room where its things usually stand.
 std::optional<SaidDwelling> read_dwelling(std::string_view prompt, const DwellingKinds& dwellings,
-                                          const RoomKinds& kinds, const CategoryTable& table);
+                                          const RoomKinds& kinds, const KindTable& table);
 
 }  // namespace roomgen::design

@@ -6,7 +6,7 @@ namespace roomgen::design {
 
 DwellingText::DwellingText(std::string_view prompt, const Vocabulary& vocabulary,
                            const DwellingKinds& dwelling_kinds, const RoomKinds& room_kinds,
-                           const CategoryTable& table)
+                           const KindTable& table)
     : tokens(tokenize(prompt)),
       words(vocabulary),
       dwellings(dwelling_kinds),

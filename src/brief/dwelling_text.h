@@ -16,7 +16,7 @@ struct DwellingText {
   /// The vocabulary and the kinds of dwellings must outlive it.
   DwellingText(std::string_view prompt, const Vocabulary& vocabulary,
                const DwellingKinds& dwelling_kinds, const RoomKinds& room_kinds,
-               const CategoryTable& table);
+               const KindTable& table);
 
   bool is_word(std::size_t i, std::string_view word) const;
   /// Is there a mark, or the end?

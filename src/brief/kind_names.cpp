@@ -26,7 +26,7 @@ std::vector<std::string> singulars(const std::string& word) {
   return forms;
 }
 
-KindNames::KindNames(const CategoryTable& table) {
+KindNames::KindNames(const KindTable& table) {
   for (const auto& [name, category] : table.all()) names_[join(words(name), " ")] = &category;
   for (const auto& [name, category] : table.all())
     for (const auto& synonym : category.synonyms)
@@ -38,12 +38,12 @@ KindMatch KindNames::match_of(std::span<const Token> tokens, std::size_t at) con
   for (const auto& first : singulars(tokens[at].text)) {
     if (first == tokens[at].text) continue;
     const std::string name = first + " of " + tokens[at + 2].text;
-    if (const Category* category = find(name)) return {category, 3, true, name};
+    if (const Kind* category = find(name)) return {category, 3, true, name};
   }
   return {};
 }
 
-const Category* KindNames::find(const std::string& name) const {
+const Kind* KindNames::find(const std::string& name) const {
   const auto found = names_.find(name);
   return found == names_.end() ? nullptr : found->second;
 }
@@ -55,7 +55,7 @@ KindMatch KindNames::match(std::span<const Token> tokens, std::size_t at) const 
     const Token& token = tokens[at + n];
     if (token.kind != Token::Kind::word && token.kind != Token::Kind::number) break;
     for (const auto& form : singulars(token.text))
-      if (const Category* category = find(before + form)) {
+      if (const Kind* category = find(before + form)) {
         best = {category, n + 1, form != token.text, before + form};
         break;
       }

@@ -503,7 +503,7 @@ class PromptReader {
 
 }  // namespace
 
-Brief read_prompt(std::string_view prompt, const RoomKinds& kinds, const CategoryTable& table) {
+Brief read_prompt(std::string_view prompt, const RoomKinds& kinds, const KindTable& table) {
   Brief brief;
   const auto& words = built_in_vocabulary();
   if (!words) return brief;

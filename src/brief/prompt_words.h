@@ -9,7 +9,8 @@
 
 #include "roomgen/base/result.h"
 #include "roomgen/geometry/vec.h"
-#include "roomgen/scene/category.h"
+#include "roomgen/kinds/kind_table.h"
+#include "roomgen/scene/relation.h"
 #include "tokens.h"
 
 namespace roomgen::design {

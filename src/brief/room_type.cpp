@@ -128,7 +128,7 @@ void read_room_type(std::vector<Token>& tokens, const Vocabulary& words, const K
 }
 
 std::string guess_room_type(const Brief& brief, const RoomKinds& kinds,
-                            const CategoryTable& table) {
+                            const KindTable& table) {
   std::string best;
   double most = 0.0;
   for (const auto& [type, kind] : kinds.types) {

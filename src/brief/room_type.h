@@ -23,6 +23,6 @@ void read_room_type(std::vector<Token>& tokens, const Vocabulary& words, const K
                     const RoomKinds& kinds, Brief& brief);
 
 /// The known kind of room that usually holds most of what is mentioned; empty if nothing tells.
-std::string guess_room_type(const Brief& brief, const RoomKinds& kinds, const CategoryTable& table);
+std::string guess_room_type(const Brief& brief, const RoomKinds& kinds, const KindTable& table);
 
 }  // namespace roomgen::design

@@ -19,7 +19,7 @@ constexpr double widest = 1.35, widest_if_sized = 1.1;
 const Vec3 unknown_size(0.5, 0.5, 0.8);
 const Vec3 small_unknown_size(0.2, 0.2, 0.2);
 
-void become(Mention& mention, const Category& category) {
+void become(Mention& mention, const Kind& category) {
   mention.category = category.name;
   mention.known = true;
   mention.mount = category.mount;
@@ -41,7 +41,7 @@ bool is_round(const NounPhrase& phrase) {
   });
 }
 
-int usual_number(const Mention& mention, const Brief& brief, const CategoryTable& table) {
+int usual_number(const Mention& mention, const Brief& brief, const KindTable& table) {
   // How many windows there will be is not known yet.
   if (table.get(mention.category).covers_window) return 1;
   const bool seat = table.is_any_of(mention.category, {"chair", "stool"});
@@ -56,10 +56,10 @@ int usual_number(const Mention& mention, const Brief& brief, const CategoryTable
 
 // Makes it what stands on tables: a table lamp, a small plant; a fern stays a fern, as small as small
 // plants are. False if there is no such kind.
-bool become_small(Mention& mention, const CategoryTable& table, const KindNames& names) {
-  const Category* kind = table.find(mention.category);
+bool become_small(Mention& mention, const KindTable& table, const KindNames& names) {
+  const Kind* kind = table.find(mention.category);
   for (int i = 0; kind && i < 4; ++i) {
-    if (const Category* small = small_kind(kind->name, names)) {
+    if (const Kind* small = small_kind(kind->name, names)) {
       if (i == 0) {
         become(mention, *small);
       } else {
@@ -88,14 +88,14 @@ void put_on(Mention& mention, std::size_t support) {
 }
 
 // A model railway on a large table.
-bool stands_easily_on(const Mention& mention, const Mention& carrier, const CategoryTable& table) {
+bool stands_easily_on(const Mention& mention, const Mention& carrier, const KindTable& table) {
   return mention.size.x() < 0.95 * carrier.size.x() && mention.size.y() < 0.95 * carrier.size.y() &&
          mention.size.z() <= small_side &&
          !table.is_any_of(mention.category, {"seat", "table", "storage", "bed"});
 }
 
 // A lamp on a nightstand is a table lamp, a plant on a desk a small one.
-void stand_on_things(Mention& mention, const Brief& brief, const CategoryTable& table,
+void stand_on_things(Mention& mention, const Brief& brief, const KindTable& table,
                      const KindNames& names) {
   const auto on = std::find_if(mention.demands.begin(), mention.demands.end(), is_support);
   if (on == mention.demands.end()) return;
@@ -214,7 +214,7 @@ void share_supports(Brief& brief) {
 }
 
 // A fern beside the books on a table is a small one.
-void shrink_beside_small(Brief& brief, const CategoryTable& table, const KindNames& names) {
+void shrink_beside_small(Brief& brief, const KindTable& table, const KindNames& names) {
   for (auto& mention : brief.mentions) {
     if (mention.mount != Mount::floor) continue;
     for (const auto& demand : mention.demands) {
@@ -254,7 +254,7 @@ void support_by_sentence(Brief& brief) {
 
 // "An island under the window, where a cooktop heats a pot": what carries things and was named before
 // them in their sentence carries small things of which nothing else is said.
-void stand_on_what_was_named(Brief& brief, const CategoryTable& table) {
+void stand_on_what_was_named(Brief& brief, const KindTable& table) {
   auto& mentions = brief.mentions;
   for (std::size_t i = 0; i < mentions.size(); ++i) {
     if (mentions[i].mount != Mount::surface || !mentions[i].demands.empty() ||
@@ -292,13 +292,13 @@ void keep_inside_what_carries(Mention& mention) {
 }
 
 // Whose one top is what carries things.
-bool has_one_top(const Mention& mention, const CategoryTable& table) {
+bool has_one_top(const Mention& mention, const KindTable& table) {
   return table.is_any_of(mention.category, {"table", "nightstand", "bar cart", "tray", "kitchen island"}) &&
          !table.get(mention.category).traits.flat;
 }
 
 // A table for many things is a larger one.
-void widen_for_loads(Brief& brief, const CategoryTable& table) {
+void widen_for_loads(Brief& brief, const KindTable& table) {
   std::vector<double> loads(brief.mentions.size(), 0.0);
   for (const auto& mention : brief.mentions)
     if (const auto support = support_of(mention); support && mention.mount == Mount::surface)
@@ -340,7 +340,7 @@ void lift_to_carriers(Brief& brief) {
 }
 
 // Two at one table, or two things on it, are opposite each other without being far apart.
-void calm_opposites(Brief& brief, const CategoryTable& table) {
+void calm_opposites(Brief& brief, const KindTable& table) {
   const auto small_or_seat = [&](const Mention& mention) {
     return mention.mount == Mount::surface || table.is_any_of(mention.category, {"chair", "stool"});
   };
@@ -352,7 +352,7 @@ void calm_opposites(Brief& brief, const CategoryTable& table) {
 }
 
 // Furniture on a rug whose place is told stands over it; else the rug comes last and lies under it.
-void lay_rugs(Brief& brief, const CategoryTable& table) {
+void lay_rugs(Brief& brief, const KindTable& table) {
   for (std::size_t i = 0; i < brief.mentions.size(); ++i)
     for (auto& demand : brief.mentions[i].demands) {
       if (demand.mention == Demand::none || demand.mention == i) continue;
@@ -373,7 +373,7 @@ void lay_rugs(Brief& brief, const CategoryTable& table) {
     });
 }
 
-bool needs_wall(const Mention& mention, const CategoryTable& table) {
+bool needs_wall(const Mention& mention, const KindTable& table) {
   return table.is_any_of(mention.category, {"storage", "console table", "room divider", "desk"});
 }
 
@@ -390,7 +390,7 @@ bool faces_something(const Mention& mention) {
 }
 
 // A chair in front of a desk is drawn up to it.
-void draw_up_seats(Brief& brief, const CategoryTable& table) {
+void draw_up_seats(Brief& brief, const KindTable& table) {
   for (auto& mention : brief.mentions) {
     if (!table.is_any_of(mention.category, {"chair", "stool"})) continue;
     const auto before = std::find_if(
@@ -405,7 +405,7 @@ void draw_up_seats(Brief& brief, const CategoryTable& table) {
   }
 }
 
-void turn_behind(Brief& brief, const CategoryTable& table) {
+void turn_behind(Brief& brief, const KindTable& table) {
   for (std::size_t i = 0; i < brief.mentions.size(); ++i)
     for (auto& demand : brief.mentions[i].demands) {
       if (demand.kind != RelationKind::behind || demand.mention == Demand::none) continue;
@@ -452,10 +452,10 @@ void note_unknown(Brief& brief) {
 }  // namespace
 
 void shape(Mention& mention, const NounPhrase& phrase, const Vocabulary& words,
-           const CategoryTable& table, const KindNames& names) {
-  const Category* category = table.find(mention.category);
+           const KindTable& table, const KindNames& names) {
+  const Kind* category = table.find(mention.category);
   if (mention.known && category && is_round(phrase))
-    if (const Category* round = names.find("round " + mention.category)) category = round;
+    if (const Kind* round = names.find("round " + mention.category)) category = round;
   if (mention.known && category)
     become(mention, *category);
   else
@@ -484,9 +484,9 @@ void shape(Mention& mention, const NounPhrase& phrase, const Vocabulary& words,
     hang(mention, Mount::wall, names);
 }
 
-const Category* small_kind(const std::string& category, const KindNames& names) {
+const Kind* small_kind(const std::string& category, const KindNames& names) {
   for (const char* prefix : {"table ", "small "})
-    if (const Category* small = names.find(prefix + category);
+    if (const Kind* small = names.find(prefix + category);
         small && small->mount == Mount::surface)
       return small;
   return nullptr;
@@ -499,20 +499,20 @@ void hang(Mention& mention, Mount where, const KindNames& names) {
     return;
   }
   for (const char* prefix : {where == Mount::wall ? "wall " : "ceiling ", "hanging "})
-    if (const Category* hanging = names.find(prefix + mention.category);
+    if (const Kind* hanging = names.find(prefix + mention.category);
         hanging && hanging->mount == where) {
       become(mention, *hanging);
       return;
     }
   // What hangs from the ceiling and gives light is no table lamp turned over.
-  const Category* pendant = names.find("pendant lamp");
+  const Kind* pendant = names.find("pendant lamp");
   if (where == Mount::ceiling && pendant && !mention.category.ends_with("lantern") &&
       is_lamp(mention.category))
     return become(mention, *pendant);
   if (mention.mount == Mount::surface || where == Mount::ceiling) mention.mount = where;
 }
 
-bool keeps_things(const std::string& category, const CategoryTable& table) {
+bool keeps_things(const std::string& category, const KindTable& table) {
   return table.is_any_of(category,
                          {"table", "storage", "kitchen unit", "kitchen island", "washbasin"});
 }
@@ -521,7 +521,7 @@ bool is_lamp(const std::string& category) {
   return category.ends_with("lamp") || category.ends_with("light") || category.ends_with("lantern");
 }
 
-void settle(Brief& brief, const CategoryTable& table, const KindNames& names) {
+void settle(Brief& brief, const KindTable& table, const KindNames& names) {
   for (auto& mention : brief.mentions)
     if (mention.quantity == 0) {
       mention.open = true;

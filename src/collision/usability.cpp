@@ -13,18 +13,18 @@ constexpr double zone_tolerance = 0.02;
 
 }  // namespace
 
-bool blocks_floor(const Object& object, const Category& category) {
+bool blocks_floor(const Object& object, const Kind& category) {
   if (category.covers_window || object.traits.flat || object.mount == Mount::surface) return false;
   if (object.mount == Mount::wall) return bottom(object) <= above_hips;
   return bottom(object) <= above_heads;
 }
 
-FloorThing floor_thing(const Object& object, const CategoryTable& categories) {
+FloorThing floor_thing(const Object& object, const KindTable& categories) {
   return {&object, &categories.get(object.category), footprint(object)};
 }
 
 std::vector<FloorThing> floor_things(std::span<const Object> objects,
-                                     const CategoryTable& categories) {
+                                     const KindTable& categories) {
   std::vector<FloorThing> things;
   for (const auto& object : objects) things.push_back(floor_thing(object, categories));
   return things;

@@ -13,7 +13,7 @@
 #include "roomgen/create/rule_maker.h"
 #include "roomgen/library/ranking.h"
 #include "roomgen/library/vocabulary.h"
-#include "roomgen/scene/category.h"
+#include "roomgen/kinds/kind_table.h"
 #include "stock.h"
 
 namespace roomgen::create {
@@ -121,7 +121,7 @@ class CreatedLibrary final : public AssetLibrary {
     if (query.limit == 0 || (!kind && !query.asked)) return matches;
     if (!kind) return composed(query);
     const Mount mount = query.mount.value_or(kind->mount);
-    const Kind* known = Vocabulary::built_in().find(kind->name);
+    const StockKind* known = Vocabulary::built_in().find(kind->name);
     const std::vector<Mount> also = known ? known->also : std::vector<Mount>{};
     Order order{kind->name, query.description, size_for(query, *kind)};
     // Who asks for a lantern at the ceiling gets it there.
@@ -199,7 +199,7 @@ class CreatedLibrary final : public AssetLibrary {
     info.group = "made from words";
     info.size = order.size;
     info.mount = mount;
-    const Category* category = CategoryTable::built_in().find(kind);
+    const Kind* category = KindTable::built_in().find(kind);
     if (mount == Mount::wall)
       info.elevation = category && category->elevation > 0.0 ? category->elevation : usual_elevation;
     describe_by_kind(info, kind, mount == Mount::floor);

@@ -1,15 +1,15 @@
 #include "stock.h"
 
 #include "roomgen/library/vocabulary.h"
-#include "roomgen/scene/category.h"
+#include "roomgen/kinds/kind_table.h"
 
 namespace roomgen::create {
 
 void describe_by_kind(AssetInfo& info, const std::string& kind, bool carries) {
-  const Category* category = CategoryTable::built_in().find(kind);
+  const Kind* category = KindTable::built_in().find(kind);
   info.has_front = !category || category->traits.front;
   info.round = category && category->traits.round;
-  const Kind* known = Vocabulary::built_in().find(kind);
+  const StockKind* known = Vocabulary::built_in().find(kind);
   if (carries && known && known->supports) info.support_height = info.size.z();
 }
 

@@ -243,7 +243,7 @@ std::string reason(const Option& option) {
 
 }  // namespace
 
-PlaceAdvice advise(const PlaceRequest& request, const CategoryTable& categories,
+PlaceAdvice advise(const PlaceRequest& request, const KindTable& categories,
                    const Arrangements& arrangements) {
   const Sketch sketch(request.scene, categories, arrangements);
   const Object& self = request.object;

@@ -121,10 +121,10 @@ std::string_view fallback_of(Mount mount) {
 
 }  // namespace
 
-const Arrangement& Arrangements::get(const CategoryTable& table, std::string_view category,
+const Arrangement& Arrangements::get(const KindTable& table, std::string_view category,
                                      Mount mount) const {
   static const Arrangement none;
-  const Category* kind = table.find(category);
+  const Kind* kind = table.find(category);
   // A thing that is mounted in an unusual way (a television on the wall) goes with those.
   const bool usual = kind && kind->mount == mount;
   for (int i = 0; usual && kind && i < max_ancestors; ++i) {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "roomgen/base/result.h"
-#include "roomgen/scene/category.h"
+#include "roomgen/kinds/kind_table.h"
 #include "roomgen/scene/relation.h"
 
 namespace roomgen::design {
@@ -66,7 +66,7 @@ struct Arrangements {
   std::map<std::string, Arrangement, std::less<>> kinds;
 
   /// That of the category, of its nearest ancestor, or of the things of its mount.
-  const Arrangement& get(const CategoryTable& table, std::string_view category, Mount mount) const;
+  const Arrangement& get(const KindTable& table, std::string_view category, Mount mount) const;
 };
 
 Result<Arrangements> parse_arrangements(std::string_view text, const std::string& source);

@@ -12,7 +12,7 @@
 #include "brief/room_kinds.h"
 #include "roomgen/base/random.h"
 #include "roomgen/base/text.h"
-#include "roomgen/scene/category.h"
+#include "roomgen/kinds/kind_table.h"
 
 namespace roomgen {
 
@@ -31,7 +31,7 @@ double bounded(double area, const DwellingRoom& kind) {
 // What the prompt says of the room's size, else drawn by its kind.
 double area_of(const SaidRoom& said, const DwellingRoom& kind, const RoomKinds& kinds,
                Random random) {
-  const Brief brief = read_prompt(said.prompt, kinds, CategoryTable::built_in());
+  const Brief brief = read_prompt(said.prompt, kinds, KindTable::built_in());
   if (brief.size) return bounded(brief.size->prod(), kind);
   if (brief.area) return bounded(*brief.area, kind);
   double area = random.uniform(kind.area.low, kind.area.high);
@@ -97,7 +97,7 @@ Result<std::optional<DwellingPlan>> plan_dwelling(const PlanRequest& request, De
   const auto& kinds = built_in_room_kinds();
   if (!kinds) return kinds.error();
   if (request.room || request.size) return none;
-  const auto said = read_dwelling(request.prompt, *dwellings, *kinds, CategoryTable::built_in());
+  const auto said = read_dwelling(request.prompt, *dwellings, *kinds, KindTable::built_in());
   if (!said) return none;
 
   const Random random = Random(request.seed).fork("dwelling");

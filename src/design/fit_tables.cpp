@@ -8,13 +8,13 @@ namespace roomgen::design {
 
 namespace {
 
-bool seats_people(const CategoryTable& table, const std::string& category) {
+bool seats_people(const KindTable& table, const std::string& category) {
   return table.is_a(category, "dining table") || category == "table";
 }
 
 }  // namespace
 
-void fit_tables(std::vector<Draft>& drafts, const Brief& brief, const CategoryTable& table) {
+void fit_tables(std::vector<Draft>& drafts, const Brief& brief, const KindTable& table) {
   int seats = brief.people;
   for (const auto& draft : drafts)
     if (table.is_a(draft.item.category, "chair") &&

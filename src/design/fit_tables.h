@@ -4,11 +4,11 @@
 
 #include "brief/brief.h"
 #include "inventory.h"
-#include "roomgen/scene/category.h"
+#include "roomgen/kinds/kind_table.h"
 
 namespace roomgen::design {
 
 /// Makes the tables that the prompt asks for, without saying how large, fit the seats it asks for.
-void fit_tables(std::vector<Draft>& drafts, const Brief& brief, const CategoryTable& table);
+void fit_tables(std::vector<Draft>& drafts, const Brief& brief, const KindTable& table);
 
 }  // namespace roomgen::design

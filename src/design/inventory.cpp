@@ -21,7 +21,7 @@ constexpr double widest = 0.75;       ///< of the room's longer side that one th
 class Completion {
  public:
   Completion(std::vector<Draft>& drafts, const Brief& brief, const RoomKinds& kinds,
-             const RoomKind& kind, const Vec2& room, const CategoryTable& table, const Looks& looks,
+             const RoomKind& kind, const Vec2& room, const KindTable& table, const Looks& looks,
              Random random)
       : drafts_(drafts),
         brief_(brief),
@@ -171,7 +171,7 @@ class Completion {
     const Vec3& size = *item.size;
     const double longer = std::max(size.x(), size.y()), shorter = std::min(size.x(), size.y());
     if (longer > widest * room_.maxCoeff() || shorter > widest * room_.minCoeff()) return false;
-    const Category& category = table_.get(item.category);
+    const Kind& category = table_.get(item.category);
     if (category.traits.flat) return true;
     return floor_area(drafts_, table_) + item.quantity * size.x() * size.y() <= budget;
   }
@@ -238,7 +238,7 @@ class Completion {
   const RoomKinds& kinds_;
   const RoomKind& kind_;
   Vec2 room_;
-  const CategoryTable& table_;
+  const KindTable& table_;
   const Looks& looks_;
   Random random_;
   std::vector<const Style*> styles_;
@@ -248,7 +248,7 @@ class Completion {
 
 }  // namespace
 
-std::vector<Draft> asked_items(const Brief& brief, const CategoryTable& table) {
+std::vector<Draft> asked_items(const Brief& brief, const KindTable& table) {
   std::vector<Draft> drafts;
   for (std::size_t i = 0; i < brief.mentions.size(); ++i) {
     const Mention& mention = brief.mentions[i];
@@ -270,7 +270,7 @@ std::vector<Draft> asked_items(const Brief& brief, const CategoryTable& table) {
 }
 
 void one_for_each_window(std::vector<Draft>& drafts, const Brief& brief, const Room& room,
-                         const CategoryTable& table) {
+                         const KindTable& table) {
   const auto windows = static_cast<int>(
       std::count_if(room.openings.begin(), room.openings.end(),
                     [](const Opening& opening) { return !opening.is_entrance(); }));
@@ -280,19 +280,19 @@ void one_for_each_window(std::vector<Draft>& drafts, const Brief& brief, const R
   }
 }
 
-double floor_area(const PlanItem& item, const CategoryTable& table) {
+double floor_area(const PlanItem& item, const KindTable& table) {
   if (item.mount != Mount::floor || table.get(item.category).traits.flat || !item.size) return 0.0;
   return item.quantity * item.size->x() * item.size->y();
 }
 
-double floor_area(const std::vector<Draft>& drafts, const CategoryTable& table) {
+double floor_area(const std::vector<Draft>& drafts, const KindTable& table) {
   double area = 0.0;
   for (const auto& draft : drafts) area += floor_area(draft.item, table);
   return area;
 }
 
 void complete(std::vector<Draft>& drafts, const Brief& brief, const RoomKinds& kinds,
-              const RoomKind& kind, const Vec2& room, const CategoryTable& table,
+              const RoomKind& kind, const Vec2& room, const KindTable& table,
               const Looks& looks, Random random) {
   Completion(drafts, brief, kinds, kind, room, table, looks, random).run();
 }

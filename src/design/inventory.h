@@ -7,7 +7,7 @@
 #include "looks.h"
 #include "brief/room_kinds.h"
 #include "roomgen/base/random.h"
-#include "roomgen/scene/category.h"
+#include "roomgen/kinds/kind_table.h"
 #include "roomgen/scene/plan.h"
 
 namespace roomgen::design {
@@ -21,20 +21,20 @@ struct Draft {
 };
 
 /// What the prompt asks for.
-std::vector<Draft> asked_items(const Brief& brief, const CategoryTable& table);
+std::vector<Draft> asked_items(const Brief& brief, const KindTable& table);
 
-/// Curtains and blinds (Category::covers_window) that are only named in the plural hang at every window.
+/// Curtains and blinds (Kind::covers_window) that are only named in the plural hang at every window.
 void one_for_each_window(std::vector<Draft>& drafts, const Brief& brief, const Room& room,
-                         const CategoryTable& table);
+                         const KindTable& table);
 
 /// Floor that things cover: no rugs, nothing on walls or on other things.
-double floor_area(const PlanItem& item, const CategoryTable& table);
-double floor_area(const std::vector<Draft>& drafts, const CategoryTable& table);
+double floor_area(const PlanItem& item, const KindTable& table);
+double floor_area(const std::vector<Draft>& drafts, const KindTable& table);
 
 /// Adds what such a room usually holds and the prompt neither names nor forbids: its core, then
 /// extras up to a number of things and a share of the floor, then what goes on walls and tables.
 void complete(std::vector<Draft>& drafts, const Brief& brief, const RoomKinds& kinds,
-              const RoomKind& kind, const Vec2& room, const CategoryTable& table,
+              const RoomKind& kind, const Vec2& room, const KindTable& table,
               const Looks& looks, Random random);
 
 }  // namespace roomgen::design

@@ -4,7 +4,7 @@
 
 namespace roomgen::design {
 
-Looks::Looks(const RoomKinds& kinds, const CategoryTable& table,
+Looks::Looks(const RoomKinds& kinds, const KindTable& table,
              const std::vector<std::string>& styles, Random random)
     : table_(&table) {
   for (const auto& word : styles)

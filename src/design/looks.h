@@ -5,7 +5,7 @@
 
 #include "brief/room_kinds.h"
 #include "roomgen/base/random.h"
-#include "roomgen/scene/category.h"
+#include "roomgen/kinds/kind_table.h"
 
 namespace roomgen::design {
 
@@ -13,14 +13,14 @@ namespace roomgen::design {
 /// that what stands together goes together.
 class Looks {
  public:
-  Looks(const RoomKinds& kinds, const CategoryTable& table, const std::vector<std::string>& styles,
+  Looks(const RoomKinds& kinds, const KindTable& table, const std::vector<std::string>& styles,
         Random random);
 
   /// "modern wooden double bed"
   std::string describe(const std::string& category, const std::string& variant) const;
 
  private:
-  const CategoryTable* table_;
+  const KindTable* table_;
   std::string adjective_;
   std::vector<std::pair<std::vector<std::string>, std::string>> finishes_;  ///< kinds and the word
 };

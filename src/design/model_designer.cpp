@@ -74,7 +74,7 @@ Json place_schema(const ModelDesignerOptions& options) {
 class ModelDesigner : public Designer {
  public:
   ModelDesigner(ChatModel& model, std::unique_ptr<Designer> fallback, Prompts prompts,
-                const CategoryTable& categories, ModelDesignerOptions options)
+                const KindTable& categories, ModelDesignerOptions options)
       : model_(model),
         fallback_(std::move(fallback)),
         prompts_(std::move(prompts)),
@@ -321,7 +321,7 @@ class ModelDesigner : public Designer {
   ChatModel& model_;
   std::unique_ptr<Designer> fallback_;
   Prompts prompts_;
-  const CategoryTable& categories_;
+  const KindTable& categories_;
   ModelDesignerOptions options_;
   Consultation planning_;
   int failures_ = 0;           ///< calls that failed since the last answer
@@ -331,7 +331,7 @@ class ModelDesigner : public Designer {
 }  // namespace
 
 std::unique_ptr<Designer> make_model_designer(ChatModel& model, std::unique_ptr<Designer> fallback,
-                                              Prompts prompts, const CategoryTable& categories,
+                                              Prompts prompts, const KindTable& categories,
                                               ModelDesignerOptions options) {
   return std::make_unique<ModelDesigner>(model, std::move(fallback), std::move(prompts), categories,
                                          std::move(options));

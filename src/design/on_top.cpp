@@ -76,7 +76,7 @@ bool beside_others(const std::vector<Relation>& relations, const std::string& ca
 }
 
 // Habits first that put the thing onto what was wished for, then the wish alone, then other habits.
-std::vector<std::vector<Relation>> ways_onto(const CategoryTable& categories,
+std::vector<std::vector<Relation>> ways_onto(const KindTable& categories,
                                              std::vector<std::vector<Relation>> ways,
                                              const std::string& wish) {
   const auto rest = std::stable_partition(ways.begin(), ways.end(), [&](const auto& way) {

@@ -27,7 +27,7 @@ double floor_of(const Draft& draft) {
 }
 
 // The stage of its kind; who is told to be in a corner or at a window comes before others take it.
-int own_stage(const Draft& draft, const CategoryTable& table, const Arrangements& arrangements) {
+int own_stage(const Draft& draft, const KindTable& table, const Arrangements& arrangements) {
   const int usual = arrangements.get(table, draft.item.category, draft.item.mount).stage;
   const bool tied =
       std::any_of(draft.demands.begin(), draft.demands.end(), [](const Demand& demand) {
@@ -39,7 +39,7 @@ int own_stage(const Draft& draft, const CategoryTable& table, const Arrangements
 }
 
 // What is told to be at a side of a thing stands there before others take that side.
-bool follows(const Draft& draft, const Draft& target, const CategoryTable& table) {
+bool follows(const Draft& draft, const Draft& target, const KindTable& table) {
   const auto stands = [&](const Draft& one) {
     return one.item.mount == Mount::floor && !table.get(one.item.category).traits.flat;
   };
@@ -48,7 +48,7 @@ bool follows(const Draft& draft, const Draft& target, const CategoryTable& table
 
 // What others wait for comes as early as they would, and so does what waits for it: a bookshelf before the sofa that is to stand
 // in front of it, so that the sofa is still early enough for its coffee table.
-std::vector<int> stages_of(const std::vector<Draft>& drafts, const CategoryTable& table,
+std::vector<int> stages_of(const std::vector<Draft>& drafts, const KindTable& table,
                            const Arrangements& arrangements) {
   std::vector<int> stages;
   for (const auto& draft : drafts) stages.push_back(own_stage(draft, table, arrangements));
@@ -65,7 +65,7 @@ std::vector<int> stages_of(const std::vector<Draft>& drafts, const CategoryTable
   return stages;
 }
 
-void sort_by_stage(std::vector<Draft>& drafts, const CategoryTable& table,
+void sort_by_stage(std::vector<Draft>& drafts, const KindTable& table,
                    const Arrangements& arrangements) {
   const auto stages = stages_of(drafts, table, arrangements);
   std::vector<std::size_t> order(drafts.size());
@@ -200,7 +200,7 @@ class Resolver {
 
 }  // namespace
 
-std::vector<Draft> order_items(std::vector<Draft> drafts, const CategoryTable& table,
+std::vector<Draft> order_items(std::vector<Draft> drafts, const KindTable& table,
                                const Arrangements& arrangements, Plan& plan) {
   sort_by_stage(drafts, table, arrangements);
   drafts = split_pairs(after_targets(std::move(drafts), plan));

@@ -12,7 +12,7 @@ namespace roomgen::design {
 /// things whose targets are several are split, so that each thing gets its own target. Demands that
 /// depend on each other in a circle are dropped and noted. The answer are the drafts in the order
 /// of plan.items.
-std::vector<Draft> order_items(std::vector<Draft> drafts, const CategoryTable& table,
+std::vector<Draft> order_items(std::vector<Draft> drafts, const KindTable& table,
                                const Arrangements& arrangements, Plan& plan);
 
 }  // namespace roomgen::design

@@ -106,7 +106,7 @@ Result<PlaceReply> read_place_reply(std::string_view text, const PlaceReplyConte
   const Json& json = found->json;
   PlaceReply reply{{}, std::move(found->repairs)};
   PlaceAdvice& advice = reply.advice;
-  const TargetNames targets(context.scene, context.object, CategoryTable::built_in());
+  const TargetNames targets(context.scene, context.object, KindTable::built_in());
 
   if (const Json* constraints = member(json, constraint_keys))
     advice.relations = read_reply_relations(*constraints, targets, reply.repairs);

@@ -52,7 +52,7 @@ std::vector<std::string> read_excluded(const Json& json, const Brief& brief,
   return excluded;
 }
 
-bool is_mentioned(const PlanItem& item, const Brief& brief, const CategoryTable& table) {
+bool is_mentioned(const PlanItem& item, const Brief& brief, const KindTable& table) {
   return std::any_of(brief.mentions.begin(), brief.mentions.end(), [&](const Mention& mention) {
     return table.is_a(item.category, mention.category) ||
            table.is_a(mention.category, item.category);
@@ -60,7 +60,7 @@ bool is_mentioned(const PlanItem& item, const Brief& brief, const CategoryTable&
 }
 
 void leave_out_excluded(std::vector<Draft>& drafts, const std::vector<std::string>& excluded,
-                        const CategoryTable& table, std::vector<std::string>& repairs) {
+                        const KindTable& table, std::vector<std::string>& repairs) {
   std::erase_if(drafts, [&](const Draft& draft) {
     const bool forbidden = table.is_any_of(draft.item.category, excluded);
     if (forbidden)
@@ -89,7 +89,7 @@ void fit_into(const Room& room, std::vector<Draft>& drafts, std::vector<std::str
 }  // namespace
 
 Result<PlanReply> read_plan_reply(std::string_view text, const PlanRequest& request,
-                                  const CategoryTable& categories) {
+                                  const KindTable& categories) {
   if (!built_in_room_kinds()) return built_in_room_kinds().error();
   if (!built_in_vocabulary()) return built_in_vocabulary().error();
   if (!built_in_arrangements()) return built_in_arrangements().error();
@@ -128,7 +128,7 @@ Result<PlanReply> read_plan_reply(std::string_view text, const PlanRequest& requ
   return reply;
 }
 
-Status check_floor(const Plan& plan, const CategoryTable& categories) {
+Status check_floor(const Plan& plan, const KindTable& categories) {
   double covered = 0.0;
   for (const auto& item : plan.items) covered += floor_area(item, categories);
   const double floor = area(plan.room.polygon);

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "roomgen/design/designer.h"
-#include "roomgen/scene/category.h"
+#include "roomgen/kinds/kind_table.h"
 
 namespace roomgen::design {
 
@@ -18,10 +18,10 @@ struct PlanReply {
 /// it. The items are in the order of placement. What the request says about the room wins. Errors
 /// (invalid_input) say what is wrong in words meant for the model.
 Result<PlanReply> read_plan_reply(std::string_view text, const PlanRequest& request,
-                                  const CategoryTable& categories);
+                                  const KindTable& categories);
 
 /// Fails, in words meant for the model, when the things cover more than the whole floor: weak models
 /// repeat themselves until they are stopped.
-Status check_floor(const Plan& plan, const CategoryTable& categories);
+Status check_floor(const Plan& plan, const KindTable& categories);
 
 }  // namespace roomgen::design

@@ -35,7 +35,7 @@ struct Attempt {
 
 class Planner {
  public:
-  Planner(const PlanRequest& request, const RoomKinds& kinds, const CategoryTable& table,
+  Planner(const PlanRequest& request, const RoomKinds& kinds, const KindTable& table,
           const Arrangements& arrangements)
       : request_(request),
         kinds_(kinds),
@@ -171,7 +171,7 @@ class Planner {
 
   const PlanRequest& request_;
   const RoomKinds& kinds_;
-  const CategoryTable& table_;
+  const KindTable& table_;
   const Arrangements& arrangements_;
   Brief brief_;
   Random random_;
@@ -180,7 +180,7 @@ class Planner {
 
 }  // namespace
 
-Plan make_plan(const PlanRequest& request, const RoomKinds& kinds, const CategoryTable& table,
+Plan make_plan(const PlanRequest& request, const RoomKinds& kinds, const KindTable& table,
                const Arrangements& arrangements) {
   return Planner(request, kinds, table, arrangements).plan();
 }

@@ -13,7 +13,7 @@ namespace {
 constexpr double size_margin = 1.05;
 constexpr double loose_gap = 0.1;  ///< metres beyond what the pair prefers
 
-Object object_of(const PlannedObject& planned, const PlanItem& item, const Category& category) {
+Object object_of(const PlannedObject& planned, const PlanItem& item, const Kind& category) {
   Object object;
   object.id = planned.id;
   object.category = item.category;
@@ -25,7 +25,7 @@ Object object_of(const PlannedObject& planned, const PlanItem& item, const Categ
   return object;
 }
 
-void put(Object& object, const PlaceAdvice& advice, const Category& category, const Scene& scene) {
+void put(Object& object, const PlaceAdvice& advice, const Kind& category, const Scene& scene) {
   object.position.head<2>() = *advice.location;
   object.yaw = *advice.yaw;
   object.position.z() = usual_bottom(object, category, scene.room);
@@ -46,7 +46,7 @@ bool is_loose(const Placed& placed, const ResolvedRelation& relation) {
 }
 
 int broken_relations(const Scene& scene, const Object& object, const PlanItem& item,
-                     const CategoryTable& table, const Arrangements& arrangements) {
+                     const KindTable& table, const Arrangements& arrangements) {
   if (item.relations.empty()) return 0;
   const Sketch sketch(scene, table, arrangements);
   const Placed placed{
@@ -64,13 +64,13 @@ int broken_relations(const Scene& scene, const Object& object, const PlanItem& i
 
 }  // namespace
 
-Rehearsal rehearse(const Plan& plan, const CategoryTable& table, const Arrangements& arrangements) {
+Rehearsal rehearse(const Plan& plan, const KindTable& table, const Arrangements& arrangements) {
   Scene scene;
   scene.room = plan.room;
   Rehearsal rehearsal;
   for (const auto& planned : planned_objects(plan)) {
     const PlanItem& item = plan.items[planned.item];
-    const Category& category = table.get(item.category);
+    const Kind& category = table.get(item.category);
     if (category.covers_window) continue;  // it hangs where the windows are
     Object object = object_of(planned, item, category);
     const PlaceRequest request{plan, scene, planned, object};

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "arrangement.h"
-#include "roomgen/scene/category.h"
+#include "roomgen/kinds/kind_table.h"
 #include "roomgen/scene/plan.h"
 
 namespace roomgen::design {
@@ -16,6 +16,6 @@ struct Rehearsal {
 
 /// Places the things of a plan one after the other in a sketch, each exactly where it is advised to
 /// go.
-Rehearsal rehearse(const Plan& plan, const CategoryTable& table, const Arrangements& arrangements);
+Rehearsal rehearse(const Plan& plan, const KindTable& table, const Arrangements& arrangements);
 
 }  // namespace roomgen::design

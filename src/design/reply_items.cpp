@@ -102,7 +102,7 @@ double unlikeness(double sum_of_logs, const Vec3& usual) {
 }
 
 // Models forget in which unit they were asked to answer; the usual size of the kind tells.
-double unit_of(const Vec3& sides, const Category* kind) {
+double unit_of(const Vec3& sides, const Kind* kind) {
   const double greatest = std::max(sides.x(), sides.y());
   if (!kind) return greatest < 10.0 ? 1.0 : metres_per_centimetre;
   const double logs = std::log(std::max(1e-6, sides.x() * sides.y()));
@@ -190,7 +190,7 @@ class ItemReader {
   }
 
   void read_size(const Json& value, PlanItem& item) {
-    const Category* kind = lexicon_.names.find(item.category);
+    const Kind* kind = lexicon_.names.find(item.category);
     if (kind) item.size = kind->size;
     const Json* given = member(value, size_keys);
     auto measures = measures_in(given ? *given : value);
@@ -271,7 +271,7 @@ std::string category_named(const std::string& name, const std::string& descripti
   if (const auto meant = lexicon.kind.means.find(plain); meant != lexicon.kind.means.end())
     return meant->second;
   // English puts the kind last: an "oak writing desk" is a desk.
-  if (const Category* category = lexicon.table.find(plain)) return category->name;
+  if (const Kind* category = lexicon.table.find(plain)) return category->name;
   const std::string inside = first_kind(plain, lexicon.names);
   return inside.empty() ? first_kind(shortened(description, max_description), lexicon.names)
                         : inside;

@@ -12,7 +12,7 @@ namespace roomgen::design {
 
 /// What the objects of an answer are named after.
 struct ItemLexicon {
-  const CategoryTable& table;
+  const KindTable& table;
   const KindNames& names;
   const RoomKind& kind;  ///< of the room: what a "sink" is depends on it
 };

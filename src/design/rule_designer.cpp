@@ -40,7 +40,7 @@ class RuleDesigner : public Designer {
   Result<Plan> plan(const PlanRequest& request) override {
     if (auto ready = check_knowledge(); !ready) return ready.error();
     if (auto status = check_request(request); !status) return status.error();
-    return make_plan(request, *built_in_room_kinds(), CategoryTable::built_in(),
+    return make_plan(request, *built_in_room_kinds(), KindTable::built_in(),
                      *built_in_arrangements());
   }
 
@@ -48,7 +48,7 @@ class RuleDesigner : public Designer {
     if (auto ready = check_knowledge(); !ready) return ready.error();
     if (request.planned.item >= request.plan.items.size())
       return invalid("\"" + request.planned.id + "\" is no item of the plan");
-    return advise(request, CategoryTable::built_in(), *built_in_arrangements());
+    return advise(request, KindTable::built_in(), *built_in_arrangements());
   }
 
  private:

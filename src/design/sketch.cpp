@@ -33,7 +33,7 @@ Target target_of(const Room& room, const Opening& opening) {
 
 }  // namespace
 
-double usual_bottom(const Object& object, const Category& category, const Room& room) {
+double usual_bottom(const Object& object, const Kind& category, const Room& room) {
   switch (object.mount) {
     case Mount::ceiling:
       return std::max(0.0, room.height - object.size.z());
@@ -47,7 +47,7 @@ double usual_bottom(const Object& object, const Category& category, const Room& 
   return 0.0;
 }
 
-Sketch::Sketch(const Scene& scene, const CategoryTable& categories,
+Sketch::Sketch(const Scene& scene, const KindTable& categories,
                const Arrangements& arrangements)
     : room_(&scene.room), objects_(scene.objects), categories_(&categories) {
   for (const auto& opening : room_->openings) {

@@ -7,7 +7,7 @@
 
 #include "arrangement.h"
 #include "roomgen/geometry/footprint.h"
-#include "roomgen/scene/category.h"
+#include "roomgen/kinds/kind_table.h"
 #include "roomgen/scene/scene.h"
 
 namespace roomgen::design {
@@ -32,7 +32,7 @@ struct Target {
 struct Standing {
   const Object* object = nullptr;
   Footprint footprint;
-  const Category* category = nullptr;
+  const Kind* category = nullptr;
   const Arrangement* arrangement = nullptr;
   std::vector<UseZone> zones;  ///< those that are free now
 };
@@ -42,10 +42,10 @@ struct Standing {
 class Sketch {
  public:
   /// `scene` must outlive the sketch.
-  Sketch(const Scene& scene, const CategoryTable& categories, const Arrangements& arrangements);
+  Sketch(const Scene& scene, const KindTable& categories, const Arrangements& arrangements);
 
   const Room& room() const { return *room_; }
-  const CategoryTable& categories() const { return *categories_; }
+  const KindTable& categories() const { return *categories_; }
   std::span<const Object> objects() const { return objects_; }
   const std::vector<Standing>& standing() const { return standing_; }
 
@@ -71,7 +71,7 @@ class Sketch {
 
   const Room* room_;
   std::span<const Object> objects_;
-  const CategoryTable* categories_;
+  const KindTable* categories_;
   std::vector<Standing> standing_;
   std::vector<Footprint> door_strips_;
   std::vector<std::pair<Footprint, double>> window_strips_;  ///< and the height they allow
@@ -83,6 +83,6 @@ inline Footprint footprint_at(const Object& object, const Pose& pose) {
 }
 
 /// Height of the bottom of an object that neither stands on another nor hangs under the ceiling.
-double usual_bottom(const Object& object, const Category& category, const Room& room);
+double usual_bottom(const Object& object, const Kind& category, const Room& room);
 
 }  // namespace roomgen::design

@@ -39,7 +39,7 @@ std::string in_quotes(std::string_view name) {
 
 }  // namespace
 
-TargetNames::TargetNames(const Scene& scene, const Object& object, const CategoryTable& categories)
+TargetNames::TargetNames(const Scene& scene, const Object& object, const KindTable& categories)
     : categories_(categories), self_(words(object.id)) {
   for (const auto& other : scene.objects)
     if (other.id != object.id) add(other.id, true);
@@ -79,7 +79,7 @@ TargetNames::Entries TargetNames::of_base(const std::string& base,
 TargetNames::Entries TargetNames::of_kind(const std::string& base,
                                           const std::string& number) const {
   std::vector<const Entry*> found;
-  const Category* kind = categories_.find(base);
+  const Kind* kind = categories_.find(base);
   for (const auto& entry : entries_)
     if (kind && entry.thing && (number.empty() || entry.number == number) &&
         categories_.is_a(entry.base, kind->name))

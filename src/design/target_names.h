@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "roomgen/scene/category.h"
+#include "roomgen/kinds/kind_table.h"
 #include "roomgen/scene/scene.h"
 
 namespace roomgen::design {
@@ -20,7 +20,7 @@ struct NamedTarget {
 /// mean just one of them.
 class TargetNames {
  public:
-  TargetNames(const Scene& scene, const Object& object, const CategoryTable& categories);
+  TargetNames(const Scene& scene, const Object& object, const KindTable& categories);
 
   NamedTarget find(std::string_view name) const;
   /// The id that these words spell, case and separators aside; empty if none.
@@ -43,7 +43,7 @@ class TargetNames {
   Entries of_kind(const std::string& base, const std::string& number) const;
   Entries misspelt(const std::string& base, const std::string& number) const;
 
-  const CategoryTable& categories_;
+  const KindTable& categories_;
   std::vector<Entry> entries_;
   std::vector<std::string> self_;
 };

@@ -33,10 +33,10 @@ double capacity(const Standing& one, bool seat) {
   return std::max(1.0, std::floor(2.0 * (size.x() + size.y()) / place_width));
 }
 
-bool is_of(const CategoryTable& table, const std::string& category, const std::string& kind) {
+bool is_of(const KindTable& table, const std::string& category, const std::string& kind) {
   constexpr std::string_view exactly = "exactly ";
   if (!kind.starts_with(exactly)) return table.is_a(category, kind);
-  const Category* one = table.find(category);
+  const Kind* one = table.find(category);
   return one && one->name == kind.substr(exactly.size());
 }
 

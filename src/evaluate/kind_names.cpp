@@ -6,7 +6,7 @@
 #include "roomgen/base/resource.h"
 #include "roomgen/base/text.h"
 #include "roomgen/library/vocabulary.h"
-#include "roomgen/scene/category.h"
+#include "roomgen/kinds/kind_table.h"
 
 namespace roomgen {
 
@@ -71,7 +71,7 @@ KindNames::KindNames() {
         if (other.is_string()) shape_kinds_of_[key(other.get<std::string>())].insert(key(name));
     }
   }
-  for (const auto& [name, category] : CategoryTable::built_in().all()) {
+  for (const auto& [name, category] : KindTable::built_in().all()) {
     categories_of_[key(name)] = name;
     for (const auto& other : category.synonyms) categories_of_.try_emplace(key(other), name);
   }
@@ -112,8 +112,8 @@ Identity KindNames::identify(const Object& object) const {
 
 bool KindNames::same(const std::string& kind, const std::string& category) const {
   const auto& vocabulary = Vocabulary::built_in();
-  const Kind* have = vocabulary.find(kind);
-  const Kind* want = vocabulary.find(category);
+  const StockKind* have = vocabulary.find(kind);
+  const StockKind* want = vocabulary.find(category);
   if (have && have == want) return true;
   const auto shapes = shape_kinds_of_.find(category);
   if (shapes != shape_kinds_of_.end() && shapes->second.count(kind)) return true;
@@ -124,12 +124,12 @@ bool KindNames::same(const std::string& kind, const std::string& category) const
 
 bool KindNames::descends(const std::string& kind, const std::string& category) const {
   const auto& vocabulary = Vocabulary::built_in();
-  const Kind* have = vocabulary.find(kind);
-  const Kind* want = vocabulary.find(category);
+  const StockKind* have = vocabulary.find(kind);
+  const StockKind* want = vocabulary.find(category);
   if (have && want && vocabulary.is_a(have->name, want->name)) return true;
   const auto mine = categories_of_.find(kind), theirs = categories_of_.find(category);
   return mine != categories_of_.end() && theirs != categories_of_.end() &&
-         CategoryTable::built_in().is_a(mine->second, theirs->second);
+         KindTable::built_in().is_a(mine->second, theirs->second);
 }
 
 bool KindNames::is_known(const std::string& category) const {

@@ -2,7 +2,7 @@
 
 #include "roomgen/base/text.h"
 #include "roomgen/evaluate/attributes.h"
-#include "roomgen/scene/category.h"
+#include "roomgen/kinds/kind_table.h"
 
 namespace roomgen {
 
@@ -47,7 +47,7 @@ KnownLooks known_looks(const Object& object, const ModelTable& models) {
     looks.outline = outline_of(merged_mesh(*model));
   }
   looks.size = object.size;
-  const Category* category = CategoryTable::built_in().find(looks.identity.kind);
+  const Kind* category = KindTable::built_in().find(looks.identity.kind);
   looks.usual = category ? category->size : object.size;
   looks.mount = object.mount;
   return looks;

@@ -11,7 +11,7 @@ namespace {
 
 class Checker {
  public:
-  Checker(std::span<const Requirement> all, const Scene& scene, const CategoryTable& categories,
+  Checker(std::span<const Requirement> all, const Scene& scene, const KindTable& categories,
           const AttributeJudge& has_attribute)
       : all_(all), scene_(scene), categories_(categories), has_attribute_(has_attribute) {}
 
@@ -110,7 +110,7 @@ class Checker {
 
   std::span<const Requirement> all_;
   const Scene& scene_;
-  const CategoryTable& categories_;
+  const KindTable& categories_;
   const AttributeJudge& has_attribute_;
 };
 
@@ -118,7 +118,7 @@ class Checker {
 
 std::vector<RequirementVerdict> check_requirements(std::span<const Requirement> requirements,
                                                    const Scene& scene,
-                                                   const CategoryTable& categories,
+                                                   const KindTable& categories,
                                                    const AttributeJudge& has_attribute) {
   const Checker checker(requirements, scene, categories, has_attribute);
   std::vector<RequirementVerdict> verdicts;

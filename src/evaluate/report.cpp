@@ -28,7 +28,7 @@ void find_overlaps(const Scene& scene, const ModelTable& models, std::vector<Vio
         found.push_back({Fault::overlap, scene.objects[i].id, scene.objects[j].id});
 }
 
-void find_blocked_openings(const Scene& scene, const CategoryTable& categories,
+void find_blocked_openings(const Scene& scene, const KindTable& categories,
                            std::vector<Violation>& found) {
   for (const auto& opening : scene.room.openings)
     for (const auto& object : scene.objects)
@@ -37,7 +37,7 @@ void find_blocked_openings(const Scene& scene, const CategoryTable& categories,
                          object.id, opening.id});
 }
 
-void find_unusable(const Scene& scene, const CategoryTable& categories,
+void find_unusable(const Scene& scene, const KindTable& categories,
                    std::vector<Violation>& found) {
   const auto things = floor_things(scene.objects, categories);
   const WalkMap map = make_walk_map(scene.room, things);
@@ -73,7 +73,7 @@ int SceneReport::relations_held() const {
                                         [](const auto& verdict) { return verdict.judgement.held; }));
 }
 
-bool keeps_clear(const Object& object, const Category& category, const Room& room,
+bool keeps_clear(const Object& object, const Kind& category, const Room& room,
                  const Opening& opening) {
   if (category.covers_window && !opening.is_entrance()) return true;
   if (object.traits.flat || object.mount == Mount::surface) return true;
@@ -87,7 +87,7 @@ bool keeps_clear(const Object& object, const Category& category, const Room& roo
   });
 }
 
-SceneReport examine(const Scene& scene, const ModelTable& models, const CategoryTable& categories) {
+SceneReport examine(const Scene& scene, const ModelTable& models, const KindTable& categories) {
   SceneReport report;
   if (!scene.rooms.empty()) {
     for (const auto& part : parts_of(scene)) add(examine(part, models, categories), report);

@@ -88,7 +88,7 @@ std::function<void(const StepProgress&)> shifted(const GenerateOptions& options,
 }  // namespace
 
 Result<Generation> generate(const DwellingPlan& plan, Designer& designer,
-                            const AssetLibrary& library, const CategoryTable& categories,
+                            const AssetLibrary& library, const KindTable& categories,
                             const GenerateOptions& options) {
   std::vector<Room> rooms;
   std::size_t total = 0, before = 0;

@@ -55,7 +55,7 @@ double seconds_since(Clock::time_point start) {
 class Generator {
  public:
   Generator(const Plan& plan, Designer& designer, const AssetLibrary& library,
-            const CategoryTable& categories, const GenerateOptions& options)
+            const KindTable& categories, const GenerateOptions& options)
       : plan_(plan),
         designer_(designer),
         library_(library),
@@ -189,7 +189,7 @@ class Generator {
   // Returns why it does not hang anywhere, or nothing.
   std::string cover_window(const PlannedObject& planned, Json& record) {
     const PlanItem& item = plan_.items[planned.item];
-    const Category& category = categories_.get(item.category);
+    const Kind& category = categories_.get(item.category);
     std::vector<const Opening*> windows = windows_to_cover(room_, layout_.objects(), item.category);
     for (const auto& relation : item.relations)
       std::stable_partition(windows.begin(), windows.end(),
@@ -389,7 +389,7 @@ class Generator {
   // The object as the asset makes it, with its mounting height.
   Result<PlacementTask> prepare(const PlannedObject& planned, const AssetInfo& asset) {
     const PlanItem& item = plan_.items[planned.item];
-    const Category& category = categories_.get(item.category);
+    const Kind& category = categories_.get(item.category);
     auto model = library_.load(asset.ref);
     if (!model) return model.error();
     if (!asset_key(asset.ref).empty()) result_.models.add(asset_key(asset.ref), *model);
@@ -412,7 +412,7 @@ class Generator {
   }
 
   // The usual height; what stands on something gets its own when that is known.
-  void set_height(const Category& category, const AssetInfo& asset, Object& object) const {
+  void set_height(const Kind& category, const AssetInfo& asset, Object& object) const {
     const double room_left = room_.height - object.size.z();
     if (object.mount == Mount::ceiling) object.position.z() = room_left;
     if (object.mount == Mount::wall) {
@@ -565,7 +565,7 @@ class Generator {
   const Plan& plan_;
   Designer& designer_;
   const AssetLibrary& library_;
-  const CategoryTable& categories_;
+  const KindTable& categories_;
   const GenerateOptions& options_;
   Retriever retriever_;
   Random random_;
@@ -583,7 +583,7 @@ class Generator {
 }  // namespace
 
 Result<Generation> generate(const Plan& plan, Designer& designer, const AssetLibrary& library,
-                            const CategoryTable& categories, const GenerateOptions& options) {
+                            const KindTable& categories, const GenerateOptions& options) {
   if (auto status = options.place.validate(); !status) return status.error();
   return Generator(plan, designer, library, categories, options).run();
 }

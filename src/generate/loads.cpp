@@ -12,7 +12,7 @@ constexpr double least_load = 0.8;
 }  // namespace
 
 std::vector<Load> loads_on(const std::string& id, const Plan& plan,
-                           const CategoryTable& categories) {
+                           const KindTable& categories) {
   std::vector<Load> loads;
   for (const auto& item : plan.items) {
     const auto wants = [&](RelationKind kind) {
@@ -20,7 +20,7 @@ std::vector<Load> loads_on(const std::string& id, const Plan& plan,
              item.relations.end();
     };
     if (item.mount != Mount::surface || !wants(RelationKind::on)) continue;
-    const Category& category = categories.get(item.category);
+    const Kind& category = categories.get(item.category);
     Load load;
     load.object.category = item.category;
     load.object.size = least_load * item.size.value_or(category.size);

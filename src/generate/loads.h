@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "roomgen/collision/perches.h"
-#include "roomgen/scene/category.h"
+#include "roomgen/kinds/kind_table.h"
 #include "roomgen/scene/plan.h"
 
 namespace roomgen {
@@ -17,7 +17,7 @@ struct Load {
 };
 
 /// What the plan puts onto the thing of this id.
-std::vector<Load> loads_on(const std::string& id, const Plan& plan, const CategoryTable& categories);
+std::vector<Load> loads_on(const std::string& id, const Plan& plan, const KindTable& categories);
 
 /// Whether each of the loads finds a place, were the others not there.
 bool can_carry(const Object& carrier, std::span<const Load> loads, const Perches& perches);

@@ -6,7 +6,7 @@
 
 #include "roomgen/base/random.h"
 #include "roomgen/library/library.h"
-#include "roomgen/scene/category.h"
+#include "roomgen/kinds/kind_table.h"
 #include "roomgen/scene/plan.h"
 
 namespace roomgen {
@@ -16,7 +16,7 @@ namespace roomgen {
 class Retriever {
  public:
   /// All must outlive this.
-  Retriever(const AssetLibrary& library, const CategoryTable& categories, std::uint64_t seed)
+  Retriever(const AssetLibrary& library, const KindTable& categories, std::uint64_t seed)
       : library_(library), categories_(categories), random_(seed) {}
 
   /// The best few, in the order in which they shall be tried; empty if nothing fits.
@@ -27,7 +27,7 @@ class Retriever {
 
  private:
   const AssetLibrary& library_;
-  const CategoryTable& categories_;
+  const KindTable& categories_;
   Random random_;
   std::map<std::string, AssetInfo> chosen_;  ///< by what was asked for
 };

@@ -109,7 +109,7 @@ Plan plan_for(const create::Creation& creation, std::uint64_t seed) {
 
 }  // namespace
 
-Result<Generation> set_out(const create::Creation& creation, const CategoryTable& categories,
+Result<Generation> set_out(const create::Creation& creation, const KindTable& categories,
                            std::uint64_t seed) {
   if (creation.objects.empty())
     return Error{Error::Kind::invalid_input, "there is nothing to set out"};

@@ -18,7 +18,7 @@ constexpr double fit_margin = 0.96;
 
 }  // namespace
 
-Vec3 fitted_size(const AssetInfo& asset, const PlanItem& item, const Category& category) {
+Vec3 fitted_size(const AssetInfo& asset, const PlanItem& item, const Kind& category) {
   Vec3 size = asset.size;
   if (item.mount != Mount::floor || asset.ref.procedural) return size;
   const Vec3 wanted = item.size.value_or(category.size);

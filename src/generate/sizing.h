@@ -5,14 +5,14 @@
 
 #include "roomgen/collision/support_surfaces.h"
 #include "roomgen/library/library.h"
-#include "roomgen/scene/category.h"
+#include "roomgen/kinds/kind_table.h"
 #include "roomgen/scene/plan.h"
 
 namespace roomgen {
 
 /// The size at which an asset is placed: width and depth of furniture come as near to what was planned
 /// as a mesh can be stretched without showing it.
-Vec3 fitted_size(const AssetInfo& asset, const PlanItem& item, const Category& category);
+Vec3 fitted_size(const AssetInfo& asset, const PlanItem& item, const Kind& category);
 
 /// How much smaller a thing becomes to fit one of the surfaces, at least 0.6: a cushion comes in many
 /// sizes. Less with each refusal.

@@ -48,7 +48,7 @@ bool hangs_at(const Object& object, const Room& room, const Opening& window) {
 
 }  // namespace
 
-std::vector<Object> hangings(const Object& object, const Category& category, const Room& room,
+std::vector<Object> hangings(const Object& object, const Kind& category, const Room& room,
                              const Opening& window) {
   const double sill = std::max(0.0, window.sill - under_sill);
   const bool falls_lower = category.elevation < sill;

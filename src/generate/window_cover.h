@@ -4,17 +4,17 @@
 #include <string>
 #include <vector>
 
-#include "roomgen/scene/category.h"
+#include "roomgen/kinds/kind_table.h"
 #include "roomgen/scene/room.h"
 
 namespace roomgen {
 
-/// How a curtain or blind (Category::covers_window) may hang at a window: before the middle of it,
+/// How a curtain or blind (Kind::covers_window) may hang at a window: before the middle of it,
 /// its rod above the head. The first is as wide as usual and, if its kind reaches lower than the
 /// sill, down to its usual height over the floor; then it ends under the sill, as over furniture,
 /// then it is no wider than the hole, and at last it is drawn up to the middle, over what stands on
 /// that furniture. Each is the object with size and pose; none where the wall leaves no room.
-std::vector<Object> hangings(const Object& object, const Category& category, const Room& room,
+std::vector<Object> hangings(const Object& object, const Kind& category, const Room& room,
                              const Opening& window);
 
 /// The windows, those first at which nothing of this kind hangs yet.

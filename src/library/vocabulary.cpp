@@ -66,9 +66,9 @@ Mount read_mount(const JsonReader& json) {
   return mount.value_or(Mount::floor);
 }
 
-Kind read_kind(const std::string& name, const JsonReader& json) {
+StockKind read_kind(const std::string& name, const JsonReader& json) {
   json.allow_only({"is", "names", "usual", "substitutes", "mount", "also", "supports"});
-  Kind kind;
+  StockKind kind;
   kind.name = name;
   kind.parent = json["is"].text_or("");
   kind.names = read_texts(json["names"]);
@@ -84,7 +84,7 @@ Kind read_kind(const std::string& name, const JsonReader& json) {
 }
 
 // What an entry does not say, its nearest ancestor says.
-void inherit(std::map<std::string, Kind, std::less<>>& kinds, Kind& kind) {
+void inherit(std::map<std::string, StockKind, std::less<>>& kinds, StockKind& kind) {
   auto ancestor = kinds.find(kind.parent);
   for (int i = 0; ancestor != kinds.end() && i < max_ancestors; ++i) {
     if (!kind.mount) {
@@ -108,7 +108,7 @@ Result<Vocabulary> Vocabulary::parse(std::string_view text, const std::string& s
   for (const auto& [name, entry] : root["kinds"].members())
     vocabulary.kinds_[name] = read_kind(name, entry);
   for (const auto& [name, entry] : root["kinds"].members()) {
-    Kind& kind = vocabulary.kinds_[name];
+    StockKind& kind = vocabulary.kinds_[name];
     if (!kind.parent.empty() && !vocabulary.kinds_.count(kind.parent))
       entry["is"].report("\"" + kind.parent + "\" is no kind");
     for (const auto& [other, fit] : kind.substitutes)
@@ -132,20 +132,20 @@ Result<Vocabulary> Vocabulary::parse(std::string_view text, const std::string& s
   return vocabulary;
 }
 
-void Vocabulary::add(const CategoryTable& categories) {
+void Vocabulary::add(const KindTable& categories) {
   const auto key = [](const std::string& name) { return join(singular_words(name), " "); };
-  std::vector<const Category*> added;
+  std::vector<const Kind*> added;
   for (const auto& [name, category] : categories.all()) {
     if (only_describes(name) || names_.count(key(name))) continue;
-    Kind& kind = kinds_[name];
+    StockKind& kind = kinds_[name];
     kind.name = name;
     kind.mount = category.mount;
     names_[key(name)] = name;
     added.push_back(&category);
   }
-  for (const Category* category : added) {
-    Kind& kind = kinds_[category->name];
-    if (const Kind* parent = find(category->parent)) kind.parent = parent->name;
+  for (const Kind* category : added) {
+    StockKind& kind = kinds_[category->name];
+    if (const StockKind* parent = find(category->parent)) kind.parent = parent->name;
     inherit(kinds_, kind);
   }
   for (const auto& [name, category] : categories.all())
@@ -158,24 +158,24 @@ const Vocabulary& Vocabulary::built_in() {
     auto parsed = parse(resource("data/vocabulary.json").value_or("{}"), "data/vocabulary.json");
     // A test parses the file; a build whose data is broken has an empty vocabulary.
     if (!parsed) return Vocabulary{};
-    parsed->add(CategoryTable::built_in());
+    parsed->add(KindTable::built_in());
     return *std::move(parsed);
   }();
   return vocabulary;
 }
 
-const Kind* Vocabulary::by_name(std::string_view name) const {
+const StockKind* Vocabulary::by_name(std::string_view name) const {
   const auto found = kinds_.find(name);
   return found == kinds_.end() ? nullptr : &found->second;
 }
 
-const Kind* Vocabulary::find(std::string_view name) const {
+const StockKind* Vocabulary::find(std::string_view name) const {
   const auto found = names_.find(join(singular_words(name), " "));
   return found == names_.end() ? nullptr : by_name(found->second);
 }
 
 KindPhrase Vocabulary::understand(std::string_view phrase) const {
-  if (const Kind* whole = find(phrase))
+  if (const StockKind* whole = find(phrase))
     return {whole->name, join(singular_words(phrase), " "), true};
   std::vector<std::string> pieces;
   for (auto& piece : singular_words(before_preposition(phrase)))
@@ -227,7 +227,7 @@ std::vector<std::string> Vocabulary::mentioned(std::string_view text) const {
 }
 
 bool Vocabulary::is_a(std::string_view name, std::string_view ancestor) const {
-  const Kind* kind = by_name(name);
+  const StockKind* kind = by_name(name);
   for (int i = 0; kind && i < max_ancestors; ++i) {
     if (kind->name == ancestor) return true;
     kind = by_name(kind->parent);
@@ -237,8 +237,8 @@ bool Vocabulary::is_a(std::string_view name, std::string_view ancestor) const {
 
 double Vocabulary::fit(std::string_view have, std::string_view want) const {
   if (have == want) return have.empty() ? 0.0 : 1.0;
-  const Kind* wanted = by_name(want);
-  const Kind* owned = by_name(have);
+  const StockKind* wanted = by_name(want);
+  const StockKind* owned = by_name(have);
   if (!wanted || !owned) return 0.0;  // what the vocabulary lacks fits itself only
   if (is_a(have, want)) return owned->usual ? 1.0 : other_child_fit;
   double best = 0.0;

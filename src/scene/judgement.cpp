@@ -278,9 +278,9 @@ bool is_merely_near(const Object& object, const Relation& relation) {
 }
 
 // The range that either of the two prefers for the other.
-void set_preferred_gap(ResolvedRelation& resolved, const Category& own, const Category& other) {
+void set_preferred_gap(ResolvedRelation& resolved, const Kind& own, const Kind& other) {
   for (const auto* pair : {&own, &other}) {
-    const Category& partner = pair == &own ? other : own;
+    const Kind& partner = pair == &own ? other : own;
     for (const auto& preferred : pair->gaps)
       if (is_any_of(partner, {preferred.partner})) {
         resolved.gap_low = preferred.low;
@@ -303,9 +303,9 @@ std::optional<Footprint> part_of_room(const Room& room, std::string_view name) {
 
 std::vector<ResolvedRelation> resolve(const Object& object, const Room& room,
                                       std::span<const Object> placed,
-                                      const CategoryTable& categories) {
+                                      const KindTable& categories) {
   std::vector<ResolvedRelation> result;
-  const Category& own = categories.get(object.category);
+  const Kind& own = categories.get(object.category);
   for (const auto& relation : object.relations) {
     ResolvedRelation resolved;
     resolved.kind = relation.kind;
@@ -346,7 +346,7 @@ Judgement judge(const ResolvedRelation& relation, const Subject& subject, const 
   return best;
 }
 
-std::vector<RelationVerdict> judge_scene(const Scene& scene, const CategoryTable& categories) {
+std::vector<RelationVerdict> judge_scene(const Scene& scene, const KindTable& categories) {
   std::vector<RelationVerdict> verdicts;
   if (!scene.rooms.empty()) {
     for (const auto& part : parts_of(scene))

@@ -66,10 +66,10 @@ double free_way(const Room& room, const Vec2& from, const Vec2& direction) {
 
 }  // namespace
 
-std::vector<LampLight> lamp_lights(const Scene& scene, const CategoryTable& table) {
+std::vector<LampLight> lamp_lights(const Scene& scene, const KindTable& table) {
   std::vector<LampLight> lights;
   for (const auto& object : scene.objects) {
-    const Category& category = table.get(object.category);
+    const Kind& category = table.get(object.category);
     if (!category.lamp) continue;
     lights.push_back({object.id, place_of(object, *category.lamp, room_of(scene, object)),
                       category.lamp->candela, radians(category.lamp->cone)});

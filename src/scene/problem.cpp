@@ -9,7 +9,7 @@
 #include "roomgen/base/file.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
-#include "roomgen/scene/category.h"
+#include "roomgen/kinds/kind_table.h"
 
 namespace roomgen {
 
@@ -66,7 +66,7 @@ PlacementTask read_task(const JsonReader& json) {
   object.id = lower(json["name"].text(200));
   object.category = lower(json["category"].text_or(category_of(object.id), 200));
   object.description = object.category;
-  const Category& category = CategoryTable::built_in().get(object.category);
+  const Kind& category = KindTable::built_in().get(object.category);
   object.traits = category.traits;
   object.traits.round = false;  // the file gives a rectangle
   const bool with_height = json["size"].is_array() && json["size"].raw()->size() == 3;

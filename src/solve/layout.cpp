@@ -58,7 +58,7 @@ Footprint FootprintAt::operator()(const Pose& pose) const {
   return turned_.back().moved_to(pose.position);
 }
 
-Layout::Layout(const Room& room, const CategoryTable& categories, const ModelTable& models)
+Layout::Layout(const Room& room, const KindTable& categories, const ModelTable& models)
     : room_(room),
       categories_(categories),
       models_(models),
@@ -137,7 +137,7 @@ Layout::Candidate Layout::candidate(const Object& object) const {
   return {object, &categories_.get(object.category)};
 }
 
-bool Layout::may_tuck(const Category& a, const Category& b) const {
+bool Layout::may_tuck(const Kind& a, const Kind& b) const {
   return !models_.empty() && (is_any_of(a, b.tucks_under) || is_any_of(b, a.tucks_under));
 }
 
@@ -152,7 +152,7 @@ bool Layout::rests_on(const Object& upper, const Object& lower) const {
 }
 
 // The back of a chair at a table rises beside what is on the table, within one box with it.
-bool Layout::may_sit_over(const Object& object, const Category& other) const {
+bool Layout::may_sit_over(const Object& object, const Kind& other) const {
   const Object* support = object.mount == Mount::surface ? find(object.on) : nullptr;
   return support && may_tuck(other, categories_.get(support->category));
 }

@@ -69,7 +69,7 @@ int place_one_by_one(Layout& layout, const std::vector<PlacementTask>& tasks,
 }  // namespace
 
 Result<Solution> solve(const Problem& problem, const ModelTable& models,
-                       const CategoryTable& categories, const SolveOptions& options) {
+                       const KindTable& categories, const SolveOptions& options) {
   if (auto status = options.place.validate(); !status) return status.error();
   const auto order = placement_order(problem.tasks);
   if (!order) return order.error();

@@ -12,7 +12,7 @@ int main() {
   bed.object.size = {1.6, 2.05, 0.9};
   bed.object.relations = *parse_relations("edge");
   problem.tasks.push_back(bed);
-  const auto solution = solve(problem, ModelTable(), CategoryTable::built_in());
+  const auto solution = solve(problem, ModelTable(), KindTable::built_in());
   if (!solution || solution->held != 1) return 1;
   std::printf("bed at %.2f, %.2f\n", solution->scene.objects[0].position.x(),
               solution->scene.objects[0].position.y());

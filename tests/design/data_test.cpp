@@ -6,7 +6,7 @@
 #include "brief/room_kinds.h"
 #include "roomgen/base/resource.h"
 #include "roomgen/base/text.h"
-#include "roomgen/scene/category.h"
+#include "roomgen/kinds/kind_table.h"
 #include "brief/prompt_words.h"
 
 using namespace roomgen;
@@ -14,8 +14,8 @@ using namespace roomgen::design;
 
 namespace {
 
-const CategoryTable& table() {
-  return CategoryTable::built_in();
+const KindTable& table() {
+  return KindTable::built_in();
 }
 
 bool exists(const std::string& category) {
@@ -47,7 +47,7 @@ void check_pieces(const std::vector<Piece>& pieces, const RoomKinds& kinds) {
 }  // namespace
 
 TEST_CASE("data/categories.json parses and knows many kinds") {
-  const auto parsed = CategoryTable::parse(*resource("data/categories.json"), "categories.json");
+  const auto parsed = KindTable::parse(*resource("data/categories.json"), "categories.json");
   if (!parsed) FAIL(parsed.error().message);
   CHECK(parsed->all().size() >= 150);
 }

@@ -18,7 +18,7 @@ namespace {
 
 std::optional<SaidDwelling> said(const std::string& prompt) {
   return read_dwelling(prompt, *built_in_dwelling_kinds(), *built_in_room_kinds(),
-                       CategoryTable::built_in());
+                       KindTable::built_in());
 }
 
 // "bathroom 1, bedroom 2"

@@ -20,7 +20,7 @@ const FloorShapes& shapes() {
 }
 
 SaidShape said_in(const std::string& prompt) {
-  return read_prompt(prompt, *built_in_room_kinds(), CategoryTable::built_in()).shape;
+  return read_prompt(prompt, *built_in_room_kinds(), KindTable::built_in()).shape;
 }
 
 // Of the triangle fan, without the library's own formula.

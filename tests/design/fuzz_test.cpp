@@ -5,7 +5,7 @@
 #include "brief/room_kinds.h"
 #include "roomgen/base/random.h"
 #include "roomgen/design/rule_designer.h"
-#include "roomgen/scene/category.h"
+#include "roomgen/kinds/kind_table.h"
 #include "brief/prompt_words.h"
 
 using namespace roomgen;
@@ -42,7 +42,7 @@ std::vector<std::string> word_pool() {
                                    "corner",
                                    "&"};
   for (const auto& [phrase, placement] : built_in_vocabulary()->placements) pool.push_back(phrase);
-  for (const auto& [name, category] : CategoryTable::built_in().all()) pool.push_back(name);
+  for (const auto& [name, category] : KindTable::built_in().all()) pool.push_back(name);
   for (const auto& [type, kind] : built_in_room_kinds()->types) pool.push_back(type);
   for (const auto& [word, number] : built_in_vocabulary()->numbers) pool.push_back(word);
   for (const auto& word : built_in_vocabulary()->stops) pool.push_back(word);
@@ -69,7 +69,7 @@ TEST_CASE("any words are read without harm") {
   for (int i = 0; i < 2000; ++i) {
     const std::string prompt = i % 10 == 0 ? random_bytes(random, random.integer(1, 300))
                                            : random_prompt(pool, random, random.integer(1, 40));
-    const Brief brief = read_prompt(prompt, *built_in_room_kinds(), CategoryTable::built_in());
+    const Brief brief = read_prompt(prompt, *built_in_room_kinds(), KindTable::built_in());
     for (const auto& mention : brief.mentions) {
       REQUIRE(mention.quantity >= 1);
       REQUIRE(mention.size.minCoeff() > 0.0);

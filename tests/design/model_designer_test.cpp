@@ -31,7 +31,7 @@ struct Conversation {
     seat.category = "chair";
     plan.items = {seat};
     designer = make_model_designer(model, make_rule_designer(), Prompts::built_in(),
-                                   CategoryTable::built_in(), std::move(options));
+                                   KindTable::built_in(), std::move(options));
   }
 
   Result<PlaceAdvice> place(std::vector<std::string> refusals = {},

@@ -17,7 +17,7 @@ using namespace roomgen::design;
 namespace {
 
 Brief read(const std::string& prompt) {
-  return read_prompt(prompt, *built_in_room_kinds(), CategoryTable::built_in());
+  return read_prompt(prompt, *built_in_room_kinds(), KindTable::built_in());
 }
 
 Room room_of(const std::string& prompt, std::uint64_t seed = 0) {

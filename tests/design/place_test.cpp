@@ -12,7 +12,7 @@ namespace {
 
 Object object_of(const Plan& plan, const PlannedObject& planned) {
   const PlanItem& item = plan.items[planned.item];
-  const Category& category = CategoryTable::built_in().get(item.category);
+  const Kind& category = KindTable::built_in().get(item.category);
   Object object;
   object.id = planned.id;
   object.category = item.category;
@@ -67,7 +67,7 @@ bool overlaps_something(const Scene& scene, std::size_t i) {
 
 const Object* first_of(const Scene& scene, const std::string& category) {
   for (const auto& object : scene.objects)
-    if (CategoryTable::built_in().is_a(object.category, category)) return &object;
+    if (KindTable::built_in().is_a(object.category, category)) return &object;
   return nullptr;
 }
 

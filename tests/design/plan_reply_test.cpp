@@ -15,7 +15,7 @@ namespace {
 PlanReply read(const std::string& answer,
                const PlanRequest& request = {"a bedroom", 1, {}, {}, {}}) {
   INFO(answer);
-  auto reply = read_plan_reply(answer, request, CategoryTable::built_in());
+  auto reply = read_plan_reply(answer, request, KindTable::built_in());
   if (!reply) INFO(reply.error().message);
   REQUIRE(reply);
   REQUIRE(check(reply->plan.room));
@@ -202,7 +202,7 @@ TEST_CASE("A plan without objects is an error") {
                            R"({"objects": [{}, 3, null]})"}) {
     INFO(text);
     const auto reply =
-        read_plan_reply(text, {"a bedroom", 1, {}, {}, {}}, CategoryTable::built_in());
+        read_plan_reply(text, {"a bedroom", 1, {}, {}, {}}, KindTable::built_in());
     REQUIRE(!reply);
     CHECK(reply.error().kind == Error::Kind::invalid_input);
   }
@@ -214,7 +214,7 @@ TEST_CASE("Damaged plans do no harm") {
   for (int i = 0; i < 500; ++i) {
     const std::string text = damaged(good, random, 12, 50);
     INFO(text);
-    const auto reply = read_plan_reply(text, {"a room", 1, {}, {}, {}}, CategoryTable::built_in());
+    const auto reply = read_plan_reply(text, {"a room", 1, {}, {}, {}}, KindTable::built_in());
     if (!reply) continue;
     ++understood;
     REQUIRE(check(reply->plan.room));

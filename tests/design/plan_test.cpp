@@ -20,7 +20,7 @@ Floor floor_of(const Plan& plan) {
   for (const auto& item : plan.items) {
     if (item.mount != Mount::floor) continue;
     floor.things += item.quantity;
-    if (!CategoryTable::built_in().get(item.category).traits.flat)
+    if (!KindTable::built_in().get(item.category).traits.flat)
       floor.share += item.quantity * item.size->x() * item.size->y();
   }
   floor.share /= area(plan.room.polygon);
@@ -149,7 +149,7 @@ TEST_CASE("people decide how many seats there are") {
   const Plan plan = plan_of("a dining room for eight");
   CHECK(count_of(plan, "chair") == 8);
   for (const auto& item : plan.items)
-    if (CategoryTable::built_in().is_a(item.category, "dining table"))
+    if (KindTable::built_in().is_a(item.category, "dining table"))
       CHECK(std::max(item.size->x(), item.size->y()) >= 1.5);
 }
 

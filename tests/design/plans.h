@@ -3,7 +3,7 @@
 #include <string>
 
 #include "roomgen/design/rule_designer.h"
-#include "roomgen/scene/category.h"
+#include "roomgen/kinds/kind_table.h"
 
 namespace roomgen::test {
 
@@ -18,7 +18,7 @@ inline Plan plan_of(const std::string& prompt, std::uint64_t seed = 0) {
 inline int count_of(const Plan& plan, const std::string& category) {
   int count = 0;
   for (const auto& item : plan.items)
-    if (CategoryTable::built_in().is_a(item.category, category)) count += item.quantity;
+    if (KindTable::built_in().is_a(item.category, category)) count += item.quantity;
   return count;
 }
 

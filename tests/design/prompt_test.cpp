@@ -5,7 +5,7 @@
 #include "catch.h"
 #include "plans.h"
 #include "brief/room_kinds.h"
-#include "roomgen/scene/category.h"
+#include "roomgen/kinds/kind_table.h"
 
 using namespace roomgen;
 using namespace roomgen::design;
@@ -13,7 +13,7 @@ using namespace roomgen::design;
 namespace {
 
 Brief read(const std::string& prompt) {
-  return read_prompt(prompt, *built_in_room_kinds(), CategoryTable::built_in());
+  return read_prompt(prompt, *built_in_room_kinds(), KindTable::built_in());
 }
 
 // "2 armchair, 1 sofa"
@@ -134,7 +134,7 @@ TEST_CASE("looks and sizes stay in the description") {
   const auto brief = read("a large blue velvet sofa and a 1.8 m oak desk");
   REQUIRE(brief.mentions.size() == 2);
   CHECK(brief.mentions[0].description == "large blue velvet sofa");
-  CHECK(brief.mentions[0].size.x() > CategoryTable::built_in().get("sofa").size.x());
+  CHECK(brief.mentions[0].size.x() > KindTable::built_in().get("sofa").size.x());
   CHECK(brief.mentions[1].description == "oak desk");
   CHECK(brief.mentions[1].size.x() == Approx(1.8));
 }

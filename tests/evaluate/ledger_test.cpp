@@ -36,7 +36,7 @@ RequirementVerdict check(const Requirement& requirement) {
   const AttributeJudge judge = [](const Object& object, const std::string& word) {
     return object.id == "bed-0" && word == "white" ? "" : "is not " + word;
   };
-  return check_requirements(std::vector{requirement}, bedroom(), CategoryTable::built_in(), judge)[0];
+  return check_requirements(std::vector{requirement}, bedroom(), KindTable::built_in(), judge)[0];
 }
 
 }  // namespace
@@ -62,7 +62,7 @@ TEST_CASE("Things of which another number speaks are not counted") {
   const auto first = about(Requirement::Kind::count, "bed", {"bed-0"});
   const auto second = about(Requirement::Kind::count, "bed", {"bed-1"});
   const auto met = [&](const std::vector<Requirement>& all) {
-    return check_requirements(all, scene, CategoryTable::built_in(), {})[0].met;
+    return check_requirements(all, scene, KindTable::built_in(), {})[0].met;
   };
   CHECK(met({first, second}));
   CHECK_FALSE(met({first}));

@@ -20,7 +20,7 @@ Room plain_room() {
 std::vector<std::string> faults(std::vector<Object> objects, Room room = plain_room()) {
   std::vector<std::string> found;
   const auto report = examine(rooms::scene(std::move(room), std::move(objects)), ModelTable(),
-                              CategoryTable::built_in());
+                              KindTable::built_in());
   for (const auto& v : report.violations)
     found.push_back(std::string(name(v.fault)) + " " + v.object + " " + v.other);
   return found;
@@ -114,7 +114,7 @@ TEST_CASE("The verdicts on all relations come in order, and those that hold are 
   Object lamp = rooms::thing("lamp-0", "thing", {0.3, 0.3, 1.5}, {2, 2});
   lamp.relations = *parse_relations("near, bed-0 | far, bed-0 | near, gone-0");
   const auto report = examine(rooms::scene(plain_room(), {bed, lamp}), ModelTable(),
-                              CategoryTable::built_in());
+                              KindTable::built_in());
   std::string verdicts;
   for (const auto& verdict : report.relations)
     verdicts += verdict.object + ": " + to_text(verdict.relation) +

@@ -19,12 +19,12 @@ TEST_CASE("A dwelling is furnished room by room into one sound scene") {
   REQUIRE(plan);
   REQUIRE(*plan);
   const auto library = create::make_created_library();
-  const auto made = generate(**plan, *designer, *library, CategoryTable::built_in());
+  const auto made = generate(**plan, *designer, *library, KindTable::built_in());
   REQUIRE(made);
   const Scene& scene = made->scene;
   REQUIRE(scene.rooms.size() == 2);
   CHECK(check(scene));
-  CHECK(examine(scene, made->models, CategoryTable::built_in()).violations.empty());
+  CHECK(examine(scene, made->models, KindTable::built_in()).violations.empty());
 
   std::set<std::string> ids, furnished;
   for (const auto& object : scene.objects) {
@@ -58,7 +58,7 @@ TEST_CASE("A dwelling that is stopped says so and keeps what stands") {
     if (++steps == 3) options.cancel.cancel();
   };
   const auto library = create::make_created_library();
-  const auto made = generate(**plan, *designer, *library, CategoryTable::built_in(), options);
+  const auto made = generate(**plan, *designer, *library, KindTable::built_in(), options);
   REQUIRE(made);
   CHECK(made->scene.incomplete);
   CHECK(made->scene.rooms.size() == 2);

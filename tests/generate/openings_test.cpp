@@ -189,7 +189,7 @@ Generation furnished(const std::string& prompt, std::uint64_t seed) {
   const auto library = create::make_created_library();
   GenerateOptions options;
   options.seed = seed;
-  auto generation = generate(*plan, *designer, *library, CategoryTable::built_in(), options);
+  auto generation = generate(*plan, *designer, *library, KindTable::built_in(), options);
   REQUIRE(generation);
   return *std::move(generation);
 }
@@ -210,7 +210,7 @@ bool crosses(const Object& object, const Room& room, const Opening& opening) {
 
 TEST_CASE(
     "Curtains and blinds hang before the middle of a window, from above it to floor or sill") {
-  const auto& table = CategoryTable::built_in();
+  const auto& table = KindTable::built_in();
   int hung = 0, left_out = 0;
   for (std::uint64_t seed = 0; seed < 4; ++seed)
     for (const char* prompt :
@@ -252,7 +252,7 @@ TEST_CASE(
 }
 
 TEST_CASE("Nothing else on a wall crosses a door or a window, nor reaches into furniture") {
-  const auto& table = CategoryTable::built_in();
+  const auto& table = KindTable::built_in();
   int on_walls = 0;
   for (std::uint64_t seed = 0; seed < 3; ++seed)
     for (const char* prompt :
@@ -284,7 +284,7 @@ TEST_CASE("All doors are connected and all things in reach, whatever the doors a
     for (std::uint64_t seed = 0; seed < 3; ++seed) {
       const Generation generation = furnished(prompt, seed);
       INFO(prompt << ", seed " << seed);
-      const auto& table = CategoryTable::built_in();
+      const auto& table = KindTable::built_in();
       const auto things = floor_things(generation.scene.objects, table);
       const WalkMap map = make_walk_map(generation.scene.room, things);
       CHECK(map.doors_connected());

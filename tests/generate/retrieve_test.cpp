@@ -77,7 +77,7 @@ Scene furnish(const Plan& plan, const Blocks& library, std::uint64_t seed) {
   Silent designer;
   GenerateOptions options;
   options.seed = seed;
-  const auto generation = generate(plan, designer, library, CategoryTable::built_in(), options);
+  const auto generation = generate(plan, designer, library, KindTable::built_in(), options);
   REQUIRE(generation);
   return generation->scene;
 }

@@ -64,7 +64,7 @@ Room room_with_door(double width, double depth) {
 
 Generation furnish(const Plan& plan, Recorder& designer, GenerateOptions options = {}) {
   const auto library = create::make_created_library();
-  auto generation = generate(plan, designer, *library, CategoryTable::built_in(), options);
+  auto generation = generate(plan, designer, *library, KindTable::built_in(), options);
   REQUIRE(generation);
   return *std::move(generation);
 }

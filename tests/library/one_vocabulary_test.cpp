@@ -9,14 +9,14 @@
 #include "roomgen/base/resource.h"
 #include "roomgen/base/text.h"
 #include "roomgen/library/vocabulary.h"
-#include "roomgen/scene/category.h"
+#include "roomgen/kinds/kind_table.h"
 
 using namespace roomgen;
 
 namespace {
 
-const CategoryTable& table() {
-  return CategoryTable::built_in();
+const KindTable& table() {
+  return KindTable::built_in();
 }
 
 std::vector<KindRecord> shapes() {
@@ -33,7 +33,7 @@ std::vector<KindRecord> named() {
 }
 
 std::string meaning(std::string_view name) {
-  const Category* category = table().find(name);
+  const Kind* category = table().find(name);
   return category ? category->name : std::string();
 }
 
@@ -43,7 +43,7 @@ bool related(const std::string& a, const std::string& b) {
 
 // Is it a name itself, rather than understood by its ending?
 bool is_name(const std::string& name) {
-  const Category* category = table().find(name);
+  const Kind* category = table().find(name);
   if (!category) return false;
   const auto key = words(name);
   return words(category->name) == key ||
@@ -98,11 +98,11 @@ TEST_CASE("The longest name wins") {
 }
 
 TEST_CASE("What is built knows its usual size and how it is put up") {
-  const Category* microscope = table().find("microscope");
+  const Kind* microscope = table().find("microscope");
   REQUIRE(microscope);
   CHECK(microscope->size.maxCoeff() < 0.7);
   CHECK(microscope->mount == Mount::surface);
-  const Category* calendar = table().find("calendar");
+  const Kind* calendar = table().find("calendar");
   REQUIRE(calendar);
   CHECK(calendar->mount == Mount::wall);
   CHECK(calendar->elevation > 0.5);

@@ -147,16 +147,16 @@ TEST_CASE("Rooms that nobody can enter are found") {
 
 TEST_CASE("A dwelling is examined room by room") {
   Scene scene = furnished();
-  CHECK(examine(scene, {}, CategoryTable::built_in()).violations.empty());
+  CHECK(examine(scene, {}, KindTable::built_in()).violations.empty());
   // Into the wall to the bathroom: outside of its own room, though within the dwelling.
   scene.objects[0].position.x() = 4.0;
-  const auto report = examine(scene, {}, CategoryTable::built_in());
+  const auto report = examine(scene, {}, KindTable::built_in());
   REQUIRE(report.violations.size() >= 1);
   CHECK(report.violations[0].fault == Fault::outside);
   scene = furnished();
   scene.rooms[0].openings.erase(scene.rooms[0].openings.begin());
   bool no_access = false;
-  for (const auto& v : examine(scene, {}, CategoryTable::built_in()).violations)
+  for (const auto& v : examine(scene, {}, KindTable::built_in()).violations)
     no_access = no_access || v.fault == Fault::no_access;
   CHECK(no_access);
 }

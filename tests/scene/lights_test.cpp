@@ -12,7 +12,7 @@ Scene lit_scene(std::uint64_t seed) {
   Random random(seed);
   Scene scene = test::random_scene(seed);
   int number = 0;
-  for (const auto& [name, category] : CategoryTable::built_in().all()) {
+  for (const auto& [name, category] : KindTable::built_in().all()) {
     if (!category.lamp) continue;
     Object lamp = test::box("x-" + std::to_string(number++), category.size, Vec3::Zero());
     lamp.category = name;
@@ -59,7 +59,7 @@ TEST_CASE("what is no lamp does not shine") {
 }
 
 TEST_CASE("kinds of lamps are lamps as well") {
-  const auto& table = CategoryTable::built_in();
+  const auto& table = KindTable::built_in();
   for (const auto* kind : {"floor lamp", "desk lamp", "bedside lamp", "chandelier", "sconce", "pendant"}) {
     INFO(kind);
     CHECK(table.get(kind).lamp);

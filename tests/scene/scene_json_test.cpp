@@ -1,6 +1,6 @@
 #include "catch.h"
 #include "roomgen/base/json.h"
-#include "roomgen/scene/category.h"
+#include "roomgen/kinds/kind_table.h"
 #include "support/random_problem.h"
 
 using namespace roomgen;

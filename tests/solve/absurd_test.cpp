@@ -78,7 +78,7 @@ TEST_CASE("A circle of constraints is an error that names its members") {
   auto problem = problem_of(rooms::box(4, 4), 2, "plant", {0.4, 0.4, 0.9});
   problem.tasks[0].object.relations = {{RelationKind::near, "plant-1"}};
   problem.tasks[1].object.relations = {{RelationKind::near, "plant-0"}};
-  const auto solution = solve(problem, ModelTable(), CategoryTable::built_in());
+  const auto solution = solve(problem, ModelTable(), KindTable::built_in());
   REQUIRE_FALSE(solution);
   CHECK(solution.error().kind == Error::Kind::invalid_input);
   CHECK(solution.error().message.find("\"plant-0\", \"plant-1\"") != std::string::npos);

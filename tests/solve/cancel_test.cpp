@@ -11,7 +11,7 @@ TEST_CASE("A solve that is cancelled beforehand places nothing and is marked inc
   const auto problem = rooms::random_problem(1);
   SolveOptions options;
   options.cancel.cancel();
-  const auto solution = solve(problem, ModelTable(), CategoryTable::built_in(), options);
+  const auto solution = solve(problem, ModelTable(), KindTable::built_in(), options);
   REQUIRE(solution);
   CHECK(solution->scene.incomplete);
   CHECK(solution->scene.objects.empty());
@@ -29,7 +29,7 @@ TEST_CASE("A solve that is cancelled midway returns what it has, all of it sound
     std::this_thread::sleep_for(std::chrono::milliseconds(300));
     token.cancel();
   });
-  const auto solution = solve(problem, ModelTable(), CategoryTable::built_in(), options);
+  const auto solution = solve(problem, ModelTable(), KindTable::built_in(), options);
   stopper.join();
   REQUIRE(solution);
   CHECK(solution->scene.incomplete);

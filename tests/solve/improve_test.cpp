@@ -35,7 +35,7 @@ TEST_CASE("Locked objects never move, whatever else is improved around them") {
     Random random(seed);
     for (auto& task : problem.tasks) task.object.locked = random.chance(0.4);
     const ModelTable models;
-    Layout layout(problem.room, CategoryTable::built_in(), models);
+    Layout layout(problem.room, KindTable::built_in(), models);
     auto started = start(layout, problem, random);
     std::vector<Object> before;
     for (const auto& object : layout.objects())
@@ -60,7 +60,7 @@ TEST_CASE("Improvement never makes a layout worse and keeps it valid") {
     const Problem problem = rooms::random_problem(400 + seed);
     Random random(seed);
     const ModelTable models;
-    Layout layout(problem.room, CategoryTable::built_in(), models);
+    Layout layout(problem.room, KindTable::built_in(), models);
     auto started = start(layout, problem, random);
     const auto before = quality(layout, started.tasks);
     ImproveOptions options;
@@ -87,7 +87,7 @@ TEST_CASE("A thing that stands in another's only place is moved out of it") {
                    {rooms::thing("wardrobe-0", "wardrobe", {2.4, 0.6, 2.0}), std::nullopt, std::nullopt}};
   problem.tasks[1].object.relations = {{RelationKind::edge, ""}};
   const ModelTable models;
-  Layout layout(problem.room, CategoryTable::built_in(), models);
+  Layout layout(problem.room, KindTable::built_in(), models);
   Object plant = problem.tasks[0].object;
   plant.position = {1.5, 1.4, 0};
   layout.add(plant);
@@ -104,7 +104,7 @@ TEST_CASE("A layout that holds everything is left alone") {
   problem.room = rooms::box(4, 4);
   problem.tasks = {{rooms::thing("plant-0", "plant", {0.4, 0.4, 0.9}), std::nullopt, std::nullopt}};
   const ModelTable models;
-  Layout layout(problem.room, CategoryTable::built_in(), models);
+  Layout layout(problem.room, KindTable::built_in(), models);
   Random random(1);
   auto started = start(layout, problem, random);
   const Object before = *layout.find("plant-0");

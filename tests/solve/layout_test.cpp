@@ -12,7 +12,7 @@ TEST_CASE("What the cheap test refuses is wrong, and what both tests pass is rig
   for (int i = 0; i < 250; ++i) {
     const Room room = rooms::random_room(random);
     const ModelTable models;
-    Layout layout(room, CategoryTable::built_in(), models);
+    Layout layout(room, KindTable::built_in(), models);
     Scene scene = rooms::scene(room, {});
     for (auto& task : rooms::random_tasks(random, room, 5)) {
       if (!task.object.traits.flat) task.object.traits.round = false;
@@ -42,7 +42,7 @@ TEST_CASE("Taking a thing out again leaves the layout as before") {
   Random random(2);
   const ModelTable models;
   const Room room = rooms::box(4, 4);
-  Layout layout(room, CategoryTable::built_in(), models);
+  Layout layout(room, KindTable::built_in(), models);
   const Object desk = rooms::thing("desk-0", "desk", {1.2, 0.6, 0.75}, {2, 3.6});
   const auto fits_there = [&] {
     const auto candidate = layout.candidate(desk);
@@ -70,7 +70,7 @@ TEST_CASE("Yaws of walls are square to every wall, each once") {
   const ModelTable models;
   for (int i = 0; i < 50; ++i) {
     const Room room = rooms::random_room(random);
-    const Layout layout(room, CategoryTable::built_in(), models);
+    const Layout layout(room, KindTable::built_in(), models);
     for (std::size_t k = 0; k < room.polygon.size(); ++k)
       for (int quarter = 0; quarter < 4; ++quarter) {
         const double wanted = yaw_facing(room.polygon.inward(k)) + quarter * pi / 2;

@@ -45,7 +45,7 @@ struct Table {
   }
 
   const Room room = square();
-  Layout layout{room, CategoryTable::built_in(), no_models};
+  Layout layout{room, KindTable::built_in(), no_models};
   std::vector<PlacementTask> tasks;
   Random random{1};
 };
@@ -66,7 +66,7 @@ TEST_CASE("What stands in the middle moves aside for one more") {
   REQUIRE(table.make_room(newcomer));
   REQUIRE(table.layout.find("vase-1"));
   CHECK(table.layout.find("vase-0")->position.head<2>() != Vec2(2, 2));
-  CHECK(examine(scene_of(table), no_models, CategoryTable::built_in()).violations.empty());
+  CHECK(examine(scene_of(table), no_models, KindTable::built_in()).violations.empty());
 }
 
 TEST_CASE("Without any way nothing moves") {
@@ -118,7 +118,7 @@ TEST_CASE("Crowded tables stay valid, and what stands on things moves with them"
       table.tasks.push_back(newcomer);
       ++made;
     }
-    CHECK(examine(scene_of(table), no_models, CategoryTable::built_in()).violations.empty());
+    CHECK(examine(scene_of(table), no_models, KindTable::built_in()).violations.empty());
     CHECK(table.layout.find("book-0")->on == "vase-0");
     CHECK(bottom(*table.layout.find("book-0")) == Approx(top(*table.layout.find("vase-0"))).margin(0.003));
   }

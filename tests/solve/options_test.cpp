@@ -7,7 +7,7 @@ TEST_CASE("Options out of range are refused with the range") {
   const auto complaint = [](auto change) {
     SolveOptions options;
     change(options);
-    const auto solution = solve(rooms::random_problem(1), ModelTable(), CategoryTable::built_in(), options);
+    const auto solution = solve(rooms::random_problem(1), ModelTable(), KindTable::built_in(), options);
     return solution ? "" : solution.error().message;
   };
   CHECK(complaint([](SolveOptions& o) { o.place.pitch = 0; }).find("pitch") != std::string::npos);
@@ -30,7 +30,7 @@ TEST_CASE("All weight on the constraints forgets the suggestion, all on the sugg
     SolveOptions options;
     options.place.fusion.alpha = alpha;
     options.rounds = 0;
-    const auto solution = solve(problem, ModelTable(), CategoryTable::built_in(), options);
+    const auto solution = solve(problem, ModelTable(), KindTable::built_in(), options);
     REQUIRE(solution);
     REQUIRE(solution->scene.objects.size() == 1);
     return (solution->scene.objects[0].position.head<2>() - Vec2(2, 2)).norm();

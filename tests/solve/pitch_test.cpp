@@ -28,7 +28,7 @@ struct Furnished {
 
   std::optional<Vec2> place_at(const PlacementTask& task, double pitch) const {
     const ModelTable models;
-    Layout layout(room, CategoryTable::built_in(), models);
+    Layout layout(room, KindTable::built_in(), models);
     for (const auto& object : objects) layout.add(object);
     PlaceOptions options;
     options.pitch = pitch;
@@ -60,7 +60,7 @@ const std::vector<Wish> wishes = {
     {"armchair", "edge | far, door-0"}};
 
 PlacementTask task_of(const Wish& wish) {
-  const Category& category = CategoryTable::built_in().get(wish.category);
+  const Kind& category = KindTable::built_in().get(wish.category);
   PlacementTask task;
   task.object = rooms::thing("new-0", wish.category, category.size);
   task.object.traits = category.traits;

@@ -16,7 +16,7 @@ PlacementTask task(const std::string& id, const std::string& category, const Vec
   object.id = id;
   object.category = category;
   object.size = size;
-  object.traits = CategoryTable::built_in().get(category).traits;
+  object.traits = KindTable::built_in().get(category).traits;
   if (on.empty()) return result;
   object.mount = Mount::surface;
   object.on = on;
@@ -43,7 +43,7 @@ void check_supported(const Scene& scene) {
       CHECK((local - footprint(*support).half()).maxCoeff() <= 0.006);
     }
   }
-  CHECK(examine(scene, ModelTable(), CategoryTable::built_in()).violations.empty());
+  CHECK(examine(scene, ModelTable(), KindTable::built_in()).violations.empty());
 }
 
 }  // namespace
@@ -62,7 +62,7 @@ TEST_CASE("Random things on tables are supported, on the table and apart, or lef
     }
     SolveOptions options;
     options.rounds = 10;
-    const auto solution = solve(problem, ModelTable(), CategoryTable::built_in(), options);
+    const auto solution = solve(problem, ModelTable(), KindTable::built_in(), options);
     REQUIRE(solution);
     placed += solution->scene.objects.size();
     check_supported(solution->scene);
@@ -76,7 +76,7 @@ TEST_CASE("Things stand on things on things") {
                    task("tray-0", "tray", {0.45, 0.3, 0.03}, "table-0"),
                    task("book-0", "book", {0.25, 0.18, 0.03}, "tray-0"),
                    task("book-1", "book", {0.22, 0.16, 0.03}, "book-0")};
-  const auto solution = solve(problem, ModelTable(), CategoryTable::built_in());
+  const auto solution = solve(problem, ModelTable(), KindTable::built_in());
   REQUIRE(solution);
   CHECK(solution->scene.objects.size() == 4);
   check_supported(solution->scene);
@@ -90,7 +90,7 @@ TEST_CASE("More than a table holds is left out with the reason, and so is what i
   problem.tasks.push_back(task("tv-0", "tv", {1.1, 0.8, 0.6}, "table-0"));
   SolveOptions options;
   options.rounds = 5;
-  const auto solution = solve(problem, ModelTable(), CategoryTable::built_in(), options);
+  const auto solution = solve(problem, ModelTable(), KindTable::built_in(), options);
   REQUIRE(solution);
   check_supported(solution->scene);
   CHECK(solution->scene.objects.size() >= 3);
@@ -114,7 +114,7 @@ TEST_CASE("A screen on a desk looks at who sits there") {
   problem.tasks[1].object.relations = {{RelationKind::around, "desk-0"},
                                        {RelationKind::in_front_of, "desk-0"}};
   problem.tasks[3].object.relations.push_back({RelationKind::in_front_of, "monitor-0"});
-  const auto solution = solve(problem, ModelTable(), CategoryTable::built_in());
+  const auto solution = solve(problem, ModelTable(), KindTable::built_in());
   REQUIRE(solution);
   CHECK(solution->held == solution->constraints);
   check_supported(solution->scene);

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "roomgen/scene/category.h"
+#include "roomgen/kinds/kind_table.h"
 #include "support/rooms.h"
 #include "support/shapes.h"
 
@@ -179,7 +179,7 @@ class Walk {
 
 inline bool zone_is_free(const Scene& scene, const Object& owner, const Footprint& zone,
                          const UseZone& rule) {
-  const auto& categories = CategoryTable::built_in();
+  const auto& categories = KindTable::built_in();
   const Footprint core(zone.center(), (2 * zone.half()).array().max(0.05).matrix() - Vec2(0.045, 0.045),
                        zone.yaw());
   for (const auto& p : shapes::sample(core, 5, 48)) {
@@ -197,7 +197,7 @@ inline void check_use(const Scene& scene, std::vector<std::string>& faults) {
   for (const auto& door : walk.doors())
     if (!walk.touches(door)) faults.push_back("a door cannot be reached");
   for (const auto& o : scene.objects) {
-    const auto& zones = CategoryTable::built_in().get(o.category).zones;
+    const auto& zones = KindTable::built_in().get(o.category).zones;
     bool usable = zones.empty() || o.traits.flat || o.mount != Mount::floor;
     for (const auto& rule : zones) {
       const Footprint zone = zone_footprint(footprint(o), rule);

@@ -13,7 +13,7 @@ inline roomgen::Judgement judged(const roomgen::Scene& scene, roomgen::Object su
   REQUIRE(parsed);
   subject.relations = *parsed;
   const auto resolved = roomgen::resolve(subject, scene.room, scene.objects,
-                                         roomgen::CategoryTable::built_in());
+                                         roomgen::KindTable::built_in());
   REQUIRE(resolved.size() == parsed->size());
   // The last one is meant; others only give it its sense ("aligned").
   return roomgen::judge(resolved.back(),

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "roomgen/scene/category.h"
+#include "roomgen/kinds/kind_table.h"
 #include "roomgen/scene/problem.h"
 #include "support/rooms.h"
 #include "support/shapes.h"
@@ -49,7 +49,7 @@ inline std::vector<PlacementTask> random_tasks(Random& random, const Room& room,
   for (int i = 0; i < count; ++i) {
     PlacementTask task;
     const auto& kind = random.pick(kinds);
-    const Category& category = CategoryTable::built_in().get(kind);
+    const Kind& category = KindTable::built_in().get(kind);
     const double scale = random.uniform(0.6, 1.2);
     task.object = thing(kind + "-" + std::to_string(i), kind, scale * category.size);
     task.object.size = (1000.0 * task.object.size).array().round() / 1000.0;

@@ -11,7 +11,7 @@ inline roomgen::Solution solved(const roomgen::Problem& problem, std::uint64_t s
   options.seed = seed;
   options.rounds = rounds;
   auto solution =
-      roomgen::solve(problem, roomgen::ModelTable(), roomgen::CategoryTable::built_in(), options);
+      roomgen::solve(problem, roomgen::ModelTable(), roomgen::KindTable::built_in(), options);
   if (!solution) FAIL(solution.error().message);
   return *std::move(solution);
 }
@@ -20,7 +20,7 @@ inline roomgen::Solution solved(const roomgen::Problem& problem, std::uint64_t s
 inline std::vector<std::string> violations(const roomgen::Scene& scene) {
   std::vector<std::string> found;
   const auto report =
-      roomgen::examine(scene, roomgen::ModelTable(), roomgen::CategoryTable::built_in());
+      roomgen::examine(scene, roomgen::ModelTable(), roomgen::KindTable::built_in());
   for (const auto& violation : report.violations)
     found.push_back(std::string(name(violation.fault)) + ": " + violation.object + " " +
                     violation.other);

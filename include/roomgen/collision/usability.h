@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "roomgen/collision/walk_map.h"
-#include "roomgen/scene/category.h"
+#include "roomgen/kinds/kind_table.h"
 #include "roomgen/scene/scene.h"
 
 namespace roomgen {
@@ -12,16 +12,16 @@ namespace roomgen {
 /// A placed thing with what is asked of it again and again.
 struct FloorThing {
   const Object* object = nullptr;
-  const Category* category = nullptr;
+  const Kind* category = nullptr;
   Footprint footprint;
 };
-FloorThing floor_thing(const Object& object, const CategoryTable& categories);
+FloorThing floor_thing(const Object& object, const KindTable& categories);
 std::vector<FloorThing> floor_things(std::span<const Object> objects,
-                                     const CategoryTable& categories);
+                                     const KindTable& categories);
 
 /// Does the thing stand in the way of a person's feet or body? Not rugs, things on tables, lamps on
 /// the ceiling, pictures on the wall and curtains, which give way.
-bool blocks_floor(const Object& object, const Category& category);
+bool blocks_floor(const Object& object, const Kind& category);
 
 /// Does the other thing stand in `area`, the zone's footprint, where it must not?
 bool blocks_zone(const FloorThing& other, const FloorThing& owner, const UseZone& zone,

@@ -7,7 +7,7 @@
 #include "roomgen/chat/chat_model.h"
 #include "roomgen/design/designer.h"
 #include "roomgen/chat/prompts.h"
-#include "roomgen/scene/category.h"
+#include "roomgen/kinds/kind_table.h"
 
 namespace roomgen {
 
@@ -43,7 +43,7 @@ struct ModelDesignerOptions {
 ///
 /// The model must outlive the designer.
 std::unique_ptr<Designer> make_model_designer(ChatModel& model, std::unique_ptr<Designer> fallback,
-                                              Prompts prompts, const CategoryTable& categories,
+                                              Prompts prompts, const KindTable& categories,
                                               ModelDesignerOptions options = {});
 
 }  // namespace roomgen

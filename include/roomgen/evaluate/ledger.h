@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "roomgen/scene/category.h"
+#include "roomgen/kinds/kind_table.h"
 #include "roomgen/scene/requirement.h"
 #include "roomgen/scene/scene.h"
 
@@ -21,7 +21,7 @@ using AttributeJudge = std::function<std::string(const Object& object, const std
 /// is missing.
 std::vector<RequirementVerdict> check_requirements(std::span<const Requirement> requirements,
                                                    const Scene& scene,
-                                                   const CategoryTable& categories,
+                                                   const KindTable& categories,
                                                    const AttributeJudge& has_attribute);
 
 }  // namespace roomgen

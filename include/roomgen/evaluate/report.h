@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "roomgen/scene/judgement.h"
-#include "roomgen/scene/category.h"
+#include "roomgen/kinds/kind_table.h"
 #include "roomgen/scene/model_table.h"
 #include "roomgen/scene/scene.h"
 
@@ -31,10 +31,10 @@ struct SceneReport {
 /// Examines a whole scene, a dwelling room by room: people come through its doors, and each room
 /// must have one that leads outdoors by way of others. `models` decides solids whose boxes overlap; objects without a model count as
 /// boxes.
-SceneReport examine(const Scene& scene, const ModelTable& models, const CategoryTable& categories);
+SceneReport examine(const Scene& scene, const ModelTable& models, const KindTable& categories);
 
 /// Does the object keep the clearance of this door or window free?
-bool keeps_clear(const Object& object, const Category& category, const Room& room,
+bool keeps_clear(const Object& object, const Kind& category, const Room& room,
                  const Opening& opening);
 
 }  // namespace roomgen

@@ -84,12 +84,12 @@ struct Generation {
 /// One object that fails never costs another its place. When cancelled, or when the designer may ask no more
 /// (Error::Kind::limit), what is placed so far is returned and the scene is marked incomplete.
 Result<Generation> generate(const Plan& plan, Designer& designer, const AssetLibrary& library,
-                            const CategoryTable& categories, const GenerateOptions& options = {});
+                            const KindTable& categories, const GenerateOptions& options = {});
 
 /// Furnishes the rooms of a dwelling one after the other into one scene. What was stopped in one
 /// room is stopped in those after it.
 Result<Generation> generate(const DwellingPlan& plan, Designer& designer,
-                            const AssetLibrary& library, const CategoryTable& categories,
+                            const AssetLibrary& library, const KindTable& categories,
                             const GenerateOptions& options = {});
 
 }  // namespace roomgen

@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "roomgen/base/result.h"
-#include "roomgen/scene/category.h"
+#include "roomgen/kinds/kind_table.h"
 #include "roomgen/scene/object.h"
 
 namespace roomgen {
 
 /// A kind of thing as people name it: what a query asks for and what an asset is.
-struct Kind {
+struct StockKind {
   std::string name;                ///< "dining chair"
   std::string parent;              ///< "chair": every dining chair is a chair; may be empty
   std::vector<std::string> names;  ///< other names: "kitchen chair"
@@ -34,7 +34,7 @@ struct KindPhrase {
 };
 
 /// Words about furniture, from data/vocabulary.json (docs/vocabulary.md). The built-in one knows all
-/// kinds and names of CategoryTable::built_in() too, and hence all that can be built.
+/// kinds and names of KindTable::built_in() too, and hence all that can be built.
 class Vocabulary {
  public:
   static Result<Vocabulary> parse(std::string_view text, const std::string& source);
@@ -43,11 +43,11 @@ class Vocabulary {
 
   /// Adds the kinds and names that it lacks. A category whose name is a name here is that kind, and adds
   /// its other names; one that is named after its outline or size ("round table") is no kind of its own.
-  void add(const CategoryTable& categories);
+  void add(const KindTable& categories);
 
   /// Null if there is no kind of exactly this name or synonym (singular or plural).
-  const Kind* find(std::string_view name) const;
-  const std::map<std::string, Kind, std::less<>>& kinds() const { return kinds_; }
+  const StockKind* find(std::string_view name) const;
+  const std::map<std::string, StockKind, std::less<>>& kinds() const { return kinds_; }
 
   /// What a phrase names: "two white oak desks with drawers" is a desk.
   KindPhrase understand(std::string_view phrase) const;
@@ -74,9 +74,9 @@ class Vocabulary {
   bool is_filler(std::string_view word) const;
 
  private:
-  const Kind* by_name(std::string_view name) const;
+  const StockKind* by_name(std::string_view name) const;
 
-  std::map<std::string, Kind, std::less<>> kinds_;
+  std::map<std::string, StockKind, std::less<>> kinds_;
   std::map<std::string, std::string, std::less<>> names_;      ///< any spelling to a kind
   std::map<std::string, std::size_t, std::less<>> family_of_;  ///< word to index in families_
   std::vector<std::vector<std::string>> families_;

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "roomgen/scene/category.h"
+#include "roomgen/kinds/kind_table.h"
 #include "roomgen/scene/scene.h"
 
 namespace roomgen {
@@ -36,7 +36,7 @@ struct ResolvedRelation {
 /// room, in the order of the relations.
 std::vector<ResolvedRelation> resolve(const Object& object, const Room& room,
                                       std::span<const Object> placed,
-                                      const CategoryTable& categories);
+                                      const KindTable& categories);
 
 /// A pose of the object to be judged.
 struct Subject {
@@ -59,6 +59,6 @@ struct RelationVerdict {
   Relation relation;
   Judgement judgement;
 };
-std::vector<RelationVerdict> judge_scene(const Scene& scene, const CategoryTable& categories);
+std::vector<RelationVerdict> judge_scene(const Scene& scene, const KindTable& categories);
 
 }  // namespace roomgen

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "roomgen/scene/category.h"
+#include "roomgen/kinds/kind_table.h"
 #include "roomgen/scene/scene.h"
 
 namespace roomgen {
@@ -21,7 +21,7 @@ struct LampLight {
 /// its box where the shade is, or just under it. All are inside the room: what hangs over a wall is
 /// moved in.
 std::vector<LampLight> lamp_lights(const Scene& scene,
-                                   const CategoryTable& table = CategoryTable::built_in());
+                                   const KindTable& table = KindTable::built_in());
 
 /// The sun, as parallel light.
 struct Sunlight {

@@ -1,26 +1,16 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "roomgen/geometry/footprint.h"
 #include "roomgen/geometry/vec.h"
+#include "roomgen/kinds/mount.h"
 #include "roomgen/scene/asset_ref.h"
 #include "roomgen/scene/relation.h"
 
 namespace roomgen {
-
-enum class Mount { floor, wall, ceiling, surface };
-
-struct Traits {
-  bool front = true;   ///< has a front side; without it any yaw is as good
-  bool flat = false;   ///< a rug: other things stand on it
-  bool round = false;  ///< covers the ellipse inscribed in its rectangle
-
-  bool operator==(const Traits&) const = default;
-};
 
 /// A thing in the room.
 struct Object {
@@ -49,9 +39,6 @@ inline double top(const Object& object) { return object.position.z() + object.si
 /// The pose as a file holds it: coordinates to 0.1 mm, yaw to 0.001 degrees in (-180, 180]. What is
 /// checked should be what is written.
 Object with_rounded_pose(Object object);
-
-std::string_view name(Mount mount);
-std::optional<Mount> parse_mount(std::string_view text);
 
 /// Does the object stand on the thing of that id, or does a relation of it name it?
 bool depends_on(const Object& object, std::string_view id);

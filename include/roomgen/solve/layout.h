@@ -9,7 +9,7 @@
 #include "roomgen/collision/perches.h"
 #include "roomgen/collision/solids.h"
 #include "roomgen/collision/usability.h"
-#include "roomgen/scene/category.h"
+#include "roomgen/kinds/kind_table.h"
 #include "roomgen/scene/scene.h"
 
 namespace roomgen {
@@ -40,10 +40,10 @@ class FootprintAt {
 class Layout {
  public:
   /// `room`, `categories` and `models` must outlive the layout.
-  Layout(const Room& room, const CategoryTable& categories, const ModelTable& models);
+  Layout(const Room& room, const KindTable& categories, const ModelTable& models);
 
   const Room& room() const { return room_; }
-  const CategoryTable& categories() const { return categories_; }
+  const KindTable& categories() const { return categories_; }
   std::span<const Object> objects() const { return objects_; }
   std::span<const FloorThing> things() const { return things_; }
   const Object* find(std::string_view id) const;
@@ -65,7 +65,7 @@ class Layout {
   /// What can be said of a thing before its pose is known, for many calls of fits().
   struct Candidate {
     Object object;  ///< with any pose
-    const Category* category = nullptr;
+    const Kind* category = nullptr;
   };
   Candidate candidate(const Object& object) const;
 
@@ -89,7 +89,7 @@ class Layout {
   /// reachable.
   Verdict fits_exactly(const Candidate& candidate);
   /// May the two overlap as boxes because one slides under the other?
-  bool may_tuck(const Category& a, const Category& b) const;
+  bool may_tuck(const Kind& a, const Kind& b) const;
 
  private:
   struct Clearance {
@@ -99,7 +99,7 @@ class Layout {
     bool of_window;  ///< where curtains and blinds belong
   };
   bool rests_on(const Object& upper, const Object& lower) const;
-  bool may_sit_over(const Object& object, const Category& other) const;
+  bool may_sit_over(const Object& object, const Kind& other) const;
   void refresh_things();
   void bring_walk_map_up_to_date();
   Verdict all_have_a_free_zone() const;
@@ -107,7 +107,7 @@ class Layout {
   Verdict blame(std::size_t useless) const;
 
   const Room& room_;
-  const CategoryTable& categories_;
+  const KindTable& categories_;
   const ModelTable& models_;
   Solids solids_;
   Perches perches_;

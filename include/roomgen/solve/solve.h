@@ -31,6 +31,6 @@ struct Solution {
 /// finds such a layout in bounded time; else one after the other with an eye on those to come, then
 /// repairs. Never fails for want of space; fails when the problem itself is unsound.
 Result<Solution> solve(const Problem& problem, const ModelTable& models,
-                       const CategoryTable& categories, const SolveOptions& options = {});
+                       const KindTable& categories, const SolveOptions& options = {});
 
 }  // namespace roomgen

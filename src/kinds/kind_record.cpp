@@ -1,4 +1,4 @@
-#include "roomgen/scene/kind_record.h"
+#include "roomgen/kinds/kind_record.h"
 
 #include <algorithm>
 #include <array>

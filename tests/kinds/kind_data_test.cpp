@@ -1,22 +1,22 @@
 // The table that is compiled into the library.
 #include "catch.h"
 #include "roomgen/base/file.h"
-#include "roomgen/scene/category.h"
+#include "roomgen/kinds/kind_table.h"
 
 using namespace roomgen;
 
 TEST_CASE("data/categories.json parses, and the library holds all of it") {
   const auto text = read_file(ROOMGEN_SOURCE_DIR "/data/categories.json");
   REQUIRE(text);
-  const auto table = CategoryTable::parse(*text, "data/categories.json");
+  const auto table = KindTable::parse(*text, "data/categories.json");
   INFO((table ? "" : table.error().message));
   REQUIRE(table);
   CHECK(table->all().size() > 100);
-  for (const auto& [name, category] : table->all()) CHECK(CategoryTable::built_in().find(name)->name == name);
+  for (const auto& [name, category] : table->all()) CHECK(KindTable::built_in().find(name)->name == name);
 }
 
 TEST_CASE("Every category is found by its own name, its plural and its synonyms") {
-  const auto& table = CategoryTable::built_in();
+  const auto& table = KindTable::built_in();
   for (const auto& [name, category] : table.all()) {
     INFO(name);
     REQUIRE(table.find(name));
@@ -29,7 +29,7 @@ TEST_CASE("Every category is found by its own name, its plural and its synonyms"
 }
 
 TEST_CASE("Every category is something that a room can hold and a person can use") {
-  for (const auto& [name, category] : CategoryTable::built_in().all()) {
+  for (const auto& [name, category] : KindTable::built_in().all()) {
     INFO(name);
     CHECK(category.size.minCoeff() > 0.0);
     CHECK(category.size.maxCoeff() <= 6.0);
@@ -41,9 +41,9 @@ TEST_CASE("Every category is something that a room can hold and a person can use
 }
 
 TEST_CASE("People's words find the kind that they mean") {
-  const auto& table = CategoryTable::built_in();
+  const auto& table = KindTable::built_in();
   const auto found = [&](const char* name) {
-    const Category* category = table.find(name);
+    const Kind* category = table.find(name);
     return category ? category->name : std::string("nothing");
   };
   CHECK(found("oak writing desk") == "desk");

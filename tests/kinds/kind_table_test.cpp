@@ -1,4 +1,4 @@
-#include "roomgen/scene/category.h"
+#include "roomgen/kinds/kind_table.h"
 
 #include "catch.h"
 #include "support/contains.h"
@@ -17,7 +17,7 @@ constexpr const char* furniture = R"({"categories": {
   "box shelf": {}}})";
 
 std::string complaint(const std::string& text) {
-  const auto table = CategoryTable::parse(text, "c.json");
+  const auto table = KindTable::parse(text, "c.json");
   if (table) return "";
   CHECK(is_one_line(table.error().message));
   return table.error().message;
@@ -26,9 +26,9 @@ std::string complaint(const std::string& text) {
 }  // namespace
 
 TEST_CASE("A category inherits what it does not say, whatever the order in the file") {
-  const auto table = CategoryTable::parse(furniture, "c.json");
+  const auto table = KindTable::parse(furniture, "c.json");
   REQUIRE(table);
-  const Category& armchair = table->get("armchair");
+  const Kind& armchair = table->get("armchair");
   CHECK(armchair.size == Vec3(0.8, 0.8, 0.9));
   CHECK(armchair.lineage.size() == 3);
   REQUIRE(armchair.zones.size() == 1);
@@ -40,10 +40,10 @@ TEST_CASE("A category inherits what it does not say, whatever the order in the f
 }
 
 TEST_CASE("A name is looked up as it is, as a synonym, in the plural, and by its ending") {
-  const auto table = CategoryTable::parse(furniture, "c.json");
+  const auto table = KindTable::parse(furniture, "c.json");
   REQUIRE(table);
   const auto found = [&](const char* name) {
-    const Category* category = table->find(name);
+    const Kind* category = table->find(name);
     return category ? category->name : "";
   };
   CHECK(found("chair") == "chair");
@@ -58,7 +58,7 @@ TEST_CASE("A name is looked up as it is, as a synonym, in the plural, and by its
 }
 
 TEST_CASE("Kinship goes up the line and not down or sideways") {
-  const auto table = CategoryTable::parse(furniture, "c.json");
+  const auto table = KindTable::parse(furniture, "c.json");
   REQUIRE(table);
   CHECK(table->is_a("armchair", "seat"));
   CHECK(table->is_a("armchairs", "chair"));
@@ -71,7 +71,7 @@ TEST_CASE("Kinship goes up the line and not down or sideways") {
 }
 
 TEST_CASE("What means nothing is a thing without zones") {
-  const auto table = CategoryTable::parse(furniture, "c.json");
+  const auto table = KindTable::parse(furniture, "c.json");
   REQUIRE(table);
   CHECK(table->get("spaceship").zones.empty());
   CHECK(table->get("spaceship").lineage.empty());

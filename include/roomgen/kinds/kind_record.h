@@ -7,7 +7,7 @@
 
 #include "roomgen/base/result.h"
 #include "roomgen/geometry/vec.h"
-#include "roomgen/scene/object.h"
+#include "roomgen/kinds/mount.h"
 
 namespace roomgen {
 

@@ -1,7 +1,6 @@
-#include "roomgen/scene/category.h"
+#include "roomgen/kinds/kind_table.h"
 
 #include <algorithm>
-#include <array>
 
 #include "roomgen/base/json.h"
 #include "roomgen/base/resource.h"
@@ -25,7 +24,6 @@ std::string in_singular(std::string_view name) {
   return join(pieces, " ");
 }
 
-// Enough English for names of furniture: shelves, benches, chairs.
 Side read_side(const JsonReader& json) {
   const std::string text = json.text();
   if (text == "back") return Side::back;
@@ -54,7 +52,7 @@ void read_traits(const JsonReader& json, Traits& traits) {
 }
 
 // What the entry does not say stays as `category` has it: inherited.
-void read_category(const JsonReader& json, Category& category) {
+void read_category(const JsonReader& json, Kind& category) {
   json.allow_only({"is", "synonyms", "size", "mount", "elevation", "traits", "zones", "gaps",
                    "tucks_under", "covers_window", "lamp", "source"});
   category.synonyms = read_texts(json["synonyms"]);
@@ -94,19 +92,19 @@ void read_category(const JsonReader& json, Category& category) {
 
 }  // namespace
 
-bool is_any_of(const Category& category, const std::vector<std::string>& kinds) {
+bool is_any_of(const Kind& category, const std::vector<std::string>& kinds) {
   return std::any_of(kinds.begin(), kinds.end(), [&](const std::string& kind) {
     return std::find(category.lineage.begin(), category.lineage.end(), kind) !=
            category.lineage.end();
   });
 }
 
-Result<CategoryTable> CategoryTable::parse(std::string_view text, const std::string& source) {
+Result<KindTable> KindTable::parse(std::string_view text, const std::string& source) {
   auto json = parse_json(text, source);
   if (!json) return json.error();
   JsonReader::Problems problems(source);
   const JsonReader root(*json, problems);
-  CategoryTable table;
+  KindTable table;
   const auto members = root["categories"].members();
 
   // Parents first, so that children can copy them.
@@ -117,7 +115,7 @@ Result<CategoryTable> CategoryTable::parse(std::string_view text, const std::str
       if (table.categories_.count(name)) continue;
       const std::string parent = entry["is"].text_or("");
       if (!parent.empty() && !table.categories_.count(parent)) continue;
-      Category category = parent.empty() ? Category{} : table.categories_.at(parent);
+      Kind category = parent.empty() ? Kind{} : table.categories_.at(parent);
       category.name = name;
       category.parent = parent;
       category.lineage.push_back(name);
@@ -139,15 +137,15 @@ Result<CategoryTable> CategoryTable::parse(std::string_view text, const std::str
   return table;
 }
 
-bool CategoryTable::is_any_of(std::string_view name, const std::vector<std::string>& kinds) const {
+bool KindTable::is_any_of(std::string_view name, const std::vector<std::string>& kinds) const {
   return std::any_of(kinds.begin(), kinds.end(),
                      [&](const std::string& kind) { return is_a(name, kind); });
 }
 
-void CategoryTable::resolve_references(const JsonReader& json) {
+void KindTable::resolve_references(const JsonReader& json) {
   for (auto& [name, category] : categories_) {
     const auto resolve = [&, &key = name](std::string& reference) {
-      if (const Category* found = find(reference)) reference = found->name;
+      if (const Kind* found = find(reference)) reference = found->name;
       else json[key].report("\"" + reference + "\" is no category");
     };
     for (auto& zone : category.zones)
@@ -157,10 +155,10 @@ void CategoryTable::resolve_references(const JsonReader& json) {
   }
 }
 
-bool CategoryTable::add_category(const KindRecord& record) {
+bool KindTable::add_category(const KindRecord& record) {
   const auto parent = names_.find(normalised(record.parent));
   if (!record.size || (!record.parent.empty() && parent == names_.end())) return false;
-  Category category;
+  Kind category;
   if (parent != names_.end()) category = categories_.find(parent->second)->second;
   category.name = record.name;
   category.parent = parent == names_.end() ? "" : parent->second;
@@ -182,14 +180,14 @@ bool CategoryTable::add_category(const KindRecord& record) {
   return true;
 }
 
-void CategoryTable::add_name(const std::string& name, const std::string& category) {
+void KindTable::add_name(const std::string& name, const std::string& category) {
   const std::string key = normalised(name);
   if (key.empty()) return;
   const auto one = names_.find(in_singular(name));
   if (one != names_.end() && one->second != category && one->first != key) return;
   const auto [taken, free] = names_.try_emplace(key, category);
   if (!free) {
-    Category& other = categories_.find(taken->second)->second;
+    Kind& other = categories_.find(taken->second)->second;
     const bool special = roomgen::is_any_of(categories_.find(category)->second, {other.name});
     if (other.name == category || !special || normalised(other.name) == key) return;
     std::erase_if(other.synonyms, [&](const std::string& s) { return normalised(s) == key; });
@@ -198,7 +196,7 @@ void CategoryTable::add_name(const std::string& name, const std::string& categor
   categories_.find(category)->second.synonyms.push_back(name);
 }
 
-void CategoryTable::add(const std::vector<KindRecord>& records) {
+void KindTable::add(const std::vector<KindRecord>& records) {
   std::vector<const KindRecord*> left;
   for (const auto& record : records)
     if (!names_.count(normalised(record.name))) left.push_back(&record);
@@ -218,11 +216,11 @@ void CategoryTable::add(const std::vector<KindRecord>& records) {
   }
 }
 
-const CategoryTable& CategoryTable::built_in() {
-  static const CategoryTable table = [] {
+const KindTable& KindTable::built_in() {
+  static const KindTable table = [] {
     auto parsed = parse(resource("data/categories.json").value_or("{}"), "data/categories.json");
     // A test parses the files; a build whose data is broken has an empty table.
-    if (!parsed) return CategoryTable{};
+    if (!parsed) return KindTable{};
     if (const auto shapes = shape_kind_records()) parsed->add(*shapes);
     const auto named = read_kind_records(resource("data/vocabulary.json").value_or("{}"),
                                          "data/vocabulary.json");
@@ -232,7 +230,7 @@ const CategoryTable& CategoryTable::built_in() {
   return table;
 }
 
-const Category* CategoryTable::find(std::string_view name) const {
+const Kind* KindTable::find(std::string_view name) const {
   auto pieces = words(name);
   if (pieces.size() > 20) return nullptr;
   // The whole name, then without its first word, and so on: English puts the kind last.
@@ -248,36 +246,16 @@ const Category* CategoryTable::find(std::string_view name) const {
   return nullptr;
 }
 
-const Category& CategoryTable::get(std::string_view name) const {
-  static const Category unknown;
-  const Category* found = find(name);
+const Kind& KindTable::get(std::string_view name) const {
+  static const Kind unknown;
+  const Kind* found = find(name);
   return found ? *found : unknown;
 }
 
-bool CategoryTable::is_a(std::string_view name, std::string_view kind) const {
-  const Category* wanted = find(kind);
+bool KindTable::is_a(std::string_view name, std::string_view kind) const {
+  const Kind* wanted = find(kind);
   if (!wanted) return normalised(name) == normalised(kind);
   return roomgen::is_any_of(get(name), {wanted->name});
-}
-
-Footprint zone_footprint(const Footprint& object, const UseZone& zone) {
-  const Vec2 half = object.half();
-  const double reach = 0.5 * zone.depth;
-  switch (zone.side) {
-    case Side::front:
-      return Footprint(object.to_world({0, -half.y() - reach}), {2 * half.x(), zone.depth},
-                       object.yaw());
-    case Side::back:
-      return Footprint(object.to_world({0, half.y() + reach}), {2 * half.x(), zone.depth},
-                       object.yaw());
-    case Side::left:
-      return Footprint(object.to_world({half.x() + reach, 0}), {zone.depth, 2 * half.y()},
-                       object.yaw());
-    case Side::right:
-      break;
-  }
-  return Footprint(object.to_world({-half.x() - reach, 0}), {zone.depth, 2 * half.y()},
-                   object.yaw());
 }
 
 }  // namespace roomgen
