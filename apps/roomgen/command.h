@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <functional>
 
 #include "roomgen/base/cancel.h"
@@ -18,6 +19,11 @@ struct Context {
   CancelToken cancel;  ///< set by Ctrl-C
   std::function<Result<int>()> run;
 };
+
+/// Why a run that was stopped wrote nothing: a room that is not whole takes the place of none that is.
+inline Error older_stays(const std::filesystem::path& path) {
+  return {Error::Kind::cancelled, "interrupted; the older room in " + path.string() + " stays"};
+}
 
 // One function a command, each in a file of its name.
 void add_solve_command(CLI::App& app, Context& context);

@@ -12,6 +12,7 @@
 #include "options.h"
 #include "roomgen/base/file.h"
 #include "roomgen/base/json.h"
+#include "roomgen/base/output_folder.h"
 #include "roomgen/base/text.h"
 #include "roomgen/create/create.h"
 #include "roomgen/create/created_library.h"
@@ -132,28 +133,35 @@ Result<MadeAll> make(const Context& context, const CreateOptions& options) {
   return result;
 }
 
-Status write_views(const Context& context, const fs::path& folder, const Model& model) {
+Status write_views(const Context& context, const fs::path& path, const Model& model) {
   const auto pictures = draw_views(model);
   if (!pictures) return pictures.error();
   if (context.cancel.cancelled()) return cancelled();
-  if (auto status = make_folder(folder); !status) return status;
-  for (std::size_t k = 0; k < pictures->size(); ++k) {
-    const auto path = folder / (std::string(model_views()[k].name) + ".png");
-    if (auto status = write_png(path, (*pictures)[k]); !status) return status;
-  }
-  return write_png(folder / "views.png", contact_sheet(*pictures, 2));
+  auto folder = OutputFolder::open(path);
+  if (!folder) return folder.error();
+  for (std::size_t k = 0; k < pictures->size(); ++k)
+    if (auto status = write_png(*folder, std::string(model_views()[k].name) + ".png", (*pictures)[k]);
+        !status)
+      return status;
+  if (auto status = write_png(*folder, "views.png", contact_sheet(*pictures, 2)); !status)
+    return status;
+  return folder->commit();
 }
 
 // All variants from above, side by side.
-Status write_sheet(const fs::path& folder, const std::vector<Model>& models) {
+Status write_sheet(const fs::path& path, const std::vector<Model>& models) {
   std::vector<Image> pictures;
   for (const auto& model : models) {
     auto views = draw_views(model);
     if (!views) return views.error();
     pictures.push_back(std::move(views->back()));
   }
-  if (auto status = make_folder(folder); !status) return status;
-  return write_png(folder / "variants.png", contact_sheet(pictures, sheet_columns));
+  auto folder = OutputFolder::open(path);
+  if (!folder) return folder.error();
+  if (auto status = write_png(*folder, "variants.png", contact_sheet(pictures, sheet_columns));
+      !status)
+    return status;
+  return folder->commit();
 }
 
 Status write_all(const Context& context, const CreateOptions& options, const shape::Program& program,

@@ -2,7 +2,6 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <optional>
 #include <set>
@@ -65,13 +64,14 @@ class Results {
     std::string lines = line_of(head);
     for (const auto& result : results.all_) lines += line_of(to_json(result));
     if (auto status = write_file(results.path_, lines); !status) return status.error();
+    auto file = AppendedFile::open(results.path_);
+    if (!file) return file.error();
+    results.file_ = *std::move(file);
     return results;
   }
 
   Status add(create::SuiteResult result) {
-    std::ofstream file(path_, std::ios::app | std::ios::binary);
-    file << line_of(to_json(result)) << std::flush;
-    if (!file) return Error{Error::Kind::io, path_.string() + ": cannot be written"};
+    if (auto status = file_->append(line_of(to_json(result))); !status) return status;
     all_.push_back(std::move(result));
     return {};
   }
@@ -120,6 +120,7 @@ class Results {
   }
 
   fs::path path_;
+  std::optional<AppendedFile> file_;
   std::vector<create::SuiteResult> all_;
 };
 

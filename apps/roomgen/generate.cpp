@@ -103,7 +103,7 @@ Result<AnyPlan> make_plan(const GenerateCommand& command, const Context& context
   return AnyPlan(*std::move(plan));
 }
 
-Status write_pictures(const GenerateCommand& command, const fs::path& folder,
+Status write_pictures(const GenerateCommand& command, const OutputFolder& folder,
                       const Generation& generation, Renderer& renderer) {
   const std::pair<View::Kind, const char*> views[] = {{View::Kind::top, "top.png"},
                                                       {View::Kind::isometric, "iso.png"},
@@ -114,15 +114,14 @@ Status write_pictures(const GenerateCommand& command, const fs::path& folder,
     view.pixels = command.pixels;
     const auto image = renderer.render(generation.scene, generation.models, view);
     if (!image) return image.error();
-    if (auto status = write_png(folder / name, *image); !status) return status;
+    if (auto status = write_png(folder, name, *image); !status) return status;
   }
   return {};
 }
 
 // The room after each step, as a designer with eyes would have seen it.
-Status write_marks(const GenerateCommand& command, const fs::path& folder,
+Status write_marks(const GenerateCommand& command, const OutputFolder& folder,
                    const Generation& generation, Renderer& renderer) {
-  if (auto status = make_folder(folder / "marks"); !status) return status;
   Scene partial = generation.scene;
   partial.objects.clear();
   View view;
@@ -134,30 +133,34 @@ Status write_marks(const GenerateCommand& command, const fs::path& folder,
     const auto image = renderer.render(partial, generation.models, view);
     if (!image) return image.error();
     char name[32];
-    std::snprintf(name, sizeof name, "step-%02zu.png", step);
-    if (auto status = write_png(folder / "marks" / name, *image); !status) return status;
+    std::snprintf(name, sizeof name, "marks/step-%02zu.png", step);
+    if (auto status = write_png(folder, name, *image); !status) return status;
   }
   return {};
 }
 
-Status write_all(const GenerateCommand& command, const fs::path& folder, const AnyPlan& plan,
+Status write_glb(const OutputFolder& folder, const Generation& generation) {
+  const auto place = folder.place_for("scene.glb");
+  if (!place) return place.error();
+  GlbOptions glb;
+  glb.encode_image = encode_texture;
+  return GlbExporter(glb).write(generation.scene, generation.models, *place);
+}
+
+Status write_all(const GenerateCommand& command, OutputFolder& folder, const AnyPlan& plan,
                  const Generation& generation) {
   const Json json = std::visit([](const auto& each) { return to_json(each); }, plan);
   if (auto status = write_documents(folder, json, generation); !status) return status;
-  if (auto status = write_file(folder / "ATTRIBUTION.md", attribution_markdown(generation.scene));
-      !status)
+  if (auto status = folder.write("ATTRIBUTION.md", attribution_markdown(generation.scene)); !status)
     return status;
-  GlbOptions glb;
-  glb.encode_image = encode_texture;
-  if (auto status =
-          GlbExporter(glb).write(generation.scene, generation.models, folder / "scene.glb");
-      !status)
-    return status;
-  if (command.no_pictures) return {};
+  if (auto status = write_glb(folder, generation); !status) return status;
+  if (command.no_pictures) return folder.commit();
   auto renderer = make_osmesa_renderer();
   if (!renderer) return renderer.error();
   if (auto status = write_pictures(command, folder, generation, **renderer); !status) return status;
-  return command.marks ? write_marks(command, folder, generation, **renderer) : Status();
+  if (command.marks)
+    if (auto status = write_marks(command, folder, generation, **renderer); !status) return status;
+  return folder.commit();
 }
 
 Json suggestions_json(const SuggestionFigures& figures) {
@@ -312,7 +315,8 @@ Result<int> run(const Context& context, const GenerateCommand& command) {
   auto plan = make_plan(command, context, designer);
   bar.clear();
   if (!plan) return plan.error();
-  if (auto status = prepare_output_folder(folder, command.force); !status) return status.error();
+  auto output = open_room_folder(folder, command.force);
+  if (!output) return output.error();
   auto library = open_all_libraries(command.libraries, context);
   if (!library) return library.error();
 
@@ -337,8 +341,10 @@ Result<int> run(const Context& context, const GenerateCommand& command) {
       },
       *plan);
   if (!generation) return generation.error();
+  if (context.cancel.cancelled() && holds_whole_scene(folder / "scene.json"))
+    return older_stays(folder);
   bar.show(1, 1, "writing files");
-  if (auto status = write_all(command, folder, *plan, *generation); !status) return status.error();
+  if (auto status = write_all(command, *output, *plan, *generation); !status) return status.error();
   bar.clear();
 
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;

@@ -6,6 +6,7 @@
 #include "options.h"
 #include "roomgen/base/file.h"
 #include "roomgen/base/json.h"
+#include "roomgen/generate/output.h"
 #include "roomgen/solve/solve.h"
 
 namespace roomgen::cli {
@@ -49,6 +50,8 @@ Result<int> run(const Context& context, SolveCommand& command) {
   auto solution = solve(*problem, ModelTable(), KindTable::built_in(), command.options);
   if (!solution) return solution.error();
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  if (solution->scene.incomplete && holds_whole_scene(command.output))
+    return older_stays(command.output);
   if (auto written = write_file(command.output, dump_json(to_json(solution->scene))); !written)
     return written.error();
   print_summary(context, command, *solution, elapsed.count());

@@ -1,7 +1,5 @@
 #include "index.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <atomic>
 #include <mutex>
@@ -11,6 +9,7 @@
 #include "classify.h"
 #include "import_mesh.h"
 #include "index_file.h"
+#include "roomgen/base/file.h"
 #include "roomgen/base/resource.h"
 #include "roomgen/base/sha256.h"
 #include "roomgen/base/text.h"
@@ -163,18 +162,7 @@ Status build_index(const fs::path& library, const fs::path& target, const std::s
     return Error{Error::Kind::invalid_input, library.string() + ": none of its meshes is usable"};
   drop_doubled_ids(rows);
 
-  static std::atomic<unsigned> counter = 0;
-  const fs::path aside = target.string() + "." + std::to_string(::getpid()) + "-" +
-                         std::to_string(counter++) + ".part";
-  std::error_code code;
-  fs::remove(aside, code);
-  Status status = write_index(aside, stamp, rows);
-  if (status) {
-    fs::rename(aside, target, code);
-    if (code) status = Error{Error::Kind::io, target.string() + ": " + code.message()};
-  }
-  if (!status) fs::remove(aside, code);
-  return status;
+  return replace_file(target, [&](const fs::path& aside) { return write_index(aside, stamp, rows); });
 }
 
 }  // namespace
@@ -194,10 +182,8 @@ Result<fs::path> ensure_index(const fs::path& library, const CatalogueOptions& o
   if (!stamp) return stamp.error();
   const fs::path path = index_path(library, options);
   if (!options.rebuild && read_stamp(path) == *stamp) return path;
-  fs::create_directories(options.cache_dir, code);
-  if (code)
-    return Error{Error::Kind::io, options.cache_dir.string() + ": cannot be made: " +
-                                      code.message() + "; choose another cache folder"};
+  if (auto status = make_folder(options.cache_dir); !status)
+    return Error{status.error().kind, status.error().message + "; choose another cache folder"};
   if (auto status = build_index(library, path, *stamp, options); !status) return status.error();
   return path;
 }

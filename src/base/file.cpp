@@ -1,7 +1,7 @@
 #include "roomgen/base/file.h"
 
 #include <fcntl.h>
-#include <unistd.h>
+#include <sys/stat.h>
 
 #include <cerrno>
 #include <cstdio>
@@ -9,55 +9,70 @@
 #include <fstream>
 #include <utility>
 
+#include "beside.h"
+#include "descriptor.h"
+
 namespace roomgen {
 
 namespace fs = std::filesystem;
 
 namespace {
 
+using detail::Descriptor;
+
+constexpr ::mode_t usual_mode = 0666;  // less what the user's umask takes away
+
 Error io_error(const fs::path& path, const std::string& what) {
   return {Error::Kind::io, path.string() + ": " + what};
 }
 
-// Closes, and removes the file unless it was kept: an aborted write leaves nothing behind.
-class TemporaryFile {
+Error write_error(const fs::path& path) {
+  return io_error(path, std::string("cannot write: ") + std::strerror(errno));
+}
+
+// What a file may take the place of: nothing, or another file.
+Status may_be_replaced(const fs::path& path) {
+  std::error_code code;
+  const auto status = fs::symlink_status(path, code);
+  if (!fs::exists(status) || fs::is_regular_file(status)) return {};
+  if (fs::is_symlink(status))
+    return io_error(path, "cannot write: it is a link; name the file that it leads to");
+  return io_error(path, fs::is_directory(status) ? "cannot write: it is a folder"
+                                                 : "cannot write: it is no regular file");
+}
+
+// Removes the file unless it was kept: an aborted write leaves nothing behind.
+class FileAside {
  public:
-  explicit TemporaryFile(fs::path path)
-      : path_(std::move(path)),
-        descriptor_(::open(path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644)) {}
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-  ~TemporaryFile() {
-    if (descriptor_ >= 0) {
-      ::close(descriptor_);
-      ::unlink(path_.c_str());
-    }
+  explicit FileAside(const fs::path& target)
+      : target_(target),
+        path_(detail::name_beside(target)),
+        descriptor_(::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC,
+                           usual_mode)),
+        is_there_(descriptor_) {}
+  FileAside(const FileAside&) = delete;
+  FileAside& operator=(const FileAside&) = delete;
+  ~FileAside() {
+    if (is_there_) ::unlink(path_.c_str());
   }
 
-  bool opened() const { return descriptor_ >= 0; }
+  bool is_there() const { return is_there_; }
+  const fs::path& path() const { return path_; }
+  bool write(std::string_view bytes) const { return descriptor_.write(bytes); }
 
-  bool write(std::string_view bytes) {
-    while (!bytes.empty()) {
-      const auto count = ::write(descriptor_, bytes.data(), bytes.size());
-      if (count < 0 && errno == EINTR) continue;
-      if (count <= 0) return false;
-      bytes.remove_prefix(static_cast<std::size_t>(count));
-    }
+  bool take_its_place() {
+    if (::fsync(descriptor_.number()) != 0 && errno != EINVAL && errno != EROFS) return false;
+    if (!descriptor_.close() || std::rename(path_.c_str(), target_.c_str()) != 0) return false;
+    is_there_ = false;
+    detail::keep_on_disk(target_.parent_path());
     return true;
   }
 
-  bool rename_to(const fs::path& target) {
-    const int descriptor = std::exchange(descriptor_, -1);
-    if (::close(descriptor) == 0 && std::rename(path_.c_str(), target.c_str()) == 0) return true;
-    const int reason = errno;
-    ::unlink(path_.c_str());
-    errno = reason;
-    return false;
-  }
-
  private:
+  const fs::path& target_;
   fs::path path_;
-  int descriptor_;
+  Descriptor descriptor_;
+  bool is_there_;
 };
 
 }  // namespace
@@ -80,20 +95,49 @@ Result<std::string> read_file(const fs::path& path, std::size_t max_bytes) {
   return bytes;
 }
 
-Status make_folder(const std::filesystem::path& path) {
+Status make_folder(const fs::path& path) {
   std::error_code code;
-  std::filesystem::create_directories(path, code);
+  fs::create_directories(path, code);
   if (!code) return {};
-  return Error{Error::Kind::io, path.string() + ": cannot make the folder: " + code.message()};
+  return io_error(path, "cannot make the folder: " + code.message());
 }
 
 Status write_file(const fs::path& path, std::string_view bytes) {
-  fs::path aside = path;
-  aside += ".part";
-  TemporaryFile file(aside);
-  if (!file.opened() || !file.write(bytes) || !file.rename_to(path))
-    return io_error(path, std::string("cannot write: ") + std::strerror(errno));
+  if (auto status = may_be_replaced(path); !status) return status;
+  FileAside aside(path);
+  if (!aside.is_there() || !aside.write(bytes) || !aside.take_its_place()) return write_error(path);
   return {};
+}
+
+Status replace_file(const fs::path& path,
+                    const std::function<Status(const fs::path& aside)>& write) {
+  if (auto status = may_be_replaced(path); !status) return status;
+  FileAside aside(path);
+  if (!aside.is_there()) return write_error(path);
+  if (auto status = write(aside.path()); !status) return status;
+  return aside.take_its_place() ? Status() : write_error(path);
+}
+
+struct AppendedFile::Impl {
+  fs::path path;
+  Descriptor descriptor;
+};
+
+AppendedFile::AppendedFile(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+AppendedFile::AppendedFile(AppendedFile&&) noexcept = default;
+AppendedFile& AppendedFile::operator=(AppendedFile&&) noexcept = default;
+AppendedFile::~AppendedFile() = default;
+
+Result<AppendedFile> AppendedFile::open(const fs::path& path) {
+  if (auto status = may_be_replaced(path); !status) return status.error();
+  Descriptor descriptor(::open(
+      path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, usual_mode));
+  if (!descriptor) return write_error(path);
+  return AppendedFile(std::make_unique<Impl>(Impl{path, std::move(descriptor)}));
+}
+
+Status AppendedFile::append(std::string_view line) const {
+  return impl_->descriptor.write(line) ? Status() : write_error(impl_->path);
 }
 
 }  // namespace roomgen

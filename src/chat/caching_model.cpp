@@ -1,4 +1,3 @@
-#include <system_error>
 #include <utility>
 
 #include "chat_question.h"
@@ -48,9 +47,7 @@ class CachingModel final : public ChatModel {
 
   // A cache that cannot be written is only slower.
   void store(const fs::path& file, const ChatReply& reply) const {
-    std::error_code ignored;
-    fs::create_directories(folder_, ignored);
-    (void)write_file(file, dump_json(reply_json(reply)));
+    if (make_folder(folder_)) (void)write_file(file, dump_json(reply_json(reply)));
   }
 
   std::unique_ptr<ChatModel> inner_;

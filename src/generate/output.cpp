@@ -1,6 +1,7 @@
 #include "roomgen/generate/output.h"
 
 #include <algorithm>
+#include <set>
 
 #include "roomgen/base/file.h"
 #include "roomgen/base/json.h"
@@ -24,26 +25,31 @@ bool is_earlier_output(const fs::path& folder) {
   return false;
 }
 
+// All that a room's folder may hold.
+bool is_part_of_room(const fs::path& relative) {
+  static const std::set<std::string> names = {"scene.json", "plan.json", "trace.jsonl", "scene.glb",
+                                              "ATTRIBUTION.md", "top.png", "iso.png", "eye.png",
+                                              "marks"};
+  const std::string path = relative.generic_string();
+  return names.count(path) > 0 || (path.starts_with("marks/step-") && path.ends_with(".png"));
+}
+
 }  // namespace
 
-Status prepare_output_folder(const fs::path& folder, bool force) {
-  const auto refuse = [&](const std::string& why) {
-    return Error{Error::Kind::io, folder.string() + ": " + why};
-  };
+Result<OutputFolder> open_room_folder(const fs::path& folder, bool force) {
   std::error_code code;
-  if (fs::exists(folder, code) && !fs::is_directory(folder, code))
-    return refuse("exists and is not a folder");
-  fs::create_directories(folder, code);
-  if (code) return refuse("cannot create the folder: " + code.message());
-  const bool empty = fs::is_empty(folder, code);
-  if (code) return refuse("cannot read the folder: " + code.message());
-  if (!empty && !force && !is_earlier_output(folder))
-    return refuse("is not empty and no earlier output of roomgen; choose another folder or --force");
-  // Known now rather than after the work.
-  const fs::path probe = folder / ".roomgen-write-test";
-  if (auto status = write_file(probe, ""); !status) return status;
-  fs::remove(probe, code);
-  return {};
+  const bool is_empty = !fs::is_directory(folder, code) || fs::is_empty(folder, code);
+  const bool is_earlier = !is_empty && is_earlier_output(folder);
+  if (!is_empty && !is_earlier && !force)
+    return Error{Error::Kind::io, folder.string() +
+                                      ": is not empty and no earlier output of roomgen; choose "
+                                      "another folder or --force"};
+  return OutputFolder::open(folder, is_earlier ? is_part_of_room : OutputFolder::Ours());
+}
+
+bool holds_whole_scene(const fs::path& scene_file) {
+  const auto scene = read_scene(scene_file);
+  return scene && !scene->incomplete;
 }
 
 std::string folder_name(const std::string& prompt) {
@@ -55,13 +61,13 @@ std::string folder_name(const std::string& prompt) {
   return name.empty() ? "room" : name;
 }
 
-Status write_documents(const fs::path& folder, const Json& plan, const Generation& generation) {
+Status write_documents(const OutputFolder& folder, const Json& plan, const Generation& generation) {
   std::string trace;
   for (const auto& step : generation.trace)
     trace += step.record.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
-  if (auto s = write_file(folder / "plan.json", dump_json(plan)); !s) return s;
-  if (auto s = write_file(folder / "trace.jsonl", trace); !s) return s;
-  return write_file(folder / "scene.json", dump_json(to_json(generation.scene)));
+  if (auto s = folder.write("plan.json", dump_json(plan)); !s) return s;
+  if (auto s = folder.write("trace.jsonl", trace); !s) return s;
+  return folder.write("scene.json", dump_json(to_json(generation.scene)));
 }
 
 }  // namespace roomgen

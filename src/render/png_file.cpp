@@ -74,6 +74,12 @@ Status write_png(const std::filesystem::path& path, const Image& image) {
   return write_file(path, *bytes);
 }
 
+Status write_png(const OutputFolder& folder, const std::filesystem::path& name,
+                 const Image& image) {
+  const auto place = folder.place_for(name);
+  return place ? write_png(*place, image) : Status(place.error());
+}
+
 Result<Image> read_png(const std::filesystem::path& path) {
   const auto bytes = read_file(path, std::size_t{256} << 20);
   if (!bytes) return bytes.error();

@@ -72,3 +72,46 @@ TEST_CASE("A device without an end is not read") {
   REQUIRE_FALSE(endless);
   CHECK(endless.error().kind == Error::Kind::io);
 }
+
+TEST_CASE("Links, folders and devices are no files to write: refused, not followed, not replaced") {
+  const TemporaryFolder folder;
+  REQUIRE(write_file(folder / "target", "kept"));
+  std::filesystem::create_symlink("target", folder / "link");
+  std::filesystem::create_symlink("nowhere", folder / "dangling");
+  for (const auto& path : {folder / "link", folder / "dangling", std::filesystem::path("/dev/null")}) {
+    const auto written = write_file(path, "bytes");
+    REQUIRE_FALSE(written);
+    CHECK(written.error().kind == Error::Kind::io);
+    CHECK(contains_text(written.error().message, path.string() + ": cannot write: it is"));
+    CHECK_FALSE(AppendedFile::open(path));
+  }
+  CHECK(*read_file(folder / "target") == "kept");
+  CHECK(names_in(folder.path()) == std::vector<std::string>{"dangling", "link", "target"});
+}
+
+TEST_CASE("What another library writes replaces the old file as a whole, or not at all") {
+  const TemporaryFolder folder;
+  REQUIRE(write_file(folder / "a.db", "old"));
+  const auto failed = replace_file(folder / "a.db", [](const auto& aside) -> Status {
+    std::ofstream(aside) << "half";
+    return Error{Error::Kind::io, "no more"};
+  });
+  REQUIRE_FALSE(failed);
+  CHECK(failed.error().message == "no more");
+  CHECK(*read_file(folder / "a.db") == "old");
+  REQUIRE(replace_file(folder / "a.db", [](const auto& aside) {
+    std::ofstream(aside) << "new";
+    return Status();
+  }));
+  CHECK(*read_file(folder / "a.db") == "new");
+  CHECK(names_in(folder.path()) == std::vector<std::string>{"a.db"});
+}
+
+TEST_CASE("An appended file goes on where it ended") {
+  const TemporaryFolder folder;
+  REQUIRE(AppendedFile::open(folder / "lines")->append("one\n"));
+  const auto file = AppendedFile::open(folder / "lines");
+  REQUIRE(file);
+  REQUIRE(file->append("two\n"));
+  CHECK(*read_file(folder / "lines") == "one\ntwo\n");
+}

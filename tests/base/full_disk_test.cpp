@@ -1,39 +1,16 @@
 // A disk that fills up while a file is written: by a limit on the size of files, which needs no rights,
 // and on a small file system in memory, where mounting is permitted.
 #include <sys/mount.h>
-#include <sys/resource.h>
-
-#include <csignal>
 
 #include "catch.h"
 #include "roomgen/base/file.h"
 #include "support/contains.h"
+#include "support/file_size_limit.h"
 #include "support/temporary_folder.h"
 
 using namespace roomgen;
 
 namespace {
-
-// No file of this process grows beyond `bytes` while this lives.
-class FileSizeLimit {
- public:
-  explicit FileSizeLimit(rlim_t bytes) {
-    previous_handler_ = std::signal(SIGXFSZ, SIG_IGN);
-    ::getrlimit(RLIMIT_FSIZE, &previous_);
-    const rlimit lower{bytes, previous_.rlim_max};
-    ::setrlimit(RLIMIT_FSIZE, &lower);
-  }
-  FileSizeLimit(const FileSizeLimit&) = delete;
-  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
-  ~FileSizeLimit() {
-    ::setrlimit(RLIMIT_FSIZE, &previous_);
-    std::signal(SIGXFSZ, previous_handler_);
-  }
-
- private:
-  rlimit previous_{};
-  void (*previous_handler_)(int) = SIG_DFL;
-};
 
 class SmallDisk {
  public:

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 
+#include "roomgen/base/output_folder.h"
 #include "roomgen/base/result.h"
 #include "roomgen/export/image_encoder.h"
 #include "roomgen/geometry/image.h"
@@ -23,6 +24,8 @@ Result<EncodedImage> encode_texture(const Image& image);
 Result<Image> decode_png(std::string_view bytes);
 
 Status write_png(const std::filesystem::path& path, const Image& image);
+/// The same into a folder of results; `name` is relative to it.
+Status write_png(const OutputFolder& folder, const std::filesystem::path& name, const Image& image);
 Result<Image> read_png(const std::filesystem::path& path);
 
 }  // namespace roomgen

@@ -1,0 +1,45 @@
+#include "beside.h"
+
+#include <fcntl.h>
+
+#include <cstdint>
+#include <cstdio>
+#include <random>
+#include <string>
+
+#include "descriptor.h"
+
+namespace roomgen::detail {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* ending = ".part";
+constexpr std::size_t digits = 16;
+
+std::string beginning(const fs::path& path) { return "." + path.filename().string() + "."; }
+
+}  // namespace
+
+fs::path name_beside(const fs::path& path) {
+  std::random_device device;
+  const auto number = (static_cast<std::uint64_t>(device()) << 32) | device();
+  char text[digits + 1];
+  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(number));
+  return path.parent_path() / (beginning(path) + text + ending);
+}
+
+bool is_beside(const fs::path& path, const fs::path& name) {
+  const std::string text = name.filename().string(), start = beginning(path);
+  return text.size() == start.size() + digits + std::string_view(ending).size() &&
+         text.starts_with(start) && text.ends_with(ending);
+}
+
+void keep_on_disk(const fs::path& file_or_folder) {
+  const fs::path& path = file_or_folder.empty() ? fs::path(".") : file_or_folder;
+  const Descriptor descriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW));
+  if (descriptor) (void)::fsync(descriptor.number());
+}
+
+}  // namespace roomgen::detail

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <filesystem>
+
+namespace roomgen::detail {
+
+/// A name that nobody has, in the folder of `path`: ".NAME.HEX.part", the digits from the system's
+/// randomness, so that it cannot be foreseen and runs at the same time do not meet.
+std::filesystem::path name_beside(const std::filesystem::path& path);
+
+/// Could name_beside(path) have given this name?
+bool is_beside(const std::filesystem::path& path, const std::filesystem::path& name);
+
+/// What is written to a file or a folder's list of names survives a crash from here on. Best effort: some
+/// file systems know no such thing.
+void keep_on_disk(const std::filesystem::path& file_or_folder);
+
+}  // namespace roomgen::detail
