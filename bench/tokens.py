@@ -59,8 +59,7 @@ def main():
         )
         server.shutdown()
         server.server_close()
-        steps = [json.loads(line) for line in (work / "room" / "trace.jsonl").read_text().splitlines()]
-        own = [s["seconds"] - sum(a["model"]["seconds"] for a in s["attempts"] if "model" in a) for s in steps]
+        own = [step["seconds"] - step["model_seconds"] for step in summary["steps"]]
         use = summary["model"]
         late = f"{statistics.median(own[20:]):.3f} s" if own[20:] else ""
         print(

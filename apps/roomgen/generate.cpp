@@ -15,6 +15,7 @@
 #include "options.h"
 #include "roomgen/base/file.h"
 #include "roomgen/base/json.h"
+#include "roomgen/base/text.h"
 #include "roomgen/design/dwelling.h"
 #include "roomgen/export/attribution.h"
 #include "roomgen/export/glb.h"
@@ -59,6 +60,20 @@ class ProgressBar {
  private:
   bool shown_;
 };
+
+std::string label(const BuildEvent& event) {
+  switch (event.kind) {
+    case BuildEvent::Kind::placed:
+      return event.object + " at " + format_number(event.placed->position.x(), 2) + ", " +
+             format_number(event.placed->position.y(), 2);
+    case BuildEvent::Kind::left_out:
+      return event.object + " left out";
+    case BuildEvent::Kind::improving:
+      return "improving";
+    default:
+      return event.object;
+  }
+}
 
 /// What is to be furnished: one room, or the rooms of a dwelling.
 using AnyPlan = std::variant<Plan, DwellingPlan>;
@@ -171,6 +186,19 @@ Json suggestions_json(const SuggestionFigures& figures) {
           {"facing_kept", figures.facing_kept}};
 }
 
+// What each object took, waiting for a model included; in no file, since files do not depend on the clock.
+Json step_times(const Generation& generation) {
+  Json json = Json::array();
+  for (const auto& step : generation.trace) {
+    double waited = 0.0;
+    for (const auto& attempt : step.attempts) waited += attempt.answer.consultation.seconds;
+    json.push_back({{"object", step.planned.id},
+                    {"seconds", rounded(step.seconds)},
+                    {"model_seconds", rounded(waited)}});
+  }
+  return json;
+}
+
 // The whole job's: of the plan and of all places.
 ModelUse total_use(const Consultation& planning, const Generation& generation) {
   ModelUse use = generation.model_use;
@@ -276,6 +304,7 @@ void print_summary(const Context& context, const fs::path& folder, const AnyPlan
     json["incomplete"] = scene.incomplete;
     json["suggestions"] = suggestions_json(generation.suggestions);
     if (composed.model) json["model"] = model_json(composed, generation);
+    json["steps"] = step_times(generation);
     json["seconds"] = rounded(seconds, 3);
     std::fputs(dump_json(json).c_str(), stdout);
     return;
@@ -320,7 +349,7 @@ Result<int> run(const Context& context, const GenerateCommand& command) {
   auto library = open_all_libraries(command.libraries, context);
   if (!library) return library.error();
 
-  GenerateOptions options;
+  BuildOptions options;
   options.seed = std::visit([](const auto& each) { return each.seed; }, *plan);
   options.cancel = context.cancel;
   options.place.fusion.alpha = command.alpha;
@@ -332,9 +361,7 @@ Result<int> run(const Context& context, const GenerateCommand& command) {
   options.renderer = renderer->get();
   options.marks_view.pixels = command.pixels;
   options.marks_view.paper_frame = command.designer.paper_frame();
-  options.on_step = [&](const StepProgress& progress) {
-    bar.show(progress.step, progress.total, progress.object);
-  };
+  options.on_event = [&](const BuildEvent& event) { bar.show(event.done, event.total, label(event)); };
   auto generation = std::visit(
       [&](const auto& each) {
         return generate(each, designer, **library, KindTable::built_in(), options);

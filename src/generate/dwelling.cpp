@@ -51,7 +51,7 @@ class DwellingJoiner {
     for (auto& asset : part.assets)
       if (assets_.insert(asset_key(asset.ref)).second) whole_.assets.push_back(std::move(asset));
     for (auto& step : part.trace) {
-      step.record["room"] = room.id;
+      step.room = room.id;
       whole_.trace.push_back(std::move(step));
     }
     for (auto& note : part.notes) whole_.notes.push_back(room.id + ": " + note);
@@ -76,12 +76,14 @@ class DwellingJoiner {
   std::set<std::string> assets_;
 };
 
-// The progress of one room as part of the whole.
-std::function<void(const StepProgress&)> shifted(const GenerateOptions& options, std::size_t before,
-                                                 std::size_t total) {
-  if (!options.on_step) return {};
-  return [&options, before, total](const StepProgress& progress) {
-    options.on_step({before + progress.step, total, progress.object});
+// The events of one room as part of the whole.
+std::function<void(const BuildEvent&)> shifted(const BuildOptions& options, std::size_t before,
+                                               std::size_t total) {
+  if (!options.on_event) return {};
+  return [&options, before, total](BuildEvent event) {
+    event.done += before;
+    event.total = total;
+    options.on_event(event);
   };
 }
 
@@ -89,7 +91,7 @@ std::function<void(const StepProgress&)> shifted(const GenerateOptions& options,
 
 Result<Generation> generate(const DwellingPlan& plan, Designer& designer,
                             const AssetLibrary& library, const KindTable& categories,
-                            const GenerateOptions& options) {
+                            const BuildOptions& options) {
   std::vector<Room> rooms;
   std::size_t total = 0, before = 0;
   for (const auto& room : plan.rooms) {
@@ -99,8 +101,8 @@ Result<Generation> generate(const DwellingPlan& plan, Designer& designer,
   if (auto status = check_dwelling(rooms); !status) return status.error();
   DwellingJoiner joiner(plan);
   for (const auto& room : plan.rooms) {
-    GenerateOptions own = options;
-    own.on_step = shifted(options, before, total);
+    BuildOptions own = options;
+    own.on_event = shifted(options, before, total);
     if (!joiner.stopped().empty()) {
       own.cancel = CancelToken();  // not the flag of others
       own.cancel.cancel();

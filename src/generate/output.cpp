@@ -64,7 +64,7 @@ std::string folder_name(const std::string& prompt) {
 Status write_documents(const OutputFolder& folder, const Json& plan, const Generation& generation) {
   std::string trace;
   for (const auto& step : generation.trace)
-    trace += step.record.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+    trace += to_json(step).dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
   if (auto s = folder.write("plan.json", dump_json(plan)); !s) return s;
   if (auto s = folder.write("trace.jsonl", trace); !s) return s;
   return folder.write("scene.json", dump_json(to_json(generation.scene)));

@@ -23,21 +23,24 @@ std::string words_of(const PlanItem& item) {
 
 }  // namespace
 
-Result<std::vector<AssetInfo>> Retriever::candidates(const PlanItem& item,
-                                                     const PlannedObject& planned, int count) {
+Result<std::vector<AssetInfo>> retrieve(const AssetSearch& search, const Favourites& favourites,
+                                        const PlanItem& item, const PlannedObject& planned,
+                                        int count) {
+  const Vec3& usual_size = search.categories.get(item.category).size;
   AssetQuery query;
   query.category = item.category;
   query.description = item.description;
-  query.size = item.size ? *item.size : categories_.get(item.category).size;
+  query.size = item.size.value_or(usual_size);
   query.mount = item.mount;
   query.asked = item.asked;
-  query.sized = item.size && !item.size->isApprox(categories_.get(item.category).size, same_size);
-  auto matches = library_.search(query);
+  query.sized = item.size && !item.size->isApprox(usual_size, same_size);
+  auto matches = search.library.search(query);
   if (!matches) return matches.error();
 
   // The equally good ones at the top change places by the seed.
-  Random random = random_.fork("item " + std::to_string(planned.item) +
-                               (item.varied ? " " + std::to_string(planned.number) : ""));
+  Random random = Random(search.seed).fork(
+      "item " + std::to_string(planned.item) +
+      (item.varied ? " " + std::to_string(planned.number) : ""));
   std::vector<AssetMatch> top;
   for (const auto& match : *matches)
     if (match.contradicts == matches->front().contradicts &&
@@ -47,8 +50,8 @@ Result<std::vector<AssetInfo>> Retriever::candidates(const PlanItem& item,
   std::copy(top.begin(), top.end(), matches->begin());
 
   std::vector<AssetInfo> result;
-  const auto chosen = chosen_.find(words_of(item));
-  if (!item.varied && chosen != chosen_.end()) result.push_back(chosen->second);
+  const auto chosen = favourites.find(words_of(item));
+  if (!item.varied && chosen != favourites.end()) result.push_back(chosen->second);
   for (const auto& match : *matches) {
     if (static_cast<int>(result.size()) >= count) break;
     const bool again = !result.empty() && result.front().ref == match.asset.ref;
@@ -57,8 +60,8 @@ Result<std::vector<AssetInfo>> Retriever::candidates(const PlanItem& item,
   return result;
 }
 
-void Retriever::remember(const PlanItem& item, const AssetInfo& asset) {
-  chosen_.try_emplace(words_of(item), asset);
+void remember(Favourites& favourites, const PlanItem& item, const AssetInfo& asset) {
+  favourites.try_emplace(words_of(item), asset);
 }
 
 }  // namespace roomgen

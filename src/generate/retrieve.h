@@ -11,25 +11,23 @@
 
 namespace roomgen {
 
-/// Chooses the assets to try for planned objects. Objects that are asked for in the same words share
-/// their asset unless the item asks for variety; among assets that fit about equally well the seed decides.
-class Retriever {
- public:
-  /// All must outlive this.
-  Retriever(const AssetLibrary& library, const KindTable& categories, std::uint64_t seed)
-      : library_(library), categories_(categories), random_(seed) {}
+/// What objects took, by the words in which they were asked for: others of the same words take it too, so
+/// that what is asked for in the same words looks the same, unless an item asks for variety.
+using Favourites = std::map<std::string, AssetInfo>;
 
-  /// The best few, in the order in which they shall be tried; empty if nothing fits.
-  Result<std::vector<AssetInfo>> candidates(const PlanItem& item, const PlannedObject& planned,
-                                            int count);
-  /// Others of the same words take what this one took.
-  void remember(const PlanItem& item, const AssetInfo& asset);
-
- private:
-  const AssetLibrary& library_;
-  const KindTable& categories_;
-  Random random_;
-  std::map<std::string, AssetInfo> chosen_;  ///< by what was asked for
+/// Where objects look for their assets.
+struct AssetSearch {
+  const AssetLibrary& library;
+  const KindTable& categories;
+  std::uint64_t seed = 0;  ///< decides among assets that fit about equally well
 };
+
+/// The best few assets for an object, in the order in which they shall be tried; empty if nothing fits.
+Result<std::vector<AssetInfo>> retrieve(const AssetSearch& search, const Favourites& favourites,
+                                        const PlanItem& item, const PlannedObject& planned,
+                                        int count);
+
+/// The first asset of each words becomes their favourite.
+void remember(Favourites& favourites, const PlanItem& item, const AssetInfo& asset);
 
 }  // namespace roomgen

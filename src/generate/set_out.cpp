@@ -119,7 +119,7 @@ Result<Generation> set_out(const create::Creation& creation, const KindTable& ca
     if (plan.items[i].mount == Mount::surface) plan.items[i].on = first;
   const CreatedThings library(creation);
   SaidRelations designer(creation, first, 0.5 * bounds(plan.room.polygon).size());
-  GenerateOptions options;
+  BuildOptions options;
   options.seed = seed;
   return generate(plan, designer, library, categories, options);
 }

@@ -1,8 +1,9 @@
-#include "trace_json.h"
-
 #include "roomgen/base/json.h"
+#include "roomgen/generate/generation.h"
 
 namespace roomgen {
+
+namespace {
 
 Json terms_json(const PlacementTerms& terms) {
   return {{"held", terms.held},
@@ -18,12 +19,12 @@ Json terms_json(const PlacementTerms& terms) {
           {"fused", rounded(terms.fused, 8)}};
 }
 
+// Null for rules.
 Json consultation_json(const Consultation& consultation) {
   if (consultation.calls == 0 && consultation.notes.empty()) return nullptr;
   return {{"calls", consultation.calls},
           {"input_tokens", consultation.input_tokens},
           {"output_tokens", consultation.output_tokens},
-          {"seconds", rounded(consultation.seconds)},
           {"prompt_sha256", consultation.prompt_sha256},
           {"image_sha256", consultation.image_sha256},
           {"notes", consultation.notes},
@@ -37,6 +38,39 @@ Json advice_json(const PlaceAdvice& advice) {
   json["location"] =
       advice.location ? Json{rounded(advice.location->x()), rounded(advice.location->y())} : Json();
   json["facing_deg"] = advice.yaw ? Json(rounded(degrees(*advice.yaw), 2)) : Json();
+  return json;
+}
+
+Json attempt_json(const Attempt& attempt) {
+  Json json;
+  json["asset"] = attempt.asset;
+  json["answer"] = advice_json(attempt.answer);
+  if (Json asked = consultation_json(attempt.answer.consultation); !asked.is_null())
+    json["model"] = std::move(asked);
+  if (attempt.chosen) {
+    json["candidates"] = attempt.candidates;
+    json["feasible"] = attempt.feasible;
+    json["chosen"] = terms_json(*attempt.chosen);
+    if (attempt.runner_up) json["runner_up"] = terms_json(*attempt.runner_up);
+  }
+  if (attempt.made_room) json["made_room"] = true;
+  if (!attempt.refused.empty()) json["refused"] = attempt.refused;
+  return json;
+}
+
+}  // namespace
+
+Json to_json(const Step& step) {
+  Json json;
+  json["object"] = step.planned.id;
+  json["asked"] = {{"category", step.category}, {"description", step.description}};
+  if (!step.window.empty()) json["window"] = step.window;
+  if (step.has_assets) json["attempts"] = Json::array();
+  for (const auto& attempt : step.attempts) json["attempts"].push_back(attempt_json(attempt));
+  if (step.repaired) json["repaired"] = true;
+  json["outcome"] = step.reason.empty() ? "placed" : "unplaced";
+  if (!step.reason.empty()) json["reason"] = step.reason;
+  if (!step.room.empty()) json["room"] = step.room;
   return json;
 }
 

@@ -271,6 +271,7 @@ class Arrangement {
     const auto candidate = layout_.candidate(context.task.object);
     const FootprintAt footprint_at(context.task.object);
     for (const auto& pose : poses) {
+      if (options_.cancel.cancelled()) break;
       const Footprint area = footprint_at(pose);
       if (!holds_all(context, area, pose.bottom, asked) ||
           (asked == Asked::all && !layout_.fits_room(candidate, area, pose.bottom)))

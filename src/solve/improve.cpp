@@ -82,6 +82,7 @@ class Search {
         eject();
       else
         put_elsewhere(choose_ruin(), 1);
+      if (options_.cancel.cancelled()) break;  // in the middle of a round
       const LayoutQuality now = quality(layout_, tasks_);
       const bool gained = !current.quality.as_good_as(now);
       barren = start_anew || gained ? 0 : barren + 1;
@@ -93,8 +94,8 @@ class Search {
         restore(current);
       if (now.better_than(best.quality)) best = current;
     }
-    if (round == 0) return 0;
     restore(best);
+    if (round == 0) return 0;
     polish(layout_, tasks_, options_.place, options_.cancel, random_);
     return round;
   }
@@ -274,6 +275,7 @@ class Search {
     }
     const FootprintAt footprint_at(task.object);
     for (const auto& pose : poses) {
+      if (options_.cancel.cancelled()) return std::nullopt;
       const Footprint area = footprint_at(pose);
       if (!layout_.fits_room(candidate, area, pose.bottom)) continue;
       if (!holds_all(context, area, pose.bottom)) continue;
@@ -311,6 +313,7 @@ class Search {
     }
     for (const auto& id : ruin) layout_.remove(id);
     PlaceOptions place_options = options_.place;
+    place_options.cancel = options_.cancel;
     // Many rough rounds find more than few fine ones.
     place_options.grid = GridUse::last_resort;
     place_options.lookahead = random_.integer(1, std::max(1, options_.place.lookahead / 2));
@@ -393,6 +396,7 @@ void polish(Layout& layout, const std::vector<PlacementTask>& tasks, PlaceOption
             const CancelToken& cancel, Random& random) {
   options.grid = GridUse::never;
   options.max_exact_tests = 12;
+  options.cancel = cancel;
   for (const auto& task : tasks) {
     if (cancel.cancelled()) return;
     const Object* placed = layout.find(task.object.id);

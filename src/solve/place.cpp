@@ -19,13 +19,21 @@ struct Scored {
   PlacementTerms terms;
 };
 
+bool is_excepted(const Object& object, const Pose& pose, const PlaceOptions& options) {
+  return std::any_of(options.except.begin(), options.except.end(),
+                     [&](const Pose& other) { return are_alike(object, pose, other); });
+}
+
 // The poses that pass the cheap tests, with their scores. Without a suggestion the constraints come
 // first, and a pose that loses more of them than another is dropped as soon as that is known.
 void score_feasible(const ProposalContext& context, const Layout::Candidate& candidate,
-                    const std::vector<Pose>& poses, std::vector<Scored>& scored) {
+                    const std::vector<Pose>& poses, const PlaceOptions& options,
+                    std::vector<Scored>& scored) {
   const FootprintAt footprint_at(context.task.object);
   int most_lost = std::numeric_limits<int>::max();
   for (const auto& pose : poses) {
+    if (options.cancel.cancelled()) return;
+    if (is_excepted(context.task.object, pose, options)) continue;
     const Footprint footprint = footprint_at(pose);
     if (!context.layout.fits(candidate, footprint, pose.bottom)) continue;
     const auto terms = score_relations(context, footprint, pose.bottom, most_lost);
@@ -193,16 +201,17 @@ Error refusal(const Layout& layout, const PlacementTask& task, const Layout::Can
 class Chooser {
  public:
   Chooser(Layout& layout, const PlacementTask& task, const std::vector<Scored>& scored,
-          std::vector<std::size_t> order, int max_tests)
+          std::vector<std::size_t> order, const PlaceOptions& options)
       : layout_(layout),
         task_(task),
         scored_(scored),
         order_(std::move(order)),
-        tests_left_(max_tests) {}
+        cancel_(options.cancel),
+        tests_left_(options.max_exact_tests) {}
 
   /// The next candidate that passes, if any.
   std::optional<std::size_t> next() {
-    while (next_ < order_.size() && tests_left_ > 0) {
+    while (next_ < order_.size() && may_test()) {
       const std::size_t i = order_[next_++];
       if (failures_near(i) >= 2 || is_like_one_passed(i)) {
         deferred_.push_back(i);
@@ -240,7 +249,7 @@ class Chooser {
   }
   // Of those put off, while none has been accepted: the first above `bar` that passes.
   std::optional<std::size_t> first_deferred_that_passes(double bar) {
-    while (passed_.empty() && next_deferred_ < deferred_.size() && tests_left_ > 0) {
+    while (passed_.empty() && next_deferred_ < deferred_.size() && may_test()) {
       const std::size_t i = deferred_[next_deferred_];
       if (scored_[i].terms.fused < bar) break;
       ++next_deferred_;
@@ -248,6 +257,7 @@ class Chooser {
     }
     return std::nullopt;
   }
+  bool may_test() const { return tests_left_ > 0 && !cancel_.cancelled(); }
   bool passes(std::size_t i) {
     --tests_left_;
     const bool passed{
@@ -262,6 +272,7 @@ class Chooser {
   std::vector<std::size_t> order_, deferred_, passed_;
   std::map<std::pair<int, int>, int> failures_;
   std::size_t next_ = 0, next_deferred_ = 0;
+  const CancelToken& cancel_;
   int tests_left_;
 };
 
@@ -272,7 +283,7 @@ std::optional<std::size_t> choose(Layout& layout, const PlacementTask& task,
                                   const std::vector<Scored>& scored,
                                   const std::vector<std::size_t>& order,
                                   const PlaceOptions& options) {
-  Chooser chooser(layout, task, scored, order, options.max_exact_tests);
+  Chooser chooser(layout, task, scored, order, options);
   const auto first = chooser.next();
   const bool has_dependants = std::any_of(
       later.begin(), later.end(),
@@ -321,6 +332,7 @@ class Placing {
     meaningful_ = scored_.size();
     if (meaningful_poses_are_enough()) decide();
     if (!best_ && options_.grid != GridUse::never) look_at_grid();
+    if (options_.cancel.cancelled()) return Error{Error::Kind::cancelled, "stopped"};
     if (!best_) return refusal(layout_, task_, candidate_, proposed_, static_cast<int>(scored_.size()));
     return placement();
   }
@@ -364,7 +376,7 @@ class Placing {
 
   void add(const std::vector<Pose>& poses) {
     proposed_ += static_cast<int>(poses.size());
-    score_feasible(context_, candidate_, poses, scored_);
+    score_feasible(context_, candidate_, poses, options_, scored_);
   }
 
   void decide(const std::optional<Disc>& part = std::nullopt) {

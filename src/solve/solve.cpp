@@ -51,12 +51,14 @@ bool place_all_at_once(Layout& layout, const std::vector<PlacementTask>& tasks,
 int place_one_by_one(Layout& layout, const std::vector<PlacementTask>& tasks,
                      std::map<std::string, std::string>& reasons, const SolveOptions& options,
                      Random& random) {
+  PlaceOptions place_options = options.place;
+  place_options.cancel = options.cancel;
   for (std::size_t i = 0; i < tasks.size() && !options.cancel.cancelled(); ++i) {
     const std::span<const PlacementTask> later(tasks.data() + i + 1, tasks.size() - i - 1);
-    auto placed = place(layout, tasks[i], later, options.place, random);
+    auto placed = place(layout, tasks[i], later, place_options, random);
     if (placed)
       layout.add(placed->object);
-    else
+    else if (placed.error().kind != Error::Kind::cancelled)
       reasons[tasks[i].object.id] = placed.error().message;
   }
   ImproveOptions improve_options;

@@ -52,9 +52,9 @@ TEST_CASE("A dwelling that is stopped says so and keeps what stands") {
   request.prompt = "a bedroom with an en-suite bathroom";
   const auto plan = plan_dwelling(request, *designer);
   REQUIRE(plan);
-  GenerateOptions options;
+  BuildOptions options;
   int steps = 0;
-  options.on_step = [&](const StepProgress&) {
+  options.on_event = [&](const BuildEvent&) {
     if (++steps == 3) options.cancel.cancel();
   };
   const auto library = create::make_created_library();

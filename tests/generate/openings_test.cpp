@@ -187,7 +187,7 @@ Generation furnished(const std::string& prompt, std::uint64_t seed) {
   const auto plan = designer->plan(request);
   REQUIRE(plan);
   const auto library = create::make_created_library();
-  GenerateOptions options;
+  BuildOptions options;
   options.seed = seed;
   auto generation = generate(*plan, *designer, *library, KindTable::built_in(), options);
   REQUIRE(generation);

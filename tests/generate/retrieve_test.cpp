@@ -75,7 +75,7 @@ class Silent final : public Designer {
 
 Scene furnish(const Plan& plan, const Blocks& library, std::uint64_t seed) {
   Silent designer;
-  GenerateOptions options;
+  BuildOptions options;
   options.seed = seed;
   const auto generation = generate(plan, designer, library, KindTable::built_in(), options);
   REQUIRE(generation);

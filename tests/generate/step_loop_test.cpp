@@ -1,20 +1,15 @@
 #include "catch.h"
 #include "roomgen/create/created_library.h"
 #include "roomgen/generate/generate.h"
+#include "small_plans.h"
 #include "support/contains.h"
-#include "support/rooms.h"
 
 using namespace roomgen;
+using rooms::item;
+using rooms::plan_of;
+using rooms::room_with_door;
 
 namespace {
-
-PlanItem item(const std::string& category, Mount mount = Mount::floor, int quantity = 1) {
-  PlanItem result;
-  result.category = category;
-  result.mount = mount;
-  result.quantity = quantity;
-  return result;
-}
 
 /// Answers by a function and keeps what it was asked.
 class Recorder final : public Designer {
@@ -48,21 +43,7 @@ PlaceAdvice advice(std::vector<Relation> relations = {}) {
   return result;
 }
 
-Plan plan_of(std::vector<PlanItem> items, Room room) {
-  Plan plan;
-  plan.prompt = "a test";
-  plan.room = std::move(room);
-  plan.items = std::move(items);
-  return plan;
-}
-
-Room room_with_door(double width, double depth) {
-  Room room = rooms::box(width, depth);
-  room.openings = {rooms::door("door-0", 0, 0.3, 1.2)};
-  return room;
-}
-
-Generation furnish(const Plan& plan, Recorder& designer, GenerateOptions options = {}) {
+Generation furnish(const Plan& plan, Recorder& designer, BuildOptions options = {}) {
   const auto library = create::make_created_library();
   auto generation = generate(plan, designer, *library, KindTable::built_in(), options);
   REQUIRE(generation);

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <memory>
+#include <optional>
 
 namespace roomgen {
 
@@ -13,10 +16,23 @@ class CancelToken {
   CancelToken() : flag_(std::make_shared<std::atomic<bool>>(false)) {}
 
   void cancel() noexcept { flag_->store(true, std::memory_order_relaxed); }
-  bool cancelled() const noexcept { return flag_->load(std::memory_order_relaxed); }
+  bool cancelled() const noexcept {
+    return flag_->load(std::memory_order_relaxed) || (end_ && Clock::now() >= *end_);
+  }
+
+  /// The same flag with an end of its own: cancelled when the flag is set, or after this time.
+  CancelToken within(std::chrono::duration<double> time) const {
+    CancelToken token = *this;
+    const auto end = Clock::now() + std::chrono::duration_cast<Clock::duration>(time);
+    token.end_ = end_ ? std::min(*end_, end) : end;
+    return token;
+  }
 
  private:
+  using Clock = std::chrono::steady_clock;
+
   std::shared_ptr<std::atomic<bool>> flag_;
+  std::optional<Clock::time_point> end_;
 };
 
 }  // namespace roomgen

@@ -3,7 +3,9 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
+#include "roomgen/base/cancel.h"
 #include "roomgen/base/random.h"
 #include "roomgen/base/result.h"
 #include "roomgen/scene/problem.h"
@@ -30,6 +32,10 @@ struct PlaceOptions {
   GridUse grid = GridUse::near_suggestions;
   /// Added to degrees, uniform in [0, noise): makes repeated searches differ.
   double noise = 0.0;
+  /// What is like one of these is left out: for the second best, and so on.
+  std::vector<Pose> except = {};
+  /// Ends the search with Error::Kind::cancelled.
+  CancelToken cancel = {};
 
   Status validate() const;
 };
@@ -60,7 +66,7 @@ struct Placement {
 /// Finds the pose for one object: propose, score, rank, fuse, and take the best candidate that the
 /// meshes and everybody's reachability allow. `later` are tasks still to come: those that depend on
 /// this object are looked after. Does not change the layout in the end. Fails with a reason for
-/// people when nothing is feasible.
+/// people when nothing is feasible, and when it is cancelled.
 Result<Placement> place(Layout& layout, const PlacementTask& task,
                         std::span<const PlacementTask> later, const PlaceOptions& options,
                         Random& random);

@@ -1,0 +1,140 @@
+#include "attempts.h"
+
+#include <optional>
+
+#include "consult.h"
+#include "prepare.h"
+#include "roomgen/solve/improve.h"
+#include "roomgen/solve/make_room.h"
+
+namespace roomgen {
+
+namespace {
+
+// How much smaller a thing gets where others make room for it, and in which steps.
+constexpr double least_squeeze = 0.65;
+constexpr double squeeze_step = 0.81;
+
+// Where a small thing was asked for and found no room: others there make some, and it gets smaller.
+bool squeeze_in(Work& work, PlacementTask& task) {
+  if (!task.asked || task.object.mount != Mount::surface) return false;
+  PlacementTask smaller = task;
+  for (double factor = 1.0; factor >= least_squeeze && !work.cancel.cancelled();
+       factor *= squeeze_step) {
+    smaller.object.size = factor * task.object.size;
+    if (!make_room(work.layout(), smaller, work.state.tasks, work.cancel, work.state.random)) continue;
+    task = smaller;
+    return true;
+  }
+  return false;
+}
+
+PlaceOptions place_options(const Work& work) {
+  PlaceOptions options = work.place.options.place;
+  options.cancel = work.cancel;
+  return options;
+}
+
+void note(const Placement& placement, Attempt& attempt) {
+  attempt.candidates = placement.candidates;
+  attempt.feasible = placement.feasible;
+  attempt.chosen = placement.terms;
+  attempt.runner_up = placement.runner_up;
+}
+
+/// The attempts for one object.
+struct Trial {
+  const PlannedObject& planned;
+  Step& step;
+  std::vector<std::string> refusals = {};
+  std::optional<PlacementTask> first = {};  ///< as the first attempt had it
+};
+
+// An asset as the designer says. Whether that was the end: it stands, or nothing more can be tried.
+bool try_asset(Work& work, const AssetInfo& asset, Trial& trial) {
+  auto task = prepare(work, trial.planned, asset);
+  if (!task) return trial.step.reason = task.error().message, true;
+  const auto advice = consult(work, trial.planned, *task, trial.refusals);
+  if (!advice) return trial.step.reason = advice.error().message, true;
+  auto attempt =
+      try_to_place(work, trial.planned, asset, *advice, trial.refusals.size(), *task);
+  if (!attempt) return trial.step.reason = attempt.error().message, true;
+  if (!trial.first) trial.first = *std::move(task);
+  trial.step.attempts.push_back(*std::move(attempt));
+  const std::string& refused = trial.step.attempts.back().refused;
+  if (refused.empty()) return true;
+  trial.refusals.push_back(refused);
+  return false;
+}
+
+// Neighbours make way for an object that found no place.
+void repair(Work& work, const AssetInfo& asset, const Trial& trial) {
+  const PlannedObject& planned = trial.planned;
+  enter(work, planned, asset, *trial.first);
+  work.state.reasons[planned.id] = trial.refusals.back();
+  improve_all(work, work.place.options.repair_rounds);
+  trial.step.repaired = work.layout().find(planned.id) != nullptr;
+  if (trial.step.repaired) return;
+  work.state.hopeless_items.insert(planned.item);
+  trial.step.reason = trial.refusals.back();
+}
+
+void try_assets(Work& work, const std::vector<AssetInfo>& assets, Trial& trial) {
+  // When one of a kind found no place after all, the next ones are not worth the same pains.
+  const bool brief = work.state.hopeless_items.count(trial.planned.item) > 0;
+  const int answers = brief ? 1 : work.place.options.answers_per_object;
+  for (int answer = 0; answer < answers; ++answer) {
+    const std::size_t count = answer == 0 && !brief ? assets.size() : 1;
+    for (std::size_t a = 0; a < count; ++a)
+      if (work.cancel.cancelled() || try_asset(work, assets[a], trial)) return;
+  }
+  if (brief)
+    trial.step.reason = trial.refusals.back();
+  else
+    repair(work, assets.front(), trial);
+}
+
+}  // namespace
+
+Result<Attempt> try_to_place(Work& work, const PlannedObject& planned, const AssetInfo& asset,
+                             const PlaceAdvice& advice, std::size_t refused, PlacementTask& task) {
+  if (auto status = follow(work, advice, planned, refused, task); !status) return status.error();
+  Attempt attempt;
+  attempt.asset = asset_key(asset.ref);
+  attempt.answer = advice;
+  auto placed = place(work.layout(), task, {}, place_options(work), work.state.random);
+  if (placed) {
+    note(*placed, attempt);
+    work.layout().add(placed->object);
+    enter(work, planned, asset, task);
+  } else if (PlacementTask smaller = task; squeeze_in(work, smaller)) {
+    attempt.made_room = true;
+    enter(work, planned, asset, std::move(smaller));
+  } else {
+    attempt.refused = placed.error().message;
+  }
+  return attempt;
+}
+
+void try_all(Work& work, const PlannedObject& planned, Step& step) {
+  const auto assets = assets_for(work, planned);
+  if (!assets) {
+    step.reason = assets.error().message;
+  } else if (assets->empty()) {
+    step.reason = why_no_asset(work.item(planned));
+  } else {
+    step.has_assets = true;
+    Trial trial{planned, step};
+    try_assets(work, *assets, trial);
+  }
+}
+
+void improve_all(Work& work, int rounds) {
+  ImproveOptions options;
+  options.place = work.place.options.place;
+  options.rounds = rounds;
+  options.cancel = work.cancel;
+  improve(work.layout(), work.state.tasks, work.state.reasons, options, work.state.random);
+}
+
+}  // namespace roomgen

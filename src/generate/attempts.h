@@ -1,0 +1,19 @@
+#pragma once
+
+#include "workplace.h"
+
+namespace roomgen {
+
+/// Tries to find an object a place by all means: each asset, for the first one again with other answers,
+/// room made by others, then a repair. Says in `step` what was tried, and why it failed if it did.
+void try_all(Work& work, const PlannedObject& planned, Step& step);
+
+/// One attempt: an asset as somebody says. Puts the object into the room if it finds a place; else
+/// Attempt::refused says why not. An error if it cannot even be tried.
+Result<Attempt> try_to_place(Work& work, const PlannedObject& planned, const AssetInfo& asset,
+                             const PlaceAdvice& advice, std::size_t refused, PlacementTask& task);
+
+/// Moves what stands for those that do not, and for constraints that do not hold.
+void improve_all(Work& work, int rounds);
+
+}  // namespace roomgen

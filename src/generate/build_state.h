@@ -1,0 +1,35 @@
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "roomgen/base/random.h"
+#include "roomgen/generate/generation.h"
+
+namespace roomgen {
+
+/// How far a room has come: all that steps change. Copies are cheap (meshes are shared) and are what undo
+/// goes back to; equal states go on equally.
+struct BuildState {
+  std::vector<Object> objects;           ///< that stand, in the order of placement
+  std::vector<PlannedObject> left;       ///< still to be tried, in the plan's order
+  std::string next;                      ///< of them, what the designer wants next
+  std::vector<PlacementTask> tasks;      ///< of all objects that have an asset, in order
+  std::map<std::string, std::string> reasons;   ///< why objects do not stand
+  std::set<std::size_t> hopeless_items;         ///< of which one found no place
+  std::map<std::string, AssetInfo> assets;      ///< by object
+  std::map<std::string, AssetInfo> favourites;  ///< by what was asked for (retrieve.h)
+  ModelTable models;                            ///< of what stands and what was tried
+  std::vector<Step> trace;
+  ModelUse model_use;
+  std::string stopped;      ///< why the designer may not be asked any more
+  bool is_cut = false;      ///< an improvement ran out of time
+  Random random{0};
+};
+
+/// Removes an object from what is still to be tried.
+void take_up(BuildState& state, std::string_view id);
+
+}  // namespace roomgen

@@ -1,0 +1,96 @@
+#include "consult.h"
+
+#include <algorithm>
+
+#include "order.h"
+#include "roomgen/geometry/free_rectangles.h"
+#include "support.h"
+
+namespace roomgen {
+
+namespace {
+
+// A picture or mirror hangs this far above what it is above, and below the ceiling.
+constexpr double gap_above = 0.15;
+constexpr double gap_below_ceiling = 0.05;
+
+// Of the free parts of the floor that a designer is told of: metres, and how many.
+constexpr double least_free_side = 0.3;
+constexpr std::size_t most_free_parts = 6;
+
+// Where there is room left, for a designer whose answer did not fit.
+std::vector<Bounds2> free_floor(const Layout& layout) {
+  const auto doors = layout.door_areas();
+  std::vector<Footprint> taken(doors.begin(), doors.end());
+  for (const auto& thing : layout.things())
+    if (blocks_floor(*thing.object, *thing.category)) taken.push_back(thing.footprint);
+  return free_rectangles(layout.room().polygon, taken, least_free_side, most_free_parts);
+}
+
+void tally(const Consultation& consultation, ModelUse& use) {
+  use.calls += consultation.calls;
+  use.input_tokens += consultation.input_tokens;
+  use.output_tokens += consultation.output_tokens;
+  use.seconds += consultation.seconds;
+  use.fallbacks += consultation.fell_back ? 1 : 0;
+}
+
+// What the plan asks for, before what the designer adds; how many they are.
+int put_wishes_first(const PlanItem& item, std::vector<Relation>& relations) {
+  const auto end =
+      std::stable_partition(relations.begin(), relations.end(), [&](const Relation& relation) {
+        return std::find(item.relations.begin(), item.relations.end(), relation) !=
+               item.relations.end();
+      });
+  return item.asked ? static_cast<int>(end - relations.begin()) : 0;
+}
+
+void hang_above_targets(const Layout& layout, Object& object) {
+  for (const auto& relation : object.relations) {
+    const Object* target = layout.find(relation.target);
+    if (relation.kind != RelationKind::above || !target) continue;
+    const double highest = layout.room().height - object.size.z() - gap_below_ceiling;
+    object.position.z() = std::min(highest, std::max(object.position.z(), top(*target) + gap_above));
+  }
+}
+
+}  // namespace
+
+Result<PlaceAdvice> consult(Work& work, const PlannedObject& planned, const PlacementTask& task,
+                            const std::vector<std::string>& refusals) {
+  const Workplace& place = work.place;
+  const Scene scene = scene_of(place, place.layout.objects());
+  PlaceRequest request{place.plan, scene, planned, task.object, refusals};
+  request.later = may_come_next(work);
+  request.cancel = work.cancel;
+  if (!refusals.empty()) request.free_floor = free_floor(place.layout);
+  if (place.options.renderer)
+    request.marks = [&] {
+      View view = place.options.marks_view;
+      view.free_floor = request.free_floor;
+      return place.options.renderer->render(scene, place.models, view);
+    };
+  auto advice = place.designer.place(request);
+  if (!advice) {
+    if (advice.error().kind == Error::Kind::limit) work.state.stopped = advice.error().message;
+    return advice;
+  }
+  tally(advice->consultation, work.state.model_use);
+  work.state.next = advice->next;
+  return advice;
+}
+
+Status follow(const Work& work, const PlaceAdvice& advice, const PlannedObject& planned,
+              std::size_t refused, PlacementTask& task) {
+  const PlanItem& item = work.item(planned);
+  Object& object = task.object;
+  object.relations = advice.relations;
+  task.wishes = put_wishes_first(item, object.relations);
+  task.location = advice.location;
+  task.facing = advice.yaw;
+  if (object.mount == Mount::surface) return put_on_support(work, item, refused, object);
+  if (object.mount == Mount::wall) hang_above_targets(work.layout(), object);
+  return {};
+}
+
+}  // namespace roomgen

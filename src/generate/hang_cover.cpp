@@ -1,0 +1,91 @@
+#include "hang_cover.h"
+
+#include <algorithm>
+
+#include "retrieve.h"
+#include "window_cover.h"
+
+namespace roomgen {
+
+namespace {
+
+// What is made to the measure of a window may be stretched a little.
+constexpr double least_to_measure = 0.75, most_to_measure = 1.3;
+
+Error no_place(const std::string& why) { return {Error::Kind::not_found, why}; }
+
+std::vector<const Opening*> windows_in_order(const Work& work, const PlanItem& item) {
+  auto windows = windows_to_cover(work.place.room, work.layout().objects(), item.category);
+  for (const auto& relation : item.relations)
+    std::stable_partition(windows.begin(), windows.end(),
+                          [&](const Opening* window) { return window->id == relation.target; });
+  return windows;
+}
+
+Object unhung_cover(const PlannedObject& planned, const PlanItem& item, const Kind& category) {
+  Object object;
+  object.id = planned.id;
+  object.category = item.category;
+  object.mount = Mount::wall;
+  object.traits = category.traits;
+  object.size = category.size;
+  return object;
+}
+
+// An asset for the box, or nothing if none is of this size.
+Result<std::optional<AssetInfo>> made_to_measure(const Work& work, const PlannedObject& planned,
+                                                 const Object& hung) {
+  const Workplace& place = work.place;
+  PlanItem item = work.item(planned);
+  item.size = hung.size;
+  item.asked = true;
+  item.varied = true;  // windows differ
+  const auto assets = retrieve({place.library, place.categories, place.options.seed},
+                               work.state.favourites, item, planned,
+                               place.options.assets_per_object);
+  if (!assets) return assets.error();
+  for (const auto& asset : *assets) {
+    const Vec3 stretch = hung.size.cwiseQuotient(asset.size);
+    if (stretch.minCoeff() >= least_to_measure && stretch.maxCoeff() <= most_to_measure)
+      return std::optional(asset);
+  }
+  return std::optional<AssetInfo>();
+}
+
+// Makes the object of the asset, and says whether there is room for it.
+bool may_hang(Work& work, const PlannedObject& planned, const AssetInfo& asset, Object& hung) {
+  if (!fetch_model(work.place, asset)) return false;
+  const PlanItem& item = work.item(planned);
+  hung.description = item.description.empty() ? asset.name : item.description;
+  hung.asset = asset.ref;
+  hung.locked = true;  // its window stays where it is
+  hung.traits.front = hung.traits.front && asset.has_front;
+  const auto candidate = work.layout().candidate(hung);
+  return work.layout().fits(candidate, footprint(hung), bottom(hung)) &&
+         work.layout().fits_exactly(candidate);
+}
+
+}  // namespace
+
+Result<Hanging> find_hanging(Work& work, const PlannedObject& planned) {
+  const Kind& category = work.category(planned);
+  const Object object = unhung_cover(planned, work.item(planned), category);
+  const auto windows = windows_in_order(work, work.item(planned));
+  if (windows.empty()) return no_place("the room has no window at which it could hang");
+  for (const Opening* window : windows)
+    for (auto& hung : hangings(object, category, work.place.room, *window)) {
+      const auto asset = made_to_measure(work, planned, hung);
+      if (!asset) return asset.error();
+      if (*asset && may_hang(work, planned, **asset, hung))
+        return Hanging{std::move(hung), **asset, window->id};
+    }
+  return no_place("at no window is there room for it");
+}
+
+void hang_up(Work& work, const PlannedObject& planned, Hanging hanging) {
+  work.layout().add(std::move(hanging.object));
+  remember(work.state.favourites, work.item(planned), hanging.asset);
+  work.state.assets[planned.id] = std::move(hanging.asset);
+}
+
+}  // namespace roomgen

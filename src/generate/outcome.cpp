@@ -1,0 +1,103 @@
+#include "outcome.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "roomgen/evaluate/attributes.h"
+#include "roomgen/evaluate/ledger.h"
+#include "roomgen/scene/judgement.h"
+
+namespace roomgen {
+
+namespace {
+
+// A yaw this far from the suggested one still follows it.
+constexpr double facing_tolerance = pi / 12;
+
+const Object* find_object(const BuildState& state, const std::string& id) {
+  const auto found = std::find_if(state.objects.begin(), state.objects.end(),
+                                  [&](const Object& object) { return object.id == id; });
+  return found == state.objects.end() ? nullptr : &*found;
+}
+
+// Things in the order of the plan, and what is missing.
+void list_objects(const Workplace& place, const BuildState& state, Scene& scene) {
+  for (const auto& planned : planned_objects(place.plan)) {
+    if (const Object* placed = find_object(state, planned.id)) {
+      scene.objects.push_back(with_rounded_pose(*placed));
+      continue;
+    }
+    const auto reason = state.reasons.find(planned.id);
+    scene.unplaced.push_back(
+        {planned.id, place.plan.items[planned.item].category,
+         reason == state.reasons.end() ? "stopped before it was tried" : reason->second});
+  }
+}
+
+// The assets of what stands, each once, and what is only a stand-in.
+void list_assets(const Workplace& place, const BuildState& state, Generation& result) {
+  result.assets = place.joinery;
+  std::set<std::string> seen;
+  for (const auto& object : result.scene.objects) {
+    const AssetInfo& asset = state.assets.at(object.id);
+    if (seen.insert(asset_key(asset.ref)).second) result.assets.push_back(asset);
+    if (asset.approximate)
+      result.notes.push_back(object.id + " is approximate: \"" + object.category +
+                             "\" is no kind that is known, and it was put together from the words");
+  }
+}
+
+std::vector<RequirementVerdict> verdicts(const Workplace& place, const Generation& result) {
+  return check_requirements(
+      place.plan.requirements, result.scene, place.categories,
+      [&](const Object& object, const std::string& word) {
+        const auto verdict = judge_attribute(known_looks(object, result.models), word);
+        return verdict.held ? std::string() : "is not known to be " + word + ": " + verdict.reason;
+      });
+}
+
+// How far an object ended from where it was suggested.
+void count_suggestions(const PlacementTask& task, const Object& placed, SuggestionFigures& figures) {
+  if (task.location) {
+    const double distance = (placed.position.head<2>() - *task.location).norm();
+    ++figures.located;
+    figures.within_half += distance <= 0.5 ? 1 : 0;
+    figures.within_one += distance <= 1.0 ? 1 : 0;
+  }
+  if (task.facing) {
+    ++figures.faced;
+    figures.facing_kept +=
+        std::abs(wrap_angle(placed.yaw - *task.facing)) <= facing_tolerance ? 1 : 0;
+  }
+}
+
+void count_constraints(const Workplace& place, const BuildState& state, Generation& result) {
+  for (const auto& task : state.tasks) {
+    result.constraints += static_cast<int>(task.object.relations.size());
+    if (const Object* placed = find_object(state, task.object.id))
+      count_suggestions(task, *placed, result.suggestions);
+  }
+  for (const auto& verdict : judge_scene(result.scene, place.categories))
+    result.held += verdict.judgement.held ? 1 : 0;
+}
+
+}  // namespace
+
+Generation outcome(const Workplace& place, const BuildState& state) {
+  Generation result;
+  result.scene = scene_of(place, {});
+  result.scene.incomplete = !state.left.empty() || !state.stopped.empty() || state.is_cut ||
+                            place.options.cancel.cancelled();
+  result.models = state.models;
+  result.trace = state.trace;
+  result.model_use = state.model_use;
+  result.stopped = state.stopped;
+  list_objects(place, state, result.scene);
+  list_assets(place, state, result);
+  result.scene.requirements = verdicts(place, result);
+  count_constraints(place, state, result);
+  return result;
+}
+
+}  // namespace roomgen

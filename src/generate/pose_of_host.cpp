@@ -1,0 +1,107 @@
+#include "pose_of_host.h"
+
+#include <cmath>
+#include <optional>
+
+#include "attempts.h"
+#include "consult.h"
+#include "fits_as_it_is.h"
+#include "prepare.h"
+
+namespace roomgen {
+
+namespace {
+
+Error cannot_stand(const Object& object, const std::string& why) {
+  return {Error::Kind::not_found, object.id + " cannot stand there: " + why};
+}
+
+Result<AssetInfo> first_asset(Work& work, const PlannedObject& planned) {
+  auto assets = assets_for(work, planned);
+  if (!assets) return assets.error();
+  if (assets->empty())
+    return Error{Error::Kind::not_found, why_no_asset(work.item(planned))};
+  return std::move(assets->front());
+}
+
+// The highest place at which the object rests on another one, below `most`.
+struct Rest {
+  Pose pose;
+  std::string on;
+};
+
+std::optional<Rest> find_rest(const Layout& layout, const Object& object, const WantedPose& wanted) {
+  std::optional<Rest> best;
+  for (const auto& support : layout.objects()) {
+    if (!wanted.on.empty() && support.id != wanted.on) continue;
+    const Footprint below = footprint(support);
+    if (!contains(below, wanted.position)) continue;
+    const Vec2 local = rotated(Vec2(wanted.position - below.center()), -support.yaw);
+    for (std::size_t k = 0; k < layout.perches().surfaces(support).size(); ++k) {
+      const auto perch =
+          layout.perches().at(object, support, k, local, wrap_angle(wanted.yaw - support.yaw));
+      if (!perch) continue;
+      const Pose pose = pose_of(*perch, support);
+      const auto far = [&](const Pose& one) {
+        return wanted.bottom ? std::abs(one.bottom - *wanted.bottom) : -one.bottom;
+      };
+      if (!best || far(pose) < far(best->pose)) best = Rest{pose, support.id};
+    }
+  }
+  return best;
+}
+
+// The object where the host wants it.
+Result<Object> posed(const Layout& layout, Object object, const WantedPose& wanted) {
+  Pose pose{wanted.position, wanted.bottom.value_or(object.position.z()), wanted.yaw};
+  if (object.mount == Mount::surface) {
+    const auto rest = find_rest(layout, object, wanted);
+    if (!rest)
+      return cannot_stand(object, "nothing carries it" +
+                                      (wanted.on.empty() ? "" : " (wanted: " + wanted.on + ")"));
+    pose = rest->pose;
+    object.on = rest->on;
+  }
+  object.locked = true;
+  return at_pose(object, pose);
+}
+
+}  // namespace
+
+Status put_at(Work& work, const PlannedObject& planned, const WantedPose& pose, Step& step) {
+  const auto asset = first_asset(work, planned);
+  if (!asset) return asset.error();
+  auto task = prepare(work, planned, *asset);
+  if (!task) return task.error();
+  const auto object = posed(work.layout(), task->object, pose);
+  if (!object) return object.error();
+  if (auto status = fits_as_it_is(work.layout(), *object); !status) return status;
+  task->object.on = object->on;
+  task->location = pose.position;
+  task->facing = pose.yaw;
+  step.has_assets = true;
+  Attempt attempt;
+  attempt.asset = asset_key(asset->ref);
+  attempt.answer.relations = task->object.relations;
+  attempt.answer.location = pose.position;
+  attempt.answer.yaw = pose.yaw;
+  step.attempts.push_back(std::move(attempt));
+  work.layout().add(*object);
+  enter(work, planned, *asset, *std::move(task));
+  return {};
+}
+
+Status put_by(Work& work, const PlannedObject& planned, const PlaceAdvice& wish, Step& step) {
+  const auto asset = first_asset(work, planned);
+  if (!asset) return asset.error();
+  auto task = prepare(work, planned, *asset);
+  if (!task) return task.error();
+  auto attempt = try_to_place(work, planned, *asset, wish, 0, *task);
+  if (!attempt) return attempt.error();
+  if (!attempt->refused.empty()) return Error{Error::Kind::not_found, attempt->refused};
+  step.has_assets = true;
+  step.attempts.push_back(*std::move(attempt));
+  return {};
+}
+
+}  // namespace roomgen

@@ -1,0 +1,78 @@
+#include "prepare.h"
+
+#include <algorithm>
+
+#include "loads.h"
+#include "retrieve.h"
+#include "roomgen/library/vocabulary.h"
+#include "sizing.h"
+
+namespace roomgen {
+
+namespace {
+
+// Assets that are looked at for one that can carry what it shall.
+constexpr int most_carriers = 6;
+
+constexpr double under_ceiling = 0.05;  // of what hangs on a wall
+
+// The usual height; what stands on something gets its own when that is known.
+double mounting_height(const Object& object, const Kind& category, const AssetInfo& asset,
+                       const Room& room) {
+  const double room_left = room.height - object.size.z();
+  if (object.mount == Mount::ceiling) return room_left;
+  if (object.mount != Mount::wall) return object.position.z();
+  const double usual = category.elevation > 0 ? category.elevation : asset.elevation;
+  return std::clamp(usual, 0.0, std::max(0.0, room_left - under_ceiling));
+}
+
+}  // namespace
+
+Result<PlacementTask> prepare(Work& work, const PlannedObject& planned, const AssetInfo& asset) {
+  const PlanItem& item = work.item(planned);
+  const Kind& category = work.category(planned);
+  if (auto status = fetch_model(work.place, asset); !status) return status.error();
+  PlacementTask task;
+  Object& object = task.object;
+  object.id = planned.id;
+  object.category = item.category;
+  object.description = item.description.empty() ? asset.name : item.description;
+  object.asset = asset.ref;
+  object.traits = category.traits;
+  object.traits.front = category.traits.front && asset.has_front;
+  object.traits.round = asset.round;
+  object.size = fitted_size(asset, item, category);
+  object.mount = item.mount;
+  object.relations = item.relations;
+  object.position.z() = mounting_height(object, category, asset, work.place.room);
+  task.location = item.location;
+  task.asked = item.asked;
+  return task;
+}
+
+Result<std::vector<AssetInfo>> assets_for(Work& work, const PlannedObject& planned) {
+  const Workplace& place = work.place;
+  const auto loads = loads_on(planned.id, place.plan, place.categories);
+  const auto few = static_cast<std::size_t>(place.options.assets_per_object);
+  const int count = loads.empty() ? place.options.assets_per_object
+                                  : std::max(place.options.assets_per_object, most_carriers);
+  auto assets = retrieve({place.library, place.categories, place.options.seed},
+                         work.state.favourites, work.item(planned), planned, count);
+  if (!assets || loads.empty()) return assets;
+  const auto able = std::find_if(assets->begin(), assets->end(), [&](const AssetInfo& asset) {
+    const auto task = prepare(work, planned, asset);
+    return task && can_carry(task->object, loads, work.layout().perches());
+  });
+  if (able != assets->end()) std::rotate(assets->begin(), able, able + 1);
+  if (assets->size() > few) assets->resize(few);
+  return assets;
+}
+
+std::string why_no_asset(const PlanItem& item) {
+  if (!item.asked || Vocabulary::built_in().understand(item.category).known)
+    return "no asset is a " + item.category + " of this size";
+  return "\"" + item.category + "\" is no kind that is known, and the words do not say of which parts " +
+         "it is made";
+}
+
+}  // namespace roomgen

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "workplace.h"
+
+namespace roomgen {
+
+/// The object as an asset makes it, at its size and mounting height; its mesh is fetched. Its relations are
+/// those of the plan.
+Result<PlacementTask> prepare(Work& work, const PlannedObject& planned, const AssetInfo& asset);
+
+/// The assets to try for an object, the best first. What shall carry things takes one that can, if there
+/// is one. Empty if nothing fits.
+Result<std::vector<AssetInfo>> assets_for(Work& work, const PlannedObject& planned);
+
+/// Why there are none.
+std::string why_no_asset(const PlanItem& item);
+
+}  // namespace roomgen

@@ -1,0 +1,90 @@
+#include "workplace.h"
+
+#include <algorithm>
+
+#include "fit_openings.h"
+#include "retrieve.h"
+
+namespace roomgen {
+
+Workplace::Workplace(Plan the_plan, Designer& the_designer, const AssetLibrary& the_library,
+                     const KindTable& the_categories, BuildOptions the_options)
+    : plan(std::move(the_plan)),
+      designer(the_designer),
+      library(the_library),
+      categories(the_categories),
+      options(std::move(the_options)),
+      room(plan.room),
+      layout(room, categories, models) {}
+
+Result<std::unique_ptr<Workplace>> open_workplace(Plan plan, Designer& designer,
+                                                  const AssetLibrary& library,
+                                                  const KindTable& categories,
+                                                  BuildOptions options) {
+  const auto& kinds = OpeningKinds::built_in();
+  if (!kinds) return kinds.error();
+  auto place = std::make_unique<Workplace>(std::move(plan), designer, library, categories,
+                                           std::move(options));
+  const Random random = Random(place->options.seed).fork("openings");
+  auto used = fit_openings(place->room, *kinds, library, random);
+  if (!used) return used.error();
+  for (const auto& asset : *used)
+    if (auto status = fetch_model(*place, asset); !status) return status.error();
+  place->joinery = *std::move(used);
+  return place;
+}
+
+BuildState first_state(const Workplace& place) {
+  BuildState state;
+  state.left = planned_objects(place.plan);
+  state.models = place.models;
+  state.random = Random(place.options.seed).fork("placement");
+  return state;
+}
+
+void take_up(BuildState& state, std::string_view id) {
+  std::erase_if(state.left, [&](const PlannedObject& planned) { return planned.id == id; });
+  if (state.next == id) state.next.clear();
+}
+
+void arrange_as(Layout& layout, const std::vector<Object>& objects) {
+  const auto is_same = [](const Object& a, const Object& b) {
+    return a.id == b.id && a.position == b.position && a.yaw == b.yaw && a.size == b.size &&
+           a.on == b.on && a.relations == b.relations && a.locked == b.locked;
+  };
+  const auto standing = layout.objects();
+  const auto first = static_cast<std::size_t>(
+      std::mismatch(standing.begin(), standing.end(), objects.begin(), objects.end(), is_same).first -
+      standing.begin());
+  while (layout.objects().size() > first) {
+    const std::string id = layout.objects().back().id;
+    layout.remove(id);
+  }
+  for (std::size_t i = first; i < objects.size(); ++i) layout.add(objects[i]);
+}
+
+Scene scene_of(const Workplace& place, std::span<const Object> objects) {
+  Scene scene;
+  scene.prompt = place.plan.prompt;
+  scene.seed = place.plan.seed;
+  scene.room = place.room;
+  scene.objects.assign(objects.begin(), objects.end());
+  return scene;
+}
+
+Status fetch_model(Workplace& place, const AssetInfo& asset) {
+  auto model = place.library.load(asset.ref);
+  if (!model) return model.error();
+  if (!asset_key(asset.ref).empty()) place.models.add(asset_key(asset.ref), *std::move(model));
+  return {};
+}
+
+void enter(Work& work, const PlannedObject& planned, const AssetInfo& asset, PlacementTask task) {
+  BuildState& state = work.state;
+  std::erase_if(state.tasks, [&](const PlacementTask& other) { return other.object.id == planned.id; });
+  state.tasks.push_back(std::move(task));
+  remember(state.favourites, work.item(planned), asset);
+  state.assets[planned.id] = asset;
+}
+
+}  // namespace roomgen
