@@ -63,7 +63,7 @@ bool has_free_zone(const Room& room, std::span<const FloorThing> things, const F
 }
 
 bool is_usable(const Room& room, std::span<const FloorThing> things, const FloorThing& thing,
-               const WalkMap& flooded) {
+               const OccupancyGrid& flooded) {
   const auto& zones = thing.category->zones;
   return needs_no_zone(thing) || std::any_of(zones.begin(), zones.end(), [&](const UseZone& zone) {
            return flooded.reaches(zone_footprint(thing.footprint, zone)) &&
@@ -71,8 +71,8 @@ bool is_usable(const Room& room, std::span<const FloorThing> things, const Floor
          });
 }
 
-WalkMap make_walk_map(const Room& room, std::span<const FloorThing> things) {
-  WalkMap map(room);
+OccupancyGrid make_occupancy_grid(const Room& room, std::span<const FloorThing> things) {
+  OccupancyGrid map(room);
   for (const auto& thing : things)
     if (blocks_floor(*thing.object, *thing.category)) map.add(thing.footprint);
   map.flood();

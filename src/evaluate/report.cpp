@@ -40,7 +40,7 @@ void find_blocked_openings(const Scene& scene, const KindTable& categories,
 void find_unusable(const Scene& scene, const KindTable& categories,
                    std::vector<Violation>& found) {
   const auto things = floor_things(scene.objects, categories);
-  const WalkMap map = make_walk_map(scene.room, things);
+  const OccupancyGrid map = make_occupancy_grid(scene.room, things);
   if (!map.doors_connected()) found.push_back({Fault::doors_apart, "", ""});
   for (const auto& thing : things)
     if (!is_usable(scene.room, things, thing, map))

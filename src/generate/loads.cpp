@@ -31,11 +31,11 @@ std::vector<Load> loads_on(const std::string& id, const Plan& plan,
   return loads;
 }
 
-bool can_carry(const Object& carrier, std::span<const Load> loads, const Perches& perches) {
+bool can_carry(const Object& carrier, std::span<const Load> loads, const SupportPoses& poses) {
   return std::all_of(loads.begin(), loads.end(), [&](const Load& load) {
-    const auto& places = perches.everywhere(load.object, carrier);
-    return std::any_of(places.begin(), places.end(), [&](const Perch& perch) {
-      return !load.inside || perch.bottom + 0.5 * load.object.size.z() <= carrier.size.z();
+    const auto& places = poses.everywhere(load.object, carrier);
+    return std::any_of(places.begin(), places.end(), [&](const SupportPose& pose) {
+      return !load.inside || pose.bottom + 0.5 * load.object.size.z() <= carrier.size.z();
     });
   });
 }

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "roomgen/collision/perches.h"
+#include "roomgen/collision/support_poses.h"
 #include "roomgen/kinds/kind_table.h"
 #include "roomgen/scene/plan.h"
 
@@ -20,6 +20,6 @@ struct Load {
 std::vector<Load> loads_on(const std::string& id, const Plan& plan, const KindTable& categories);
 
 /// Whether each of the loads finds a place, were the others not there.
-bool can_carry(const Object& carrier, std::span<const Load> loads, const Perches& perches);
+bool can_carry(const Object& carrier, std::span<const Load> loads, const SupportPoses& poses);
 
 }  // namespace roomgen

@@ -37,11 +37,11 @@ std::optional<Rest> find_rest(const Layout& layout, const Object& object, const 
     const Footprint below = footprint(support);
     if (!contains(below, wanted.position)) continue;
     const Vec2 local = rotated(Vec2(wanted.position - below.center()), -support.yaw);
-    for (std::size_t k = 0; k < layout.perches().surfaces(support).size(); ++k) {
-      const auto perch =
-          layout.perches().at(object, support, k, local, wrap_angle(wanted.yaw - support.yaw));
-      if (!perch) continue;
-      const Pose pose = pose_of(*perch, support);
+    for (std::size_t k = 0; k < layout.support_poses().surfaces(support).size(); ++k) {
+      const auto support_pose =
+          layout.support_poses().at(object, support, k, local, wrap_angle(wanted.yaw - support.yaw));
+      if (!support_pose) continue;
+      const Pose pose = pose_of(*support_pose, support);
       const auto far = [&](const Pose& one) {
         return wanted.bottom ? std::abs(one.bottom - *wanted.bottom) : -one.bottom;
       };

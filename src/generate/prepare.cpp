@@ -61,7 +61,7 @@ Result<std::vector<AssetInfo>> assets_for(Work& work, const PlannedObject& plann
   if (!assets || loads.empty()) return assets;
   const auto able = std::find_if(assets->begin(), assets->end(), [&](const AssetInfo& asset) {
     const auto task = prepare(work, planned, asset);
-    return task && can_carry(task->object, loads, work.layout().perches());
+    return task && can_carry(task->object, loads, work.layout().support_poses());
   });
   if (able != assets->end()) std::rotate(assets->begin(), able, able + 1);
   if (assets->size() > few) assets->resize(few);

@@ -14,8 +14,8 @@ const Object* roomiest(const Layout& layout, const Object& object, Test could) {
   const Object* best = nullptr;
   std::size_t best_room = 0;
   for (const auto& other : layout.objects()) {
-    if (!could(other) || layout.perches().surfaces(other).empty()) continue;
-    const std::size_t room = layout.free_perches(object, other).size();
+    if (!could(other) || layout.support_poses().surfaces(other).empty()) continue;
+    const std::size_t room = layout.free_support_poses(object, other).size();
     if (!best || room > best_room) best = &other, best_room = room;
   }
   return best;
@@ -50,7 +50,7 @@ Status put_on_support(const Work& work, const PlanItem& item, std::size_t refuse
                      (item.on.empty() ? std::string() : " (wanted: " + item.on + ")")};
   object.on = support->id;
   if (item.asked)
-    object.size *= shrink_factor(object, layout.perches().surfaces(*support), refused);
+    object.size *= shrink_factor(object, layout.support_poses().surfaces(*support), refused);
   return {};
 }
 

@@ -44,9 +44,9 @@ Object at_pose(const Object& object, const Pose& pose) {
   return with_rounded_pose(std::move(placed));
 }
 
-Pose pose_of(const Perch& perch, const Object& support) {
-  return {footprint(support).to_world(perch.position), bottom(support) + perch.bottom,
-          wrap_angle(support.yaw + perch.yaw)};
+Pose pose_of(const SupportPose& support_pose, const Object& support) {
+  return {footprint(support).to_world(support_pose.position), bottom(support) + support_pose.bottom,
+          wrap_angle(support.yaw + support_pose.yaw)};
 }
 
 Footprint FootprintAt::operator()(const Pose& pose) const {
@@ -63,11 +63,11 @@ Layout::Layout(const Room& room, const KindTable& categories, const ModelTable& 
       categories_(categories),
       models_(models),
       solids_(models),
-      perches_(models),
+      support_poses_(models),
       wall_yaws_(yaws_of_walls(room)),
       is_box_(is_axis_aligned_rectangle(room)),
       bounds_(bounds(room.polygon)),
-      walk_map_(room) {
+      occupancy_(room) {
   for (const auto& opening : room.openings) {
     if (opening.is_entrance()) door_areas_.push_back(door_clearance(room, opening));
     for (const auto& area : clearances(room, opening))
@@ -82,15 +82,15 @@ const Object* Layout::find(std::string_view id) const {
   return found == objects_.end() ? nullptr : &*found;
 }
 
-std::vector<Pose> Layout::free_perches(const Object& object, const Object& support) const {
+std::vector<Pose> Layout::free_support_poses(const Object& object, const Object& support) const {
   Object resting = object;
   resting.mount = Mount::surface;
   resting.on = support.id;
   const Candidate own = candidate(resting);
   const FootprintAt footprint_at(object);
   std::vector<Pose> poses;
-  for (const auto& perch : perches_.everywhere(object, support)) {
-    const Pose pose = pose_of(perch, support);
+  for (const auto& support_pose : support_poses_.everywhere(object, support)) {
+    const Pose pose = pose_of(support_pose, support);
     if (fits(own, footprint_at(pose), pose.bottom)) poses.push_back(pose);
   }
   return poses;
@@ -108,7 +108,7 @@ void Layout::refresh_things() {
 void Layout::add(Object object) {
   things_.push_back(floor_thing(object, categories_));
   objects_.push_back(std::move(object));
-  in_walk_map_.push_back(false);
+  in_occupancy_.push_back(false);
   refresh_things();
 }
 
@@ -116,20 +116,20 @@ void Layout::remove(std::string_view id) {
   for (std::size_t i = 0; i < objects_.size(); ++i) {
     if (objects_[i].id != id) continue;
     const auto at = static_cast<std::ptrdiff_t>(i);
-    if (in_walk_map_[i]) walk_map_.remove(things_[i].footprint);
+    if (in_occupancy_[i]) occupancy_.remove(things_[i].footprint);
     objects_.erase(objects_.begin() + at);
     things_.erase(things_.begin() + at);
-    in_walk_map_.erase(in_walk_map_.begin() + at);
+    in_occupancy_.erase(in_occupancy_.begin() + at);
     break;
   }
   refresh_things();
 }
 
-void Layout::bring_walk_map_up_to_date() {
+void Layout::bring_occupancy_up_to_date() {
   for (std::size_t i = 0; i < objects_.size(); ++i)  // things_ may hold a newcomer more
-    if (!in_walk_map_[i] && blocks_floor(objects_[i], *things_[i].category)) {
-      walk_map_.add(things_[i].footprint);
-      in_walk_map_[i] = true;
+    if (!in_occupancy_[i] && blocks_floor(objects_[i], *things_[i].category)) {
+      occupancy_.add(things_[i].footprint);
+      in_occupancy_[i] = true;
     }
 }
 
@@ -229,14 +229,14 @@ Layout::Verdict Layout::all_have_a_free_zone() const {
 }
 
 Layout::Verdict Layout::all_are_usable_with(const Footprint& newcomer) {
-  bring_walk_map_up_to_date();
-  walk_map_.add(newcomer);
-  walk_map_.flood();
+  bring_occupancy_up_to_date();
+  occupancy_.add(newcomer);
+  occupancy_.flood();
   Verdict verdict;
-  if (!walk_map_.doors_connected()) verdict = {false};
+  if (!occupancy_.doors_connected()) verdict = {false};
   for (std::size_t i = 0; i < things_.size() && verdict; ++i)
-    if (!is_usable(room_, things_, things_[i], walk_map_)) verdict = blame(i);
-  walk_map_.remove(newcomer);
+    if (!is_usable(room_, things_, things_[i], occupancy_)) verdict = blame(i);
+  occupancy_.remove(newcomer);
   return verdict;
 }
 

@@ -68,7 +68,7 @@ double rest_degree(const ProposalContext& context, const Footprint& footprint, d
   const Object& object = context.task.object;
   const Object* support = object.mount == Mount::surface ? context.layout.find(object.on) : nullptr;
   if (!support) return 1.0;
-  const auto& surfaces = context.layout.perches().surfaces(*support);
+  const auto& surfaces = context.layout.support_poses().surfaces(*support);
   if (surfaces.empty()) return 0.0;
   const double base = roomgen::bottom(*support);
   const bool shelves =

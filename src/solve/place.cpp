@@ -159,12 +159,12 @@ Error refusal_on(const Layout& layout, const Object& object) {
   if (!support) return {Error::Kind::not_found, why + (object.on.empty() ? "anything" : object.on) +
                                                     ": it is not in the room"};
   why += support->id + ": ";
-  const auto& surfaces = layout.perches().surfaces(*support);
+  const auto& surfaces = layout.support_poses().surfaces(*support);
   const auto on_it = std::count_if(layout.objects().begin(), layout.objects().end(),
                                    [&](const Object& other) { return other.on == support->id; });
   if (surfaces.empty()) {
     why += "it has no level surface";
-  } else if (layout.perches().everywhere(object, *support).empty()) {
+  } else if (layout.support_poses().everywhere(object, *support).empty()) {
     const Vec2 most = surfaces.front().box().size();
     why += "none of its surfaces is large and high enough; the largest is " +
            format_number(most.x(), 2) + " x " + format_number(most.y(), 2) + " m";

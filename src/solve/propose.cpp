@@ -320,10 +320,10 @@ void propose_next_to_others(const ProposalContext& context, const Object& suppor
 // Wherever it can rest on the support, and of what means something the places where it can.
 void propose_on_surface(const ProposalContext& context, const Object& support,
                         std::vector<Pose>& poses) {
-  const Perches& perches = context.layout.perches();
+  const SupportPoses& rests = context.layout.support_poses();
   const Object& object = context.task.object;
-  for (const auto& perch : perches.everywhere(object, support))
-    poses.push_back(pose_of(perch, support));
+  for (const auto& rest : rests.everywhere(object, support))
+    poses.push_back(pose_of(rest, support));
   std::vector<Pose> wished;
   if (context.task.location)
     for (int turn = 0; turn < (object.traits.front ? 4 : 2); ++turn)
@@ -333,10 +333,10 @@ void propose_on_surface(const ProposalContext& context, const Object& support,
   const Footprint area = footprint(support);
   for (const auto& pose : wished) {
     if (!contains(area, pose.position)) continue;
-    for (std::size_t k = 0; k < perches.surfaces(support).size(); ++k)
-      if (const auto perch = perches.at(object, support, k, area.to_local(pose.position),
-                                        wrap_angle(pose.yaw - support.yaw)))
-        poses.push_back(pose_of(*perch, support));
+    for (std::size_t k = 0; k < rests.surfaces(support).size(); ++k)
+      if (const auto rest = rests.at(object, support, k, area.to_local(pose.position),
+                                      wrap_angle(pose.yaw - support.yaw)))
+        poses.push_back(pose_of(*rest, support));
   }
 }
 

@@ -19,7 +19,7 @@ const KindTable& categories() {
 bool usable(const std::vector<Object>& objects, Room room = rooms::box(5, 5)) {
   room.openings = {rooms::door("door-0", 3, 2, 2.9)};
   const auto things = floor_things(objects, categories());
-  return is_usable(room, things, things.front(), make_walk_map(room, things));
+  return is_usable(room, things, things.front(), make_occupancy_grid(room, things));
 }
 
 bool free_zone(const std::vector<Object>& objects) {

@@ -286,7 +286,7 @@ TEST_CASE("All doors are connected and all things in reach, whatever the doors a
       INFO(prompt << ", seed " << seed);
       const auto& table = KindTable::built_in();
       const auto things = floor_things(generation.scene.objects, table);
-      const WalkMap map = make_walk_map(generation.scene.room, things);
+      const OccupancyGrid map = make_occupancy_grid(generation.scene.room, things);
       CHECK(map.doors_connected());
       for (const auto& thing : things) {
         INFO(thing.object->id);

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "roomgen/collision/walk_map.h"
+#include "roomgen/collision/occupancy_grid.h"
 #include "roomgen/kinds/kind_table.h"
 #include "roomgen/scene/scene.h"
 
@@ -37,9 +37,9 @@ bool has_free_zone(const Room& room, std::span<const FloorThing> things, const F
 /// Is one of the object's use zones free and, in the flooded map, reachable? Things without zones
 /// always are, and so are things that stand on others or hang.
 bool is_usable(const Room& room, std::span<const FloorThing> things, const FloorThing& thing,
-               const WalkMap& flooded);
+               const OccupancyGrid& flooded);
 
 /// A map of the room with all its objects in it, flooded.
-WalkMap make_walk_map(const Room& room, std::span<const FloorThing> things);
+OccupancyGrid make_occupancy_grid(const Room& room, std::span<const FloorThing> things);
 
 }  // namespace roomgen

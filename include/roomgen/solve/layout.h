@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "roomgen/collision/perches.h"
+#include "roomgen/collision/support_poses.h"
 #include "roomgen/collision/solids.h"
 #include "roomgen/collision/usability.h"
 #include "roomgen/kinds/kind_table.h"
@@ -48,9 +48,9 @@ class Layout {
   std::span<const FloorThing> things() const { return things_; }
   const Object* find(std::string_view id) const;
   /// Where things can rest on others.
-  const Perches& perches() const { return perches_; }
+  const SupportPoses& support_poses() const { return support_poses_; }
   /// Everywhere on the support, as it stands, where the object fits beside what is there.
-  std::vector<Pose> free_perches(const Object& object, const Object& support) const;
+  std::vector<Pose> free_support_poses(const Object& object, const Object& support) const;
   /// Does anything stand on the thing?
   bool carries_something(std::string_view id) const;
   /// Yaws at which a thing stands square to some wall, each quarter turn, without repetition.
@@ -101,7 +101,7 @@ class Layout {
   bool rests_on(const Object& upper, const Object& lower) const;
   bool may_sit_over(const Object& object, const Kind& other) const;
   void refresh_things();
-  void bring_walk_map_up_to_date();
+  void bring_occupancy_up_to_date();
   Verdict all_have_a_free_zone() const;
   Verdict all_are_usable_with(const Footprint& newcomer);
   Verdict blame(std::size_t useless) const;
@@ -110,7 +110,7 @@ class Layout {
   const KindTable& categories_;
   const ModelTable& models_;
   Solids solids_;
-  Perches perches_;
+  SupportPoses support_poses_;
   std::vector<double> wall_yaws_;
   std::vector<Clearance> clearances_;
   std::vector<Footprint> door_areas_;
@@ -118,15 +118,15 @@ class Layout {
   Bounds2 bounds_;
   std::vector<Object> objects_;
   std::vector<FloorThing> things_;
-  WalkMap walk_map_;
+  OccupancyGrid occupancy_;
   /// Parallel to objects_; stamped only when an exact test needs it.
-  std::vector<bool> in_walk_map_;
+  std::vector<bool> in_occupancy_;
 };
 
 /// The object at a pose, rounded as files hold it: what is tested is what is written.
 Object at_pose(const Object& object, const Pose& pose);
 
-/// A perch of an object on another one, in the room.
-Pose pose_of(const Perch& perch, const Object& support);
+/// A support pose of an object on another one, in the room.
+Pose pose_of(const SupportPose& support_pose, const Object& support);
 
 }  // namespace roomgen

@@ -1,4 +1,4 @@
-#include "roomgen/collision/walk_map.h"
+#include "roomgen/collision/occupancy_grid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +25,7 @@ std::uint64_t fill_runs(std::uint64_t seeds, std::uint64_t open) {
 
 }  // namespace
 
-WalkMap::WalkMap(const Room& room, double pitch) : pitch_(pitch) {
+OccupancyGrid::OccupancyGrid(const Room& room, double pitch) : pitch_(pitch) {
   const Bounds2 box = bounds(room.polygon);
   low_ = box.low;
   columns_ = std::max(1, static_cast<int>(std::ceil(box.size().x() / pitch_)));
@@ -46,24 +46,24 @@ WalkMap::WalkMap(const Room& room, double pitch) : pitch_(pitch) {
     if (opening.is_entrance()) doors_.push_back(cells_in(door_clearance(room, opening)));
 }
 
-int WalkMap::column(double x) const {
+int OccupancyGrid::column(double x) const {
   return std::clamp(static_cast<int>(std::floor((x - low_.x()) / pitch_)), 0, columns_ - 1);
 }
 
-int WalkMap::row(double y) const {
+int OccupancyGrid::row(double y) const {
   return std::clamp(static_cast<int>(std::floor((y - low_.y()) / pitch_)), 0, rows_ - 1);
 }
 
-Vec2 WalkMap::center(int column, int row) const {
+Vec2 OccupancyGrid::center(int column, int row) const {
   return low_ + pitch_ * Vec2(column + 0.5, row + 0.5);
 }
 
-bool WalkMap::is_reachable(int column, int row) const {
+bool OccupancyGrid::is_reachable(int column, int row) const {
   return reachable_[static_cast<std::size_t>(row) * words_ + column / word_bits] >>
              (column % word_bits) & 1u;
 }
 
-void WalkMap::change_count(int column, int row, int change) {
+void OccupancyGrid::change_count(int column, int row, int change) {
   auto& count = blocked_[static_cast<std::size_t>(row) * columns_ + column];
   count = static_cast<std::uint16_t>(count + change);
   auto& word = free_[static_cast<std::size_t>(row) * words_ + column / word_bits];
@@ -71,7 +71,7 @@ void WalkMap::change_count(int column, int row, int change) {
   word = count == 0 ? word | bit : word & ~bit;
 }
 
-void WalkMap::stamp(const Footprint& footprint, int change) {
+void OccupancyGrid::stamp(const Footprint& footprint, int change) {
   const Vec2 reach = Vec2::Constant(person_radius);
   const Vec2 low = footprint.bounds().low - reach, high = footprint.bounds().high + reach;
   const double limit = person_radius - slack;
@@ -93,7 +93,7 @@ void WalkMap::stamp(const Footprint& footprint, int change) {
   }
 }
 
-std::vector<WalkMap::Cell> WalkMap::cells_in(const Footprint& area) const {
+std::vector<OccupancyGrid::Cell> OccupancyGrid::cells_in(const Footprint& area) const {
   std::vector<Cell> cells;
   for (int r = row(area.bounds().low.y()); r <= row(area.bounds().high.y()); ++r)
     for (int c = column(area.bounds().low.x()); c <= column(area.bounds().high.x()); ++c)
@@ -102,7 +102,7 @@ std::vector<WalkMap::Cell> WalkMap::cells_in(const Footprint& area) const {
 }
 
 // Lets the reachable cells of `from_row` into `row` and spreads them along it; true if any was new.
-bool WalkMap::flood_row(int row, int from_row) {
+bool OccupancyGrid::flood_row(int row, int from_row) {
   auto* own = reachable_.data() + static_cast<std::size_t>(row) * words_;
   const auto* from = reachable_.data() + static_cast<std::size_t>(from_row) * words_;
   const auto* open = free_.data() + static_cast<std::size_t>(row) * words_;
@@ -118,7 +118,7 @@ bool WalkMap::flood_row(int row, int from_row) {
   return changed;
 }
 
-void WalkMap::flood() {
+void OccupancyGrid::flood() {
   if (doors_.empty()) {
     reachable_ = free_;
     return;
@@ -136,14 +136,14 @@ void WalkMap::flood() {
   }
 }
 
-bool WalkMap::doors_connected() const {
+bool OccupancyGrid::doors_connected() const {
   return std::all_of(doors_.begin(), doors_.end(), [this](const std::vector<Cell>& cells) {
     return std::any_of(cells.begin(), cells.end(),
                        [this](const Cell& cell) { return is_reachable(cell.column, cell.row); });
   });
 }
 
-bool WalkMap::reaches(const Footprint& zone) const {
+bool OccupancyGrid::reaches(const Footprint& zone) const {
   const Vec2 reach = Vec2::Constant(person_radius);
   const Vec2 low = zone.bounds().low - reach, high = zone.bounds().high + reach;
   for (int r = row(low.y()); r <= row(high.y()); ++r)

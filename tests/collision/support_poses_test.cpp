@@ -1,4 +1,4 @@
-#include "roomgen/collision/perches.h"
+#include "roomgen/collision/support_poses.h"
 
 #include <set>
 
@@ -23,17 +23,17 @@ Object thing(const std::string& id, const Vec3& size, bool round = false) {
 TEST_CASE("On a box, things rest on its top with their whole footprint") {
   Random random(2);
   const ModelTable models;
-  const Perches perches(models);
+  const SupportPoses poses(models);
   int found = 0;
   for (int i = 0; i < 60; ++i) {
     const Object support = thing("support", {random.uniform(0.3, 1.5), random.uniform(0.3, 1), 0.7});
     const Object small = thing(
         "small", {random.uniform(0.05, 0.6), random.uniform(0.05, 0.6), random.uniform(0.02, 0.5)},
         random.chance(0.4));
-    for (const auto& perch : perches.everywhere(small, support)) {
+    for (const auto& pose : poses.everywhere(small, support)) {
       ++found;
-      CHECK(perch.bottom == Approx(0.7).margin(1e-6));
-      const Footprint own(perch.position, small.size.head<2>(), perch.yaw, small.traits.round);
+      CHECK(pose.bottom == Approx(0.7).margin(1e-6));
+      const Footprint own(pose.position, small.size.head<2>(), pose.yaw, small.traits.round);
       const bool larger = small.size.head<2>().maxCoeff() > support.size.head<2>().minCoeff();
       // What is as wide as the support may hang over by a tenth.
       const double slack = larger ? 0.06 : 0.045;
@@ -46,13 +46,13 @@ TEST_CASE("On a box, things rest on its top with their whole footprint") {
 
 TEST_CASE("What is larger than a surface rests nowhere, and neither does anything on a rug") {
   const ModelTable models;
-  const Perches perches(models);
+  const SupportPoses poses(models);
   const Object table = thing("table", {0.6, 0.6, 0.5});
-  CHECK(perches.everywhere(thing("large", {0.9, 0.9, 0.2}), table).empty());
-  CHECK_FALSE(perches.everywhere(thing("small", {0.3, 0.3, 0.2}), table).empty());
+  CHECK(poses.everywhere(thing("large", {0.9, 0.9, 0.2}), table).empty());
+  CHECK_FALSE(poses.everywhere(thing("small", {0.3, 0.3, 0.2}), table).empty());
   Object rug = thing("rug", {2, 2, 0.01});
   rug.traits.flat = true;
-  CHECK(perches.everywhere(thing("small", {0.3, 0.3, 0.2}), rug).empty());
+  CHECK(poses.everywhere(thing("small", {0.3, 0.3, 0.2}), rug).empty());
 }
 
 TEST_CASE("Between the boards of a shelf stands what is lower than the next board") {
@@ -67,11 +67,11 @@ TEST_CASE("Between the boards of a shelf stands what is lower than the next boar
   shelf.asset.library = "test";
   shelf.asset.id = "shelf";
   models.add(asset_key(shelf.asset), model);
-  const Perches perches(models);
+  const SupportPoses poses(models);
   const auto levels = [&](double height) {
     std::set<int> found;
-    for (const auto& perch : perches.everywhere(thing("box", {0.2, 0.2, height}), shelf))
-      found.insert(static_cast<int>(std::lround(100 * perch.bottom)));
+    for (const auto& pose : poses.everywhere(thing("box", {0.2, 0.2, height}), shelf))
+      found.insert(static_cast<int>(std::lround(100 * pose.bottom)));
     return found;
   };
   CHECK(levels(0.3) == std::set<int>{2, 42, 82, 130});
@@ -100,10 +100,10 @@ TEST_CASE("Things stand behind doors of glass, and not behind doors of wood") {
     cabinet.asset.library = "test";
     cabinet.asset.id = "cabinet";
     models.add(asset_key(cabinet.asset), model);
-    const Perches perches(models);
+    const SupportPoses poses(models);
     std::set<int> levels;
-    for (const auto& perch : perches.everywhere(thing("vase", {0.1, 0.1, 0.2}), cabinet))
-      levels.insert(static_cast<int>(std::lround(100 * perch.bottom)));
+    for (const auto& pose : poses.everywhere(thing("vase", {0.1, 0.1, 0.2}), cabinet))
+      levels.insert(static_cast<int>(std::lround(100 * pose.bottom)));
     return levels;
   };
   CHECK(boards_within(0.3f) == std::set<int>{2, 42, 82, 120});

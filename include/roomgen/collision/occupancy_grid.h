@@ -14,10 +14,10 @@ inline constexpr double person_radius = 0.25;
 /// Where a person can stand and walk in a room: a grid over the floor whose cells count the things that
 /// keep a disc away from their centre. Adding and removing a thing touches only its surroundings; rows are
 /// flooded 64 cells at a time.
-class WalkMap {
+class OccupancyGrid {
  public:
   /// A grid of `pitch` metres; walls block what is nearer than the disc's radius.
-  explicit WalkMap(const Room& room, double pitch = 0.05);
+  explicit OccupancyGrid(const Room& room, double pitch = 0.05);
 
   void add(const Footprint& footprint) { stamp(footprint, +1); }
   void remove(const Footprint& footprint) { stamp(footprint, -1); }

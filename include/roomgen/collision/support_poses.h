@@ -11,7 +11,7 @@
 namespace roomgen {
 
 /// Where one thing rests on another: in the frame of the lower one, heights from its bottom.
-struct Perch {
+struct SupportPose {
   Vec2 position = Vec2::Zero();  ///< centre of the upper one's box
   double bottom = 0.0;           ///< of the upper one, such that the meshes touch
   double yaw = 0.0;              ///< against the lower one's
@@ -21,11 +21,11 @@ struct Perch {
 /// Knows the surfaces of objects (support_surfaces.h, at their size) and where things rest on them.
 /// Meshes are those of `models`; objects without one are boxes. What has been found is kept, by mesh
 /// and size. Not for use by two threads at once.
-class Perches {
+class SupportPoses {
  public:
   /// `models` must outlive this.
-  explicit Perches(const ModelTable& models);
-  ~Perches();
+  explicit SupportPoses(const ModelTable& models);
+  ~SupportPoses();
 
   /// Of an object, whatever its pose, the largest first; none of flat things.
   const std::vector<SupportSurface>& surfaces(const Object& support) const;
@@ -33,11 +33,11 @@ class Perches {
   /// Everywhere on all surfaces, on a grid and turned by quarters: where the whole footprint is on a
   /// surface, and only if there is no such place on any, where up to a tenth of it is not. What
   /// else stands there does not count.
-  const std::vector<Perch>& everywhere(const Object& object, const Object& support) const;
+  const std::vector<SupportPose>& everywhere(const Object& object, const Object& support) const;
 
   /// At one place of one surface, if the object rests there: enough height, the centre of mass over
   /// the points of contact.
-  std::optional<Perch> at(const Object& object, const Object& support, std::size_t surface,
+  std::optional<SupportPose> at(const Object& object, const Object& support, std::size_t surface,
                           const Vec2& position, double yaw) const;
 
  private:

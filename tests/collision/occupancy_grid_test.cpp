@@ -1,4 +1,4 @@
-#include "roomgen/collision/walk_map.h"
+#include "roomgen/collision/occupancy_grid.h"
 
 #include "catch.h"
 #include "support/rooms.h"
@@ -28,7 +28,7 @@ struct Corridor {
   }
 
   bool open() const {
-    WalkMap map(room);
+    OccupancyGrid map(room);
     for (const auto& block : blocks) map.add(block);
     map.flood();
     return map.reaches(beyond);
@@ -68,7 +68,7 @@ TEST_CASE("A corridor of exactly 0.5 m along the grid is open") {
   //  Its middle is at a cell's centre: walls at 2.025 - 0.25 and + 0.25.
   Room room = rooms::box(6, 4);
   room.openings = {rooms::door("door-0", 3, 1.5, 2.4)};
-  WalkMap map(room);
+  OccupancyGrid map(room);
   map.add(Footprint({3, 0.5 * 1.775}, {1, 1.775}, 0));
   map.add(Footprint({3, 0.5 * (2.275 + 4)}, {1, 4 - 2.275}, 0));
   map.flood();
@@ -79,7 +79,7 @@ TEST_CASE("Taking out what was put in restores the map") {
   Random random(4);
   Room room = rooms::box(5, 4);
   room.openings = {rooms::door("door-0", 0, 0.5, 1.4)};
-  WalkMap fresh(room), used(room);
+  OccupancyGrid fresh(room), used(room);
   for (int round = 0; round < 20; ++round) {
     std::vector<Footprint> things;
     for (int i = 0; i < 12; ++i)
@@ -100,7 +100,7 @@ TEST_CASE("Taking out what was put in restores the map") {
 TEST_CASE("Doors are connected when one can walk from the first to all others") {
   Room room = rooms::box(6, 3);
   room.openings = {rooms::door("door-0", 3, 1, 1.9), rooms::door("door-1", 1, 1, 1.9)};
-  WalkMap map(room);
+  OccupancyGrid map(room);
   map.flood();
   CHECK(map.doors_connected());
   const Footprint wall({3, 1.5}, {0.2, 3}, 0);
@@ -113,7 +113,7 @@ TEST_CASE("Doors are connected when one can walk from the first to all others") 
 }
 
 TEST_CASE("A room without doors is walked from everywhere") {
-  WalkMap map(rooms::box(4, 4));
+  OccupancyGrid map(rooms::box(4, 4));
   map.add(Footprint({2, 2}, {0.2, 4}, 0));
   map.flood();
   CHECK(map.doors_connected());
@@ -127,7 +127,7 @@ TEST_CASE("A zone is reached when the disc touches it, and not behind a thing") 
   //  +--------+----+
   Room room = rooms::box(5, 3);
   room.openings = {rooms::door("door-0", 3, 1, 1.9)};
-  WalkMap map(room);
+  OccupancyGrid map(room);
   map.add(Footprint({3.5, 1.5}, {1, 3}, 0));
   map.flood();
   CHECK(map.reaches(Footprint({2.9, 1.5}, {0.2, 0.2}, 0)));   // before the block
@@ -136,7 +136,7 @@ TEST_CASE("A zone is reached when the disc touches it, and not behind a thing") 
 }
 
 TEST_CASE("A room that is too small to stand in has nothing to reach") {
-  WalkMap map(rooms::box(0.4, 0.4));
+  OccupancyGrid map(rooms::box(0.4, 0.4));
   map.flood();
   CHECK_FALSE(map.reaches(Footprint({0.2, 0.2}, {0.2, 0.2}, 0)));
 }

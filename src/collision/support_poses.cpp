@@ -1,4 +1,4 @@
-#include "roomgen/collision/perches.h"
+#include "roomgen/collision/support_poses.h"
 
 #include <Eigen/Geometry>
 
@@ -41,8 +41,8 @@ struct Underside {
   bool stands = false;  // upright on a level floor
 };
 
-struct PerchBody {
-  explicit PerchBody(Mesh scaled) : mesh(std::move(scaled)), columns(mesh) {}
+struct RestingBody {
+  explicit RestingBody(Mesh scaled) : mesh(std::move(scaled)), columns(mesh) {}
   Mesh mesh;
   Columns columns;
   std::optional<std::vector<SupportSurface>> surfaces;
@@ -157,10 +157,10 @@ bool rim_is_carried(const Columns& columns, const Footprint& footprint, double l
 
 }  // namespace
 
-struct Perches::Impl {
+struct SupportPoses::Impl {
   const ModelTable& models;
-  std::map<std::string, PerchBody> bodies;
-  std::map<std::string, std::vector<Perch>> places;
+  std::map<std::string, RestingBody> bodies;
+  std::map<std::string, std::vector<SupportPose>> places;
 
   std::string key(const Object& object) const {
     std::string text = model_key(object, models);
@@ -169,7 +169,7 @@ struct Perches::Impl {
     return text;
   }
 
-  PerchBody& body(const Object& object) {
+  RestingBody& body(const Object& object) {
     const std::string name = key(object);
     if (const auto found = bodies.find(name); found != bodies.end()) return found->second;
     const auto model = model_or_box(object, models);
@@ -179,7 +179,7 @@ struct Perches::Impl {
   }
 
   const std::vector<SupportSurface>& surfaces(const Object& object) {
-    PerchBody& own = body(object);
+    RestingBody& own = body(object);
     if (!own.surfaces)
       own.surfaces = object.traits.flat ? std::vector<SupportSurface>{}
                                         : support_surfaces(without_panes(object));
@@ -199,14 +199,14 @@ struct Perches::Impl {
   }
 
   const Underside& underside(const Object& object) {
-    PerchBody& own = body(object);
+    RestingBody& own = body(object);
     if (!own.underside) own.underside = underside_of(own.mesh, own.columns);
     return *own.underside;
   }
 
   // Lowers the object onto the mesh of the support.
   std::optional<double> lowered(const Underside& underside, const Columns& columns,
-                                const SupportSurface& surface, const Perch& perch) const {
+                                const SupportSurface& surface, const SupportPose& pose) const {
     struct Below {
       Vec2 at;
       double top, z;
@@ -214,7 +214,7 @@ struct Perches::Impl {
     std::vector<Below> found;
     double bottom = -1e9;
     for (const auto& p : underside.points) {
-      const Vec2 at = perch.position + rotated(Vec2(p.head<2>()), perch.yaw);
+      const Vec2 at = pose.position + rotated(Vec2(p.head<2>()), pose.yaw);
       const auto top = columns.highest(at, surface.height - reach, surface.height + reach);
       if (!top) continue;
       found.push_back({at, *top, p.z()});
@@ -223,13 +223,13 @@ struct Perches::Impl {
     std::vector<Vec2> contacts;
     for (const auto& below : found)
       if (bottom + below.z - below.top <= touching) contacts.push_back(below.at);
-    const Vec2 centroid = perch.position + rotated(underside.centroid, perch.yaw);
+    const Vec2 centroid = pose.position + rotated(underside.centroid, pose.yaw);
     if (contacts.size() < 3 || (underside.stands && !is_over(centroid, contacts)))
       return std::nullopt;
     return bottom;
   }
 
-  std::optional<Perch> rest(const Object& object, const Object& support, std::size_t index,
+  std::optional<SupportPose> rest(const Object& object, const Object& support, std::size_t index,
                             const Vec2& position, double yaw, double share) {
     const SupportSurface& surface = surfaces(support)[index];
     const Footprint footprint(position, object.size.head<2>(), yaw, object.traits.round);
@@ -241,16 +241,16 @@ struct Perches::Impl {
     const bool whole = under.share >= 1.0;
     if (share >= 1.0 && !rim_is_carried(columns, footprint, under.low, under.high))
       return std::nullopt;
-    Perch perch{position, under.high, yaw, index};
-    if (whole && under.high - under.low <= flat_range) return perch;
-    const auto bottom = lowered(underside(object), columns, surface, perch);
+    SupportPose pose{position, under.high, yaw, index};
+    if (whole && under.high - under.low <= flat_range) return pose;
+    const auto bottom = lowered(underside(object), columns, surface, pose);
     if (!bottom || *bottom + object.size.z() + headroom > under.clear_to) return std::nullopt;
-    perch.bottom = *bottom;
-    return perch;
+    pose.bottom = *bottom;
+    return pose;
   }
 
   void find_on(const Object& object, const Object& support, std::size_t index, double share,
-               std::vector<Perch>& found) {
+               std::vector<SupportPose>& found) {
     const SupportSurface& surface = surfaces(support)[index];
     const bool square = std::abs(object.size.x() - object.size.y()) < 1e-6;
     std::vector<double> turns = {0.0, pi / 2, pi, -pi / 2};
@@ -270,26 +270,28 @@ struct Perches::Impl {
       for (int j = -ny; j <= ny; ++j)
         for (int i = -nx; i <= nx; ++i) {
           const Vec2 at(nx ? room.x() * i / nx : 0.0, ny ? room.y() * j / ny : 0.0);
-          if (const auto perch = rest(object, support, index, middle + at, yaw, share))
-            found.push_back(*perch);
+          if (const auto pose = rest(object, support, index, middle + at, yaw, share))
+            found.push_back(*pose);
         }
     }
   }
 };
 
-Perches::Perches(const ModelTable& models) : impl_(std::make_unique<Impl>(Impl{models, {}, {}})) {}
-Perches::~Perches() = default;
+SupportPoses::SupportPoses(const ModelTable& models)
+    : impl_(std::make_unique<Impl>(Impl{models, {}, {}})) {}
+SupportPoses::~SupportPoses() = default;
 
-const std::vector<SupportSurface>& Perches::surfaces(const Object& support) const {
+const std::vector<SupportSurface>& SupportPoses::surfaces(const Object& support) const {
   return impl_->surfaces(support);
 }
 
-const std::vector<Perch>& Perches::everywhere(const Object& object, const Object& support) const {
+const std::vector<SupportPose>& SupportPoses::everywhere(const Object& object,
+                                                         const Object& support) const {
   std::string key = impl_->key(object) + (object.traits.front ? "|front" : "") +
                     (object.traits.round ? "|round" : "") + " on " + impl_->key(support);
   if (const auto found = impl_->places.find(key); found != impl_->places.end())
     return found->second;
-  std::vector<Perch> places;
+  std::vector<SupportPose> places;
   for (double share : {1.0, least_share}) {
     for (std::size_t k = 0; k < impl_->surfaces(support).size(); ++k)
       impl_->find_on(object, support, k, share, places);
@@ -298,8 +300,9 @@ const std::vector<Perch>& Perches::everywhere(const Object& object, const Object
   return impl_->places.emplace(std::move(key), std::move(places)).first->second;
 }
 
-std::optional<Perch> Perches::at(const Object& object, const Object& support, std::size_t surface,
-                                 const Vec2& position, double yaw) const {
+std::optional<SupportPose> SupportPoses::at(const Object& object, const Object& support,
+                                            std::size_t surface, const Vec2& position,
+                                            double yaw) const {
   return impl_->rest(object, support, surface, position, yaw, 1.0);
 }
 
