@@ -14,6 +14,7 @@ as_root() {
 
 # What the program needs, and what its tests need besides.
 build_packages="g++ cmake ninja-build ccache pkg-config libeigen3-dev libfcl-dev libassimp-dev
+  libpolyclipping-dev libmeshoptimizer-dev
   nlohmann-json3-dev libosmesa6-dev libopencv-core-dev libopencv-imgproc-dev libpng-dev libjpeg-dev
   libsqlite3-dev libzip-dev libcli11-dev catch2 sweethome3d-furniture libcurl4-openssl-dev libssl-dev
   libpugixml-dev

@@ -9,21 +9,11 @@
 #include <tuple>
 #include <utility>
 
-#include "triangle_tree.h"
+#include "roomgen/geometry/mesh_tree.h"
 
 namespace roomgen {
 
 namespace {
-
-using detail::box_of;
-using detail::closest;
-using detail::Corners;
-using detail::TriangleTree;
-
-Corners corners(const Mesh& mesh, const Triangle& t) {
-  return {mesh.positions[t[0]].cast<double>(), mesh.positions[t[1]].cast<double>(),
-          mesh.positions[t[2]].cast<double>()};
-}
 
 // One vertex of each surface that hangs together, vertices at one place taken as one.
 std::vector<Vec3> surface_points(const Mesh& mesh) {
@@ -65,7 +55,7 @@ struct MeshSolid::Impl {
   Mesh mesh;
   Bounds3 box;
 
-  const TriangleTree& tree() const {
+  const MeshTree& tree() const {
     if (!tree_) tree_.emplace(mesh);
     return *tree_;
   }
@@ -75,7 +65,7 @@ struct MeshSolid::Impl {
   }
 
  private:
-  mutable std::optional<TriangleTree> tree_;
+  mutable std::optional<MeshTree> tree_;
   mutable std::vector<Vec3> surfaces_;
 };
 
@@ -100,15 +90,13 @@ bool contains(const MeshSolid& solid, const Vec3& point) {
   const Bounds3& box = solid.box();
   if ((point.array() < box.low.array()).any() || (point.array() > box.high.array()).any())
     return false;
-  return solid.impl().tree().winding(point) > 0;
+  return solid.impl().tree().around(point).winding > 0;
 }
 
 double distance(const MeshSolid& solid, const Vec3& point) {
   if (contains(solid, point)) return 0.0;
-  double best = std::numeric_limits<double>::infinity();
-  for (const auto& t : solid.mesh().triangles)
-    best = std::min(best, (closest(corners(solid.mesh(), t), point) - point).squaredNorm());
-  return std::sqrt(best);
+  const auto nearest = solid.impl().tree().closest_point(point);
+  return nearest ? (*nearest - point).norm() : std::numeric_limits<double>::infinity();
 }
 
 namespace {
@@ -155,8 +143,8 @@ class AreaNear {
   AreaNear(const MeshSolid& solid, const Bounds3& region, double near, double pitch)
       : solid_(solid), near_(near), pitch_(pitch), region_(region) {}
 
-  void add(const Corners& t, double enough) {
-    if (area_ >= enough || !overlap(box_of(t), region_)) return;
+  void add(const Facet& t, double enough) {
+    if (area_ >= enough || !overlap(bounds(t), region_)) return;
     const double ab = (t.b - t.a).squaredNorm(), bc = (t.c - t.b).squaredNorm(),
                  ca = (t.a - t.c).squaredNorm();
     const double longest = std::max({ab, bc, ca});
@@ -198,7 +186,7 @@ double contact_area(const MeshSolid& a, const MeshSolid& b, double near,
   if ((region.low.array() > region.high.array()).any()) return 0.0;
   const double pitch = std::max(0.3 * near, region.size().maxCoeff() / samples_across);
   AreaNear sum(b, region, near, pitch);
-  for (const auto& t : a.mesh().triangles) sum.add(corners(a.mesh(), t), options.enough);
+  for (const auto& t : a.mesh().triangles) sum.add(facet(a.mesh(), t), options.enough);
   return sum.area();
 }
 

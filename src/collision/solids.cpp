@@ -9,6 +9,8 @@
 
 #include "roomgen/geometry/centroid.h"
 #include "roomgen/geometry/decimate.h"
+#include "roomgen/geometry/mesh_tree.h"
+#include "sized_mesh.h"
 
 namespace roomgen {
 
@@ -16,89 +18,78 @@ namespace {
 
 constexpr std::size_t max_triangles = 20000;
 constexpr double retreat = 0.005;
-constexpr std::size_t max_contacts = 200;
+constexpr std::size_t max_contacts = 100000;  // more than meshes of that size have
 constexpr double box_tolerance = 1e-4;
 
-using Tree = fcl::BVHModel<fcl::OBBd>;  // OBB trees take half the memory of OBBRSS ones
+using CollisionTree = fcl::BVHModel<fcl::OBBd>;  // OBB trees take half the memory of OBBRSS ones
+using Pose3 = fcl::Transform3d;
 
-// A mesh at the size of the object, with what the tests need.
-struct Body {
-  Mesh mesh;
-  std::shared_ptr<Tree> tree;
-  Vec3 centroid = Vec3::Zero();
-};
-
-std::shared_ptr<Tree> make_tree(const Mesh& mesh) {
-  auto tree = std::make_shared<Tree>();
-  tree->beginModel(static_cast<int>(mesh.triangles.size()),
-                   static_cast<int>(mesh.positions.size()));
-  for (const auto& t : mesh.triangles)
-    tree->addTriangle(mesh.positions[t[0]].cast<double>(), mesh.positions[t[1]].cast<double>(),
-                      mesh.positions[t[2]].cast<double>());
-  tree->endModel();
+CollisionTree collision_tree(const Mesh& mesh) {
+  CollisionTree tree;
+  tree.beginModel(static_cast<int>(mesh.triangles.size()),
+                  static_cast<int>(mesh.positions.size()));
+  for (const auto& t : mesh.triangles) {
+    const Facet corners = facet(mesh, t);
+    tree.addTriangle(corners.a, corners.b, corners.c);
+  }
+  tree.endModel();
   return tree;
 }
 
-Body make_body(const Mesh& source, const Vec3& scale) {
-  Body body;
-  append(body.mesh, source, scale);
-  body.mesh = decimated(body.mesh, max_triangles);
-  if (body.mesh.triangles.empty()) return body;
-  body.tree = make_tree(body.mesh);
-  body.centroid = surface_centroid(body.mesh);
-  return body;
+// A mesh at the size of the object, with what the tests need.
+class Body {
+ public:
+  explicit Body(Mesh mesh)
+      : mesh_(std::move(mesh)), tree_(collision_tree(mesh_)), centroid_(surface_centroid(mesh_)) {}
+
+  const CollisionTree* tree() const { return &tree_; }
+  const Vec3& centroid() const { return centroid_; }
+  Vec3 some_vertex() const { return mesh_.positions.front().cast<double>(); }
+
+  /// Furniture is wound as its maker liked: an odd number of surfaces around the point counts.
+  bool encloses(const Vec3& point) {
+    if (!surfaces_) surfaces_ = std::make_unique<MeshTree>(mesh_);
+    return surfaces_->around(point).crossings % 2 == 1;
+  }
+
+ private:
+  Mesh mesh_;
+  CollisionTree tree_;
+  Vec3 centroid_;
+  std::unique_ptr<MeshTree> surfaces_;  // made when first asked for
+};
+
+struct PlacedBody {
+  Body& body;
+  Pose3 pose;
+};
+
+bool contains(const PlacedBody& outer, const PlacedBody& inner) {
+  return outer.body.encloses(outer.pose.inverse() * (inner.pose * inner.body.some_vertex()));
 }
 
-fcl::Transform3d transform(const Object& object) {
-  fcl::Transform3d result = fcl::Transform3d::Identity();
-  result.linear() = Eigen::AngleAxisd(object.yaw, Vec3::UnitZ()).toRotationMatrix();
-  result.translation() = object.position;
+fcl::CollisionResultd contacts_of(const PlacedBody& a, const PlacedBody& b, std::size_t most) {
+  fcl::CollisionResultd result;
+  fcl::collide(a.body.tree(), a.pose, b.body.tree(), b.pose,
+               fcl::CollisionRequestd(most, most > 1), result);
   return result;
 }
 
-// Is the point inside the closed mesh? Counts crossings of a ray upwards, slightly slanted so that it
-// meets no edge of axis-aligned meshes.
-bool inside(const Mesh& mesh, const Vec3& point) {
-  const Vec3 direction = Vec3(0.0123, 0.0071, 1.0).normalized();
-  int crossings = 0;
-  for (const auto& t : mesh.triangles) {
-    const Vec3 a = mesh.positions[t[0]].cast<double>();
-    const Vec3 u = mesh.positions[t[1]].cast<double>() - a;
-    const Vec3 v = mesh.positions[t[2]].cast<double>() - a;
-    // Moeller and Trumbore 1997.
-    const Vec3 p = direction.cross(v);
-    const double determinant = u.dot(p);
-    if (std::abs(determinant) < 1e-15) continue;
-    const Vec3 s = point - a;
-    const double alpha = s.dot(p) / determinant;
-    const Vec3 q = s.cross(u);
-    const double beta = direction.dot(q) / determinant;
-    if (alpha < 0 || beta < 0 || alpha + beta > 1 || v.dot(q) / determinant <= 0) continue;
-    ++crossings;
-  }
-  return crossings % 2 == 1;
+// After a step of 5 mm from the contact towards the body's own centroid.
+PlacedBody retreated(PlacedBody placed, const Vec3& contact) {
+  const Vec3 away = placed.pose * placed.body.centroid() - contact;
+  if (away.norm() > 1e-9) placed.pose.translation() += retreat * away.normalized();
+  return placed;
 }
 
-bool contains(const Body& outer, const fcl::Transform3d& outer_pose, const Body& inner,
-              const fcl::Transform3d& inner_pose) {
-  if (inner.mesh.positions.empty()) return false;
-  const Vec3 vertex = inner_pose * inner.mesh.positions.front().cast<double>();
-  return inside(outer.mesh, outer_pose.inverse() * vertex);
+bool collide(const PlacedBody& a, const PlacedBody& b) {
+  return contacts_of(a, b, 1).isCollision();
 }
 
-// The pose after a step of 5 mm from the contact towards the body's own centroid.
-fcl::Transform3d retreated(const Body& body, fcl::Transform3d pose, const Vec3& contact) {
-  const Vec3 away = pose * body.centroid - contact;
-  if (away.norm() > 1e-9) pose.translation() += retreat * away.normalized();
-  return pose;
-}
-
-bool still_collide(const Body& a, const fcl::Transform3d& pose_a, const Body& b,
-                   const fcl::Transform3d& pose_b) {
-  const fcl::CollisionRequestd request(1, false);
-  fcl::CollisionResultd result;
-  fcl::collide(a.tree.get(), pose_a, b.tree.get(), pose_b, request, result);
-  return result.isCollision();
+Vec3 mean_contact(const fcl::CollisionResultd& result) {
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t i = 0; i < result.numContacts(); ++i) sum += result.getContact(i).pos;
+  return sum / static_cast<double>(result.numContacts());
 }
 
 }  // namespace
@@ -107,22 +98,18 @@ struct Solids::Impl {
   const ModelTable& models;
   std::map<std::string, Body> bodies;
 
-  const Body& body(const Object& object) {
-    const std::string asset = asset_key(object.asset);
-    std::string key = asset;
-    for (int axis = 0; axis < 3; ++axis)
-      key += "|" + std::to_string(std::lround(object.size[axis] * 1e4));
-    const auto found = bodies.find(key);
-    if (found != bodies.end()) return found->second;
-    const auto model = asset.empty() ? nullptr : models.find(asset);
-    Body made;
-    if (model && triangle_count(*model) > 0)
-      made = make_body(merged_mesh(*model), model_placement(object, bounds(*model)).scale);
-    if (!model || made.mesh.triangles.empty()) {
-      const Vec3 half(0.5 * object.size.x(), 0.5 * object.size.y(), 0.0);
-      made = make_body(make_box(-half, half + Vec3(0, 0, object.size.z())), Vec3::Ones());
-    }
-    return bodies.emplace(key, std::move(made)).first->second;
+  PlacedBody placed(const Object& object) {
+    Pose3 pose = Pose3::Identity();
+    pose.linear() = Eigen::AngleAxisd(object.yaw, Vec3::UnitZ()).toRotationMatrix();
+    pose.translation() = object.position;
+    return {body(object), pose};
+  }
+
+  Body& body(const Object& object) {
+    std::string key = detail::sized_key(object, models);
+    if (const auto known = bodies.find(key); known != bodies.end()) return known->second;
+    Mesh mesh = decimated(detail::sized_mesh(object, models), max_triangles);
+    return bodies.try_emplace(std::move(key), std::move(mesh)).first->second;
   }
 };
 
@@ -130,29 +117,28 @@ Solids::Solids(const ModelTable& models) : impl_(std::make_unique<Impl>(Impl{mod
 Solids::~Solids() = default;
 
 bool Solids::overlap(const Object& a, const Object& b) {
-  if (!both_solid(a, b) || !boxes_overlap(a, b)) return false;
-  // Contacts, of which there is a limit, come in another order when the two change places.
-  if (b.id < a.id) return overlap(b, a);
-  const Body& body_a = impl_->body(a);
-  const Body& body_b = impl_->body(b);
-  const auto pose_a = transform(a), pose_b = transform(b);
+  return both_solid(a, b) && intersect(a, b);
+}
 
-  fcl::CollisionRequestd request(max_contacts, true);
-  fcl::CollisionResultd result;
-  fcl::collide(body_a.tree.get(), pose_a, body_b.tree.get(), pose_b, request, result);
-  if (!result.isCollision())
-    return contains(body_a, pose_a, body_b, pose_b) || contains(body_b, pose_b, body_a, pose_a);
-
-  Vec3 mean = Vec3::Zero();
-  for (std::size_t i = 0; i < result.numContacts(); ++i) mean += result.getContact(i).pos;
-  mean /= static_cast<double>(result.numContacts());
-  return still_collide(body_a, retreated(body_a, pose_a, mean), body_b, pose_b) &&
-         still_collide(body_a, pose_a, body_b, retreated(body_b, pose_b, mean));
+bool Solids::intersect(const Object& a, const Object& b) {
+  if (!boxes_overlap(a, b)) return false;
+  // Sums of contacts are not the same to the last digit when the two change places.
+  if (b.id < a.id) return intersect(b, a);
+  const PlacedBody first = impl_->placed(a), second = impl_->placed(b);
+  const auto contacts = contacts_of(first, second, max_contacts);
+  if (!contacts.isCollision()) return contains(first, second) || contains(second, first);
+  const Vec3 mean = mean_contact(contacts);
+  return collide(retreated(first, mean), second) && collide(first, retreated(second, mean));
 }
 
 bool boxes_overlap(const Object& a, const Object& b) {
   if (bottom(a) >= top(b) - box_tolerance || bottom(b) >= top(a) - box_tolerance) return false;
-  return overlaps(footprint(a), footprint(b), box_tolerance);
+  const double reach = 0.5 * (a.size.head<2>().norm() + b.size.head<2>().norm());
+  if ((a.position - b.position).head<2>().squaredNorm() > reach * reach) return false;
+  const auto rectangle = [](const Object& object) {
+    return Footprint(object.position.head<2>(), object.size.head<2>(), object.yaw);
+  };
+  return overlaps(rectangle(a), rectangle(b), box_tolerance);
 }
 
 bool both_solid(const Object& a, const Object& b) {

@@ -9,7 +9,9 @@
 
 #include "columns.h"
 #include "roomgen/geometry/centroid.h"
+#include "roomgen/geometry/convex_hull.h"
 #include "roomgen/scene/box_model.h"
+#include "sized_mesh.h"
 
 namespace roomgen {
 
@@ -49,34 +51,9 @@ struct RestingBody {
   std::optional<Underside> underside;
 };
 
-// Andrew's monotone chain.
-std::vector<Vec2> convex_hull(std::vector<Vec2> points) {
-  std::sort(points.begin(), points.end(), [](const Vec2& a, const Vec2& b) {
-    return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
-  });
-  std::vector<Vec2> hull;
-  for (int pass = 0; pass < 2; ++pass) {
-    const std::size_t start = hull.size();
-    for (const auto& p : points) {
-      while (hull.size() >= start + 2 &&
-             cross(hull.back() - hull[hull.size() - 2], p - hull.back()) <= 0)
-        hull.pop_back();
-      hull.push_back(p);
-    }
-    if (!hull.empty()) hull.pop_back();
-    std::reverse(points.begin(), points.end());
-  }
-  return hull;
-}
-
-bool is_over(const Vec2& point, const std::vector<Vec2>& contacts) {
-  const auto hull = convex_hull(contacts);
-  if (hull.size() < 3) return false;
-  for (std::size_t i = 0; i < hull.size(); ++i) {
-    const Vec2 edge = hull[(i + 1) % hull.size()] - hull[i];
-    if (cross(edge, point - hull[i]) < -hull_slack * edge.norm()) return false;
-  }
-  return true;
+bool is_over(const Vec2& point, std::vector<Vec2> contacts) {
+  const auto hull = convex_hull(std::move(contacts));
+  return hull.size() >= 3 && depth_in(hull, point) >= -hull_slack;
 }
 
 Underside underside_of(const Mesh& mesh, const Columns& columns) {
@@ -162,20 +139,12 @@ struct SupportPoses::Impl {
   std::map<std::string, RestingBody> bodies;
   std::map<std::string, std::vector<SupportPose>> places;
 
-  std::string key(const Object& object) const {
-    std::string text = model_key(object, models);
-    for (int axis = 0; axis < 3; ++axis)
-      text += "|" + std::to_string(std::lround(object.size[axis] * 1e4));
-    return text;
-  }
+  std::string key(const Object& object) const { return detail::sized_key(object, models); }
 
   RestingBody& body(const Object& object) {
     const std::string name = key(object);
     if (const auto found = bodies.find(name); found != bodies.end()) return found->second;
-    const auto model = model_or_box(object, models);
-    Mesh mesh;
-    append(mesh, merged_mesh(*model), model_placement(object, bounds(*model)).scale);
-    return bodies.try_emplace(name, std::move(mesh)).first->second;
+    return bodies.try_emplace(name, detail::sized_mesh(object, models)).first->second;
   }
 
   const std::vector<SupportSurface>& surfaces(const Object& object) {

@@ -221,7 +221,7 @@ class Assessor {
                          load.box().size().y() > 0.02;
       any = true;
       if (!above) continue;
-      if (detail::depth_in(detail::plan_outline(load), end) >= -astray) return true;
+      if (depth_in(detail::plan_outline(load), end) >= -astray) return true;
       ends_beside = true;
     }
     return any && !ends_beside;

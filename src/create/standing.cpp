@@ -9,13 +9,6 @@ namespace {
 
 constexpr double reach = 0.002;
 
-double distance_to_edge(const Vec2& a, const Vec2& b, const Vec2& point) {
-  const Vec2 edge = b - a;
-  const double length = edge.squaredNorm();
-  const double along = length > 0 ? std::clamp((point - a).dot(edge) / length, 0.0, 1.0) : 0.0;
-  return (a + along * edge - point).norm();
-}
-
 // Where the mesh is below the height: its vertices and where its edges cross it.
 void collect_below(const Mesh& mesh, double height, std::vector<Vec2>& points) {
   for (const auto& t : mesh.triangles)
@@ -29,41 +22,6 @@ void collect_below(const Mesh& mesh, double height, std::vector<Vec2>& points) {
 }
 
 }  // namespace
-
-std::vector<Vec2> convex_hull(std::vector<Vec2> points) {
-  const auto before = [](const Vec2& a, const Vec2& b) {
-    return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
-  };
-  std::sort(points.begin(), points.end(), before);
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  if (points.size() < 3) return points;
-  std::vector<Vec2> hull;
-  const auto half = [&](auto first, auto last) {
-    const std::size_t start = hull.size();
-    for (auto point = first; point != last; ++point) {
-      while (hull.size() >= start + 2 &&
-             cross(hull.back() - hull[hull.size() - 2], *point - hull.back()) <= 0)
-        hull.pop_back();
-      hull.push_back(*point);
-    }
-    hull.pop_back();
-  };
-  half(points.begin(), points.end());
-  half(points.rbegin(), points.rend());
-  return hull;
-}
-
-double depth_in(const std::vector<Vec2>& hull, const Vec2& point) {
-  if (hull.empty()) return -1.0;
-  bool inside = hull.size() >= 3;
-  double nearest = 1e300;
-  for (std::size_t k = 0; k < hull.size(); ++k) {
-    const Vec2 &a = hull[k], &b = hull[(k + 1) % hull.size()];
-    inside = inside && cross(b - a, point - a) >= 0;
-    nearest = std::min(nearest, distance_to_edge(a, b, point));
-  }
-  return inside ? nearest : -nearest;
-}
 
 std::vector<Vec2> plan_outline(const Part& part) {
   std::vector<Vec2> points;

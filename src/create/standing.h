@@ -1,6 +1,7 @@
 #pragma once
 
 #include "assembly.h"
+#include "roomgen/geometry/convex_hull.h"
 
 namespace roomgen::create::detail {
 
@@ -18,10 +19,6 @@ struct Standing {
 
 Standing standing(const std::vector<Part>& parts);
 
-/// Convex, counter-clockwise (Andrew's monotone chain).
-std::vector<Vec2> convex_hull(std::vector<Vec2> points);
-/// To the hull's edge, positive inside. A hull without area has no inside.
-double depth_in(const std::vector<Vec2>& hull, const Vec2& point);
 /// What is seen of a part from above.
 std::vector<Vec2> plan_outline(const Part& part);
 

@@ -1,66 +1,53 @@
 #include "roomgen/geometry/decimate.h"
 
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <unordered_map>
+#include <meshoptimizer.h>
+
+#include <limits>
+#include <vector>
 
 namespace roomgen {
 
 namespace {
 
-// Triangles that became the same one; each starts with its smallest index afterwards.
-void drop_repeated(std::vector<Triangle>& triangles) {
-  for (auto& t : triangles) std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
-  std::sort(triangles.begin(), triangles.end());
-  triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
-}
+constexpr float most_error = 0.01f;  // of the mesh's extent, while its topology is kept
 
-Mesh clustered(const Mesh& mesh, const Vec3& low, double cell) {
-  const auto key = [&](const Eigen::Vector3f& p) {
-    std::uint64_t packed = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-      const auto index = static_cast<std::uint64_t>((double{p[axis]} - low[axis]) / cell);
-      packed = packed << 21 | (index & 0x1fffff);
-    }
-    return packed;
-  };
-  Mesh coarse;
-  std::unordered_map<std::uint64_t, std::uint32_t> cluster_of_cell;
-  std::vector<std::uint32_t> cluster(mesh.positions.size());
-  std::vector<float> members;
-  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
-    const auto next = static_cast<std::uint32_t>(coarse.positions.size());
-    const auto [found, added] = cluster_of_cell.try_emplace(key(mesh.positions[v]), next);
-    if (added) {
-      coarse.positions.push_back(Eigen::Vector3f::Zero());
-      members.push_back(0.0f);
-    }
-    cluster[v] = found->second;
-    coarse.positions[found->second] += mesh.positions[v];
-    members[found->second] += 1.0f;
-  }
-  for (std::size_t c = 0; c < members.size(); ++c) coarse.positions[c] /= members[c];
+// Vertices at one place are one: meshes come with a vertex for every normal and uv.
+Mesh welded(const Mesh& mesh) {
+  constexpr std::size_t stride = sizeof(Eigen::Vector3f);
+  const std::size_t count = mesh.positions.size();
+  std::vector<unsigned> remap(count);
+  const std::size_t places = meshopt_generateVertexRemap(
+      remap.data(), nullptr, count, mesh.positions.data(), count, stride);
+  Mesh result;
+  result.positions.resize(places);
+  meshopt_remapVertexBuffer(result.positions.data(), mesh.positions.data(), count, stride,
+                            remap.data());
   for (const auto& t : mesh.triangles)
-    coarse.triangles.push_back({cluster[t[0]], cluster[t[1]], cluster[t[2]]});
-  drop_repeated(coarse.triangles);
-  remove_degenerate(coarse);
-  return coarse;
+    result.triangles.push_back({remap[t[0]], remap[t[1]], remap[t[2]]});
+  return result;
 }
 
 }  // namespace
 
 Mesh decimated(const Mesh& mesh, std::size_t max_triangles) {
   if (mesh.triangles.size() <= max_triangles) return mesh;
-  const Bounds3 box = bounds(mesh);
-  const double extent = std::max(box.size().maxCoeff(), 1e-6);
-  // On a surface, n x n cells hold about 2 n^2 triangles.
-  double cells = std::sqrt(static_cast<double>(max_triangles));
-  Mesh coarse = clustered(mesh, box.low, extent / cells);
-  while (coarse.triangles.size() > max_triangles) {  // ends: one cell has no triangles
-    cells *= 0.8;
-    coarse = clustered(mesh, box.low, extent / cells);
-  }
+  Mesh coarse = welded(mesh);
+  static_assert(sizeof(Triangle) == 3 * sizeof(unsigned));
+  const unsigned* indices = coarse.triangles.front().data();
+  const float* positions = coarse.positions.front().data();
+  const std::size_t before = 3 * coarse.triangles.size(), most = 3 * max_triangles;
+  constexpr std::size_t stride = sizeof(Eigen::Vector3f);
+  std::vector<Triangle> kept(coarse.triangles.size());
+  unsigned* target = kept.front().data();
+  std::size_t count = meshopt_simplify(target, indices, before, positions, coarse.positions.size(),
+                                       stride, most, most_error, 0, nullptr);
+  // Foliage is loose leaves, which only merge when the surface need not stay whole.
+  if (count > most)
+    count = meshopt_simplifySloppy(target, indices, before, positions, coarse.positions.size(),
+                                   stride, most, std::numeric_limits<float>::max(), nullptr);
+  kept.resize(count / 3);
+  coarse.triangles = std::move(kept);
+  remove_degenerate(coarse);
   return coarse;
 }
 

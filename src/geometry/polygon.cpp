@@ -54,21 +54,6 @@ double distance(const Bounds2& a, const Segment& b) {
   return below.cwiseMax(above).cwiseMax(0.0).norm();
 }
 
-bool is_ear(const std::vector<Vec2>& points, const std::vector<std::uint32_t>& ring, std::size_t i) {
-  const std::size_t n = ring.size();
-  const Vec2& a = points[ring[(i + n - 1) % n]];
-  const Vec2& b = points[ring[i]];
-  const Vec2& c = points[ring[(i + 1) % n]];
-  if (cross(b - a, c - b) <= 0) return false;
-  for (std::size_t j = 0; j < n; ++j) {
-    if (j == i || j == (i + 1) % n || j == (i + n - 1) % n) continue;
-    const Vec2& p = points[ring[j]];
-    if (cross(b - a, p - a) >= 0 && cross(c - b, p - b) >= 0 && cross(a - c, p - c) >= 0)
-      return false;
-  }
-  return true;
-}
-
 }  // namespace
 
 bool Polygon::is_convex_corner(std::size_t k) const {
@@ -149,22 +134,6 @@ double distance_to_boundary(const Polygon& polygon, const Vec2& point) {
   for (std::size_t i = 0; i < polygon.size(); ++i)
     best = std::min(best, distance(polygon.edge(i), point));
   return best;
-}
-
-std::vector<std::array<std::uint32_t, 3>> triangulate(const Polygon& polygon) {
-  std::vector<std::uint32_t> ring(polygon.size());
-  for (std::uint32_t i = 0; i < ring.size(); ++i) ring[i] = i;
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-  while (ring.size() > 3) {
-    std::size_t ear = 0;
-    while (ear < ring.size() && !is_ear(polygon.points, ring, ear)) ++ear;
-    if (ear == ring.size()) ear = 0;  // only rounding can hide all ears of a simple polygon
-    const std::size_t n = ring.size();
-    triangles.push_back({ring[(ear + n - 1) % n], ring[ear], ring[(ear + 1) % n]});
-    ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(ear));
-  }
-  triangles.push_back({ring[0], ring[1], ring[2]});
-  return triangles;
 }
 
 std::vector<Vec2> offset_outward(const Polygon& polygon, double distance) {

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "joinery.h"
-#include "roomgen/geometry/convex.h"
+#include "roomgen/geometry/difference.h"
 #include "roomgen/scene/finish.h"
 #include "wall_builder.h"
 #include "woodwork.h"
@@ -27,42 +27,39 @@ double height_of(const Room& room, const ShellOptions& options, std::size_t wall
                                             : room.height;
 }
 
-// A convex or simple piece of the floor.
-void add_tile(Mesh& upper, Mesh& rest, const Polygon& outline, double extent) {
-  const auto first = static_cast<std::uint32_t>(upper.positions.size());
-  const auto under = static_cast<std::uint32_t>(rest.positions.size());
-  for (const auto& p : outline.points) {
-    upper.positions.push_back(Vec3(p.x(), p.y(), 0.0).cast<float>());
-    upper.normals.push_back(Eigen::Vector3f::UnitZ());
-    upper.uvs.push_back((p / extent).cast<float>());
-    rest.positions.push_back(Vec3(p.x(), p.y(), -floor_thickness).cast<float>());
-    rest.normals.push_back(-Eigen::Vector3f::UnitZ());
-    rest.uvs.push_back((p / extent).cast<float>());
-  }
-  for (const auto& t : triangulate(outline)) {
-    upper.triangles.push_back({first + t[0], first + t[1], first + t[2]});
-    rest.triangles.push_back({under + t[0], under + t[2], under + t[1]});
-  }
-  for (std::size_t k = 0; k < outline.size(); ++k) {
-    const Segment e = outline.edge(k);
-    const auto at = [](const Vec2& p, double z) { return Vec3(p.x(), p.y(), z); };
-    add_quad(rest,
-             {at(e.a, -floor_thickness), at(e.b, -floor_thickness), at(e.b, 0.0), at(e.a, 0.0)});
-  }
-}
-
 // The floor under a room and its walls, less those of earlier rooms.
-std::vector<Polygon> floor_tiles(std::span<const Room> rooms, std::size_t index) {
-  std::vector<Polygon> tiles = {{offset_outward(rooms[index].polygon, wall_thickness)}};
-  for (std::size_t other = 0; other < index; ++other)
-    tiles = subtract(tiles, {offset_outward(rooms[other].polygon, wall_thickness)});
-  return tiles;
+std::vector<Loop> floor_outline(std::span<const Room> rooms, std::size_t index) {
+  std::vector<Polygon> earlier;
+  for (const auto& room : rooms.first(index))
+    earlier.push_back({offset_outward(room.polygon, wall_thickness)});
+  return difference({offset_outward(rooms[index].polygon, wall_thickness)}, earlier);
 }
 
-Model floor_slab(const Room& room, const std::vector<Polygon>& tiles) {
+// The upright faces of a slab.
+void add_rim(Mesh& mesh, const Loop& outline) {
+  for (std::size_t k = 0; k < outline.size(); ++k) {
+    const Vec2 &a = outline[k], &b = outline[(k + 1) % outline.size()];
+    const auto at = [](const Vec2& p, double z) { return Vec3(p.x(), p.y(), z); };
+    add_quad(mesh, {at(a, -floor_thickness), at(b, -floor_thickness), at(b, 0.0), at(a, 0.0)});
+  }
+}
+
+Model floor_slab(const Room& room, const std::vector<Loop>& outline) {
   const Finish finish = floor_finish(room);
   Mesh upper, rest;
-  for (const auto& tile : tiles) add_tile(upper, rest, tile, finish.extent);
+  for (const auto& loop : outline)
+    for (const auto& p : loop) {
+      upper.positions.push_back(Vec3(p.x(), p.y(), 0.0).cast<float>());
+      upper.normals.push_back(Eigen::Vector3f::UnitZ());
+      rest.positions.push_back(Vec3(p.x(), p.y(), -floor_thickness).cast<float>());
+      rest.normals.push_back(-Eigen::Vector3f::UnitZ());
+      for (Mesh* mesh : {&upper, &rest}) mesh->uvs.push_back((p / finish.extent).cast<float>());
+    }
+  for (const auto& t : triangulate(outline)) {
+    upper.triangles.push_back(t);
+    rest.triangles.push_back({t[0], t[2], t[1]});
+  }
+  for (const auto& loop : outline) add_rim(rest, loop);
   Material edge;
   edge.name = "slab";
   edge.base_color = material_color({150, 142, 132});
@@ -261,7 +258,7 @@ std::vector<ShellPart> room_shell(std::span<const Room> rooms, std::size_t index
                                   const ShellOptions& options, const ModelTable& models) {
   const Room& room = rooms[index];
   std::vector<ShellPart> shell;
-  shell.push_back({"floor", floor_slab(room, floor_tiles(rooms, index))});
+  shell.push_back({"floor", floor_slab(room, floor_outline(rooms, index))});
   const Finish finish = wall_finish(room);
   const bool has_accent = !room.materials.accent.empty();
   const Finish accent = has_accent ? accent_finish(room) : finish;

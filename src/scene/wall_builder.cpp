@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "roomgen/geometry/outline.h"
+#include "roomgen/geometry/triangulate.h"
 
 namespace roomgen::detail {
 

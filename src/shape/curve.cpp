@@ -5,8 +5,7 @@
 
 #include "chain.h"
 #include "checks.h"
-#include "fill.h"
-#include "roomgen/geometry/polygon.h"
+#include "roomgen/geometry/triangulate.h"
 #include "rounds.h"
 
 namespace roomgen::shape {

@@ -116,7 +116,7 @@ void add_cap(SurfaceBuilder& surface, const std::vector<Loop>& loops, const std:
     for (const auto& p : loop)
       corners.push_back(
           {points[corners.size()], surface_uv(p.x(), p.y(), upright), normal, cap_group});
-  for (const auto& t : fill(loops)) surface.triangle(corners[t[0]], corners[t[1]], corners[t[2]]);
+  for (const auto& t : triangulate(loops)) surface.triangle(corners[t[0]], corners[t[1]], corners[t[2]]);
 }
 
 void add_level_cap(SurfaceBuilder& surface, std::vector<Loop> loops, double z, bool upward) {

@@ -40,9 +40,4 @@ class Weld {
   std::vector<Eigen::Vector3f> positions_;
 };
 
-/// An edge as one number; the direction counts.
-inline std::uint64_t directed_edge(std::uint32_t from, std::uint32_t to) {
-  return std::uint64_t{from} << 32 | to;
-}
-
 }  // namespace roomgen::shape

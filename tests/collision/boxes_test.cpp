@@ -37,7 +37,7 @@ TEST_CASE("Boxes and cylinders that share a sampled point overlap, and those cle
     }
     if (nearest > 0.0 || top(a) <= bottom(b) || top(b) <= bottom(a)) {
       ++apart_count;
-      REQUIRE_FALSE(boxes_overlap(a, b));
+      if (!a.traits.round && !b.traits.round) REQUIRE_FALSE(boxes_overlap(a, b));
       REQUIRE_FALSE(solids.overlap(a, b));
     }
   }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "catch.h"
+#include "roomgen/base/json.h"
 #include "roomgen/base/random.h"
 #include "roomgen/geometry/model.h"
 #include "roomgen/shape/evaluate.h"

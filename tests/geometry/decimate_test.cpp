@@ -2,6 +2,7 @@
 
 #include "catch.h"
 #include "roomgen/base/random.h"
+#include "roomgen/geometry/mesh_tree.h"
 
 using namespace roomgen;
 
@@ -52,8 +53,20 @@ TEST_CASE("A large mesh comes under the bound, keeps most of it and stays in its
     CHECK(coarse.triangles.size() >= bound / 6);
     CHECK((bounds(coarse).low - bounds(mesh).low).minCoeff() >= -1e-6);
     CHECK((bounds(mesh).high - bounds(coarse).high).minCoeff() >= -1e-6);
-    // Clusters stay within a cell of what they stand for.
+    // What goes is not far from what is left.
     CHECK((bounds(mesh).size() - bounds(coarse).size()).maxCoeff() < 4.0 / std::sqrt(double(bound)));
+  }
+}
+
+TEST_CASE("The surface stays where it was: no vertex is far from the coarse mesh") {
+  const Mesh mesh = sheet(300);
+  for (const auto& [bound, most] : {std::pair(20000u, 0.0005), std::pair(2000u, 0.004)}) {
+    const MeshTree coarse(decimated(mesh, bound));
+    double furthest = 0.0;
+    for (const auto& p : mesh.positions)
+      furthest = std::max(furthest, (*coarse.closest_point(p.cast<double>()) - p.cast<double>()).norm());
+    INFO(bound);
+    CHECK(furthest < most);
   }
 }
 

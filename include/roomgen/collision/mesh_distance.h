@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "roomgen/geometry/mesh.h"
+#include "roomgen/geometry/facet.h"
 
 namespace roomgen {
 
@@ -27,14 +27,8 @@ class MeshSolid {
 };
 
 /// The nearest points of two solids. Solids that share space, also one inside the other, have the
-/// distance 0 and two equal points that lie in both.
-struct NearestPoints {
-  double distance = 0.0;
-  Vec3 on_a = Vec3::Zero(), on_b = Vec3::Zero();
-};
-
-/// Nothing when they are further apart than `limit` metres, which is found out faster than a
-/// distance.
+/// distance 0 and two equal points that lie in both. Nothing when they are further apart than
+/// `limit` metres, which is found out faster than a distance.
 std::optional<NearestPoints> nearest_points(const MeshSolid& a, const MeshSolid& b,
                                             double limit = std::numeric_limits<double>::infinity());
 
@@ -43,7 +37,7 @@ bool within(const MeshSolid& a, const MeshSolid& b, double limit);
 
 /// Is the point in the solid?
 bool contains(const MeshSolid& solid, const Vec3& point);
-/// To the solid's surface; 0 inside. Looks at every triangle.
+/// To the solid's surface; 0 inside.
 double distance(const MeshSolid& solid, const Vec3& point);
 
 /// What contact_area() looks at.

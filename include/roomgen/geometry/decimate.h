@@ -6,9 +6,10 @@
 
 namespace roomgen {
 
-/// A coarser mesh of at most `max_triangles`, by clustering vertices on a grid that is made coarser
-/// until the bound holds (Rossignac and Borrel 1993). A smaller mesh is returned as it is. Normals and
-/// uvs are dropped when vertices merge: meant for collision, not for the eye.
+/// A coarser mesh of at most `max_triangles`, by collapsing edges where that costs least (Garland and
+/// Heckbert 1997, by meshoptimizer), and where that does not do, by merging vertices of a grid. Its
+/// vertices are some of the mesh's; normals and uvs are dropped: meant for collision, not for the
+/// eye. A mesh that is small enough is returned as it is.
 Mesh decimated(const Mesh& mesh, std::size_t max_triangles);
 
 }  // namespace roomgen

@@ -11,6 +11,11 @@ namespace roomgen {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
+/// An edge between two vertices as one number; the direction counts.
+inline std::uint64_t directed_edge(std::uint32_t from, std::uint32_t to) {
+  return std::uint64_t{from} << 32 | to;
+}
+
 /// Triangles over shared vertices, counter-clockwise seen from outside. `normals` and `uvs` are empty
 /// or as long as `positions`; uv (0, 0) is the top left corner of the image, as in glTF.
 struct Mesh {

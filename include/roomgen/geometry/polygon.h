@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -40,9 +39,6 @@ bool contains(const Polygon& polygon, const Footprint& footprint, double toleran
 /// Distance of the footprint to the nearest edge; 0 when it touches or crosses one.
 double distance_to_boundary(const Polygon& polygon, const Footprint& footprint);
 double distance_to_boundary(const Polygon& polygon, const Vec2& point);
-
-/// Ear clipping; counter-clockwise triangles of point indices.
-std::vector<std::array<std::uint32_t, 3>> triangulate(const Polygon& polygon);
 
 /// The polygon with every edge moved outward by `distance` (mitred corners): the outer face of walls.
 /// Point k corresponds to point k.

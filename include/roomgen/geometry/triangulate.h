@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "roomgen/geometry/mesh.h"
+#include "roomgen/geometry/polygon.h"
+
+namespace roomgen {
+
+/// A closed line by its corners, not repeating the first one.
+using Loop = std::vector<Vec2>;
+
+/// No two edges of the loop cross or touch, neighbours aside.
+bool is_simple(const Loop& loop);
+
+/// Triangles between loops, counter-clockwise, in indices of the loops' points one after the other:
+/// ear clipping, then the better diagonals. Outer loops run counter-clockwise, holes clockwise; loops
+/// may be nested in one another but not cross. Every point is used, those in the middle of a straight
+/// side too.
+std::vector<Triangle> triangulate(const std::vector<Loop>& loops);
+std::vector<Triangle> triangulate(const Polygon& polygon);
+
+}  // namespace roomgen
