@@ -37,15 +37,28 @@ def rotation(yaw):
     return np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]])
 
 
-def near_others(name, points, faces, boxes, polygon):
+def rooms_of(scene):
+    """The rooms of a dwelling, or the one that there is."""
+    return scene["rooms"] if "rooms" in scene else [scene["room"]]
+
+
+def edges_of(scene):
+    """Both ends of every wall's inner face, the inside to the left, and the wall's height."""
+    for room in rooms_of(scene):
+        polygon = room["polygon"]
+        for a, b in zip(polygon, polygon[1:] + polygon[:1]):
+            yield np.array(a, float), np.array(b, float), room["height"]
+
+
+def near_others(name, points, faces, boxes, edges):
     """Which triangles are near the floor, a wall or pieces of other things."""
     low, high = points[faces].min(1), points[faces].max(1)
     near = low[:, 2] < NEAR
     for other, pieces in boxes.items():
         for least, most in pieces if other != name else ():
             near |= ((low < most + NEAR) & (high > least - NEAR)).all(1)
-    for a, b in zip(polygon, polygon[1:] + polygon[:1]):
-        along = (np.array(b) - a) / np.linalg.norm(np.array(b) - a)
+    for a, b, _ in edges:
+        along = (b - a) / np.linalg.norm(b - a)
         inward = (points[:, :2] - a) @ np.array([-along[1], along[0]])
         near |= (np.abs(inward[faces]) < NEAR).any(1)
     return near
@@ -83,7 +96,7 @@ def build(scene, meshes, bulging=None):
             touch = ' contype="0" conaffinity="0"' if k in bulging.get(thing["id"], ()) else ""
             geoms += f'<geom name="{name}" type="mesh" mesh="{name}"{touch}/>'
         if thing["id"] in bulging:
-            near = near_others(thing["id"], points, faces, boxes, scene["room"]["polygon"])
+            near = near_others(thing["id"], points, faces, boxes, edges_of(scene))
             for k, sheet in enumerate(sheets((points - position) @ own, faces[near])):
                 name = f"{thing['id']}/sheet-{k}"
                 assets.append(f'<mesh name="{name}" inertia="legacy" vertex="{numbers(sheet)}"/>')
@@ -96,10 +109,7 @@ def build(scene, meshes, bulging=None):
         if not fixed:
             free.append(thing["id"])
     walls = ""
-    polygon = scene["room"]["polygon"]
-    height = scene["room"]["height"]
-    for a, b in zip(polygon, polygon[1:] + polygon[:1]):
-        a, b = np.array(a), np.array(b)
+    for a, b, height in edges_of(scene):
         along = (b - a) / np.linalg.norm(b - a)
         outward = np.array([along[1], -along[0]])
         centre = 0.5 * (a + b) + 0.05 * outward

@@ -41,7 +41,7 @@ void print_report(const SceneReport& report) {
 }
 
 Result<int> check_scene(const Context& context, const CheckCommand& command, const Scene& scene) {
-  auto models = models_of(scene, command.models, context);
+  auto models = models_of(scene, command.file, command.models, context);
   if (!models) return models.error();
   const auto report = examine(scene, *models, KindTable::built_in());
   if (context.json) {

@@ -23,7 +23,6 @@ struct EvaluateCommand {
   ModelOptions models;
 };
 
-// Requirements speak of single rooms.
 Result<Scene> part_of(const Scene& scene, const std::string& id, const fs::path& file) {
   std::vector<std::string> ids;
   for (auto& part : parts_of(scene)) {
@@ -31,17 +30,16 @@ Result<Scene> part_of(const Scene& scene, const std::string& id, const fs::path&
     ids.push_back(part.room.id);
   }
   return Error{Error::Kind::invalid_input,
-               file.string() + ": is a dwelling; say with --part which of its rooms is scored: " +
-                   join(ids, ", ")};
+               file.string() + ": has no room \"" + id + "\", but " + join(ids, ", ")};
 }
 
 Result<RoomScore> score_file(const Requirements& row, const fs::path& file,
                              const EvaluateCommand& command, const Context& context) {
   auto scene = read_scene(file);
   if (!scene) return scene.error();
-  if (!scene->rooms.empty()) scene = part_of(*scene, command.part, file);
+  if (!command.part.empty() && !scene->rooms.empty()) scene = part_of(*scene, command.part, file);
   if (!scene) return scene.error();
-  const auto models = models_of(*scene, command.models, context);
+  const auto models = models_of(*scene, file, command.models, context);
   if (!models) return models.error();
   return score_room(row, *scene, *models);
 }
@@ -50,21 +48,26 @@ fs::path scene_in(const fs::path& path) {
   return fs::is_directory(path) ? path / "scene.json" : path;
 }
 
-Result<std::vector<RoomScore>> score_one(const std::vector<Requirements>& rows,
-                                         const EvaluateCommand& command, const Context& context) {
+struct Scores {
+  std::vector<RoomScore> scored;
+  std::vector<Unscored> unscored;
+};
+
+Result<Scores> score_one(const std::vector<Requirements>& rows, const EvaluateCommand& command,
+                         const Context& context) {
   const auto row = std::find_if(rows.begin(), rows.end(),
                                 [&](const Requirements& r) { return r.id == command.id; });
   if (row == rows.end())
     return Error{Error::Kind::not_found, command.requirements + ": no row \"" + command.id + "\""};
   auto score = score_file(*row, scene_in(command.scene), command, context);
   if (!score) return score.error();
-  return std::vector<RoomScore>{*std::move(score)};
+  return Scores{{*std::move(score)}, {}};
 }
 
-// Rows without a room are told and left out.
-Result<std::vector<RoomScore>> score_rooms(const std::vector<Requirements>& rows,
-                                           const EvaluateCommand& command, const Context& context) {
-  std::vector<RoomScore> scores;
+// Rows without a room are told and left out, and so are rooms that cannot be read.
+Result<Scores> score_rooms(const std::vector<Requirements>& rows, const EvaluateCommand& command,
+                           const Context& context) {
+  Scores scores;
   std::size_t missing = 0;
   for (const auto& row : rows) {
     if (context.cancel.cancelled()) return Error{Error::Kind::cancelled, "stopped"};
@@ -74,10 +77,14 @@ Result<std::vector<RoomScore>> score_rooms(const std::vector<Requirements>& rows
       continue;
     }
     auto score = score_file(row, file, command, context);
-    if (!score) return score.error();
-    scores.push_back(*std::move(score));
+    if (score) {
+      scores.scored.push_back(*std::move(score));
+      continue;
+    }
+    std::fprintf(stderr, "roomgen: %s; not scored\n", score.error().message.c_str());
+    scores.unscored.push_back({row.id, score.error().message});
   }
-  if (scores.empty())
+  if (scores.scored.empty() && scores.unscored.empty())
     return Error{Error::Kind::not_found, command.rooms + ": holds no room of a row's id"};
   if (missing > 0 && !context.quiet)
     std::fprintf(stderr, "roomgen: %zu rows have no room in %s\n", missing, command.rooms.c_str());
@@ -92,15 +99,15 @@ Result<int> run(const Context& context, const EvaluateCommand& command) {
   const auto scores = command.rooms.empty() ? score_one(*rows, command, context)
                                             : score_rooms(*rows, command, context);
   if (!scores) return scores.error();
-  const Json json = score_json(*scores);
-  const std::string markdown = score_markdown(*scores);
+  const Json json = score_json(scores->scored, scores->unscored);
+  const std::string markdown = score_markdown(scores->scored, scores->unscored);
   if (!command.json_file.empty())
     if (auto status = write_file(command.json_file, dump_json(json)); !status)
       return status.error();
   if (!command.markdown.empty())
     if (auto status = write_file(command.markdown, markdown); !status) return status.error();
   std::fputs(context.json ? dump_json(json).c_str() : markdown.c_str(), stdout);
-  return exit_ok;
+  return scores->unscored.empty() ? exit_ok : exit_failure;
 }
 
 }  // namespace
@@ -116,7 +123,7 @@ void add_evaluate_command(CLI::App& app, Context& context) {
   auto* scene = sub->add_option("room", command->scene, "scene.json, or the folder that holds it");
   auto* id = sub->add_option("--id", command->id, "The row that the room answers")->needs(scene);
   scene->needs(id);
-  sub->add_option("--part", command->part, "The room of a dwelling that is scored, by its id");
+  sub->add_option("--part", command->part, "Score this room of a dwelling only, by its id");
   auto* rooms = sub->add_option("--rooms", command->rooms,
                                 "Folder with a folder of each row's id, instead of one room");
   rooms->excludes(scene);

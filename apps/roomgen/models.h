@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 
 #include "command.h"
 #include "roomgen/scene/model_table.h"
@@ -21,8 +22,9 @@ struct ModelOptions {
 
 void add_model_options(CLI::App& command, ModelOptions& options);
 
-/// The meshes of a scene. What the libraries do not have is told on stderr and stays a box.
-Result<ModelTable> models_of(const Scene& scene, const ModelOptions& options,
-                             const Context& context);
+/// The meshes of a scene. What the libraries do not have is taken from the scene.glb beside the
+/// scene's file; what is not there either is told on stderr and stays a box.
+Result<ModelTable> models_of(const Scene& scene, const std::filesystem::path& file,
+                             const ModelOptions& options, const Context& context);
 
 }  // namespace roomgen::cli

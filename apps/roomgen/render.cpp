@@ -33,7 +33,7 @@ void report(const Context& context, const RenderOptions& options, const Image& i
 Result<int> render(const Context& context, const RenderOptions& options) {
   const auto scene = read_scene(options.scene);
   if (!scene) return scene.error();
-  const auto models = models_of(*scene, options.models, context);
+  const auto models = models_of(*scene, options.scene, options.models, context);
   if (!models) return models.error();
   const auto renderer = make_osmesa_renderer();
   if (!renderer) return renderer.error();

@@ -1,4 +1,4 @@
-#include "image_decode.h"
+#include "roomgen/assets/image_decode.h"
 
 #include <png.h>
 

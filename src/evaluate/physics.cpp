@@ -10,7 +10,6 @@ namespace roomgen::sceneeval {
 
 namespace {
 
-constexpr double retreat = 0.005;
 constexpr double points_per_cubic_metre = 5000.0;
 constexpr double least_points = 1000.0;
 constexpr double floor_tolerance = 1e-6;  // a ray that starts on the floor meets it
@@ -24,14 +23,6 @@ bool above_floor(const Vec3& point, const Room& room) {
 }
 
 }  // namespace
-
-std::vector<std::pair<std::size_t, std::size_t>> collisions(std::span<const Thing> things) {
-  std::vector<std::pair<std::size_t, std::size_t>> pairs;
-  for (std::size_t i = 0; i < things.size(); ++i)
-    for (std::size_t j = i + 1; j < things.size(); ++j)
-      if (things[i].collides(things[j], retreat)) pairs.emplace_back(i, j);
-  return pairs;
-}
 
 double share_in_bounds(const Thing& thing, const Room& room) {
   const Mesh& mesh = thing.mesh();

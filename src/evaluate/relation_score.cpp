@@ -47,22 +47,24 @@ double evaluate(const RelationFunction& function, std::span<const Thing> targets
 }
 
 double evaluate(const RelationFunction& function, const Thing& thing, const std::string& part,
-                const MatchedThings& scene) {
+                const Surroundings& around) {
   using namespace sceneeval;
   const std::string& name = function.name;
-  const auto& parts = part == "door"     ? scene.parts.doors
-                      : part == "window" ? scene.parts.windows
-                                         : scene.parts.walls;
-  if (name == "inside_room") return inside_room(thing, scene.room);
-  if (name == "middle_of_room") return middle_of_room(thing, scene.room);
+  const Room& room = around.room;
+  const auto& walls = around.parts.walls;
+  const auto& parts = part == "door"     ? around.parts.doors
+                      : part == "window" ? around.parts.windows
+                                         : walls;
+  if (name == "inside_room") return inside_room(thing, room);
+  if (name == "middle_of_room") return middle_of_room(thing, room);
   if (name == "next_to") return next_to(thing, parts);
   if (name == "near") return near(thing, parts);
   if (name == "across_from") return across_from(thing, parts);
   if (name == "far") return far(thing, parts);
-  if (name == "on_wall") return on_wall(thing, scene.parts.walls);
-  if (name == "against_wall") return against_wall(thing, scene.parts.walls);
-  if (name == "corner_of_room") return corner_of_room(thing, scene.parts.walls, scene.room);
-  if (name == "hang_from_ceiling") return hang_from_ceiling(thing, scene.room);
+  if (name == "on_wall") return on_wall(thing, walls);
+  if (name == "against_wall") return against_wall(thing, walls);
+  if (name == "corner_of_room") return corner_of_room(thing, walls, room);
+  if (name == "hang_from_ceiling") return hang_from_ceiling(thing, room);
   return 0.0;
 }
 
@@ -232,7 +234,7 @@ Verdict judge_relation(const RoomRelationRequirement& relation, const MatchedThi
   Groups groups;
   for (const auto index : scene.of(relation.thing)) {
     const double score = score_of(meaning, [&](const RelationFunction& function) {
-      return evaluate(function, scene.things[index], part, scene);
+      return evaluate(function, scene.things[index], part, *scene.around[index]);
     });
     ++groups.tried;
     if (score > sceneeval::satisfied_above) ++groups.held;

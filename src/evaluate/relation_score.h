@@ -10,11 +10,18 @@
 
 namespace roomgen {
 
-/// What relations are judged on: the things of a scene and which of them are of which category.
+/// A room with the surfaces of its walls, doors and windows.
+struct Surroundings {
+  explicit Surroundings(const Room& of) : room(of), parts(room_things(of)) {}
+  Room room;
+  RoomThings parts;
+};
+
+/// What relations are judged on: the things of a scene, each in its room, and which of them are of
+/// which category.
 struct MatchedThings {
-  const Room& room;
-  const RoomThings& parts;
   const std::vector<Thing>& things;
+  const std::vector<const Surroundings*>& around;  ///< of each thing
   const std::map<std::string, std::vector<std::size_t>>& matched;
 
   const std::vector<std::size_t>& of(const std::string& category) const { return matched.at(category); }

@@ -1,16 +1,14 @@
 #include "roomgen/evaluate/score.h"
 
 #include <algorithm>
+#include <deque>
 #include <set>
 
 #include "relation_score.h"
+#include "room_physics.h"
 #include "roomgen/base/text.h"
 #include "roomgen/evaluate/attributes.h"
 #include "roomgen/evaluate/kind_names.h"
-#include "roomgen/evaluate/navigability.h"
-#include "roomgen/evaluate/opening_clearance.h"
-#include "roomgen/evaluate/physics.h"
-#include "roomgen/evaluate/support.h"
 
 namespace roomgen {
 
@@ -72,39 +70,27 @@ class AttributeCounter {
   std::map<std::size_t, KnownLooks> looks_;
 };
 
-void find_physics(const Scene& scene, const std::vector<Thing>& things, const RoomThings& parts,
-                  RoomScore& score) {
-  std::vector<Mount> mounts;
-  std::vector<OrientedBox> boxes;
-  for (const auto& object : scene.objects) {
-    mounts.push_back(object.mount);
-    boxes.push_back(box_of(object));
-  }
-  const auto held = sceneeval::supported(things, mounts, scene.room, parts);
-  for (std::size_t i = 0; i < things.size(); ++i) {
-    if (!held[i]) score.unsupported.push_back(scene.objects[i].id);
-    if (sceneeval::share_in_bounds(things[i], scene.room) < sceneeval::least_share_in_bounds)
-      score.outside.push_back(scene.objects[i].id);
-  }
-  score.navigability = sceneeval::navigability(boxes, scene.room);
-  const auto before = sceneeval::in_the_way(boxes, scene.room);
-  for (std::size_t k = 0; k < before.size(); ++k) {
-    const Opening& opening = scene.room.openings[k];
-    ++(opening.is_entrance() ? score.doors : score.windows);
-    if (before[k].empty()) ++(opening.is_entrance() ? score.clear_doors : score.clear_windows);
-    for (const auto i : before[k]) score.in_the_way[opening.id].push_back(scene.objects[i].id);
-  }
+template <typename Value>
+void add_to(std::vector<Value>& all, const std::vector<Value>& more) {
+  all.insert(all.end(), more.begin(), more.end());
 }
 
-void find_collisions(const Scene& scene, const std::vector<Thing>& things, RoomScore& score) {
-  std::set<std::size_t> all, solids;
-  for (const auto& [i, j] : sceneeval::collisions(things)) {
-    score.collisions.emplace_back(scene.objects[i].id, scene.objects[j].id);
-    all.insert({i, j});
-    if (!scene.objects[i].traits.flat && !scene.objects[j].traits.flat) solids.insert({i, j});
-  }
-  for (const auto i : all) score.colliding.push_back(scene.objects[i].id);
-  for (const auto i : solids) score.colliding_solids.push_back(scene.objects[i].id);
+// What is counted adds up; the free floor of a dwelling is the mean of its rooms'.
+void add_room(const RoomScore& room, std::size_t rooms, RoomScore& score) {
+  score.objects += room.objects;
+  score.solids += room.solids;
+  add_to(score.collisions, room.collisions);
+  add_to(score.colliding, room.colliding);
+  add_to(score.colliding_solids, room.colliding_solids);
+  add_to(score.outside, room.outside);
+  add_to(score.unsupported, room.unsupported);
+  score.navigability += room.navigability / static_cast<double>(rooms);
+  score.doors += room.doors;
+  score.clear_doors += room.clear_doors;
+  score.windows += room.windows;
+  score.clear_windows += room.clear_windows;
+  for (const auto& [opening, ids] : room.in_the_way)
+    score.in_the_way[rooms > 1 ? room.id + ", " + opening : opening] = ids;
 }
 
 }  // namespace
@@ -114,30 +100,36 @@ RoomScore score_room(const Requirements& requirements, const Scene& scene,
   RoomScore score;
   score.id = requirements.id;
   score.difficulty = requirements.difficulty;
-  score.objects = scene.objects.size();
-  score.solids = static_cast<std::size_t>(
-      std::count_if(scene.objects.begin(), scene.objects.end(),
-                    [](const Object& object) { return !object.traits.flat; }));
-  const auto matched = KindNames::built_in().match(scene.objects, requirements.categories());
-  for (const auto& [category, indices] : matched)
-    for (const auto index : indices) score.matched[category].push_back(scene.objects[index].id);
-
+  // In the order of the rooms, which for a single one is that of the file.
+  Scene all = scene;
+  all.objects.clear();
   std::vector<Thing> things;
-  for (const auto& object : scene.objects) things.push_back(thing_of(object, models));
-  const RoomThings parts = room_things(scene.room);
-  const MatchedThings context{scene.room, parts, things, matched};
+  std::vector<const Surroundings*> around;
+  const auto parts = parts_of(scene);
+  std::deque<Surroundings> rooms;
+  for (const auto& part : parts) {
+    const Surroundings& room = rooms.emplace_back(part.room);
+    MeasuredRoom measured = measure_room(part, models, room);
+    add_room(measured.score, parts.size(), score);
+    add_to(all.objects, part.objects);
+    add_to(things, measured.things);
+    around.insert(around.end(), part.objects.size(), &room);
+    if (!scene.rooms.empty()) score.rooms.push_back(std::move(measured.score));
+  }
+
+  const auto matched = KindNames::built_in().match(all.objects, requirements.categories());
+  for (const auto& [category, indices] : matched)
+    for (const auto index : indices) score.matched[category].push_back(all.objects[index].id);
+  const MatchedThings context{things, around, matched};
   for (const auto& count : requirements.counts)
     score.counts.push_back(judge_count(count, matched.at(count.category).size()));
-  AttributeCounter attributes(scene, models);
+  AttributeCounter attributes(all, models);
   for (const auto& attribute : requirements.attributes)
     score.attributes.push_back(attributes.judge(attribute, matched.at(attribute.category)));
   for (const auto& relation : requirements.object_relations)
     score.object_relations.push_back(judge_relation(relation, context));
   for (const auto& relation : requirements.room_relations)
     score.room_relations.push_back(judge_relation(relation, context));
-
-  find_collisions(scene, things, score);
-  find_physics(scene, things, parts, score);
   return score;
 }
 

@@ -123,13 +123,7 @@ Json verdicts_json(const std::vector<Verdict>& verdicts) {
   return json;
 }
 
-Json room_json(const RoomScore& score) {
-  Json json = {{"id", score.id}, {"difficulty", score.difficulty}, {"objects", score.objects}};
-  json["matched"] = score.matched;
-  json["CNT"] = verdicts_json(score.counts);
-  json["ATR"] = verdicts_json(score.attributes);
-  json["OOR"] = verdicts_json(score.object_relations);
-  json["OAR"] = verdicts_json(score.room_relations);
+void add_physics(const RoomScore& score, Json& json) {
   json["collisions"] = score.collisions;
   json["colliding"] = score.colliding;
   json["colliding_solids"] = score.colliding_solids;
@@ -137,6 +131,21 @@ Json room_json(const RoomScore& score) {
   json["unsupported"] = score.unsupported;
   json["navigability"] = rounded(score.navigability, 4);
   json["in_the_way"] = score.in_the_way;
+}
+
+Json room_json(const RoomScore& score) {
+  Json json = {{"id", score.id}, {"difficulty", score.difficulty}, {"objects", score.objects}};
+  json["matched"] = score.matched;
+  json["CNT"] = verdicts_json(score.counts);
+  json["ATR"] = verdicts_json(score.attributes);
+  json["OOR"] = verdicts_json(score.object_relations);
+  json["OAR"] = verdicts_json(score.room_relations);
+  add_physics(score, json);
+  for (const auto& room : score.rooms) {
+    Json own = {{"id", room.id}, {"objects", room.objects}};
+    add_physics(room, own);
+    json["rooms"].push_back(std::move(own));
+  }
   return json;
 }
 
@@ -153,7 +162,7 @@ void add_failures(std::string& text, const char* name, const std::vector<Verdict
       text += std::string("- ") + name + " `" + verdict.text + "`: " + verdict.reason + "\n";
 }
 
-void add_room(std::string& text, const RoomScore& score) {
+void add_failures_of(std::string& text, const RoomScore& score) {
   std::string failures;
   add_failures(failures, "CNT", score.counts);
   add_failures(failures, "ATR", score.attributes);
@@ -170,7 +179,7 @@ void add_room(std::string& text, const RoomScore& score) {
 
 }  // namespace
 
-Json score_json(std::span<const RoomScore> scores) {
+Json score_json(std::span<const RoomScore> scores, std::span<const Unscored> unscored) {
   Json json;
   json["format"] = "roomgen-evaluation";
   json["version"] = 1;
@@ -180,10 +189,13 @@ Json score_json(std::span<const RoomScore> scores) {
     json["by_difficulty"][difficulty] = totals_json(scores, difficulty);
   json["scores"] = Json::array();
   for (const auto& score : scores) json["scores"].push_back(room_json(score));
+  for (const auto& room : unscored)
+    json["unscored"].push_back({{"id", room.id}, {"reason", room.reason}});
   return json;
 }
 
-std::string score_markdown(std::span<const RoomScore> scores) {
+std::string score_markdown(std::span<const RoomScore> scores,
+                           std::span<const Unscored> unscored) {
   const auto columns = difficulties(scores);
   std::string text = "# " + std::to_string(scores.size()) + " rooms\n\n| measure | all |";
   for (const auto& difficulty : columns) text += " " + difficulty + " |";
@@ -196,7 +208,9 @@ std::string score_markdown(std::span<const RoomScore> scores) {
       text += " " + cell(total(scores, measure, difficulty)) + " |";
     text += std::string(" ") + measure.meaning + " |\n";
   }
-  for (const auto& score : scores) add_room(text, score);
+  for (const auto& score : scores) add_failures_of(text, score);
+  if (!unscored.empty()) text += "\n## Not scored\n\n";
+  for (const auto& room : unscored) text += "- " + room.id + ": " + room.reason + "\n";
   return text;
 }
 

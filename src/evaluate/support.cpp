@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "roomgen/base/random.h"
+#include "roomgen/geometry/convex_hull.h"
 
 namespace roomgen::sceneeval {
 
@@ -18,7 +19,7 @@ constexpr double points_per_square_metre = 256.0;
 constexpr std::size_t least_points_a_face = 32;
 constexpr std::size_t most_points = 100000;
 constexpr std::size_t least_contacts = 4;
-constexpr double same_place = 1e-6;
+constexpr double no_area = 1e-12;  // of contacts in one line, m2
 constexpr double edge_tolerance = 1e-4;  // what a scene file resolves: flush to a wall is inside
 
 struct Pull {
@@ -116,34 +117,6 @@ class Contacts {
   std::vector<Vec3> points_;
 };
 
-double turn(const Vec2& a, const Vec2& b, const Vec2& c) {
-  return (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();
-}
-
-// Is the place over the hull of the contacts? Andrew's monotone chain gives the hull counter-clockwise.
-bool over_hull(std::vector<Vec2> points, const Vec2& place) {
-  std::sort(points.begin(), points.end(), [](const Vec2& a, const Vec2& b) {
-    return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
-  });
-  std::vector<Vec2> hull;
-  const auto add_chain = [&](auto first, auto last) {
-    const std::size_t start = hull.size();
-    for (; first != last; ++first) {
-      while (hull.size() >= start + 2 &&
-             turn(hull[hull.size() - 2], hull.back(), *first) <= same_place * same_place)
-        hull.pop_back();
-      hull.push_back(*first);
-    }
-    hull.pop_back();
-  };
-  add_chain(points.begin(), points.end());
-  add_chain(points.rbegin(), points.rend());
-  if (hull.size() < 3) return false;
-  for (std::size_t i = 0; i < hull.size(); ++i)
-    if (turn(hull[i], hull[(i + 1) % hull.size()], place) < 0.0) return false;
-  return true;
-}
-
 bool is_supported(std::size_t index, std::span<const Thing> things, const Pull& pull,
                   const Room& room, const RoomThings& parts) {
   const Thing& thing = things[index];
@@ -159,7 +132,8 @@ bool is_supported(std::size_t index, std::span<const Thing> things, const Pull& 
   if (contacts.points().size() < least_contacts) return false;
   std::vector<Vec2> places;
   for (const auto& point : contacts.points()) places.push_back(point.head<2>());
-  return over_hull(std::move(places), thing.centroid().head<2>());
+  const auto hull = convex_hull(std::move(places));
+  return signed_area(hull) > no_area && depth_in(hull, thing.centroid().head<2>()) >= 0.0;
 }
 
 }  // namespace

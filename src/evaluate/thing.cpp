@@ -1,38 +1,15 @@
 #include "roomgen/evaluate/thing.h"
 
-#include <fcl/geometry/bvh/BVH_model.h>
-#include <fcl/math/bv/OBB.h>
-#include <fcl/math/bv/OBBRSS.h>
-#include <fcl/narrowphase/collision.h>
-#include <fcl/narrowphase/distance.h>
-
 #include <algorithm>
 
-#include "ray_tree.h"
 #include "roomgen/geometry/centroid.h"
+#include "roomgen/geometry/mesh_tree.h"
 #include "roomgen/scene/box_model.h"
 #include "roomgen/scene/room_shell.h"
 
 namespace roomgen {
 
 namespace {
-
-constexpr std::size_t max_contacts = 100000;  // as trimesh has it
-
-using CollisionTree = fcl::BVHModel<fcl::OBBd>;
-using DistanceTree = fcl::BVHModel<fcl::OBBRSSd>;
-
-template <typename Tree>
-std::unique_ptr<Tree> make_tree(const Mesh& mesh) {
-  auto tree = std::make_unique<Tree>();
-  tree->beginModel(static_cast<int>(mesh.triangles.size()),
-                   static_cast<int>(mesh.positions.size()));
-  for (const auto& t : mesh.triangles)
-    tree->addTriangle(mesh.positions[t[0]].cast<double>(), mesh.positions[t[1]].cast<double>(),
-                      mesh.positions[t[2]].cast<double>());
-  tree->endModel();
-  return tree;
-}
 
 Mesh placed(Mesh mesh, const OrientedBox& frame) {
   for (auto& position : mesh.positions)
@@ -51,22 +28,14 @@ struct Thing::Impl {
   Mesh mesh;
   Bounds3 bounds;
   Vec3 centroid = Vec3::Zero();
-  std::unique_ptr<CollisionTree> collision;
-  std::unique_ptr<DistanceTree> distance;
-  std::unique_ptr<RayTree> rays;
 
-  CollisionTree* collision_tree() {
-    if (!collision) collision = make_tree<CollisionTree>(mesh);
-    return collision.get();
+  const MeshTree& tree() {
+    if (!tree_) tree_.emplace(mesh);
+    return *tree_;
   }
-  DistanceTree* distance_tree() {
-    if (!distance) distance = make_tree<DistanceTree>(mesh);
-    return distance.get();
-  }
-  const RayTree& ray_tree() {
-    if (!rays) rays = std::make_unique<RayTree>(mesh);
-    return *rays;
-  }
+
+ private:
+  std::optional<MeshTree> tree_;
 };
 
 Thing::Thing(const OrientedBox& box, Mesh mesh) : impl_(std::make_shared<Impl>()) {
@@ -82,43 +51,19 @@ const Bounds3& Thing::bounds() const { return impl_->bounds; }
 const Vec3& Thing::centroid() const { return impl_->centroid; }
 
 std::optional<double> Thing::ray(const Vec3& origin, const Vec3& direction) const {
-  return impl_->ray_tree().first_hit(origin, direction);
+  return impl_->tree().first_hit({origin, direction});
 }
 
-Vec3 Thing::closest_point(const Vec3& point) const { return impl_->ray_tree().closest(point); }
+Vec3 Thing::closest_point(const Vec3& point) const {
+  return impl_->tree().closest_point(point).value_or(point);
+}
 
 double Thing::distance_from(const OrientedBox& box) const {
   for (const auto& position : impl_->mesh.positions)
     if (box.contains(position.cast<double>())) return 0.0;
-  const auto other = make_tree<DistanceTree>(mesh_of(box));
-  const fcl::DistanceRequestd request;
-  fcl::DistanceResultd result;
-  fcl::distance(impl_->distance_tree(), fcl::Transform3d::Identity(), other.get(),
-                fcl::Transform3d::Identity(), request, result);
-  return std::max(result.min_distance, 0.0);
-}
-
-bool Thing::collides(const Thing& other, double retreat) const {
-  const auto& a = impl_->bounds;
-  const auto& b = other.impl_->bounds;
-  if ((a.low.array() > b.high.array()).any() || (b.low.array() > a.high.array()).any())
-    return false;
-  auto* tree = impl_->collision_tree();
-  auto* other_tree = other.impl_->collision_tree();
-  fcl::Transform3d pose = fcl::Transform3d::Identity();
-  fcl::CollisionResultd result;
-  fcl::collide(tree, pose, other_tree, pose, fcl::CollisionRequestd(max_contacts, true), result);
-  if (!result.isCollision()) return false;
-  Vec3 mean = Vec3::Zero();
-  for (std::size_t i = 0; i < result.numContacts(); ++i) mean += result.getContact(i).pos;
-  mean /= static_cast<double>(result.numContacts());
-  const Vec3 away = other.centroid() - mean;
-  if (away.norm() < 1e-9) return true;
-  fcl::Transform3d moved = fcl::Transform3d::Identity();
-  moved.translation() = retreat * away.normalized();
-  fcl::CollisionResultd again;
-  fcl::collide(tree, pose, other_tree, moved, fcl::CollisionRequestd(1, false), again);
-  return again.isCollision();
+  NearestPoints nearest{std::numeric_limits<double>::max()};
+  impl_->tree().nearest(MeshTree(mesh_of(box)), nearest);
+  return nearest.distance;
 }
 
 Thing thing_of(const Object& object, const ModelTable& models) {

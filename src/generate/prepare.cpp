@@ -40,8 +40,9 @@ Result<PlacementTask> prepare(Work& work, const PlannedObject& planned, const As
   object.asset = asset.ref;
   object.traits = category.traits;
   object.traits.front = category.traits.front && asset.has_front;
-  object.traits.round = asset.round;
   object.size = fitted_size(asset, item, category);
+  const auto model = work.place.models.find(asset_key(asset.ref));
+  object.traits.round = asset.round && (!model || keeps_to_ellipse(*model, object.size));
   object.mount = item.mount;
   object.relations = item.relations;
   object.position.z() = mounting_height(object, category, asset, work.place.room);

@@ -209,9 +209,7 @@ Layout::Verdict Layout::fits_exactly(const Candidate& candidate) {
   const Object& object = candidate.object;
   const Footprint own = footprint(object);
   for (std::size_t i = 0; i < things_.size(); ++i)
-    if (own.bounds().overlaps(things_[i].footprint.bounds()) &&
-        solids_.overlap(object, *things_[i].object))
-      return {false, {i}};
+    if (solids_.overlap(object, *things_[i].object)) return {false, {i}};
   if (!blocks_floor(object, *candidate.category)) return {};
 
   things_.push_back({&object, candidate.category, own});

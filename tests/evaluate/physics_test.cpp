@@ -129,18 +129,6 @@ TEST_CASE("Before a door is as deep as it is wide, before a window half a metre"
   CHECK(before({3, 3.2}, 1.4)[1].empty());
 }
 
-TEST_CASE("Crossing meshes collide, touching and parted ones do not") {
-  const auto pairs = [](double x) {
-    const std::vector<Thing> things = {
-        thing_of(rooms::thing("a-0", "thing", {1, 1, 1}), ModelTable()),
-        thing_of(rooms::thing("b-0", "thing", {1, 1, 0.8}, {x, 0.1}), ModelTable())};
-    return sceneeval::collisions(things).size();
-  };
-  CHECK(pairs(0.9) == 1);
-  CHECK(pairs(0.998) == 0);  // the 5 mm that SceneEval forgives
-  CHECK(pairs(1.1) == 0);
-}
-
 TEST_CASE("The share in bounds is that of the surface over the floor") {
   const Room room = rooms::box(5, 4);
   const auto share = [&](double x) {

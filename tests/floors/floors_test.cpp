@@ -21,7 +21,8 @@ const std::map<std::string, double> floors = {
 
 // Headers of libraries that a user of the core must not need, and the modules that may include them.
 const std::map<std::string, std::vector<std::string>> adapters = {
-    {"fcl/", {"collision", "evaluate"}}, {"assimp/", {"assets"}}, {"sqlite3.h", {"assets"}}, {"zip.h", {"assets"}},
+    {"fcl/", {"collision"}}, {"polyclipping/", {"geometry"}}, {"meshoptimizer.h", {"geometry"}},
+    {"assimp/", {"assets"}}, {"sqlite3.h", {"assets"}}, {"zip.h", {"assets"}},
     {"png.h", {"assets", "render"}}, {"jpeglib.h", {"assets", "render"}}, {"GL/", {"render"}},
     {"opencv2/", {"render", "assets"}}, {"pugixml", {"import"}}, {"cpr/", {"agent"}}, {"curl/", {"agent"}}, {"CLI/", {}}};
 

@@ -35,8 +35,12 @@ struct RoomScore {
   std::size_t windows = 0, clear_windows = 0;  ///< clear: nothing stands before it
   std::map<std::string, std::vector<std::string>> in_the_way;  ///< what stands before an opening; ids
   std::map<std::string, std::vector<std::string>> matched;  ///< category to ids
+  std::vector<RoomScore> rooms;  ///< of a dwelling: each by itself, without verdicts, by its id
 };
 
+/// A dwelling counts as a whole: its description speaks of all its rooms. What is asked of the walls
+/// is asked of those of a thing's own room; collisions and all that needs no description are found
+/// room by room and added up.
 RoomScore score_room(const Requirements& requirements, const Scene& scene,
                      const ModelTable& models);
 

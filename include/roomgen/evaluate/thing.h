@@ -12,7 +12,7 @@
 namespace roomgen {
 
 /// A surface in the room with what the measures ask of it: its box, its triangles in room
-/// coordinates, rays, distances. Trees are made when first asked for and shared by copies. Not for
+/// coordinates, rays, distances. A tree is made when first asked for and shared by copies. Not for
 /// use by two threads at once.
 class Thing {
  public:
@@ -28,9 +28,6 @@ class Thing {
   /// From the nearest point of a filled box to this surface; 0 when they meet.
   double distance_from(const OrientedBox& box) const;
   Vec3 closest_point(const Vec3& point) const;
-  /// Do the surfaces cross, and do they still after `other` is moved by `retreat` metres along the
-  /// line from the mean contact to its centroid?
-  bool collides(const Thing& other, double retreat) const;
 
  private:
   struct Impl;

@@ -32,4 +32,8 @@ struct ModelPlacement {
 };
 ModelPlacement model_placement(const Object& object, const Bounds3& model_bounds);
 
+/// Does the model, at a size in metres, stay within the ellipse inscribed in its box from above, by
+/// a centimetre? Only then may an object that is made of it be `round`.
+bool keeps_to_ellipse(const Model& model, const Vec3& size);
+
 }  // namespace roomgen
