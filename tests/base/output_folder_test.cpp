@@ -118,7 +118,7 @@ TEST_CASE("The folder of the program itself is changed file by file") {
   fs::current_path(before);
 }
 
-TEST_CASE("The folder may be given as a link; links in it are not followed") {
+TEST_CASE("The folder may be given as a link, but links in it are not followed") {
   const TemporaryFolder folder;
   fs::create_directories(folder / "real");
   fs::create_directories(folder / "elsewhere");
