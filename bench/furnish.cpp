@@ -73,7 +73,7 @@ void measure(const char* name, const std::string& prompt, std::uint64_t seed, co
     const auto middle = std::clock();
     GenerateOptions options;
     options.seed = seed;
-    const auto room = generate(*plan, *designer, library, CategoryTable::built_in(), options);
+    const auto room = generate(*plan, *designer, library, KindTable::built_in(), options);
     if (!room) return;
     if (run == 0) continue;  // loads the meshes
     planning.push_back(planned);

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "arrangement.h"
+#include "roomgen/solve/arrangement.h"
 #include "inventory.h"
 
 namespace roomgen::design {

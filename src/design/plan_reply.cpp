@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "arrangement.h"
+#include "roomgen/solve/arrangement.h"
 #include "floor_plan.h"
 #include "order.h"
 #include "brief/prompt.h"

@@ -10,9 +10,9 @@
 #include "opening_plan.h"
 #include "order.h"
 #include "brief/prompt.h"
-#include "rehearsal.h"
 #include "brief/room_type.h"
 #include "roomgen/base/random.h"
+#include "roomgen/solve/dry_run.h"
 
 namespace roomgen::design {
 
@@ -22,7 +22,7 @@ constexpr int usual_attempts = 5;
 constexpr int max_attempts = 9;  ///< while something of the prompt is not heeded
 constexpr double growth = 1.05;  ///< of the sides from attempt to attempt
 constexpr int fewest = 8;
-constexpr std::size_t most_rehearsed = 80;  ///< things; larger plans are taken as they are
+constexpr std::size_t most_tried = 80;  ///< things; larger plans are taken as they are
 
 /// One plan and what was wrong with it.
 struct Attempt {
@@ -142,11 +142,11 @@ class Planner {
 
   void judge(Attempt& attempt) const {
     const auto planned = planned_objects(attempt.plan);
-    if (planned.size() > most_rehearsed) return;
-    Rehearsal rehearsal = rehearse(attempt.plan, table_, arrangements_);
-    attempt.missed = std::move(rehearsal.missed);
-    attempt.fault = 2.0 * rehearsal.broken;
-    attempt.heeds_prompt = rehearsal.broken == 0;
+    if (planned.size() > most_tried) return;
+    DryRun run = dry_run(attempt.plan, table_, arrangements_);
+    attempt.missed = std::move(run.missed);
+    attempt.fault = 2.0 * run.broken;
+    attempt.heeds_prompt = run.broken == 0;
     int on_floor = 0;
     for (const auto& object : planned)
       on_floor += attempt.plan.items[object.item].mount == Mount::floor;

@@ -31,7 +31,7 @@ const std::vector<std::string> size_keys = {"size cm",    "size",         "dimen
                                             "size in cm", "bounding box", "dims"};
 const std::vector<std::string> quantity_keys = {"quantity", "count", "number", "amount", "qty"};
 const std::vector<std::string> variance_keys = {"variance", "variation", "varied"};
-const std::vector<std::string> place_keys = {"place", "placement", "location",
+const std::vector<std::string> spot_keys = {"place", "placement", "location",
                                              "mount", "where",     "on"};
 const std::vector<std::string> on_top_keys = {"on top", "objects on top", "items on top",
                                               "children", "on it"};
@@ -214,7 +214,7 @@ class ItemReader {
   // Sets the mount; the answer is the name of what carries it.
   std::string read_mount(const Json& value, PlanItem& item) {
     item.mount = lexicon_.table.get(item.category).mount;
-    const auto pieces = words(text_of(member(value, place_keys)));
+    const auto pieces = words(text_of(member(value, spot_keys)));
     for (const auto& piece : pieces)
       for (const auto& known : place_words)
         if (piece == known.word) {

@@ -1,11 +1,11 @@
 #include "roomgen/design/rule_designer.h"
 
-#include "advise.h"
-#include "arrangement.h"
 #include "planning.h"
 #include "brief/room_kinds.h"
 #include "roomgen/base/text.h"
 #include "brief/prompt_words.h"
+#include "roomgen/scene/judgement.h"
+#include "roomgen/solve/arrangement.h"
 
 namespace roomgen {
 
@@ -48,7 +48,13 @@ class RuleDesigner : public Designer {
     if (auto ready = check_knowledge(); !ready) return ready.error();
     if (request.planned.item >= request.plan.items.size())
       return invalid("\"" + request.planned.id + "\" is no item of the plan");
-    return advise(request, KindTable::built_in(), *built_in_arrangements());
+    const PlanItem& item = request.plan.items[request.planned.item];
+    PlaceAdvice advice;
+    advice.relations =
+        known_relations(item.relations, request.scene.room, request.scene.objects);
+    advice.location = item.location;
+    advice.usual = true;
+    return advice;
   }
 
  private:

@@ -4,15 +4,12 @@
 
 #include "order.h"
 #include "roomgen/geometry/free_rectangles.h"
+#include "roomgen/solve/support.h"
 #include "support.h"
 
 namespace roomgen {
 
 namespace {
-
-// A picture or mirror hangs this far above what it is above, and below the ceiling.
-constexpr double gap_above = 0.15;
-constexpr double gap_below_ceiling = 0.05;
 
 // Of the free parts of the floor that a designer is told of: metres, and how many.
 constexpr double least_free_side = 0.3;
@@ -43,15 +40,6 @@ int put_wishes_first(const PlanItem& item, std::vector<Relation>& relations) {
                item.relations.end();
       });
   return item.asked ? static_cast<int>(end - relations.begin()) : 0;
-}
-
-void hang_above_targets(const Layout& layout, Object& object) {
-  for (const auto& relation : object.relations) {
-    const Object* target = layout.find(relation.target);
-    if (relation.kind != RelationKind::above || !target) continue;
-    const double highest = layout.room().height - object.size.z() - gap_below_ceiling;
-    object.position.z() = std::min(highest, std::max(object.position.z(), top(*target) + gap_above));
-  }
 }
 
 }  // namespace
@@ -85,12 +73,15 @@ Status follow(const Work& work, const PlaceAdvice& advice, const PlannedObject& 
   const PlanItem& item = work.item(planned);
   Object& object = task.object;
   object.relations = advice.relations;
-  task.wishes = put_wishes_first(item, object.relations);
   task.location = advice.location;
   task.facing = advice.yaw;
-  if (object.mount == Mount::surface) return put_on_support(work, item, refused, object);
-  if (object.mount == Mount::wall) hang_above_targets(work.layout(), object);
-  return {};
+  task.usual = advice.usual;
+  task.anywhere = item.asked || refused > 0;
+  task.of_its_kind = quantity_of(work.place.plan, item.category);
+  if (task.usual && object.mount == Mount::surface)
+    choose_support(work.layout(), item.on, refused, task);
+  task.wishes = put_wishes_first(item, object.relations);
+  return object.mount == Mount::surface ? put_on_support(work, item, refused, object) : Status();
 }
 
 }  // namespace roomgen

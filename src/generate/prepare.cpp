@@ -14,18 +14,6 @@ namespace {
 // Assets that are looked at for one that can carry what it shall.
 constexpr int most_carriers = 6;
 
-constexpr double under_ceiling = 0.05;  // of what hangs on a wall
-
-// The usual height; what stands on something gets its own when that is known.
-double mounting_height(const Object& object, const Kind& category, const AssetInfo& asset,
-                       const Room& room) {
-  const double room_left = room.height - object.size.z();
-  if (object.mount == Mount::ceiling) return room_left;
-  if (object.mount != Mount::wall) return object.position.z();
-  const double usual = category.elevation > 0 ? category.elevation : asset.elevation;
-  return std::clamp(usual, 0.0, std::max(0.0, room_left - under_ceiling));
-}
-
 }  // namespace
 
 Result<PlacementTask> prepare(Work& work, const PlannedObject& planned, const AssetInfo& asset) {
@@ -45,7 +33,9 @@ Result<PlacementTask> prepare(Work& work, const PlannedObject& planned, const As
   object.traits.round = asset.round && (!model || keeps_to_ellipse(*model, object.size));
   object.mount = item.mount;
   object.relations = item.relations;
-  object.position.z() = mounting_height(object, category, asset, work.place.room);
+  const double elevation = category.elevation > 0 ? category.elevation : asset.elevation;
+  object.position.z() =
+      mounting_height(item.mount, object.size.z(), elevation, work.place.room);
   task.location = item.location;
   task.asked = item.asked;
   return task;

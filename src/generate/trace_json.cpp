@@ -14,6 +14,7 @@ Json terms_json(const PlacementTerms& terms) {
           {"spread", rounded(terms.spread)},
           {"evenness", rounded(terms.evenness)},
           {"closeness", rounded(terms.closeness)},
+          {"arrangement", rounded(terms.arrangement)},
           {"rank_c", rounded(terms.rank_c)},
           {"rank_l", rounded(terms.rank_l)},
           {"fused", rounded(terms.fused, 8)}};
@@ -37,6 +38,7 @@ Json advice_json(const PlaceAdvice& advice) {
   json["constraints"] = to_text(advice.relations);
   json["location"] =
       advice.location ? Json{rounded(advice.location->x()), rounded(advice.location->y())} : Json();
+  json["usual"] = advice.usual;
   json["facing_deg"] = advice.yaw ? Json(rounded(degrees(*advice.yaw), 2)) : Json();
   return json;
 }

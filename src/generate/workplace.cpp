@@ -4,6 +4,7 @@
 
 #include "fit_openings.h"
 #include "retrieve.h"
+#include "roomgen/solve/place.h"
 
 namespace roomgen {
 
@@ -15,7 +16,8 @@ Workplace::Workplace(Plan the_plan, Designer& the_designer, const AssetLibrary& 
       categories(the_categories),
       options(std::move(the_options)),
       room(plan.room),
-      layout(room, categories, models) {}
+      layout(room, categories, models,
+             built_in_arrangements() ? &*built_in_arrangements() : nullptr) {}
 
 Result<std::unique_ptr<Workplace>> open_workplace(Plan plan, Designer& designer,
                                                   const AssetLibrary& library,
@@ -81,6 +83,12 @@ Status fetch_model(Workplace& place, const AssetInfo& asset) {
 
 void enter(Work& work, const PlannedObject& planned, const AssetInfo& asset, PlacementTask task) {
   BuildState& state = work.state;
+  if (const Object* standing = work.layout().find(planned.id)) {
+    task.object.relations = standing->relations;
+    task.usual = false;
+  } else {
+    task = with_leading_habit(work.layout(), std::move(task));
+  }
   std::erase_if(state.tasks, [&](const PlacementTask& other) { return other.object.id == planned.id; });
   state.tasks.push_back(std::move(task));
   remember(state.favourites, work.item(planned), asset);

@@ -335,6 +335,18 @@ std::vector<ResolvedRelation> resolve(const Object& object, const Room& room,
   return result;
 }
 
+std::vector<Relation> known_relations(const std::vector<Relation>& relations, const Room& room,
+                                      std::span<const Object> placed) {
+  std::vector<Relation> known;
+  for (const auto& relation : relations)
+    if (relation.target.empty() || relation.target == "corner" ||
+        part_of_room(room, relation.target) ||
+        std::any_of(placed.begin(), placed.end(),
+                    [&](const Object& object) { return object.id == relation.target; }))
+      known.push_back(relation);
+  return known;
+}
+
 Judgement judge(const ResolvedRelation& relation, const Subject& subject, const Room& room) {
   Judgement best;
   for (const auto& target : relation.targets) {

@@ -65,6 +65,13 @@ PlanItem read_item(const JsonReader& json) {
 
 }  // namespace
 
+int quantity_of(const Plan& plan, std::string_view category) {
+  int count = 0;
+  for (const auto& item : plan.items)
+    if (item.category == category) count += item.quantity;
+  return count;
+}
+
 std::vector<PlannedObject> planned_objects(const Plan& plan) {
   std::vector<PlannedObject> objects;
   auto next_number = plan.first_numbers;

@@ -35,7 +35,7 @@ int luby(int i) {
 }
 
 // A pose at which all constraints of a thing hold.
-struct Choice {
+struct Option {
   Pose pose;
   double degree = 0.0;
   std::size_t taken_at = nowhere;  // depth of what stands in its way
@@ -52,7 +52,7 @@ struct Member {
   // What remains for it, known as soon as all its targets are placed; a sample where there is
   // plenty.
   std::size_t known_at = nowhere;
-  std::vector<Choice> domain;
+  std::vector<Option> domain;
   bool is_sample = false;
   Depths culprits;  // whoever took something from the domain before it was known, and its targets
 };
@@ -60,16 +60,16 @@ struct Member {
 // A thing's turn in the search.
 struct Turn {
   std::size_t member = 0;
-  std::vector<Choice> choices;  // best first
+  std::vector<Option> choices;  // best first
   std::size_t next = 0;
   bool grid_is_left = false;
   std::vector<Pose> tried;
   Depths culprits;  // whoever must move if no choice leads on
 };
 
-class Arrangement {
+class LayoutSearch {
  public:
-  Arrangement(Layout& layout, std::span<const PlacementTask* const> tasks,
+  LayoutSearch(Layout& layout, std::span<const PlacementTask* const> tasks,
               const ArrangeOptions& options, Random& random)
       : layout_(layout), options_(options), random_(random), settled_(layout.objects().size()) {
     for (const auto* task : tasks) members_.push_back(member_of(*task, tasks));
@@ -209,7 +209,7 @@ class Arrangement {
   static std::size_t remaining(const Member& member) {
     return static_cast<std::size_t>(
         std::count_if(member.domain.begin(), member.domain.end(),
-                      [](const Choice& choice) { return choice.taken_at == nowhere; }));
+                      [](const Option& choice) { return choice.taken_at == nowhere; }));
   }
 
   void learn(Member& member) {
@@ -227,7 +227,7 @@ class Arrangement {
   }
 
   // Leaves at most `count`, evenly chosen.
-  static void thin(std::vector<Choice>& choices, std::size_t count) {
+  static void thin(std::vector<Option>& choices, std::size_t count) {
     if (choices.size() <= count) return;
     for (std::size_t i = 0; i < count; ++i) choices[i] = choices[i * choices.size() / count];
     choices.resize(count);
@@ -265,9 +265,9 @@ class Arrangement {
 
   // The poses where the cheap tests pass and all constraints hold. Of those where they would hold
   // were the place free, the first thing in the way is noted: going back to it helps most.
-  std::vector<Choice> allowed(const ProposalContext& context, const std::vector<Pose>& poses,
+  std::vector<Option> allowed(const ProposalContext& context, const std::vector<Pose>& poses,
                               Asked asked, Depths& culprits) const {
-    std::vector<Choice> choices;
+    std::vector<Option> choices;
     const auto candidate = layout_.candidate(context.task.object);
     const FootprintAt footprint_at(context.task.object);
     for (const auto& pose : poses) {
@@ -323,7 +323,7 @@ class Arrangement {
           total_degree(score(context, footprint_at(choice.pose), choice.pose.bottom)) + noise;
     }
     std::stable_sort(choices.begin(), choices.end(),
-                     [](const Choice& a, const Choice& b) { return a.degree > b.degree; });
+                     [](const Option& a, const Option& b) { return a.degree > b.degree; });
     turn.choices.insert(turn.choices.end(), choices.begin(), choices.end());
   }
 
@@ -376,7 +376,7 @@ class Arrangement {
 
 bool arrange(Layout& layout, std::span<const PlacementTask* const> tasks,
              const ArrangeOptions& options, Random& random) {
-  return Arrangement(layout, tasks, options, random).run();
+  return LayoutSearch(layout, tasks, options, random).run();
 }
 
 }  // namespace roomgen

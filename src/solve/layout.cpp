@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "roomgen/evaluate/report.h"
-
 namespace roomgen {
 
 namespace {
@@ -44,6 +42,14 @@ Object at_pose(const Object& object, const Pose& pose) {
   return with_rounded_pose(std::move(placed));
 }
 
+double mounting_height(Mount mount, double height, double elevation, const Room& room) {
+  constexpr double below_ceiling = 0.05;
+  const double room_left = std::max(0.0, room.height - height);
+  if (mount == Mount::ceiling) return room_left;
+  if (mount == Mount::wall) return std::min(elevation, std::max(0.0, room_left - below_ceiling));
+  return 0.0;
+}
+
 Pose pose_of(const SupportPose& support_pose, const Object& support) {
   return {footprint(support).to_world(support_pose.position), bottom(support) + support_pose.bottom,
           wrap_angle(support.yaw + support_pose.yaw)};
@@ -58,10 +64,12 @@ Footprint FootprintAt::operator()(const Pose& pose) const {
   return turned_.back().moved_to(pose.position);
 }
 
-Layout::Layout(const Room& room, const KindTable& categories, const ModelTable& models)
+Layout::Layout(const Room& room, const KindTable& categories, const ModelTable& models,
+               const Arrangements* arrangements)
     : room_(room),
       categories_(categories),
       models_(models),
+      arrangements_(arrangements),
       solids_(models),
       support_poses_(models),
       wall_yaws_(yaws_of_walls(room)),
@@ -101,12 +109,17 @@ bool Layout::carries_something(std::string_view id) const {
                      [&](const Object& object) { return object.on == id; });
 }
 
+const Arrangement* Layout::arrangement_of(const Object& object) const {
+  return arrangements_ ? &arrangements_->get(categories_, object.category, object.mount) : nullptr;
+}
+
 void Layout::refresh_things() {
   for (std::size_t i = 0; i < objects_.size(); ++i) things_[i].object = &objects_[i];
 }
 
 void Layout::add(Object object) {
   things_.push_back(floor_thing(object, categories_));
+  arranged_.push_back(arrangement_of(object));
   objects_.push_back(std::move(object));
   in_occupancy_.push_back(false);
   refresh_things();
@@ -119,6 +132,7 @@ void Layout::remove(std::string_view id) {
     if (in_occupancy_[i]) occupancy_.remove(things_[i].footprint);
     objects_.erase(objects_.begin() + at);
     things_.erase(things_.begin() + at);
+    arranged_.erase(arranged_.begin() + at);
     in_occupancy_.erase(in_occupancy_.begin() + at);
     break;
   }

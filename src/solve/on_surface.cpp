@@ -36,22 +36,6 @@ const SupportSurface* surface_at(const std::vector<SupportSurface>& surfaces, do
   return best;
 }
 
-// The nearest of the seats at the support decides, else the support's own front.
-double user_yaw(const ProposalContext& context, const Object& support, const Footprint& own) {
-  static const std::vector<std::string> seats = {"seat"};
-  const Footprint area = footprint(support);
-  double yaw = support.yaw, nearest = 1e9;
-  for (const auto& thing : context.layout.things()) {
-    if (!is_any_of(*thing.category, seats) ||
-        gap(thing.footprint, area) > seat_reach ||
-        ray_hit(area, thing.footprint.center(), thing.footprint.front()) < 0)
-      continue;
-    const double distance = (thing.footprint.center() - own.center()).norm();
-    if (distance < nearest) nearest = distance, yaw = thing.footprint.yaw() + pi;
-  }
-  return yaw;
-}
-
 double inset_degree(const Footprint& own, const Footprint& area) {
   const Vec2 half = area.half();
   double least = edge_comfort;
@@ -64,34 +48,53 @@ double inset_degree(const Footprint& own, const Footprint& area) {
 
 }  // namespace
 
-double rest_degree(const ProposalContext& context, const Footprint& footprint, double bottom) {
-  const Object& object = context.task.object;
-  const Object* support = object.mount == Mount::surface ? context.layout.find(object.on) : nullptr;
-  if (!support) return 1.0;
-  const auto& surfaces = context.layout.support_poses().surfaces(*support);
-  if (surfaces.empty()) return 0.0;
-  const double base = roomgen::bottom(*support);
-  const bool shelves =
-      context.layout.categories().is_any_of(support->category, {"bookshelf", "shelf"});
-  const bool basin =
-      context.layout.categories().is_any_of(support->category, {"washbasin", "kitchen sink"});
-  double rim = 0.0;
-  for (const auto& surface : surfaces) rim = std::max(rim, surface.height);
-  const auto worth = [&](const SupportSurface& surface) {
-    const double degree =
-        level_degree(surface, base, support->size.z(), surfaces.front().area, shelves);
-    return basin && surface.height < rim - same_level ? sunk * degree : degree;
-  };
-  double best = 1e-6;
-  for (const auto& surface : surfaces) best = std::max(best, worth(surface));
-  const SupportSurface* own = surface_at(surfaces, bottom - base);
-  const double level = own ? worth(*own) / best : 0.0;
+std::optional<Rest> Rest::of(const Layout& layout, const Object& object) {
+  static const std::vector<std::string> seats = {"seat"}, shelves = {"bookshelf", "shelf"},
+                                        basins = {"washbasin", "kitchen sink"};
+  const Object* support = object.mount == Mount::surface ? layout.find(object.on) : nullptr;
+  if (!support) return std::nullopt;
+  const Kind& category = layout.categories().get(support->category);
+  Rest rest;
+  rest.surfaces_ = &layout.support_poses().surfaces(*support);
+  rest.area_ = footprint(*support);
+  rest.base_ = bottom(*support);
+  rest.height_ = support->size.z();
+  rest.has_front_ = object.traits.front;
+  rest.shelves_ = is_any_of(category, shelves);
+  rest.basin_ = is_any_of(category, basins);
+  for (const auto& surface : *rest.surfaces_) rest.rim_ = std::max(rest.rim_, surface.height);
+  rest.best_worth_ = 1e-6;
+  for (const auto& surface : *rest.surfaces_)
+    rest.best_worth_ = std::max(rest.best_worth_, rest.worth(surface));
+  for (const auto& thing : layout.things())
+    if (is_any_of(*thing.category, seats) && gap(thing.footprint, rest.area_) <= seat_reach &&
+        ray_hit(rest.area_, thing.footprint.center(), thing.footprint.front()) >= 0)
+      rest.seats_.push_back(thing.footprint);
+  return rest;
+}
+
+double Rest::worth(const SupportSurface& surface) const {
+  const double degree = level_degree(surface, base_, height_, surfaces_->front().area, shelves_);
+  return basin_ && surface.height < rim_ - same_level ? sunk * degree : degree;
+}
+
+// The nearest of the seats at the support decides, else the support's own front.
+double Rest::user_yaw(const Footprint& own) const {
+  double yaw = area_.yaw(), nearest = 1e9;
+  for (const auto& seat : seats_) {
+    const double distance = (seat.center() - own.center()).norm();
+    if (distance < nearest) nearest = distance, yaw = seat.yaw() + pi;
+  }
+  return yaw;
+}
+
+double Rest::degree(const Footprint& footprint, double bottom) const {
+  if (surfaces_->empty()) return 0.0;
+  const SupportSurface* own = surface_at(*surfaces_, bottom - base_);
+  const double level = own ? worth(*own) / best_worth_ : 0.0;
   const double facing =
-      object.traits.front
-          ? 0.5 + 0.5 * std::cos(footprint.yaw() - user_yaw(context, *support, footprint))
-          : 1.0;
-  return 0.55 * level + 0.3 * facing +
-         0.15 * inset_degree(footprint, roomgen::footprint(*support));
+      has_front_ ? 0.5 + 0.5 * std::cos(footprint.yaw() - user_yaw(footprint)) : 1.0;
+  return 0.55 * level + 0.3 * facing + 0.15 * inset_degree(footprint, area_);
 }
 
 }  // namespace roomgen

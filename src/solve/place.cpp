@@ -3,26 +3,19 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
-#include <set>
 
+#include "exact_choice.h"
+#include "place_usual.h"
 #include "propose.h"
-#include "roomgen/base/text.h"
+#include "refusal.h"
 #include "score.h"
 
 namespace roomgen {
 
 namespace {
 
-struct Scored {
-  Pose pose;
-  PlacementTerms terms;
-};
-
-bool is_excepted(const Object& object, const Pose& pose, const PlaceOptions& options) {
-  return std::any_of(options.except.begin(), options.except.end(),
-                     [&](const Pose& other) { return are_alike(object, pose, other); });
-}
+// What one rank at the top is worth of the fused sum.
+constexpr double rank_at_top = 5e-5;
 
 // The poses that pass the cheap tests, with their scores. Without a suggestion the constraints come
 // first, and a pose that loses more of them than another is dropped as soon as that is known.
@@ -38,7 +31,7 @@ void score_feasible(const ProposalContext& context, const Layout::Candidate& can
     if (!context.layout.fits(candidate, footprint, pose.bottom)) continue;
     const auto terms = score_relations(context, footprint, pose.bottom, most_lost);
     if (!terms) continue;
-    scored.push_back({pose, *terms});
+    scored.push_back({pose, *terms, 0.0});
     // One more may be lost, so that something is left should the best fail the exact tests.
     if (!context.task.location) most_lost = std::min(most_lost, terms->lost + 1);
   }
@@ -74,7 +67,7 @@ std::vector<std::size_t> rank(const ProposalContext& context, std::vector<Scored
   for (std::size_t i = 0; i < scored.size(); ++i) {
     scored[i].terms.rank_c = ranked[i].rank_c;
     scored[i].terms.rank_l = task.location ? ranked[i].rank_l : 0.0;
-    scored[i].terms.fused = ranked[i].fused;
+    scored[i].terms.fused = scored[i].merit = ranked[i].fused;
   }
   return order_of_choice(ranked);
 }
@@ -131,151 +124,6 @@ int count_homeless(Layout& layout, const std::string& id, std::span<const Placem
   return homeless;
 }
 
-std::string size_text(const Vec3& size) {
-  return format_number(size.x(), 2) + " x " + format_number(size.y(), 2) + " x " +
-         format_number(size.z(), 2) + " m";
-}
-
-// What is in the way at the suggested place, whichever way the object is turned there.
-std::string blocked_by(const Layout& layout, const Layout::Candidate& candidate,
-                       const Vec2& location) {
-  const FootprintAt footprint_at(candidate.object);
-  const double bottom = candidate.object.position.z();
-  std::set<std::string> names;
-  for (const double yaw : layout.wall_yaws()) {
-    const Footprint footprint = footprint_at({location, bottom, yaw});
-    if (!layout.fits_room(candidate, footprint, bottom))
-      names.insert("a wall, a door or a window");
-    for (const auto& thing : layout.things())
-      if (layout.collides(candidate, footprint, bottom, thing)) names.insert(thing.object->id);
-  }
-  return join({names.begin(), names.end()}, ", ");
-}
-
-// Why nothing more goes onto a thing.
-Error refusal_on(const Layout& layout, const Object& object) {
-  std::string why = "no place for " + object.id + " (" + size_text(object.size) + ") on ";
-  const Object* support = layout.find(object.on);
-  if (!support) return {Error::Kind::not_found, why + (object.on.empty() ? "anything" : object.on) +
-                                                    ": it is not in the room"};
-  why += support->id + ": ";
-  const auto& surfaces = layout.support_poses().surfaces(*support);
-  const auto on_it = std::count_if(layout.objects().begin(), layout.objects().end(),
-                                   [&](const Object& other) { return other.on == support->id; });
-  if (surfaces.empty()) {
-    why += "it has no level surface";
-  } else if (layout.support_poses().everywhere(object, *support).empty()) {
-    const Vec2 most = surfaces.front().box().size();
-    why += "none of its surfaces is large and high enough; the largest is " +
-           format_number(most.x(), 2) + " x " + format_number(most.y(), 2) + " m";
-  } else if (on_it > 0) {
-    why += "what stands there already (" + std::to_string(on_it) +
-           (on_it == 1 ? " thing" : " things") + ") leaves no room";
-  } else {
-    why += "what stands around it is in the way";
-  }
-  return {Error::Kind::not_found, why};
-}
-
-Error refusal(const Layout& layout, const PlacementTask& task, const Layout::Candidate& candidate,
-              int candidates, int feasible) {
-  if (task.object.mount == Mount::surface) return refusal_on(layout, task.object);
-  std::string why = "no place for " + task.object.id + " (" + size_text(task.object.size) + "): ";
-  if (feasible == 0)
-    why += "none of " + std::to_string(candidates) +
-           " positions is inside the room and clear of doors, windows and other things";
-  else
-    why += "each of the " + std::to_string(feasible) +
-           " clear positions would leave something unusable or out of reach";
-  if (!task.location) return {Error::Kind::not_found, why};
-  const std::string blockers = blocked_by(layout, candidate, *task.location);
-  if (!blockers.empty()) why += "; in the way at the suggested place: " + blockers;
-  return {Error::Kind::not_found, why};
-}
-
-// Walks through candidates in the order of choice and tests each on meshes and reachability. Near
-// one that failed, others will probably fail too; near one that passed, others are no real
-// alternative: both come after those elsewhere. Only when the first to pass ranks clearly below
-// some that were put off are those tried before it: a fine grid, with many failures close together,
-// must not be driven from a suggestion.
-class Chooser {
- public:
-  Chooser(Layout& layout, const PlacementTask& task, const std::vector<Scored>& scored,
-          std::vector<std::size_t> order, const PlaceOptions& options)
-      : layout_(layout),
-        task_(task),
-        scored_(scored),
-        order_(std::move(order)),
-        cancel_(options.cancel),
-        tests_left_(options.max_exact_tests) {}
-
-  /// The next candidate that passes, if any.
-  std::optional<std::size_t> next() {
-    while (next_ < order_.size() && may_test()) {
-      const std::size_t i = order_[next_++];
-      if (failures_near(i) >= 2 || is_like_one_passed(i)) {
-        deferred_.push_back(i);
-      } else if (passes(i)) {
-        const auto better = first_deferred_that_passes(scored_[i].terms.fused + worth_going_back);
-        if (better) --next_;
-        return accepted(better.value_or(i));
-      }
-    }
-    const auto last = first_deferred_that_passes(0.0);
-    if (!last) return std::nullopt;
-    return accepted(*last);
-  }
-
- private:
-  static constexpr double neighbourhood = 0.25;
-  static constexpr double worth_going_back = 5e-5;  // of the fused sum: a rank at the top
-
-  std::pair<int, int> cell(std::size_t i) const {
-    const Vec2 index = (scored_[i].pose.position / neighbourhood).array().floor();
-    return {static_cast<int>(index.x()), static_cast<int>(index.y())};
-  }
-  int failures_near(std::size_t i) const {
-    const auto found = failures_.find(cell(i));
-    return found == failures_.end() ? 0 : found->second;
-  }
-  bool is_like_one_passed(std::size_t i) const {
-    return std::any_of(passed_.begin(), passed_.end(), [&](std::size_t j) {
-      return are_alike(task_.object, scored_[i].pose, scored_[j].pose);
-    });
-  }
-  std::size_t accepted(std::size_t i) {
-    passed_.push_back(i);
-    return i;
-  }
-  // Of those put off, while none has been accepted: the first above `bar` that passes.
-  std::optional<std::size_t> first_deferred_that_passes(double bar) {
-    while (passed_.empty() && next_deferred_ < deferred_.size() && may_test()) {
-      const std::size_t i = deferred_[next_deferred_];
-      if (scored_[i].terms.fused < bar) break;
-      ++next_deferred_;
-      if (passes(i)) return i;
-    }
-    return std::nullopt;
-  }
-  bool may_test() const { return tests_left_ > 0 && !cancel_.cancelled(); }
-  bool passes(std::size_t i) {
-    --tests_left_;
-    const bool passed{
-        layout_.fits_exactly(layout_.candidate(at_pose(task_.object, scored_[i].pose)))};
-    if (!passed) ++failures_[cell(i)];
-    return passed;
-  }
-
-  Layout& layout_;
-  const PlacementTask& task_;
-  const std::vector<Scored>& scored_;
-  std::vector<std::size_t> order_, deferred_, passed_;
-  std::map<std::pair<int, int>, int> failures_;
-  std::size_t next_ = 0, next_deferred_ = 0;
-  const CancelToken& cancel_;
-  int tests_left_;
-};
-
 // The first candidate that passes; when others depend on the object, of the first few that pass the
 // one that costs the fewest constraints, its own and those of dependants without a place.
 std::optional<std::size_t> choose(Layout& layout, const PlacementTask& task,
@@ -283,7 +131,7 @@ std::optional<std::size_t> choose(Layout& layout, const PlacementTask& task,
                                   const std::vector<Scored>& scored,
                                   const std::vector<std::size_t>& order,
                                   const PlaceOptions& options) {
-  Chooser chooser(layout, task, scored, order, options);
+  ExactChoice chooser(layout, task.object, scored, order, rank_at_top, options);
   const auto first = chooser.next();
   const bool has_dependants = std::any_of(
       later.begin(), later.end(),
@@ -434,6 +282,9 @@ Status PlaceOptions::validate() const {
 Result<Placement> place(Layout& layout, const PlacementTask& task,
                         std::span<const PlacementTask> later, const PlaceOptions& options,
                         Random& random) {
+  if (task.usual && task.object.mount != Mount::surface)
+    if (const Arrangement* arrangement = layout.arrangement_of(task.object))
+      return place_usually(layout, task, *arrangement, options, random);
   return Placing(layout, task, later, options, random).run();
 }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <initializer_list>
 
+#include "ways.h"
+
 namespace roomgen {
 
 namespace {
@@ -19,8 +21,20 @@ Vec2 size_of(const ProposalContext& context) {
   return context.task.object.size.head<2>();
 }
 
+// A picture or mirror hangs this far above what it is above.
+constexpr double gap_above = 0.15;
+
+// Of the bottom: what hangs above a thing clears its top as far as the room allows.
 double mounting_height(const ProposalContext& context) {
-  return context.task.object.position.z();
+  const Object& object = context.task.object;
+  double height = object.position.z();
+  if (object.mount != Mount::wall) return height;
+  const Room& room = context.layout.room();
+  for (const auto& relation : context.relations)
+    if (relation.kind == RelationKind::above && relation.target_top < room.height)
+      height = std::max(height, roomgen::mounting_height(Mount::wall, object.size.z(),
+                                                         relation.target_top + gap_above, room));
+  return height;
 }
 
 // The centres along a wall, measured from its start, at which a thing of this width is worth
@@ -183,49 +197,46 @@ void propose_beside(const ProposalContext& context, const ResolvedRelation& rela
     }
 }
 
-// Seats along the straight sides of the target, shared out by length, all looking at it.
+// Seats at the places of a table, for those that will come and for fewer, all looking at it.
 void propose_seats(const ProposalContext& context, const ResolvedRelation& relation,
                    const Footprint& target, std::vector<Pose>& poses) {
+  constexpr double farthest = 0.5, apart_at_least = 0.02;
+  constexpr int usual_at_side = 4;
   const Vec2 size = size_of(context);
   const auto gaps = useful_gaps(context, relation);
   const auto seat = [&](const Vec2& outward, const Vec2& rim) {
-    for (double gap : gaps) {
-      if (gap > 0.5) continue;
-      poses.push_back(
-          {rim + (gap + 0.5 * size.y()) * outward, mounting_height(context), yaw_facing(-outward)});
-    }
+    for (double gap : gaps)
+      if (gap <= farthest)
+        poses.push_back(
+            {rim + (gap + 0.5 * size.y()) * outward, mounting_height(context), yaw_facing(-outward)});
   };
   if (target.round()) {
-    const int seats = std::max(context.around_count, 2);
-    for (int i = 0; i < 4 * seats; ++i) {
-      const Vec2 direction = rotated({1, 0}, target.yaw() + 2 * pi * i / (4 * seats));
+    const int directions = 4 * std::max(context.around_count, 2);
+    for (int i = 0; i < directions; ++i) {
+      const Vec2 direction = rotated({1, 0}, target.yaw() + 2 * pi * i / directions);
       seat(direction, target.center() + target.half().minCoeff() * direction);
     }
     return;
   }
-  for (int axis = 0; axis < 2; ++axis)
-    for (double sign : {-1.0, 1.0})
-      for (int seats = 1; seats <= 4; ++seats) {
-        const double length = 2 * target.half()[1 - axis];
-        if (seats > 1 && length / seats < size.x() + 0.02) break;
-        for (int i = 0; i < seats; ++i) {
-          Vec2 local;
-          local[axis] = sign * target.half()[axis];
-          local[1 - axis] = length * ((i + 0.5) / seats - 0.5);
-          Vec2 normal = Vec2::Zero();
-          normal[axis] = sign;
-          seat(rotated(normal, target.yaw()), target.to_world(local));
-        }
-      }
+  const int most = std::max(usual_at_side, (context.around_count + 1) / 2);
+  for (int side = 0; side < 4; ++side) {
+    const double length = 2 * target.half()[side < 2 ? 0 : 1];
+    for (int count = 1; count <= most; ++count) {
+      if (count > 1 && length / count < size.x() + apart_at_least) break;
+      for (const auto& place : seat_places_at_side(target, side, count))
+        seat(place.outward, place.rim);
+    }
+  }
 }
 
 // At several distances straight before the target, looking at it, and slantwise.
 void propose_facing(const ProposalContext& context, const Footprint& target,
                     std::vector<Pose>& poses) {
+  constexpr int directions = 16;
   const double reach = 0.5 * size_of(context).y();
   for (double distance : {0.4, 0.8, 1.2, 1.8, 2.4, 3.0})
-    for (int i = 0; i < 8; ++i) {
-      const Vec2 direction = rotated({1, 0}, target.yaw() + i * pi / 4);
+    for (int i = 0; i < directions; ++i) {
+      const Vec2 direction = rotated({1, 0}, target.yaw() + 2 * pi * i / directions);
       const double rim =
           std::abs(direction.dot(target.to_world({1, 0}) - target.center())) * target.half().x() +
           std::abs(direction.dot(target.to_world({0, 1}) - target.center())) * target.half().y();
@@ -246,6 +257,25 @@ void propose_above_targets(const ProposalContext& context, std::vector<Pose>& po
   for (double x = box.low.x() + 0.25; x < box.high.x(); x += 0.25)
     for (double y = box.low.y() + 0.25; y < box.high.y(); y += 0.25)
       poses.push_back({{x, y}, bottom, yaw});
+}
+
+// Furniture on a rug.
+void propose_standing_on(const ProposalContext& context, const Footprint& target,
+                         std::vector<Pose>& poses) {
+  for (double x : {-0.6, -0.3, 0.0, 0.3, 0.6})
+    for (double y : {-0.6, -0.3, 0.0, 0.3, 0.6})
+      for (int turn = 0; turn < 4; ++turn)
+        poses.push_back({target.to_world(Vec2(x, y).cwiseProduct(target.half())),
+                         mounting_height(context), wrap_angle(target.yaw() + turn * pi / 2)});
+}
+
+// A rug where its groups want it, and a little to and fro.
+void propose_beneath(const ProposalContext& context, std::vector<Pose>& poses) {
+  for (const auto& ideal : context.surroundings->beneath)
+    for (double shift : {0.0, 0.2, 0.4, -0.2, -0.4})
+      for (int turn = 0; turn < 4; ++turn)
+        poses.push_back({ideal.to_world({0, -shift}), mounting_height(context),
+                         wrap_angle(ideal.yaw() + turn * pi / 2)});
 }
 
 bool places_beside(RelationKind kind) {
@@ -275,6 +305,9 @@ void propose_for_relation(const ProposalContext& context, const ResolvedRelation
       break;
     case RelationKind::face_to:
       propose_facing(context, target, poses);
+      break;
+    case RelationKind::on:
+      propose_standing_on(context, target, poses);
       break;
     case RelationKind::under:
     case RelationKind::above:
@@ -358,6 +391,12 @@ Company company_around(const ProposalContext& context, const Relation& relation,
 ProposalContext make_context(const Layout& layout, const PlacementTask& task,
                              std::vector<ResolvedRelation> relations, int around_count) {
   ProposalContext context{layout, task, std::move(relations), around_count};
+  context.rest = Rest::of(layout, task.object);
+  const Arrangement* arrangement = layout.arrangement_of(task.object);
+  if (arrangement && task.object.mount != Mount::surface && (task.usual || !task.location)) {
+    context.around_count = std::max(around_count, company_at_table(layout, task.of_its_kind));
+    context.surroundings.emplace(layout, task, *arrangement, context.around_count);
+  }
   for (const auto& relation : task.object.relations)
     if (relation.kind == RelationKind::around)
       if (const Object* target = layout.find(relation.target))
@@ -426,6 +465,7 @@ std::vector<Pose> propose_exact(const ProposalContext& context) {
     for (double yaw : useful_yaws(context))
       poses.push_back({*context.task.location, mounting_height(context), yaw});
   if (!wants(context, RelationKind::middle)) propose_at_walls(context, poses);
+  if (context.surroundings) propose_beneath(context, poses);
   propose_for_relations(context, poses);
   return poses;
 }
@@ -436,11 +476,13 @@ std::vector<Pose> propose_grid(const ProposalContext& context, double pitch,
   if (context.task.object.mount != Mount::floor) return poses;
   const Bounds2 box = bounds(context.layout.room().polygon);
   const auto yaws = useful_yaws(context);
-  const Vec2 cells = (box.size() / pitch).array().floor();
-  const Vec2 start = box.low + 0.5 * (box.size() - pitch * cells);
-  for (int j = 0; j <= static_cast<int>(cells.y()); ++j)
-    for (int i = 0; i <= static_cast<int>(cells.x()); ++i) {
-      const Vec2 point = start + pitch * Vec2(i, j);
+  // One of the points is the middle of the room.
+  const Vec2 middle = 0.5 * (box.low + box.high);
+  const Vec2 steps = (0.5 * box.size() / pitch).array().floor();
+  const int columns = static_cast<int>(steps.x()), rows = static_cast<int>(steps.y());
+  for (int j = -rows; j <= rows; ++j)
+    for (int i = -columns; i <= columns; ++i) {
+      const Vec2 point = middle + pitch * Vec2(i, j);
       if (part && (point - part->center).norm() > part->radius) continue;
       for (double yaw : yaws) poses.push_back({point, mounting_height(context), yaw});
     }

@@ -7,6 +7,8 @@
 #include "roomgen/scene/judgement.h"
 #include "roomgen/scene/problem.h"
 #include "roomgen/solve/layout.h"
+#include "on_surface.h"
+#include "surroundings.h"
 
 namespace roomgen {
 
@@ -24,6 +26,9 @@ struct ProposalContext {
   /// How many will stand around the same target in the end, this one included.
   int around_count = 1;
   std::vector<Company> companies = {};  ///< one for each target that the object stands around
+  /// Where the layout knows how kinds are arranged and no place is suggested: what its kind prefers.
+  std::optional<Surroundings> surroundings = {};
+  std::optional<Rest> rest = {};  ///< of what stands on another thing
 };
 ProposalContext make_context(const Layout& layout, const PlacementTask& task,
                              std::vector<ResolvedRelation> relations, int around_count);

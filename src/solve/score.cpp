@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "on_surface.h"
+#include "weights.h"
 
 namespace roomgen {
 
@@ -52,7 +52,7 @@ double closeness_degree(const ProposalContext& context, const Footprint& footpri
   double degree = 0.0;
   if (task.location)
     degree = 1.0 - std::min((footprint.center() - *task.location).norm() / location_comfort, 1.0);
-  if (task.facing) degree += 0.5 * std::cos(footprint.yaw() - *task.facing);
+  if (task.facing) degree += weights::facing * std::cos(footprint.yaw() - *task.facing);
   return degree;
 }
 
@@ -86,13 +86,15 @@ std::optional<PlacementTerms> score_relations(const ProposalContext& context,
 
 void add_general_terms(const ProposalContext& context, const Footprint& footprint, double bottom,
                        PlacementTerms& terms) {
-  terms.rest = rest_degree(context, footprint, bottom);
+  terms.rest = context.rest ? context.rest->degree(footprint, bottom) : 1.0;
   terms.walkway = walkway_degree(context, footprint);
   // Between small things on a table no one walks.
   const bool on_surface = context.task.object.mount == Mount::surface;
   terms.spread = on_surface ? 1.0 : spread_degree(context, footprint);
   terms.evenness = evenness_degree(context, footprint);
   terms.closeness = closeness_degree(context, footprint);
+  if (context.surroundings)
+    terms.arrangement += preference(*context.surroundings, footprint, bottom);
 }
 
 PlacementTerms score(const ProposalContext& context, const Footprint& footprint, double bottom) {
@@ -103,8 +105,10 @@ PlacementTerms score(const ProposalContext& context, const Footprint& footprint,
 }
 
 double total_degree(const PlacementTerms& terms) {
-  return terms.relations + 0.8 * terms.rest + 0.15 * terms.walkway + 0.15 * terms.spread + 0.3 * terms.evenness +
-         0.5 * terms.closeness;
+  return weights::relations * terms.relations + weights::rest * terms.rest +
+         weights::walkway * terms.walkway + weights::spread * terms.spread +
+         weights::evenness * terms.evenness + weights::closeness * terms.closeness +
+         terms.arrangement;
 }
 
 }  // namespace roomgen

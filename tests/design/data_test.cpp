@@ -1,6 +1,6 @@
 #include <set>
 
-#include "arrangement.h"
+#include "roomgen/solve/arrangement.h"
 #include "catch.h"
 #include "brief/kind_names.h"
 #include "brief/room_kinds.h"

@@ -54,6 +54,8 @@ struct PlaceAdvice {
   std::vector<Relation> relations;
   std::optional<Vec2> location;  ///< centre, in the scene's frame
   std::optional<double> yaw;     ///< radians
+  /// The solver chooses what else holds and where, as things of its kind usually are arranged.
+  bool usual = false;
   std::string reasoning;         ///< for the trace
   std::string next = {};         ///< which of PlaceRequest::later shall come next; empty: the first
   Consultation consultation = {};

@@ -38,6 +38,10 @@ std::vector<ResolvedRelation> resolve(const Object& object, const Room& room,
                                       std::span<const Object> placed,
                                       const KindTable& categories);
 
+/// Those of the relations whose targets are there.
+std::vector<Relation> known_relations(const std::vector<Relation>& relations, const Room& room,
+                                      std::span<const Object> placed);
+
 /// A pose of the object to be judged.
 struct Subject {
   Footprint footprint;

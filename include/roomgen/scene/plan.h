@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "roomgen/base/json_fwd.h"
@@ -53,6 +54,9 @@ struct PlannedObject {
 /// All objects of a plan with their ids: the category in lower case, a hyphen, and a number that runs
 /// over the plan.
 std::vector<PlannedObject> planned_objects(const Plan& plan);
+
+/// How many objects of exactly this category the plan holds.
+int quantity_of(const Plan& plan, std::string_view category);
 
 /// plan.json (docs/plan.schema.json).
 Json to_json(const Plan& plan);

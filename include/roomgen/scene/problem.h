@@ -19,6 +19,11 @@ struct PlacementTask {
   std::optional<double> facing;  ///< suggested yaw, radians
   bool asked = false;            ///< somebody asked for it: what was merely added makes way
   int wishes = 0;                ///< so many of the relations, the first ones, were asked for
+  /// Goes where its kind usually does, as far as the relations leave that open, where the solver knows
+  /// how kinds are arranged.
+  bool usual = false;
+  bool anywhere = true;  ///< with `usual`: rather in an unusual place than in none
+  int of_its_kind = 1;   ///< how many of its kind the room will hold
 };
 
 /// Input of the solver alone: a room and objects with known sizes and constraints, in file order.

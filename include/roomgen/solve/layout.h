@@ -11,6 +11,7 @@
 #include "roomgen/collision/usability.h"
 #include "roomgen/kinds/kind_table.h"
 #include "roomgen/scene/scene.h"
+#include "roomgen/solve/arrangement.h"
 
 namespace roomgen {
 
@@ -39,13 +40,19 @@ class FootprintAt {
 /// callers.
 class Layout {
  public:
-  /// `room`, `categories` and `models` must outlive the layout.
-  Layout(const Room& room, const KindTable& categories, const ModelTable& models);
+  /// All arguments must outlive the layout. Without arrangements only constraints count, and no kind
+  /// prefers one place to another.
+  Layout(const Room& room, const KindTable& categories, const ModelTable& models,
+         const Arrangements* arrangements = nullptr);
 
   const Room& room() const { return room_; }
   const KindTable& categories() const { return categories_; }
   std::span<const Object> objects() const { return objects_; }
   std::span<const FloorThing> things() const { return things_; }
+  /// How things of its kind are arranged; null without arrangements.
+  const Arrangement* arrangement_of(const Object& object) const;
+  /// The same of things()[i].
+  const Arrangement* arrangement_of(std::size_t i) const { return arranged_[i]; }
   const Object* find(std::string_view id) const;
   /// Where things can rest on others.
   const SupportPoses& support_poses() const { return support_poses_; }
@@ -109,6 +116,7 @@ class Layout {
   const Room& room_;
   const KindTable& categories_;
   const ModelTable& models_;
+  const Arrangements* arrangements_;
   Solids solids_;
   SupportPoses support_poses_;
   std::vector<double> wall_yaws_;
@@ -118,6 +126,7 @@ class Layout {
   Bounds2 bounds_;
   std::vector<Object> objects_;
   std::vector<FloorThing> things_;
+  std::vector<const Arrangement*> arranged_;  ///< parallel to objects_
   OccupancyGrid occupancy_;
   /// Parallel to objects_; stamped only when an exact test needs it.
   std::vector<bool> in_occupancy_;
@@ -125,6 +134,10 @@ class Layout {
 
 /// The object at a pose, rounded as files hold it: what is tested is what is written.
 Object at_pose(const Object& object, const Pose& pose);
+
+/// The height of the bottom of what hangs on a wall (at its usual `elevation`) or under the ceiling;
+/// 0 for what stands.
+double mounting_height(Mount mount, double height, double elevation, const Room& room);
 
 /// A support pose of an object on another one, in the room.
 Pose pose_of(const SupportPose& support_pose, const Object& support);

@@ -50,6 +50,8 @@ struct PlacementTerms {
   double spread = 0.0;     ///< no slots too narrow to walk through
   double evenness = 0.0;   ///< distance to others around the same target
   double closeness = 0.0;  ///< to the suggested location
+  /// What its kind prefers (data/arrangements.json), a weighted sum; 0 where a place is suggested.
+  double arrangement = 0.0;
   double rank_c = 0.0;
   double rank_l = 0.0;
   double fused = 0.0;
@@ -70,5 +72,9 @@ struct Placement {
 Result<Placement> place(Layout& layout, const PlacementTask& task,
                         std::span<const PlacementTask> later, const PlaceOptions& options,
                         Random& random);
+
+/// The task with the soft constraint that leads the first way of its kind which can be named, as one of
+/// its relations, and no longer `usual`: for searches that move many things.
+PlacementTask with_leading_habit(const Layout& layout, PlacementTask task);
 
 }  // namespace roomgen

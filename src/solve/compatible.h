@@ -4,11 +4,11 @@
 
 #include "roomgen/scene/relation.h"
 
-namespace roomgen::design {
+namespace roomgen {
 
 /// The habits that do not contradict what is asked: who is told to stand left of the bed does not
 /// stand near the window out of habit, but still at a wall.
-std::vector<Relation> compatible_habits(const std::vector<Relation>& asked,
-                                        const std::vector<Relation>& habits);
+std::vector<Relation> compatible_with(const std::vector<Relation>& asked,
+                                      const std::vector<Relation>& habits);
 
-}  // namespace roomgen::design
+}  // namespace roomgen

@@ -1,56 +1,56 @@
-#include "arrangement.h"
+#include "roomgen/solve/arrangement.h"
 
 #include <optional>
 
 #include "roomgen/base/json.h"
 #include "roomgen/base/resource.h"
 
-namespace roomgen::design {
+namespace roomgen {
 
 namespace {
 
 constexpr int max_ancestors = 8;
 
-constexpr std::array<std::pair<std::string_view, Liking>, 22> likings = {{
-    {"door", Liking::door},
-    {"door line", Liking::door_line},
-    {"window", Liking::window},
-    {"window behind", Liking::window_behind},
-    {"window ahead", Liking::window_ahead},
-    {"window wall", Liking::window_wall},
-    {"wall middle", Liking::wall_middle},
-    {"side wall", Liking::side_wall},
-    {"corner", Liking::corner},
-    {"wall near", Liking::wall_near},
-    {"run", Liking::run},
-    {"bare wall", Liking::bare_wall},
-    {"center", Liking::center},
-    {"aside", Liking::aside},
-    {"apart", Liking::apart},
-    {"view", Liking::view},
-    {"square", Liking::square},
-    {"angle", Liking::angle},
-    {"long axis", Liking::long_axis},
-    {"flank", Liking::flank},
-    {"screen free", Liking::screen_free},
-    {"rows", Liking::rows},
+constexpr std::array<std::pair<std::string_view, Preference>, 22> preference_names = {{
+    {"door", Preference::door},
+    {"door line", Preference::door_line},
+    {"window", Preference::window},
+    {"window behind", Preference::window_behind},
+    {"window ahead", Preference::window_ahead},
+    {"window wall", Preference::window_wall},
+    {"wall middle", Preference::wall_middle},
+    {"side wall", Preference::side_wall},
+    {"corner", Preference::corner},
+    {"wall near", Preference::wall_near},
+    {"run", Preference::run},
+    {"bare wall", Preference::bare_wall},
+    {"center", Preference::center},
+    {"aside", Preference::aside},
+    {"apart", Preference::apart},
+    {"view", Preference::view},
+    {"square", Preference::square},
+    {"angle", Preference::angle},
+    {"long axis", Preference::long_axis},
+    {"flank", Preference::flank},
+    {"screen free", Preference::screen_free},
+    {"rows", Preference::rows},
 }};
 
 constexpr std::array<std::string_view, 4> sides = {"front", "back", "left", "right"};
 
-std::optional<Liking> find_liking(std::string_view text) {
-  for (const auto& [word, liking] : likings)
-    if (word == text) return liking;
+std::optional<Preference> find_preference(std::string_view text) {
+  for (const auto& [word, preference] : preference_names)
+    if (word == text) return preference;
   return std::nullopt;
 }
 
-void read_likes(const JsonReader& json, Arrangement& arrangement) {
+void read_preferences(const JsonReader& json, Arrangement& arrangement) {
   if (!json.exists()) return;
   for (const auto& [word, weight] : json.members()) {
-    if (const auto liking = find_liking(word))
-      arrangement.likes.push_back({*liking, weight.number(-5, 5)});
+    if (const auto preference = find_preference(word))
+      arrangement.preferences.push_back({*preference, weight.number(-5, 5)});
     else
-      json.report("\"" + word + "\" is nothing that a thing can like");
+      json.report("\"" + word + "\" is nothing that a thing can prefer");
   }
 }
 
@@ -92,12 +92,12 @@ std::vector<std::vector<Relation>> read_ways(const JsonReader& json, const Group
 }
 
 Arrangement read_arrangement(const JsonReader& json, const Groups& groups) {
-  json.allow_only({"stage", "ways", "likes", "reserve", "seats", "over", "else"});
+  json.allow_only({"stage", "ways", "preferences", "reserve", "seats", "over", "else"});
   Arrangement arrangement;
   arrangement.stage = static_cast<int>(json["stage"].integer_or(4, 0, 20));
   arrangement.ways = read_ways(json["ways"], groups);
   arrangement.otherwise = read_ways(json["else"], groups);
-  read_likes(json["likes"], arrangement);
+  read_preferences(json["preferences"], arrangement);
   read_reserve(json["reserve"], arrangement);
   arrangement.seats = json["seats"].boolean_or(false);
   if (const auto over = json["over"]; over.exists())
@@ -157,4 +157,4 @@ const Result<Arrangements>& built_in_arrangements() {
   return arrangements;
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen

@@ -10,10 +10,10 @@
 #include "roomgen/kinds/kind_table.h"
 #include "roomgen/scene/relation.h"
 
-namespace roomgen::design {
+namespace roomgen {
 
-/// What a place can be good for; likes.h says how each is measured.
-enum class Liking {
+/// What a place can be good for (docs/arrangements.md says how each is measured).
+enum class Preference {
   door,           ///< far from the door
   door_line,      ///< in the line of sight through the door
   window,         ///< near a window
@@ -38,12 +38,12 @@ enum class Liking {
   rows,           ///< in line with its like
 };
 
-struct Like {
-  Liking liking;
-  double weight;  ///< negative: dislikes
+struct WeightedPreference {
+  Preference what;
+  double weight;  ///< negative: avoids
 };
 
-/// How things of one kind are placed.
+/// How things of one kind are placed: soft constraints of the solver, which give way to what is asked.
 struct Arrangement {
   int stage = 4;  ///< what has a lower one is placed earlier
   /// Constraints in order of importance; a target is a category, "exactly table" for
@@ -53,7 +53,7 @@ struct Arrangement {
   /// Ways for what the prompt asks for, or what was refused elsewhere, when no other will do; what
   /// was merely added is rather left out.
   std::vector<std::vector<Relation>> otherwise;
-  std::vector<Like> likes;
+  std::vector<WeightedPreference> preferences;
   std::array<double, 4> reserve{};  ///< floor to leave open, by Side
   bool seats = false;               ///< shares the sides of its table with its like
   /// For a rug, by category of its target: how far before the target's front side its centre lies,
@@ -73,4 +73,4 @@ Result<Arrangements> parse_arrangements(std::string_view text, const std::string
 /// The knowledge compiled into the library.
 const Result<Arrangements>& built_in_arrangements();
 
-}  // namespace roomgen::design
+}  // namespace roomgen

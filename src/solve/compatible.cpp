@@ -1,38 +1,38 @@
-#include "merge.h"
+#include "compatible.h"
 
 #include <algorithm>
 
-namespace roomgen::design {
+namespace roomgen {
 
 namespace {
 
 // Two relations of one group say the same sort of thing; only one of them can lead.
-enum class Group { wall, distance, position, alignment, facing, support };
+enum class RelationGroup { wall, distance, position, alignment, facing, support };
 
-Group group(RelationKind kind) {
+RelationGroup group(RelationKind kind) {
   switch (kind) {
     case RelationKind::edge:
     case RelationKind::middle:
     case RelationKind::corner:
-      return Group::wall;
+      return RelationGroup::wall;
     case RelationKind::near:
     case RelationKind::next_to:
     case RelationKind::far:
-      return Group::distance;
+      return RelationGroup::distance;
     case RelationKind::in_front_of:
     case RelationKind::behind:
     case RelationKind::left_of:
     case RelationKind::right_of:
     case RelationKind::side_of:
     case RelationKind::around:
-      return Group::position;
+      return RelationGroup::position;
     case RelationKind::center_aligned:
     case RelationKind::aligned:
-      return Group::alignment;
+      return RelationGroup::alignment;
     case RelationKind::face_to:
     case RelationKind::face_same_as:
     case RelationKind::face_opposite_to:
-      return Group::facing;
+      return RelationGroup::facing;
     case RelationKind::on:
     case RelationKind::inside:
     case RelationKind::above:
@@ -40,27 +40,27 @@ Group group(RelationKind kind) {
     case RelationKind::hang_from:
       break;
   }
-  return Group::support;
+  return RelationGroup::support;
 }
 
 bool places(const Relation& relation) {
-  const Group g = group(relation.kind);
+  const RelationGroup g = group(relation.kind);
   return !relation.target.empty() && relation.kind != RelationKind::far &&
-         (g == Group::distance || g == Group::position || g == Group::support);
+         (g == RelationGroup::distance || g == RelationGroup::position || g == RelationGroup::support);
 }
 
 bool contradicts(const Relation& asked, const Relation& habit) {
   if (group(asked.kind) == group(habit.kind)) return true;
-  if (group(habit.kind) == Group::wall) return asked.kind == RelationKind::on;
+  if (group(habit.kind) == RelationGroup::wall) return asked.kind == RelationKind::on;
   // Once its place is asked, habits about other things have no say, nor those that place it anew.
-  if (places(asked)) return asked.target != habit.target || group(habit.kind) != Group::facing;
+  if (places(asked)) return asked.target != habit.target || group(habit.kind) != RelationGroup::facing;
   // At a wall nobody stands around a table.
-  return group(asked.kind) == Group::wall && habit.kind == RelationKind::around;
+  return group(asked.kind) == RelationGroup::wall && habit.kind == RelationKind::around;
 }
 
 }  // namespace
 
-std::vector<Relation> compatible_habits(const std::vector<Relation>& asked,
+std::vector<Relation> compatible_with(const std::vector<Relation>& asked,
                                         const std::vector<Relation>& habits) {
   std::vector<Relation> kept;
   for (const auto& habit : habits)
@@ -70,4 +70,4 @@ std::vector<Relation> compatible_habits(const std::vector<Relation>& asked,
   return kept;
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen

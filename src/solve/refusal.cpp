@@ -1,0 +1,77 @@
+#include "refusal.h"
+
+#include <algorithm>
+#include <set>
+#include <string>
+
+#include "roomgen/base/text.h"
+
+namespace roomgen {
+
+namespace {
+
+std::string size_text(const Vec3& size) {
+  return format_number(size.x(), 2) + " x " + format_number(size.y(), 2) + " x " +
+         format_number(size.z(), 2) + " m";
+}
+
+// What is in the way at the suggested place, whichever way the object is turned there.
+std::string blocked_by(const Layout& layout, const Layout::Candidate& candidate,
+                       const Vec2& location) {
+  const FootprintAt footprint_at(candidate.object);
+  const double bottom = candidate.object.position.z();
+  std::set<std::string> names;
+  for (const double yaw : layout.wall_yaws()) {
+    const Footprint footprint = footprint_at({location, bottom, yaw});
+    if (!layout.fits_room(candidate, footprint, bottom))
+      names.insert("a wall, a door or a window");
+    for (const auto& thing : layout.things())
+      if (layout.collides(candidate, footprint, bottom, thing)) names.insert(thing.object->id);
+  }
+  return join({names.begin(), names.end()}, ", ");
+}
+
+// Why nothing more goes onto a thing.
+Error refusal_on(const Layout& layout, const Object& object) {
+  std::string why = "no place for " + object.id + " (" + size_text(object.size) + ") on ";
+  const Object* support = layout.find(object.on);
+  if (!support) return {Error::Kind::not_found, why + (object.on.empty() ? "anything" : object.on) +
+                                                    ": it is not in the room"};
+  why += support->id + ": ";
+  const auto& surfaces = layout.support_poses().surfaces(*support);
+  const auto on_it = std::count_if(layout.objects().begin(), layout.objects().end(),
+                                   [&](const Object& other) { return other.on == support->id; });
+  if (surfaces.empty()) {
+    why += "it has no level surface";
+  } else if (layout.support_poses().everywhere(object, *support).empty()) {
+    const Vec2 most = surfaces.front().box().size();
+    why += "none of its surfaces is large and high enough; the largest is " +
+           format_number(most.x(), 2) + " x " + format_number(most.y(), 2) + " m";
+  } else if (on_it > 0) {
+    why += "what stands there already (" + std::to_string(on_it) +
+           (on_it == 1 ? " thing" : " things") + ") leaves no room";
+  } else {
+    why += "what stands around it is in the way";
+  }
+  return {Error::Kind::not_found, why};
+}
+
+}  // namespace
+
+Error refusal(const Layout& layout, const PlacementTask& task, const Layout::Candidate& candidate,
+              int candidates, int feasible) {
+  if (task.object.mount == Mount::surface) return refusal_on(layout, task.object);
+  std::string why = "no place for " + task.object.id + " (" + size_text(task.object.size) + "): ";
+  if (feasible == 0)
+    why += "none of " + std::to_string(candidates) +
+           " positions is inside the room and clear of doors, windows and other things";
+  else
+    why += "each of the " + std::to_string(feasible) +
+           " clear positions would leave something unusable or out of reach";
+  if (!task.location) return {Error::Kind::not_found, why};
+  const std::string blockers = blocked_by(layout, candidate, *task.location);
+  if (!blockers.empty()) why += "; in the way at the suggested place: " + blockers;
+  return {Error::Kind::not_found, why};
+}
+
+}  // namespace roomgen

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "roomgen/base/result.h"
+#include "roomgen/scene/problem.h"
+#include "roomgen/solve/layout.h"
+
+namespace roomgen {
+
+/// Why an object found no place among so many candidates, of which so many passed the cheap tests; for
+/// people and for a model that shall answer again.
+Error refusal(const Layout& layout, const PlacementTask& task, const Layout::Candidate& candidate,
+              int candidates, int feasible);
+
+}  // namespace roomgen

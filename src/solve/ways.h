@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "roomgen/scene/relation.h"
+#include "roomgen/solve/layout.h"
+
+namespace roomgen {
+
+/// A way with things instead of kinds ("near, sofa" became "near, sofa-1").
+struct NamedWay {
+  std::vector<Relation> relations;
+  double burden = 0.0;  ///< how well provided its targets are already: 0 for none, 1 for enough
+};
+
+/// The ways to name things, those with the least burden first. Empty if a kind has no member in the
+/// room that wants such a partner. Each kind means one thing throughout a way.
+std::vector<NamedWay> name_targets(const Layout& layout, const Object& self,
+                                   const std::vector<Relation>& way);
+
+/// How many of the object's kind will share one table when `of_its_kind` are to come in all.
+int company_at_table(const Layout& layout, int of_its_kind);
+
+}  // namespace roomgen
