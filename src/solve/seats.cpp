@@ -11,6 +11,8 @@ namespace {
 constexpr double seat_width = 0.61;
 constexpr int fewest_at_round = 2, most_at_round = 12, most_at_straight = 40;
 constexpr double off_line = 0.03;
+// From the rim to the front of a seat: farther away one sits behind another.
+constexpr double at_rim = 0.2;
 
 }  // namespace
 
@@ -53,7 +55,9 @@ std::vector<SeatPlace> seat_places(const Footprint& table, int count) {
 
 bool is_at(const SeatPlace& place, const Footprint& footprint) {
   const Vec2 off = footprint.center() - place.rim;
-  return off.dot(place.outward) > 0 && std::abs(cross(place.outward, off)) < off_line;
+  const double away = off.dot(place.outward);
+  return away > 0 && away < footprint.half().y() + at_rim &&
+         std::abs(cross(place.outward, off)) < off_line;
 }
 
 }  // namespace roomgen

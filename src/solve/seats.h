@@ -19,7 +19,7 @@ std::vector<SeatPlace> seat_places(const Footprint& table, int count);
 /// `count` places that share one side (0 front, 1 back, 2 left, 3 right) of a rectangular table.
 std::vector<SeatPlace> seat_places_at_side(const Footprint& table, int side, int count);
 
-/// Does the footprint's middle lie straight out from the place?
+/// Is the footprint drawn up to the place?
 bool is_at(const SeatPlace& place, const Footprint& footprint);
 
 }  // namespace roomgen
