@@ -71,7 +71,7 @@ void measure(const char* name, const std::string& prompt, std::uint64_t seed, co
     if (!plan) return;
     const double planned = milliseconds_since(start);
     const auto middle = std::clock();
-    GenerateOptions options;
+    BuildOptions options;
     options.seed = seed;
     const auto room = generate(*plan, *designer, library, KindTable::built_in(), options);
     if (!room) return;
