@@ -18,10 +18,10 @@
 #include "roomgen/create/created_library.h"
 #include "roomgen/create/suite.h"
 #include "roomgen/export/glb.h"
-#include "roomgen/shape/evaluate.h"
-#include "roomgen/shape/recipe.h"
 #include "roomgen/render/image_file.h"
 #include "roomgen/render/model_picture.h"
+#include "roomgen/shape/evaluate.h"
+#include "roomgen/shape/recipe.h"
 #include "roomgen/view/model_camera.h"
 
 namespace roomgen::cli {

@@ -5,8 +5,8 @@
 
 #include "roomgen/base/file.h"
 #include "roomgen/design/rule_designer.h"
-#include "roomgen/render/image_file.h"
 #include "roomgen/kinds/kind_table.h"
+#include "roomgen/render/image_file.h"
 #ifdef ROOMGEN_HAS_AGENT
 #include "http.h"
 #endif

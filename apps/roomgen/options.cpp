@@ -41,9 +41,4 @@ Result<Vec3> parse_size3(const std::string& text) {
                "0.4x0.4x0.7"};
 }
 
-std::string size_text(const Vec3& size) {
-  return format_number(size.x(), 2) + " x " + format_number(size.y(), 2) + " x " +
-         format_number(size.z(), 2);
-}
-
 }  // namespace roomgen::cli

@@ -15,7 +15,5 @@ inline constexpr std::uint64_t max_seed = 9007199254740991;
 Result<Vec2> parse_size(const std::string& text);
 /// "0.4x0.4x0.7" or "0.4,0.4,0.7": width, depth and height in metres.
 Result<Vec3> parse_size3(const std::string& text);
-/// "0.4 x 0.4 x 0.7", for people.
-std::string size_text(const Vec3& size);
 
 }  // namespace roomgen::cli

@@ -6,8 +6,8 @@
 
 #include "index_file.h"
 #include "roomgen/base/text.h"
-#include "roomgen/library/ranking.h"
 #include "roomgen/kinds/kind_table.h"
+#include "roomgen/library/ranking.h"
 
 namespace roomgen::assets {
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "kind_names.h"
-#include "tokens.h"
 #include "prompt_words.h"
+#include "tokens.h"
 
 namespace roomgen::design {
 

@@ -8,8 +8,8 @@
 #include "kind_names.h"
 #include "noun_phrase.h"
 #include "placement_phrase.h"
-#include "room_kinds.h"
 #include "prompt_words.h"
+#include "room_kinds.h"
 
 namespace roomgen::design {
 

@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
+#include "prompt_words.h"
 #include "room_kinds.h"
 #include "roomgen/base/result.h"
-#include "prompt_words.h"
 
 namespace roomgen::design {
 

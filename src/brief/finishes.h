@@ -5,8 +5,8 @@
 #include "brief.h"
 #include "kind_names.h"
 #include "prompt_words.h"
-#include "tokens.h"
 #include "roomgen/scene/finish_words.h"
+#include "tokens.h"
 
 namespace roomgen::design {
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "prompt_words.h"
 #include "roomgen/kinds/kind_table.h"
 #include "tokens.h"
-#include "prompt_words.h"
 
 namespace roomgen::design {
 

@@ -4,8 +4,8 @@
 
 #include "brief.h"
 #include "kind_names.h"
-#include "tokens.h"
 #include "prompt_words.h"
+#include "tokens.h"
 
 namespace roomgen::design {
 

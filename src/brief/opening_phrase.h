@@ -7,8 +7,8 @@
 #include "kind_names.h"
 #include "opening_wish.h"
 #include "prompt_words.h"
-#include "tokens.h"
 #include "roomgen/scene/opening_kind.h"
+#include "tokens.h"
 
 namespace roomgen::design {
 

@@ -4,8 +4,8 @@
 #include <span>
 #include <string>
 
-#include "tokens.h"
 #include "prompt_words.h"
+#include "tokens.h"
 
 namespace roomgen::design {
 

@@ -8,9 +8,9 @@
 #include "measures.h"
 #include "opening_phrase.h"
 #include "room_type.h"
+#include "settle.h"
 #include "shape_words.h"
 #include "tokens.h"
-#include "settle.h"
 
 namespace roomgen::design {
 

@@ -3,9 +3,9 @@
 #include <charconv>
 #include <cmath>
 
+#include "prompt_words.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
-#include "prompt_words.h"
 
 namespace roomgen::design {
 

@@ -8,6 +8,8 @@
 
 namespace roomgen::design {
 
+inline constexpr double centimetre = 0.01;  ///< metres
+
 /// A number in an answer: "y: 1.2 m".
 struct Measure {
   double value = 0.0;  ///< metres if it has a unit

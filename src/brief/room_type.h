@@ -4,9 +4,9 @@
 
 #include "brief.h"
 #include "kind_names.h"
+#include "prompt_words.h"
 #include "room_kinds.h"
 #include "tokens.h"
-#include "prompt_words.h"
 
 namespace roomgen::design {
 

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "roomgen/kinds/use_zone.h"
+
 namespace roomgen::design {
 
 namespace {
 
-constexpr double seat_width = 0.61;
 constexpr double end_depth = 0.25;  ///< more length when people sit at the ends as well
 constexpr double longest_table = 4.0;
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cctype>
 
-#include "part_forms.h"
-#include "roomgen/base/text.h"
 #include "brief/prompt_words.h"
 #include "brief/tokens.h"
+#include "part_forms.h"
+#include "roomgen/base/text.h"
 
 namespace roomgen::create {
 

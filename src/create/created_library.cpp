@@ -11,9 +11,9 @@
 #include "roomgen/create/create.h"
 #include "roomgen/create/kinds.h"
 #include "roomgen/create/rule_maker.h"
+#include "roomgen/kinds/kind_table.h"
 #include "roomgen/library/ranking.h"
 #include "roomgen/library/vocabulary.h"
-#include "roomgen/kinds/kind_table.h"
 #include "stock.h"
 
 namespace roomgen::create {

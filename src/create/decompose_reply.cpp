@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "brief/reply_measure.h"
+#include "chat/loose_json.h"
 #include "description_words.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
-#include "chat/loose_json.h"
-#include "brief/reply_measure.h"
 
 namespace roomgen::create {
 

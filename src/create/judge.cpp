@@ -2,12 +2,12 @@
 
 #include <cmath>
 
+#include "brief/reply_measure.h"
+#include "chat/loose_json.h"
 #include "interview.h"
 #include "reply_schema.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
-#include "chat/loose_json.h"
-#include "brief/reply_measure.h"
 
 namespace roomgen::create {
 

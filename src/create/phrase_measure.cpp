@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "part_forms.h"
 #include "brief/prompt_words.h"
+#include "part_forms.h"
 
 namespace roomgen::create {
 

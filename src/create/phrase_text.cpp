@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "roomgen/base/text.h"
 #include "brief/prompt_words.h"
+#include "roomgen/base/text.h"
 #include "roomgen/shape/color.h"
 
 namespace roomgen::create {

@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include "roomgen/create/kinds.h"
 #include "brief/tokens.h"
 #include "part_forms.h"
+#include "roomgen/create/kinds.h"
 
 namespace roomgen::create {
 

@@ -4,9 +4,9 @@
 #include <map>
 #include <set>
 
+#include "chat/loose_json.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
-#include "chat/loose_json.h"
 #include "roomgen/shape/color.h"
 #include "roomgen/shape/program.h"
 

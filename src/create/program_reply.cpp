@@ -4,9 +4,9 @@
 #include <cmath>
 #include <map>
 
+#include "chat/loose_json.h"
 #include "program_repair.h"
 #include "roomgen/base/text.h"
-#include "chat/loose_json.h"
 #include "roomgen/shape/evaluate.h"
 #include "roomgen/shape/recipe.h"
 #include "shape_checks.h"

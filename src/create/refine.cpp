@@ -2,13 +2,13 @@
 
 #include <algorithm>
 
+#include "brief/prompt_words.h"
+#include "brief/tokens.h"
 #include "compose.h"
 #include "part_forms.h"
 #include "parts.h"
 #include "reshape.h"
 #include "roomgen/base/text.h"
-#include "brief/prompt_words.h"
-#include "brief/tokens.h"
 #include "roomgen/shape/color.h"
 #include "roomgen/shape/evaluate.h"
 

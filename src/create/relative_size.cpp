@@ -4,12 +4,12 @@
 #include <cmath>
 #include <limits>
 
-#include "roomgen/base/json.h"
-#include "roomgen/base/resource.h"
-#include "roomgen/base/text.h"
 #include "brief/prompt_words.h"
 #include "brief/tokens.h"
 #include "part_forms.h"
+#include "roomgen/base/json.h"
+#include "roomgen/base/resource.h"
+#include "roomgen/base/text.h"
 #include "words.h"
 
 namespace roomgen::create {

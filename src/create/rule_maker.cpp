@@ -3,17 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compose.h"
-#include "part_forms.h"
 #include "classify.h"
 #include "closer_kind.h"
+#include "compose.h"
+#include "part_forms.h"
 #include "parts.h"
 #include "phrase.h"
 #include "refine.h"
 #include "reshape.h"
 #include "roomgen/base/json.h"
-#include "settings.h"
 #include "roomgen/shape/evaluate.h"
+#include "settings.h"
 
 namespace roomgen::create {
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "relative_size.h"
 #include "roomgen/base/random.h"
 #include "roomgen/base/text.h"
 #include "roomgen/shape/color.h"
-#include "relative_size.h"
 #include "sizing.h"
 
 namespace roomgen::create {

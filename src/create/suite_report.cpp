@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "roomgen/base/text.h"
 #include "roomgen/base/json.h"
+#include "roomgen/base/text.h"
 #include "roomgen/create/suite.h"
 
 namespace roomgen::create {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "chat/loose_json.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
-#include "chat/loose_json.h"
 
 namespace roomgen::create {
 

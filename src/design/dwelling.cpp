@@ -5,11 +5,11 @@
 #include <utility>
 
 #include "brief/dwelling_kinds.h"
-#include "dwelling_layout.h"
-#include "dwelling_openings.h"
 #include "brief/dwelling_prompt.h"
 #include "brief/prompt.h"
 #include "brief/room_kinds.h"
+#include "dwelling_layout.h"
+#include "dwelling_openings.h"
 #include "roomgen/base/random.h"
 #include "roomgen/base/text.h"
 #include "roomgen/kinds/kind_table.h"

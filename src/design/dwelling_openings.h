@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "brief/dwelling_kinds.h"
-#include "dwelling_layout.h"
 #include "brief/room_kinds.h"
+#include "dwelling_layout.h"
 #include "roomgen/base/random.h"
 #include "roomgen/scene/room.h"
 

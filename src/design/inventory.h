@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "brief/brief.h"
-#include "looks.h"
 #include "brief/room_kinds.h"
+#include "looks.h"
 #include "roomgen/base/random.h"
 #include "roomgen/kinds/kind_table.h"
 #include "roomgen/scene/plan.h"

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "roomgen/solve/arrangement.h"
 #include "inventory.h"
+#include "roomgen/solve/arrangement.h"
 
 namespace roomgen::design {
 

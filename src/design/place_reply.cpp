@@ -2,13 +2,13 @@
 
 #include <algorithm>
 
+#include "chat/loose_json.h"
 #include "chat/plain_reply.h"
 #include "reply_facing.h"
 #include "reply_location.h"
 #include "reply_relations.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
-#include "chat/loose_json.h"
 #include "target_names.h"
 
 namespace roomgen::design {

@@ -2,16 +2,16 @@
 
 #include <algorithm>
 
-#include "roomgen/solve/arrangement.h"
+#include "brief/prompt.h"
+#include "brief/room_type.h"
+#include "chat/loose_json.h"
 #include "floor_plan.h"
 #include "order.h"
-#include "brief/prompt.h"
 #include "reply_items.h"
 #include "reply_room.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
-#include "chat/loose_json.h"
-#include "brief/room_type.h"
+#include "roomgen/solve/arrangement.h"
 
 namespace roomgen::design {
 

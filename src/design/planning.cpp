@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <string>
 
+#include "brief/prompt.h"
+#include "brief/room_type.h"
 #include "floor_plan.h"
 #include "inventory.h"
 #include "ledger.h"
 #include "looks.h"
 #include "opening_plan.h"
 #include "order.h"
-#include "brief/prompt.h"
-#include "brief/room_type.h"
 #include "roomgen/base/random.h"
 #include "roomgen/solve/dry_run.h"
 

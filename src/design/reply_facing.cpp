@@ -5,9 +5,9 @@
 #include <cmath>
 #include <string_view>
 
+#include "brief/reply_measure.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
-#include "brief/reply_measure.h"
 #include "roomgen/scene/judgement.h"
 
 namespace roomgen::design {

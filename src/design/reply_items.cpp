@@ -4,10 +4,10 @@
 #include <cmath>
 #include <optional>
 
+#include "brief/reply_measure.h"
+#include "chat/loose_json.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
-#include "chat/loose_json.h"
-#include "brief/reply_measure.h"
 
 namespace roomgen::design {
 
@@ -21,7 +21,6 @@ constexpr std::size_t max_words = 60;         ///< bytes of a name
 constexpr std::size_t max_description = 300;  ///< bytes
 constexpr double least_side = 0.02;
 constexpr double greatest_side = 10.0;
-constexpr double metres_per_centimetre = 0.01;
 
 const std::vector<std::string> name_keys = {"name", "category", "object", "item",
                                             "type", "label",    "kind"};
@@ -56,14 +55,14 @@ std::string text_of(const Json* value) {
   return value && value->is_string() ? std::string(trim(value->get_ref<const std::string&>())) : "";
 }
 
-bool is_count(const std::string& word) {
+bool has_digits_only(const std::string& word) {
   return word.find_first_not_of("0123456789") == std::string::npos;
 }
 
 // "Bed_1" is a bed.
 std::string plain_name(const std::string& name) {
   auto pieces = words(name);
-  if (pieces.size() > 1 && is_count(pieces.back())) pieces.pop_back();
+  if (pieces.size() > 1 && has_digits_only(pieces.back())) pieces.pop_back();
   return shortened(join(pieces, " "), max_words);
 }
 
@@ -104,10 +103,10 @@ double unlikeness(double sum_of_logs, const Vec3& usual) {
 // Models forget in which unit they were asked to answer; the usual size of the kind tells.
 double unit_of(const Vec3& sides, const Kind* kind) {
   const double greatest = std::max(sides.x(), sides.y());
-  if (!kind) return greatest < 10.0 ? 1.0 : metres_per_centimetre;
+  if (!kind) return greatest < 10.0 ? 1.0 : centimetre;
   const double logs = std::log(std::max(1e-6, sides.x() * sides.y()));
-  const double shift = 2.0 * std::log(metres_per_centimetre);
-  return unlikeness(logs, kind->size) < unlikeness(logs + shift, kind->size) ? 1.0 : metres_per_centimetre;
+  const double shift = 2.0 * std::log(centimetre);
+  return unlikeness(logs, kind->size) < unlikeness(logs + shift, kind->size) ? 1.0 : centimetre;
 }
 
 /// Reads objects and what stands on them, up to the bounds.

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "inventory.h"
 #include "brief/kind_names.h"
 #include "brief/room_kinds.h"
+#include "inventory.h"
 #include "roomgen/base/json_fwd.h"
 
 namespace roomgen::design {

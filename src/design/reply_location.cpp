@@ -2,9 +2,9 @@
 
 #include <limits>
 
+#include "brief/reply_measure.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
-#include "brief/reply_measure.h"
 
 namespace roomgen::design {
 

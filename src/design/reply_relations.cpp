@@ -5,9 +5,9 @@
 #include <optional>
 #include <string_view>
 
+#include "chat/loose_json.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
-#include "chat/loose_json.h"
 
 namespace roomgen::design {
 

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <optional>
 
+#include "brief/reply_measure.h"
+#include "chat/loose_json.h"
 #include "floor_plan.h"
 #include "opening_plan.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/random.h"
 #include "roomgen/base/text.h"
-#include "chat/loose_json.h"
-#include "brief/reply_measure.h"
 
 namespace roomgen::design {
 
@@ -48,7 +48,7 @@ double side_labelled(const std::vector<Measure>& measures,
 
 // Nobody asks for a room of more than 50 m, but models answer in centimetres.
 double unit_for(double greatest, bool has_unit) {
-  return !has_unit && greatest > greatest_room_side ? 0.01 : 1.0;
+  return !has_unit && greatest > greatest_room_side ? centimetre : 1.0;
 }
 
 std::optional<Vec2> read_size(const Json& room, std::vector<std::string>& repairs) {

@@ -1,9 +1,9 @@
 #include "roomgen/design/rule_designer.h"
 
-#include "planning.h"
-#include "brief/room_kinds.h"
-#include "roomgen/base/text.h"
 #include "brief/prompt_words.h"
+#include "brief/room_kinds.h"
+#include "planning.h"
+#include "roomgen/base/text.h"
 #include "roomgen/scene/judgement.h"
 #include "roomgen/solve/arrangement.h"
 

@@ -118,8 +118,7 @@ class Judge {
     if (!meaning.sizes.empty() &&
         std::none_of(meaning.sizes.begin(), meaning.sizes.end(),
                      [&](const auto& ranges) { return is_sized(ranges); }))
-      return no("it measures " + format_number(looks_.size.x(), 2) + " x " +
-                format_number(looks_.size.y(), 2) + " x " + format_number(looks_.size.z(), 2) + " m");
+      return no("it measures " + size_text(looks_.size) + " m");
     if (meaning.least_colors) {
       const auto there = std::count_if(looks_.colors.begin(), looks_.colors.end(),
                                        [](const auto& color) { return color.share >= counted_share; });

@@ -5,8 +5,8 @@
 #include "roomgen/base/json.h"
 #include "roomgen/base/resource.h"
 #include "roomgen/base/text.h"
-#include "roomgen/library/vocabulary.h"
 #include "roomgen/kinds/kind_table.h"
+#include "roomgen/library/vocabulary.h"
 
 namespace roomgen {
 

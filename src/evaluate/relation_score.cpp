@@ -47,7 +47,7 @@ double evaluate(const RelationFunction& function, std::span<const Thing> targets
 }
 
 double evaluate(const RelationFunction& function, const Thing& thing, const std::string& part,
-                const Surroundings& around) {
+                const RoomSurfaces& around) {
   using namespace sceneeval;
   const std::string& name = function.name;
   const Room& room = around.room;

@@ -11,8 +11,8 @@
 namespace roomgen {
 
 /// A room with the surfaces of its walls, doors and windows.
-struct Surroundings {
-  explicit Surroundings(const Room& of) : room(of), parts(room_things(of)) {}
+struct RoomSurfaces {
+  explicit RoomSurfaces(const Room& of) : room(of), parts(room_things(of)) {}
   Room room;
   RoomThings parts;
 };
@@ -21,7 +21,7 @@ struct Surroundings {
 /// which category.
 struct MatchedThings {
   const std::vector<Thing>& things;
-  const std::vector<const Surroundings*>& around;  ///< of each thing
+  const std::vector<const RoomSurfaces*>& around;  ///< of each thing
   const std::map<std::string, std::vector<std::size_t>>& matched;
 
   const std::vector<std::size_t>& of(const std::string& category) const { return matched.at(category); }

@@ -15,7 +15,7 @@ namespace {
 
 class RoomPhysics {
  public:
-  RoomPhysics(const Scene& scene, const ModelTable& models, const Surroundings& around)
+  RoomPhysics(const Scene& scene, const ModelTable& models, const RoomSurfaces& around)
       : scene_(scene), around_(around), solids_(models) {
     for (const auto& object : scene.objects) {
       things_.push_back(thing_of(object, models));
@@ -76,7 +76,7 @@ class RoomPhysics {
   }
 
   const Scene& scene_;
-  const Surroundings& around_;
+  const RoomSurfaces& around_;
   Solids solids_;
   std::vector<Thing> things_;
   std::vector<Mount> mounts_;
@@ -86,7 +86,7 @@ class RoomPhysics {
 }  // namespace
 
 MeasuredRoom measure_room(const Scene& scene, const ModelTable& models,
-                          const Surroundings& around) {
+                          const RoomSurfaces& around) {
   return RoomPhysics(scene, models, around).run();
 }
 

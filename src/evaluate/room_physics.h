@@ -14,6 +14,6 @@ struct MeasuredRoom {
 };
 
 /// `scene` is of one room, `around` of the same.
-MeasuredRoom measure_room(const Scene& scene, const ModelTable& models, const Surroundings& around);
+MeasuredRoom measure_room(const Scene& scene, const ModelTable& models, const RoomSurfaces& around);
 
 }  // namespace roomgen

@@ -104,11 +104,11 @@ RoomScore score_room(const Requirements& requirements, const Scene& scene,
   Scene all = scene;
   all.objects.clear();
   std::vector<Thing> things;
-  std::vector<const Surroundings*> around;
+  std::vector<const RoomSurfaces*> around;
   const auto parts = parts_of(scene);
-  std::deque<Surroundings> rooms;
+  std::deque<RoomSurfaces> rooms;
   for (const auto& part : parts) {
-    const Surroundings& room = rooms.emplace_back(part.room);
+    const RoomSurfaces& room = rooms.emplace_back(part.room);
     MeasuredRoom measured = measure_room(part, models, room);
     add_room(measured.score, parts.size(), score);
     add_to(all.objects, part.objects);

@@ -35,13 +35,6 @@ PlaceOptions place_options(const Work& work) {
   return options;
 }
 
-void note(const Placement& placement, Attempt& attempt) {
-  attempt.candidates = placement.candidates;
-  attempt.feasible = placement.feasible;
-  attempt.chosen = placement.terms;
-  attempt.runner_up = placement.runner_up;
-}
-
 /// The attempts for one object.
 struct Trial {
   const PlannedObject& planned;
@@ -96,12 +89,24 @@ void try_assets(Work& work, const std::vector<AssetInfo>& assets, Trial& trial) 
 
 }  // namespace
 
+Attempt begun(const AssetInfo& asset, const PlaceAdvice& answer) {
+  Attempt attempt;
+  attempt.asset = asset_key(asset.ref);
+  attempt.answer = answer;
+  return attempt;
+}
+
+void note(const Placement& placement, Attempt& attempt) {
+  attempt.candidates = placement.candidates;
+  attempt.feasible = placement.feasible;
+  attempt.chosen = placement.terms;
+  attempt.runner_up = placement.runner_up;
+}
+
 Result<Attempt> try_to_place(Work& work, const PlannedObject& planned, const AssetInfo& asset,
                              const PlaceAdvice& advice, std::size_t refused, PlacementTask& task) {
   if (auto status = follow(work, advice, planned, refused, task); !status) return status.error();
-  Attempt attempt;
-  attempt.asset = asset_key(asset.ref);
-  attempt.answer = advice;
+  Attempt attempt = begun(asset, advice);
   auto placed = place(work.layout(), task, {}, place_options(work), work.state.random);
   if (placed) {
     note(*placed, attempt);

@@ -8,6 +8,11 @@ namespace roomgen {
 /// room made by others, then a repair. Says in `step` what was tried, and why it failed if it did.
 void try_all(Work& work, const PlannedObject& planned, Step& step);
 
+/// An attempt with an asset as the answer says, before its outcome is known.
+Attempt begun(const AssetInfo& asset, const PlaceAdvice& answer);
+/// What the solver weighed, for the attempt's record.
+void note(const Placement& placement, Attempt& attempt);
+
 /// One attempt: an asset as somebody says. Puts the object into the room if it finds a place; else
 /// Attempt::refused says why not. An error if it cannot even be tried.
 Result<Attempt> try_to_place(Work& work, const PlannedObject& planned, const AssetInfo& asset,

@@ -25,13 +25,13 @@ Result<AssetInfo> first_asset(Work& work, const PlannedObject& planned) {
 }
 
 // The highest place at which the object rests on another one, below `most`.
-struct Rest {
+struct RestingPlace {
   Pose pose;
   std::string on;
 };
 
-std::optional<Rest> find_rest(const Layout& layout, const Object& object, const WantedPose& wanted) {
-  std::optional<Rest> best;
+std::optional<RestingPlace> find_rest(const Layout& layout, const Object& object, const WantedPose& wanted) {
+  std::optional<RestingPlace> best;
   for (const auto& support : layout.objects()) {
     if (!wanted.on.empty() && support.id != wanted.on) continue;
     const Footprint below = footprint(support);
@@ -45,7 +45,7 @@ std::optional<Rest> find_rest(const Layout& layout, const Object& object, const 
       const auto far = [&](const Pose& one) {
         return wanted.bottom ? std::abs(one.bottom - *wanted.bottom) : -one.bottom;
       };
-      if (!best || far(pose) < far(best->pose)) best = Rest{pose, support.id};
+      if (!best || far(pose) < far(best->pose)) best = RestingPlace{pose, support.id};
     }
   }
   return best;
@@ -80,12 +80,7 @@ Status put_at(Work& work, const PlannedObject& planned, const WantedPose& pose, 
   task->location = pose.position;
   task->facing = pose.yaw;
   step.has_assets = true;
-  Attempt attempt;
-  attempt.asset = asset_key(asset->ref);
-  attempt.answer.relations = task->object.relations;
-  attempt.answer.location = pose.position;
-  attempt.answer.yaw = pose.yaw;
-  step.attempts.push_back(std::move(attempt));
+  step.attempts.push_back(begun(*asset, {task->object.relations, pose.position, pose.yaw, {}}));
   work.layout().add(*object);
   enter(work, planned, *asset, *std::move(task));
   return {};

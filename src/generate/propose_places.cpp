@@ -1,5 +1,6 @@
 #include "propose_places.h"
 
+#include "attempts.h"
 #include "consult.h"
 #include "fits_as_it_is.h"
 #include "hang_cover.h"
@@ -38,17 +39,6 @@ void add_places(Work& work, std::size_t count, Proposal& proposal) {
   }
 }
 
-Attempt attempt_of(const Proposal& proposal, const Placement& place) {
-  Attempt attempt;
-  attempt.asset = asset_key(proposal.asset.ref);
-  attempt.answer = proposal.answer;
-  attempt.candidates = place.candidates;
-  attempt.feasible = place.feasible;
-  attempt.chosen = place.terms;
-  attempt.runner_up = place.runner_up;
-  return attempt;
-}
-
 }  // namespace
 
 Result<Proposal> propose_places(Work& work, const PlannedObject& planned, std::size_t count) {
@@ -85,7 +75,7 @@ Status take_place(Work& work, const Proposal& proposal, std::size_t choice, Step
     return {};
   }
   step.has_assets = true;
-  step.attempts.push_back(attempt_of(proposal, chosen));
+  note(chosen, step.attempts.emplace_back(begun(proposal.asset, proposal.answer)));
   work.layout().add(chosen.object);
   enter(work, proposal.planned, proposal.asset, proposal.task);
   return {};

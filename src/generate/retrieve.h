@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "roomgen/base/random.h"
-#include "roomgen/library/library.h"
 #include "roomgen/kinds/kind_table.h"
+#include "roomgen/library/library.h"
 #include "roomgen/scene/plan.h"
 
 namespace roomgen {

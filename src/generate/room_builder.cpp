@@ -77,8 +77,8 @@ struct RoomBuilder::Impl {
   void tell(BuildEvent event) const {
     if (!place->options.on_event) return;
     const Scene now = scene();
-    event.done = planned_objects(place->plan).size() - state.left.size();
     event.total = planned_objects(place->plan).size();
+    event.done = event.total - state.left.size();
     event.scene = &now;
     for (const auto& object : now.objects)
       if (event.kind == BuildEvent::Kind::placed && object.id == event.object)

@@ -4,8 +4,8 @@
 #include <span>
 
 #include "roomgen/collision/support_surfaces.h"
-#include "roomgen/library/library.h"
 #include "roomgen/kinds/kind_table.h"
+#include "roomgen/library/library.h"
 #include "roomgen/scene/plan.h"
 
 namespace roomgen {

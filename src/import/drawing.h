@@ -10,6 +10,9 @@
 
 namespace roomgen::detail {
 
+/// Of the polygon that a drawn circle becomes.
+inline constexpr int circle_corners = 24;
+
 /// A corner of a drawn line and the line of the file that has it.
 struct DrawnPoint {
   Vec2 point = Vec2::Zero();

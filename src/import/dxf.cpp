@@ -16,7 +16,6 @@ namespace {
 
 using namespace detail;
 
-constexpr int full_circle_corners = 24;
 constexpr const char* dxf_units_hint =
     "Set $INSUNITS in the header to the unit of the drawing (4: mm, 5: cm, 6: m, 1: inches, 2: "
     "feet); without it numbers are metres";
@@ -225,7 +224,7 @@ class DxfReader {
     double angle = whole ? 2.0 * pi : std::remainder(last - first, 2.0 * pi);
     if (angle <= 0) angle += 2.0 * pi;
     const int steps =
-        whole ? full_circle_corners : std::max(1, static_cast<int>(std::ceil(angle / arc_step)));
+        whole ? circle_corners : std::max(1, static_cast<int>(std::ceil(angle / arc_step)));
     for (int i = 0; i <= steps - (whole ? 1 : 0); ++i)
       line.points.push_back({center + rotated(Vec2(radius, 0), first + angle * i / steps), head.line});
     line.closed = whole;

@@ -19,7 +19,6 @@ namespace {
 using namespace detail;
 using Transform = Eigen::Transform<double, 2, Eigen::Affine>;
 
-constexpr int circle_corners = 24;
 constexpr int curve_steps = 8;
 constexpr std::size_t max_path_points = 20000;
 constexpr const char* svg_units_hint =

@@ -92,11 +92,13 @@ void read_category(const JsonReader& json, Kind& category) {
 
 }  // namespace
 
+bool is_of(const Kind& category, std::string_view kind) {
+  return std::find(category.lineage.begin(), category.lineage.end(), kind) != category.lineage.end();
+}
+
 bool is_any_of(const Kind& category, const std::vector<std::string>& kinds) {
-  return std::any_of(kinds.begin(), kinds.end(), [&](const std::string& kind) {
-    return std::find(category.lineage.begin(), category.lineage.end(), kind) !=
-           category.lineage.end();
-  });
+  return std::any_of(kinds.begin(), kinds.end(),
+                     [&](const std::string& kind) { return is_of(category, kind); });
 }
 
 Result<KindTable> KindTable::parse(std::string_view text, const std::string& source) {
@@ -188,7 +190,7 @@ void KindTable::add_name(const std::string& name, const std::string& category) {
   const auto [taken, free] = names_.try_emplace(key, category);
   if (!free) {
     Kind& other = categories_.find(taken->second)->second;
-    const bool special = roomgen::is_any_of(categories_.find(category)->second, {other.name});
+    const bool special = is_of(categories_.find(category)->second, other.name);
     if (other.name == category || !special || normalised(other.name) == key) return;
     std::erase_if(other.synonyms, [&](const std::string& s) { return normalised(s) == key; });
     taken->second = category;
@@ -255,7 +257,7 @@ const Kind& KindTable::get(std::string_view name) const {
 bool KindTable::is_a(std::string_view name, std::string_view kind) const {
   const Kind* wanted = find(kind);
   if (!wanted) return normalised(name) == normalised(kind);
-  return roomgen::is_any_of(get(name), {wanted->name});
+  return is_of(get(name), wanted->name);
 }
 
 }  // namespace roomgen

@@ -1,8 +1,8 @@
 #include <map>
 
-#include "roomgen/base/text.h"
 #include "file_limits.h"
 #include "roomgen/base/json.h"
+#include "roomgen/base/text.h"
 #include "roomgen/scene/dwelling.h"
 #include "roomgen/scene/scene.h"
 

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <array>
 
-#include "file_walls.h"
 #include "file_limits.h"
+#include "file_walls.h"
 #include "roomgen/base/file.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"

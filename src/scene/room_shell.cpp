@@ -14,13 +14,12 @@ namespace roomgen {
 namespace {
 
 using detail::add_quad;
+using detail::least_length;
 using detail::Span;
 using detail::WallColumn;
 using detail::WallFrame;
 using detail::WallNeighbours;
 using detail::WallPiece;
-
-constexpr double least_length = 1e-6;
 
 double height_of(const Room& room, const ShellOptions& options, std::size_t wall) {
   return wall < options.wall_heights.size() ? std::min(options.wall_heights[wall], room.height)

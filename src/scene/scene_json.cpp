@@ -1,5 +1,5 @@
-#include "file_walls.h"
 #include "file_limits.h"
+#include "file_walls.h"
 #include "roomgen/base/file.h"
 #include "roomgen/base/json.h"
 #include "roomgen/scene/scene.h"

@@ -12,8 +12,6 @@ namespace roomgen::detail {
 
 namespace {
 
-constexpr double least_side = 1e-6;
-
 constexpr double least_area = 1e-8;  // square metres
 
 // What the openings of a wall leave out, up to a height.
@@ -42,7 +40,7 @@ std::vector<double> cut_positions(const std::vector<std::vector<Vec2>>& holes, d
     for (const auto& p : hole) cuts.push_back(p.x());
   std::sort(cuts.begin(), cuts.end());
   cuts.erase(
-      std::unique(cuts.begin(), cuts.end(), [](double a, double b) { return b - a < least_side; }),
+      std::unique(cuts.begin(), cuts.end(), [](double a, double b) { return b - a < least_length; }),
       cuts.end());
   cuts.back() = length;
   return cuts;
@@ -60,7 +58,7 @@ std::optional<WallPiece> part_in_strip(const std::vector<Vec2>& hole, double fro
     const Vec2& a = hole[i];
     const Vec2& b = hole[(i + 1) % hole.size()];
     if (middle < std::min(a.x(), b.x()) || middle > std::max(a.x(), b.x())) continue;
-    if (std::abs(b.x() - a.x()) < least_side) continue;
+    if (std::abs(b.x() - a.x()) < least_length) continue;
     const double z0 = height_at(a, b, from), z1 = height_at(a, b, to);
     if (!at_from) {
       at_from = Span{z0, z0};
@@ -75,7 +73,7 @@ std::optional<WallPiece> part_in_strip(const std::vector<Vec2>& hole, double fro
 }
 
 bool is_empty(const WallPiece& piece) {
-  return piece.from.high - piece.from.low < least_side && piece.to.high - piece.to.low < least_side;
+  return piece.from.high - piece.from.low < least_length && piece.to.high - piece.to.low < least_length;
 }
 
 // The strip without the holes, which do not overlap.
@@ -112,8 +110,8 @@ std::optional<Span> facing_span(const Segment& wall, const Segment& other) {
 
 Vec3 WallFrame::corner(double s, bool outer, double z) const {
   if (!outer) return at(s, 0.0, z);
-  if (s <= least_side) return at(outer_from, wall_thickness, z);
-  if (s >= length - least_side) return at(outer_to, wall_thickness, z);
+  if (s <= least_length) return at(outer_from, wall_thickness, z);
+  if (s >= length - least_length) return at(outer_to, wall_thickness, z);
   // Beside an inner corner the outer face is shorter than the inner one.
   return at(std::clamp(s, outer_from, outer_to), wall_thickness, z);
 }
@@ -150,7 +148,7 @@ void add_quad(Mesh& mesh, const std::array<Vec3, 4>& points) {
 }
 
 void add_box(Mesh& mesh, const WallFrame& frame, const Vec3& low, const Vec3& high) {
-  if ((high - low).minCoeff() <= least_side) return;
+  if ((high - low).minCoeff() <= least_length) return;
   const auto p = [&](int s, int d, int z) {
     return frame.at(s ? high.x() : low.x(), d ? high.y() : low.y(), z ? high.z() : low.z());
   };
@@ -165,7 +163,7 @@ void add_box(Mesh& mesh, const WallFrame& frame, const Vec3& low, const Vec3& hi
 
 void add_prism(Mesh& mesh, const WallFrame& frame, const std::vector<Vec2>& outline, double d0,
                double d1) {
-  if (outline.size() < 3 || signed_area(outline) <= least_area || d1 - d0 <= least_side) return;
+  if (outline.size() < 3 || signed_area(outline) <= least_area || d1 - d0 <= least_length) return;
   const auto at = [&](const Vec2& p, double d) { return frame.at(p.x(), d, p.y()); };
   // (along, outward, up) is left-handed: the outline runs clockwise for who stands in the room.
   for (const double d : {d0, d1}) {
@@ -187,7 +185,7 @@ void add_prism(Mesh& mesh, const WallFrame& frame, const std::vector<Vec2>& outl
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const Vec2& a = outline[i];
     const Vec2& b = outline[(i + 1) % outline.size()];
-    if ((b - a).norm() > least_side) add_quad(mesh, {at(a, d0), at(b, d0), at(b, d1), at(a, d1)});
+    if ((b - a).norm() > least_length) add_quad(mesh, {at(a, d0), at(b, d0), at(b, d1), at(a, d1)});
   }
 }
 

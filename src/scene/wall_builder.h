@@ -9,6 +9,8 @@
 
 namespace roomgen::detail {
 
+inline constexpr double least_length = 1e-6;  ///< metres: what is shorter is nothing
+
 /// Coordinates of one wall: s metres along its inner edge, d metres outward, z up.
 struct WallFrame {
   Vec2 origin, along, outward;

@@ -1,7 +1,7 @@
 #include <algorithm>
 
-#include "roomgen/base/text.h"
 #include "roomgen/base/json.h"
+#include "roomgen/base/text.h"
 #include "solid_json.h"
 
 namespace roomgen::shape::detail {

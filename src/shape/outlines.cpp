@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "roomgen/shape/primitives.h"
 #include "roomgen/base/json.h"
+#include "roomgen/shape/primitives.h"
 #include "rounds.h"
 
 namespace roomgen::shape {

@@ -1,7 +1,7 @@
 #include <algorithm>
 
-#include "roomgen/base/text.h"
 #include "roomgen/base/json.h"
+#include "roomgen/base/text.h"
 #include "roomgen/shape/color.h"
 #include "solid_json.h"
 

@@ -10,11 +10,6 @@ namespace roomgen {
 
 namespace {
 
-std::string size_text(const Vec3& size) {
-  return format_number(size.x(), 2) + " x " + format_number(size.y(), 2) + " x " +
-         format_number(size.z(), 2) + " m";
-}
-
 // What is in the way at the suggested place, whichever way the object is turned there.
 std::string blocked_by(const Layout& layout, const Layout::Candidate& candidate,
                        const Vec2& location) {
@@ -33,7 +28,7 @@ std::string blocked_by(const Layout& layout, const Layout::Candidate& candidate,
 
 // Why nothing more goes onto a thing.
 Error refusal_on(const Layout& layout, const Object& object) {
-  std::string why = "no place for " + object.id + " (" + size_text(object.size) + ") on ";
+  std::string why = "no place for " + object.id + " (" + size_text(object.size) + " m) on ";
   const Object* support = layout.find(object.on);
   if (!support) return {Error::Kind::not_found, why + (object.on.empty() ? "anything" : object.on) +
                                                     ": it is not in the room"};
@@ -61,7 +56,7 @@ Error refusal_on(const Layout& layout, const Object& object) {
 Error refusal(const Layout& layout, const PlacementTask& task, const Layout::Candidate& candidate,
               int candidates, int feasible) {
   if (task.object.mount == Mount::surface) return refusal_on(layout, task.object);
-  std::string why = "no place for " + task.object.id + " (" + size_text(task.object.size) + "): ";
+  std::string why = "no place for " + task.object.id + " (" + size_text(task.object.size) + " m): ";
   if (feasible == 0)
     why += "none of " + std::to_string(candidates) +
            " positions is inside the room and clear of doors, windows and other things";

@@ -2,13 +2,11 @@
 #include <cmath>
 
 #include "surroundings.h"
+#include "ways.h"
 
 namespace roomgen {
 
 namespace {
-
-// Its like within this distance of a partner share that one.
-constexpr double company_gap = 0.7;
 
 bool is_open(const Surroundings& around, const Vec2& point) {
   return contains(around.room.polygon, point) &&
@@ -60,7 +58,7 @@ bool is_on_crowded_side(const Surroundings& around, const Footprint& footprint) 
     const Side own = side_of(partner.footprint, footprint.center());
     return std::any_of(all.begin(), all.end(), [&](const auto& other) {
       return &other != &partner && other.like &&
-             gap(other.footprint, partner.footprint) < company_gap &&
+             gap(other.footprint, partner.footprint) < partner_gap &&
              side_of(partner.footprint, other.footprint.center()) == own;
     });
   });

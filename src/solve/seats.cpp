@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "roomgen/kinds/use_zone.h"
+
 namespace roomgen {
 
 namespace {
 
-// Width that one seat takes at a table (NKBA: 0.61).
-constexpr double seat_width = 0.61;
 constexpr int fewest_at_round = 2, most_at_round = 12, most_at_straight = 40;
 constexpr double off_line = 0.03;
 // From the rim to the front of a seat: farther away one sits behind another.

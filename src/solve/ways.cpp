@@ -11,16 +11,13 @@ namespace roomgen {
 namespace {
 
 constexpr std::size_t max_choices = 8;
-// Nearer than this, a thing is taken for the partner of another.
-constexpr double partner_gap = 0.7;
 // Length of a table's edge for one seat, ends included.
 constexpr double place_width = 0.8;
 // What is lower has no chairs around it.
 constexpr double least_table_height = 0.6;
 
 bool is_a(const Kind& category, const Kind* kind) {
-  return kind && std::find(category.lineage.begin(), category.lineage.end(), kind->name) !=
-                     category.lineage.end();
+  return kind && is_of(category, kind->name);
 }
 
 // How many things like `self` the candidate has already.

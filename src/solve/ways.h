@@ -8,6 +8,9 @@
 
 namespace roomgen {
 
+/// Nearer than this, metres, a thing is taken for the partner of another.
+inline constexpr double partner_gap = 0.7;
+
 /// A way with things instead of kinds ("near, sofa" became "near, sofa-1").
 struct NamedWay {
   std::vector<Relation> relations;

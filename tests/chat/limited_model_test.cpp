@@ -2,8 +2,8 @@
 
 #include "catch.h"
 #include "roomgen/chat/chat_decorators.h"
-#include "support/scripted_model.h"
 #include "support/contains.h"
+#include "support/scripted_model.h"
 
 using namespace roomgen;
 

@@ -7,9 +7,9 @@
 #include "roomgen/base/json.h"
 #include "roomgen/base/sha256.h"
 #include "roomgen/chat/chat_decorators.h"
-#include "support/scripted_model.h"
 #include "support/contains.h"
 #include "support/file_size_limit.h"
+#include "support/scripted_model.h"
 #include "support/temporary_folder.h"
 
 using namespace roomgen;

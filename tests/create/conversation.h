@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "catch.h"
-#include "support/scripted_model.h"
 #include "roomgen/create/model_maker.h"
 #include "support/contains.h"
+#include "support/scripted_model.h"
 
 /// What the tests of makers that ask a model share.
 namespace conversation {

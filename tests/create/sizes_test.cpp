@@ -3,9 +3,9 @@
 #include "catch.h"
 #include "closer_kind.h"
 #include "relative_size.h"
-#include "settings.h"
 #include "roomgen/create/create.h"
 #include "roomgen/create/rule_maker.h"
+#include "settings.h"
 
 using namespace roomgen;
 using namespace roomgen::create;

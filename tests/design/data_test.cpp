@@ -1,13 +1,13 @@
 #include <set>
 
-#include "roomgen/solve/arrangement.h"
-#include "catch.h"
 #include "brief/kind_names.h"
+#include "brief/prompt_words.h"
 #include "brief/room_kinds.h"
+#include "catch.h"
 #include "roomgen/base/resource.h"
 #include "roomgen/base/text.h"
 #include "roomgen/kinds/kind_table.h"
-#include "brief/prompt_words.h"
+#include "roomgen/solve/arrangement.h"
 
 using namespace roomgen;
 using namespace roomgen::design;

@@ -2,12 +2,12 @@
 #include <map>
 #include <set>
 
-#include "catch.h"
 #include "brief/dwelling_kinds.h"
-#include "dwelling_layout.h"
 #include "brief/dwelling_prompt.h"
-#include "plans.h"
 #include "brief/room_kinds.h"
+#include "catch.h"
+#include "dwelling_layout.h"
+#include "plans.h"
 #include "roomgen/base/json.h"
 #include "roomgen/design/dwelling.h"
 

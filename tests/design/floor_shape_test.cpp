@@ -1,13 +1,13 @@
 // Shapes of floors: the words for them, and the rooms that come of them.
 #include <set>
 
-#include "catch.h"
-#include "floor_plan.h"
 #include "brief/floor_shapes.h"
 #include "brief/outline.h"
-#include "plans.h"
 #include "brief/prompt.h"
 #include "brief/room_kinds.h"
+#include "catch.h"
+#include "floor_plan.h"
+#include "plans.h"
 
 using namespace roomgen;
 using namespace roomgen::design;

@@ -1,12 +1,12 @@
 #include <chrono>
 
-#include "catch.h"
 #include "brief/prompt.h"
+#include "brief/prompt_words.h"
 #include "brief/room_kinds.h"
+#include "catch.h"
 #include "roomgen/base/random.h"
 #include "roomgen/design/rule_designer.h"
 #include "roomgen/kinds/kind_table.h"
-#include "brief/prompt_words.h"
 
 using namespace roomgen;
 using namespace roomgen::design;

@@ -2,9 +2,9 @@
 
 #include "catch.h"
 #include "roomgen/design/rule_designer.h"
-#include "support/scripted_model.h"
 #include "support/contains.h"
 #include "support/rooms.h"
+#include "support/scripted_model.h"
 
 using namespace roomgen;
 

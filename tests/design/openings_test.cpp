@@ -2,10 +2,10 @@
 #include <set>
 
 #include "brief/brief.h"
+#include "brief/prompt.h"
 #include "catch.h"
 #include "opening_plan.h"
 #include "plans.h"
-#include "brief/prompt.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "roomgen/scene/opening_kind.h"

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "brief/room_kinds.h"
 #include "catch.h"
 #include "plans.h"
-#include "brief/room_kinds.h"
 #include "roomgen/kinds/kind_table.h"
 
 using namespace roomgen;

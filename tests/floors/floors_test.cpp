@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -64,6 +65,26 @@ std::string module_of(const std::string& target) {
   return folder != target && floors.count(folder) ? folder : "";
 }
 
+// The types that a header defines at the outermost level, with their namespace: after the house's style a
+// definition begins its line, and a namespace is opened on a line of its own.
+std::vector<std::string> types_in(const fs::path& header) {
+  static const std::regex opened(R"(namespace ([\w:]+) \{)");
+  static const std::regex defined(R"((?:struct|class|enum class) (\w+)(?: final)?(?: :[^;]*)?(?: \{.*)?)");
+  std::ifstream stream(header);
+  std::vector<std::string> types;
+  std::string space;
+  std::smatch found;
+  for (std::string line; std::getline(stream, line);) {
+    if (line.rfind("}  // namespace", 0) == 0)
+      space.clear();
+    else if (std::regex_match(line, found, opened))
+      space += "::" + found[1].str();
+    else if (std::regex_match(line, found, defined) && line.find('{') != std::string::npos)
+      types.push_back(space + "::" + found[1].str());
+  }
+  return types;
+}
+
 std::string verdict(const Include& include) {
   const std::string target = module_of(include.target);
   if (!floors.count(include.module)) return "is in no known module";
@@ -93,6 +114,23 @@ TEST_CASE("Every include points to a lower floor or stays in its module") {
     INFO(include.file << " includes " << include.target);
     CHECK(verdict(include) == "");
   }
+}
+
+TEST_CASE("A type's name belongs to one header") {
+  // Two types of one name in one namespace share their destructors, whichever the linker keeps.
+  std::map<std::string, std::string> homes;
+  for (const auto& root : {fs::path("include") / "roomgen", fs::path("src")})
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(ROOMGEN_SOURCE_DIR) / root)) {
+      // A tool of the build is a program of its own.
+      if (entry.path().extension() != ".h" || entry.path().parent_path().filename() == "compile") continue;
+      const std::string file = fs::relative(entry.path(), ROOMGEN_SOURCE_DIR).string();
+      for (const auto& type : types_in(entry.path())) {
+        INFO(type << " in " << file << " and " << homes[type]);
+        CHECK(homes[type] == "");
+        homes[type] = file;
+      }
+    }
+  REQUIRE(homes.size() > 300);
 }
 
 TEST_CASE("The check of floors finds what it looks for") {

@@ -8,8 +8,8 @@
 #include "roomgen/base/file.h"
 #include "roomgen/base/resource.h"
 #include "roomgen/base/text.h"
-#include "roomgen/library/vocabulary.h"
 #include "roomgen/kinds/kind_table.h"
+#include "roomgen/library/vocabulary.h"
 
 using namespace roomgen;
 

@@ -1,5 +1,5 @@
-#include "roomgen/library/ranking.h"
 #include "catch.h"
+#include "roomgen/library/ranking.h"
 
 using namespace roomgen;
 

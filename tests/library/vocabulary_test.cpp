@@ -1,6 +1,6 @@
-#include "roomgen/library/vocabulary.h"
 #include "catch.h"
 #include "roomgen/base/resource.h"
+#include "roomgen/library/vocabulary.h"
 
 using namespace roomgen;
 

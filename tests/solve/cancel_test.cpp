@@ -1,8 +1,8 @@
 #include <chrono>
 #include <thread>
 
-#include "support/random_problem.h"
 #include "roomgen/base/json.h"
+#include "support/random_problem.h"
 #include "support/solved.h"
 
 using namespace roomgen;

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "roomgen/create/maker.h"
 #include "roomgen/chat/chat_model.h"
 #include "roomgen/chat/prompts.h"
+#include "roomgen/create/maker.h"
 #include "roomgen/shape/evaluate.h"
 
 namespace roomgen::create {

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "roomgen/chat/chat_model.h"
-#include "roomgen/design/designer.h"
 #include "roomgen/chat/prompts.h"
+#include "roomgen/design/designer.h"
 #include "roomgen/kinds/kind_table.h"
 
 namespace roomgen {

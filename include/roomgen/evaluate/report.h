@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "roomgen/scene/judgement.h"
 #include "roomgen/kinds/kind_table.h"
+#include "roomgen/scene/judgement.h"
 #include "roomgen/scene/model_table.h"
 #include "roomgen/scene/scene.h"
 

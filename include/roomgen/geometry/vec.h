@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <cmath>
 #include <numbers>
+#include <string>
 
 namespace roomgen {
 
@@ -39,5 +40,8 @@ inline Vec2 front_direction(double yaw) { return {std::sin(yaw), -std::cos(yaw)}
 
 /// The yaw at which the front looks along `direction`.
 inline double yaw_facing(const Vec2& direction) { return std::atan2(direction.x(), -direction.y()); }
+
+/// "0.4 x 0.4 x 0.7", for people.
+std::string size_text(const Vec3& size);
 
 }  // namespace roomgen

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "roomgen/geometry/vec.h"
@@ -42,6 +43,8 @@ struct Kind {
   std::vector<std::string> lineage;      ///< itself and its ancestors; empty for an unknown kind
 };
 
+/// Is the category the kind of this name, or a descendant of it?
+bool is_of(const Kind& category, std::string_view kind);
 /// Is the category one of the kinds, or a descendant of one?
 bool is_any_of(const Kind& category, const std::vector<std::string>& kinds);
 

@@ -17,6 +17,9 @@ struct UseZone {
   std::vector<std::string> partners;  ///< categories that may stand in it (a chair at its desk)
 };
 
+/// Of a table's edge, for each who sits there; metres (NKBA Kitchen & Bathroom Planning Guidelines).
+inline constexpr double seat_width = 0.61;
+
 /// The floor that a zone of a placed object covers.
 Footprint zone_footprint(const Footprint& object, const UseZone& zone);
 

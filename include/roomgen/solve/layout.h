@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "roomgen/collision/support_poses.h"
 #include "roomgen/collision/solids.h"
+#include "roomgen/collision/support_poses.h"
 #include "roomgen/collision/usability.h"
 #include "roomgen/kinds/kind_table.h"
 #include "roomgen/scene/scene.h"
