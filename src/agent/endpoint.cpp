@@ -1,7 +1,8 @@
 #include "endpoint.h"
 
-#include <algorithm>
-#include <cctype>
+#include <curl/curl.h>
+
+#include <memory>
 
 #include "roomgen/base/text.h"
 
@@ -9,36 +10,27 @@ namespace roomgen {
 
 namespace {
 
+struct UrlCleanup {
+  void operator()(CURLU* url) const { curl_url_cleanup(url); }
+};
+using Url = std::unique_ptr<CURLU, UrlCleanup>;
+
 Error url_error(const std::string& what) {
   return {Error::Kind::invalid_input, "base URL: " + what +
                                           "; expected something like https://api.openai.com/v1 or "
                                           "http://localhost:8080/v1"};
 }
 
-bool has_blank_or_control(std::string_view text) {
-  return std::any_of(text.begin(), text.end(),
-                     [](unsigned char c) { return c <= 0x20 || c == 0x7F; });
+// Empty if the URL lacks it.
+std::string part_of(const Url& url, CURLUPart which) {
+  char* text = nullptr;
+  if (curl_url_get(url.get(), which, &text, 0) != CURLUE_OK) return {};
+  const std::unique_ptr<char, decltype(&curl_free)> freed(text, curl_free);
+  return text;
 }
 
-bool is_port(std::string_view text) {
-  return !text.empty() && text.size() <= 5 &&
-         std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isdigit(c); });
-}
-
-// "host", "host:port", "[::1]:port"
-bool split_authority(std::string_view text, Endpoint& endpoint) {
-  const auto bracket = text.find(']');
-  const auto colon = text.find(':', bracket == std::string_view::npos ? 0 : bracket);
-  endpoint.host = lower(text.substr(0, colon));
-  if (colon != std::string_view::npos) {
-    endpoint.port = text.substr(colon + 1);
-    if (!is_port(endpoint.port)) return false;
-  }
-  return !endpoint.host.empty();
-}
-
-std::string_view without_slashes(std::string_view path) {
-  while (!path.empty() && path.back() == '/') path.remove_suffix(1);
+std::string without_slashes(std::string path) {
+  path.erase(path.find_last_not_of('/') + 1);
   return path;
 }
 
@@ -54,24 +46,24 @@ bool Endpoint::is_loopback() const {
 }
 
 Result<Endpoint> parse_base_url(std::string_view base_url) {
-  if (has_blank_or_control(base_url)) return url_error("it contains blanks or control characters");
-  const auto scheme_end = base_url.find("://");
-  const std::string scheme = lower(base_url.substr(0, scheme_end));
-  if (scheme_end == std::string_view::npos || (scheme != "https" && scheme != "http"))
+  const Url url(curl_url());
+  if (!url || base_url.find('\0') != std::string_view::npos) return url_error("it cannot be read");
+  const CURLUcode code = curl_url_set(url.get(), CURLUPART_URL, std::string(base_url).c_str(),
+                                      CURLU_DISALLOW_USER);
+  if (code == CURLUE_USER_NOT_ALLOWED)
+    return url_error("it contains a name or password; keys belong in the environment");
+  if (code != CURLUE_OK) return url_error(curl_url_strerror(code));
+  const std::string scheme = part_of(url, CURLUPART_SCHEME);
+  if (scheme != "https" && scheme != "http")
     return url_error("it does not begin with https:// or http://");
 
   Endpoint endpoint;
   endpoint.tls = scheme == "https";
-  std::string_view rest = base_url.substr(scheme_end + 3);
-  rest = rest.substr(0, rest.find('#'));
-  const auto authority = rest.substr(0, rest.find_first_of("/?"));
-  rest.remove_prefix(authority.size());
-  if (authority.find('@') != std::string_view::npos)
-    return url_error("it contains a name or password; keys belong in the environment");
-  if (!split_authority(authority, endpoint)) return url_error("it names no host, or no valid port");
-  const auto query = rest.find('?');
-  if (query != std::string_view::npos) endpoint.query = rest.substr(query);
-  endpoint.path = without_slashes(rest.substr(0, query));
+  endpoint.host = lower(part_of(url, CURLUPART_HOST));
+  endpoint.port = part_of(url, CURLUPART_PORT);
+  endpoint.path = without_slashes(part_of(url, CURLUPART_PATH));
+  if (const std::string query = part_of(url, CURLUPART_QUERY); !query.empty())
+    endpoint.query = "?" + query;
   return endpoint;
 }
 

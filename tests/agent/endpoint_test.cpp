@@ -42,7 +42,7 @@ TEST_CASE("The protocol is told from the host") {
 
 TEST_CASE("This machine has several names") {
   for (const char* base : {"http://localhost", "http://127.0.0.1:8", "http://127.9.9.9",
-                           "http://[::1]:80", "http://a.localhost"})
+                           "http://[::1]:80", "http://a.localhost", "http://127.1", "http://0x7f000001"})
     CHECK(parse_base_url(base)->is_loopback());
   for (const char* base : {"http://localhost.evil.test", "http://127.evil.test", "http://10.0.0.1"})
     CHECK_FALSE(parse_base_url(base)->is_loopback());
