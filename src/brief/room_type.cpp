@@ -135,12 +135,12 @@ std::string guess_room_type(const Brief& brief, const RoomKinds& kinds,
     double votes = 0.0;
     for (const auto& mention : brief.mentions) {
       double vote = 0.0;
-      const auto hears = [&](const std::vector<Piece>& pieces, double weight) {
+      const auto hears = [&, &heard = kind](const std::vector<Piece>& pieces, double weight) {
         for (const auto& piece : pieces)
           // What comes first in a room's core is what it is for.
           for (const auto& [category, chance] : piece.any)
             if (table.is_a(mention.category, category))
-              vote = std::max(vote, &piece == &kind.core.front() ? first_weight : weight);
+              vote = std::max(vote, &piece == &heard.core.front() ? first_weight : weight);
       };
       hears(kind.core, 1.0);
       hears(kind.extras, 0.3);

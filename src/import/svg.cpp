@@ -162,12 +162,17 @@ class SvgReader {
   std::vector<DrawnLine> lines_of(const XmlElement& element) {
     const std::string name = local_name(element.name);
     if (name == "rect") return rectangle(element);
-    if (name == "line")
-      return {{{{{number(element, "x1"), number(element, "y1")}, element.line},
-                {{number(element, "x2"), number(element, "y2")}, element.line}}}};
+    if (name == "line") return straight(element);
     if (name == "polygon" || name == "polyline") return corners(element, name == "polygon");
     if (name == "circle" || name == "ellipse") return ellipse(element);
     return name == "path" ? path(element) : std::vector<DrawnLine>();
+  }
+
+  std::vector<DrawnLine> straight(const XmlElement& element) {
+    DrawnLine line;
+    line.points = {{{number(element, "x1"), number(element, "y1")}, element.line},
+                   {{number(element, "x2"), number(element, "y2")}, element.line}};
+    return {line};
   }
 
   std::vector<DrawnLine> path(const XmlElement& element) {

@@ -112,7 +112,8 @@ class Builder {
                                                    const Site& site) {
     for (const auto& [name, ignored] : site.materials)
       if (!name.empty() &&
-          std::none_of(own.begin(), own.end(), [&](const Surface& s) { return s.name == name; }))
+          std::none_of(own.begin(), own.end(),
+                       [&wanted = name](const Surface& s) { return s.name == wanted; }))
         root.report("no material \"" + name + "\" to be replaced");
     std::map<std::string, std::string> names;
     for (const auto& surface : own) {
