@@ -48,7 +48,7 @@ build_cpr() {
     -DCMAKE_POSITION_INDEPENDENT_CODE=ON -DCPR_USE_SYSTEM_CURL=ON -DCPR_BUILD_TESTS=OFF \
     -DCPR_ENABLE_LINTING=OFF "-DCMAKE_CXX_FLAGS_RELEASE=-O2 -DNDEBUG -Wno-error" &&
     cmake --build "$folder/build" &&
-    cmake --install "$folder/build"
+    cmake --install "$folder/build" && cp "$folder/source/LICENSE" "$cpr_prefix.part/"
 }
 
 install_cpr() {
