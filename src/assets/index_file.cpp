@@ -34,10 +34,10 @@ std::string json_text(const std::vector<std::string>& texts) {
 }
 
 std::vector<std::string> texts_of(const std::string& json) {
-  const auto value = Json::parse(json, nullptr, false);
+  const auto value = parse_json(json, "catalogue");
   std::vector<std::string> result;
-  if (value.is_array())
-    for (const auto& text : value)
+  if (value && value->is_array())
+    for (const auto& text : *value)
       if (text.is_string()) result.push_back(text.get<std::string>());
   return result;
 }
@@ -50,11 +50,11 @@ std::string matrix_text(const Eigen::Matrix3d& matrix) {
 
 Eigen::Matrix3d matrix_of(const std::string& json) {
   Eigen::Matrix3d matrix = Eigen::Matrix3d::Identity();
-  const auto value = Json::parse(json, nullptr, false);
-  if (value.is_array() && value.size() == 9)
+  const auto value = parse_json(json, "catalogue");
+  if (value && value->is_array() && value->size() == 9)
     for (std::size_t i = 0; i < 9; ++i)
-      if (value[i].is_number())
-        matrix(static_cast<int>(i / 3), static_cast<int>(i % 3)) = value[i].get<double>();
+      if ((*value)[i].is_number())
+        matrix(static_cast<int>(i / 3), static_cast<int>(i % 3)) = (*value)[i].get<double>();
   return matrix;
 }
 
@@ -71,9 +71,10 @@ std::string wall_fit_text(const std::optional<WallFit>& fit) {
 
 std::optional<WallFit> wall_fit_of(const std::string& text) {
   if (text.empty()) return std::nullopt;
-  const auto value = Json::parse(text, nullptr, false);
+  const auto value = parse_json(text, "catalogue");
+  if (!value) return std::nullopt;
   JsonReader::Problems problems("catalogue");
-  const JsonReader json(value, problems);
+  const JsonReader json(*value, problems);
   WallFit fit;
   fit.wall_front = json["front"].number(0, 100);
   fit.wall_back = json["back"].number(0, 100);

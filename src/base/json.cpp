@@ -1,8 +1,10 @@
 #include "roomgen/base/json.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
+#include "json_literal.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen {
@@ -88,6 +90,12 @@ Result<Json> parse_json(std::string_view text, const std::string& source) {
   } catch (const Json::exception&) {
     return Error{Error::Kind::invalid_input, source + ": JSON with a value out of range"};
   }
+}
+
+Json json_literal(std::string_view text) {
+  auto json = parse_json(text, "literal");
+  assert(json);
+  return *std::move(json);
 }
 
 std::string dump_json(const Json& value) {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "base/json_literal.h"
 #include "loose_parser.h"
-#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen::design {
@@ -54,7 +54,7 @@ std::string without_thoughts(std::string_view text) {
 // Bytes that are no UTF-8 replaced: whoever writes the texts to a file can rely on it.
 std::string as_utf8(std::string_view text) {
   const auto quoted = Json(std::string(text)).dump(-1, ' ', false, Json::error_handler_t::replace);
-  return Json::parse(quoted).get<std::string>();
+  return json_literal(quoted).get<std::string>();
 }
 
 // The object itself, or the first one inside it, that has one of the keys.

@@ -1,7 +1,7 @@
 #include "reply_schema.h"
 
+#include "base/json_literal.h"
 #include "description_words.h"
-#include "roomgen/base/json.h"
 
 namespace roomgen::create {
 
@@ -21,7 +21,7 @@ Json with_words(Json schema) {
 // ones are left to the reader.
 const Json& solid_forms() {
   static const Json forms = [] {
-    Json result = Json::parse(R"({
+    Json result = json_literal(R"({
       "box": {"required": ["size"], "properties": {"size": {"$ref": "#/$defs/vec3"},
         "bevel": {"$ref": "#/$defs/number"}}},
       "cylinder": {"required": ["radius", "height"], "properties": {
@@ -52,7 +52,7 @@ const Json& solid_forms() {
 
 // A component has exactly one solid.
 Json component_of(const std::string& solid, const Json& form) {
-  Json result = Json::parse(R"({"type": "object", "additionalProperties": false,
+  Json result = json_literal(R"({"type": "object", "additionalProperties": false,
     "required": ["name", "label"],
     "properties": {"name": {"type": "string"}, "label": {"type": "string"}}})");
   result["required"].push_back(solid);
@@ -68,7 +68,7 @@ Json component_of(const std::string& solid, const Json& form) {
 }  // namespace
 
 const Json& verdict_schema() {
-  static const Json schema = Json::parse(R"({"type": "object", "additionalProperties": false,
+  static const Json schema = json_literal(R"({"type": "object", "additionalProperties": false,
     "properties": {"passes": {"type": "boolean"}, "reason": {"type": "string"}},
     "required": ["passes", "reason"]})");
   return schema;
@@ -76,7 +76,7 @@ const Json& verdict_schema() {
 
 const Json& decompose_schema() {
   static const Json schema = with_words(
-      Json::parse(R"({"type": "object", "additionalProperties": false, "required": ["objects"],
+      json_literal(R"({"type": "object", "additionalProperties": false, "required": ["objects"],
     "properties": {"objects": {"type": "array", "items": {
       "type": "object", "additionalProperties": false,
       "required": ["object", "words", "kind", "approximate", "count", "style", "material", "color",
@@ -103,7 +103,7 @@ const Json& decompose_schema() {
 
 const Json& program_schema() {
   static const Json schema = [] {
-    Json result = Json::parse(R"({"type": "object", "additionalProperties": false,
+    Json result = json_literal(R"({"type": "object", "additionalProperties": false,
       "required": ["format", "version", "name", "materials", "components", "connections"],
       "properties": {"format": {"const": "roomgen-shape"}, "version": {"const": 1},
         "name": {"type": "string"},
@@ -129,7 +129,7 @@ const Json& program_schema() {
 }
 
 const Json& mesh_schema() {
-  static const Json schema = Json::parse(R"({"type": "object", "additionalProperties": false,
+  static const Json schema = json_literal(R"({"type": "object", "additionalProperties": false,
     "required": ["vertices", "triangles", "parts"],
     "properties": {
       "vertices": {"type": "array", "items": {"type": "array", "items": {"type": "number"},
@@ -145,7 +145,7 @@ const Json& mesh_schema() {
 
 const Json& scores_schema() {
   static const Json schema = [] {
-    const Json score = Json::parse(R"({"type": "object", "additionalProperties": false,
+    const Json score = json_literal(R"({"type": "object", "additionalProperties": false,
       "required": ["reason", "points"],
       "properties": {"reason": {"type": "string"}, "points": {"type": "integer"}}})");
     Json result = {{"type", "object"}, {"additionalProperties", false}};

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "base/json_literal.h"
 #include "place_reply.h"
 #include "plan_reply.h"
-#include "roomgen/base/json.h"
 #include "roomgen/base/sha256.h"
 #include "roomgen/base/text.h"
 #include "scene_text.h"
@@ -23,14 +23,10 @@ constexpr std::size_t most_quoted = 4000;   // bytes of an answer that cannot be
 // Calls that fail one after the other before the model is given up: each may take all its time.
 constexpr int most_failures = 3;
 
-Json parse_schema(const char* text) {
-  return Json::parse(text);
-}
-
 // Long lists are bounded when they are read: grammar samplers grow slow with such bounds.
 const Json& plan_schema() {
   static const Json schema = [] {
-    const Json thing = parse_schema(R"({"type": "object", "additionalProperties": false,
+    const Json thing = json_literal(R"({"type": "object", "additionalProperties": false,
       "properties": {"name": {"type": "string"}, "description": {"type": "string"},
         "size_cm": {"type": "array", "items": {"type": "number"}, "minItems": 3, "maxItems": 3},
         "quantity": {"type": "integer"}, "variance": {"type": "string", "enum": ["same", "varied"]},
@@ -39,7 +35,7 @@ const Json& plan_schema() {
     Json carrier = thing;
     carrier["properties"]["on_top"] = {{"type", "array"}, {"items", thing}};
     carrier["required"].push_back("on_top");
-    Json result = parse_schema(R"({"type": "object", "additionalProperties": false,
+    Json result = json_literal(R"({"type": "object", "additionalProperties": false,
       "properties": {"room": {"type": "object", "additionalProperties": false,
         "properties": {"type": {"type": "string"},
           "size_m": {"type": "array", "items": {"type": "number"}, "minItems": 2, "maxItems": 2},
@@ -56,11 +52,11 @@ const Json& plan_schema() {
 }
 
 Json place_schema(const ModelDesignerOptions& options) {
-  Json schema = parse_schema(R"({"type": "object", "additionalProperties": false,
+  Json schema = json_literal(R"({"type": "object", "additionalProperties": false,
     "properties": {"reasoning": {"type": "string"}, "constraints": {"type": "string"}},
     "required": ["reasoning", "constraints"]})");
   const auto require = [&](const char* key, const char* form) {
-    schema["properties"][key] = parse_schema(form);
+    schema["properties"][key] = json_literal(form);
     schema["required"].push_back(key);
   };
   if (options.mode == ModelMode::fused) {

@@ -230,9 +230,9 @@ class OpeningPlanner {
     const auto door = wall_of(OpeningType::door);
     const bool window = is_window(item.opening.type);
     const auto cost = [&](std::size_t k) {
-      double cost = 10.0 * static_cast<double>(walls_[k].items.size()) - 0.5 * length(k);
-      if (window && door) cost += 4.0 * room_.polygon.inward(k).dot(room_.polygon.inward(*door));
-      return cost;
+      double total = 10.0 * static_cast<double>(walls_[k].items.size()) - 0.5 * length(k);
+      if (window && door) total += 4.0 * room_.polygon.inward(k).dot(room_.polygon.inward(*door));
+      return total;
     };
     auto order = shuffled_;
     std::stable_sort(order.begin(), order.end(),

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "brief/reply_measure.h"
+#include "reply_words.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "roomgen/scene/judgement.h"
@@ -28,14 +29,9 @@ constexpr std::array compass = {CompassPoint{"north", 0, 1},      CompassPoint{"
                                 CompassPoint{"+y", 0, 1},         CompassPoint{"-y", 0, -1},
                                 CompassPoint{"+x", 1, 0},         CompassPoint{"-x", -1, 0}};
 
-constexpr std::array fillers = {"face", "facing",  "faces",  "look", "looking", "looks",
-                                "to",   "towards", "toward", "at",   "the"};
+constexpr std::array facing_fillers = {"face", "facing",  "faces",  "look", "looking", "looks",
+                                       "to",   "towards", "toward", "at",   "the"};
 constexpr std::array degree_words = {"", "deg", "degree", "degrees", "yaw", "rotation"};
-
-template <typename Words>
-bool is_one_of(const std::string& word, const Words& list) {
-  return std::find(list.begin(), list.end(), word) != list.end();
-}
 
 std::optional<double> compass_yaw(const std::string& text) {
   for (const std::string& name : {lower(trim(text)), join(words(text), "")})
@@ -60,7 +56,7 @@ std::optional<double> degrees_in(const Json& value) {
 std::string target_text(const std::string& text) {
   std::vector<std::string> pieces = words(text);
   std::size_t skipped = 0;
-  while (skipped < pieces.size() && is_one_of(pieces[skipped], fillers)) ++skipped;
+  while (skipped < pieces.size() && is_one_of(pieces[skipped], facing_fillers)) ++skipped;
   if (skipped == 0) return text;
   return join({pieces.begin() + static_cast<std::ptrdiff_t>(skipped), pieces.end()}, " ");
 }

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "chat/loose_json.h"
+#include "reply_words.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 
@@ -98,9 +99,9 @@ constexpr std::array synonyms = {
     RelationSpelling{"hung from", RelationKind::hang_from},
 };
 
-constexpr std::array fillers = {"the", "a",          "an",       "place",     "placed",
-                                "put", "must",       "should",   "be",        "is",
-                                "it",  "constraint", "position", "positioned"};
+constexpr std::array relation_fillers = {"the", "a",          "an",       "place",     "placed",
+                                         "put", "must",       "should",   "be",        "is",
+                                         "it",  "constraint", "position", "positioned"};
 constexpr std::array connectors = {"to", "of", "with", "from", "at", "target"};
 
 const std::vector<RelationSpelling>& phrases() {
@@ -111,11 +112,6 @@ const std::vector<RelationSpelling>& phrases() {
     return result;
   }();
   return all;
-}
-
-template <typename Words>
-bool is_one_of(const std::string& word, const Words& list) {
-  return std::find(list.begin(), list.end(), word) != list.end();
 }
 
 using Pieces = std::vector<std::string>;
@@ -205,7 +201,7 @@ class RelationReader {
       return word.find_first_not_of("0123456789") == std::string::npos;
     };
     if (all.size() > 1 && is_digit_word(all.front())) all.erase(all.begin());
-    while (!all.empty() && is_one_of(all.front(), fillers)) all.erase(all.begin());
+    while (!all.empty() && is_one_of(all.front(), relation_fillers)) all.erase(all.begin());
     std::erase_if(
         all, [](const std::string& word) { return word == "the" || word == "a" || word == "an"; });
     return all;
