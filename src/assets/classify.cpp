@@ -23,25 +23,29 @@ std::string kind_from_name(const SourceAsset& asset, const Vocabulary& vocabular
 
 std::string kind_of(const SourceAsset& asset, const Label* label, const Vocabulary& vocabulary) {
   if (label && !label->category.empty()) {
-    const StockKind* kind = vocabulary.find(label->category);
+    const Kind* kind = vocabulary.find(label->category);
     return kind ? kind->name : label->category;
   }
   return asset.category ? vocabulary.understand(*asset.category).kind
                         : kind_from_name(asset, vocabulary);
 }
 
+bool is_small(const Vec3& size) {
+  return size.head<2>().maxCoeff() <= small_side && size.z() <= small_height;
+}
+
 Mount guess_mount(const AssetInfo& info) {
   if (info.elevation >= near_ceiling) return Mount::ceiling;
   if (info.elevation >= hangs_from) return Mount::wall;
-  const bool small = info.size.head<2>().maxCoeff() <= small_side && info.size.z() <= small_height;
-  return small ? Mount::surface : Mount::floor;
+  return is_small(info.size) ? Mount::surface : Mount::floor;
 }
 
 Mount mount_of(const SourceAsset& asset, const AssetInfo& info, const Label* label,
-               const StockKind* kind) {
+               const Kind* kind) {
   if (label && label->mount) return *label->mount;
   if (asset.mount) return *asset.mount;
-  if (kind && kind->mount) return *kind->mount;
+  // A small one of what usually is large and stands on the floor stands on something.
+  if (kind && (kind->mount != Mount::floor || is_small(kind->size))) return kind->mount;
   return guess_mount(info);
 }
 
@@ -70,7 +74,7 @@ bool front_of(const SourceAsset& asset, const AssetInfo& info, const Label* labe
 AssetInfo classify(const SourceAsset& asset, const Label* label, const Vocabulary& vocabulary) {
   AssetInfo info = asset.info;
   info.category = kind_of(asset, label, vocabulary);
-  const StockKind* kind = vocabulary.find(info.category);
+  const Kind* kind = vocabulary.find(info.category);
   info.mount = mount_of(asset, info, label, kind);
   info.elevation = elevation_of(info);
   info.round = round_of(asset, label);

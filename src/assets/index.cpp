@@ -34,10 +34,9 @@ std::string stamp_of_file(const fs::path& path) {
 // Changes when a file of the library does, or what this program knows.
 Result<std::string> stamp_of(const fs::path& library) {
   std::string text = std::to_string(format_version);
-  for (const auto* name :
-       {"data/furniture-labels.json", "data/vocabulary.json", "data/categories.json"})
+  for (const auto* name : {"data/furniture-labels.json", "data/vocabulary.json"})
     text += "\n" + sha256_hex(resource(name).value_or(""));
-  for (const auto name : resources("data/shapes/kinds/")) text += "\n" + sha256_hex(*resource(name));
+  for (const auto name : resources("data/kinds/")) text += "\n" + sha256_hex(*resource(name));
   std::error_code code;
   if (!fs::is_directory(library, code)) return sha256_hex(text + "\n" + stamp_of_file(library));
   auto tree = open_folder(library);

@@ -148,7 +148,7 @@ double size_term(const SearchPlan& plan, const AssetInfo& asset) {
 
 double mount_term(const SearchPlan& plan, const AssetInfo& asset, const Vocabulary& vocabulary) {
   if (!plan.query.mount) return 1.0;
-  const StockKind* kind = vocabulary.find(asset.category);
+  const Kind* kind = vocabulary.find(asset.category);
   return mount_fit(asset.mount, *plan.query.mount, kind ? kind->also : std::vector<Mount>{},
                    asset.size.z());
 }

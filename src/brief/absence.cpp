@@ -29,7 +29,7 @@ bool joins(const Token& token, const Vocabulary& words) {
 }  // namespace
 
 std::optional<Absence> read_absence(std::span<const Token> tokens, std::size_t at,
-                                    const Vocabulary& words, const KindNames& names) {
+                                    const Vocabulary& words, const KindTable& table) {
   if (tokens[at].kind != Token::Kind::word || !words.negations.count(tokens[at].text))
     return std::nullopt;
   Absence absence;
@@ -42,7 +42,7 @@ std::optional<Absence> read_absence(std::span<const Token> tokens, std::size_t a
       absence.windows = true;
       ++i;
     } else {
-      const auto phrase = read_noun_phrase(tokens, i, words, names, false);
+      const auto phrase = read_noun_phrase(tokens, i, words, table, false);
       if (!phrase || phrase->kind.length == 0 || (found() && phrase->article)) break;
       absence.kinds.push_back(phrase->kind);
       i = phrase->end;

@@ -21,7 +21,7 @@ RelationKind as_seen(RelationKind kind) {
 
 }  // namespace
 
-std::string Discourse::category_name(const KindMatch& kind) const {
+std::string Discourse::category_name(const KindMention& kind) const {
   const auto meant = lexicon_.kind.means.find(kind.name);
   return meant == lexicon_.kind.means.end() ? kind.category->name : meant->second;
 }
@@ -91,7 +91,7 @@ Mention Discourse::new_mention(const NounPhrase& phrase) const {
   }
   if (!phrase.contents.empty()) description.push_back(phrase.contents);
   mention.description = join(description, " ");
-  shape(mention, phrase, lexicon_.words, lexicon_.table, lexicon_.names);
+  shape(mention, phrase, lexicon_.words, lexicon_.table);
   return mention;
 }
 
@@ -219,7 +219,7 @@ void Discourse::locate(const Placement& placement, const PlacePhrase& place, boo
   }
 }
 
-// Lamps that hang over a table hang from the ceiling.
+// What can hang from the ceiling and hangs over a table, hangs there: a lamp, a plant.
 void Discourse::hang_lamps(bool leads) {
   if (leads) {
     lamps_hang_ = true;
@@ -229,8 +229,9 @@ void Discourse::hang_lamps(bool leads) {
 }
 
 void Discourse::hang_lamp(Mention& mention) const {
-  if (is_lamp(mention.category) && mention.mount != Mount::wall)
-    hang(mention, Mount::ceiling, lexicon_.names);
+  const bool can_hang = !lexicon_.table.get(mention.category).forms.ceiling.empty();
+  if (can_hang && mention.mount != Mount::wall)
+    hang(mention, Mount::ceiling, lexicon_.table);
 }
 
 // "On the floor, two books": small things that nothing carries.
@@ -239,7 +240,7 @@ void Discourse::stand_on_floor(bool leads) {
     leading_mount_ = Mount::floor;
     return;
   }
-  for (std::size_t subject : subjects()) hang(brief_.mentions[subject], Mount::floor, lexicon_.names);
+  for (std::size_t subject : subjects()) hang(brief_.mentions[subject], Mount::floor, lexicon_.table);
 }
 
 void Discourse::locate_at_window(const Placement& placement, bool leads) {
@@ -275,11 +276,11 @@ void Discourse::mount(Mount where, bool leads) {
     return;
   }
   for (std::size_t subject : subjects())
-    hang(brief_.mentions[subject], where, lexicon_.names);
+    hang(brief_.mentions[subject], where, lexicon_.table);
 }
 
 void Discourse::apply_leading(std::size_t index) {
-  if (leading_mount_) hang(brief_.mentions[index], *leading_mount_, lexicon_.names);
+  if (leading_mount_) hang(brief_.mentions[index], *leading_mount_, lexicon_.table);
   leading_mount_.reset();
   if (lamps_hang_) hang_lamp(brief_.mentions[index]);
   lamps_hang_ = false;
@@ -316,12 +317,12 @@ bool Discourse::seats_at(std::size_t seat, std::size_t other) const {
 
 bool Discourse::is_small(std::size_t index) const {
   const Mention& one = mention(index);
-  return one.mount == Mount::surface || small_kind(one.category, lexicon_.names) ||
+  return one.mount == Mount::surface || !lexicon_.table.get(one.category).forms.small.empty() ||
          (one.mount == Mount::floor && one.size.maxCoeff() <= small_side &&
           !lexicon_.table.is_any_of(one.category, {"seat", "table", "storage"}));
 }
 
-std::optional<std::size_t> Discourse::last_of(const KindMatch& kind) const {
+std::optional<std::size_t> Discourse::last_of(const KindMention& kind) const {
   if (kind.length == 0) return std::nullopt;
   const std::string name = category_name(kind);
   for (std::size_t i = count(); i-- > 0;)

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "brief.h"
-#include "kind_names.h"
+#include "kind_mention.h"
 #include "noun_phrase.h"
 #include "placement_phrase.h"
 #include "prompt_words.h"
@@ -16,7 +16,6 @@ namespace roomgen::design {
 /// What a reader needs to know to name things.
 struct Lexicon {
   const Vocabulary& words;
-  const KindNames& names;
   const KindTable& table;
   const RoomKind& kind;  ///< of the room: what a "sink" is depends on it
 };
@@ -28,7 +27,7 @@ class Discourse {
   Discourse(const Lexicon& lexicon, Brief& brief) : lexicon_(lexicon), brief_(brief) {}
 
   /// The category that a name means in this room.
-  std::string category_name(const KindMatch& kind) const;
+  std::string category_name(const KindMention& kind) const;
   const Mention& mention(std::size_t index) const { return brief_.mentions[index]; }
   std::size_t count() const { return brief_.mentions.size(); }
 
@@ -80,7 +79,7 @@ class Discourse {
   /// What was spoken of last of what things stand on; "tabletop" is a table's.
   std::optional<std::size_t> last_carrier(std::string_view top = "") const;
   /// The thing of that kind that was spoken of last.
-  std::optional<std::size_t> last_of(const KindMatch& kind) const;
+  std::optional<std::size_t> last_of(const KindMention& kind) const;
   /// "a desk with a lamp", "a tray with two cups", but no "monitor with a keyboard".
   bool may_carry(std::size_t mention) const;
   /// "a table with four stools holds": who holds.

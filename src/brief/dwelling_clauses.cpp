@@ -102,7 +102,7 @@ class ClauseSharer {
     std::optional<std::size_t> best;
     double most = 0.0;
     for (std::size_t i = range.begin; i < range.end; ++i) {
-      const KindMatch thing = text_.things.match(text_.tokens, i);
+      const KindMention thing = mention_at(text_.things, text_.tokens, i);
       if (!thing.category) continue;
       for (std::size_t room = 0; room < rooms_.size(); ++room) {
         const double vote = usual(kinds_.get(rooms_[room].type), thing.category->name, table_);

@@ -30,7 +30,7 @@ RoomName room_at(const DwellingText& text, std::size_t i) {
       break;
     }
   }
-  if (text.things.match(text.tokens, i).length > best.length) best.length = 0;
+  if (mention_at(text.things, text.tokens, i).length > best.length) best.length = 0;
   return best;
 }
 
@@ -72,7 +72,7 @@ std::vector<NamedRoom> find_room_names(const DwellingText& text) {
     RoomName name = room_at(text, i);
     const bool dwelling = name.length == 0 &&
                           text.dwellings.dwellings.count(text.tokens[i].text) &&
-                          text.things.match(text.tokens, i).length == 0;
+                          mention_at(text.things, text.tokens, i).length == 0;
     if (dwelling) name = {"", 1};
     if (name.length == 0) continue;
     NamedRoom named;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "dwelling_kinds.h"
-#include "kind_names.h"
+#include "kind_mention.h"
 #include "room_kinds.h"
 
 namespace roomgen::design {
@@ -25,7 +25,7 @@ struct DwellingText {
   const std::vector<Token> tokens;
   const Vocabulary& words;
   const DwellingKinds& dwellings;
-  const KindNames things;
+  const KindTable& things;
   const std::map<std::string, std::string, std::less<>> rooms;  ///< kinds, by all their names
 };
 

@@ -22,9 +22,9 @@ struct Finding {
 
 class FinishReader {
  public:
-  FinishReader(const std::vector<Token>& tokens, const Vocabulary& words, const KindNames& names,
+  FinishReader(const std::vector<Token>& tokens, const Vocabulary& words, const KindTable& table,
          const FinishWords& finishes)
-      : tokens_(tokens), words_(words), names_(names), finishes_(finishes) {}
+      : tokens_(tokens), words_(words), table_(table), finishes_(finishes) {}
 
   std::optional<Finding> read(std::size_t at) const {
     if (at > 0 && words_.negations.count(tokens_[at - 1].text)) return std::nullopt;
@@ -132,7 +132,7 @@ class FinishReader {
   // A part of the room, and not of "wall clock" or "floor cushions".
   bool is_part(std::size_t i) const {
     if (!is_word(i) || !finishes_.parts.count(tokens_[i].text)) return false;
-    if (names_.match(tokens_, i).length > 0) return false;
+    if (mention_at(table_, tokens_, i).length > 0) return false;
     const std::string& noun = tokens_[i].text;
     const bool singular = noun == "wall" || noun == "floor" || noun == "ceiling";
     return !singular || ends_phrase(i + 1);
@@ -142,7 +142,7 @@ class FinishReader {
 
   // "exposed brick", "a tiled bathroom": the description names its part of the room itself.
   std::optional<Finding> read_alone(std::size_t at, std::size_t run) const {
-    if (!ends_phrase(run) || names_.match(tokens_, run - 1).length > 0) return std::nullopt;
+    if (!ends_phrase(run) || mention_at(table_, tokens_, run - 1).length > 0) return std::nullopt;
     for (std::size_t i = at; i < run; ++i)
       if (const auto alone = longest(finishes_.alone, tokens_, i, longest_phrase);
           alone && i + alone.length <= run)
@@ -153,7 +153,7 @@ class FinishReader {
   // "the walls are painted in sage green", "floors of oak".
   std::optional<Finding> read_part_first(std::size_t at) const {
     if (!is_word(at) || !finishes_.parts.count(tokens_[at].text)) return std::nullopt;
-    if (names_.match(tokens_, at).length > 0 || is_target(with_determiner(at))) return std::nullopt;
+    if (mention_at(table_, tokens_, at).length > 0 || is_target(with_determiner(at))) return std::nullopt;
     static const WordSet links = {
         "is",      "are",      "was",     "were",  "painted", "covered", "clad", "panelled",
         "paneled", "finished", "made",    "paved", "laid",    "lined",   "done", "coated",
@@ -170,7 +170,7 @@ class FinishReader {
 
   const std::vector<Token>& tokens_;
   const Vocabulary& words_;
-  const KindNames& names_;
+  const KindTable& table_;
   const FinishWords& finishes_;
 };
 
@@ -182,9 +182,9 @@ std::string& material(RoomMaterials& materials, const Finding& found) {
 
 }  // namespace
 
-void read_finishes(std::vector<Token>& tokens, const Vocabulary& words, const KindNames& names,
+void read_finishes(std::vector<Token>& tokens, const Vocabulary& words, const KindTable& table,
                    const FinishWords& finishes, Brief& brief) {
-  const FinishReader reader(tokens, words, names, finishes);
+  const FinishReader reader(tokens, words, table, finishes);
   for (std::size_t at = 0; at < tokens.size(); ++at) {
     const auto found = reader.read(at);
     if (!found) continue;

@@ -40,11 +40,11 @@ bool joins(const Token& token) {
 }
 
 // The measured is a thing rather than the room when one is named right after.
-bool thing_follows(const std::vector<Token>& tokens, std::size_t at, const KindNames& names,
+bool thing_follows(const std::vector<Token>& tokens, std::size_t at, const KindTable& table,
                    const Vocabulary& words) {
   for (std::size_t i = at; i < tokens.size() && i < at + ahead; ++i) {
     if (tokens[i].kind != Token::Kind::word) return false;
-    if (names.match(tokens, i).length > 0 && !words.materials.count(tokens[i].text)) return true;
+    if (mention_at(table, tokens, i).length > 0 && !words.materials.count(tokens[i].text)) return true;
     if (const auto& kinds = OpeningKinds::built_in();
         kinds && opening_name_at(tokens, i, *kinds) > 0)
       return true;
@@ -74,7 +74,7 @@ void set_size(const Vec2& size, Brief& brief) {
 
 // "4 x 5 m": both in the unit of the second, which may be metres without saying so.
 bool read_sides(std::vector<Token>& tokens, std::size_t at, const Vocabulary& words,
-                const KindNames& names, Brief& brief) {
+                const KindTable& table, Brief& brief) {
   const auto a = length_at(tokens, at, words);
   if (!a || at + a->length >= tokens.size() || !joins(tokens[at + a->length])) return false;
   const auto b = length_at(tokens, at + a->length + 1, words);
@@ -84,7 +84,7 @@ bool read_sides(std::vector<Token>& tokens, std::size_t at, const Vocabulary& wo
   const double unit_a = a->unit > 0 ? a->unit : unit_b;
   if (b->unit == 0 && std::max(a->value, b->value) > metres_up_to) return false;
   const Vec2 size(a->value * unit_a, b->value * unit_b);
-  if (thing_follows(tokens, at + count, names, words)) {
+  if (thing_follows(tokens, at + count, table, words)) {
     replace(tokens, at, count,
             {{Token::Kind::length, "length", size.x()}, {Token::Kind::length, "depth", size.y()}});
     return true;
@@ -138,7 +138,7 @@ struct People {
 };
 
 People people_at(const std::vector<Token>& tokens, std::size_t at, const Vocabulary& words,
-                 const KindNames& names) {
+                 const KindTable& table) {
   std::size_t i = at;
   while (i < tokens.size() && (tokens[i].is_word("a") || tokens[i].is_word("the") ||
                                tokens[i].is_word("my") || tokens[i].is_word("young")))
@@ -154,7 +154,7 @@ People people_at(const std::vector<Token>& tokens, std::size_t at, const Vocabul
   if (end < tokens.size() && tokens[end].kind == Token::Kind::word) {
     if (words.people_words.count(tokens[end].text)) return {*count, end + 1 - at};
     // "for two chairs" speaks of chairs.
-    if (!words.stops.count(tokens[end].text) && thing_follows(tokens, end, names, words)) return {};
+    if (!words.stops.count(tokens[end].text) && thing_follows(tokens, end, table, words)) return {};
     if (!words.stops.count(tokens[end].text)) return {};
   }
   return i == at ? People{*count, end - at} : People{};
@@ -162,24 +162,24 @@ People people_at(const std::vector<Token>& tokens, std::size_t at, const Vocabul
 
 }  // namespace
 
-void read_measures(std::vector<Token>& tokens, const Vocabulary& words, const KindNames& names,
+void read_measures(std::vector<Token>& tokens, const Vocabulary& words, const KindTable& table,
                    Brief& brief) {
   for (std::size_t i = 0; i < tokens.size(); ++i) {
     if (tokens[i].kind != Token::Kind::number) continue;
-    if (read_area(tokens, i, words, brief) || read_sides(tokens, i, words, names, brief))
+    if (read_area(tokens, i, words, brief) || read_sides(tokens, i, words, table, brief))
       --i;
     else
       read_length(tokens, i, words);
   }
 }
 
-void read_people(std::vector<Token>& tokens, const Vocabulary& words, const KindNames& names,
+void read_people(std::vector<Token>& tokens, const Vocabulary& words, const KindTable& table,
                  Brief& brief) {
   for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
     if (!tokens[i].is_word("for") && !tokens[i].is_word("seats") && !tokens[i].is_word("seating") &&
         !tokens[i].is_word("sleeps"))
       continue;
-    const People people = people_at(tokens, i + 1, words, names);
+    const People people = people_at(tokens, i + 1, words, table);
     if (people.length == 0) continue;
     if (brief.people == 0) brief.people = std::min(people.count, 40);
     replace(tokens, i, people.length + 1, {});

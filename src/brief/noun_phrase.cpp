@@ -13,8 +13,8 @@ constexpr std::size_t most_contents = 2;  ///< words
 class NounPhraseReader {
  public:
   NounPhraseReader(std::span<const Token> tokens, std::size_t at, const Vocabulary& words,
-         const KindNames& names)
-      : tokens_(tokens), at_(at), words_(words), names_(names) {
+         const KindTable& table)
+      : tokens_(tokens), at_(at), words_(words), table_(table) {
     phrase_.begin = at;
   }
 
@@ -38,7 +38,7 @@ class NounPhraseReader {
   }
 
   // "two seat sofa" and "stack of books" are names, whatever their words mean elsewhere.
-  bool name_here() const { return names_.match(tokens_, at_).length > 1; }
+  bool name_here() const { return mention_at(table_, tokens_, at_).length > 1; }
 
   void read_determiners() {
     while (!ended(at_) && !name_here()) {
@@ -160,15 +160,15 @@ class NounPhraseReader {
   // "a neatly folded towel"
   bool is_adverb() const {
     return phrase_.article && token(at_).kind == Token::Kind::word && token(at_).text.size() > 4 &&
-           token(at_).text.ends_with("ly") && names_.match(tokens_, at_).length == 0 &&
+           token(at_).text.ends_with("ly") && mention_at(table_, tokens_, at_).length == 0 &&
            !ended(at_ + 1) && token(at_ + 1).kind == Token::Kind::word &&
            words_.stops.count(token(at_).text) > 0;
   }
 
   // The head, which in a compound is the last noun: "bedside table lamp".
   bool read_head() {
-    KindMatch head = names_.match(tokens_, at_);
-    if (is_clause(head)) head = names_.match(tokens_.first(at_ + head.length - 1), at_);
+    KindMention head = mention_at(table_, tokens_, at_);
+    if (is_clause(head)) head = mention_at(table_, tokens_.first(at_ + head.length - 1), at_);
     if (head.length == 0) return false;
     if (head.length == 1 &&
         (words_.stops.count(token(at_).text) || is_brightness() || is_verb(at_)))
@@ -183,7 +183,7 @@ class NounPhraseReader {
             !words_.materials.count(token(start).text))
           break;
         if (is_verb(k)) break;
-        const KindMatch next = names_.match(tokens_, k);
+        const KindMention next = mention_at(table_, tokens_, k);
         if (next.length == 0 || k + next.length <= start + head.length) continue;
         for (std::size_t i = start; i < k; ++i) phrase_.modifiers.push_back(token(i).text);
         start = k;
@@ -197,7 +197,7 @@ class NounPhraseReader {
   }
 
   // "a plant stands near the window" is about a plant, no plant stand.
-  bool is_clause(const KindMatch& head) const {
+  bool is_clause(const KindMention& head) const {
     return head.plural && head.length > 1 && phrase_.article && phrase_.count == 1 &&
            words_.verbs.count(token(at_ + head.length - 1).text) > 0;
   }
@@ -269,17 +269,17 @@ class NounPhraseReader {
   std::span<const Token> tokens_;
   std::size_t at_;
   const Vocabulary& words_;
-  const KindNames& names_;
+  const KindTable& table_;
   NounPhrase phrase_;
 };
 
 }  // namespace
 
 std::optional<NounPhrase> read_noun_phrase(std::span<const Token> tokens, std::size_t at,
-                                           const Vocabulary& words, const KindNames& names,
+                                           const Vocabulary& words, const KindTable& table,
                                            bool may_be_unknown) {
   if (at >= tokens.size()) return std::nullopt;
-  return NounPhraseReader(tokens, at, words, names).run(may_be_unknown);
+  return NounPhraseReader(tokens, at, words, table).run(may_be_unknown);
 }
 
 }  // namespace roomgen::design

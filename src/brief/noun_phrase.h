@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "kind_names.h"
+#include "kind_mention.h"
 #include "prompt_words.h"
 #include "tokens.h"
 
@@ -20,7 +20,7 @@ struct NounPhrase {
   bool definite = false;  ///< "the", "its": something known
   bool another = false;
   bool set = false;  ///< "set of", "pair of": they are alike
-  KindMatch kind;    ///< length 0: the thing is not known
+  KindMention kind;    ///< length 0: the thing is not known
   std::string noun;  ///< of an unknown thing
   std::vector<std::string> modifiers;
   std::string contents;  ///< "of honey"
@@ -31,7 +31,7 @@ struct NounPhrase {
 /// Reads a noun phrase that starts at `at`; nothing if there is none. `may_be_unknown` admits nouns
 /// that are no category, when an article or a number stands before them.
 std::optional<NounPhrase> read_noun_phrase(std::span<const Token> tokens, std::size_t at,
-                                           const Vocabulary& words, const KindNames& names,
+                                           const Vocabulary& words, const KindTable& table,
                                            bool may_be_unknown);
 
 }  // namespace roomgen::design

@@ -45,8 +45,8 @@ NameMatch name_at(std::span<const Token> tokens, std::size_t at, const OpeningKi
 class OpeningReader {
  public:
   OpeningReader(std::span<const Token> tokens, std::size_t at, const Vocabulary& words,
-         const KindNames& names, const OpeningKinds& kinds)
-      : tokens_(tokens), at_(at), words_(words), names_(names), kinds_(kinds) {}
+         const KindTable& table, const OpeningKinds& kinds)
+      : tokens_(tokens), at_(at), words_(words), table_(table), kinds_(kinds) {}
 
   std::optional<OpeningPhrase> run(std::size_t sentence) {
     const std::size_t begin = at_;
@@ -73,7 +73,7 @@ class OpeningReader {
   bool read_name() {
     for (std::size_t n = 0; n <= most_adjectives && at_ < tokens_.size(); ++n) {
       const NameMatch match = name_at(tokens_, at_, kinds_);
-      const std::size_t thing = names_.match(tokens_, at_).length;
+      const std::size_t thing = mention_at(table_, tokens_, at_).length;
       if (thing > match.length) return false;  // "door mat"
       if (match.kind) return take_name(match);
       if (thing > 0 || !read_adjective(n == 0)) return false;
@@ -85,7 +85,7 @@ class OpeningReader {
   bool take_name(const NameMatch& match) {
     at_ += match.length;
     // "french door refrigerator"
-    if (names_.match(tokens_, at_).length > 0) return false;
+    if (mention_at(table_, tokens_, at_).length > 0) return false;
     OpeningWish& wish = phrase_.wish;
     wish.kind = match.kind->name;
     wish.type = match.kind->type;
@@ -317,7 +317,7 @@ class OpeningReader {
   std::span<const Token> tokens_;
   std::size_t at_;
   const Vocabulary& words_;
-  const KindNames& names_;
+  const KindTable& table_;
   const OpeningKinds& kinds_;
   OpeningPhrase phrase_;
   bool counted_as_pair_ = false;
@@ -377,8 +377,8 @@ void ask_for_windows(const OpeningPhrase& phrase, Brief& brief) {
 
 std::optional<OpeningPhrase> read_opening(std::span<const Token> tokens, std::size_t at,
                                           std::size_t sentence, const Vocabulary& words,
-                                          const KindNames& names, const OpeningKinds& kinds) {
-  return OpeningReader(tokens, at, words, names, kinds).run(sentence);
+                                          const KindTable& table, const OpeningKinds& kinds) {
+  return OpeningReader(tokens, at, words, table, kinds).run(sentence);
 }
 
 void ask_for(const OpeningPhrase& phrase, Brief& brief) {

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "brief.h"
-#include "kind_names.h"
+#include "kind_mention.h"
 #include "opening_wish.h"
 #include "prompt_words.h"
 #include "roomgen/scene/opening_kind.h"
@@ -27,7 +27,7 @@ struct OpeningPhrase {
 /// belong to a thing: "a door mat", "a french door refrigerator".
 std::optional<OpeningPhrase> read_opening(std::span<const Token> tokens, std::size_t at,
                                           std::size_t sentence, const Vocabulary& words,
-                                          const KindNames& names, const OpeningKinds& kinds);
+                                          const KindTable& table, const OpeningKinds& kinds);
 
 /// Makes the phrase part of the brief: a wish of its own, more about one that is there, or a number
 /// of windows.

@@ -25,7 +25,7 @@ class PromptReader {
   PromptReader(std::vector<Token> tokens, const Lexicon& lexicon, Brief& brief)
       : tokens_(std::move(tokens)),
         words_(lexicon.words),
-        names_(lexicon.names),
+        table_(lexicon.table),
         brief_(brief),
         talk_(lexicon, brief) {}
 
@@ -72,7 +72,7 @@ class PromptReader {
   }
 
   bool read_thing() {
-    const auto phrase = read_noun_phrase(tokens_, at_, words_, names_, lists(at_));
+    const auto phrase = read_noun_phrase(tokens_, at_, words_, table_, lists(at_));
     if (!phrase) return false;
     const bool part = describes_owner(*phrase) || is_on_small_owner(*phrase);
     const auto owner = talk_.subject();
@@ -171,7 +171,7 @@ class PromptReader {
     const bool one = is_word(at_, "one") && is_word(at_ + 1, "of") && refers_back(at_ + 2);
     const bool other = is_word(at_, "the") &&
                        (is_word(at_ + 1, "other") || is_word(at_ + 1, "others")) &&
-                       names_.match(tokens_, at_ + 2).length == 0 && !is_word(at_ + 2, "wall") &&
+                       mention_at(table_, tokens_, at_ + 2).length == 0 && !is_word(at_ + 2, "wall") &&
                        !is_word(at_ + 2, "side");
     if (!one && !other) return false;
     talk_.speak_of(std::nullopt);
@@ -189,7 +189,7 @@ class PromptReader {
   bool read_placement() {
     auto match = longest(words_.placements, tokens_, at_, longest_placement);
     // "on each side table" is on a table.
-    if (match && match.length > 1 && names_.match(tokens_, at_ + match.length - 1).length > 1)
+    if (match && match.length > 1 && mention_at(table_, tokens_, at_ + match.length - 1).length > 1)
       match = longest(words_.placements, tokens_, at_, match.length - 1);
     if (!match && is_adverb(tokens_[at_])) {
       // "directly under the window"
@@ -228,7 +228,7 @@ class PromptReader {
     std::size_t end = after;
     if (const auto place = read_place(tokens_, after, words_))
       end += place->length;
-    else if (const auto phrase = read_noun_phrase(tokens_, after, words_, names_, false))
+    else if (const auto phrase = read_noun_phrase(tokens_, after, words_, table_, false))
       end = phrase->end;
     if (end == after || end + 1 >= tokens_.size() || !words_.postures.count(tokens_[end].text))
       return false;
@@ -272,7 +272,7 @@ class PromptReader {
 
   // "a wall-mounted television" is no wall.
   bool names_thing(std::size_t begin, std::size_t end) const {
-    const auto phrase = read_noun_phrase(tokens_, begin, words_, names_, false);
+    const auto phrase = read_noun_phrase(tokens_, begin, words_, table_, false);
     if (!phrase || phrase->kind.length == 0 || phrase->end <= end) return false;
     return std::none_of(tokens_.begin() + static_cast<std::ptrdiff_t>(begin),
                         tokens_.begin() + static_cast<std::ptrdiff_t>(phrase->end),
@@ -379,7 +379,7 @@ class PromptReader {
       return talk_.antecedent();
     }
     if (const auto carrier = read_top(end)) return carrier;
-    const auto phrase = read_noun_phrase(tokens_, end, words_, names_, false);
+    const auto phrase = read_noun_phrase(tokens_, end, words_, table_, false);
     if (!phrase) return std::nullopt;
     end = phrase->end;
     // "on a nightstand" means one of those that are there.
@@ -394,7 +394,7 @@ class PromptReader {
     std::size_t i = end + 1;
     // "the vanity countertop", "the wooden surface"
     const bool bare = i < tokens_.size() && words_.tops.count(tokens_[i].text) > 0;
-    const KindMatch owner = bare ? KindMatch() : names_.match(tokens_, i);
+    const KindMention owner = bare ? KindMention() : mention_at(table_, tokens_, i);
     if (!bare && i + 1 < tokens_.size()) i += std::max<std::size_t>(1, owner.length);
     const bool known_owner = owner.length > 0 && talk_.last_of(owner);
     if (i >= tokens_.size() || is_word(i + 1, "of") ||
@@ -414,7 +414,7 @@ class PromptReader {
     const auto target = holds ? talk_.holder() : talk_.subject();
     if (!target) return false;
     if (is_word(after, "in") && is_word(after + 1, "total")) after += 2;
-    const auto phrase = read_noun_phrase(tokens_, after, words_, names_, true);
+    const auto phrase = read_noun_phrase(tokens_, after, words_, table_, true);
     if (!phrase) return false;
     const auto other = refer(*phrase);
     at_ = owner_end_ = phrase->end;
@@ -422,7 +422,7 @@ class PromptReader {
     std::vector<std::size_t> others = {*other};
     // "flanked by a dishwasher and a pantry"
     if (placement.flank && is_word(at_, "and"))
-      if (const auto second = read_noun_phrase(tokens_, at_ + 1, words_, names_, true);
+      if (const auto second = read_noun_phrase(tokens_, at_ + 1, words_, table_, true);
           second && second->article) {
         if (const auto more = refer(*second); more && more != target) others.push_back(*more);
         at_ = owner_end_ = second->end;
@@ -452,7 +452,7 @@ class PromptReader {
   }
 
   bool read_negation() {
-    const auto absence = read_absence(tokens_, at_, words_, names_);
+    const auto absence = read_absence(tokens_, at_, words_, table_);
     if (!absence) return false;
     if (absence->windows) brief_.windows = 0;
     auto& excluded = brief_.excluded;
@@ -468,7 +468,7 @@ class PromptReader {
   bool read_openings() {
     const auto& kinds = OpeningKinds::built_in();
     if (!kinds) return false;
-    const auto phrase = read_opening(tokens_, at_, sentence_start_, words_, names_, *kinds);
+    const auto phrase = read_opening(tokens_, at_, sentence_start_, words_, table_, *kinds);
     if (!phrase) return false;
     const bool part = is_part_of_owner(*phrase);
     at_ = phrase->end;
@@ -489,7 +489,7 @@ class PromptReader {
 
   std::vector<Token> tokens_;
   const Vocabulary& words_;
-  const KindNames& names_;
+  const KindTable& table_;
   Brief& brief_;
   Discourse talk_;
   std::size_t at_ = 0;
@@ -507,18 +507,17 @@ Brief read_prompt(std::string_view prompt, const RoomKinds& kinds, const KindTab
   Brief brief;
   const auto& words = built_in_vocabulary();
   if (!words) return brief;
-  const KindNames names(table);
   auto tokens = tokenize(prompt);
   if (tokens.size() >= max_tokens)
     brief.notes.push_back("only the first " + std::to_string(max_tokens) +
                           " words of the prompt were read");
-  read_measures(tokens, *words, names, brief);
-  read_people(tokens, *words, names, brief);
-  read_floor_shape(tokens, *words, names, kinds, brief);
-  read_room_type(tokens, *words, names, kinds, brief);
-  read_finishes(tokens, *words, names, finish_words(), brief);
-  PromptReader(std::move(tokens), {*words, names, table, kinds.get(brief.type)}, brief).run();
-  settle(brief, table, names);
+  read_measures(tokens, *words, table, brief);
+  read_people(tokens, *words, table, brief);
+  read_floor_shape(tokens, *words, table, kinds, brief);
+  read_room_type(tokens, *words, table, kinds, brief);
+  read_finishes(tokens, *words, table, finish_words(), brief);
+  PromptReader(std::move(tokens), {*words, table, kinds.get(brief.type)}, brief).run();
+  settle(brief, table);
   if (brief.type.empty() && brief.mentions.empty() && brief.styles.empty() && !prompt.empty())
     brief.notes.push_back(
         "no room and no thing of the prompt is known; the rules read English only (a language model "

@@ -48,7 +48,7 @@ bool is_plain_word(const Token& token, const Vocabulary& words) {
 
 // "music room": the word before a room word, when it is no style.
 void read_compound_rooms(std::vector<Token>& tokens, const Vocabulary& words,
-                         const KindNames& names, const RoomKinds& kinds, Brief& brief) {
+                         const KindTable& table, const RoomKinds& kinds, Brief& brief) {
   for (std::size_t i = 1; i < tokens.size(); ++i) {
     if (tokens[i].kind != Token::Kind::word || !words.room_words.count(tokens[i].text)) continue;
     const Token& first = tokens[i - 1];
@@ -58,8 +58,8 @@ void read_compound_rooms(std::vector<Token>& tokens, const Vocabulary& words,
         tokens[i].text != "house")
       continue;
     // "the bed room divider" and "tv stand area" name things.
-    const KindMatch thing = names.match(tokens, i - 1);
-    if (thing.length > 1 || names.match(tokens, i).length > 1) continue;
+    const KindMention thing = mention_at(table, tokens, i - 1);
+    if (thing.length > 1 || mention_at(table, tokens, i).length > 1) continue;
     make_room_token(tokens, i - 1, 2);
     if (brief.type.empty()) {
       brief.type = tokens[i - 1].text;
@@ -71,7 +71,7 @@ void read_compound_rooms(std::vector<Token>& tokens, const Vocabulary& words,
 
 // "A bakery with …": the last word of the prompt's first phrase, when it is neither a thing nor a
 // room in general.
-void read_leading_noun(std::vector<Token>& tokens, const Vocabulary& words, const KindNames& names,
+void read_leading_noun(std::vector<Token>& tokens, const Vocabulary& words, const KindTable& table,
                        const RoomKinds& kinds, Brief& brief) {
   std::size_t end = 0;
   while (end < tokens.size() && end < 6 && tokens[end].kind == Token::Kind::word &&
@@ -87,7 +87,7 @@ void read_leading_noun(std::vector<Token>& tokens, const Vocabulary& words, cons
   if (!article || words.generic_rooms.count(noun) || words.numbers.count(noun) || kinds.style(noun))
     return;
   for (std::size_t i = 0; i < end; ++i)
-    if (names.match(tokens, i).length > 0) return;
+    if (mention_at(table, tokens, i).length > 0) return;
   brief.type = noun;
   collect_styles(tokens, end - 1, kinds, words, brief);
   make_room_token(tokens, end - 1, 1);
@@ -104,7 +104,7 @@ std::map<std::string, std::string, std::less<>> room_names(const RoomKinds& kind
   return names;
 }
 
-void read_room_type(std::vector<Token>& tokens, const Vocabulary& words, const KindNames& names,
+void read_room_type(std::vector<Token>& tokens, const Vocabulary& words, const KindTable& table,
                     const RoomKinds& kinds, Brief& brief) {
   const auto rooms = room_names(kinds);
   for (std::size_t i = 0; i < tokens.size(); ++i) {
@@ -112,7 +112,7 @@ void read_room_type(std::vector<Token>& tokens, const Vocabulary& words, const K
     if (style_heads().count(tokens[i].text)) collect_styles(tokens, i, kinds, words, brief);
     const auto room = longest(rooms, tokens, i, 3);
     // "bathroom cabinet", "kitchen sink" and "hall table" name things.
-    if (!room || names.match(tokens, i).length > room.length) continue;
+    if (!room || mention_at(table, tokens, i).length > room.length) continue;
     make_room_token(tokens, i, room.length);
     if (!brief.type_known) {
       brief.type = *room.value;
@@ -120,8 +120,8 @@ void read_room_type(std::vector<Token>& tokens, const Vocabulary& words, const K
       collect_styles(tokens, i, kinds, words, brief);
     }
   }
-  if (!brief.type_known) read_compound_rooms(tokens, words, names, kinds, brief);
-  if (brief.type.empty()) read_leading_noun(tokens, words, names, kinds, brief);
+  if (!brief.type_known) read_compound_rooms(tokens, words, table, kinds, brief);
+  if (brief.type.empty()) read_leading_noun(tokens, words, table, kinds, brief);
   for (std::size_t i = 0; brief.type.empty() && i < tokens.size(); ++i)
     if (tokens[i].kind == Token::Kind::word && words.generic_rooms.count(tokens[i].text))
       collect_styles(tokens, i, kinds, words, brief);

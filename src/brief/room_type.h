@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "brief.h"
-#include "kind_names.h"
+#include "kind_mention.h"
 #include "prompt_words.h"
 #include "room_kinds.h"
 #include "tokens.h"
@@ -19,7 +19,7 @@ std::map<std::string, std::string, std::less<>> room_names(const RoomKinds& kind
 /// Finds what room the prompt speaks of: a known kind by any of its names, or else words such as
 /// "tea house" or "a bakery with …". Every name of a room becomes one token; the words of style
 /// before it, and before "style" and its like, go into the brief.
-void read_room_type(std::vector<Token>& tokens, const Vocabulary& words, const KindNames& names,
+void read_room_type(std::vector<Token>& tokens, const Vocabulary& words, const KindTable& table,
                     const RoomKinds& kinds, Brief& brief);
 
 /// The known kind of room that usually holds most of what is mentioned; empty if nothing tells.

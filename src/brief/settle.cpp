@@ -56,10 +56,10 @@ int usual_number(const Mention& mention, const Brief& brief, const KindTable& ta
 
 // Makes it what stands on tables: a table lamp, a small plant; a fern stays a fern, as small as small
 // plants are. False if there is no such kind.
-bool become_small(Mention& mention, const KindTable& table, const KindNames& names) {
+bool become_small(Mention& mention, const KindTable& table) {
   const Kind* kind = table.find(mention.category);
   for (int i = 0; kind && i < 4; ++i) {
-    if (const Kind* small = small_kind(kind->name, names)) {
+    if (const Kind* small = table.by_name(kind->forms.small)) {
       if (i == 0) {
         become(mention, *small);
       } else {
@@ -95,8 +95,7 @@ bool stands_easily_on(const Mention& mention, const Mention& carrier, const Kind
 }
 
 // A lamp on a nightstand is a table lamp, a plant on a desk a small one.
-void stand_on_things(Mention& mention, const Brief& brief, const KindTable& table,
-                     const KindNames& names) {
+void stand_on_things(Mention& mention, const Brief& brief, const KindTable& table) {
   const auto on = std::find_if(mention.demands.begin(), mention.demands.end(), is_support);
   if (on == mention.demands.end()) return;
   const Mention& carrier = brief.mentions[on->mention];
@@ -109,7 +108,7 @@ void stand_on_things(Mention& mention, const Brief& brief, const KindTable& tabl
       mention.mount == Mount::wall &&
       (mention.sized || std::any_of(mention.demands.begin(), mention.demands.end(),
                                     [](const Demand& one) { return one.kind == RelationKind::above; }));
-  if (!lies && !hangs && become_small(mention, table, names)) return;
+  if (!lies && !hangs && become_small(mention, table)) return;
   if (mention.mount == Mount::wall || mention.mount == Mount::ceiling) {
     on->kind = RelationKind::above;
     return;
@@ -164,21 +163,21 @@ void drop_listed_supports(Mention& mention) {
   });
 }
 
-bool has_hanging_kind(const Mention& mention, const KindNames& names) {
-  return names.find("wall " + mention.category) || names.find("hanging " + mention.category) ||
-         names.find("ceiling " + mention.category);
+bool has_hanging_form(const Mention& mention, const KindTable& table) {
+  const Forms& forms = table.get(mention.category).forms;
+  return !forms.wall.empty() || !forms.ceiling.empty();
 }
 
 // A shelf above a desk hangs on the wall; a table lamp that lights a sideboard stands on it.
-void hang_what_is_above(Mention& mention, const Brief& brief, const KindNames& names) {
+void hang_what_is_above(Mention& mention, const Brief& brief, const KindTable& table) {
   for (auto& demand : mention.demands) {
     if (demand.kind != RelationKind::above || demand.mention == Demand::none) continue;
     const bool small = mention.mount == Mount::surface;
-    if (small && !has_hanging_kind(mention, names) &&
+    if (small && !has_hanging_form(mention, table) &&
         brief.mentions[demand.mention].mount == Mount::floor)
       demand.kind = RelationKind::on;
     else if (small || mention.mount == Mount::floor)
-      hang(mention, Mount::wall, names);
+      hang(mention, Mount::wall, table);
   }
 }
 
@@ -214,14 +213,14 @@ void share_supports(Brief& brief) {
 }
 
 // A fern beside the books on a table is a small one.
-void shrink_beside_small(Brief& brief, const KindTable& table, const KindNames& names) {
+void shrink_beside_small(Brief& brief, const KindTable& table) {
   for (auto& mention : brief.mentions) {
     if (mention.mount != Mount::floor) continue;
     for (const auto& demand : mention.demands) {
       if (demand.mention == Demand::none || !is_beside(demand.kind) ||
           brief.mentions[demand.mention].mount != Mount::surface)
         continue;
-      become_small(mention, table, names);
+      become_small(mention, table);
       break;
     }
   }
@@ -412,7 +411,7 @@ void turn_behind(Brief& brief, const KindTable& table) {
       Mention& other = brief.mentions[demand.mention];
       // A chair "behind" a desk is on its user's side.
       if (table.is_a(brief.mentions[i].category, "seat") &&
-          table.is_any_of(other.category, {"table"})) {
+          table.is_a(other.category, "table")) {
         demand.kind = RelationKind::around;
         continue;
       }
@@ -452,10 +451,10 @@ void note_unknown(Brief& brief) {
 }  // namespace
 
 void shape(Mention& mention, const NounPhrase& phrase, const Vocabulary& words,
-           const KindTable& table, const KindNames& names) {
+           const KindTable& table) {
   const Kind* category = table.find(mention.category);
   if (mention.known && category && is_round(phrase))
-    if (const Kind* round = names.find("round " + mention.category)) category = round;
+    if (const Kind* round = table.by_name(category->forms.round)) category = round;
   if (mention.known && category)
     become(mention, *category);
   else
@@ -479,36 +478,20 @@ void shape(Mention& mention, const NounPhrase& phrase, const Vocabulary& words,
   };
   mention.varied = said("different") || said("mismatched") || said("various") || said("assorted");
   if (said("ceiling"))
-    hang(mention, Mount::ceiling, names);
+    hang(mention, Mount::ceiling, table);
   else if (said("mounted") || said("wall"))
-    hang(mention, Mount::wall, names);
+    hang(mention, Mount::wall, table);
 }
 
-const Kind* small_kind(const std::string& category, const KindNames& names) {
-  for (const char* prefix : {"table ", "small "})
-    if (const Kind* small = names.find(prefix + category);
-        small && small->mount == Mount::surface)
-      return small;
-  return nullptr;
-}
-
-void hang(Mention& mention, Mount where, const KindNames& names) {
+void hang(Mention& mention, Mount where, const KindTable& table) {
   if (mention.mount == where) return;
   if (where == Mount::floor) {
     if (mention.mount == Mount::surface) mention.mount = where;
     return;
   }
-  for (const char* prefix : {where == Mount::wall ? "wall " : "ceiling ", "hanging "})
-    if (const Kind* hanging = names.find(prefix + mention.category);
-        hanging && hanging->mount == where) {
-      become(mention, *hanging);
-      return;
-    }
-  // What hangs from the ceiling and gives light is no table lamp turned over.
-  const Kind* pendant = names.find("pendant lamp");
-  if (where == Mount::ceiling && pendant && !mention.category.ends_with("lantern") &&
-      is_lamp(mention.category))
-    return become(mention, *pendant);
+  const Forms& forms = table.get(mention.category).forms;
+  if (const Kind* hanging = table.by_name(where == Mount::wall ? forms.wall : forms.ceiling))
+    return become(mention, *hanging);
   if (mention.mount == Mount::surface || where == Mount::ceiling) mention.mount = where;
 }
 
@@ -517,11 +500,7 @@ bool keeps_things(const std::string& category, const KindTable& table) {
                          {"table", "storage", "kitchen unit", "kitchen island", "washbasin"});
 }
 
-bool is_lamp(const std::string& category) {
-  return category.ends_with("lamp") || category.ends_with("light") || category.ends_with("lantern");
-}
-
-void settle(Brief& brief, const KindTable& table, const KindNames& names) {
+void settle(Brief& brief, const KindTable& table) {
   for (auto& mention : brief.mentions)
     if (mention.quantity == 0) {
       mention.open = true;
@@ -529,9 +508,9 @@ void settle(Brief& brief, const KindTable& table, const KindNames& names) {
     }
   hand_down_supports(brief);
   for (auto& mention : brief.mentions) drop_listed_supports(mention);
-  for (auto& mention : brief.mentions) hang_what_is_above(mention, brief, names);
-  for (auto& mention : brief.mentions) stand_on_things(mention, brief, table, names);
-  shrink_beside_small(brief, table, names);
+  for (auto& mention : brief.mentions) hang_what_is_above(mention, brief, table);
+  for (auto& mention : brief.mentions) stand_on_things(mention, brief, table);
+  shrink_beside_small(brief, table);
   share_supports(brief);
   support_by_sentence(brief);
   stand_on_what_was_named(brief, table);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "brief.h"
-#include "kind_names.h"
+#include "kind_mention.h"
 #include "noun_phrase.h"
 #include "prompt_words.h"
 
@@ -9,27 +9,22 @@ namespace roomgen::design {
 
 /// Size, mount and number of seats of a mention, from its category and the words around it.
 void shape(Mention& mention, const NounPhrase& phrase, const Vocabulary& words,
-           const KindTable& table, const KindNames& names);
+           const KindTable& table);
 
 /// What is smaller, metres, may stand on other things.
 inline constexpr double small_side = 0.7;
 
-/// The kind of this name that stands on things: "table lamp" of "lamp", "small plant" of "plant"; null
-/// if there is none.
-const Kind* small_kind(const std::string& category, const KindNames& names);
-
-bool is_lamp(const std::string& category);
 /// Tables, cabinets, shelves and counters: where small things are kept.
 bool keeps_things(const std::string& category, const KindTable& table);
 
 /// Makes a mention one that hangs on a wall or under the ceiling, if such a thing can: a television
 /// becomes a wall tv, a wardrobe "on the wall" stays what it is. Small things can also stand on the
 /// floor.
-void hang(Mention& mention, Mount where, const KindNames& names);
+void hang(Mention& mention, Mount where, const KindTable& table);
 
 /// Ends the reading: numbers of uncounted things, small things for what stands on others, rugs
 /// under what stands on them, "behind" turned into "in front of" where the one behind needs the
 /// wall.
-void settle(Brief& brief, const KindTable& table, const KindNames& names);
+void settle(Brief& brief, const KindTable& table);
 
 }  // namespace roomgen::design

@@ -16,11 +16,11 @@ constexpr std::size_t most_features = 6;
 
 class ShapeReader {
  public:
-  ShapeReader(std::vector<Token>& tokens, const Vocabulary& words, const KindNames& names,
+  ShapeReader(std::vector<Token>& tokens, const Vocabulary& words, const KindTable& table,
               const RoomKinds& kinds, const FloorShapes& shapes, Brief& brief)
       : tokens_(tokens),
         words_(words),
-        names_(names),
+        table_(table),
         rooms_(room_names(kinds)),
         shapes_(shapes),
         brief_(brief) {}
@@ -36,7 +36,7 @@ class ShapeReader {
  private:
   bool is_room(std::size_t i) const {
     const auto room = longest(rooms_, tokens_, i, 3);
-    if (names_.match(tokens_, i).length > std::max<std::size_t>(room.length, 1)) return false;
+    if (mention_at(table_, tokens_, i).length > std::max<std::size_t>(room.length, 1)) return false;
     return room || words_.generic_rooms.count(tokens_[i].text) ||
            words_.room_words.count(tokens_[i].text) || tokens_[i].is_word("plan") ||
            tokens_[i].is_word("layout") || tokens_[i].is_word("footprint");
@@ -49,14 +49,14 @@ class ShapeReader {
       if (token.kind == Token::Kind::comma || token.is_word("and")) continue;
       if (token.kind != Token::Kind::word) return false;
       if (is_room(i)) return true;
-      if (names_.match(tokens_, i).length > 0 || words_.stops.count(token.text)) return false;
+      if (mention_at(table_, tokens_, i).length > 0 || words_.stops.count(token.text)) return false;
     }
     return false;
   }
 
   // "the room is L-shaped", "a studio in the shape of an L", with no thing named since.
   bool room_precedes(std::size_t at, std::size_t after) const {
-    if (after < tokens_.size() && names_.match(tokens_, after).length > 0) return false;
+    if (after < tokens_.size() && mention_at(table_, tokens_, after).length > 0) return false;
     bool linked = false;
     for (std::size_t n = 1; n <= behind && n <= at; ++n) {
       const std::size_t i = at - n;
@@ -65,7 +65,7 @@ class ShapeReader {
       linked = linked || token.is_word("is") || token.is_word("be") || token.is_word("in") ||
                token.is_word("has");
       if (token.kind == Token::Kind::word && is_room(i)) return linked;
-      if (names_.match(tokens_, i).length > 0) return false;
+      if (mention_at(table_, tokens_, i).length > 0) return false;
     }
     return false;
   }
@@ -114,7 +114,7 @@ class ShapeReader {
 
   std::vector<Token>& tokens_;
   const Vocabulary& words_;
-  const KindNames& names_;
+  const KindTable& table_;
   const std::map<std::string, std::string, std::less<>> rooms_;
   const FloorShapes& shapes_;
   Brief& brief_;
@@ -122,10 +122,10 @@ class ShapeReader {
 
 }  // namespace
 
-void read_floor_shape(std::vector<Token>& tokens, const Vocabulary& words, const KindNames& names,
+void read_floor_shape(std::vector<Token>& tokens, const Vocabulary& words, const KindTable& table,
                       const RoomKinds& kinds, Brief& brief) {
   const auto& shapes = built_in_floor_shapes();
-  if (shapes) ShapeReader(tokens, words, names, kinds, *shapes, brief).run();
+  if (shapes) ShapeReader(tokens, words, table, kinds, *shapes, brief).run();
 }
 
 }  // namespace roomgen::design

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "brief.h"
-#include "kind_names.h"
+#include "kind_mention.h"
 #include "prompt_words.h"
 #include "room_kinds.h"
 #include "tokens.h"
@@ -13,7 +13,7 @@ namespace roomgen::design {
 /// Takes what is said of the room's shape ("an L-shaped living room", "the room is long and
 /// narrow") out of the tokens and into the brief, and notes bays and alcoves. What is said of a
 /// thing ("an L-shaped desk") stays.
-void read_floor_shape(std::vector<Token>& tokens, const Vocabulary& words, const KindNames& names,
+void read_floor_shape(std::vector<Token>& tokens, const Vocabulary& words, const KindTable& table,
                       const RoomKinds& kinds, Brief& brief);
 
 }  // namespace roomgen::design

@@ -121,7 +121,7 @@ class CreatedLibrary final : public AssetLibrary {
     if (query.limit == 0 || (!kind && !query.asked)) return matches;
     if (!kind) return composed(query);
     const Mount mount = query.mount.value_or(kind->mount);
-    const StockKind* known = Vocabulary::built_in().find(kind->name);
+    const Kind* known = Vocabulary::built_in().find(kind->name);
     const std::vector<Mount> also = known ? known->also : std::vector<Mount>{};
     Order order{kind->name, query.description, size_for(query, *kind)};
     // Who asks for a lantern at the ceiling gets it there.

@@ -14,18 +14,8 @@ namespace {
 
 constexpr std::size_t most_name_words = 4;
 constexpr int most_nested_recipes = 8;
+constexpr double least_likeness = 0.15;  // below it nothing is shared that says what a thing is
 constexpr double last_word_weight = 3.0;  // "reading lamp" is a lamp before it is about reading
-
-std::string spelled(const std::vector<std::string>& pieces) {
-  return join(pieces, " ");
-}
-
-// In the singular, separators aside: "Bar-Stools" gives "bar stool".
-std::string normal(std::string_view name) {
-  auto pieces = words(name);
-  if (!pieces.empty()) pieces.back() = singular(pieces.back());
-  return spelled(pieces);
-}
 
 shape::Value read_value(const JsonReader& json) {
   if (json.is_string()) return json.text();
@@ -54,13 +44,11 @@ std::map<std::string, ShapeKind::Growth> read_growth(const JsonReader& json) {
   return growth;
 }
 
-ShapeKind read_kind(const std::string& name, const JsonReader& json) {
-  json.allow_only(
-      {"is", "names", "recipe", "set", "vary", "styles", "size", "least", "most", "grow", "mount", "main"});
+ShapeKind read_kind(const Kind& known, const JsonReader& json) {
+  json.allow_only({"recipe", "set", "vary", "styles", "size", "least", "most", "grow", "mount", "main"});
   ShapeKind kind;
-  kind.name = name;
+  kind.name = known.name;
   kind.recipe = json["recipe"].text();
-  for (const auto& other : json["names"].elements_or_none()) kind.names.push_back(other.text());
   kind.set = read_values(json["set"]);
   if (json["vary"].exists())
     for (const auto& [parameter, choices] : json["vary"].members())
@@ -69,11 +57,11 @@ ShapeKind read_kind(const std::string& name, const JsonReader& json) {
   if (json["styles"].exists())
     for (const auto& [style, values] : json["styles"].members())
       kind.styles[style] = read_values(values);
-  kind.size = read_size(json["size"]);
+  kind.size = json["size"].exists() ? read_size(json["size"]) : known.size;
   kind.least = json["least"].exists() ? read_size(json["least"]) : Vec3(0.6 * kind.size);
   kind.most = json["most"].exists() ? read_size(json["most"]) : Vec3(1.6 * kind.size);
   kind.growth = read_growth(json["grow"]);
-  const auto mount = parse_mount(json["mount"].text_or("floor"));
+  const auto mount = parse_mount(json["mount"].text_or(std::string(roomgen::name(known.mount))));
   if (!mount) json["mount"].report("is none of floor, wall, ceiling, surface");
   kind.mount = mount.value_or(Mount::floor);
   kind.main = json["main"].text_or("");
@@ -111,6 +99,18 @@ double likeness(const std::vector<std::string>& wanted, const std::vector<std::s
   return shared / all - 0.02 * extra;
 }
 
+double likeness(const std::vector<std::string>& wanted, const ShapeKind& kind) {
+  double best = likeness(wanted, words(kind.name));
+  const auto try_singular = [&](const std::string& name) {
+    auto pieces = words(name);
+    if (!pieces.empty()) pieces.back() = singular(pieces.back());
+    best = std::max(best, likeness(wanted, pieces));
+  };
+  try_singular(kind.name);
+  for (const auto& name : kind.names) try_singular(name);
+  return best;
+}
+
 }  // namespace
 
 // Parses what is asked for: a process that makes one object needs few of them.
@@ -139,28 +139,36 @@ class ShapeKinds::Recipes {
   std::map<std::string, Recipe, std::less<>> recipes_;
 };
 
-Result<ShapeKinds> ShapeKinds::read(const std::vector<std::pair<std::string, Json>>& kind_files,
+Result<ShapeKinds> ShapeKinds::read(const KindTable& table,
+                                    const std::vector<std::pair<std::string, Json>>& kind_files,
                                     const std::map<std::string, std::string_view>& recipes) {
   ShapeKinds result;
+  result.table_ = &table;
   result.recipes_ = std::make_shared<Recipes>(recipes);
   for (const auto& [source, json] : kind_files) {
     JsonReader::Problems problems{source};
     JsonReader root(json, problems);
     root.allow_only({"format", "version", "about", "kinds"});
     for (const auto& [name, entry] : root["kinds"].members()) {
-      const ShapeKind kind = read_kind(name, entry);
+      const auto known = table.all().find(name);
+      if (known == table.all().end()) {
+        entry.report("\"" + name + "\" is no kind");
+        continue;
+      }
+      ShapeKind kind = read_kind(known->second, entry);
       if (!result.recipes_->has(kind.recipe))
         entry["recipe"].report("there is no recipe " + kind.recipe);
-      result.kinds_.emplace(name, kind);
+      result.kinds_.emplace(name, std::move(kind));
     }
     if (const auto& problem = problems.first()) return *problem;
   }
-  // A kind's own name goes before what others are called besides, and as it is written before its
-  // singular: a wall shelf is not a set of wall shelves.
-  for (const auto& [name, kind] : result.kinds_) result.names_[spelled(words(name))] = name;
-  for (const auto& [name, kind] : result.kinds_) result.names_.emplace(normal(name), name);
-  for (const auto& [name, kind] : result.kinds_)
-    for (const auto& other : kind.names) result.names_.emplace(normal(other), name);
+  for (const auto& [name, kind] : table.all()) {
+    const auto made = result.kinds_.find(kind.built_as);
+    if (made == result.kinds_.end()) continue;
+    auto& names = made->second.names;
+    if (name != made->first) names.push_back(name);
+    names.insert(names.end(), kind.names.begin(), kind.names.end());
+  }
   return result;
 }
 
@@ -180,16 +188,15 @@ const Result<ShapeKinds>& ShapeKinds::built_in() {
         recipes.emplace(name, *resource(path));
       }
     }
-    return read(files, recipes);
+    return read(KindTable::built_in(), files, recipes);
   }();
   return kinds;
 }
 
 const ShapeKind* ShapeKinds::find(std::string_view name) const {
-  for (const std::string& spelling : {spelled(words(name)), normal(name)})
-    if (const auto found = names_.find(spelling); found != names_.end())
-      return &kinds_.find(found->second)->second;
-  return nullptr;
+  const Kind* kind = table_->called(name);
+  const auto found = kind ? kinds_.find(kind->built_as) : kinds_.end();
+  return found == kinds_.end() ? nullptr : &found->second;
 }
 
 std::size_t ShapeKinds::match(const std::vector<std::string>& text, std::size_t from,
@@ -199,7 +206,7 @@ std::size_t ShapeKinds::match(const std::vector<std::string>& text, std::size_t 
   for (std::size_t n = most; n > 0; --n) {
     const std::vector<std::string> pieces(text.begin() + static_cast<std::ptrdiff_t>(from),
                                           text.begin() + static_cast<std::ptrdiff_t>(from + n));
-    if (const ShapeKind* found = find(spelled(pieces))) {
+    if (const ShapeKind* found = find(join(pieces, " "))) {
       if (kind) *kind = found;
       return n;
     }
@@ -210,15 +217,9 @@ std::size_t ShapeKinds::match(const std::vector<std::string>& text, std::size_t 
 std::vector<const ShapeKind*> ShapeKinds::nearest(std::string_view text, std::size_t count) const {
   auto wanted = words(text);
   for (auto& word : wanted) word = singular(word);
-  std::map<const ShapeKind*, double> scores;
-  for (const auto& [name, kind] : names_) {
-    const double score = likeness(wanted, words(name));
-    double& best = scores[&kinds_.find(kind)->second];
-    best = std::max(best, score);
-  }
   std::vector<std::pair<double, const ShapeKind*>> order;
-  for (const auto& [kind, score] : scores)
-    if (score > 0.15) order.emplace_back(score, kind);
+  for (const auto& [name, kind] : kinds_)
+    if (const double score = likeness(wanted, kind); score > least_likeness) order.emplace_back(score, &kind);
   std::sort(order.begin(), order.end(), [](const auto& a, const auto& b) {
     return a.first != b.first ? a.first > b.first : a.second->name < b.second->name;
   });

@@ -9,7 +9,7 @@ void describe_by_kind(AssetInfo& info, const std::string& kind, bool carries) {
   const Kind* category = KindTable::built_in().find(kind);
   info.has_front = !category || category->traits.front;
   info.round = category && category->traits.round;
-  const StockKind* known = Vocabulary::built_in().find(kind);
+  const Kind* known = Vocabulary::built_in().find(kind);
   if (carries && known && known->supports) info.support_height = info.size.z();
 }
 

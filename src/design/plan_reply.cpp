@@ -109,8 +109,7 @@ Result<PlanReply> read_plan_reply(std::string_view text, const PlanRequest& requ
   const Brief brief = read_prompt(request.prompt, *built_in_room_kinds(), categories);
   const RoomKind kind =
       kind_of_room(choose_type(json, request, brief, reply.repairs), *built_in_room_kinds());
-  const KindNames names(categories);
-  const ItemLexicon lexicon{categories, names, kind};
+  const ItemLexicon lexicon{categories, kind};
 
   auto drafts = read_reply_items(*objects, lexicon, reply.repairs);
   plan.excluded = read_excluded(json, brief, lexicon);

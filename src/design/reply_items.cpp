@@ -67,10 +67,10 @@ std::string plain_name(const std::string& name) {
 }
 
 // The first kind that is named in a text.
-std::string first_kind(const std::string& text, const KindNames& names) {
+std::string first_kind(const std::string& text, const KindTable& table) {
   const auto tokens = tokenize(text);
   for (std::size_t i = 0; i < tokens.size(); ++i)
-    if (const KindMatch match = names.match(tokens, i); match.length > 0)
+    if (const KindMention match = mention_at(table, tokens, i); match.length > 0)
       return match.category->name;
   return "";
 }
@@ -189,7 +189,7 @@ class ItemReader {
   }
 
   void read_size(const Json& value, PlanItem& item) {
-    const Kind* kind = lexicon_.names.find(item.category);
+    const Kind* kind = lexicon_.table.spelled(item.category);
     if (kind) item.size = kind->size;
     const Json* given = member(value, size_keys);
     auto measures = measures_in(given ? *given : value);
@@ -271,8 +271,8 @@ std::string category_named(const std::string& name, const std::string& descripti
     return meant->second;
   // English puts the kind last: an "oak writing desk" is a desk.
   if (const Kind* category = lexicon.table.find(plain)) return category->name;
-  const std::string inside = first_kind(plain, lexicon.names);
-  return inside.empty() ? first_kind(shortened(description, max_description), lexicon.names)
+  const std::string inside = first_kind(plain, lexicon.table);
+  return inside.empty() ? first_kind(shortened(description, max_description), lexicon.table)
                         : inside;
 }
 

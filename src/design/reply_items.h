@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "brief/kind_names.h"
+#include "brief/kind_mention.h"
 #include "brief/room_kinds.h"
 #include "inventory.h"
 #include "roomgen/base/json_fwd.h"
@@ -13,7 +13,6 @@ namespace roomgen::design {
 /// What the objects of an answer are named after.
 struct ItemLexicon {
   const KindTable& table;
-  const KindNames& names;
   const RoomKind& kind;  ///< of the room: what a "sink" is depends on it
 };
 

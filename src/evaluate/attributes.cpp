@@ -13,7 +13,7 @@ namespace {
 constexpr double shown_share = 0.3;     // of a colour that a thing has in a viewer's eyes
 constexpr double material_share = 0.2;  // of a colour that fits the material
 constexpr double counted_share = 0.08;  // of each colour of something colourful
-constexpr int least_rank = 3;           // of KindNames: it or a kind of it
+constexpr int least_rank = 3;           // of identity_rank(): it or a kind of it
 
 AttributeVerdict yes(std::string reason) { return {true, true, std::move(reason)}; }
 AttributeVerdict no(std::string reason) { return {false, true, std::move(reason)}; }
@@ -49,7 +49,7 @@ class Judge {
   // The first of the kinds that the thing is; null if it is none.
   const std::string* first_of(const std::vector<std::string>& kinds) const {
     const auto found = std::find_if(kinds.begin(), kinds.end(), [&](const std::string& kind) {
-      return KindNames::built_in().rank(looks_.identity, kind) >= least_rank;
+      return identity_rank(looks_.identity, kind) >= least_rank;
     });
     return found == kinds.end() ? nullptr : &*found;
   }

@@ -39,7 +39,7 @@ void look_at_surfaces(const Model& model, KnownLooks& looks) {
 
 KnownLooks known_looks(const Object& object, const ModelTable& models) {
   KnownLooks looks;
-  looks.identity = KindNames::built_in().identify(object);
+  looks.identity = identify(object);
   if (object.asset.procedural) add_words(text_parameter(*object.asset.procedural, "description"), looks.told);
   if (const auto model = models.find(asset_key(object.asset))) {
     looks.colors = shown_colors(*model);

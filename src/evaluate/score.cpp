@@ -8,7 +8,7 @@
 #include "room_physics.h"
 #include "roomgen/base/text.h"
 #include "roomgen/evaluate/attributes.h"
-#include "roomgen/evaluate/kind_names.h"
+#include "roomgen/evaluate/identity.h"
 
 namespace roomgen {
 
@@ -117,7 +117,7 @@ RoomScore score_room(const Requirements& requirements, const Scene& scene,
     if (!scene.rooms.empty()) score.rooms.push_back(std::move(measured.score));
   }
 
-  const auto matched = KindNames::built_in().match(all.objects, requirements.categories());
+  const auto matched = identified_as(all.objects, requirements.categories());
   for (const auto& [category, indices] : matched)
     for (const auto index : indices) score.matched[category].push_back(all.objects[index].id);
   const MatchedThings context{things, around, matched};

@@ -1,7 +1,11 @@
 #include "roomgen/kinds/kind_table.h"
 
 #include <algorithm>
+#include <deque>
+#include <optional>
+#include <set>
 
+#include "kind_json.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/resource.h"
 #include "roomgen/base/text.h"
@@ -10,241 +14,223 @@ namespace roomgen {
 
 namespace {
 
-// What hangs on a wall hangs with its middle at the height of the eyes, if nothing else is known.
-constexpr double eye_height = 1.5;
-constexpr double least_elevation = 0.1;
+constexpr std::size_t most_words = 24;      // of a text that may be a name
+constexpr std::size_t most_find_words = 20;  // of one whose endings are tried
+constexpr int most_ancestors = 16;
 
-std::string normalised(std::string_view name) {
-  return join(words(name), " ");
+std::string joined(const std::vector<std::string>& pieces, std::size_t first = 0) {
+  return join({pieces.begin() + static_cast<std::ptrdiff_t>(first), pieces.end()}, " ");
 }
 
-std::string in_singular(std::string_view name) {
-  auto pieces = words(name);
-  if (!pieces.empty()) pieces.back() = singular(pieces.back());
-  return join(pieces, " ");
+std::vector<std::string> as_written(std::vector<std::string> pieces) {
+  return pieces;
 }
 
-Side read_side(const JsonReader& json) {
-  const std::string text = json.text();
-  if (text == "back") return Side::back;
-  if (text == "left") return Side::left;
-  if (text == "right") return Side::right;
-  if (text != "front") json.report("\"" + text + "\" is none of front, back, left, right");
-  return Side::front;
+std::vector<std::string> last_in_singular(std::vector<std::string> pieces) {
+  pieces.back() = singular(pieces.back());
+  return pieces;
 }
 
-std::vector<std::string> read_texts(const JsonReader& json) {
-  std::vector<std::string> texts;
-  for (const auto& element : json.elements_or_none(500)) texts.push_back(element.text());
-  return texts;
-}
-
-void read_traits(const JsonReader& json, Traits& traits) {
-  if (!json.exists()) return;
-  traits = {false, false, false};
-  for (const auto& element : json.elements(10)) {
-    const std::string text = element.text();
-    if (text == "front") traits.front = true;
-    else if (text == "flat") traits.flat = true;
-    else if (text == "round") traits.round = true;
-    else element.report("\"" + text + "\" is none of front, flat, round");
-  }
-}
-
-// What the entry does not say stays as `category` has it: inherited.
-void read_category(const JsonReader& json, Kind& category) {
-  json.allow_only({"is", "synonyms", "size", "mount", "elevation", "traits", "zones", "gaps",
-                   "tucks_under", "covers_window", "lamp", "source"});
-  category.synonyms = read_texts(json["synonyms"]);
-  if (const auto size = json["size"]; size.exists()) {
-    const auto v = size.numbers(3, 0.001, 20.0);
-    category.size = {v[0], v[1], v[2]};
-  }
-  if (const auto mount = json["mount"]; mount.exists()) {
-    if (auto parsed = parse_mount(mount.text())) category.mount = *parsed;
-    else mount.report("is none of floor, wall, ceiling, surface");
-  }
-  category.elevation = json["elevation"].number_or(category.elevation, 0, 20);
-  category.covers_window = json["covers_window"].boolean_or(category.covers_window);
-  read_traits(json["traits"], category.traits);
-  if (const auto zones = json["zones"]; zones.exists()) {
-    category.zones.clear();
-    for (const auto& element : zones.elements(8)) {
-      element.allow_only({"side", "depth", "partners"});
-      category.zones.push_back({read_side(element["side"]), element["depth"].number(0.01, 5.0),
-                                read_texts(element["partners"])});
-    }
-  }
-  if (const auto gaps = json["gaps"]; gaps.exists()) {
-    category.gaps.clear();
-    for (const auto& [partner, range] : gaps.members()) {
-      const auto v = range.numbers(2, 0.0, 20.0);
-      category.gaps.push_back({partner, v[0], v[1]});
-    }
-  }
-  if (json["tucks_under"].exists()) category.tucks_under = read_texts(json["tucks_under"]);
-  if (const auto lamp = json["lamp"]; lamp.exists()) {
-    lamp.allow_only({"candela", "height", "cone"});
-    category.lamp = Lamp{lamp["candela"].number(0.01, 10000.0), lamp["height"].number_or(0.8, 0.0, 1.0),
-                         lamp["cone"].number_or(0.0, 0.0, 90.0)};
-  }
+std::vector<std::string> in_singular(std::vector<std::string> pieces) {
+  for (auto& piece : pieces) piece = singular(piece);
+  return pieces;
 }
 
 }  // namespace
 
-bool is_of(const Kind& category, std::string_view kind) {
-  return std::find(category.lineage.begin(), category.lineage.end(), kind) != category.lineage.end();
+bool is_of(const Kind& kind, std::string_view name) {
+  return std::find(kind.lineage.begin(), kind.lineage.end(), name) != kind.lineage.end();
 }
 
-bool is_any_of(const Kind& category, const std::vector<std::string>& kinds) {
-  return std::any_of(kinds.begin(), kinds.end(),
-                     [&](const std::string& kind) { return is_of(category, kind); });
+bool is_any_of(const Kind& kind, const std::vector<std::string>& kinds) {
+  return std::any_of(kinds.begin(), kinds.end(), [&](const std::string& one) { return is_of(kind, one); });
 }
 
-Result<KindTable> KindTable::parse(std::string_view text, const std::string& source) {
-  auto json = parse_json(text, source);
-  if (!json) return json.error();
-  JsonReader::Problems problems(source);
-  const JsonReader root(*json, problems);
-  KindTable table;
-  const auto members = root["categories"].members();
+// Reads the entries of all files, parents first, so that children can copy them.
+class KindTable::Reader {
+ public:
+  explicit Reader(KindTable& table) : table_(table) {}
 
-  // Parents first, so that children can copy them.
-  std::size_t known = 0;
-  do {
-    known = table.categories_.size();
-    for (const auto& [name, entry] : members) {
-      if (table.categories_.count(name)) continue;
-      const std::string parent = entry["is"].text_or("");
-      if (!parent.empty() && !table.categories_.count(parent)) continue;
-      Kind category = parent.empty() ? Kind{} : table.categories_.at(parent);
-      category.name = name;
-      category.parent = parent;
-      category.lineage.push_back(name);
-      read_category(entry, category);
-      table.categories_[name] = category;
+  std::optional<Error> run(std::span<const KindFile> files) {
+    for (const auto& file : files)
+      if (auto error = open(file)) return error;
+    while (add_known() > 0) {}
+    for (const auto& entry : entries_)
+      if (!table_.kinds_.count(entry.name))
+        entry.json["is"].report("\"" + entry.json["is"].text_or("") + "\" is no kind, or leads in a circle");
+    if (auto error = first_problem()) return error;
+    table_.index_names();
+    for (auto& entry : entries_) resolve(entry);
+    return first_problem();
+  }
+
+ private:
+  struct Entry {
+    std::string name;
+    JsonReader json;
+  };
+
+  std::optional<Error> open(const KindFile& file) {
+    auto json = parse_json(file.text, file.source);
+    if (!json) return json.error();
+    documents_.push_back(*std::move(json));
+    problems_.emplace_back(file.source);
+    const JsonReader root(documents_.back(), problems_.back());
+    root.allow_only({"format", "version", "about", "kinds"});
+    for (const auto& [name, entry] : root["kinds"].members()) {
+      if (!seen_.insert(name).second) entry.report("another file has this kind too");
+      entries_.push_back({name, entry});
     }
-  } while (table.categories_.size() > known);
-  for (const auto& [name, entry] : members)
-    if (!table.categories_.count(name))
-      entry["is"].report("\"" + entry["is"].text_or("") + "\" is no category, or leads in a circle");
-  if (problems.first()) return *problems.first();
+    return problems_.back().first();
+  }
 
-  for (const auto& [name, category] : table.categories_) table.names_[normalised(name)] = name;
-  for (const auto& [name, category] : table.categories_)
-    for (const auto& synonym : category.synonyms)
-      table.names_.try_emplace(normalised(synonym), name);
-  table.resolve_references(root["categories"]);
-  if (problems.first()) return *problems.first();
+  std::size_t add_known() {
+    std::size_t added = 0;
+    for (const auto& [name, json] : entries_) {
+      if (table_.kinds_.count(name)) continue;
+      const std::string parent = json["is"].text_or("");
+      const auto known = table_.kinds_.find(parent);
+      if (!parent.empty() && known == table_.kinds_.end()) continue;
+      Kind kind = parent.empty() ? Kind{} : child_of(known->second);
+      kind.name = name;
+      kind.lineage.insert(kind.lineage.begin(), name);
+      read_kind(json, kind);
+      table_.kinds_.emplace(name, std::move(kind));
+      ++added;
+    }
+    return added;
+  }
+
+  void resolve(const Entry& entry) {
+    Kind& kind = table_.kinds_.find(entry.name)->second;
+    const auto to_name = [&](std::string& reference) {
+      if (const Kind* found = table_.find(reference)) reference = found->name;
+      else entry.json.report("\"" + reference + "\" is no kind");
+    };
+    for (auto& zone : kind.zones)
+      for (auto& partner : zone.partners) to_name(partner);
+    for (auto& gap : kind.gaps) to_name(gap.partner);
+    for (auto& other : kind.tucks_under) to_name(other);
+
+    const auto known = [&](const std::string& reference) {
+      const Kind* found = table_.by_name(reference);
+      if (!found) entry.json.report("\"" + reference + "\" is no kind");
+      return found;
+    };
+    for (const auto* form : {&kind.forms.small, &kind.forms.wall, &kind.forms.ceiling, &kind.forms.round})
+      if (!form->empty()) known(*form);
+    if (kind.variant && kind.parent.empty()) entry.json.report("is a variant of nothing");
+    known(kind.stocked_as);
+    known(kind.built_as);
+    for (const auto& [other, fit] : kind.substitutes) known(other);
+    const Kind* ancestor = &kind;
+    for (int i = 0; i < most_ancestors && ancestor && !ancestor->serves.empty(); ++i) {
+      ancestor = known(ancestor->serves);
+      kind.supports = kind.supports || (ancestor && ancestor->supports);
+    }
+  }
+
+  std::optional<Error> first_problem() const {
+    for (const auto& problems : problems_)
+      if (problems.first()) return problems.first();
+    return std::nullopt;
+  }
+
+  KindTable& table_;
+  std::deque<Json> documents_;
+  std::deque<JsonReader::Problems> problems_;
+  std::set<std::string> seen_;
+  std::vector<Entry> entries_;
+};
+
+// Each pass goes before the next: a name as it is written before the singular of another.
+void KindTable::index_names() {
+  for (const bool derived : {false, true}) {
+    for (const auto& [name, kind] : kinds_) add_name(name, {name, false, derived});
+    for (const auto& [name, kind] : kinds_)
+      for (const auto& other : kind.names) add_name(other, {name, false, derived});
+    for (const auto& [name, kind] : kinds_)
+      for (const auto& other : kind.loose_names) add_name(other, {name, true, derived});
+  }
+}
+
+void KindTable::add_name(const std::string& spelling, const Name& name) {
+  const auto pieces = words(spelling);
+  if (pieces.empty()) return;
+  if (!name.derived) {
+    names_.try_emplace(join(pieces, " "), name);
+    return;
+  }
+  for (const auto& form : {last_in_singular(pieces), in_singular(pieces)})
+    if (form != pieces) names_.try_emplace(join(form, " "), name);
+}
+
+Result<KindTable> KindTable::read(std::span<const KindFile> files) {
+  KindTable table;
+  if (auto error = Reader(table).run(files)) return *std::move(error);
   return table;
 }
 
-bool KindTable::is_any_of(std::string_view name, const std::vector<std::string>& kinds) const {
-  return std::any_of(kinds.begin(), kinds.end(),
-                     [&](const std::string& kind) { return is_a(name, kind); });
-}
-
-void KindTable::resolve_references(const JsonReader& json) {
-  for (auto& [name, category] : categories_) {
-    const auto resolve = [&, &key = name](std::string& reference) {
-      if (const Kind* found = find(reference)) reference = found->name;
-      else json[key].report("\"" + reference + "\" is no category");
-    };
-    for (auto& zone : category.zones)
-      for (auto& partner : zone.partners) resolve(partner);
-    for (auto& gap : category.gaps) resolve(gap.partner);
-    for (auto& kind : category.tucks_under) resolve(kind);
-  }
-}
-
-bool KindTable::add_category(const KindRecord& record) {
-  const auto parent = names_.find(normalised(record.parent));
-  if (!record.size || (!record.parent.empty() && parent == names_.end())) return false;
-  Kind category;
-  if (parent != names_.end()) category = categories_.find(parent->second)->second;
-  category.name = record.name;
-  category.parent = parent == names_.end() ? "" : parent->second;
-  category.lineage.insert(category.lineage.begin(), record.name);
-  category.synonyms.clear();
-  category.size = *record.size;
-  const Mount mount = record.mount.value_or(category.mount);
-  if (mount == Mount::wall && category.elevation <= 0.0)
-    category.elevation = std::max(least_elevation, eye_height - 0.5 * category.size.z());
-  // What stands on a table needs no floor before it, whatever its bigger kin need.
-  if (mount != category.mount && mount != Mount::floor) {
-    category.zones.clear();
-    category.gaps.clear();
-    category.tucks_under.clear();
-  }
-  category.mount = mount;
-  names_[normalised(record.name)] = record.name;
-  categories_[record.name] = std::move(category);
-  return true;
-}
-
-void KindTable::add_name(const std::string& name, const std::string& category) {
-  const std::string key = normalised(name);
-  if (key.empty()) return;
-  const auto one = names_.find(in_singular(name));
-  if (one != names_.end() && one->second != category && one->first != key) return;
-  const auto [taken, free] = names_.try_emplace(key, category);
-  if (!free) {
-    Kind& other = categories_.find(taken->second)->second;
-    const bool special = is_of(categories_.find(category)->second, other.name);
-    if (other.name == category || !special || normalised(other.name) == key) return;
-    std::erase_if(other.synonyms, [&](const std::string& s) { return normalised(s) == key; });
-    taken->second = category;
-  }
-  categories_.find(category)->second.synonyms.push_back(name);
-}
-
-void KindTable::add(const std::vector<KindRecord>& records) {
-  std::vector<const KindRecord*> left;
-  for (const auto& record : records)
-    if (!names_.count(normalised(record.name))) left.push_back(&record);
-  // Parents first, as in a file of categories.
-  for (std::size_t before = left.size() + 1; left.size() < before;) {
-    before = left.size();
-    std::erase_if(left, [&](const KindRecord* record) { return add_category(*record); });
-  }
-  for (const auto& record : records) {
-    auto own = names_.find(normalised(record.name));
-    for (std::size_t i = 0; own == names_.end() && i < record.names.size(); ++i)
-      own = names_.find(normalised(record.names[i]));
-    if (own == names_.end()) continue;
-    const std::string category = own->second;
-    add_name(record.name, category);
-    for (const auto& name : record.names) add_name(name, category);
-  }
+Result<KindTable> KindTable::parse(std::string_view text, const std::string& source) {
+  const KindFile file{text, source};
+  return read({&file, 1});
 }
 
 const KindTable& KindTable::built_in() {
   static const KindTable table = [] {
-    auto parsed = parse(resource("data/categories.json").value_or("{}"), "data/categories.json");
-    // A test parses the files; a build whose data is broken has an empty table.
-    if (!parsed) return KindTable{};
-    if (const auto shapes = shape_kind_records()) parsed->add(*shapes);
-    const auto named = read_kind_records(resource("data/vocabulary.json").value_or("{}"),
-                                         "data/vocabulary.json");
-    if (named) parsed->add(*named);
-    return *std::move(parsed);
+    std::vector<KindFile> files;
+    for (const auto path : resources("data/kinds/")) files.push_back({*resource(path), std::string(path)});
+    auto read = KindTable::read(files);
+    // A test reads the files; a build whose data is broken has an empty table.
+    return read ? *std::move(read) : KindTable{};
   }();
   return table;
 }
 
+const KindTable::Name* KindTable::look_up(std::string_view name) const {
+  // Most are asked for as they are spelled here.
+  if (const auto found = names_.find(name); found != names_.end()) return &found->second;
+  const auto pieces = words(name);
+  if (pieces.empty() || pieces.size() > most_words) return nullptr;
+  for (const auto form : {as_written, last_in_singular, in_singular})
+    if (const auto found = names_.find(joined(form(pieces))); found != names_.end()) return &found->second;
+  return nullptr;
+}
+
+const Kind* KindTable::by_name(std::string_view name) const {
+  const auto found = kinds_.find(name);
+  return found == kinds_.end() ? nullptr : &found->second;
+}
+
+const Kind* KindTable::named(std::string_view name) const {
+  const Name* found = look_up(name);
+  return found ? by_name(found->kind) : nullptr;
+}
+
+const Kind* KindTable::called(std::string_view name) const {
+  const Name* found = look_up(name);
+  return found && !found->loose ? by_name(found->kind) : nullptr;
+}
+
+const Kind* KindTable::spelled(std::string_view name) const {
+  const auto found = names_.find(name);
+  if (found == names_.end() || found->second.derived) return nullptr;
+  return &planned(*by_name(found->second.kind));
+}
+
+const Kind& KindTable::planned(const Kind& kind) const {
+  const Kind* found = &kind;
+  while (found->variant) found = by_name(found->parent);
+  return *found;
+}
+
 const Kind* KindTable::find(std::string_view name) const {
-  auto pieces = words(name);
-  if (pieces.size() > 20) return nullptr;
+  if (const Kind* found = spelled(name)) return found;
+  const auto pieces = words(name);
+  if (pieces.size() > most_find_words) return nullptr;
   // The whole name, then without its first word, and so on: English puts the kind last.
-  for (std::size_t first = 0; first < pieces.size(); ++first) {
-    const std::vector<std::string> ending(pieces.begin() + static_cast<std::ptrdiff_t>(first),
-                                          pieces.end());
-    auto in_singular = ending;
-    in_singular.back() = singular(in_singular.back());
-    for (const auto& spelling : {join(ending, " "), join(in_singular, " ")})
-      if (const auto found = names_.find(spelling); found != names_.end())
-        return &categories_.find(found->second)->second;
-  }
+  for (std::size_t first = 0; first < pieces.size(); ++first)
+    if (const Kind* found = named(joined(pieces, first))) return &planned(*found);
   return nullptr;
 }
 
@@ -256,8 +242,12 @@ const Kind& KindTable::get(std::string_view name) const {
 
 bool KindTable::is_a(std::string_view name, std::string_view kind) const {
   const Kind* wanted = find(kind);
-  if (!wanted) return normalised(name) == normalised(kind);
+  if (!wanted) return words(name) == words(kind);
   return is_of(get(name), wanted->name);
+}
+
+bool KindTable::is_any_of(std::string_view name, const std::vector<std::string>& kinds) const {
+  return std::any_of(kinds.begin(), kinds.end(), [&](const std::string& kind) { return is_a(name, kind); });
 }
 
 }  // namespace roomgen

@@ -49,133 +49,50 @@ std::string_view before_preposition(std::string_view phrase) {
   return phrase.substr(0, cut);
 }
 
-// "round table": a table, of which something is said.
-bool only_describes(std::string_view name) {
-  return name.starts_with("round ") || name.starts_with("oval ") || name.starts_with("small ");
-}
-
 std::vector<std::string> read_texts(const JsonReader& json) {
   std::vector<std::string> texts;
   for (const auto& element : json.elements_or_none(2000)) texts.push_back(element.text());
   return texts;
 }
 
-Mount read_mount(const JsonReader& json) {
-  const auto mount = parse_mount(json.text());
-  if (!mount) json.report("is none of floor, wall, ceiling, surface");
-  return mount.value_or(Mount::floor);
-}
-
-StockKind read_kind(const std::string& name, const JsonReader& json) {
-  json.allow_only({"is", "names", "usual", "substitutes", "mount", "also", "supports"});
-  StockKind kind;
-  kind.name = name;
-  kind.parent = json["is"].text_or("");
-  kind.names = read_texts(json["names"]);
-  kind.usual = json["usual"].boolean_or(false);
-  kind.supports = json["supports"].boolean_or(false);
-  if (json["substitutes"].exists())
-    for (const auto& [other, fit] : json["substitutes"].members())
-      kind.substitutes[other] = fit.number(0.01, 0.99);
-  if (json["mount"].exists()) kind.mount = read_mount(json["mount"]);
-  for (const auto& element : json["also"].elements_or_none(4))
-    kind.also.push_back(read_mount(element));
-  return kind;
-}
-
-// What an entry does not say, its nearest ancestor says.
-void inherit(std::map<std::string, StockKind, std::less<>>& kinds, StockKind& kind) {
-  auto ancestor = kinds.find(kind.parent);
-  for (int i = 0; ancestor != kinds.end() && i < max_ancestors; ++i) {
-    if (!kind.mount) {
-      kind.mount = ancestor->second.mount;
-      if (kind.also.empty()) kind.also = ancestor->second.also;
-    }
-    kind.supports = kind.supports || ancestor->second.supports;
-    ancestor = kinds.find(ancestor->second.parent);
-  }
-}
-
 }  // namespace
 
-Result<Vocabulary> Vocabulary::parse(std::string_view text, const std::string& source) {
+Result<Vocabulary> Vocabulary::parse(std::string_view text, const std::string& source,
+                                     const KindTable& kinds) {
   auto json = parse_json(text, source);
   if (!json) return json.error();
   JsonReader::Problems problems(source);
   const JsonReader root(*json, problems);
-  root.allow_only({"about", "kinds", "families", "modifiers", "fillers"});
-  Vocabulary vocabulary;
-  for (const auto& [name, entry] : root["kinds"].members())
-    vocabulary.kinds_[name] = read_kind(name, entry);
-  for (const auto& [name, entry] : root["kinds"].members()) {
-    StockKind& kind = vocabulary.kinds_[name];
-    if (!kind.parent.empty() && !vocabulary.kinds_.count(kind.parent))
-      entry["is"].report("\"" + kind.parent + "\" is no kind");
-    for (const auto& [other, fit] : kind.substitutes)
-      if (!vocabulary.kinds_.count(other)) entry.report("substitute \"" + other + "\" is no kind");
-    inherit(vocabulary.kinds_, kind);
-  }
+  root.allow_only({"about", "families", "modifiers", "fillers"});
+  Vocabulary vocabulary(kinds);
   for (const auto& family : root["families"].elements_or_none(500)) {
     auto members = read_texts(family);
     for (const auto& word : members)
       vocabulary.family_of_.try_emplace(word, vocabulary.families_.size());
     vocabulary.families_.push_back(std::move(members));
   }
-  for (auto& word : read_texts(root["modifiers"])) vocabulary.modifiers_[word] = true;
-  for (auto& word : read_texts(root["fillers"])) vocabulary.fillers_[word] = true;
+  for (auto& word : read_texts(root["modifiers"])) vocabulary.modifiers_.insert(std::move(word));
+  for (auto& word : read_texts(root["fillers"])) vocabulary.fillers_.insert(std::move(word));
   if (problems.first()) return *problems.first();
-
-  const auto key = [](const std::string& name) { return join(singular_words(name), " "); };
-  for (const auto& [name, kind] : vocabulary.kinds_) vocabulary.names_[key(name)] = name;
-  for (const auto& [name, kind] : vocabulary.kinds_)
-    for (const auto& other : kind.names) vocabulary.names_.try_emplace(key(other), name);
   return vocabulary;
-}
-
-void Vocabulary::add(const KindTable& categories) {
-  const auto key = [](const std::string& name) { return join(singular_words(name), " "); };
-  std::vector<const Kind*> added;
-  for (const auto& [name, category] : categories.all()) {
-    if (only_describes(name) || names_.count(key(name))) continue;
-    StockKind& kind = kinds_[name];
-    kind.name = name;
-    kind.mount = category.mount;
-    names_[key(name)] = name;
-    added.push_back(&category);
-  }
-  for (const Kind* category : added) {
-    StockKind& kind = kinds_[category->name];
-    if (const StockKind* parent = find(category->parent)) kind.parent = parent->name;
-    inherit(kinds_, kind);
-  }
-  for (const auto& [name, category] : categories.all())
-    if (const auto phrase = understand(name); phrase.known)
-      for (const auto& other : category.synonyms) names_.try_emplace(key(other), phrase.kind);
 }
 
 const Vocabulary& Vocabulary::built_in() {
   static const Vocabulary vocabulary = [] {
     auto parsed = parse(resource("data/vocabulary.json").value_or("{}"), "data/vocabulary.json");
     // A test parses the file; a build whose data is broken has an empty vocabulary.
-    if (!parsed) return Vocabulary{};
-    parsed->add(KindTable::built_in());
-    return *std::move(parsed);
+    return parsed ? *std::move(parsed) : Vocabulary(KindTable::built_in());
   }();
   return vocabulary;
 }
 
-const StockKind* Vocabulary::by_name(std::string_view name) const {
-  const auto found = kinds_.find(name);
-  return found == kinds_.end() ? nullptr : &found->second;
-}
-
-const StockKind* Vocabulary::find(std::string_view name) const {
-  const auto found = names_.find(join(singular_words(name), " "));
-  return found == names_.end() ? nullptr : by_name(found->second);
+const Kind* Vocabulary::find(std::string_view name) const {
+  const Kind* kind = kinds_->named(name);
+  return kind ? kinds_->by_name(kind->stocked_as) : nullptr;
 }
 
 KindPhrase Vocabulary::understand(std::string_view phrase) const {
-  if (const StockKind* whole = find(phrase))
+  if (const Kind* whole = find(phrase))
     return {whole->name, join(singular_words(phrase), " "), true};
   std::vector<std::string> pieces;
   for (auto& piece : singular_words(before_preposition(phrase)))
@@ -183,12 +100,13 @@ KindPhrase Vocabulary::understand(std::string_view phrase) const {
 
   // English puts the kind last: try the longest ending first.
   for (std::size_t first = 0; first < pieces.size(); ++first) {
-    const auto found = names_.find(ending(pieces, first));
-    if (found == names_.end()) continue;
+    const std::string name = ending(pieces, first);
+    const Kind* found = find(name);
+    if (!found) continue;
     const bool only_modifiers =
         std::all_of(pieces.begin(), pieces.begin() + static_cast<std::ptrdiff_t>(first),
                     [&](const std::string& word) { return is_modifier(word); });
-    if (only_modifiers) return {found->second, found->first, true};
+    if (only_modifiers) return {found->name, name, true};
     break;
   }
   std::vector<std::string> rest;
@@ -202,8 +120,7 @@ KindPhrase Vocabulary::understand_name(std::string_view name) const {
   if (phrase.known) return phrase;
   const auto pieces = singular_words(before_preposition(name));
   for (std::size_t first = 0; first < pieces.size(); ++first)
-    if (const auto found = names_.find(ending(pieces, first)); found != names_.end())
-      return {found->second, found->first, true};
+    if (const Kind* found = find(ending(pieces, first))) return {found->name, ending(pieces, first), true};
   return phrase;
 }
 
@@ -215,10 +132,9 @@ std::vector<std::string> Vocabulary::mentioned(std::string_view text) const {
     std::size_t taken = std::min(longest_name, pieces.size() - first);
     for (; taken > 0; --taken) {
       const auto begin = pieces.begin() + static_cast<std::ptrdiff_t>(first);
-      const auto found =
-          names_.find(join({begin, begin + static_cast<std::ptrdiff_t>(taken)}, " "));
-      if (found == names_.end()) continue;
-      result.push_back(found->second);
+      const Kind* found = find(join({begin, begin + static_cast<std::ptrdiff_t>(taken)}, " "));
+      if (!found) continue;
+      result.push_back(found->name);
       break;
     }
     first += std::max<std::size_t>(taken, 1);
@@ -227,18 +143,18 @@ std::vector<std::string> Vocabulary::mentioned(std::string_view text) const {
 }
 
 bool Vocabulary::is_a(std::string_view name, std::string_view ancestor) const {
-  const StockKind* kind = by_name(name);
+  const Kind* kind = kinds_->by_name(name);
   for (int i = 0; kind && i < max_ancestors; ++i) {
     if (kind->name == ancestor) return true;
-    kind = by_name(kind->parent);
+    kind = kinds_->by_name(kind->serves);
   }
   return name == ancestor;
 }
 
 double Vocabulary::fit(std::string_view have, std::string_view want) const {
   if (have == want) return have.empty() ? 0.0 : 1.0;
-  const StockKind* wanted = by_name(want);
-  const StockKind* owned = by_name(have);
+  const Kind* wanted = kinds_->by_name(want);
+  const Kind* owned = kinds_->by_name(have);
   if (!wanted || !owned) return 0.0;  // what the vocabulary lacks fits itself only
   if (is_a(have, want)) return owned->usual ? 1.0 : other_child_fit;
   double best = 0.0;

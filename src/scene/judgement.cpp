@@ -282,7 +282,7 @@ void set_preferred_gap(ResolvedRelation& resolved, const Kind& own, const Kind& 
   for (const auto* pair : {&own, &other}) {
     const Kind& partner = pair == &own ? other : own;
     for (const auto& preferred : pair->gaps)
-      if (is_any_of(partner, {preferred.partner})) {
+      if (is_of(partner, preferred.partner)) {
         resolved.gap_low = preferred.low;
         resolved.gap_high = preferred.high;
         return;

@@ -85,7 +85,7 @@ std::vector<Surroundings::Wish> wishes_of(const Layout& layout, const PlacementT
 
 Vec2 middle_beneath(const Arrangement& rug, const Kind& kind, const Footprint& target) {
   for (const auto& [group, before_front] : rug.over)
-    if (is_any_of(kind, {group})) return target.to_world({0, -target.half().y() - before_front});
+    if (is_of(kind, group)) return target.to_world({0, -target.half().y() - before_front});
   return target.center();
 }
 

@@ -16,7 +16,7 @@ from roomgen_checker.constraints import LOOSE, STRICT
 def arguments():
     p = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     p.add_argument("scenes", nargs="+", help="scene.json files, or folders that hold one")
-    p.add_argument("--categories", help="default: data/categories.json of this checkout")
+    p.add_argument("--categories", help="folder of kinds; default: data/kinds of this checkout")
     p.add_argument(
         "--problem",
         help="the problem.json that the scenes answer: counts the "

@@ -100,7 +100,7 @@ def roomy(categories):
     for entry in entries.values():
         for zone in entry.get("zones", []):
             zone["depth"] *= ZONE_MARGIN
-    return files.Categories({"categories": entries})
+    return files.Categories({"kinds": entries})
 
 
 @dataclass

@@ -20,7 +20,7 @@ def arguments():
     p = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     p.add_argument("scenes", nargs="+", help="scene files, or folders with scene.json files below")
     p.add_argument("--problems", type=Path, help="folder of problem files")
-    p.add_argument("--categories", help="default: data/categories.json of this checkout")
+    p.add_argument("--categories", help="folder of kinds; default: data/kinds of this checkout")
     p.add_argument("--loose", action="store_true", help="the looser limits of an earlier solver")
     p.add_argument("--no-glb", action="store_true", help="let boxes decide what overlaps")
     p.add_argument("--lenience", type=float, default=reach.LENIENCE)

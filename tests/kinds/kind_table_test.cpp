@@ -7,11 +7,11 @@ using namespace roomgen;
 
 namespace {
 
-constexpr const char* furniture = R"({"categories": {
+constexpr const char* furniture = R"({"kinds": {
   "seat": {"size": [0.6, 0.6, 0.8], "zones": [{"side": "front", "depth": 0.4, "partners": ["tables"]}],
            "gaps": {"table": [0, 0.1]}},
   "armchair": {"is": "chair", "size": [0.8, 0.8, 0.9]},
-  "chair": {"is": "seat", "synonyms": ["side chair"], "tucks_under": ["table"]},
+  "chair": {"is": "seat", "names": ["side chair"], "tucks_under": ["table"]},
   "table": {"size": [1.2, 0.8, 0.75], "traits": ["round"]},
   "coffee table": {"is": "table", "zones": []},
   "box shelf": {}}})";
@@ -57,6 +57,54 @@ TEST_CASE("A name is looked up as it is, as a synonym, in the plural, and by its
   CHECK(found(std::string(100000, 'x').c_str()).empty());
 }
 
+TEST_CASE("A variant is built and held under its own name, and planned as its parent") {
+  const auto table = KindTable::parse(R"({"kinds": {
+    "wardrobe": {"size": [1.2, 0.6, 2.0], "loose_names": ["closet"]},
+    "armoire": {"is": "wardrobe", "variant": true, "names": ["clothes armoire"]},
+    "amplifier": {"is": "stereo", "variant": true, "stocked_as": "amplifier", "built_as": "stereo"},
+    "stereo": {}}})", "k.json");
+  REQUIRE(table);
+  CHECK(table->find("old clothes armoires")->name == "wardrobe");
+  const Kind* armoire = table->named("clothes armoire");
+  REQUIRE(armoire);
+  CHECK(armoire->name == "armoire");
+  CHECK(armoire->stocked_as == "wardrobe");
+  CHECK(armoire->built_as == "armoire");
+  CHECK(table->planned(*armoire).name == "wardrobe");
+  CHECK(table->named("amplifier")->stocked_as == "amplifier");
+  CHECK(table->named("amplifier")->built_as == "stereo");
+  CHECK(table->named("closets")->name == "wardrobe");
+  CHECK_FALSE(table->called("closets"));
+  CHECK(table->spelled("closet")->name == "wardrobe");
+  CHECK_FALSE(table->spelled("closets"));
+}
+
+TEST_CASE("What hangs otherwise than its parent needs none of its floor, and hangs at the height of eyes") {
+  const auto table = KindTable::parse(R"({"kinds": {
+    "screen": {"size": [1, 0.1, 0.6], "zones": [{"side": "front", "depth": 1}]},
+    "wall screen": {"is": "screen", "mount": "wall"}}})", "k.json");
+  REQUIRE(table);
+  CHECK(table->get("wall screen").zones.empty());
+  CHECK(table->get("wall screen").elevation == Approx(1.2));
+  CHECK(table->get("screen").zones.size() == 1);
+}
+
+TEST_CASE("A table of several files is one table, and copies of it live by themselves") {
+  const std::vector<KindFile> files = {{R"({"kinds": {"arm chair": {"is": "seat"}}})", "a.json"},
+                                       {R"({"kinds": {"seat": {"size": [1, 1, 1]}}})", "b.json"}};
+  KindTable copy;
+  {
+    const auto table = KindTable::read(files);
+    REQUIRE(table);
+    copy = *table;
+  }
+  CHECK(copy.get("arm chairs").size == Vec3(1, 1, 1));
+  const std::vector<KindFile> twice = {files[1], files[1]};
+  const auto refused = KindTable::read(twice);
+  REQUIRE_FALSE(refused);
+  CHECK(contains_text(refused.error().message, "/kinds/seat"));
+}
+
 TEST_CASE("Kinship goes up the line and not down or sideways") {
   const auto table = KindTable::parse(furniture, "c.json");
   REQUIRE(table);
@@ -79,12 +127,14 @@ TEST_CASE("What means nothing is a thing without zones") {
 
 TEST_CASE("Mistakes in the table are located") {
   CHECK(contains_text(complaint("{"), "c.json: not valid JSON"));
-  CHECK(contains_text(complaint(R"({"categories": {"a": {"is": "b"}}})"), "/categories/a/is"));
-  CHECK(contains_text(complaint(R"({"categories": {"a": {"is": "b"}, "b": {"is": "a"}}})"), "circle"));
-  CHECK(contains_text(complaint(R"({"categories": {"a": {"sise": [1,1,1]}}})"), "did you mean \"size\"?"));
-  CHECK(contains_text(complaint(R"({"categories": {"a": {"zones": [{"side": "top", "depth": 1}]}}})"),
-                      "/categories/a/zones/0/side"));
-  CHECK(contains_text(complaint(R"({"categories": {"a": {"tucks_under": ["nothing"]}}})"), "nothing"));
+  CHECK(contains_text(complaint(R"({"kinds": {"a": {"is": "b"}}})"), "/kinds/a/is"));
+  CHECK(contains_text(complaint(R"({"kinds": {"a": {"is": "b"}, "b": {"is": "a"}}})"), "circle"));
+  CHECK(contains_text(complaint(R"({"kinds": {"a": {"sise": [1,1,1]}}})"), "did you mean \"size\"?"));
+  CHECK(contains_text(complaint(R"({"kinds": {"a": {"zones": [{"side": "top", "depth": 1}]}}})"),
+                      "/kinds/a/zones/0/side"));
+  CHECK(contains_text(complaint(R"({"kinds": {"a": {"built_as": "nothing"}}})"), "nothing"));
+  CHECK(contains_text(complaint(R"({"kinds": {"a": {"variant": true}}})"), "/kinds/a"));
+  CHECK(contains_text(complaint(R"({"kinds": {"a": {"tucks_under": ["nothing"]}}})"), "nothing"));
 }
 
 TEST_CASE("A zone lies along the whole of its side, in the object's own sense of left and right") {

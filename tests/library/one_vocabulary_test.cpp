@@ -1,4 +1,4 @@
-// The files that name kinds, as one vocabulary: docs/vocabulary.md says which kind a name means.
+// What names mean to plans and what they mean to libraries: docs/kinds.md says which kind a name means.
 #include <algorithm>
 #include <cstdlib>
 #include <map>
@@ -19,70 +19,30 @@ const KindTable& table() {
   return KindTable::built_in();
 }
 
-std::vector<KindRecord> shapes() {
-  const auto records = shape_kind_records();
-  REQUIRE(records);
-  return *records;
-}
-
-std::vector<KindRecord> named() {
-  const auto records =
-      read_kind_records(resource("data/vocabulary.json").value_or(""), "data/vocabulary.json");
-  REQUIRE(records);
-  return *records;
-}
-
 std::string meaning(std::string_view name) {
-  const Kind* category = table().find(name);
-  return category ? category->name : std::string();
+  const Kind* kind = table().find(name);
+  return kind ? kind->name : std::string();
 }
 
 bool related(const std::string& a, const std::string& b) {
   return table().is_a(a, b) || table().is_a(b, a);
 }
 
-// Is it a name itself, rather than understood by its ending?
-bool is_name(const std::string& name) {
-  const Kind* category = table().find(name);
-  if (!category) return false;
-  const auto key = words(name);
-  return words(category->name) == key ||
-         std::any_of(category->synonyms.begin(), category->synonyms.end(),
-                     [&](const std::string& synonym) { return words(synonym) == key; });
-}
-
 }  // namespace
 
-TEST_CASE("Whatever can be built and whatever libraries name is a category, under its own name") {
-  for (const auto& records : {shapes(), named()})
-    for (const auto& record : records) {
-      INFO(record.name);
-      CHECK(is_name(record.name));
-    }
-}
-
-TEST_CASE("What a kind is said to be is a kind, and no circle") {
-  for (const auto& record : shapes()) {
-    if (record.parent.empty()) continue;
-    INFO(record.name << " is " << record.parent);
-    CHECK(is_name(record.parent));
-    CHECK(meaning(record.parent) != meaning(record.name));
-    CHECK(table().is_a(record.name, record.parent));
-  }
-}
-
-TEST_CASE("Both tables know the same names, and mean the same by them") {
+TEST_CASE("Plans and libraries mean the same by a name") {
   const auto& vocabulary = Vocabulary::built_in();
-  for (const auto& [name, category] : table().all()) {
-    auto names = category.synonyms;
+  for (const auto& [name, kind] : table().all()) {
+    auto names = kind.names;
+    names.insert(names.end(), kind.loose_names.begin(), kind.loose_names.end());
     names.push_back(name);
+    const std::string planned = table().planned(kind).name;
     for (const auto& one : names) {
       INFO(one << ", a name of " << name);
       const auto phrase = vocabulary.understand(one);
       CHECK(phrase.known);
-      const std::string other = meaning(phrase.kind);
-      if (!related(other, name)) UNSCOPED_INFO("the vocabulary says " << phrase.kind);
-      CHECK((related(other, name) || related(phrase.kind, vocabulary.understand(name).kind)));
+      CHECK((related(meaning(phrase.kind), planned) ||
+             related(phrase.kind, vocabulary.understand(planned).kind)));
     }
   }
 }
@@ -117,39 +77,6 @@ TEST_CASE("A special kind serves who asks for the general one, not the other way
   CHECK(vocabulary.fit("plate", "petri dish") == 0.0);
 }
 
-// Names that kinds of different lines claim, and what they mean. A kind's own name is not listed: it
-// means that kind, whoever else has it among the others.
-TEST_CASE("Names that several kinds claim are these") {
-  const std::map<std::string, std::string> known = {
-#include "collisions.inc"
-  };
-  std::set<std::string> own;
-  for (const auto& [name, category] : table().all()) own.insert(name);
-  std::map<std::string, std::set<std::string>> claims;
-  for (const auto& records : {shapes(), named()})
-    for (const auto& record : records)
-      for (const auto& name : record.names) claims[name].insert(meaning(record.name));
-  std::map<std::string, std::string> found;
-  for (const auto& [name, kinds] : claims) {
-    const std::string meant = meaning(name);
-    const bool plural = singular(name) != name && is_name(singular(name));
-    if (own.count(name) || plural) continue;
-    if (std::any_of(kinds.begin(), kinds.end(),
-                    [&](const std::string& kind) { return !related(kind, meant); }))
-      found[name] = meant;
-  }
-  std::string listing;
-  for (const auto& [name, meant] : found)
-    if (!known.count(name) || known.at(name) != meant)
-      listing += "    {\"" + name + "\", \"" + meant + "\"},\n";
-  INFO("not listed:\n" << listing);
-  CHECK(listing.empty());
-  for (const auto& [name, meant] : known) {
-    INFO(name << " is no longer claimed by several");
-    CHECK(found.count(name));
-  }
-}
-
 // ROOMGEN_SCENEEVAL is SceneEval's table of descriptions; without it there is nothing to count.
 TEST_CASE("Nearly all things that SceneEval counts have a name", "[sceneeval]") {
   const char* path = std::getenv("ROOMGEN_SCENEEVAL");
@@ -169,8 +96,7 @@ TEST_CASE("Nearly all things that SceneEval counts have a name", "[sceneeval]") 
   std::string without;
   std::size_t found = 0;
   for (const auto& thing : things) {
-    const auto pieces = words(thing);
-    if (is_name(thing) || is_name(join({pieces.begin(), pieces.end() - 1}, " ") + " " + singular(pieces.back())))
+    if (table().named(thing))
       ++found;
     else without += thing + " -> " + meaning(thing) + "\n";
   }

@@ -126,7 +126,7 @@ TEST_CASE("Round things are judged by their ellipse") {
 }
 
 TEST_CASE("A pair's preferred gap has the best degree among those that are near") {
-  // data/categories.json has the distance of a coffee table to its sofa.
+  // data/kinds has the distance of a coffee table to its sofa.
   const auto& table = KindTable::built_in();
   const auto& gaps = table.get("coffee table").gaps.empty() ? table.get("sofa").gaps
                                                             : table.get("coffee table").gaps;

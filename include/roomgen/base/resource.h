@@ -7,7 +7,7 @@
 namespace roomgen {
 
 /// A file of the repository's data/ or prompts/ folder, compiled into the library, by its path there
-/// ("data/categories.json"). The view lives as long as the program.
+/// ("data/rooms.json"). The view lives as long as the program.
 std::optional<std::string_view> resource(std::string_view path);
 
 /// The paths of all resources that start with `prefix`, sorted.

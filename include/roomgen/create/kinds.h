@@ -9,15 +9,15 @@
 
 #include "roomgen/base/json_fwd.h"
 #include "roomgen/base/result.h"
-#include "roomgen/scene/object.h"
+#include "roomgen/kinds/kind_table.h"
 #include "roomgen/shape/recipe.h"
 
 namespace roomgen::create {
 
-/// A kind of object that a recipe makes (docs/objects.md).
+/// How a kind of thing is made by a recipe (docs/objects.md).
 struct ShapeKind {
   std::string name;                ///< "nightstand"
-  std::vector<std::string> names;  ///< what people call it besides
+  std::vector<std::string> names;  ///< what people call it besides, in the table of kinds
   std::string recipe;              ///< a file of data/shapes, without its ending
   shape::Values set;               ///< parameters that make it this kind
   std::map<std::string, std::vector<shape::Value>> vary;  ///< among which a seed chooses
@@ -34,17 +34,19 @@ struct ShapeKind {
   std::string main;  ///< the colour parameter that "a red ..." means; may be empty
 };
 
-/// The kinds of data/shapes/kinds and the recipes of data/shapes.
+/// Which kinds of a table can be made: data/shapes/kinds, and the recipes of data/shapes.
 class ShapeKinds {
  public:
-  /// Recipes are texts that live as long as the kinds; each is parsed when it is first asked for.
-  static Result<ShapeKinds> read(const std::vector<std::pair<std::string, Json>>& kind_files,
+  /// The files say how kinds of the table are made. Table and recipes live as long as this; a recipe is
+  /// parsed when it is first asked for.
+  static Result<ShapeKinds> read(const KindTable& table,
+                                 const std::vector<std::pair<std::string, Json>>& kind_files,
                                  const std::map<std::string, std::string_view>& recipes);
   /// Those that are compiled in.
   static const Result<ShapeKinds>& built_in();
 
   const std::map<std::string, ShapeKind, std::less<>>& all() const { return kinds_; }
-  /// The kind of exactly this name, in the singular or the plural; null if there is none.
+  /// What is made for exactly this name, in the singular or the plural; null if there is nothing.
   const ShapeKind* find(std::string_view name) const;
   /// The kind whose name or other names share most with these words, the last word counting most;
   /// null when nothing is shared. Equal words give equal answers.
@@ -63,8 +65,8 @@ class ShapeKinds {
   std::set<std::string> labels(std::string_view recipe) const;
 
  private:
+  const KindTable* table_ = nullptr;
   std::map<std::string, ShapeKind, std::less<>> kinds_;
-  std::map<std::string, std::string, std::less<>> names_;  ///< any spelling to a kind
   class Recipes;
   std::shared_ptr<Recipes> recipes_;
 };

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "roomgen/evaluate/kind_names.h"
+#include "roomgen/evaluate/identity.h"
 #include "roomgen/evaluate/outline.h"
 #include "roomgen/library/shown_colors.h"
 #include "roomgen/scene/model_table.h"

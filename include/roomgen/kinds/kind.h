@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,7 +14,7 @@ namespace roomgen {
 
 /// How far two things stand apart when they serve each other.
 struct PreferredGap {
-  std::string partner;  ///< category
+  std::string partner;  ///< a kind
   double low = 0.0;
   double high = 0.0;    ///< metres between footprints
 };
@@ -25,27 +26,49 @@ struct Lamp {
   double cone = 0.0;      ///< degrees from straight down to the edge of its light; 0: all directions
 };
 
-/// What is known about a kind of thing. A category inherits what it does not say from its parent
-/// ("is": dining chair is chair is seat).
+/// Kinds of the same sort of thing for other places, by name; empty: there is none.
+struct Forms {
+  std::string small;    ///< stands on other things: a table lamp
+  std::string wall;     ///< hangs on a wall: a wall lamp
+  std::string ceiling;  ///< hangs from the ceiling: a pendant lamp
+  std::string round;    ///< a round table
+};
+
+/// What is known about a kind of thing (docs/kinds.md). What an entry does not say of size, mount and
+/// use, its parent says ("is": dining chair is chair is seat).
 struct Kind {
   std::string name;    ///< "dining chair"
   std::string parent;  ///< may be empty
-  std::vector<std::string> synonyms;
+  std::vector<std::string> names;  ///< other names: "dinner chair"
+  /// Other names among furniture only: a "screen" is a room divider in a list of what a room holds, and
+  /// part of many things in a description of one.
+  std::vector<std::string> loose_names;
+  std::vector<std::string> lineage;  ///< itself and its ancestors; empty for an unknown kind
+
   Vec3 size{0.6, 0.6, 0.9};  ///< usual width, depth, height
   Mount mount = Mount::floor;
+  std::vector<Mount> also;   ///< other ways to put it up (a television on the wall)
   double elevation = 0.0;    ///< usual height of the bottom above the floor, for Mount::wall
-  bool covers_window = false;  ///< hangs before a window and is made to its measure: a curtain
   Traits traits;
+  bool supports = false;       ///< its top carries things
+  bool covers_window = false;  ///< hangs before a window and is made to its measure: a curtain
   std::vector<UseZone> zones;  ///< usable when one is free and reachable; none: always usable
   std::vector<PreferredGap> gaps;
-  std::vector<std::string> tucks_under;  ///< categories it may slide under (a chair, a table)
+  std::vector<std::string> tucks_under;  ///< kinds it may slide under (a chair, a table)
   std::optional<Lamp> lamp;              ///< things of this kind shine
-  std::vector<std::string> lineage;      ///< itself and its ancestors; empty for an unknown kind
+  Forms forms;
+
+  bool variant = false;    ///< plans and scenes call it by its parent: an armoire is a wardrobe there
+  std::string stocked_as;  ///< the kind as which libraries hold it: itself, or a variant's parent, unless said
+  std::string built_as;    ///< the kind of data/shapes/kinds that is built for it: itself unless said
+  std::string serves;      ///< who asks for that kind is served by this one: the parent unless said
+  bool usual = false;      ///< what people mean when they say the name of the kind that it serves
+  std::map<std::string, double> substitutes;  ///< kinds that will do, and how well, in (0, 1)
 };
 
-/// Is the category the kind of this name, or a descendant of it?
-bool is_of(const Kind& category, std::string_view kind);
-/// Is the category one of the kinds, or a descendant of one?
-bool is_any_of(const Kind& category, const std::vector<std::string>& kinds);
+/// Is the kind the one of this name, or a descendant of it?
+bool is_of(const Kind& kind, std::string_view name);
+/// Is the kind one of these, or a descendant of one?
+bool is_any_of(const Kind& kind, const std::vector<std::string>& kinds);
 
 }  // namespace roomgen

@@ -17,7 +17,7 @@ struct LampLight {
   double cone = 0.0;            ///< radians from straight down to its edge; 0: shines in all directions
 };
 
-/// One light for every object whose kind is a lamp (data/categories.json), in the scene's order: within
+/// One light for every object whose kind is a lamp (data/kinds), in the scene's order: within
 /// its box where the shade is, or just under it. All are inside the room: what hangs over a wall is
 /// moved in.
 std::vector<LampLight> lamp_lights(const Scene& scene,

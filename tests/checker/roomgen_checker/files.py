@@ -1,4 +1,4 @@
-"""scene.json, problem.json and categories.json as plain values."""
+"""scene.json, problem.json and the kinds of things as plain values."""
 
 import json
 import math
@@ -300,19 +300,31 @@ class Categories:
     """What is known about kinds of things; properties are inherited by `is`."""
 
     def __init__(self, data):
-        self.entries = {k.lower(): v for k, v in data["categories"].items()}
-        self.names = {
-            s.lower(): name for name, entry in self.entries.items() for s in entry.get("synonyms", [])
-        }
-        self.names.update({name: name for name in self.entries})
+        kinds = {k.lower(): v for k, v in data["kinds"].items()}
+        self.entries = {name: entry for name, entry in kinds.items() if not entry.get("variant")}
+        self.names = {}
+        for name, entry in kinds.items():
+            for other in entry.get("names", []) + entry.get("loose_names", []):
+                self.names[other.lower()] = self.planned(kinds, name)
+        self.names.update({name: self.planned(kinds, name) for name in kinds})
+
+    @staticmethod
+    def planned(kinds, name):
+        """The kind as which scenes know one: a variant's parent."""
+        while kinds[name].get("variant"):
+            name = kinds[name]["is"].lower()
+        return name
 
     @classmethod
-    def load(cls, path):
-        return cls(read_json(path))
+    def load(cls, folder):
+        kinds = {}
+        for path in sorted(Path(folder).glob("*.json")):
+            kinds.update(read_json(path)["kinds"])
+        return cls({"kinds": kinds})
 
     @classmethod
     def default(cls):
-        return cls.load(Path(__file__).resolve().parents[3] / "data" / "categories.json")
+        return cls.load(Path(__file__).resolve().parents[3] / "data" / "kinds")
 
     def lookup(self, text):
         """The known name for a text: exact, synonym, singular, else its longest known ending."""

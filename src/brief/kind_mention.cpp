@@ -1,14 +1,10 @@
-#include "kind_names.h"
-
-#include "roomgen/base/text.h"
+#include "kind_mention.h"
 
 namespace roomgen::design {
 
 namespace {
-
 constexpr std::size_t longest_name = 5;
-
-}  // namespace
+}
 
 std::vector<std::string> singulars(const std::string& word) {
   std::vector<std::string> forms{word};
@@ -26,42 +22,35 @@ std::vector<std::string> singulars(const std::string& word) {
   return forms;
 }
 
-KindNames::KindNames(const KindTable& table) {
-  for (const auto& [name, category] : table.all()) names_[join(words(name), " ")] = &category;
-  for (const auto& [name, category] : table.all())
-    for (const auto& synonym : category.synonyms)
-      names_.try_emplace(join(words(synonym), " "), &category);
-}
+namespace {
 
-KindMatch KindNames::match_of(std::span<const Token> tokens, std::size_t at) const {
+// "spools of thread": one thing's name, whose first word is in the plural.
+KindMention mention_of(const KindTable& kinds, std::span<const Token> tokens, std::size_t at) {
   if (at + 2 >= tokens.size() || !tokens[at + 1].is_word("of")) return {};
   for (const auto& first : singulars(tokens[at].text)) {
     if (first == tokens[at].text) continue;
     const std::string name = first + " of " + tokens[at + 2].text;
-    if (const Kind* category = find(name)) return {category, 3, true, name};
+    if (const Kind* category = kinds.spelled(name)) return {category, 3, true, name};
   }
   return {};
 }
 
-const Kind* KindNames::find(const std::string& name) const {
-  const auto found = names_.find(name);
-  return found == names_.end() ? nullptr : found->second;
-}
+}  // namespace
 
-KindMatch KindNames::match(std::span<const Token> tokens, std::size_t at) const {
-  KindMatch best;
+KindMention mention_at(const KindTable& kinds, std::span<const Token> tokens, std::size_t at) {
+  KindMention best;
   std::string before;
   for (std::size_t n = 0; n < longest_name && at + n < tokens.size(); ++n) {
     const Token& token = tokens[at + n];
     if (token.kind != Token::Kind::word && token.kind != Token::Kind::number) break;
     for (const auto& form : singulars(token.text))
-      if (const Kind* category = find(before + form)) {
+      if (const Kind* category = kinds.spelled(before + form)) {
         best = {category, n + 1, form != token.text, before + form};
         break;
       }
     before += token.text + " ";
   }
-  if (const KindMatch several = match_of(tokens, at); several.length > best.length) best = several;
+  if (const KindMention several = mention_of(kinds, tokens, at); several.length > best.length) best = several;
   // "three" alone is no name even if "three seater" is one.
   if (best.length == 1 && tokens[at].kind == Token::Kind::number) return {};
   return best;

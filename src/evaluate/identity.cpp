@@ -1,18 +1,17 @@
-#include "roomgen/evaluate/kind_names.h"
+#include "roomgen/evaluate/identity.h"
 
 #include <algorithm>
 
 #include "roomgen/base/json.h"
 #include "roomgen/base/resource.h"
 #include "roomgen/base/text.h"
-#include "roomgen/kinds/kind_table.h"
 #include "roomgen/library/vocabulary.h"
 
 namespace roomgen {
 
 namespace {
 
-constexpr int name_rank = 5, synonym_rank = 4;
+constexpr int name_rank = 5, synonym_rank = 4, descendant_rank = 3;
 
 // "Coffee_Tables" is "coffee table".
 std::string key(std::string_view name) {
@@ -48,41 +47,44 @@ bool was_chosen_for(const Identity& identity, const std::vector<std::string>& pi
   });
 }
 
-Json parsed(std::string_view path) {
-  auto json = parse_json(resource(path).value_or("{}"), std::string(path));
-  return json ? *std::move(json) : Json::object();
+// What the meshes of known libraries are, by "library/id".
+const std::map<std::string, std::string>& known_labels() {
+  static const auto labels = [] {
+    std::map<std::string, std::string> read;
+    const auto file = parse_json(resource("data/furniture-labels.json").value_or("{}"), "labels");
+    if (!file || !file->contains("labels")) return read;
+    for (const auto& [library, assets] : (*file)["labels"].items())
+      for (const auto& [id, label] : assets.items())
+        if (label.is_string()) read[library + "/" + id] = label.get<std::string>();
+    return read;
+  }();
+  return labels;
+}
+
+// One kind for plans, or for libraries, or what is built for the name.
+bool same_kind(const Kind& have, const Kind& want, const KindTable& kinds) {
+  return have.stocked_as == want.stocked_as || want.built_as == have.name ||
+         &kinds.planned(have) == &kinds.planned(want);
+}
+
+bool descends(const Kind& have, const Kind& want, const Vocabulary& vocabulary) {
+  const KindTable& kinds = vocabulary.kinds();
+  return vocabulary.is_a(have.stocked_as, want.stocked_as) ||
+         is_of(kinds.planned(have), kinds.planned(want).name);
+}
+
+// Of two names; 0 unless both name kinds of one line.
+int kinship_rank(const std::string& kind, const std::string& category, const Vocabulary& vocabulary) {
+  const Kind* have = vocabulary.kinds().named(kind);
+  const Kind* want = vocabulary.kinds().named(category);
+  if (!have || !want) return 0;
+  if (same_kind(*have, *want, vocabulary.kinds())) return synonym_rank;
+  return descends(*have, *want, vocabulary) ? descendant_rank : 0;
 }
 
 }  // namespace
 
-const KindNames& KindNames::built_in() {
-  static const KindNames names;
-  return names;
-}
-
-KindNames::KindNames() {
-  for (const auto path : resources("data/shapes/kinds/")) {
-    const Json file = parsed(path);
-    if (!file.contains("kinds")) continue;
-    for (const auto& [name, kind] : file["kinds"].items()) {
-      shape_kinds_of_[key(name)].insert(key(name));
-      if (!kind.is_object() || !kind.contains("names")) continue;
-      for (const auto& other : kind["names"])
-        if (other.is_string()) shape_kinds_of_[key(other.get<std::string>())].insert(key(name));
-    }
-  }
-  for (const auto& [name, category] : KindTable::built_in().all()) {
-    categories_of_[key(name)] = name;
-    for (const auto& other : category.synonyms) categories_of_.try_emplace(key(other), name);
-  }
-  const Json labels = parsed("data/furniture-labels.json");
-  if (labels.contains("labels"))
-    for (const auto& [library, assets] : labels["labels"].items())
-      for (const auto& [id, label] : assets.items())
-        if (label.is_string()) labels_[library + "/" + id] = label.get<std::string>();
-}
-
-Identity KindNames::identify(const Object& object) const {
+Identity identify(const Object& object, const Vocabulary& vocabulary) {
   Identity identity;
   const AssetRef& asset = object.asset;
   if (asset.is_box()) {
@@ -92,8 +94,8 @@ Identity KindNames::identify(const Object& object) const {
     const std::string kind = text_parameter(*asset.procedural, "kind");
     identity.kind = key(kind.empty() ? asset.procedural->recipe : kind);
     identity.basis = "recipe kind " + identity.kind;
-  } else if (const auto label = labels_.find(asset.library + "/" + asset.id);
-             label != labels_.end()) {
+  } else if (const auto label = known_labels().find(asset.library + "/" + asset.id);
+             label != known_labels().end()) {
     const auto parts = split(label->second, '|');
     identity.kind = key(parts.front());
     if (parts.size() > 1)
@@ -102,7 +104,7 @@ Identity KindNames::identify(const Object& object) const {
   } else {
     std::string name = asset.id;
     std::replace(name.begin(), name.end(), '_', ' ');
-    identity.kind = key(Vocabulary::built_in().understand_name(name).kind);
+    identity.kind = key(vocabulary.understand_name(name).kind);
     identity.basis = "name of " + asset.library + "/" + asset.id;
   }
   for (auto& word : words(identity.kind)) identity.words.insert(std::move(word));
@@ -110,45 +112,16 @@ Identity KindNames::identify(const Object& object) const {
   return identity;
 }
 
-bool KindNames::same(const std::string& kind, const std::string& category) const {
-  const auto& vocabulary = Vocabulary::built_in();
-  const StockKind* have = vocabulary.find(kind);
-  const StockKind* want = vocabulary.find(category);
-  if (have && have == want) return true;
-  const auto shapes = shape_kinds_of_.find(category);
-  if (shapes != shape_kinds_of_.end() && shapes->second.count(kind)) return true;
-  const auto mine = categories_of_.find(kind), theirs = categories_of_.find(category);
-  return mine != categories_of_.end() && theirs != categories_of_.end() &&
-         mine->second == theirs->second;
-}
-
-bool KindNames::descends(const std::string& kind, const std::string& category) const {
-  const auto& vocabulary = Vocabulary::built_in();
-  const StockKind* have = vocabulary.find(kind);
-  const StockKind* want = vocabulary.find(category);
-  if (have && want && vocabulary.is_a(have->name, want->name)) return true;
-  const auto mine = categories_of_.find(kind), theirs = categories_of_.find(category);
-  return mine != categories_of_.end() && theirs != categories_of_.end() &&
-         KindTable::built_in().is_a(mine->second, theirs->second);
-}
-
-bool KindNames::is_known(const std::string& category) const {
-  return Vocabulary::built_in().find(category) || shape_kinds_of_.count(category) ||
-         categories_of_.count(category);
-}
-
-int KindNames::rank(const Identity& identity, std::string_view name) const {
+int identity_rank(const Identity& identity, std::string_view name, const Vocabulary& vocabulary) {
   const std::string category = key(name);
   const std::string& kind = identity.kind;
   if (kind.empty() || category.empty()) return 0;
   if (kind == category) return name_rank;
-  if (same(kind, category)) return synonym_rank;
-  if (descends(kind, category)) return 3;
+  if (const int kin = kinship_rank(kind, category, vocabulary); kin > 0) return kin;
   // "wooden desk": the words before the kind may only say how it is, or stand in the label.
   const auto pieces = words(category);
-  const auto& vocabulary = Vocabulary::built_in();
   // A table lamp is no floor lamp by being a lamp, but a mere lamp may be one.
-  const bool compound = is_known(category);
+  const bool compound = vocabulary.kinds().named(category) != nullptr;
   for (std::size_t first = 1; first < pieces.size(); ++first) {
     const bool only_manner =
         std::all_of(pieces.begin(), pieces.begin() + static_cast<std::ptrdiff_t>(first),
@@ -159,18 +132,19 @@ int KindNames::rank(const Identity& identity, std::string_view name) const {
     if (!only_manner) break;
     const std::string head =
         join({pieces.begin() + static_cast<std::ptrdiff_t>(first), pieces.end()}, " ");
-    if (kind == head || (!compound && (same(kind, head) || descends(kind, head)))) return 2;
+    if (kind == head || (!compound && kinship_rank(kind, head, vocabulary) > 0)) return 2;
   }
   if (was_chosen_for(identity, pieces)) return 2;
   return ends_with_kind(kind, category) ? 1 : 0;
 }
 
-std::map<std::string, std::vector<std::size_t>> KindNames::match(
-    const std::vector<Object>& objects, const std::vector<std::string>& categories) const {
+std::map<std::string, std::vector<std::size_t>> identified_as(
+    const std::vector<Object>& objects, const std::vector<std::string>& categories,
+    const Vocabulary& vocabulary) {
   std::map<std::string, std::vector<std::size_t>> matched;
   for (const auto& category : categories) matched[category];
   for (std::size_t i = 0; i < objects.size(); ++i) {
-    const Identity identity = identify(objects[i]);
+    const Identity identity = identify(objects[i], vocabulary);
     const std::string placed_as = key(objects[i].category);
     const auto was_asked_as = [&](const std::string& category) {
       const auto pieces = words(key(category));
@@ -181,7 +155,7 @@ std::map<std::string, std::vector<std::size_t>> KindNames::match(
     int best = 0;
     const std::string* chosen = nullptr;
     for (const auto& category : categories) {
-      int value = rank(identity, category);
+      int value = identity_rank(identity, category, vocabulary);
       if (value == 0) continue;
       const bool asked = was_asked_as(category);
       if (asked && value == synonym_rank) value = name_rank;

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "roomgen/kinds/kind_table.h"
+#include "tokens.h"
+
+namespace roomgen::design {
+
+/// A name of a kind in a text.
+struct KindMention {
+  const Kind* category = nullptr;  ///< as plans know it
+  std::size_t length = 0;  ///< tokens; 0 if there is none
+  bool plural = false;
+  std::string name;  ///< in the singular: "bedside table"
+};
+
+/// The longest name of a kind that starts at `at`, in the singular or the plural.
+KindMention mention_at(const KindTable& kinds, std::span<const Token> tokens, std::size_t at);
+
+/// What a word may be in the singular; the word itself first.
+std::vector<std::string> singulars(const std::string& word);
+
+}  // namespace roomgen::design
