@@ -50,10 +50,10 @@ Mount mount_of(const SourceAsset& asset, const AssetInfo& info, const Label* lab
 }
 
 // The height at which the kind usually hangs, if the library does not say.
-double elevation_of(const AssetInfo& info) {
+double elevation_of(const AssetInfo& info, const KindTable& kinds) {
   if (info.mount != Mount::wall) return info.mount == Mount::ceiling ? info.elevation : 0.0;
   if (info.elevation > 0.0) return info.elevation;
-  const Kind* category = KindTable::built_in().find(info.category);
+  const Kind* category = kinds.find(info.category);
   return category && category->elevation > 0.0 ? category->elevation : usual_wall_elevation;
 }
 
@@ -62,10 +62,10 @@ bool round_of(const SourceAsset& asset, const Label* label) {
   return asset.round.value_or(false);
 }
 
-bool front_of(const SourceAsset& asset, const AssetInfo& info, const Label* label) {
+bool front_of(const SourceAsset& asset, const AssetInfo& info, const Label* label, const KindTable& kinds) {
   if (label && label->front) return *label->front;
   if (asset.front) return *asset.front;
-  const Kind* category = KindTable::built_in().find(info.category);
+  const Kind* category = kinds.find(info.category);
   return category ? category->traits.front : true;
 }
 
@@ -76,9 +76,9 @@ AssetInfo classify(const SourceAsset& asset, const Label* label, const Vocabular
   info.category = kind_of(asset, label, vocabulary);
   const Kind* kind = vocabulary.find(info.category);
   info.mount = mount_of(asset, info, label, kind);
-  info.elevation = elevation_of(info);
+  info.elevation = elevation_of(info, vocabulary.kinds());
   info.round = round_of(asset, label);
-  info.has_front = front_of(asset, info, label);
+  info.has_front = front_of(asset, info, label, vocabulary.kinds());
   if (label) info.tags.insert(info.tags.end(), label->tags.begin(), label->tags.end());
   if (!info.support_height && !asset.carries_nothing && kind && kind->supports)
     info.support_height = info.size.z();

@@ -37,7 +37,7 @@ std::map<std::string, double> fitting_kinds(const std::string& kind, const Asset
                                             const Vocabulary& vocabulary) {
   const auto special = special_kinds(kind, query.description, vocabulary);
   std::map<std::string, double> result;
-  for (const auto& [name, candidate] : vocabulary.kinds()) {
+  for (const auto& [name, candidate] : vocabulary.kinds().all()) {
     if (query.asked && !vocabulary.is_a(name, kind)) continue;
     double fit = vocabulary.fit(name, kind);
     if (!special.empty()) {
