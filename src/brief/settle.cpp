@@ -163,17 +163,12 @@ void drop_listed_supports(Mention& mention) {
   });
 }
 
-bool has_hanging_form(const Mention& mention, const KindTable& table) {
-  const Forms& forms = table.get(mention.category).forms;
-  return !forms.wall.empty() || !forms.ceiling.empty();
-}
-
 // A shelf above a desk hangs on the wall; a table lamp that lights a sideboard stands on it.
 void hang_what_is_above(Mention& mention, const Brief& brief, const KindTable& table) {
   for (auto& demand : mention.demands) {
     if (demand.kind != RelationKind::above || demand.mention == Demand::none) continue;
     const bool small = mention.mount == Mount::surface;
-    if (small && !has_hanging_form(mention, table) &&
+    if (small && table.get(mention.category).forms.wall.empty() &&
         brief.mentions[demand.mention].mount == Mount::floor)
       demand.kind = RelationKind::on;
     else if (small || mention.mount == Mount::floor)
