@@ -6,7 +6,7 @@ from roomgen_checker import files, reach, report
 
 CATEGORIES = files.Categories(
     {
-        "categories": {
+        "kinds": {
             "seat": {
                 "zones": [
                     {"side": "front", "depth": 0.35, "partners": ["table"]},
@@ -14,7 +14,7 @@ CATEGORIES = files.Categories(
                 ]
             },
             "chair": {"is": "seat"},
-            "sofa": {"is": "seat", "synonyms": ["couch"]},
+            "sofa": {"is": "seat", "names": ["couch"]},
             "table": {
                 "zones": [
                     {"side": s, "depth": 0.6, "partners": ["seat"]}
@@ -23,7 +23,7 @@ CATEGORIES = files.Categories(
             },
             "desk": {"is": "table", "zones": [{"side": "front", "depth": 0.75, "partners": ["seat"]}]},
             "wardrobe": {"zones": [{"side": "front", "depth": 0.75}]},
-            "bookshelf": {"zones": [{"side": "front", "depth": 0.6}], "synonyms": ["bookcase"]},
+            "bookshelf": {"zones": [{"side": "front", "depth": 0.6}], "names": ["bookcase"]},
             "box": {"zones": []},
         }
     }
