@@ -55,6 +55,12 @@ std::vector<std::string> read_texts(const JsonReader& json) {
   return texts;
 }
 
+// The words of a name by which libraries know the kind: "round rug" is a rug there, of which something is said.
+std::string naming(std::string_view name, const Kind& stocked) {
+  const std::string whole = join(singular_words(name), " ");
+  return whole.ends_with(" " + stocked.name) ? stocked.name : whole;
+}
+
 }  // namespace
 
 Result<Vocabulary> Vocabulary::parse(std::string_view text, const std::string& source,
@@ -92,8 +98,7 @@ const Kind* Vocabulary::find(std::string_view name) const {
 }
 
 KindPhrase Vocabulary::understand(std::string_view phrase) const {
-  if (const Kind* whole = find(phrase))
-    return {whole->name, join(singular_words(phrase), " "), true};
+  if (const Kind* whole = find(phrase)) return {whole->name, naming(phrase, *whole), true};
   std::vector<std::string> pieces;
   for (auto& piece : singular_words(before_preposition(phrase)))
     if (!is_filler(piece)) pieces.push_back(std::move(piece));
