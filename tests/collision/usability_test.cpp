@@ -8,7 +8,7 @@ using namespace roomgen;
 namespace {
 
 const KindTable& categories() {
-  static const KindTable table = *KindTable::parse(R"({"categories": {
+  static const KindTable table = *KindTable::parse(R"({"kinds": {
     "chair": {},
     "desk": {"zones": [{"side": "front", "depth": 0.7, "partners": ["chair"]}]},
     "bed": {"zones": [{"side": "left", "depth": 0.6}, {"side": "right", "depth": 0.6}]},
