@@ -100,6 +100,7 @@ TEST_CASE("things are read with their numbers") {
       {"a pair of armchairs and 6 chairs", "2 armchair, 6 chair"},
       {"a set of four bar stools", "4 bar stool"},
       {"a couple of plants, several books", "2 plant, 3 book"},
+      {"plush toys and markers", "2 teddy bear, 2 marker"},
       {"a bedside table lamp", "1 table lamp"},
       {"a glass coffee table", "1 coffee table"},
       {"a three-drawer dresser", "1 dresser"},

@@ -23,6 +23,13 @@ TEST_CASE("A phrase names the kind at its end") {
   CHECK(vocabulary().understand("Sofa (three seats)").kind == "sofa");
 }
 
+TEST_CASE("What only describes a thing that libraries hold is no part of its name") {
+  CHECK(vocabulary().understand("round rug").kind == "rug");
+  CHECK(vocabulary().understand("round rug").name == "rug");
+  CHECK(vocabulary().understand("small plants").name == "plant");
+  CHECK(vocabulary().understand("bedside table").name == "bedside table");
+}
+
 TEST_CASE("A noun before a kind makes it another thing") {
   for (const auto* phrase : {"chair cushion", "sofa cover", "table runner"}) {
     INFO(phrase);
