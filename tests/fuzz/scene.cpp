@@ -1,0 +1,16 @@
+// scene.json from strangers: what can be read can be written and read again.
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "roomgen/base/json.h"
+#include "roomgen/scene/scene.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const auto json = roomgen::parse_json({reinterpret_cast<const char*>(data), size}, "scene.json");
+  if (!json) return 0;
+  const auto scene = roomgen::scene_from_json(*json, "scene.json");
+  if (scene && !roomgen::scene_from_json(roomgen::to_json(*scene), "written.json"))
+    __builtin_trap();
+  return 0;
+}
