@@ -80,7 +80,11 @@ Status put_at(Work& work, const PlannedObject& planned, const WantedPose& pose, 
   task->location = pose.position;
   task->facing = pose.yaw;
   step.has_assets = true;
-  step.attempts.push_back(begun(*asset, {task->object.relations, pose.position, pose.yaw, {}}));
+  PlaceAdvice given;
+  given.relations = task->object.relations;
+  given.location = pose.position;
+  given.yaw = pose.yaw;
+  step.attempts.push_back(begun(*asset, given));
   work.layout().add(*object);
   enter(work, planned, *asset, *std::move(task));
   return {};
