@@ -1,0 +1,52 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "candidates.h"
+#include "units.h"
+#include "word_tag.h"
+
+namespace roomgen::language {
+
+/// What is known of a unit whatever is around it.
+struct UnitFacts {
+  std::string word;  ///< of a hyphened one its last part
+  std::string key;   ///< a small word itself, of others what they may be: coarse
+  std::string rate;  ///< key, and what it is mostly
+  Candidates may_be;
+  bool is_plural_number = false;
+  bool is_hyphened = false;
+};
+
+std::vector<UnitFacts> facts_of(const std::vector<Token>& tokens, const std::vector<Unit>& units);
+
+/// What was read before a unit: the noun phrase and the clause that are open.
+class TagContext {
+ public:
+  void add(const Unit& unit, const UnitFacts& facts, WordTag tag);
+
+  enum class Number : char { unsaid = '0', one = '1', several = '2', definite = '3' };
+  char number() const { return static_cast<char>(number_); }
+  char nouns() const { return nouns_; }
+  char verbs() const { return verbs_; }
+  char last() const { return last_; }
+  char before_last() const { return before_last_; }
+
+ private:
+  void end_phrase();
+
+  Number number_ = Number::unsaid;
+  char nouns_ = '0';  ///< of the phrase: 0 none, 1 singular, 2 plural
+  char verbs_ = '0';  ///< of the clause: 0 none, 1 one, 2 one and a comma or conjunction since
+  char last_ = '.', before_last_ = '.';
+};
+
+/// Hashes of what the choice of a tag is made by.
+using TagFeatures = std::array<std::uint32_t, 26>;
+
+TagFeatures tag_features(const std::vector<UnitFacts>& facts, std::size_t at,
+                         const TagContext& context);
+
+}  // namespace roomgen::language
