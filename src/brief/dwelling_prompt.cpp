@@ -12,7 +12,7 @@ std::optional<double> total_area(const DwellingText& text, const NamedRoom& whol
   std::vector<Token> head(text.tokens.begin(),
                           text.tokens.begin() + static_cast<std::ptrdiff_t>(whole.end));
   Brief brief;
-  read_measures(head, text.words, text.things, brief);
+  read_measures(head, text.prompt, text.words, text.things, brief);
   if (brief.area) return brief.area;
   if (brief.size) return brief.size->prod();
   return std::nullopt;

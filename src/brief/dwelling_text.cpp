@@ -4,10 +4,11 @@
 
 namespace roomgen::design {
 
-DwellingText::DwellingText(std::string_view prompt, const Vocabulary& vocabulary,
+DwellingText::DwellingText(std::string_view text, const Vocabulary& vocabulary,
                            const DwellingKinds& dwelling_kinds, const RoomKinds& room_kinds,
                            const KindTable& table)
-    : tokens(tokenize(prompt)),
+    : prompt(language::tokenize(text, max_tokens)),
+      tokens(tokenize(text)),
       words(vocabulary),
       dwellings(dwelling_kinds),
       things(table),

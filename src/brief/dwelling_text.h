@@ -22,6 +22,7 @@ struct DwellingText {
   /// Is there a mark, or the end?
   bool ends_phrase(std::size_t i) const;
 
+  const std::vector<language::Token> prompt;
   const std::vector<Token> tokens;
   const Vocabulary& words;
   const DwellingKinds& dwellings;

@@ -1,505 +1,561 @@
 #include "prompt.h"
 
 #include <algorithm>
+#include <map>
 
-#include "absence.h"
 #include "discourse.h"
 #include "finishes.h"
 #include "measures.h"
 #include "opening_phrase.h"
+#include "placement.h"
 #include "room_type.h"
 #include "settle.h"
 #include "shape_words.h"
-#include "tokens.h"
 
 namespace roomgen::design {
 
 namespace {
 
-constexpr std::size_t longest_placement = 6;
-constexpr int most_for_each = 40;
+using language::Attachment;
+using language::Determiner;
+using language::none;
+using language::NounPhrase;
+using language::Run;
+using Indices = std::vector<std::size_t>;
 
-/// Reads a prompt from left to right.
+/// What the words of a prompt that are no things were taken for, by token.
+enum class Taken : std::uint8_t { no, yes, room };
+
+/// Reads things and their places from a parse.
 class PromptReader {
  public:
-  PromptReader(std::vector<Token> tokens, const Lexicon& lexicon, Brief& brief)
-      : tokens_(std::move(tokens)),
+  PromptReader(const PromptText& text, std::vector<Token> left, std::vector<Taken> taken,
+               const Lexicon& lexicon, Brief& brief)
+      : text_(text), parse_(text.parse), left_(std::move(left)), taken_(std::move(taken)),
         words_(lexicon.words),
-        table_(lexicon.table),
-        brief_(brief),
-        talk_(lexicon, brief) {}
+        brief_(brief), talk_(lexicon, brief), mention_of_(parse_.phrases.size()) {}
 
   void run() {
-    while (at_ < tokens_.size()) {
-      const Token::Kind kind = tokens_[at_].kind;
-      if (kind == Token::Kind::stop) {
-        end_sentence();
-      } else if (kind == Token::Kind::room) {
-        talk_.speak_of(std::nullopt);
-      } else if (read_bare() || read_some_of() || read_negation() || read_openings() ||
-                 read_placement() || read_thing()) {
-        continue;
-      }
-      if (words_.verbs.count(tokens_[at_].text)) talk_.close_list();
-      if (is_word(at_, "where")) where_ = last_target_;
-      ++at_;
+    read_openings();
+    for (std::size_t i = 0; i < parse_.phrases.size(); ++i) read_phrase(i);
+    for (const auto& attachment : parse_.attachments) {
+      look_back_from(attachment.tokens.begin);
+      read_attachment(attachment);
     }
+    read_adverbs();
+    read_bare();
   }
 
  private:
-  bool is_word(std::size_t i, std::string_view word) const {
-    return i < tokens_.size() && tokens_[i].is_word(word);
+  const NounPhrase& phrase(std::int32_t i) const {
+    return parse_.phrases[static_cast<std::size_t>(i)];
   }
-
-  void end_sentence() {
-    talk_.end_sentence();
-    where_.reset();
-    last_target_.reset();
-    sentence_start_ = at_ + 1;
+  std::optional<std::size_t> mention_of(std::int32_t i) const {
+    return i == none ? std::nullopt : mention_of_[static_cast<std::size_t>(i)];
   }
-
-  // --- Things ---------------------------------------------------------------------------------
-
-  // Where a noun may be a thing even if nobody knows it.
-  bool lists(std::size_t i) const {
-    static const WordSet words = {
-        "with",     "and",       "has",       "have",     "contains", "containing", "include",
-        "includes", "including", "featuring", "features", "plus",     "add",        "is",
-        "are",      "stands",    "sits",      "hangs",    "want",     "need",       "also"};
-    if (i == sentence_start_) return true;
-    const Token& before = tokens_[i - 1];
-    return before.kind == Token::Kind::comma || words.count(before.text) > 0;
+  const std::string& word(std::size_t token) const { return text_.plain[token].text; }
+  bool is_word(std::size_t token, std::string_view word) const {
+    return token < text_.plain.size() && text_.plain[token].is_word(word);
   }
-
-  bool read_thing() {
-    const auto phrase = read_noun_phrase(tokens_, at_, words_, table_, lists(at_));
-    if (!phrase) return false;
-    const bool part = describes_owner(*phrase) || is_on_small_owner(*phrase);
-    const auto owner = talk_.subject();
-    const bool with = phrase->begin == owner_end_ + 1 && is_word(owner_end_, "with");
-    const bool continues = phrase->begin > 0 && (is_word(phrase->begin - 1, "and") ||
-                                                 tokens_[phrase->begin - 1].kind == Token::Kind::comma);
-    const std::size_t before = talk_.count();
-    after_part_ = part;
-    if (!part) talk_.speak_of(refer(*phrase));
-    at_ = phrase->end;
-    owner_end_ = at_;
-    if (part || !talk_.subject()) return true;
-    if (clause_begins()) talk_.close_list();
-    if (with && owner && owner != talk_.subject() && talk_.may_carry(*owner)) {
-      talk_.open_list({{RelationKind::on, *owner, "", false}});
-      talk_.join_with(*owner);
+  bool is_taken(const NounPhrase& phrase) const { return taken_[phrase.head] != Taken::no; }
+  bool is_room(const NounPhrase& phrase) const {
+    return taken_[phrase.head] == Taken::room || words_.generic_rooms.count(word(phrase.head));
+  }
+  int sentence_of(std::size_t token) const {
+    int number = 0;
+    for (const Run& sentence : parse_.sentences) {
+      if (token < sentence.end) return number;
+      ++number;
     }
-    if (talk_.count() > before && (with || continues)) talk_.extend_list(*talk_.subject());
-    talk_.apply_leading(*talk_.subject());
-    return true;
+    return number;
   }
 
-  // "… and a lamp stands": what was said of a list is not said of it.
-  bool clause_begins() const {
-    std::size_t i = owner_end_;
-    while (i < tokens_.size() && is_adverb(tokens_[i])) ++i;
-    return i < tokens_.size() && words_.verbs.count(tokens_[i].text) > 0;
+  // What was said up to a token: "it" means nothing that comes behind.
+  void look_back_from(std::size_t token) {
+    std::size_t made = 0;
+    for (std::size_t i = 0; i < parse_.phrases.size() && parse_.phrases[i].head < token; ++i)
+      if (mention_of_[i]) made = std::max(made, *mention_of_[i] + 1);
+    talk_.look_back_from(made);
   }
 
-  bool is_adverb(const Token& token) const {
-    return token.kind == Token::Kind::word &&
-           ((token.text.size() > 4 && token.text.ends_with("ly")) ||
-            words_.adverbs.count(token.text) > 0);
-  }
+  // --- Noun phrases -----------------------------------------------------------------------------
 
-  // "a desk with drawers": drawers are no thing of their own.
-  bool describes_owner(const NounPhrase& phrase) const {
-    if (is_built_in(phrase)) return true;
-    if (!talk_.subject() || phrase.begin == 0 || phrase.begin - 1 != owner_end_) return false;
-    static const WordSet links = {"with", "featuring", "has"};
-    const Token& before = tokens_[phrase.begin - 1];
-    // "with drawers and a shelf", but "a desk and a shelf".
-    const bool goes_on =
-        after_part_ && (before.kind == Token::Kind::comma || before.is_word("and"));
-    return (goes_on || links.count(before.text)) &&
-           words_.parts.count(tokens_[phrase.end - 1].text) > 0;
-  }
-
-  // "with an integrated sink"
-  bool is_built_in(const NounPhrase& phrase) const {
-    return std::any_of(phrase.modifiers.begin(), phrase.modifiers.end(),
-                       [&](const std::string& word) { return words_.built_in.count(word) > 0; });
-  }
-
-  // "a photo frame with a black-and-white print": no other picture.
-  bool is_on_small_owner(const NounPhrase& phrase) const {
-    return talk_.subject() && phrase.begin == owner_end_ + 1 && is_word(owner_end_, "with") &&
-           phrase.kind.length > 0 && phrase.kind.category->mount == Mount::wall &&
-           talk_.mention(*talk_.subject()).mount == Mount::surface;
-  }
-
-  std::optional<std::size_t> refer(const NounPhrase& phrase) {
-    const std::size_t before = talk_.count();
-    const auto mention = talk_.refer(phrase);
-    if (talk_.count() == before) return mention;
-    if (for_each(phrase, before)) talk_.multiply_last(talk_.mention(before - 1).quantity);
-    talk_.list(*mention, continues_list(phrase.begin));
-    return mention;
-  }
-
-  // "a desk, a chair and a lamp": after a comma or an "and" that follows a thing.
-  bool continues_list(std::size_t begin) const {
-    return begin > 0 && begin <= owner_end_ + 2 && begin != leading_end_ + 1 &&
-           (is_word(begin - 1, "and") || tokens_[begin - 1].kind == Token::Kind::comma);
-  }
-
-  // "two nightstands, each with a lamp"
-  bool for_each(const NounPhrase& phrase, std::size_t before) const {
-    return before > 0 && phrase.begin >= 2 && is_word(phrase.begin - 2, "each") &&
-           talk_.mention(before - 1).quantity <= most_for_each;
-  }
-
-  // "one of them", "the other": some of what was spoken of; what is said of them is not followed.
-  bool read_some_of() {
-    const auto refers_back = [&](std::size_t i) {
-      return i < tokens_.size() && (words_.pronouns.count(tokens_[i].text) > 0 ||
-                                    words_.definite.count(tokens_[i].text) > 0);
-    };
-    // "one holds a lamp, the other a plant"
-    const bool holder = is_word(at_, "one") && holds(at_ + 1);
-    const bool other_holder = is_word(at_, "the") && is_word(at_ + 1, "other") && holds(at_ + 2);
-    if ((holder || other_holder) && talk_.speak_of_one_of_them(other_holder)) {
-      at_ += holder ? 1 : 2;
-      return true;
+  void read_phrase(std::size_t number) {
+    const NounPhrase& said = parse_.phrases[number];
+    if (is_taken(said)) return;
+    const auto id = static_cast<std::int32_t>(number);
+    if (said.is_pronoun) {
+      mention_of_[number] = stands_for(id);
+      return;
     }
-    const bool one = is_word(at_, "one") && is_word(at_ + 1, "of") && refers_back(at_ + 2);
-    const bool other = is_word(at_, "the") &&
-                       (is_word(at_ + 1, "other") || is_word(at_ + 1, "others")) &&
-                       mention_at(table_, tokens_, at_ + 2).length == 0 && !is_word(at_ + 2, "wall") &&
-                       !is_word(at_ + 2, "side");
-    if (!one && !other) return false;
-    talk_.speak_of(std::nullopt);
-    at_ += one ? 3 : 2;
-    return true;
+    const ThingPhrase thing = read_thing_phrase(text_, number);
+    if (said.is_denied) return exclude(said, thing);
+    if (const auto carrier = top(number, thing)) {
+      mention_of_[number] = carrier;
+      return;
+    }
+    if (!names_thing(id, thing)) return;
+    if (!thing.article && !thing.definite) read_listed_without_commas(said, thing);
+    mention_of_[number] = refer(id, thing);
+    skip_to_ = std::max(skip_to_, thing.end);
   }
 
-  bool holds(std::size_t i) const {
-    const auto match = longest(words_.placements, tokens_, i, longest_placement);
-    return match && match.value->inverse;
+  // "bed desk wardrobe": things of their own, though they stand like "oak" before the last.
+  void read_listed_without_commas(const NounPhrase& said, const ThingPhrase& last) {
+    for (std::size_t i = said.tokens.begin; i + last.kind.length <= said.head;) {
+      const KindMention kind = mention_at(text_.table, text_.plain, i);
+      if (kind.length > 0 && kind.category->mount == Mount::floor &&
+          !words_.materials.count(kind.name)) {
+        ThingPhrase thing;
+        thing.kind = kind;
+        talk_.refer(thing, sentence_of(i));
+      }
+      i += std::max<std::size_t>(1, kind.length);
+    }
   }
 
-  // --- Placements -----------------------------------------------------------------------------
-
-  bool read_placement() {
-    auto match = longest(words_.placements, tokens_, at_, longest_placement);
-    // "on each side table" is on a table.
-    if (match && match.length > 1 && mention_at(table_, tokens_, at_ + match.length - 1).length > 1)
-      match = longest(words_.placements, tokens_, at_, match.length - 1);
-    if (!match && is_adverb(tokens_[at_])) {
-      // "directly under the window"
-      match = longest(words_.placements, tokens_, at_ + 1, longest_placement);
-      if (match) ++match.length;
-    }
-    if (!match) return false;
-    const Placement& placement = *match.value;
-    const std::size_t after = at_ + match.length;
-    if (placement.inverse) return read_inverse(placement, after);
-    if (placement.pronoun) {
-      hear_plural();
-      const bool read = read_implied_target(placement, after);
-      talk_.speak_of_one();
-      return read;
-    }
-    if (placement.mutual) {
-      talk_.relate_listed(placement);
-      at_ = after;
-      return true;
-    }
-    // "Next to the bed is a lamp": before any thing of the sentence.
-    const bool leads = at_ == sentence_start_ ||
-                       (at_ == sentence_start_ + 1 && is_word(sentence_start_, "and")) ||
-                       is_inverted(after);
-    hear_plural();
-    const bool read = read_place_target(placement, after, leads) ||
-                      read_thing_target(placement, after, leads) ||
-                      (placement.adverb && ends_here(after) && read_implied_target(placement, after));
-    talk_.speak_of_one();
-    return read;
+  // "a stack of books": what comes behind is part of the name.
+  bool names_thing(std::int32_t id, const ThingPhrase& thing) const {
+    const NounPhrase& said = phrase(id);
+    if (said.tokens.begin < skip_to_) return false;
+    if (thing.kind.length == 0) return is_new_thing(id, thing);
+    if (thing.kind.length == 1 && (is_bare_material(thing) || is_light(said, thing))) return false;
+    return !is_of_owner(id, thing) && !is_inside(id) && !tells_what_it_is_of(id, thing);
+  }
+  // "glass" alone, without an article, is what something is made of.
+  bool is_bare_material(const ThingPhrase& thing) const {
+    return !thing.article && !thing.definite && !thing.kind.plural &&
+           words_.materials.count(thing.kind.name) > 0;
+  }
+  // "soft light filters through": no lamp.
+  bool is_light(const NounPhrase& said, const ThingPhrase& thing) const {
+    return word(said.head) == "light" && !thing.article && !thing.definite;
   }
 
-  // "…, and on the shelf sits a vase": the thing comes after the verb.
-  bool is_inverted(std::size_t after) const {
-    std::size_t end = after;
-    if (const auto place = read_place(tokens_, after, words_))
-      end += place->length;
-    else if (const auto phrase = read_noun_phrase(tokens_, after, words_, table_, false))
-      end = phrase->end;
-    if (end == after || end + 1 >= tokens_.size() || !words_.postures.count(tokens_[end].text))
+  // A noun that nobody knows is a thing where things are introduced.
+  bool is_new_thing(std::int32_t id, const ThingPhrase& thing) const {
+    const NounPhrase& said = phrase(id);
+    const bool introduced = thing.article || said.list != none;
+    if (!introduced || (thing.definite && !thing.article) || !may_be_thing(text_, thing.noun) ||
+        text_.words.room_parts.count(thing.noun) || is_of_owner(id, thing) || is_inside(id))
       return false;
-    const Token& next = tokens_[end + 1];
-    return next.kind == Token::Kind::number ||
-           (words_.numbers.count(next.text) > 0 && !words_.definite.count(next.text));
-  }
-
-  bool ends_here(std::size_t i) const {
-    return i >= tokens_.size() || tokens_[i].kind != Token::Kind::word || is_word(i, "and") ||
-           is_word(i, "with") || is_word(i, "while") || words_.verbs.count(tokens_[i].text) > 0;
-  }
-
-  // "… are", "… both sit": of all that were listed.
-  void hear_plural() {
-    std::size_t i = owner_end_;
-    while (i < tokens_.size() && is_adverb(tokens_[i])) ++i;
-    if (i < tokens_.size() && words_.plural_verbs.count(tokens_[i].text) > 0) talk_.speak_of_all();
-  }
-
-  bool read_place_target(const Placement& placement, std::size_t after, bool leads) {
-    const auto place = read_place(tokens_, after, words_);
-    if (!place || names_thing(after, after + place->length)) return false;
-    const std::size_t end = after + place->length;
-    // "a desk with a laptop at its center"
-    if (place->place == Place::middle && is_word(after, "its")) {
-      if (talk_.subject()) talk_.put_on_what_was_named();
-      at_ = end;
-      return true;
-    }
-    // "the middle of the table" is on the table.
-    if (place->place == Place::middle && is_word(end, "of")) {
-      Placement on;
-      on.relations = {RelationKind::on};
-      return read_thing_target(on, end + 1, leads);
-    }
-    if (talk_.subject() || leads) talk_.locate(placement, *place, leads);
-    at_ = end;
+    for (const Attachment& attachment : parse_.attachments)
+      if (attachment.to == id && !introduces(attachment)) return false;
     return true;
   }
-
-  // "a wall-mounted television" is no wall.
-  bool names_thing(std::size_t begin, std::size_t end) const {
-    const auto phrase = read_noun_phrase(tokens_, begin, words_, table_, false);
-    if (!phrase || phrase->kind.length == 0 || phrase->end <= end) return false;
-    return std::none_of(tokens_.begin() + static_cast<std::ptrdiff_t>(begin),
-                        tokens_.begin() + static_cast<std::ptrdiff_t>(phrase->end),
-                        [](const Token& token) {
-                          return token.kind == Token::Kind::comma || token.is_word("and");
-                        });
+  bool introduces(const Attachment& attachment) const {
+    static const WordSet relations = {"with",    "have",    "contain", "include",
+                                      "feature", "hold",    "display", "support",
+                                      "carry",   "by",      "need",    "want"};
+    if (relations.count(attachment.relation)) return true;
+    const auto said = placement_of(text_, attachment);
+    return said && said->placement->inverse;
   }
 
-  // "to its left", "on top": of what was spoken of before.
-  bool read_implied_target(const Placement& placement, std::size_t after) {
-    // "Across the room, a wardrobe …"
-    const bool leads = at_ == sentence_start_;
-    const RelationKind first = placement.relations.front();
-    // "chairs with cushions, three on each long side"
-    if (first == RelationKind::around && talk_.subject() && talk_.with_owner() &&
-        talk_.mention(*talk_.subject()).mount == Mount::surface)
-      talk_.speak_of(talk_.with_owner());
-    const bool vertical = first == RelationKind::above || first == RelationKind::under;
-    auto target = leads ? talk_.last_on_floor() : talk_.antecedent(first);
-    if (leads && vertical)
-      if (const auto carrier = talk_.last_carrier()) target = carrier;
-    // "a stool faces the bench, where a computer is on top", "a board with a knife on top"
-    const auto owner = where_ ? where_ : talk_.with_owner();
-    const bool on_owner =
-        first == RelationKind::on && !leads && owner && owner != talk_.subject();
-    if (on_owner) target = owner;
-    if ((!talk_.subject() && !leads) || !target) return false;
-    if (first == RelationKind::above && is_word(after, "hangs")) talk_.hang_lamps(leads);
-    say(placement, *target, leads);
-    if (on_owner) talk_.speak_of(target);
-    if (leads) talk_.speak_of(std::nullopt);
-    at_ = after;
-    return true;
+  // What is inside something, of what it is made: no thing beside it.
+  bool is_inside(std::int32_t id) const {
+    const NounPhrase& said = phrase(id);
+    if (said.determiner != Determiner::absent || said.count > 0) return false;
+    for (const Attachment& attachment : parse_.attachments)
+      if (attachment.to == id && attachment.relation == "of" && names_owner(attachment.from))
+        return true;
+    return false;
+  }
+  // "a collection of books" are books, "a jar of honey" is a jar.
+  bool names_owner(std::int32_t id) const {
+    return read_thing_phrase(text_, static_cast<std::size_t>(id)).kind.length > 0;
+  }
+  // "walls of brick", "in leather"
+  bool tells_what_it_is_of(std::int32_t id, const ThingPhrase& thing) const {
+    if (!words_.materials.count(word(phrase(id).head)) || thing.article || thing.definite)
+      return false;
+    return std::any_of(parse_.attachments.begin(), parse_.attachments.end(),
+                       [&](const Attachment& one) {
+                         return one.to == id && (one.relation == "of" || one.relation == "in");
+                       });
   }
 
-  void say(const Placement& placement, std::size_t target, bool leads) {
-    if (placement.hanging) talk_.hang_lamps(leads);
-    for (auto kind : placement.relations) talk_.demand({kind, target, "", placement.flank}, leads);
-  }
-
-  // The things after a placement: "between the sofa and the window" has two.
-  bool read_thing_target(const Placement& placement, std::size_t after, bool leads) {
-    const auto speaker = talk_.subject();
-    if (!speaker && !leads) return false;
-    const std::size_t before = talk_.count();
-    std::size_t end = skip_portion(after);
-    const bool portion = end > after;
-    const auto target = read_target(end);
-    if (!target || (target == speaker && !leads)) return false;
-    last_target_ = target;
-    if (speaker && !leads) give_each_one(*speaker, *target, after);
-    if (portion && !leads && talk_.mention(*speaker).mount == Mount::surface)
-      talk_.demand({RelationKind::on, *target, "", false}, leads);
-    else
-      say(placement, *target, leads);
-    if (tokens_[after - 1].is_word("between") && is_word(end, "and"))
-      read_second_target(placement, end, leads);
-    at_ = owner_end_ = end;
-    // The text goes on about what it has just introduced.
-    if (leads) {
-      leading_end_ = end;
-      talk_.speak_of(std::nullopt);
-    } else if (*target >= before) {
-      if (talk_.may_carry(*speaker)) talk_.join_with(*speaker);
-      talk_.speak_of(target);
+  // "a desk with drawers", "with an integrated sink", "a photo frame with a print": no other thing.
+  bool is_of_owner(std::int32_t id, const ThingPhrase& thing) const {
+    for (const auto& modifier : thing.modifiers)
+      if (words_.built_in.count(modifier)) return true;
+    for (const Attachment& attachment : parse_.attachments) {
+      if (attachment.to != id || !owns(attachment)) continue;
+      const auto owner = mention_of(attachment.from);
+      if (!owner) continue;
+      if (words_.parts.count(word(phrase(id).head))) return true;
+      if (thing.kind.length > 0 && thing.kind.category->mount == Mount::wall &&
+          talk_.mention(*owner).mount == Mount::surface)
+        return true;
     }
-    return true;
+    return false;
+  }
+  bool owns(const Attachment& attachment) const {
+    static const WordSet relations = {"with", "have", "feature", "include"};
+    return relations.count(attachment.relation) > 0;
   }
 
-  // "a lamp on each nightstand": as many as there are nightstands.
-  void give_each_one(std::size_t subject, std::size_t target, std::size_t after) {
-    const int number = talk_.mention(target).quantity;
-    const bool each = is_word(after, "each") || is_word(after, "every");
-    if (each && talk_.mention(subject).quantity == 1 && number > 1 && number <= most_for_each)
-      talk_.multiply(subject, number);
-  }
-
-  void read_second_target(const Placement& placement, std::size_t& end, bool leads) {
-    std::size_t second = end + 1;
-    if (const auto place = read_place(tokens_, second, words_)) {
-      talk_.locate(placement, *place, leads);
-      end = second + place->length;
-    } else if (const auto other = read_target(second)) {
-      say(placement, *other, leads);
-      end = second;
-    }
-  }
-
-  // "the edge of" the bathtub, "one end of" the vanity
-  std::size_t skip_portion(std::size_t i) const {
-    std::size_t end = i;
-    while (end < tokens_.size() && end < i + 3 && !words_.portions.count(tokens_[end].text)) ++end;
-    const bool determined = end > i && (words_.definite.count(tokens_[i].text) > 0 ||
-                                        words_.numbers.count(tokens_[i].text) > 0);
-    return determined && end < i + 3 && is_word(end + 1, "of") ? end + 2 : i;
-  }
-
-  // A pronoun or a noun phrase at `end`, which moves behind it.
-  std::optional<std::size_t> read_target(std::size_t& end) {
-    if (end >= tokens_.size() || (is_word(end, "each") && is_word(end + 1, "other")))
-      return std::nullopt;
-    if (words_.pronouns.count(tokens_[end].text)) {
-      ++end;
-      return talk_.antecedent();
-    }
-    if (const auto carrier = read_top(end)) return carrier;
-    const auto phrase = read_noun_phrase(tokens_, end, words_, table_, false);
-    if (!phrase) return std::nullopt;
-    end = phrase->end;
+  std::optional<std::size_t> refer(std::int32_t id, const ThingPhrase& thing) {
     // "on a nightstand" means one of those that are there.
-    if (phrase->count == 1 && !phrase->another)
-      if (const auto known = talk_.known(*phrase)) return known;
-    return talk_.refer(*phrase);
+    if (thing.count == 1 && !thing.another && is_target(id))
+      if (const auto known = talk_.known(thing)) return known;
+    return talk_.refer(thing, sentence_of(phrase(id).head));
+  }
+  bool is_target(std::int32_t id) const {
+    for (const Attachment& attachment : parse_.attachments) {
+      if (attachment.to != id) continue;
+      const auto said = placement_of(text_, attachment);
+      if (said && !said->placement->inverse) return true;
+    }
+    return false;
   }
 
   // "the countertop", "its surface": of the table or cabinet that was spoken of.
-  std::optional<std::size_t> read_top(std::size_t& end) const {
-    if (!words_.definite.count(tokens_[end].text)) return std::nullopt;
-    std::size_t i = end + 1;
-    // "the vanity countertop", "the wooden surface"
-    const bool bare = i < tokens_.size() && words_.tops.count(tokens_[i].text) > 0;
-    const KindMention owner = bare ? KindMention() : mention_at(table_, tokens_, i);
-    if (!bare && i + 1 < tokens_.size()) i += std::max<std::size_t>(1, owner.length);
-    const bool known_owner = owner.length > 0 && talk_.last_of(owner);
-    if (i >= tokens_.size() || is_word(i + 1, "of") ||
-        !(words_.tops.count(tokens_[i].text) ||
-          (known_owner && words_.portions.count(tokens_[i].text))))
-      return std::nullopt;
-    if (is_word(i + 1, "shelf")) ++i;
-    auto carrier = talk_.last_of(owner);
-    if (!carrier) carrier = talk_.last_carrier(tokens_[i].text);
-    if (carrier) end = i + 1;
-    return carrier;
+  std::optional<std::size_t> top(std::size_t number, const ThingPhrase& thing) const {
+    const NounPhrase& said = parse_.phrases[number];
+    if (!thing.definite) return std::nullopt;
+    KindMention owner;
+    for (std::size_t i = said.tokens.begin; i < said.head && owner.length == 0; ++i)
+      owner = mention_at(text_.table, text_.plain, i);
+    const bool is_top = words_.tops.count(word(said.head)) > 0;
+    const auto known_owner = talk_.last_of(owner);
+    if (!is_top && !(known_owner && words_.portions.count(word(said.head)))) return std::nullopt;
+    return known_owner ? known_owner : talk_.last_carrier(word(said.head));
   }
 
-  // "flanked by two lamps", "surrounded by chairs": the subject is the target.
-  bool read_inverse(const Placement& placement, std::size_t after) {
-    const bool holds = placement.relations.front() == RelationKind::on;
-    const auto target = holds ? talk_.holder() : talk_.subject();
-    if (!target) return false;
-    if (is_word(after, "in") && is_word(after + 1, "total")) after += 2;
-    const auto phrase = read_noun_phrase(tokens_, after, words_, table_, true);
-    if (!phrase) return false;
-    const auto other = refer(*phrase);
-    at_ = owner_end_ = phrase->end;
-    if (!other || other == target) return true;
-    std::vector<std::size_t> others = {*other};
-    // "flanked by a dishwasher and a pantry"
-    if (placement.flank && is_word(at_, "and"))
-      if (const auto second = read_noun_phrase(tokens_, at_ + 1, words_, table_, true);
-          second && second->article) {
-        if (const auto more = refer(*second); more && more != target) others.push_back(*more);
-        at_ = owner_end_ = second->end;
-      }
-    for (const std::size_t each : others)
-      for (auto kind : placement.relations)
-        talk_.add(each, {kind, *target, "", placement.flank, others.size() > 1,
-                         talk_.holder_number()});
-    std::vector<Demand> listed;
-    for (auto kind : placement.relations)
-      if (!placement.flank)
-        listed.push_back({kind, *target, "", false, false, talk_.holder_number()});
-    // Flowers may fill a vase; what is listed next is not in it.
-    if (!holds || talk_.may_carry(*target)) talk_.open_list(std::move(listed));
-    talk_.speak_of(others.back());
-    return true;
-  }
-
-  // --- What is forbidden, and windows ---------------------------------------------------------
-
-  bool read_bare() {
-    const std::size_t end = read_only(tokens_, at_, words_);
-    if (end == at_) return false;
-    brief_.bare = true;
-    at_ = end;
-    return true;
-  }
-
-  bool read_negation() {
-    const auto absence = read_absence(tokens_, at_, words_, table_);
-    if (!absence) return false;
-    if (absence->windows) brief_.windows = 0;
-    auto& excluded = brief_.excluded;
-    for (const auto& kind : absence->kinds) {
-      const std::string category = talk_.category_name(kind);
-      if (std::find(excluded.begin(), excluded.end(), category) == excluded.end())
-        excluded.push_back(category);
+  void exclude(const NounPhrase& said, const ThingPhrase& thing) {
+    const std::string& noun = word(said.head);
+    if (noun == "window" || noun == "windows") brief_.windows = 0;
+    if (thing.kind.length == 0) return;
+    const std::string category = talk_.category_name(thing.kind);
+    // "avoid glass tables" forbids no tables.
+    if (!thing.modifiers.empty()) {
+      brief_.notes.push_back("\"no " + thing.modifiers.front() + " " + thing.kind.name +
+                             "\" is not checked: only whole kinds can be left out");
+      return;
     }
-    at_ = absence->end;
-    return true;
+    if (std::find(brief_.excluded.begin(), brief_.excluded.end(), category) ==
+        brief_.excluded.end())
+      brief_.excluded.push_back(category);
   }
 
-  bool read_openings() {
+  // --- What words stand for ---------------------------------------------------------------------
+
+  std::optional<std::size_t> stands_for(std::int32_t id) const {
+    const NounPhrase& said = phrase(id);
+    const std::string& noun = word(said.head);
+    const bool is_reciprocal = said.tokens.size() > 1 && said.determiner != Determiner::definite;
+    if (noun == "i" || noun == "we" || noun == "you" || is_reciprocal) return std::nullopt;
+    const bool is_one_of_several = noun == "one" || noun == "other" || noun == "others" ||
+                                   said.determiner == Determiner::each || said.count > 0;
+    if (is_one_of_several)
+      if (const auto several = talk_.last_of_several()) return several;
+    for (const Attachment& attachment : parse_.attachments)
+      if (attachment.to == id) return talk_.antecedent(subjects_of(attachment));
+    return topic_before(id);
+  }
+  // What the clauses before were about.
+  std::optional<std::size_t> topic_before(std::int32_t id) const {
+    for (std::size_t i = parse_.verbs.size(); i-- > 0;) {
+      const auto subject = parse_.verbs[i].subject;
+      if (subject != none && subject < id && mention_of(subject)) return mention_of(subject);
+    }
+    for (std::int32_t i = id; i-- > 0;)
+      if (mention_of(i)) return mention_of(i);
+    return std::nullopt;
+  }
+  // "one holds …, the other …": which of several is meant.
+  int nth_of(std::int32_t id) const {
+    if (id == none || !phrase(id).is_pronoun) return -1;
+    const std::string& noun = word(phrase(id).head);
+    if (noun == "one") return 0;
+    return noun == "other" ? 1 : -1;
+  }
+
+  // --- Places -----------------------------------------------------------------------------------
+
+  Indices subjects_of(const Attachment& attachment) const {
+    const Attachment& said = of_thing(attachment);
+    if (said.from == none) return {};
+    if (said.is_of_list) return mentions_of_list(said.from);
+    const auto mention = mention_of(said.from);
+    return mention ? Indices{*mention} : Indices{};
+  }
+  // "in the corner next to the door": what is said of a place is said of what is there.
+  const Attachment& of_thing(const Attachment& attachment) const {
+    const Attachment* said = &attachment;
+    for (int steps = 0; steps < 4 && said->from != none && !mention_of(said->from); ++steps) {
+      const auto to_place =
+          std::find_if(parse_.attachments.begin(), parse_.attachments.end(),
+                       [&](const Attachment& one) {
+                         return one.to == said->from && one.relation != "of" && !owns(one);
+                       });
+      if (to_place == parse_.attachments.end()) break;
+      said = &*to_place;
+    }
+    return *said;
+  }
+  Indices mentions_of_list(std::int32_t phrase) const {
+    Indices subjects;
+    for (const auto one : parse_.with_list(static_cast<std::uint32_t>(phrase)))
+      if (const auto mention = mention_of_[one];
+          mention && std::find(subjects.begin(), subjects.end(), *mention) == subjects.end())
+        subjects.push_back(*mention);
+    return subjects;
+  }
+
+  void read_attachment(const Attachment& attachment) {
+    if (attachment.is_denied || attachment.from == none) return;
+    const auto said = placement_of(text_, attachment);
+    if (!said) {
+      if (owns(attachment)) read_owned(attachment);
+      return;
+    }
+    if (said->placement->inverse) return read_inverse(attachment, *said);
+    const Indices subjects = subjects_of(attachment);
+    if (subjects.empty()) return;
+    if (said->placement->mutual) return relate_mutually(subjects, *said->placement);
+    if (said->target == none) return relate_to_implied(subjects, *said->placement);
+    read_target(attachment, *said, subjects);
+  }
+
+  void read_target(const Attachment& attachment, const SaidPlacement& said, const Indices& subjects) {
+    const NounPhrase& target = phrase(said.target);
+    if (const auto thing = mention_of(said.target)) {
+      if (said.placement->relations.front() != RelationKind::aligned)
+        give_each_one(subjects, *thing, target);
+      return say(subjects, said, *thing);
+    }
+    if (is_room(target)) {
+      if (said.placement->centered) talk_.locate(subjects, *said.placement, PlacePhrase{});
+      return;
+    }
+    auto place = read_place(text_.plain, target.tokens.begin, words_);
+    if (!place) return;
+    if (place->place == Place::middle) return locate_in_middle(attachment, subjects, *said.placement, *place);
+    talk_.locate(subjects, *said.placement, *place);
+  }
+
+  // "the middle of the table" is on the table, and so is "at its center".
+  void locate_in_middle(const Attachment& attachment, const Indices& subjects,
+                        const Placement& placement, const PlacePhrase& place) {
+    const NounPhrase& middle = phrase(attachment.to);
+    for (const Attachment& of : parse_.attachments)
+      if (of.from == attachment.to && of.relation == "of")
+        if (const auto thing = mention_of(of.to))
+          return talk_.demand(subjects, {RelationKind::on, *thing, "", false});
+    if (middle.determiner == Determiner::possessive) {
+      if (const auto thing = talk_.antecedent(subjects))
+        talk_.demand(subjects, {RelationKind::on, *thing, "", false});
+      return;
+    }
+    talk_.locate(subjects, placement, place);
+  }
+
+  void say(const Indices& subjects, const SaidPlacement& said, std::size_t target) {
+    if (said.placement->hanging) talk_.hang_from_ceiling(subjects);
+    const bool lies_on_part = said.is_portion &&
+                              std::all_of(subjects.begin(), subjects.end(), [&](std::size_t i) {
+                                return talk_.mention(i).mount == Mount::surface;
+                              });
+    if (lies_on_part) return talk_.demand(subjects, {RelationKind::on, target, "", false});
+    for (auto kind : said.placement->relations)
+      talk_.demand(subjects, {kind, target, "", said.placement->flank});
+  }
+
+  // "a lamp on each nightstand": as many as there are nightstands.
+  void give_each_one(const Indices& subjects, std::size_t target, const NounPhrase& said) {
+    if (said.determiner != Determiner::each) return;
+    for (const std::size_t subject : subjects)
+      if (subject != target && talk_.mention(subject).quantity == 1)
+        talk_.multiply(subject, talk_.mention(target).quantity);
+  }
+
+  // "flanked by two lamps", "holds a vase": the subject is the target.
+  void read_inverse(const Attachment& attachment, const SaidPlacement& said) {
+    const auto owner = mention_of(attachment.from), thing = mention_of(attachment.to);
+    if (!owner || !thing || *owner == *thing) return;
+    for (auto kind : said.placement->relations)
+      talk_.add(*thing, {kind, *owner, "", said.placement->flank, is_among_several(attachment),
+                         nth_of(attachment.from)});
+  }
+  // "flanked by a dishwasher and a pantry": each takes a side.
+  bool is_among_several(const Attachment& attachment) const {
+    return std::count_if(parse_.attachments.begin(), parse_.attachments.end(),
+                         [&](const Attachment& other) {
+                           return other.from == attachment.from &&
+                                  other.tokens == attachment.tokens;
+                         }) > 1;
+  }
+
+  void read_owned(const Attachment& attachment) {
+    const auto thing = mention_of(attachment.to);
+    if (!thing) return;
+    for (const std::size_t owner : subjects_of(attachment)) {
+      if (owner == *thing) continue;
+      // "two nightstands, each with a lamp"
+      if (attachment.tokens.begin > 0 && is_word(attachment.tokens.begin - 1, "each"))
+        talk_.multiply(*thing, talk_.mention(owner).quantity);
+      talk_.own(owner, *thing);
+      owner_of_[*thing] = owner;
+    }
+  }
+
+  // "to its left", "overhead": of what was spoken of before.
+  void relate_to_implied(const Indices& subjects, const Placement& placement) {
+    const RelationKind first = placement.relations.front();
+    auto target = talk_.antecedent(first, subjects);
+    // "a board with a knife on top", "a bed with a nightstand on one side"
+    if (const auto owner = owner_of_.find(subjects.front()); owner != owner_of_.end())
+      target = owner->second;
+    if (target) say(subjects, {&placement, none, false}, *target);
+  }
+
+  // "nearby", "on top", "side by side": words that no phrase has.
+  void read_adverbs() {
+    std::vector<bool> used(parse_.tokens.size(), false);
+    const auto use = [&](const Run& run) {
+      std::fill(used.begin() + run.begin, used.begin() + run.end, true);
+    };
+    for (const auto& one : parse_.attachments) use(one.tokens);
+    for (const auto& one : parse_.phrases) use({one.tokens.begin, one.head + 1});
+    for (std::size_t i = 0; i < text_.plain.size(); ++i) {
+      if (used[i]) continue;
+      look_back_from(i);
+      const auto match = longest(words_.placements, text_.plain, i);
+      if (!match || (!match.value->pronoun && !match.value->adverb && !match.value->mutual)) continue;
+      const Indices subjects = subjects_at(i);
+      if (!subjects.empty() && match.value->mutual)
+        relate_listed(i, *match.value);
+      else if (!subjects.empty())
+        relate_to_implied(subjects, *match.value);
+      i += match.length - 1;
+    }
+  }
+  // Of what an adverb is said: the subject of the verb before it, what was named last in its
+  // sentence, or what it is said before ("Above hangs a lantern").
+  Indices subjects_at(std::size_t token) const {
+    for (const auto& verb : parse_.verbs)
+      if (verb.tokens.end == token && verb.subject != none)
+        if (const auto subjects = mentions_of_list(verb.subject); !subjects.empty()) return subjects;
+    std::optional<std::size_t> before, after;
+    for (std::size_t i = 0; i < parse_.phrases.size(); ++i) {
+      const std::size_t head = parse_.phrases[i].head;
+      if (!mention_of_[i] || sentence_of(head) != sentence_of(token)) continue;
+      if (head < token) before = mention_of_[i];
+      else if (!after) after = mention_of_[i];
+    }
+    if (!before) before = after;
+    return before ? Indices{*before} : Indices{};
+  }
+  // "a desk and a shelf side by side"
+  void relate_listed(std::size_t token, const Placement& placement) {
+    Indices things;
+    for (std::size_t i = 0; i < parse_.phrases.size(); ++i)
+      if (parse_.phrases[i].head < token && mention_of_[i] &&
+          sentence_of(parse_.phrases[i].head) == sentence_of(token))
+        things.push_back(*mention_of_[i]);
+    relate_mutually(things, placement);
+  }
+  // The last two of a list.
+  void relate_mutually(const Indices& things, const Placement& placement) {
+    if (things.size() < 2) return;
+    for (auto kind : placement.relations)
+      talk_.add(things.back(), {kind, things[things.size() - 2], "", false});
+  }
+
+  // --- Openings, and what is not to be ----------------------------------------------------------
+
+  void read_openings() {
     const auto& kinds = OpeningKinds::built_in();
-    if (!kinds) return false;
-    const auto phrase = read_opening(tokens_, at_, sentence_start_, words_, table_, *kinds);
-    if (!phrase) return false;
-    const bool part = is_part_of_owner(*phrase);
-    at_ = phrase->end;
-    if (part) owner_end_ = at_;
-    else ask_for(*phrase, brief_);
-    return true;
+    if (!kinds) return;
+    for (std::size_t i = 0; i < parse_.phrases.size(); ++i) {
+      const NounPhrase& said = parse_.phrases[i];
+      if (is_taken(said) || said.is_denied || !names_opening(said, *kinds) ||
+          is_place_of_thing(static_cast<std::int32_t>(i)))
+        continue;
+      read_opening_phrase(static_cast<std::int32_t>(i), *kinds);
+    }
+  }
+  bool names_opening(const NounPhrase& said, const OpeningKinds& kinds) const {
+    for (std::size_t i = said.tokens.begin; i <= said.head; ++i)
+      if (const auto length = opening_name_at(text_.plain, i, kinds);
+          length > 0 && i + length > said.head)
+        return true;
+    return false;
+  }
+  // "under the window": where a thing is.
+  bool is_place_of_thing(std::int32_t id) const {
+    for (const Attachment& attachment : parse_.attachments) {
+      if (attachment.to != id || attachment.from == none || owns(attachment)) continue;
+      const auto kind =
+          read_thing_phrase(text_, static_cast<std::size_t>(attachment.from)).kind.length;
+      if (kind > 0 && placement_of(text_, attachment)) return true;
+    }
+    return false;
+  }
+  void read_opening_phrase(std::int32_t id, const OpeningKinds& kinds) {
+    const NounPhrase& said = phrase(id);
+    std::uint32_t sentence = 0;
+    for (const Run& run : parse_.sentences)
+      if (run.begin <= said.head) sentence = run.begin;
+    const auto opening = read_opening(left_, left_index(said.tokens.begin), left_index(sentence),
+                                      words_, text_.table, kinds);
+    if (!opening) return;
+    const auto end = opening->end < left_.size() ? left_[opening->end].source.begin : taken_.size();
+    std::fill(taken_.begin() + said.tokens.begin, taken_.begin() + static_cast<std::ptrdiff_t>(end),
+              Taken::yes);
+    if (!is_part_of_thing(id, *opening)) ask_for(*opening, brief_);
+  }
+  // The first of the tokens that are left, from a token of the prompt on.
+  std::size_t left_index(std::uint32_t token) const {
+    std::size_t i = 0;
+    while (i < left_.size() && left_[i].source.end <= token) ++i;
+    return i;
+  }
+  // "a wardrobe with sliding doors"
+  bool is_part_of_thing(std::int32_t id, const OpeningPhrase& opening) const {
+    if (opening.wish.type == OpeningType::window || opening.wish.has_place()) return false;
+    for (const Attachment& attachment : parse_.attachments)
+      if (attachment.to == id && attachment.from != none && owns(attachment) &&
+          read_thing_phrase(text_, static_cast<std::size_t>(attachment.from)).kind.length > 0)
+        return true;
+    return false;
   }
 
-  // "a wardrobe with sliding doors", "a cabinet with drawers and doors"
-  bool is_part_of_owner(const OpeningPhrase& phrase) const {
-    if (phrase.wish.type == OpeningType::window || phrase.wish.has_place()) return false;
-    if (!talk_.subject() || at_ == 0 || at_ - 1 != owner_end_) return false;
-    static const WordSet owners = {"with", "featuring", "has"};
-    const bool introduced =
-        tokens_[at_].kind == Token::Kind::number || words_.numbers.count(tokens_[at_].text) > 0;
-    return owners.count(tokens_[at_ - 1].text) > 0 || !introduced;
+  // "nothing else", "no other …", "with only …"
+  void read_bare() {
+    static const WordSet holders = {"with", "containing", "contains", "has"};
+    const auto is_any = [&](std::size_t token, const WordSet& words) {
+      return token < text_.plain.size() && words.count(word(token)) > 0;
+    };
+    for (std::size_t i = 0; i < text_.plain.size(); ++i)
+      if ((is_word(i, "nothing") && is_any(i + 1, {"else", "more"})) ||
+          (is_word(i, "no") && is_any(i + 1, {"other", "more", "additional"})) ||
+          (i > 0 && words_.only.count(word(i)) && holders.count(word(i - 1))))
+        brief_.bare = true;
   }
 
-  std::vector<Token> tokens_;
+  const PromptText& text_;
+  const language::Parse& parse_;
+  const std::vector<Token> left_;  ///< what the other readers did not take, lengths in one piece
+  std::vector<Taken> taken_;
   const Vocabulary& words_;
-  const KindTable& table_;
   Brief& brief_;
   Discourse talk_;
-  std::size_t at_ = 0;
-  std::size_t sentence_start_ = 0;
-  bool after_part_ = false;    ///< the last phrase was of a part, no thing of its own
-  std::optional<std::size_t> last_target_;  ///< of a placement of this sentence
-  std::optional<std::size_t> where_;        ///< what a "where" of this sentence speaks of
-  std::size_t leading_end_ = 0;  ///< behind the last place told before its thing
-  std::size_t owner_end_ = 0;  ///< behind the last phrase about a thing
+  std::vector<std::optional<std::size_t>> mention_of_;  ///< by noun phrase
+  std::map<std::size_t, std::size_t> owner_of_;         ///< "a tray with cups": mentions
+  std::size_t skip_to_ = 0;                             ///< the token behind the last name
 };
+
+// What the readers of measures, people, shapes, rooms and finishes took out of the tokens.
+std::vector<Taken> taken_from(std::size_t count, const std::vector<Token>& left) {
+  std::vector<Taken> taken(count, Taken::yes);
+  for (const Token& token : left)
+    for (auto i = token.source.begin; i < token.source.end; ++i)
+      taken[i] = token.kind == Token::Kind::room ? Taken::room : Taken::no;
+  return taken;
+}
 
 }  // namespace
 
@@ -507,16 +563,24 @@ Brief read_prompt(std::string_view prompt, const RoomKinds& kinds, const KindTab
   Brief brief;
   const auto& words = built_in_vocabulary();
   if (!words) return brief;
-  auto tokens = tokenize(prompt);
-  if (tokens.size() >= max_tokens)
+  const auto parse = language::parse(language::tokenize(prompt, max_tokens));
+  if (parse.tokens.size() >= max_tokens)
     brief.notes.push_back("only the first " + std::to_string(max_tokens) +
                           " words of the prompt were read");
-  read_measures(tokens, *words, table, brief);
+  auto tokens = tokenize(prompt);
+  read_measures(tokens, parse.tokens, *words, table, brief);
   read_people(tokens, *words, table, brief);
   read_floor_shape(tokens, *words, table, kinds, brief);
   read_room_type(tokens, *words, table, kinds, brief);
   read_finishes(tokens, *words, table, finish_words(), brief);
-  PromptReader(std::move(tokens), {*words, table, kinds.get(brief.type)}, brief).run();
+  auto taken = taken_from(parse.tokens.size(), tokens);
+  auto plain = plain_tokens(parse.tokens);
+  for (std::size_t i = 0; i < plain.size(); ++i)
+    if (taken[i] == Taken::room) plain[i].kind = Token::Kind::room;
+  const PromptText text{parse, plain, *words, table};
+  PromptReader(text, std::move(tokens), std::move(taken), {*words, table, kinds.get(brief.type)},
+               brief)
+      .run();
   settle(brief, table);
   if (brief.type.empty() && brief.mentions.empty() && brief.styles.empty() && !prompt.empty())
     brief.notes.push_back(

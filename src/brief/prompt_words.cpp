@@ -21,12 +21,6 @@ std::map<std::string, int, std::less<>> read_integers(const JsonReader& json) {
   return map;
 }
 
-std::map<std::string, double, std::less<>> read_factors(const JsonReader& json) {
-  std::map<std::string, double, std::less<>> map;
-  for (const auto& [word, value] : json.members()) map[word] = value.number(1e-6, 1e6);
-  return map;
-}
-
 Placement read_placement(const JsonReader& json) {
   Placement placement;
   for (const auto& element : json.elements(10)) {
@@ -75,18 +69,16 @@ Result<Vocabulary> parse_vocabulary(std::string_view text, const std::string& so
   if (!json) return json.error();
   JsonReader::Problems problems(source);
   const JsonReader root(*json, problems);
-  root.allow_only({"about",      "numbers",       "vague",          "definite", "pronouns",
-                   "negations",  "only",          "measured",       "stops",    "parts",
-                   "no things",  "materials",     "sizes",          "people",   "people words",
-                   "room words", "generic rooms", "parts of rooms", "walls",    "units",
-                   "areas",      "placements",    "pairs",          "verbs",    "plural verbs",
-                   "tops",       "postures",      "adverbs",  "portions",      "built in",      "further"});
+  root.allow_only({"about",        "numbers",       "vague",          "definite",  "negations",
+                   "only",         "measured",      "stops",          "parts",     "no things",
+                   "materials",    "sizes",         "people",         "people words",
+                   "room words",   "generic rooms", "parts of rooms", "walls",     "placements",
+                   "pairs",        "verbs",         "tops",           "portions",  "built in",
+                   "further"});
   Vocabulary words;
   words.numbers = read_integers(root["numbers"]);
   words.people = read_integers(root["people"]);
   words.walls = read_integers(root["walls"]);
-  words.units = read_factors(root["units"]);
-  words.areas = read_factors(root["areas"]);
   for (const auto& [word, scale] : root["sizes"].members()) {
     const auto v = scale.numbers(3, 0.1, 5.0);
     words.sizes[word] = {v[0], v[1], v[2]};
@@ -97,7 +89,6 @@ Result<Vocabulary> parse_vocabulary(std::string_view text, const std::string& so
     words.placements[phrase] = read_placement(relations);
   const std::pair<const char*, WordSet*> sets[] = {{"vague", &words.vague},
                                                    {"definite", &words.definite},
-                                                   {"pronouns", &words.pronouns},
                                                    {"negations", &words.negations},
                                                    {"only", &words.only},
                                                    {"measured", &words.measured},
@@ -110,10 +101,7 @@ Result<Vocabulary> parse_vocabulary(std::string_view text, const std::string& so
                                                    {"generic rooms", &words.generic_rooms},
                                                    {"pairs", &words.pairs},
                                                    {"verbs", &words.verbs},
-                                                   {"plural verbs", &words.plural_verbs},
                                                    {"tops", &words.tops},
-                                                   {"postures", &words.postures},
-                                                   {"adverbs", &words.adverbs},
                                                    {"portions", &words.portions},
                                                    {"built in", &words.built_in},
                                                    {"further", &words.further}};

@@ -32,20 +32,16 @@ struct Placement {
 /// The words of data/words.json.
 struct Vocabulary {
   std::map<std::string, int, std::less<>> numbers, people, walls;
-  std::map<std::string, double, std::less<>> units, areas;
   std::map<std::string, Vec3, std::less<>> sizes;
   std::map<std::string, std::string, std::less<>> room_parts;
   std::map<std::string, Placement, std::less<>> placements;
   WordSet pairs;  ///< one thing though a plural: "headphones", "a pair of scissors"
   WordSet verbs;         ///< finite: what stands before begins a clause
-  WordSet plural_verbs;  ///< said of all that were listed
-  WordSet postures;      ///< verbs behind which the thing may come: "on the shelf sits a vase"
-  WordSet adverbs;       ///< before a placement, besides those in -ly
   WordSet tops;          ///< "the countertop": of what was spoken of
   WordSet portions;      ///< "the edge of the bathtub", "the sofa cushion": stand for the whole
   WordSet further;       ///< "extra towels": besides those spoken of
   WordSet built_in;      ///< what is so is no thing of its own
-  WordSet vague, definite, pronouns, negations, only, measured, stops, parts, no_things, materials,
+  WordSet vague, definite, negations, only, measured, stops, parts, no_things, materials,
       people_words, room_words, generic_rooms;
 };
 

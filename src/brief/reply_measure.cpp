@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "language/small_words.h"
 #include "prompt_words.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
@@ -106,7 +107,7 @@ class Scanner {
         at_ += mark.text.size();
         return mark.metres;
       }
-    const auto& units = (*built_in_vocabulary()).units;
+    const auto& units = language::small_words().lengths;
     const auto known = units.find(word());
     if (known != units.end()) return known->second;
     at_ = before;
@@ -121,7 +122,7 @@ class Scanner {
 
 // None if the text calculates ("4.2 - 0.5") instead of saying numbers.
 std::vector<Measure> measures_in_text(const std::string& text) {
-  if (!built_in_vocabulary() || text.size() > max_text) return {};
+  if (text.size() > max_text) return {};
   return Scanner(text).run();
 }
 

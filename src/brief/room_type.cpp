@@ -36,9 +36,7 @@ void collect_styles(const std::vector<Token>& tokens, std::size_t before, const 
 void make_room_token(std::vector<Token>& tokens, std::size_t at, std::size_t length) {
   std::vector<std::string> text;
   for (std::size_t i = at; i < at + length; ++i) text.push_back(tokens[i].text);
-  tokens[at] = {Token::Kind::room, join(text, " "), 0.0};
-  tokens.erase(tokens.begin() + static_cast<std::ptrdiff_t>(at) + 1,
-               tokens.begin() + static_cast<std::ptrdiff_t>(at + length));
+  replace(tokens, at, length, {{Token::Kind::room, join(text, " "), 0.0, {}}});
 }
 
 bool is_plain_word(const Token& token, const Vocabulary& words) {

@@ -26,16 +26,35 @@ void become(Mention& mention, const Kind& category) {
   if (!mention.sized) mention.size = category.size;
 }
 
-void set_length(Mention& mention, const std::vector<Token>& lengths) {
-  if (lengths.empty()) return;
-  // One length is the longer side; two are width and depth.
-  if (lengths.size() == 1) mention.size.x() = std::clamp(lengths[0].value, 0.05, 10.0);
-  for (std::size_t i = 0; lengths.size() > 1 && i < 2; ++i)
-    mention.size[static_cast<int>(i)] = std::clamp(lengths[i].value, 0.05, 10.0);
+// Metres that a thing may be told to be long.
+double told(double length) {
+  return std::clamp(length, 0.05, 10.0);
+}
+
+// One length is the longer side, two are width and depth, unless it is said which.
+void set_length(Mention& mention, const language::Measure& measure) {
+  using Measure = language::Measure;
+  if (measure.kind == Measure::Kind::area || measure.side == Measure::Side::distance) return;
+  switch (measure.side) {
+    case Measure::Side::height:
+    case Measure::Side::thickness:
+      mention.size.z() = told(measure.values[0]);
+      break;
+    case Measure::Side::depth:
+      mention.size.y() = told(measure.values[0]);
+      break;
+    case Measure::Side::diameter:
+      mention.size.x() = mention.size.y() = told(measure.values[0]);
+      break;
+    default:
+      mention.size.x() = told(measure.values[0]);
+  }
+  if (measure.kind == Measure::Kind::sides)
+    for (int i = 1; i < measure.count; ++i) mention.size[i] = told(measure.values[i]);
   mention.sized = true;
 }
 
-bool is_round(const NounPhrase& phrase) {
+bool is_round(const ThingPhrase& phrase) {
   return std::any_of(phrase.modifiers.begin(), phrase.modifiers.end(), [](const std::string& word) {
     return word == "round" || word == "circular" || word == "oval";
   });
@@ -445,7 +464,7 @@ void note_unknown(Brief& brief) {
 
 }  // namespace
 
-void shape(Mention& mention, const NounPhrase& phrase, const Vocabulary& words,
+void shape(Mention& mention, const ThingPhrase& phrase, const Vocabulary& words,
            const KindTable& table) {
   const Kind* category = table.find(mention.category);
   if (mention.known && category && is_round(phrase))
@@ -466,7 +485,7 @@ void shape(Mention& mention, const NounPhrase& phrase, const Vocabulary& words,
     mention.size = table_for(mention.size, table.get(mention.category).traits.round, phrase.seats);
     mention.sized = true;
   }
-  set_length(mention, phrase.lengths);
+  for (const auto& measure : phrase.measures) set_length(mention, measure);
   const auto said = [&](const char* word) {
     return std::find(phrase.modifiers.begin(), phrase.modifiers.end(), word) !=
            phrase.modifiers.end();

@@ -2,13 +2,13 @@
 
 #include "brief.h"
 #include "kind_mention.h"
-#include "noun_phrase.h"
+#include "thing_phrase.h"
 #include "prompt_words.h"
 
 namespace roomgen::design {
 
 /// Size, mount and number of seats of a mention, from its category and the words around it.
-void shape(Mention& mention, const NounPhrase& phrase, const Vocabulary& words,
+void shape(Mention& mention, const ThingPhrase& phrase, const Vocabulary& words,
            const KindTable& table);
 
 /// What is smaller, metres, may stand on other things.

@@ -1,131 +1,53 @@
 #include "tokens.h"
 
-#include <array>
-#include <utility>
-
-#include "roomgen/base/text.h"
-
 namespace roomgen::design {
 
 namespace {
 
-// Typographic marks and what they stand for.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 12> marks = {{
-    {"\u2019", "'"},
-    {"\u2018", "'"},
-    {"\u201c", " "},
-    {"\u201d", " "},
-    {"\u2013", "-"},
-    {"\u2014", ","},
-    {"\u00d7", " x "},
-    {"\u00b2", "2"},
-    {"\u2033", " inch "},
-    {"\u2032", " feet "},
-    {"\u00a0", " "},
-    {"\u3002", "."},
-}};
-
-std::string plain(std::string_view text) {
-  std::string result;
-  result.reserve(text.size());
-  for (std::size_t i = 0; i < text.size();) {
-    bool found = false;
-    for (const auto& [mark, meaning] : marks)
-      if (text.substr(i).starts_with(mark)) {
-        result += meaning;
-        i += mark.size();
-        found = true;
-        break;
-      }
-    if (!found) result += text[i++];
+Token plain(const language::Token& token) {
+  using Kind = language::Token::Kind;
+  switch (token.kind) {
+    case Kind::number:
+      return {Token::Kind::number, token.text, token.value, {}};
+    case Kind::word:
+    case Kind::ordinal:
+      return {Token::Kind::word, token.clitic == "n't" ? token.text + "nt" : token.text, 0.0, {}};
+    case Kind::stop:
+      return {Token::Kind::stop, ".", 0.0, {}};
+    default:
+      return {Token::Kind::comma, ",", 0.0, {}};
   }
-  return lower(result);
 }
 
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
+bool means_nothing(const language::Token& token) {
+  return token.kind == language::Token::Kind::quote || token.kind == language::Token::Kind::symbol;
 }
-bool is_letter(char c) {
-  return (c >= 'a' && c <= 'z') || static_cast<unsigned char>(c) > 127;
-}
-
-class Splitter {
- public:
-  explicit Splitter(std::string text) : text_(std::move(text)) {}
-
-  std::vector<Token> run() {
-    while (at_ < text_.size() && tokens_.size() < max_tokens) {
-      const char c = text_[at_];
-      if (is_digit(c))
-        number();
-      else if (is_letter(c))
-        word();
-      else
-        mark();
-    }
-    return std::move(tokens_);
-  }
-
- private:
-  char next(std::size_t ahead = 1) const {
-    return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0';
-  }
-
-  // No locale, no exponents: digits, a point, digits.
-  void number() {
-    const std::size_t start = at_;
-    double value = 0.0, place = 1.0;
-    while (at_ < text_.size() && is_digit(text_[at_])) value = value * 10.0 + (text_[at_++] - '0');
-    if (at_ < text_.size() && text_[at_] == '.' && is_digit(next())) {
-      ++at_;
-      while (at_ < text_.size() && is_digit(text_[at_]))
-        value += (text_[at_++] - '0') * (place *= 0.1);
-    }
-    tokens_.push_back({Token::Kind::number, text_.substr(start, at_ - start), value});
-    if (at_ < text_.size() && text_[at_] == '\'') {
-      tokens_.push_back({Token::Kind::word, "feet", 0.0});
-      ++at_;
-    }
-  }
-
-  void word() {
-    const std::size_t start = at_;
-    while (at_ < text_.size() && is_letter(text_[at_])) ++at_;
-    // "m2" and "ft2" are words.
-    if (at_ < text_.size() && text_[at_] == '2' && !is_digit(next()) && !is_letter(next())) ++at_;
-    std::string text = text_.substr(start, at_ - start);
-    if (at_ < text_.size() && text_[at_] == '\'') apostrophe(text);
-    tokens_.push_back({Token::Kind::word, std::move(text), 0.0});
-  }
-
-  // "kid's" and "kids'" lose the ending, "don't" becomes one word.
-  void apostrophe(std::string& text) {
-    ++at_;
-    std::string ending;
-    while (at_ < text_.size() && is_letter(text_[at_])) ending += text_[at_++];
-    if (ending != "s") text += ending;
-  }
-
-  void mark() {
-    const char c = text_[at_++];
-    // A point inside a word or before a digit is no end.
-    if (c == '.' || c == '!' || c == '?' || c == ';' || c == '\n' || c == ':')
-      tokens_.push_back({Token::Kind::stop, ".", 0.0});
-    else if (c == ',' || c == '(' || c == ')')
-      tokens_.push_back({Token::Kind::comma, ",", 0.0});
-    else if (c == '&' || c == '+')
-      tokens_.push_back({Token::Kind::word, "and", 0.0});
-  }
-
-  std::string text_;
-  std::size_t at_ = 0;
-  std::vector<Token> tokens_;
-};
 
 }  // namespace
 
+std::vector<Token> plain_tokens(const std::vector<language::Token>& tokens) {
+  std::vector<Token> result;
+  for (std::uint32_t i = 0; i < tokens.size(); ++i) {
+    result.push_back(plain(tokens[i]));
+    result.back().source = {i, i + 1};
+  }
+  return result;
+}
+
 std::vector<Token> tokenize(std::string_view text) {
-  return Splitter(plain(text)).run();
+  const auto tokens = language::tokenize(text, max_tokens);
+  auto result = plain_tokens(tokens);
+  std::erase_if(result, [&](const Token& token) { return means_nothing(tokens[token.source.begin]); });
+  return result;
+}
+
+void replace(std::vector<Token>& tokens, std::size_t at, std::size_t count,
+             std::vector<Token> with) {
+  for (Token& token : with)
+    if (count > 0) token.source = {tokens[at].source.begin, tokens[at + count - 1].source.end};
+  const auto begin = tokens.begin() + static_cast<std::ptrdiff_t>(at);
+  tokens.erase(begin, begin + static_cast<std::ptrdiff_t>(count));
+  tokens.insert(tokens.begin() + static_cast<std::ptrdiff_t>(at), with.begin(), with.end());
 }
 
 }  // namespace roomgen::design

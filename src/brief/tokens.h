@@ -1,8 +1,11 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "roomgen/language/parse.h"
 
 namespace roomgen::design {
 
@@ -19,7 +22,8 @@ struct Token {
 
   Kind kind = Kind::word;
   std::string text;
-  double value = 0.0;  ///< of a number or a length
+  double value = 0.0;    ///< of a number or a length
+  language::Run source;  ///< of the prompt's own tokens
 
   bool is_word(std::string_view word) const { return kind == Kind::word && text == word; }
 };
@@ -27,8 +31,14 @@ struct Token {
 /// The longest prompt that is read, in tokens; the rest is ignored.
 inline constexpr std::size_t max_tokens = 4000;
 
-/// Splits a prompt. Hyphens part words, "4x5m" gives 4, x, 5, m, possessives lose their s, and
-/// marks of other scripts that mean the same are understood.
+/// One for each token, marks that mean nothing as commas: "don't" is one word, "kid's" has no ending.
+std::vector<Token> plain_tokens(const std::vector<language::Token>& tokens);
+
+/// Splits a prompt; marks that mean nothing are left out.
 std::vector<Token> tokenize(std::string_view text);
+
+/// Replaces some tokens by others, which have their source.
+void replace(std::vector<Token>& tokens, std::size_t at, std::size_t count,
+             std::vector<Token> with = {});
 
 }  // namespace roomgen::design

@@ -9,7 +9,7 @@ namespace roomgen::language {
 namespace {
 
 // What opened a list, and so what further members are attached by.
-enum class Opened { subject, object, with, place, of };
+enum class Opened { subject, object, with, clause, place, of };
 
 struct OpenList {
   Opened by = Opened::subject;
@@ -90,6 +90,8 @@ class Attacher {
     participle_ = none;
     if (chunk.tag == Tag::comma) has_comma_ = true;
     is_joined_ = true;
+    // "At the foot of the bed, a rack ...": what was told beforehand is told.
+    if (chunk.tag == Tag::comma && !fronted_.empty() && main_ == none && !has_verb()) open_.clear();
     const bool is_within_subject = relative_ != none && outer_verb_ == none;
     if (has_verb() && !is_within_subject && begins_clause(at_ + 1)) {
       end_clause();
@@ -112,6 +114,10 @@ class Attacher {
     for (std::size_t n = 0; n < 8 && i < chunks_.size(); ++n, ++i) {
       const Tag tag = chunks_[i].tag;
       if (tag == Tag::verb || tag == Tag::be || tag == Tag::auxiliary) return n > 0;
+      // "a vase and a mug sit ..."
+      if (tag == Tag::conjunction && n > 0 && i + 1 < chunks_.size() &&
+          chunks_[i + 1].tag == Tag::noun)
+        continue;
       if (tag != Tag::noun && tag != Tag::preposition && tag != Tag::adverb && tag != Tag::negation)
         return false;
     }
@@ -221,10 +227,27 @@ class Attacher {
   void participle(const Piece& piece) {
     if (last_ == none) return;
     VerbPhrase& verb = add_verb(VerbPhrase::Kind::participle, piece.tokens, piece.base);
-    verb.subject = last_;
+    // "beside the sofa holding a mug": what is known already is not described.
+    const bool is_known = at(last_).determiner == Determiner::definite;
+    verb.subject = before_ == Tag::comma || is_known ? what_is_told_of() : last_;
     verb.is_passive = piece.form == VerbForm::past;
     participle_ = static_cast<std::int32_t>(&verb - parse_.verbs.data());
     pending_ = verb.is_passive ? none : participle_;
+  }
+
+  // ", topped with a lamp": of the subject of the clause, or of what has been placed by now.
+  std::int32_t what_is_told_of() {
+    if (verb_ != none && verb_at(verb_).kind == VerbPhrase::Kind::finite &&
+        verb_at(verb_).subject != none && verb_at(verb_).object == none)
+      return verb_at(verb_).subject;
+    std::int32_t told = last_;
+    for (auto i = parse_.attachments.size(); i-- > 0;) {
+      const Attachment& one = parse_.attachments[i];
+      if (one.to != told) continue;
+      if (is_with(one.relation) || one.is_verb) break;
+      told = one.from;
+    }
+    return told == none ? last_ : told;
   }
 
   void complement(const Chunk& chunk) {
@@ -286,6 +309,9 @@ class Attacher {
 
   void from_nearest(Attachment& attachment) {
     attachment.from = top_of(last_);
+    if (is_with(attachment.relation) && last_ != none && !at(last_).is_pronoun &&
+        at(last_).determiner == Determiner::definite)
+      attachment.from = what_is_told_of();
     if (main_ != none && small_words().exceptions.count(attachment.relation))
       attachment.from = main_;
     // "a room for twelve with a screen"; "under the desk, but not in front of it"
@@ -379,7 +405,9 @@ class Attacher {
     const bool is_main = verb.kind == VerbPhrase::Kind::imperative;
     if (is_main) main_ = id;
     pending_ = none;
-    open(is_main ? Opened::object : Opened::with, id, attachment);
+    const bool has = small_words().verbs_of_having.count(verb.base) > 0;
+    const bool is_clause = !has && verb.kind == VerbPhrase::Kind::participle;
+    open(is_main ? Opened::object : is_clause ? Opened::clause : Opened::with, id, attachment);
     if (is_main) flush_fronted(id);
   }
 
@@ -421,9 +449,11 @@ class Attacher {
   }
 
   void further_member(std::int32_t id) {
+    ended_by_conjunction_ = before_ == Tag::conjunction;
     while (open_.size() > 1 && !takes(open_.back(), id)) open_.pop_back();
     OpenList& list = open_.back();
-    ended_by_conjunction_ = before_ == Tag::conjunction;
+    // "no rug, desk or plant"
+    if (at(list.last).is_denied && is_bare(id)) at(id).is_denied = true;
     link(list, id);
     if (list.attachment != none) {
       Attachment attachment = parse_.attachments[static_cast<std::size_t>(list.attachment)];
@@ -436,6 +466,16 @@ class Attacher {
 
   // Whether the noun phrase is another member of the list, rather than of one around it.
   bool takes(const OpenList& list, std::int32_t id) {
+    // "two chairs facing a sofa, a lamp and ...": the sofa ends the clause.
+    if (list.by == Opened::clause) return !has_comma_;
+    // "..., a table holding a mug, and a lamp": the last of the outer list.
+    if (list.by == Opened::with && has_comma_ && ended_by_conjunction_ && list.first == list.last &&
+        open_.size() > 1 && open_[open_.size() - 2].first != open_[open_.size() - 2].last)
+      return false;
+    // "holds a vase filled with flowers and a bowl"
+    if (list.by == Opened::with && is_bare(list.last) && !is_bare(id) && open_.size() > 1 &&
+        resembles(open_[open_.size() - 2], id))
+      return false;
     if (list.by == Opened::subject || list.by == Opened::object || list.by == Opened::with)
       return true;
     const std::string& relation =

@@ -70,6 +70,7 @@ SmallWords read(const JsonReader& root) {
   read(root["auxiliaries"], words.auxiliaries);
   read(root["verbs"], words.verbs);
   read(root["verbs of denial"], words.verbs_of_denial);
+  read(root["verbs of having"], words.verbs_of_having);
   read(root["prepositions"], words.prepositions);
   read(root["denying prepositions"], words.denying_prepositions);
   read(root["adverbs"], words.adverbs);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <set>
 
 #include "roomgen/language/inflection.h"
 #include "roomgen/language/lexicon.h"
@@ -106,7 +107,14 @@ bool is_known_pair(const std::vector<UnitFacts>& facts, std::size_t first) {
 std::vector<UnitFacts> facts_of(const std::vector<Token>& tokens, const std::vector<Unit>& units) {
   std::vector<UnitFacts> result;
   result.reserve(units.size());
-  for (const Unit& unit : units) result.push_back(facts_of(tokens, unit));
+  for (const Unit& unit : units) {
+    result.push_back(facts_of(tokens, unit));
+    UnitFacts& last = result.back();
+    last.ends_compound = result.size() > 1 && last.may_be.is_small &&
+                         lexicon().has(result[result.size() - 2].word + " " + last.word,
+                                       PartOfSpeech::noun);
+  }
+  for (std::size_t i = 0; i < result.size(); ++i) result[i].begins_compound = is_known_pair(result, i);
   return result;
 }
 
@@ -118,6 +126,10 @@ void TagContext::end_phrase() {
 void TagContext::add(const Unit& unit, const UnitFacts& facts, WordTag tag) {
   before_last_ = last_;
   last_ = word_tag_letters[static_cast<std::size_t>(tag)];
+  static const std::set<std::string_view> openers = {"a",  "an", "the", "of", "with",
+                                                     "in", "on", "at",  "by", "for"};
+  awaits_noun_ = (tag == WordTag::determiner || tag == WordTag::preposition) &&
+                 openers.count(facts.word) > 0;
   if (unit.kind == Unit::Kind::stop || unit.kind == Unit::Kind::comma) {
     last_ = unit.kind == Unit::Kind::stop ? '.' : ',';
     end_phrase();
@@ -128,6 +140,7 @@ void TagContext::add(const Unit& unit, const UnitFacts& facts, WordTag tag) {
   switch (tag) {
     case WordTag::determiner:
       end_phrase();
+      opener_ = before_last_;
       number_ = facts.word == "a" || facts.word == "an" || facts.word == "each" ||
                         facts.word == "every" || facts.word == "another"
                     ? Number::one
@@ -166,7 +179,7 @@ void TagContext::add(const Unit& unit, const UnitFacts& facts, WordTag tag) {
 
 TagFeatures tag_features(const std::vector<UnitFacts>& facts, std::size_t at,
                          const TagContext& context) {
-  static const UnitFacts edge{"", "|", "|", {}, false, false};
+  static const UnitFacts edge{"", "|", "|", {}, false, false, false, false};
   const auto around = [&](std::size_t i) -> const UnitFacts& {
     return i < facts.size() ? facts[i] : edge;
   };

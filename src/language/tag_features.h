@@ -18,6 +18,8 @@ struct UnitFacts {
   Candidates may_be;
   bool is_plural_number = false;
   bool is_hyphened = false;
+  bool begins_compound = false;  ///< with the next word a known noun: "writing desk"
+  bool ends_compound = false;  ///< a small word that is the head of a known noun: "watering can"
 };
 
 std::vector<UnitFacts> facts_of(const std::vector<Token>& tokens, const std::vector<Unit>& units);
@@ -33,6 +35,9 @@ class TagContext {
   char verbs() const { return verbs_; }
   char last() const { return last_; }
   char before_last() const { return before_last_; }
+  /// Whether the phrase is of one thing alone, none of a list.
+  bool is_singular() const { return number_ == Number::one && nouns_ == '1' && opener_ != 'C'; }
+  bool awaits_noun() const { return awaits_noun_; }
 
  private:
   void end_phrase();
@@ -41,6 +46,8 @@ class TagContext {
   char nouns_ = '0';  ///< of the phrase: 0 none, 1 singular, 2 plural
   char verbs_ = '0';  ///< of the clause: 0 none, 1 one, 2 one and a comma or conjunction since
   char last_ = '.', before_last_ = '.';
+  char opener_ = '.';  ///< what stands before the phrase
+  bool awaits_noun_ = false;
 };
 
 /// Hashes of what the choice of a tag is made by.

@@ -23,7 +23,8 @@ class TagModel {
 
   /// The sums of the weights by tag.
   std::array<int, word_tag_count> scores(const TagFeatures& features) const;
-  WordTag best(const TagFeatures& features) const;
+  /// The best of those that the word may have.
+  WordTag best(const TagFeatures& features, const UnitFacts& facts, const TagContext& context) const;
 
   static constexpr std::string_view magic = "roomgen tagger 1\n";
   static constexpr std::size_t slot_size = 8, weight_size = 3;
@@ -32,6 +33,9 @@ class TagModel {
   std::string_view slots_, weights_;
   std::uint32_t mask_ = 0;
 };
+
+/// Small words belong to closed classes: they are no nouns and no verbs behind one.
+bool may_have(const UnitFacts& facts, const TagContext& context, WordTag tag);
 
 /// The model that is built in.
 const TagModel& tag_model();

@@ -26,7 +26,9 @@ class Tagger {
  private:
   const Token& token(std::size_t unit) const { return tokens_[units_[unit].tokens.begin]; }
   const Token& last_token(std::size_t unit) const { return tokens_[units_[unit].tokens.end - 1]; }
-  bool is_word(std::size_t unit) const { return units_[unit].kind == Unit::Kind::word; }
+  bool is_word(std::size_t unit) const {
+    return unit < units_.size() && units_[unit].kind == Unit::Kind::word;
+  }
   template <typename List>
   bool is_in(const List& words, std::size_t unit) const {
     return is_word(unit) && units_[unit].tokens.size() == 1 && words.count(token(unit).text) > 0;
@@ -49,6 +51,7 @@ class Tagger {
       case Unit::Kind::comma:
         return add(Tag::comma), 1;
       case Unit::Kind::number:
+        if (is_reciprocal()) return add(Tag::pronoun, 2), 2;
         add(Tag::number).value = units_[at_].value;
         return 1;
       case Unit::Kind::measure:
@@ -65,12 +68,24 @@ class Tagger {
       return add(Tag::subordinator, length), length;
     if (const auto length = run_of(words.conjunctions, 2); length > 1)
       return conjunction(length), length;
+    if (const auto length = run_of(words.adverbs, 2); length > 1)
+      return add(Tag::adverb, length), length;
     if (is_in(words.negations, at_)) return negation(), 1;
+    if (is_in(words.vague_numbers, at_) && tags_[at_] == WordTag::adjective)
+      return determiner(), 1;
+    if (is_reciprocal()) return add(Tag::pronoun, 2), 2;
+    if (begins_existence()) {
+      add(Tag::there);
+      return part_contraction(), 1;
+    }
     switch (tags_[at_]) {
       case WordTag::determiner:
       case WordTag::quantity:
         return determiner(), 1;
       case WordTag::pronoun:
+        // "each long side"
+        if (is_in(words.determiners, at_) && continues_phrase(at_ + 1)) return determiner(), 1;
+        [[fallthrough]];
       case WordTag::there:
         add(tags_[at_] == WordTag::there ? Tag::there : Tag::pronoun);
         return part_contraction(), 1;
@@ -93,6 +108,10 @@ class Tagger {
         return adjective(), 1;
       case WordTag::owner:
         return add(Tag::owner), 1;
+      case WordTag::adverb:
+        // "sit atop the desk"
+        if (is_in(words.prepositions, at_) && begins_phrase(at_ + 1)) return preposition();
+        return add(Tag::adverb), 1;
       case WordTag::noun:
       case WordTag::unit:
         add(Tag::noun).is_plural = facts_[at_].may_be.is_plural;
@@ -100,6 +119,30 @@ class Tagger {
       default:
         return add(Tag::adverb), 1;
     }
+  }
+
+  bool begins_phrase(std::size_t unit) const {
+    if (unit >= units_.size()) return false;
+    return tags_[unit] == WordTag::determiner || tags_[unit] == WordTag::quantity;
+  }
+
+  // "each other", "one another"
+  bool is_reciprocal() const {
+    if (at_ + 1 >= units_.size() || !is_word(at_ + 1)) return false;
+    return (token(at_).is("each") && token(at_ + 1).is("other")) ||
+           (token(at_).is("one") && token(at_ + 1).is("another"));
+  }
+
+  // "there is", "there's", "there should be"
+  bool begins_existence() const {
+    if (!is_word(at_) || !token(at_).is("there")) return false;
+    return !token(at_).clitic.empty() || is_in(small_words().be, at_ + 1) ||
+           is_in(small_words().auxiliaries, at_ + 1);
+  }
+
+  bool continues_phrase(std::size_t unit) const {
+    if (unit >= units_.size() || !is_word(unit)) return false;
+    return tags_[unit] == WordTag::noun || tags_[unit] == WordTag::adjective;
   }
 
   // The units that are the longest phrase of the list, if at least `least`; else 0.

@@ -1,0 +1,221 @@
+#include "thing_phrase.h"
+
+#include <algorithm>
+
+#include "roomgen/language/lexicon.h"
+
+namespace roomgen::design {
+
+namespace {
+
+using language::Attachment;
+using language::Determiner;
+using language::Parse;
+using language::Run;
+using language::WordClass;
+
+constexpr int max_count = 200;
+
+class ThingPhraseReader {
+ public:
+  ThingPhraseReader(const PromptText& text, std::size_t number)
+      : text_(text), parse_(text.parse), number_(static_cast<std::int32_t>(number)),
+        said_(parse_.phrases[number]) {}
+
+  ThingPhrase run() {
+    name();
+    count();
+    modifiers();
+    described_elsewhere();
+    contents();
+    if (said_.measure != language::none)
+      phrase_.measures.push_back(parse_.measures[static_cast<std::size_t>(said_.measure)]);
+    pair_is_one();
+    return phrase_;
+  }
+
+ private:
+  const std::string& word(std::size_t token) const { return text_.plain[token].text; }
+  bool is_number(std::size_t token) const {
+    return text_.plain[token].kind == Token::Kind::number || text_.words.numbers.count(word(token));
+  }
+  // "three-drawer", "six seater": no count of things.
+  bool is_measured(std::size_t token) const {
+    return is_number(token) && token < said_.head && text_.words.measured.count(word(token + 1)) > 0;
+  }
+
+  // The longest name that ends in the head: of "bedside table lamp" that of the lamp.
+  void name() {
+    phrase_.end = said_.tokens.end;
+    start_ = said_.head;
+    for (std::size_t i = said_.tokens.begin; i <= said_.head; ++i) {
+      const KindMention mention = mention_at(text_.table, text_.plain, i);
+      const std::size_t end = i + mention.length;
+      const bool goes_on = end > said_.head + 1 && text_.plain[said_.head + 1].is_word("of");
+      if (mention.length == 0 || (end != said_.head + 1 && !goes_on)) continue;
+      phrase_.kind = mention;
+      phrase_.end = std::max(phrase_.end, end);
+      start_ = i;
+      return;
+    }
+    phrase_.noun = parse_.head_of(said_);
+  }
+
+  void count() {
+    phrase_.definite = said_.determiner == Determiner::definite ||
+                       said_.determiner == Determiner::possessive ||
+                       said_.determiner == Determiner::each || said_.determiner == Determiner::both;
+    phrase_.another = said_.determiner == Determiner::another;
+    phrase_.article = phrase_.another || said_.determiner == Determiner::indefinite;
+    for (std::size_t i = said_.tokens.begin; i < start_; ++i) count_word(i);
+    if (phrase_.article || said_.count <= 0) return;
+    // Numbers of several words.
+    const bool part_of_name = is_number(start_) || measured_;
+    if (!part_of_name) set_count(static_cast<int>(std::min<double>(said_.count, max_count)), true);
+  }
+
+  void count_word(std::size_t token) {
+    const std::string& here = word(token);
+    static const WordSet sets = {"set", "pair", "group", "row", "collection", "series"};
+    phrase_.set = phrase_.set || (sets.count(here) && token < start_);
+    if (text_.words.further.count(here) && !is_modifier(token)) phrase_.modifiers.push_back(here);
+    if (is_measured(token)) {
+      measured_ = true;
+      const auto number = text_.words.numbers.find(here);
+      const int value = number != text_.words.numbers.end()
+                            ? number->second
+                            : static_cast<int>(std::min(text_.plain[token].value, 100.0));
+      const std::string& what = word(token + 1);
+      if (what == "seat" || what == "seater" || what == "person") phrase_.seats = value;
+      phrase_.modifiers.push_back(here + " " + what);
+    } else if (text_.plain[token].kind == Token::Kind::number) {
+      if (said_.measure == language::none)
+        set_count(static_cast<int>(std::min<double>(said_.count, max_count)), true);
+    } else if (const auto number = text_.words.numbers.find(here);
+               number != text_.words.numbers.end() && !is_modifier(token)) {
+      // "a dozen", "twenty-four": what the parse makes of the words counts.
+      const bool exact = !text_.words.vague.count(here);
+      const int said =
+          is_number(start_) ? 0 : static_cast<int>(std::min<double>(said_.count, max_count));
+      set_count(exact && said > 0 ? said : number->second, exact);
+    }
+  }
+  void set_count(int number, bool exact) {
+    phrase_.count = std::clamp(number, 1, max_count);
+    phrase_.counted = exact;
+    phrase_.article = true;
+  }
+
+  bool is_modifier(std::size_t token) const {
+    for (auto i = said_.modifiers.begin; i < said_.modifiers.end; ++i)
+      if (parse_.modifiers[i].tokens.begin <= token && token < parse_.modifiers[i].tokens.end)
+        return true;
+    return false;
+  }
+
+  void modifiers() {
+    for (auto i = said_.modifiers.begin; i < said_.modifiers.end; ++i)
+      add_words(parse_.modifiers[i].tokens, start_);
+  }
+  void add_words(const Run& run, std::size_t before) {
+    for (std::size_t i = run.begin; i < std::min<std::size_t>(run.end, before); ++i) {
+      if (is_measured(i)) {
+        ++i;
+        continue;
+      }
+      if (text_.plain[i].is_word("built") && i + 1 < run.end && text_.plain[i + 1].is_word("in")) {
+        phrase_.modifiers.push_back("built in");
+        ++i;
+      } else if (text_.plain[i].kind == Token::Kind::word) {
+        phrase_.modifiers.push_back(word(i));
+      }
+    }
+  }
+
+  // "the sofa is red", "made of oak", "in blue velvet"
+  void described_elsewhere() {
+    for (const auto& verb : parse_.verbs)
+      if (verb.subject == number_ && !verb.is_denied)
+        for (auto i = verb.complement.begin; i < verb.complement.end; ++i)
+          if (!parse_.modifiers[i].is_denied)
+            add_words(parse_.modifiers[i].tokens, text_.plain.size());
+    for (const auto& attachment : parse_.attachments)
+      if (attachment.from == number_ && !attachment.is_denied && tells_material(attachment)) {
+        const auto& material = parse_.phrases[static_cast<std::size_t>(attachment.to)];
+        add_words({material.tokens.begin, material.head + 1}, text_.plain.size());
+      }
+  }
+  bool tells_material(const Attachment& attachment) const;
+
+  // "a jar of honey": bare nouns say what is in it, and are no things beside it.
+  void contents() {
+    const bool is_told = phrase_.end > said_.tokens.end;  // "a loaf of bread"
+    if (phrase_.kind.plural || !phrase_.article || is_told) return;
+    for (const auto& attachment : parse_.attachments) {
+      if (attachment.from != number_ || attachment.relation != "of" || tells_material(attachment))
+        continue;
+      const auto& inside = parse_.phrases[static_cast<std::size_t>(attachment.to)];
+      if (inside.determiner != Determiner::absent || inside.count > 0 || inside.is_pronoun ||
+          text_.words.room_parts.count(word(inside.head)))
+        continue;
+      phrase_.contents = "of";
+      for (auto i = inside.tokens.begin; i < inside.tokens.end; ++i)
+        phrase_.contents += " " + word(i);
+      return;
+    }
+  }
+
+  // "headphones", "a pair of scissors"
+  void pair_is_one() {
+    if (!text_.words.pairs.count(word(said_.head))) return;
+    phrase_.kind.plural = false;
+    if (phrase_.set || !phrase_.counted) phrase_.count = 1;
+    phrase_.article = true;
+  }
+
+  const PromptText& text_;
+  const Parse& parse_;
+  const std::int32_t number_;
+  const language::NounPhrase& said_;
+  std::size_t start_ = 0;  ///< of the name
+  bool measured_ = false;
+  ThingPhrase phrase_;
+};
+
+bool is_bare(const language::NounPhrase& phrase) {
+  return phrase.determiner == Determiner::absent && phrase.count == 0 && !phrase.is_pronoun;
+}
+
+bool ThingPhraseReader::tells_material(const Attachment& attachment) const {
+  if (attachment.is_verb || attachment.to == language::none) return false;
+  static const WordSet relations = {"of", "in", "from"};
+  const auto& to = parse_.phrases[static_cast<std::size_t>(attachment.to)];
+  const std::string& noun = word(to.head);
+  return relations.count(attachment.relation) && is_bare(to) &&
+         (text_.words.materials.count(noun) || language::lexicon().is(noun, WordClass::color) ||
+          (language::lexicon().is(noun, WordClass::material) && !to.is_plural));
+}
+
+}  // namespace
+
+ThingPhrase read_thing_phrase(const PromptText& text, std::size_t phrase) {
+  return ThingPhraseReader(text, phrase).run();
+}
+
+bool may_be_thing(const PromptText& text, const std::string& noun) {
+  const Vocabulary& words = text.words;
+  if (noun.size() < 3 || words.no_things.count(noun) || words.parts.count(noun) ||
+      words.sizes.count(noun) || words.room_words.count(noun) || words.people_words.count(noun) ||
+      words.people.count(noun) || words.stops.count(noun) || words.verbs.count(noun))
+    return false;
+  // People, what they do, and when, are no things, nor is what one cannot touch.
+  const auto& english = language::lexicon();
+  for (const auto no_thing :
+       {WordClass::person, WordClass::activity, WordClass::time, WordClass::feeling,
+        WordClass::event, WordClass::attribute, WordClass::quantity, WordClass::place,
+        WordClass::room, WordClass::color, WordClass::group})
+    if (english.is(noun, no_thing)) return english.may_be(noun, WordClass::furnishing);
+  return true;
+}
+
+}  // namespace roomgen::design

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "kind_mention.h"
+#include "prompt_words.h"
+#include "roomgen/language/parse.h"
+#include "tokens.h"
+
+namespace roomgen::design {
+
+/// "two small white bedside tables": a noun phrase that may name a thing.
+struct ThingPhrase {
+  int count = 1;
+  bool counted = false;   ///< an exact number was given
+  bool article = false;   ///< "a", a number, "some": introduces something
+  bool definite = false;  ///< "the", "its": something known
+  bool another = false;
+  bool set = false;  ///< "set of", "pair of": they are alike
+  KindMention kind;  ///< length 0: the thing is not known
+  std::string noun;  ///< of an unknown thing
+  std::vector<std::string> modifiers;
+  std::string contents;  ///< "of honey"
+  std::vector<language::Measure> measures;
+  int seats = 0;            ///< "six-seater"
+  std::size_t end = 0;      ///< the token behind its name: "stack of books" goes on behind the phrase
+};
+
+/// A prompt, and what is needed to name the things in it.
+struct PromptText {
+  const language::Parse& parse;
+  const std::vector<Token>& plain;  ///< its tokens, one to one
+  const Vocabulary& words;
+  const KindTable& table;
+};
+
+/// What a noun phrase names, whether it is known or not. What is said of it elsewhere ("made of oak",
+/// "is red") is among the modifiers.
+ThingPhrase read_thing_phrase(const PromptText& text, std::size_t phrase);
+
+/// Whether a noun that is no known kind may yet be that of a thing.
+bool may_be_thing(const PromptText& text, const std::string& noun);
+
+}  // namespace roomgen::design
