@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "brief/prompt_words.h"
+#include "language/small_words.h"
 #include "brief/tokens.h"
 #include "part_forms.h"
 #include "roomgen/base/text.h"
@@ -64,7 +64,7 @@ constexpr int most_of_a_part = 50;
 std::string count_problem(const std::string& prompt, const std::vector<Description>& objects) {
   long long number = 0;
   const auto tokens = design::tokenize(prompt);
-  const auto& units = design::built_in_vocabulary()->units;
+  const auto& units = language::small_words().lengths;
   const auto is_length = [&](std::size_t i) {
     return i + 1 < tokens.size() && (units.count(tokens[i + 1].text) || tokens[i + 1].text == "x" ||
                                      tokens[i + 1].text == "by");

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "brief/prompt_words.h"
+#include "language/small_words.h"
 #include "part_forms.h"
 
 namespace roomgen::create {
@@ -35,7 +35,7 @@ void set_thickness(PartWish& part, double thickness) {
 }  // namespace
 
 std::optional<Measure> read_measure(const PhraseText& text, std::size_t begin) {
-  const auto& units = design::built_in_vocabulary()->units;
+  const auto& units = language::small_words().lengths;
   Measure measure;
   double unit = 0.0;
   for (std::size_t at = begin; measure.lengths.size() < most_lengths; ++at) {
