@@ -183,12 +183,20 @@ class PromptReader {
       if (attachment.to != id || !owns(attachment)) continue;
       const auto owner = mention_of(attachment.from);
       if (!owner) continue;
-      if (words_.parts.count(word(phrase(id).head))) return true;
+      if (words_.parts.count(word(phrase(id).head)) && !is_listed_with_thing(attachment)) return true;
       if (thing.kind.length > 0 && thing.kind.category->mount == Mount::wall &&
           talk_.mention(*owner).mount == Mount::surface)
         return true;
     }
     return false;
+  }
+  // "with a cabinet and a shelf": a shelf beside other things is one.
+  bool is_listed_with_thing(const Attachment& attachment) const {
+    return std::any_of(parse_.attachments.begin(), parse_.attachments.end(),
+                       [&](const Attachment& other) {
+                         return other.from == attachment.from && other.tokens == attachment.tokens &&
+                                other.to < attachment.to && mention_of(other.to);
+                       });
   }
   bool owns(const Attachment& attachment) const {
     static const WordSet relations = {"with", "have", "feature", "include"};
@@ -563,7 +571,9 @@ Brief read_prompt(std::string_view prompt, const RoomKinds& kinds, const KindTab
   Brief brief;
   const auto& words = built_in_vocabulary();
   if (!words) return brief;
-  const auto parse = language::parse(language::tokenize(prompt, max_tokens));
+  const auto parse = language::parse(
+      language::tokenize(prompt, max_tokens),
+      [&](std::string_view name) { return table.spelled(name) != nullptr; });
   if (parse.tokens.size() >= max_tokens)
     brief.notes.push_back("only the first " + std::to_string(max_tokens) +
                           " words of the prompt were read");

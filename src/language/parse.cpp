@@ -46,17 +46,17 @@ void find_sentences(Parse& parse) {
 
 }  // namespace
 
-Parse parse(std::vector<Token> tokens) {
+Parse parse(std::vector<Token> tokens, const IsName& is_name) {
   Parse result;
   result.tokens = std::move(tokens);
   find_sentences(result);
-  const auto pieces = tag(result.tokens);
+  const auto pieces = tag(result.tokens, is_name);
   attach(chunk(pieces, result), result);
   return result;
 }
 
-Parse parse(std::string_view text) {
-  return parse(tokenize(text));
+Parse parse(std::string_view text, const IsName& is_name) {
+  return parse(tokenize(text), is_name);
 }
 
 }  // namespace roomgen::language

@@ -104,7 +104,8 @@ bool is_known_pair(const std::vector<UnitFacts>& facts, std::size_t first) {
 
 }  // namespace
 
-std::vector<UnitFacts> facts_of(const std::vector<Token>& tokens, const std::vector<Unit>& units) {
+std::vector<UnitFacts> facts_of(const std::vector<Token>& tokens, const std::vector<Unit>& units,
+                                const IsName& is_name) {
   std::vector<UnitFacts> result;
   result.reserve(units.size());
   for (const Unit& unit : units) {
@@ -114,7 +115,11 @@ std::vector<UnitFacts> facts_of(const std::vector<Token>& tokens, const std::vec
                          lexicon().has(result[result.size() - 2].word + " " + last.word,
                                        PartOfSpeech::noun);
   }
-  for (std::size_t i = 0; i < result.size(); ++i) result[i].begins_compound = is_known_pair(result, i);
+  for (std::size_t i = 0; i < result.size(); ++i)
+    result[i].begins_compound =
+        is_known_pair(result, i) ||
+        (is_name && i + 1 < result.size() && result[i + 1].may_be.is_noun &&
+         is_name(result[i].word + " " + singular(result[i + 1].word)));
   return result;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "candidates.h"
+#include "roomgen/language/parse.h"
 #include "units.h"
 #include "word_tag.h"
 
@@ -22,7 +23,9 @@ struct UnitFacts {
   bool ends_compound = false;  ///< a small word that is the head of a known noun: "watering can"
 };
 
-std::vector<UnitFacts> facts_of(const std::vector<Token>& tokens, const std::vector<Unit>& units);
+/// `is_name` as parse() has it; it may be empty.
+std::vector<UnitFacts> facts_of(const std::vector<Token>& tokens, const std::vector<Unit>& units,
+                                const IsName& is_name = {});
 
 /// What was read before a unit: the noun phrase and the clause that are open.
 class TagContext {
@@ -36,7 +39,9 @@ class TagContext {
   char last() const { return last_; }
   char before_last() const { return before_last_; }
   /// Whether the phrase is of one thing alone, none of a list.
-  bool is_singular() const { return number_ == Number::one && nouns_ == '1' && opener_ != 'C'; }
+  bool is_singular() const {
+    return (number_ == Number::one || number_ == Number::definite) && nouns_ == '1' && opener_ != 'C';
+  }
   bool awaits_noun() const { return awaits_noun_; }
 
  private:

@@ -11,8 +11,8 @@ namespace {
 /// steps behind want to know of a word.
 class Tagger {
  public:
-  explicit Tagger(const std::vector<Token>& tokens)
-      : tokens_(tokens), units_(units(tokens)), facts_(facts_of(tokens, units_)),
+  Tagger(const std::vector<Token>& tokens, const IsName& is_name)
+      : tokens_(tokens), units_(units(tokens)), facts_(facts_of(tokens, units_, is_name)),
         tags_(tag_words(units_, facts_, tag_model())) {}
 
   std::vector<Piece> run() {
@@ -240,8 +240,8 @@ class Tagger {
 
 }  // namespace
 
-std::vector<Piece> tag(const std::vector<Token>& tokens) {
-  return Tagger(tokens).run();
+std::vector<Piece> tag(const std::vector<Token>& tokens, const IsName& is_name) {
+  return Tagger(tokens, is_name).run();
 }
 
 }  // namespace roomgen::language

@@ -51,6 +51,6 @@ inline constexpr std::size_t longest_phrase = 40;
 
 /// Cuts a text into pieces and says what each does, from left to right: small words by their lists,
 /// others by the lexicon and by what stands around them. Quotes and symbols are left out.
-std::vector<Piece> tag(const std::vector<Token>& tokens);
+std::vector<Piece> tag(const std::vector<Token>& tokens, const IsName& is_name = {});
 
 }  // namespace roomgen::language

@@ -1,5 +1,5 @@
-// How much of varied English is understood: tests/data/language/sentences.txt, written before the
-// chunker.
+// How much of varied English is understood: the tables of tests/data/language, written before what
+// reads them.
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
@@ -20,8 +20,8 @@ struct Sentence {
   std::multiset<std::string> phrases, attachments;
 };
 
-std::vector<Sentence> read_table() {
-  std::ifstream stream(std::string(ROOMGEN_TEST_DATA) + "/language/sentences.txt");
+std::vector<Sentence> read_table(const std::string& file) {
+  std::ifstream stream(std::string(ROOMGEN_TEST_DATA) + "/language/" + file);
   std::vector<Sentence> table;
   for (std::string line; std::getline(stream, line);) {
     if (line.starts_with('#')) continue;
@@ -121,8 +121,9 @@ void show(const std::string& what, const std::multiset<std::string>& all,
 TEST_CASE("Varied sentences are understood, those that were looked at and those that were not") {
   // ROOMGEN_SHOW_SENTENCES prints what is wrong in the half that may be looked at.
   const bool shows = std::getenv("ROOMGEN_SHOW_SENTENCES") != nullptr;
-  const auto table = read_table();
-  REQUIRE(table.size() >= 100);
+  const std::string file = GENERATE(as<std::string>(), "sentences.txt", "descriptions.txt");
+  const auto table = read_table(file);
+  REQUIRE(table.size() >= 140);
   Half halves[2];
   for (std::size_t i = 0; i < table.size(); ++i) {
     const Parse parsed = parse(table[i].text);
@@ -139,10 +140,10 @@ TEST_CASE("Varied sentences are understood, those that were looked at and those 
     show("missing", table[i].attachments, attachments);
     show("wrong  ", attachments, table[i].attachments);
   }
-  print("looked at", halves[0]);
-  print("not looked at", halves[1]);
+  print((file + ", looked at").c_str(), halves[0]);
+  print((file + ", not looked at").c_str(), halves[1]);
   for (const Half& half : halves) {
-    CHECK(half.phrases.f1() > 0.94);
-    CHECK(half.attachments.f1() > 0.89);
+    CHECK(half.phrases.f1() > 0.95);
+    CHECK(half.attachments.f1() > 0.82);
   }
 }

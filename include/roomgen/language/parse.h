@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -121,9 +122,13 @@ struct Parse {
   std::vector<std::uint32_t> with_list(std::uint32_t phrase) const;
 };
 
+/// Whether two words, in the singular with a space between them, are the name of something where the
+/// text comes from: of furniture "drying rack" is, whatever else drying may be.
+using IsName = std::function<bool(std::string_view)>;
+
 /// Parses a text of any length and any bytes; of more than max_tokens tokens only the first count.
 /// Deterministic, in time linear in the length of the text.
-Parse parse(std::string_view text);
-Parse parse(std::vector<Token> tokens);
+Parse parse(std::string_view text, const IsName& is_name = {});
+Parse parse(std::vector<Token> tokens, const IsName& is_name = {});
 
 }  // namespace roomgen::language
