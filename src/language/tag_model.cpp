@@ -107,6 +107,7 @@ bool may_have_in_closed_class(const std::string& word, WordTag tag) {
     case WordTag::gerund:
     case WordTag::participle:
     case WordTag::unit:
+    case WordTag::determiner:
       return false;
     case WordTag::auxiliary:
       return words.be.count(word) || words.auxiliaries.count(word);
@@ -128,6 +129,10 @@ bool may_have(const UnitFacts& facts, const TagContext& context, WordTag tag) {
   // "a television stand": the base form does not agree with one thing.
   const auto& verb = facts.may_be.verb;
   if (tag == WordTag::verb && verb && verb->form == VerbForm::base && context.is_singular())
+    return false;
+  // "two windows and blinds": a second verb needs a first.
+  if (tag == WordTag::verb && verb && verb->form == VerbForm::third_person &&
+      context.last() == 'C' && context.verbs() == '0')
     return false;
   // "a writing desk"
   if (facts.begins_compound && tag == WordTag::gerund) return false;
