@@ -470,7 +470,7 @@ class Attacher {
     if (list.by == Opened::clause) return !has_comma_;
     // "..., a table holding a mug, and a lamp": the last of the outer list.
     if (list.by == Opened::with && has_comma_ && ended_by_conjunction_ && list.first == list.last &&
-        open_.size() > 1 && open_[open_.size() - 2].first != open_[open_.size() - 2].last)
+        is_within_list())
       return false;
     // "holds a vase filled with flowers and a bowl"
     if (list.by == Opened::with && is_bare(list.last) && !is_bare(id) && open_.size() > 1 &&
@@ -486,6 +486,12 @@ class Attacher {
     return at(id).determiner == at(list.last).determiner &&
            (at(id).count > 0) == (at(list.last).count > 0) &&
            !resembles(open_[open_.size() - 2], id);
+  }
+  // Whether a list around the innermost one has several members by now.
+  bool is_within_list() const {
+    for (std::size_t i = 0; i + 1 < open_.size(); ++i)
+      if (open_[i].first != open_[i].last) return true;
+    return false;
   }
   bool is_bare(std::int32_t id) {
     return at(id).determiner == Determiner::absent && at(id).count == 0.0;
