@@ -2,26 +2,15 @@
 
 #include <cmath>
 
-#include "language/small_words.h"
-#include "part_forms.h"
-
 namespace roomgen::create {
+
+using language::Measure;
+using Side = Measure::Side;
 
 namespace {
 
-constexpr std::size_t most_lengths = 3;
-
-// Which side is the first of these lengths: the word after them says it, which is passed over, or the
-// one before ("height 50 cm").
-int axis_of(const PhraseText& text, std::size_t begin, Measure& measure) {
-  const std::size_t after = measure.end++;
-  if (text.is(after, {"wide", "width", "long", "length", "diameter", "across"})) return 0;
-  if (text.is(after, {"deep", "depth"})) return 1;
-  if (text.is(after, {"tall", "high", "height"})) return 2;
-  measure.end = after;
-  if (measure.lengths.size() > 1 || begin == 0) return 0;
-  if (text.is(begin - 1, {"height"})) return 2;
-  return text.is(begin - 1, {"depth"}) ? 1 : 0;
+int axis_of(Side side) {
+  return side == Side::height ? 2 : side == Side::depth ? 1 : 0;
 }
 
 void set_thickness(PartWish& part, double thickness) {
@@ -34,39 +23,32 @@ void set_thickness(PartWish& part, double thickness) {
 
 }  // namespace
 
-std::optional<Measure> read_measure(const PhraseText& text, std::size_t begin) {
-  const auto& units = language::small_words().lengths;
-  Measure measure;
-  double unit = 0.0;
-  for (std::size_t at = begin; measure.lengths.size() < most_lengths; ++at) {
-    const auto number = text.number(at);
-    if (!number) break;
-    measure.lengths.push_back(*number);
-    measure.end = ++at;
-    if (at < text.size())
-      if (const auto found = units.find(text[at]); found != units.end())
-        unit = found->second, measure.end = ++at;
-    if (at + 1 >= text.size() || !text.is(at, {"x", "by"})) break;
+std::optional<Measure> read_measure(const PhraseText& text, std::size_t at) {
+  auto measure = language::measure_at(text.parse().tokens, at);
+  if (!measure || !measure->has_unit || measure->kind == Measure::Kind::area) return std::nullopt;
+  if (at > 0 && measure->side == Side::unsaid) {
+    const std::string& before = text[text.is(at - 1, "of") && at > 1 ? at - 2 : at - 1];
+    if (before == "height") measure->side = Side::height;
+    if (before == "depth") measure->side = Side::depth;
+    if (before == "thickness") measure->side = Side::thickness;
   }
-  if (measure.lengths.empty() || unit == 0.0) return std::nullopt;
-  for (double& length : measure.lengths) length *= unit;
-  measure.axis = axis_of(text, begin, measure);
-  measure.thick = text.is(measure.end, {"thick", "thickness"});
-  if (measure.thick) ++measure.end;
   return measure;
 }
 
 Vec3 sides(const Measure& measure) {
   Vec3 result = Vec3::Constant(std::nan(""));
-  for (std::size_t i = 0; i < measure.lengths.size(); ++i)
-    if (const auto axis = measure.axis + static_cast<Eigen::Index>(i); axis < 3)
-      result[axis] = measure.lengths[i];
+  if (measure.kind != Measure::Kind::sides) {
+    const bool is_range = measure.kind == Measure::Kind::range;
+    result[axis_of(measure.side)] = is_range ? (measure.values[0] + measure.values[1]) / 2 : measure.values[0];
+    return result;
+  }
+  for (int i = 0; i < std::min(measure.count, 3); ++i) result[i] = measure.values[i];
   return result;
 }
 
 void apply(const Measure& measure, PartWish& part) {
   if (!part.size) part.size = Vec3::Constant(std::nan(""));
-  if (measure.thick) return set_thickness(part, measure.lengths.front());
+  if (measure.side == Side::thickness) return set_thickness(part, measure.values[0]);
   const Vec3 said = sides(measure);
   for (int axis = 0; axis < 3; ++axis)
     if (!std::isnan(said[axis])) (*part.size)[axis] = said[axis];

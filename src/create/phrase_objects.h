@@ -1,21 +1,29 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "attributes.h"
-#include "phrase_measure.h"
-#include "words.h"
+#include "phrase_text.h"
 
 namespace roomgen::create {
 
-/// What holds for the nouns to come.
-struct PhraseContext {
-  std::string boundary;              ///< the last word that ended a noun phrase
-  bool negated = false;              ///< "without"
-  bool indefinite = false;           ///< the last article was "a"
-  const Placement* place = nullptr;  ///< says where the parts to come are
+/// What words of a sentence stand for: a thing, or a part of one.
+struct Referent {
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+  std::size_t object = none;
+  std::string label;  ///< of a part; empty: the whole
+
+  explicit operator bool() const { return object != none; }
+  bool is_part() const { return object != none && !label.empty(); }
+};
+
+/// How a part is named.
+struct NamedPart {
+  std::string label;
+  Attributes said;
+  bool is_denied = false;
+  bool is_one = false;  ///< "a bucket"
 };
 
 /// The things that a sentence has named so far, and what was said of them and their parts. The
@@ -30,46 +38,33 @@ class PhraseObjects {
   std::size_t size() const { return objects_.size(); }
   /// Null before it is named.
   Description* head() { return empty() ? nullptr : &objects_.front(); }
-  /// What was named last, if that is a part of the head; else null.
-  PartWish* last_part();
+  /// Null if it is none.
+  PartWish* part(const Referent& referent);
 
-  /// Said, and not yet of anything.
-  Attributes& pending() { return pending_; }
-  /// Words of the noun phrase of which nothing is known.
-  std::vector<std::string>& unknown() { return unknown_; }
-
-  /// What was said since the last noun belongs to it; unknown words make a noun of their own.
-  void flush(const PhraseContext& context);
-  /// All that was said before an object was named is said of it.
-  void add(Description object, int usual_count);
+  Referent add(Description object, Attributes said);
   /// A thing of no known kind: the nearest one stands for it, if any is near.
-  void add_unknown();
-  /// "a tower with four windows": no other thing is named, so the part is the thing.
-  void add_early_part();
-  /// `last_word`: with which it was named.
-  void add_part(const std::string& label, const std::string& last_word, PhraseContext& context);
-  void measure(const Measure& measure);
-  /// How what was named last stands to the head.
-  void relate(const std::string& relation);
+  Referent add_unknown(const std::string& noun, Attributes said);
+  /// Of the head, or of the thing to come: "a two-drawer nightstand".
+  Referent add_part(const NamedPart& named);
+  void apply(const Attributes& said, const Referent& to);
+  /// Of a thing or a part, or of the thing to come.
+  void measure(const language::Measure& measure, const Referent& of);
+
+  /// How another thing stands to the head.
+  void relate(std::size_t object, const std::string& relation) { objects_[object].relation = relation; }
 
   /// All of them, and one if nothing was named.
-  std::vector<Description> finish(const PhraseContext& context);
+  std::vector<Description> finish();
 
  private:
-  void add_unknown_noun(const PhraseContext& context);
   void take_measures(Description& object);
   void doubt_kind(Description& object) const;
-
-  static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
   const std::string& prompt_;
   const ShapeKinds& kinds_;
   std::vector<Description> objects_;
-  std::vector<PartWish> early_;  ///< parts named before their object
-  Attributes pending_;
-  std::vector<std::string> unknown_;
+  std::vector<PartWish> early_;   ///< parts named before their object
   std::optional<Vec3> measured_;  ///< sides of the next object
-  std::size_t part_ = none;       ///< of the head, what was named last
 };
 
 }  // namespace roomgen::create

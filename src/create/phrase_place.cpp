@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "part_forms.h"
+#include "roomgen/language/number.h"
 
 namespace roomgen::create {
 
@@ -42,12 +42,10 @@ Place place_of(const std::string& relation) {
 }
 
 double read_turn(const PhraseText& text, std::size_t& at) {
-  double degrees = 0.0;
-  std::size_t end = at;
-  for (; text.number(end); ++end) degrees += *text.number(end);
-  if (!text.is(end, {"degree", "degrees"})) return 0.0;
-  at = end + 1;
-  return radians(std::min(degrees, 180.0));
+  const auto number = language::number_at(text.parse().tokens, at);
+  if (!number || !text[at + number->length].starts_with("degree")) return 0.0;
+  at += number->length + 1;
+  return radians(std::min(number->value, 180.0));
 }
 
 }  // namespace roomgen::create

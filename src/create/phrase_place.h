@@ -3,7 +3,6 @@
 #include <string>
 
 #include "phrase_text.h"
-#include "words.h"
 
 namespace roomgen::create {
 

@@ -1,73 +1,88 @@
 #pragma once
 
-#include <initializer_list>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
-#include "brief/tokens.h"
+#include "attributes.h"
 #include "part_forms.h"
 #include "roomgen/create/kinds.h"
+#include "roomgen/language/parse.h"
 
 namespace roomgen::create {
 
-/// Words of place, number and purpose are no parts: "down the right side".
-bool says_nothing(const std::string& word);
-
-/// A sentence as words, and what the words from one place on may be. Places beyond the end hold
+/// A sentence that was parsed, and what its words are to objects. Places beyond the end hold
 /// nothing.
 class PhraseText {
  public:
-  /// Parts and kinds must outlive it.
-  PhraseText(const std::string& prompt, const PartForms& parts, const ShapeKinds& kinds);
+  /// All must outlive it.
+  PhraseText(const std::string& prompt, const Words& words, const PartForms& parts,
+             const ShapeKinds& kinds);
 
+  const language::Parse& parse() const { return parse_; }
   std::size_t size() const { return texts_.size(); }
   /// In lower case; "," stands for every mark.
-  const std::string& operator[](std::size_t at) const { return texts_[at]; }
-  bool is(std::size_t at, std::initializer_list<std::string_view> list) const;
+  const std::string& operator[](std::size_t at) const;
+  bool is(std::size_t at, std::string_view word) const { return (*this)[at] == word; }
   bool starts(std::size_t at, const std::vector<std::string>& phrase) const;
-  std::string joined(std::size_t at, std::size_t length) const;
+  std::string joined(std::size_t begin, std::size_t end) const;
 
-  /// A run of words from a place on, and what it means.
+  /// Words that mean something.
   template <typename T>
-  struct Run {
-    std::size_t length = 0;  ///< 0: nothing is known of the words
+  struct Match {
+    std::size_t begin = 0, end = 0;  ///< tokens
     T meaning{};
 
-    explicit operator bool() const { return length > 0; }
+    explicit operator bool() const { return end > begin; }
+    std::size_t length() const { return end - begin; }
   };
-  /// The longest run that is in the map.
+  /// The longest run from a place on that is in the map.
   template <typename T>
-  Run<const T*> longest(const WordMap<T>& map, std::size_t at) const {
-    Run<const T*> found;
-    std::string phrase;
-    for (std::size_t n = 0; n < most_run && at + n < size(); ++n) {
-      phrase += (n ? " " : "") + texts_[at + n];
-      if (const auto entry = map.find(phrase); entry != map.end()) found = {n + 1, &entry->second};
-    }
-    return found;
+  Match<const T*> longest(const WordMap<T>& map, std::size_t at, std::size_t end) const {
+    for (std::size_t last = std::min({end, at + most_run, size()}); last > at; --last)
+      if (const auto found = map.find(joined(at, last)); found != map.end())
+        return {at, last, &found->second};
+    return {};
   }
 
-  Run<const ShapeKind*> kind(std::size_t at) const;
-  /// The labels of a part, the likeliest first; "legged" names legs too.
-  Run<std::vector<std::string>> part(std::size_t at) const;
-  /// As shape::parse_color() knows it: "dark blue" is "darkblue".
-  Run<std::string> color(std::size_t at) const;
-  /// In figures or as a word, vague ones aside.
-  std::optional<double> number(std::size_t at) const;
-  /// A number of things: "3", "two", "half a dozen"; articles are none.
-  Run<int> count(std::size_t at) const;
+  /// The longest name of a kind that ends with the phrase's head, or goes on behind it: "chest of
+  /// drawers".
+  Match<const ShapeKind*> kind(const language::NounPhrase& phrase) const;
+  /// The label of a part that the phrase names: one that the thing (null: none yet) has, if its words
+  /// may mean several. "A back panel" is the back of what has no panels.
+  Match<std::string> part(const language::NounPhrase& phrase, const Description* head) const;
+  /// A modifier's part: "three-legged", "glass-topped".
+  Match<std::string> owned_part(std::size_t at, std::size_t end) const;
+  bool has_part(const Description* head, const std::string& label) const;
 
-  static constexpr int most_count = 50;
+  /// Adds what the words say of a thing: how it is shaped and built, how strongly, a style, a
+  /// material, a size, a direction or a colour. How many words that are; 0 if none.
+  std::size_t read_attribute(std::size_t at, std::size_t end, Attributes& to) const;
+  /// Nothing but attributes: "dark green velvet".
+  bool is_attribute(const language::NounPhrase& phrase) const;
+  /// Where the words of a phrase begin, behind its article and its number.
+  std::size_t content(const language::NounPhrase& phrase) const;
+  /// The head, or the word behind it where that is the part: "ladder back".
+  std::size_t last_word(const language::NounPhrase& phrase) const;
 
  private:
   static constexpr std::size_t most_run = 3;
 
+  Match<std::vector<std::string>> labels(std::size_t begin, std::size_t end) const;
+  std::size_t read_form(std::size_t at, std::size_t end, Attributes& to) const;
+
+  const Words& words_;
   const PartForms& parts_;
   const ShapeKinds& kinds_;
-  std::vector<design::Token> tokens_;
+  language::Parse parse_;
   std::vector<std::string> texts_;
 };
+
+/// The number of things that a phrase says: nothing for articles, vague numbers and more than can be.
+std::optional<int> count_of(const language::NounPhrase& phrase);
+/// Whether what a noun names can be a part: not people, times, measures or feelings.
+bool may_be_part(const std::string& noun);
+
+inline constexpr int most_count = 50;
 
 }  // namespace roomgen::create

@@ -98,8 +98,10 @@ Result<Words> read() {
   words.far_things = read_list(root["vehicles and nature"]);
   words.beings = read_list(root["living beings"]);
   words.no_objects = read_list(root["no objects"]);
-  words.negations = read_list(root["negations"]);
-  words.boundaries = read_list(root["boundaries"]);
+  words.owners = read_list(root["owners"]);
+  words.purposes = read_list(root["purposes"]);
+  words.comparisons = read_list(root["comparisons"]);
+  words.absences = read_list(root["absences"]);
   words.fillers = read_list(root["fillers"]);
   words.orders = read_list(root["orders"]);
   words.rooms = read_list(root["rooms"]);

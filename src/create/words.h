@@ -41,9 +41,11 @@ struct Words {
   WordMap<shape::Surface> materials;
   WordMap<Vec3> comparatives;  ///< "taller": factors against what it was
   WordSet directions, far_things, beings, no_objects;
-  WordSet negations;   ///< "without"
-  WordSet boundaries;  ///< end a noun phrase; what was said before belongs to the noun before
-  WordSet fillers;     ///< say nothing by themselves
+  WordSet owners;       ///< "with", "has": what joins parts to their thing
+  WordSet purposes;     ///< "for": behind them stands what the thing is for
+  WordSet comparisons;  ///< "than": what is compared with is not there
+  WordSet absences;     ///< "missing", "leave out": what is not there
+  WordSet fillers;      ///< nouns that say nothing by themselves: "set"
   WordSet orders;      ///< verbs with which no description begins
   WordSet rooms, distances;
   /// "around it": how what was named before stands to the first thing; the longest of several first.
