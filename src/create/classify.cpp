@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cctype>
 
-#include "language/small_words.h"
-#include "brief/tokens.h"
 #include "part_forms.h"
 #include "roomgen/base/text.h"
+#include "roomgen/language/inflection.h"
+#include "roomgen/language/measure.h"
 
 namespace roomgen::create {
 
@@ -63,14 +63,10 @@ constexpr int most_of_a_part = 50;
 // "100000 legs", "two and a half legs", "3 drawers and no drawers".
 std::string count_problem(const std::string& prompt, const std::vector<Description>& objects) {
   long long number = 0;
-  const auto tokens = design::tokenize(prompt);
-  const auto& units = language::small_words().lengths;
-  const auto is_length = [&](std::size_t i) {
-    return i + 1 < tokens.size() && (units.count(tokens[i + 1].text) || tokens[i + 1].text == "x" ||
-                                     tokens[i + 1].text == "by");
-  };
+  const auto tokens = language::tokenize(prompt);
   for (std::size_t i = 0; i < tokens.size(); ++i)
-    if (tokens[i].kind == design::Token::Kind::number && !is_length(i))
+    if (const auto measure = language::measure_at(tokens, i)) i += measure->length - 1;
+    else if (tokens[i].kind == language::Token::Kind::number)
       number = std::max(number, static_cast<long long>(std::min(tokens[i].value, 1e12)));
   if (number > most_of_a_part)
     return "there may be at most " + std::to_string(most_of_a_part) + " of a part, not " + std::to_string(number);
@@ -94,7 +90,7 @@ bool names_a_room(const Description& object, const Words& words) {
 std::string foreign_word(const std::vector<std::string>& pieces, const Words& words) {
   for (const auto& piece : pieces)
     for (const auto* list : {&words.no_objects, &words.beings, &words.far_things})
-      if (list->count(piece) || list->count(singular(piece))) return piece;
+      if (list->count(piece) || list->count(language::singular(piece))) return piece;
   return "";
 }
 

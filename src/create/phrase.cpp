@@ -131,7 +131,8 @@ class PhraseReader {
     } else if (words_.purposes.count(relation_to(i))) {
       specialise(i);
     } else if (words_.comparisons.count(relation_to(i))) {
-      pending_ = {};
+      target_ = subject_at(joins(i)->tokens.begin);
+      read_likeness(i);
     } else if (is_predicate(i) || text_.is_attribute(said)) {
       read_predicate(i);
     } else if (!arrange(i)) {
@@ -148,7 +149,7 @@ class PhraseReader {
     const NounPhrase& said = phrase(i);
     Attributes read = std::exchange(pending_, {});
     const auto carried = read.count;
-    for (std::size_t at = text_.content(said); at < said.tokens.end;) {
+    for (std::size_t at = said.tokens.begin; at < said.tokens.end;) {
       if (at >= name_begin && at < name_end) at = name_end;
       else if (const std::size_t length = read_owned(at, name_begin, owned)) at += length;
       else if (const auto measure = read_measure(text_, at)) at += measure->length;
@@ -229,16 +230,23 @@ class PhraseReader {
     at_ = std::max(at_, kind.end);
   }
 
+  // "a rack that holds towels", "a chest of drawers"
+  bool tells_use(std::size_t i) const {
+    const Attachment* joint = joins(i);
+    return joint && joint->from == static_cast<std::int32_t>(head_) &&
+           (joint->relation == "of" || !words_.owners.count(joint->relation));
+  }
+
   // A part, or another thing beside the first.
   void name_other(std::size_t i) {
     const NounPhrase& said = phrase(i);
+    if (tells_use(i)) specialise(i);
     const auto part = text_.part(said, objects_.head());
     const auto kind = text_.kind(said);
     const bool has = part && text_.has_part(objects_.head(), part.meaning);
     const bool made_of_parts = !objects_.empty() && objects_.head()->kind.empty();
     const bool ends = part && part.begin + part.length() > text_.last_word(said);
     const bool longer = kind && part && kind.length() > part.length() && !has && !made_of_parts;
-    if (!words_.owners.count(relation_to(i)) || relation_to(i) == "of") specialise(i);
     if (ends && !(kind && has_relation(i)) && !longer) return name_part(i, part.meaning, part.begin, part.end);
     if (objects_.empty()) return;
     if (kind && !said.is_denied && kind.meaning->name != objects_.head()->kind && objects_.size() < most_objects) {
@@ -258,10 +266,10 @@ class PhraseReader {
   // A noun that nobody knows is a part where parts are introduced; "three crests long" is a measure.
   bool is_unknown_part(std::size_t i) const {
     const NounPhrase& said = phrase(i);
-    const bool introduced = said.determiner == Determiner::indefinite || said.count > 0 || said.is_denied ||
-                            relation_to(i) == "with";
+    const bool introduced = said.determiner == Determiner::indefinite || said.count > 0 || said.is_denied;
+    const std::string noun = language::singular(text_[said.head]);
     const bool is_measure = said.head + 1 < said.tokens.end && words_.scales.count(text_[said.head + 1]);
-    return introduced && !is_measure && (is_owned(i) || place_) && may_be_part(language::singular(text_[said.head]));
+    return introduced && !is_measure && (is_owned(i) || place_) && !words_.fillers.count(noun) && may_be_part(noun);
   }
 
   void name_part(std::size_t i, const std::string& label, std::size_t begin, std::size_t end) {
@@ -270,18 +278,28 @@ class PhraseReader {
     const bool is_subject = std::any_of(parse_.verbs.begin(), parse_.verbs.end(), [&](const VerbPhrase& verb) {
       return verb.subject == static_cast<std::int32_t>(i);
     });
-    if (!objects_.empty() && !is_owned(i) && !place_ && !is_subject && !(has && said.determiner != Determiner::definite)) {
+    const bool gone = is_left_out(i);
+    if (!objects_.empty() && !is_owned(i) && !place_ && !is_subject && !gone && !(has && said.determiner != Determiner::definite)) {
       pending_ = {};
       return;
     }
+    // "on a pedestal": how it is built, where the thing has none as a part.
+    const auto built = words_.constructions.find(text_[said.head]);
+    const bool is_built = built != words_.constructions.end();
+    if (is_built && !has && place_ && place_->below) {
+      Attributes construction;
+      construction.construction = built->second;
+      return objects_.apply(construction, {0, ""});
+    }
     NamedPart named{label, attributes(i, begin, end, nullptr), said.is_denied,
                     said.determiner == Determiner::indefinite && !said.is_plural};
+    if (is_built && has && named.said.construction.empty()) named.said.construction = built->second;
     last_ = named_[i] = objects_.add_part(named);
     PartWish* part = objects_.part(last_);
     // "above the top": that is there already.
     if (part && place_ && !(has && said.determiner == Determiner::definite)) place_after(*place_, *part);
     measure_of(said, last_);
-    if (part && is_left_out(i)) part->count = 0;
+    if (part && gone) part->count = 0;
   }
   // "leave the armrests out"
   bool is_left_out(std::size_t i) const {
@@ -304,6 +322,12 @@ class PhraseReader {
       if (text_.is(end, "in") && (text_.is(end + 1, "all") || text_.is(end + 1, "total"))) return count_first(*count);
       if (text_.is(end, "of") && (text_.is(end + 1, "them") || text_.is(end + 1, "these"))) return count_some(i, *count);
       if (joins(i) && !place_ && !is_owned(i)) return;
+      // "hooks, thirteen", "drawers, three on either side"
+      if (part && text_.is(said.tokens.begin - 1, ",") && said.modifiers.empty() && !text_.is(end, "of")) {
+        part->count = *count;
+        named_[i] = last_;
+        return;
+      }
       pending_.count = *count;
       for (std::size_t at = said.tokens.begin; at < end; ++at) text_.read_attribute(at, end, pending_);
     }
@@ -321,7 +345,8 @@ class PhraseReader {
   // "a door on three of them"
   void count_some(std::size_t i, int count) {
     const Attachment* joint = joins(i);
-    if (!joint || joint->from == none || joint->relation == "with") return;
+    // "two of them mirrored"
+    if (!joint || joint->from == none || is_owned(i)) return void(pending_.count = count);
     if (PartWish* part = objects_.part(named_[static_cast<std::size_t>(joint->from)]))
       part->count = count * part->count.value_or(1);
   }
@@ -347,7 +372,7 @@ class PhraseReader {
     const NounPhrase& said = phrase(i);
     const auto subject = subject_of_being(i);
     Referent of = subject ? *subject : last_;
-    if (const Attachment* joint = joins(i); !subject && joint && joint->from != none && joint->relation != "with")
+    if (const Attachment* joint = joins(i); !subject && joint && joint->from != none && !joint->is_verb && joint->relation != "with")
       if (const Referent from = named_[static_cast<std::size_t>(joint->from)]) of = from;
     Attributes read = attributes(i, said.tokens.end, said.tokens.end, nullptr);
     if (said.is_denied) return;
@@ -413,6 +438,7 @@ class PhraseReader {
       }
     const Placement* placement = placement_at(text_, at_, words_);
     if (!placement || (objects_.empty() && !placement->opens())) return false;
+    if (placement->opens() && !starts_phrase(at_ + placement->words.size())) return false;
     target_ = subject_at(at_);
     if (pending_.count) target_ = last_;
     release();
@@ -426,6 +452,10 @@ class PhraseReader {
     if (placement->series.turn > 0)
       if (const double turn = read_turn(text_, at_); turn > 0) part->series.turn = turn;
     return true;
+  }
+  bool starts_phrase(std::size_t token) const {
+    return std::any_of(parse_.phrases.begin(), parse_.phrases.end(),
+                       [&](const NounPhrase& phrase) { return phrase.tokens.begin == token; });
   }
   void relate(const std::string& relation) {
     const Referent of = subject_at(at_);
@@ -449,8 +479,10 @@ class PhraseReader {
   bool measure() {
     const auto measure = read_measure(text_, at_);
     if (!measure) return false;
-    objects_.measure(*measure, subject_at(at_));
-    at_ += measure->length;
+    // Behind a comma it is said of the thing, unless it goes on.
+    const bool is_of_whole = at_ > 0 && text_.is(at_ - 1, ",") && at_ != measured_ + 1 && objects_.head();
+    objects_.measure(*measure, is_of_whole ? Referent{0, ""} : subject_at(at_));
+    measured_ = at_ += measure->length;
     return true;
   }
 
@@ -458,6 +490,11 @@ class PhraseReader {
     if (measure()) return;
     if (const auto stacked = words_.arrangements.find(text_[at_]); stacked != words_.arrangements.end() && objects_.empty()) {
       arrange(stacked->second, text_[at_++]);
+      return;
+    }
+    if (const auto part = text_.owned_part(at_, at_ + 1); part && pending_.count && !objects_.empty()) {
+      last_ = objects_.add_part({part.meaning, std::exchange(pending_, {})});
+      ++at_;
       return;
     }
     if (!pending_.count) target_ = subject_at(at_);
@@ -482,6 +519,7 @@ class PhraseReader {
   std::vector<Referent> named_;  ///< by noun phrase
   std::size_t head_ = 0;         ///< the noun phrase that names the thing itself
   std::size_t at_ = 0;
+  std::size_t measured_ = 0;  ///< where the last measure ended
   Referent last_;      ///< what was named last
   Referent target_;    ///< of what is pending
   Attributes pending_;  ///< said, and not yet of anything

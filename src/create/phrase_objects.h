@@ -21,7 +21,7 @@ struct Referent {
 /// How a part is named.
 struct NamedPart {
   std::string label;
-  Attributes said;
+  Attributes said = {};
   bool is_denied = false;
   bool is_one = false;  ///< "a bucket"
 };

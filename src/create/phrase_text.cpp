@@ -98,8 +98,8 @@ PhraseText::Match<std::string> PhraseText::part(const NounPhrase& phrase,
 
 PhraseText::Match<std::string> PhraseText::owned_part(std::size_t at, std::size_t end) const {
   if (const auto found = longest(parts_.labels, at, end)) return {found.begin, found.end, found.meaning->front()};
-  const auto verb = language::verb((*this)[at]);  // "legged" names legs
-  if (!verb || verb->form == language::VerbForm::gerund || verb->base == texts_[at]) return {};
+  const auto verb = at > 0 ? language::verb((*this)[at]) : std::nullopt;  // "legged" names legs
+  if (!verb || !(*this)[at].ends_with("ed") || parse_.tokens[at].joint != Token::Joint::hyphen) return {};
   const auto found = parts_.labels.find(verb->base);
   if (found == parts_.labels.end()) return {};
   return {at, at + 1, found->second.front()};
@@ -169,7 +169,7 @@ bool PhraseText::is_attribute(const NounPhrase& phrase) const {
 std::optional<int> count_of(const NounPhrase& phrase) {
   const bool article = phrase.count == 1 && (phrase.determiner == language::Determiner::indefinite ||
                                              phrase.determiner == language::Determiner::another);
-  if (phrase.count <= 0 || phrase.count > most_count || article || phrase.is_vague) return std::nullopt;
+  if (phrase.count < 1 || phrase.count > most_count || article || phrase.is_vague) return std::nullopt;
   return static_cast<int>(phrase.count);
 }
 
@@ -178,7 +178,7 @@ bool may_be_part(const std::string& noun) {
   const auto& english = language::lexicon();
   const auto no_parts = {WordClass::person, WordClass::activity, WordClass::time, WordClass::feeling,
                          WordClass::event,  WordClass::attribute, WordClass::quantity, WordClass::place,
-                         WordClass::room,   WordClass::color,     WordClass::animal};
+                         WordClass::color,  WordClass::animal};
   return std::none_of(no_parts.begin(), no_parts.end(),
                       [&](WordClass one) { return english.is(noun, one); });
 }

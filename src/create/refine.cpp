@@ -2,19 +2,20 @@
 
 #include <algorithm>
 
-#include "brief/prompt_words.h"
-#include "brief/tokens.h"
 #include "compose.h"
 #include "part_forms.h"
 #include "parts.h"
 #include "reshape.h"
 #include "roomgen/base/text.h"
+#include "roomgen/language/number.h"
 #include "roomgen/shape/color.h"
 #include "roomgen/shape/evaluate.h"
 
 namespace roomgen::create {
 
 namespace {
+
+constexpr double most_count = 1000;
 
 /// One clause of the wish: what it is about and what shall become of it.
 struct Clause {
@@ -31,8 +32,8 @@ struct Clause {
 class WishReader {
  public:
   WishReader(const std::string& wish, const shape::Program& program, const Words& words)
-      : program_(program), words_(words) {
-    for (const auto& token : design::tokenize(wish)) texts_.push_back(token.text);
+      : program_(program), words_(words), tokens_(language::tokenize(wish)) {
+    for (const auto& token : tokens_) texts_.push_back(token.text);
   }
 
   std::vector<Clause> run() {
@@ -69,10 +70,8 @@ class WishReader {
     else if (shape::parse_color(word)) clause_.color = word, said_ = true;
     else if (const auto strength = words_.strengths.find(word); strength != words_.strengths.end())
       clause_.strength = strength->second;
-    else if (const auto& numbers = design::built_in_vocabulary()->numbers; numbers.count(word) && word != "a" && word != "an")
-      clause_.count = numbers.find(word)->second, said_ = true;
-    else if (!word.empty() && word.find_first_not_of("0123456789") == std::string::npos && word.size() < 4)
-      clause_.count = std::stoi(word), said_ = true;
+    else if (const auto number = language::number_at(tokens_, at_); number && number->value < most_count)
+      clause_.count = static_cast<int>(number->value), said_ = true;
     ++at_;
   }
 
@@ -109,6 +108,7 @@ class WishReader {
 
   const shape::Program& program_;
   const Words& words_;
+  std::vector<language::Token> tokens_;
   std::vector<std::string> texts_;
   std::size_t at_ = 0;
   std::vector<Clause> clauses_;

@@ -4,12 +4,11 @@
 #include <cmath>
 #include <limits>
 
-#include "brief/prompt_words.h"
-#include "brief/tokens.h"
 #include "part_forms.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/resource.h"
-#include "roomgen/base/text.h"
+#include "roomgen/language/inflection.h"
+#include "roomgen/language/number.h"
 #include "words.h"
 
 namespace roomgen::create {
@@ -73,7 +72,7 @@ const T* look_up(const WordMap<T>& map, const std::string& word) {
 
 class SizeReader {
  public:
-  explicit SizeReader(const std::string& prompt) : tokens_(design::tokenize(prompt)) {}
+  explicit SizeReader(const std::string& prompt) : tokens_(language::tokenize(prompt)) {}
 
   RelativeSize run() {
     for (std::size_t at = 0; at < tokens_.size(); ++at) {
@@ -87,21 +86,19 @@ class SizeReader {
 
  private:
   std::string word(std::size_t at) const {
+    using Kind = language::Token::Kind;
     if (at >= tokens_.size()) return "";
-    const auto kind = tokens_[at].kind;
-    return kind == design::Token::Kind::comma || kind == design::Token::Kind::stop ? "" : tokens_[at].text;
+    const Kind kind = tokens_[at].kind;
+    return kind == Kind::word || kind == Kind::number ? tokens_[at].text : "";
   }
   bool is_article(std::size_t at) const {
-    const std::string text = word(at);
-    return text == "a" || text == "an" || text == "the" || text == "my" || text == "your" || text == "one";
+    static const WordSet articles = {"a", "an", "the", "my", "your", "one"};
+    return articles.count(word(at)) > 0;
   }
-  std::optional<double> number(std::size_t at) const {
-    if (at >= tokens_.size()) return std::nullopt;
-    if (tokens_[at].kind == design::Token::Kind::number) return tokens_[at].value;
-    const auto& vocabulary = *design::built_in_vocabulary();
-    const auto found = vocabulary.numbers.find(tokens_[at].text);
-    if (found == vocabulary.numbers.end() || vocabulary.vague.count(tokens_[at].text)) return std::nullopt;
-    return found->second;
+
+  std::optional<double> number_value(std::size_t at) const {
+    const auto number = language::number_at(tokens_, at);
+    return number ? std::optional(number->value) : std::nullopt;
   }
 
   static bool is_part(const std::string& word) {
@@ -122,7 +119,7 @@ class SizeReader {
 
   // "knee high", "at waist height", "up to the hip".
   void read_level(std::size_t at) {
-    const double* height = look_up(comparisons().heights, singular(word(at)));
+    const double* height = look_up(comparisons().heights, language::singular(word(at)));
     if (!height) return;
     if (comparisons().level_words.count(word(at + 1))) return set_height(*height, at, at + 2);
     std::size_t before = at;
@@ -144,7 +141,7 @@ class SizeReader {
 
   void set_being(std::size_t from, std::size_t at, double share) {
     if (is_article(at)) ++at;
-    if (const double* height = look_up(comparisons().beings, singular(word(at))))
+    if (const double* height = look_up(comparisons().beings, language::singular(word(at))))
       set_height(share * *height, from, at + 1);
   }
 
@@ -153,7 +150,7 @@ class SizeReader {
     std::size_t next = at + 1;
     std::optional<double> times;
     if (const double* multiple = look_up(comparisons().multiples, word(at))) times = *multiple;
-    else if (word(at + 1) == "times") times = number(at), ++next;
+    else if (word(at + 1) == "times") times = number_value(at), ++next;
     if (!times || *times <= 0.0 || *times > 20.0) return;
     const Vec3* side = nullptr;
     for (const std::size_t end = next + most_between; next < end && !side; ++next) {
@@ -176,18 +173,18 @@ class SizeReader {
 
   // "for ten", "for 4 people", "a three-seater", "seats six".
   void read_people(std::size_t at) {
-    const auto count = number(at);
-    if (!count || *count < 1 || *count > most_people || *count != std::floor(*count)) return;
-    const std::string after = word(at + 1);
+    const auto count = language::number_at(tokens_, at);
+    if (!count || count->value < 1 || count->value > most_people || count->value != std::floor(count->value)) return;
+    const std::string after = word(at + count->length);
     const bool named = comparisons().people.count(after) > 0;
     // The end of the phrase: "for ten bottles" is no number of people.
     const bool last = after.empty() || after == "with" || after == "and" || after == "in" || after == "made";
     const std::string before = at > 0 ? word(at - 1) : "";
     if (named ? !is_article(at) : last && (before == "for" || before == "seats" || before == "seating"))
-      result_.people = static_cast<int>(*count);
+      result_.people = static_cast<int>(count->value);
   }
 
-  std::vector<design::Token> tokens_;
+  std::vector<language::Token> tokens_;
   RelativeSize result_;
 };
 
