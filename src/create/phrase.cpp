@@ -140,7 +140,7 @@ class PhraseReader {
     }
     at_ = std::max(at_, end);
     likeness_ = false;
-    if (!text_.is(at_, ",") && !text_.is(at_, "and") && !pending_.count && named_[i].object != Referent::none && !is_arrangement(i)) place_ = nullptr;
+    if (!text_.is(at_, ",") && !text_.is(at_, "and") && !pending_.article && !is_arrangement(i)) place_ = nullptr;
   }
 
   // The words around the name: `owned` gets parts that modifiers name.
@@ -170,7 +170,8 @@ class PhraseReader {
       next += text_.read_attribute(next, next + 1, named.said);
     const auto part = text_.owned_part(next, end);
     Attributes unused;
-    if (!part || (next == at && text_.read_attribute(at, end, unused) > 0)) return 0;
+    // "framed" alone is what the thing is like.
+    if (!part || (next == at && text_[at].ends_with("ed")) || (next == at && text_.read_attribute(at, end, unused) > 0)) return 0;
     named.label = part.meaning;
     owned->push_back(named);
     return part.end - at;
@@ -283,21 +284,21 @@ class PhraseReader {
       pending_ = {};
       return;
     }
-    // "on a pedestal": how it is built, where the thing has none as a part.
+    // "on a pedestal": how it is built.
     const auto built = words_.constructions.find(text_[said.head]);
     const bool is_built = built != words_.constructions.end();
-    if (is_built && !has && place_ && place_->below) {
+    if (is_built && place_ && place_->below && !objects_.empty()) {
       Attributes construction;
       construction.construction = built->second;
-      return objects_.apply(construction, {0, ""});
+      objects_.apply(construction, {0, ""});
+      if (!has) return;
     }
     NamedPart named{label, attributes(i, begin, end, nullptr), said.is_denied,
                     said.determiner == Determiner::indefinite && !said.is_plural};
-    if (is_built && has && named.said.construction.empty()) named.said.construction = built->second;
     last_ = named_[i] = objects_.add_part(named);
     PartWish* part = objects_.part(last_);
     // "above the top": that is there already.
-    if (part && place_ && !(has && said.determiner == Determiner::definite)) place_after(*place_, *part);
+    if (part && place_ && !(has && (place_->below || said.determiner == Determiner::definite))) place_after(*place_, *part);
     measure_of(said, last_);
     if (part && gone) part->count = 0;
   }
@@ -321,14 +322,15 @@ class PhraseReader {
     if (const auto count = count_of(said)) {
       if (text_.is(end, "in") && (text_.is(end + 1, "all") || text_.is(end + 1, "total"))) return count_first(*count);
       if (text_.is(end, "of") && (text_.is(end + 1, "them") || text_.is(end + 1, "these"))) return count_some(i, *count);
-      if (joins(i) && !place_ && !is_owned(i)) return;
       // "hooks, thirteen", "drawers, three on either side"
       if (part && text_.is(said.tokens.begin - 1, ",") && said.modifiers.empty() && !text_.is(end, "of")) {
         part->count = *count;
         named_[i] = last_;
         return;
       }
+      if (joins(i) && !place_ && !is_owned(i)) return;
       pending_.count = *count;
+      pending_.article = true;
       for (std::size_t at = said.tokens.begin; at < end; ++at) text_.read_attribute(at, end, pending_);
     }
     if (part) named_[i] = last_;
@@ -346,7 +348,7 @@ class PhraseReader {
   void count_some(std::size_t i, int count) {
     const Attachment* joint = joins(i);
     // "two of them mirrored"
-    if (!joint || joint->from == none || is_owned(i)) return void(pending_.count = count);
+    if (!joint || joint->from == none || is_owned(i)) return void((pending_.count = count, pending_.article = true));
     if (PartWish* part = objects_.part(named_[static_cast<std::size_t>(joint->from)]))
       part->count = count * part->count.value_or(1);
   }
@@ -376,6 +378,13 @@ class PhraseReader {
       if (const Referent from = named_[static_cast<std::size_t>(joint->from)]) of = from;
     Attributes read = attributes(i, said.tokens.end, said.tokens.end, nullptr);
     if (said.is_denied) return;
+    // "a square padded seat", whose noun is still to come.
+    const bool goes_on = !subject && said.determiner == Determiner::indefinite && !text_.is(said.tokens.end, ",");
+    if (goes_on) {
+      pending_ = read;
+      pending_.article = true;
+      return;
+    }
     if (of) objects_.apply(read, named_[i] = of);
     else pending_ = read;
   }
@@ -440,7 +449,7 @@ class PhraseReader {
     if (!placement || (objects_.empty() && !placement->opens())) return false;
     if (placement->opens() && !starts_phrase(at_ + placement->words.size())) return false;
     target_ = subject_at(at_);
-    if (pending_.count) target_ = last_;
+    if (pending_.article) target_ = last_;
     release();
     const Referent before = subject_at(at_);
     at_ += placement->words.size();
@@ -497,10 +506,10 @@ class PhraseReader {
       ++at_;
       return;
     }
-    if (!pending_.count) target_ = subject_at(at_);
+    if (!pending_.article) target_ = subject_at(at_);
     if (const std::size_t length = text_.read_attribute(at_, text_.size(), pending_)) {
       at_ += length;
-      if (target_ && !pending_.count) objects_.apply(std::exchange(pending_, {}), target_);
+      if (target_ && !pending_.article) objects_.apply(std::exchange(pending_, {}), target_);
       return;
     }
     if (words_.absences.count(text_[at_]))

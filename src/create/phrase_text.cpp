@@ -16,7 +16,8 @@ using language::Token;
 
 PhraseText::PhraseText(const std::string& prompt, const Words& words, const PartForms& parts,
                        const ShapeKinds& kinds)
-    : words_(words), parts_(parts), kinds_(kinds), parse_(language::parse(prompt)) {
+    : words_(words), parts_(parts), kinds_(kinds),
+      parse_(language::parse(prompt, [&](std::string_view name) { return kinds.find(name) != nullptr; })) {
   for (const auto& token : parse_.tokens)
     texts_.push_back(token.kind == Token::Kind::word || token.kind == Token::Kind::number
                          ? token.text
@@ -98,9 +99,12 @@ PhraseText::Match<std::string> PhraseText::part(const NounPhrase& phrase,
 
 PhraseText::Match<std::string> PhraseText::owned_part(std::size_t at, std::size_t end) const {
   if (const auto found = longest(parts_.labels, at, end)) return {found.begin, found.end, found.meaning->front()};
-  const auto verb = at > 0 ? language::verb((*this)[at]) : std::nullopt;  // "legged" names legs
-  if (!verb || !(*this)[at].ends_with("ed") || parse_.tokens[at].joint != Token::Joint::hyphen) return {};
-  const auto found = parts_.labels.find(verb->base);
+  // "three-legged"
+  std::string stem = (*this)[at];
+  if (stem.size() <= 4 || !stem.ends_with("ed")) return {};
+  stem.resize(stem.size() - 2);
+  if (stem[stem.size() - 1] == stem[stem.size() - 2]) stem.pop_back();
+  const auto found = parts_.labels.find(stem);
   if (found == parts_.labels.end()) return {};
   return {at, at + 1, found->second.front()};
 }
@@ -179,7 +183,8 @@ bool may_be_part(const std::string& noun) {
   const auto no_parts = {WordClass::person, WordClass::activity, WordClass::time, WordClass::feeling,
                          WordClass::event,  WordClass::attribute, WordClass::quantity, WordClass::place,
                          WordClass::color,  WordClass::animal};
-  return std::none_of(no_parts.begin(), no_parts.end(),
+  return english.may_be(noun, WordClass::artefact) || english.is(noun, WordClass::shape) ||
+         std::none_of(no_parts.begin(), no_parts.end(),
                       [&](WordClass one) { return english.is(noun, one); });
 }
 
