@@ -13,8 +13,8 @@ constexpr std::size_t max_mentions = 120;
 constexpr int most_for_each = 40;
 constexpr double tray_height = 0.1, tray_side = 0.2;
 
-// Who describes a room looks at the fronts of things: the mouse to the right of a keyboard is at the
-// hand of who sits before it. Constraints' sides are the thing's own.
+// Who describes a room looks at the fronts of things: the mouse to the right of a keyboard is at
+// the hand of who sits before it. Constraints' sides are the thing's own.
 RelationKind as_seen(RelationKind kind) {
   if (kind == RelationKind::left_of) return RelationKind::right_of;
   return kind == RelationKind::right_of ? RelationKind::left_of : kind;
@@ -62,9 +62,9 @@ std::optional<std::size_t> Discourse::last_compound(std::string_view noun) const
 }
 
 std::optional<std::size_t> Discourse::refer(const ThingPhrase& phrase, int sentence) {
-  const bool further = std::any_of(
-      phrase.modifiers.begin(), phrase.modifiers.end(),
-      [&](const std::string& word) { return lexicon_.words.further.count(word) > 0; });
+  const bool further =
+      std::any_of(phrase.modifiers.begin(), phrase.modifiers.end(),
+                  [&](const std::string& word) { return lexicon_.words.further.count(word) > 0; });
   if (!further && (!phrase.article || phrase.definite))
     if (const auto before = known(phrase)) return before;
   if (count() >= max_mentions) return std::nullopt;
@@ -117,10 +117,12 @@ std::optional<std::size_t> Discourse::antecedent(RelationKind kind,
                                                  const std::vector<std::size_t>& subjects) const {
   const Mention& one = mention(subjects.front());
   if (one.mount == Mount::ceiling || kind == RelationKind::above || kind == RelationKind::under)
-    if (const auto carrier = last_carrier(); carrier && !is_among(subjects, *carrier)) return carrier;
+    if (const auto carrier = last_carrier(); carrier && !is_among(subjects, *carrier))
+      return carrier;
   // Chairs stand before desks and tables.
   if (kind == RelationKind::in_front_of && lexicon_.table.is_a(one.category, "seat"))
-    if (const auto table = last_carrier("table"); table && !is_among(subjects, *table)) return table;
+    if (const auto table = last_carrier("table"); table && !is_among(subjects, *table))
+      return table;
   // On a desk the mouse to the right is to the right of the keyboard.
   if (one.mount == Mount::surface && kind != RelationKind::on)
     for (std::size_t i = subjects.front(); i-- > 0 && mention(i).sentence + 1 >= one.sentence;)
@@ -136,8 +138,8 @@ std::optional<std::size_t> Discourse::last_of_several() const {
 
 void Discourse::demand(const std::vector<std::size_t>& subjects, const Demand& what) {
   // Of a desk, a lamp and a cup on it only the small ones are meant.
-  const bool has_small = std::any_of(subjects.begin(), subjects.end(),
-                                     [this](std::size_t i) { return is_small(i); });
+  const bool has_small =
+      std::any_of(subjects.begin(), subjects.end(), [this](std::size_t i) { return is_small(i); });
   for (const std::size_t subject : subjects) {
     if (what.kind == RelationKind::on && has_small && !is_small(subject)) continue;
     Demand own = what;
@@ -252,8 +254,10 @@ void Discourse::own(std::size_t owner, std::size_t index) {
 
 bool Discourse::seats_at(std::size_t seat, std::size_t other) const {
   const auto& table = lexicon_.table;
-  return other != Demand::none && table.is_any_of(mention(seat).category, {"chair", "stool", "bench"}) &&
-         table.is_a(mention(other).category, "table") && !table.is_a(mention(other).category, "desk");
+  return other != Demand::none &&
+         table.is_any_of(mention(seat).category, {"chair", "stool", "bench"}) &&
+         table.is_a(mention(other).category, "table") &&
+         !table.is_a(mention(other).category, "desk");
 }
 
 bool Discourse::is_small(std::size_t index) const {
@@ -295,7 +299,8 @@ std::optional<std::size_t> Discourse::last_carrier(std::string_view top) const {
   if (top.starts_with("counter"))
     if (const auto found = find([&](const Mention& one) {
           return one.noun.ends_with("counter") || one.noun.ends_with("vanity") ||
-                 lexicon_.table.is_any_of(one.category, {"kitchen unit", "kitchen island", "washbasin"});
+                 lexicon_.table.is_any_of(one.category,
+                                          {"kitchen unit", "kitchen island", "washbasin"});
         }))
       return found;
   if (table || desk)
@@ -303,9 +308,7 @@ std::optional<std::size_t> Discourse::last_carrier(std::string_view top) const {
           return lexicon_.table.is_a(one.category, table ? "table" : "desk");
         }))
       return found;
-  return find([&](const Mention& one) {
-    return keeps_things(one.category, lexicon_.table);
-  });
+  return find([&](const Mention& one) { return keeps_things(one.category, lexicon_.table); });
 }
 
 }  // namespace roomgen::design

@@ -51,7 +51,8 @@ class Discourse {
   /// What was spoken of last of what things stand on; "tabletop" is a table's.
   std::optional<std::size_t> last_carrier(std::string_view top = "") const;
 
-  /// Says something of things; of several that are small on something, and of others, the small ones.
+  /// Says something of things; of several that are small on something, and of others, the small
+  /// ones.
   void demand(const std::vector<std::size_t>& subjects, const Demand& what);
   void add(std::size_t mention, const Demand& what);
   /// Says in what part of the room things are.

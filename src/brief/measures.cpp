@@ -19,7 +19,8 @@ bool thing_follows(const std::vector<Token>& tokens, std::size_t at, const KindT
                    const Vocabulary& words) {
   for (std::size_t i = at; i < tokens.size() && i < at + ahead; ++i) {
     if (tokens[i].kind != Token::Kind::word) return false;
-    if (mention_at(table, tokens, i).length > 0 && !words.materials.count(tokens[i].text)) return true;
+    if (mention_at(table, tokens, i).length > 0 && !words.materials.count(tokens[i].text))
+      return true;
     if (const auto& kinds = OpeningKinds::built_in();
         kinds && opening_name_at(tokens, i, *kinds) > 0)
       return true;
@@ -40,14 +41,16 @@ void set_size(const Vec2& size, Brief& brief) {
   if (!brief.size) brief.size = size;
 }
 
-// "4 x 5 m": of a thing where one is named right after, else of the room; a third side is its height.
+// "4 x 5 m": of a thing where one is named right after, else of the room; a third side is its
+// height.
 void read_sides(std::vector<Token>& tokens, std::size_t at, std::size_t count,
                 const Measure& measure, const Vocabulary& words, const KindTable& table,
                 Brief& brief) {
   const Vec2 size(measure.values[0], measure.values[1]);
   if (thing_follows(tokens, at + count, table, words)) {
     replace(tokens, at, count,
-            {{Token::Kind::length, "length", size.x(), {}}, {Token::Kind::length, "depth", size.y(), {}}});
+            {{Token::Kind::length, "length", size.x(), {}},
+             {Token::Kind::length, "depth", size.y(), {}}});
   } else if (measure.has_unit || size.maxCoeff() <= metres_up_to) {
     set_size(size, brief);
     replace(tokens, at, count);

@@ -72,9 +72,8 @@ const Placement* by_words(const PromptText& text, const Attachment& attachment,
 }  // namespace
 
 std::optional<SaidPlacement> placement_of(const PromptText& text, const Attachment& attachment) {
-  const std::string relation = attachment.is_verb
-                                   ? text.plain[attachment.tokens.end - 1].text
-                                   : text_of(text, attachment.tokens);
+  const std::string relation = attachment.is_verb ? text.plain[attachment.tokens.end - 1].text
+                                                  : text_of(text, attachment.tokens);
   const std::string verb = attachment.is_verb ? "" : verb_of(text, attachment);
   if (attachment.to == language::none) return std::nullopt;
   if (const auto found = by_part(text, attachment, relation, verb)) return found;

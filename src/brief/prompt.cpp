@@ -31,9 +31,14 @@ class PromptReader {
  public:
   PromptReader(const PromptText& text, std::vector<Token> left, std::vector<Taken> taken,
                const Lexicon& lexicon, Brief& brief)
-      : text_(text), parse_(text.parse), left_(std::move(left)), taken_(std::move(taken)),
+      : text_(text),
+        parse_(text.parse),
+        left_(std::move(left)),
+        taken_(std::move(taken)),
         words_(lexicon.words),
-        brief_(brief), talk_(lexicon, brief), mention_of_(parse_.phrases.size()) {}
+        brief_(brief),
+        talk_(lexicon, brief),
+        mention_of_(parse_.phrases.size()) {}
 
   void run() {
     read_openings();
@@ -144,9 +149,9 @@ class PromptReader {
     return true;
   }
   bool introduces(const Attachment& attachment) const {
-    static const WordSet relations = {"with",    "have",    "contain", "include",
-                                      "feature", "hold",    "display", "support",
-                                      "carry",   "by",      "need",    "want"};
+    static const WordSet relations = {"with",    "have", "contain", "include",
+                                      "feature", "hold", "display", "support",
+                                      "carry",   "by",   "need",    "want"};
     if (relations.count(attachment.relation)) return true;
     const auto said = placement_of(text_, attachment);
     return said && said->placement->inverse;
@@ -183,7 +188,8 @@ class PromptReader {
       if (attachment.to != id || !owns(attachment)) continue;
       const auto owner = mention_of(attachment.from);
       if (!owner) continue;
-      if (words_.parts.count(word(phrase(id).head)) && !is_listed_with_thing(attachment)) return true;
+      if (words_.parts.count(word(phrase(id).head)) && !is_listed_with_thing(attachment))
+        return true;
       if (thing.kind.length > 0 && thing.kind.category->mount == Mount::wall &&
           talk_.mention(*owner).mount == Mount::surface)
         return true;
@@ -192,11 +198,11 @@ class PromptReader {
   }
   // "with a cabinet and a shelf": a shelf beside other things is one.
   bool is_listed_with_thing(const Attachment& attachment) const {
-    return std::any_of(parse_.attachments.begin(), parse_.attachments.end(),
-                       [&](const Attachment& other) {
-                         return other.from == attachment.from && other.tokens == attachment.tokens &&
-                                other.to < attachment.to && mention_of(other.to);
-                       });
+    return std::any_of(
+        parse_.attachments.begin(), parse_.attachments.end(), [&](const Attachment& other) {
+          return other.from == attachment.from && other.tokens == attachment.tokens &&
+                 other.to < attachment.to && mention_of(other.to);
+        });
   }
   bool owns(const Attachment& attachment) const {
     static const WordSet relations = {"with", "have", "feature", "include"};
@@ -293,11 +299,10 @@ class PromptReader {
   const Attachment& of_thing(const Attachment& attachment) const {
     const Attachment* said = &attachment;
     for (int steps = 0; steps < 4 && said->from != none && !mention_of(said->from); ++steps) {
-      const auto to_place =
-          std::find_if(parse_.attachments.begin(), parse_.attachments.end(),
-                       [&](const Attachment& one) {
-                         return one.to == said->from && one.relation != "of" && !owns(one);
-                       });
+      const auto to_place = std::find_if(
+          parse_.attachments.begin(), parse_.attachments.end(), [&](const Attachment& one) {
+            return one.to == said->from && one.relation != "of" && !owns(one);
+          });
       if (to_place == parse_.attachments.end()) break;
       said = &*to_place;
     }
@@ -327,7 +332,8 @@ class PromptReader {
     read_target(attachment, *said, subjects);
   }
 
-  void read_target(const Attachment& attachment, const SaidPlacement& said, const Indices& subjects) {
+  void read_target(const Attachment& attachment, const SaidPlacement& said,
+                   const Indices& subjects) {
     const NounPhrase& target = phrase(said.target);
     if (const auto thing = mention_of(said.target)) {
       if (said.placement->relations.front() != RelationKind::aligned)
@@ -340,7 +346,8 @@ class PromptReader {
     }
     auto place = read_place(text_.plain, target.tokens.begin, words_);
     if (!place) return;
-    if (place->place == Place::middle) return locate_in_middle(attachment, subjects, *said.placement, *place);
+    if (place->place == Place::middle)
+      return locate_in_middle(attachment, subjects, *said.placement, *place);
     talk_.locate(subjects, *said.placement, *place);
   }
 
@@ -362,10 +369,10 @@ class PromptReader {
 
   void say(const Indices& subjects, const SaidPlacement& said, std::size_t target) {
     if (said.placement->hanging) talk_.hang_from_ceiling(subjects);
-    const bool lies_on_part = said.is_portion &&
-                              std::all_of(subjects.begin(), subjects.end(), [&](std::size_t i) {
-                                return talk_.mention(i).mount == Mount::surface;
-                              });
+    const bool lies_on_part =
+        said.is_portion && std::all_of(subjects.begin(), subjects.end(), [&](std::size_t i) {
+          return talk_.mention(i).mount == Mount::surface;
+        });
     if (lies_on_part) return talk_.demand(subjects, {RelationKind::on, target, "", false});
     for (auto kind : said.placement->relations)
       talk_.demand(subjects, {kind, target, "", said.placement->flank});
@@ -389,11 +396,10 @@ class PromptReader {
   }
   // "flanked by a dishwasher and a pantry": each takes a side.
   bool is_among_several(const Attachment& attachment) const {
-    return std::count_if(parse_.attachments.begin(), parse_.attachments.end(),
-                         [&](const Attachment& other) {
-                           return other.from == attachment.from &&
-                                  other.tokens == attachment.tokens;
-                         }) > 1;
+    return std::count_if(
+               parse_.attachments.begin(), parse_.attachments.end(), [&](const Attachment& other) {
+                 return other.from == attachment.from && other.tokens == attachment.tokens;
+               }) > 1;
   }
 
   void read_owned(const Attachment& attachment) {
@@ -431,7 +437,8 @@ class PromptReader {
       if (used[i]) continue;
       look_back_from(i);
       const auto match = longest(words_.placements, text_.plain, i);
-      if (!match || (!match.value->pronoun && !match.value->adverb && !match.value->mutual)) continue;
+      if (!match || (!match.value->pronoun && !match.value->adverb && !match.value->mutual))
+        continue;
       const Indices subjects = subjects_at(i);
       if (!subjects.empty() && match.value->mutual)
         relate_listed(i, *match.value);
@@ -445,13 +452,16 @@ class PromptReader {
   Indices subjects_at(std::size_t token) const {
     for (const auto& verb : parse_.verbs)
       if (verb.tokens.end == token && verb.subject != none)
-        if (const auto subjects = mentions_of_list(verb.subject); !subjects.empty()) return subjects;
+        if (const auto subjects = mentions_of_list(verb.subject); !subjects.empty())
+          return subjects;
     std::optional<std::size_t> before, after;
     for (std::size_t i = 0; i < parse_.phrases.size(); ++i) {
       const std::size_t head = parse_.phrases[i].head;
       if (!mention_of_[i] || sentence_of(head) != sentence_of(token)) continue;
-      if (head < token) before = mention_of_[i];
-      else if (!after) after = mention_of_[i];
+      if (head < token)
+        before = mention_of_[i];
+      else if (!after)
+        after = mention_of_[i];
     }
     if (!before) before = after;
     return before ? Indices{*before} : Indices{};
@@ -571,9 +581,9 @@ Brief read_prompt(std::string_view prompt, const RoomKinds& kinds, const KindTab
   Brief brief;
   const auto& words = built_in_vocabulary();
   if (!words) return brief;
-  const auto parse = language::parse(
-      language::tokenize(prompt, max_tokens),
-      [&](std::string_view name) { return table.spelled(name) != nullptr; });
+  const auto parse =
+      language::parse(language::tokenize(prompt, max_tokens),
+                      [&](std::string_view name) { return table.spelled(name) != nullptr; });
   if (parse.tokens.size() >= max_tokens)
     brief.notes.push_back("only the first " + std::to_string(max_tokens) +
                           " words of the prompt were read");
@@ -594,7 +604,8 @@ Brief read_prompt(std::string_view prompt, const RoomKinds& kinds, const KindTab
   settle(brief, table);
   if (brief.type.empty() && brief.mentions.empty() && brief.styles.empty() && !prompt.empty())
     brief.notes.push_back(
-        "no room and no thing of the prompt is known; the rules read English only (a language model "
+        "no room and no thing of the prompt is known; the rules read English only (a language "
+        "model "
         "reads others: --model)");
   if (brief.type.empty()) {
     brief.type = guess_room_type(brief, kinds, table);

@@ -69,12 +69,11 @@ Result<Vocabulary> parse_vocabulary(std::string_view text, const std::string& so
   if (!json) return json.error();
   JsonReader::Problems problems(source);
   const JsonReader root(*json, problems);
-  root.allow_only({"about",        "numbers",       "vague",          "definite",  "negations",
-                   "only",         "measured",      "stops",          "parts",     "no things",
-                   "materials",    "sizes",         "people",         "people words",
-                   "room words",   "generic rooms", "parts of rooms", "walls",     "placements",
-                   "pairs",        "verbs",         "tops",           "portions",  "built in",
-                   "further"});
+  root.allow_only({"about",         "numbers",        "vague",    "definite",     "negations",
+                   "only",          "measured",       "stops",    "parts",        "no things",
+                   "materials",     "sizes",          "people",   "people words", "room words",
+                   "generic rooms", "parts of rooms", "walls",    "placements",   "pairs",
+                   "verbs",         "tops",           "portions", "built in",     "further"});
   Vocabulary words;
   words.numbers = read_integers(root["numbers"]);
   words.people = read_integers(root["people"]);

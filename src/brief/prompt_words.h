@@ -20,13 +20,13 @@ using WordSet = std::set<std::string, std::less<>>;
 /// What "next to" and its like mean.
 struct Placement {
   std::vector<RelationKind> relations;
-  bool flank = false;    ///< one on each side
-  bool pronoun = false;  ///< names its target itself: "to its left"
-  bool adverb = false;   ///< may do without a target: "a chair nearby"
+  bool flank = false;     ///< one on each side
+  bool pronoun = false;   ///< names its target itself: "to its left"
+  bool adverb = false;    ///< may do without a target: "a chair nearby"
   bool centered = false;  ///< of a room: in its middle
-  bool hanging = false;  ///< of lamps: from the ceiling
-  bool mutual = false;   ///< of things to each other: "side by side"
-  bool inverse = false;  ///< said of the target: "a sofa flanked by two lamps"
+  bool hanging = false;   ///< of lamps: from the ceiling
+  bool mutual = false;    ///< of things to each other: "side by side"
+  bool inverse = false;   ///< said of the target: "a sofa flanked by two lamps"
 };
 
 /// The words of data/words.json.
@@ -35,12 +35,12 @@ struct Vocabulary {
   std::map<std::string, Vec3, std::less<>> sizes;
   std::map<std::string, std::string, std::less<>> room_parts;
   std::map<std::string, Placement, std::less<>> placements;
-  WordSet pairs;  ///< one thing though a plural: "headphones", "a pair of scissors"
-  WordSet verbs;         ///< finite: what stands before begins a clause
-  WordSet tops;          ///< "the countertop": of what was spoken of
-  WordSet portions;      ///< "the edge of the bathtub", "the sofa cushion": stand for the whole
-  WordSet further;       ///< "extra towels": besides those spoken of
-  WordSet built_in;      ///< what is so is no thing of its own
+  WordSet pairs;     ///< one thing though a plural: "headphones", "a pair of scissors"
+  WordSet verbs;     ///< finite: what stands before begins a clause
+  WordSet tops;      ///< "the countertop": of what was spoken of
+  WordSet portions;  ///< "the edge of the bathtub", "the sofa cushion": stand for the whole
+  WordSet further;   ///< "extra towels": besides those spoken of
+  WordSet built_in;  ///< what is so is no thing of its own
   WordSet vague, definite, negations, only, measured, stops, parts, no_things, materials,
       people_words, room_words, generic_rooms;
 };

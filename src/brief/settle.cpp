@@ -73,8 +73,8 @@ int usual_number(const Mention& mention, const Brief& brief, const KindTable& ta
   return seat && table_there ? seats_at_a_table : usual_few;
 }
 
-// Makes it what stands on tables: a table lamp, a small plant; a fern stays a fern, as small as small
-// plants are. False if there is no such kind.
+// Makes it what stands on tables: a table lamp, a small plant; a fern stays a fern, as small as
+// small plants are. False if there is no such kind.
 bool become_small(Mention& mention, const KindTable& table) {
   const Kind* kind = table.find(mention.category);
   for (int i = 0; kind && i < 4; ++i) {
@@ -123,10 +123,11 @@ void stand_on_things(Mention& mention, const Brief& brief, const KindTable& tabl
   if (lies && mention.mount == Mount::surface) mention.mount = Mount::floor;
   if (!mention.known && !mention.sized) mention.size = small_unknown_size;
   if (mention.mount == Mount::surface) return;
-  const bool hangs =
-      mention.mount == Mount::wall &&
-      (mention.sized || std::any_of(mention.demands.begin(), mention.demands.end(),
-                                    [](const Demand& one) { return one.kind == RelationKind::above; }));
+  const bool hangs = mention.mount == Mount::wall &&
+                     (mention.sized || std::any_of(mention.demands.begin(), mention.demands.end(),
+                                                   [](const Demand& one) {
+                                                     return one.kind == RelationKind::above;
+                                                   }));
   if (!lies && !hangs && become_small(mention, table)) return;
   if (mention.mount == Mount::wall || mention.mount == Mount::ceiling) {
     on->kind = RelationKind::above;
@@ -141,9 +142,9 @@ void stand_on_things(Mention& mention, const Brief& brief, const KindTable& tabl
 
 bool is_beside(RelationKind kind) {
   return kind == RelationKind::near || kind == RelationKind::next_to ||
-         kind == RelationKind::side_of ||
-         kind == RelationKind::left_of || kind == RelationKind::right_of ||
-         kind == RelationKind::in_front_of || kind == RelationKind::behind;
+         kind == RelationKind::side_of || kind == RelationKind::left_of ||
+         kind == RelationKind::right_of || kind == RelationKind::in_front_of ||
+         kind == RelationKind::behind;
 }
 
 // "a tray with two cups on the table": the tray is on the table, the cups are on the tray.
@@ -169,9 +170,9 @@ void hand_down_supports(Brief& brief) {
 
 // What was only heard from a list gives way to what is said of the thing itself.
 void drop_listed_supports(Mention& mention) {
-  const bool told = std::any_of(
-      mention.demands.begin(), mention.demands.end(),
-      [&](const Demand& demand) { return is_support(demand) && !demand.listed; });
+  const bool told =
+      std::any_of(mention.demands.begin(), mention.demands.end(),
+                  [&](const Demand& demand) { return is_support(demand) && !demand.listed; });
   const auto is_beside_it = [&](const Demand& support) {
     return std::any_of(mention.demands.begin(), mention.demands.end(), [&](const Demand& demand) {
       return demand.mention == support.mention && is_beside(demand.kind);
@@ -265,8 +266,8 @@ void support_by_sentence(Brief& brief) {
   }
 }
 
-// "An island under the window, where a cooktop heats a pot": what carries things and was named before
-// them in their sentence carries small things of which nothing else is said.
+// "An island under the window, where a cooktop heats a pot": what carries things and was named
+// before them in their sentence carries small things of which nothing else is said.
 void stand_on_what_was_named(Brief& brief, const KindTable& table) {
   auto& mentions = brief.mentions;
   for (std::size_t i = 0; i < mentions.size(); ++i) {
@@ -275,7 +276,8 @@ void stand_on_what_was_named(Brief& brief, const KindTable& table) {
       continue;
     for (std::size_t j = i; j-- > 0 && mentions[j].sentence == mentions[i].sentence;) {
       if (!keeps_things(mentions[j].category, table)) continue;
-      if (mentions[j].mount == Mount::floor && !is_too_large(mentions[i], mentions[j])) put_on(mentions[i], j);
+      if (mentions[j].mount == Mount::floor && !is_too_large(mentions[i], mentions[j]))
+        put_on(mentions[i], j);
       break;
     }
   }
@@ -306,7 +308,8 @@ void keep_inside_what_carries(Mention& mention) {
 
 // Whose one top is what carries things.
 bool has_one_top(const Mention& mention, const KindTable& table) {
-  return table.is_any_of(mention.category, {"table", "nightstand", "bar cart", "tray", "kitchen island"}) &&
+  return table.is_any_of(mention.category,
+                         {"table", "nightstand", "bar cart", "tray", "kitchen island"}) &&
          !table.get(mention.category).traits.flat;
 }
 
@@ -315,8 +318,8 @@ void widen_for_loads(Brief& brief, const KindTable& table) {
   std::vector<double> loads(brief.mentions.size(), 0.0);
   for (const auto& mention : brief.mentions)
     if (const auto support = support_of(mention); support && mention.mount == Mount::surface)
-      loads[*support] += mention.quantity *
-                         (mention.size.head<2>() + Vec2::Constant(between_loads)).prod();
+      loads[*support] +=
+          mention.quantity * (mention.size.head<2>() + Vec2::Constant(between_loads)).prod();
   for (std::size_t i = 0; i < brief.mentions.size(); ++i) {
     Mention& carrier = brief.mentions[i];
     if (loads[i] == 0.0 || !has_one_top(carrier, table)) continue;
@@ -406,8 +409,8 @@ bool faces_something(const Mention& mention) {
 void draw_up_seats(Brief& brief, const KindTable& table) {
   for (auto& mention : brief.mentions) {
     if (!table.is_any_of(mention.category, {"chair", "stool"})) continue;
-    const auto before = std::find_if(
-        mention.demands.begin(), mention.demands.end(), [&](const Demand& demand) {
+    const auto before =
+        std::find_if(mention.demands.begin(), mention.demands.end(), [&](const Demand& demand) {
           return demand.kind == RelationKind::in_front_of && demand.mention != Demand::none &&
                  table.is_a(brief.mentions[demand.mention].category, "table");
         });
@@ -424,8 +427,7 @@ void turn_behind(Brief& brief, const KindTable& table) {
       if (demand.kind != RelationKind::behind || demand.mention == Demand::none) continue;
       Mention& other = brief.mentions[demand.mention];
       // A chair "behind" a desk is on its user's side.
-      if (table.is_a(brief.mentions[i].category, "seat") &&
-          table.is_a(other.category, "table")) {
+      if (table.is_a(brief.mentions[i].category, "seat") && table.is_a(other.category, "table")) {
         demand.kind = RelationKind::around;
         continue;
       }
@@ -444,8 +446,9 @@ void find_contradictions(Brief& brief) {
     for (std::size_t j = 0; j < i; ++j) {
       Mention& later = brief.mentions[i];
       const Mention& first = brief.mentions[j];
-      const bool same = later.category == first.category && later.description == first.description &&
-                        later.demands.empty() && first.demands.empty();
+      const bool same = later.category == first.category &&
+                        later.description == first.description && later.demands.empty() &&
+                        first.demands.empty();
       if (!same || !later.counted || !first.counted || later.quantity == first.quantity) continue;
       later.contradicts = true;
       brief.notes.push_back("the prompt asks for " + std::to_string(first.quantity) + " and for " +

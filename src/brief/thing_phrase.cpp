@@ -19,7 +19,9 @@ constexpr int max_count = 200;
 class ThingPhraseReader {
  public:
   ThingPhraseReader(const PromptText& text, std::size_t number)
-      : text_(text), parse_(text.parse), number_(static_cast<std::int32_t>(number)),
+      : text_(text),
+        parse_(text.parse),
+        number_(static_cast<std::int32_t>(number)),
         said_(parse_.phrases[number]) {}
 
   ThingPhrase run() {
@@ -41,7 +43,8 @@ class ThingPhraseReader {
   }
   // "three-drawer", "six seater": no count of things.
   bool is_measured(std::size_t token) const {
-    return is_number(token) && token < said_.head && text_.words.measured.count(word(token + 1)) > 0;
+    return is_number(token) && token < said_.head &&
+           text_.words.measured.count(word(token + 1)) > 0;
   }
 
   // The longest name that ends in the head: of "bedside table lamp" that of the lamp.

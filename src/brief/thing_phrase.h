@@ -25,8 +25,8 @@ struct ThingPhrase {
   std::vector<std::string> modifiers;
   std::string contents;  ///< "of honey"
   std::vector<language::Measure> measures;
-  int seats = 0;            ///< "six-seater"
-  std::size_t end = 0;      ///< the token behind its name: "stack of books" goes on behind the phrase
+  int seats = 0;        ///< "six-seater"
+  std::size_t end = 0;  ///< the token behind its name: "stack of books" goes on behind the phrase
 };
 
 /// A prompt, and what is needed to name the things in it.
@@ -37,8 +37,8 @@ struct PromptText {
   const KindTable& table;
 };
 
-/// What a noun phrase names, whether it is known or not. What is said of it elsewhere ("made of oak",
-/// "is red") is among the modifiers.
+/// What a noun phrase names, whether it is known or not. What is said of it elsewhere ("made of
+/// oak", "is red") is among the modifiers.
 ThingPhrase read_thing_phrase(const PromptText& text, std::size_t phrase);
 
 /// Whether a noun that is no known kind may yet be that of a thing.

@@ -37,7 +37,8 @@ std::vector<Token> plain_tokens(const std::vector<language::Token>& tokens) {
 std::vector<Token> tokenize(std::string_view text) {
   const auto tokens = language::tokenize(text, max_tokens);
   auto result = plain_tokens(tokens);
-  std::erase_if(result, [&](const Token& token) { return means_nothing(tokens[token.source.begin]); });
+  std::erase_if(result,
+                [&](const Token& token) { return means_nothing(tokens[token.source.begin]); });
   return result;
 }
 

@@ -31,7 +31,8 @@ struct Token {
 /// The longest prompt that is read, in tokens; the rest is ignored.
 inline constexpr std::size_t max_tokens = 4000;
 
-/// One for each token, marks that mean nothing as commas: "don't" is one word, "kid's" has no ending.
+/// One for each token, marks that mean nothing as commas: "don't" is one word, "kid's" has no
+/// ending.
 std::vector<Token> plain_tokens(const std::vector<language::Token>& tokens);
 
 /// Splits a prompt; marks that mean nothing are left out.

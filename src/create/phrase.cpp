@@ -42,10 +42,13 @@ class PhraseReader {
     std::size_t next = 0;
     while (at_ < text_.size()) {
       while (next < parse_.phrases.size() && parse_.phrases[next].tokens.end <= at_) ++next;
-      const bool is_phrase = next < parse_.phrases.size() && parse_.phrases[next].tokens.begin <= at_;
+      const bool is_phrase =
+          next < parse_.phrases.size() && parse_.phrases[next].tokens.begin <= at_;
       if (phrase_of_place() || simile() || (is_phrase && measure())) continue;
-      if (is_phrase) read_phrase(next);
-      else read_between();
+      if (is_phrase)
+        read_phrase(next);
+      else
+        read_between();
     }
     release();
     return objects_.finish();
@@ -57,8 +60,9 @@ class PhraseReader {
   // --- What joins phrases -----------------------------------------------------------------------
 
   const Attachment* joins(std::size_t i) const {
-    const auto found = std::find_if(parse_.attachments.begin(), parse_.attachments.end(),
-                                    [&](const Attachment& one) { return one.to == static_cast<std::int32_t>(i); });
+    const auto found =
+        std::find_if(parse_.attachments.begin(), parse_.attachments.end(),
+                     [&](const Attachment& one) { return one.to == static_cast<std::int32_t>(i); });
     return found == parse_.attachments.end() ? nullptr : &*found;
   }
   std::string relation_to(std::size_t i) const {
@@ -73,7 +77,9 @@ class PhraseReader {
   // What stands at a token is said of: the subject of its verb, what its preposition belongs to, or
   // what was named last.
   Referent subject_at(std::size_t token) const {
-    const auto holds = [&](const language::Run& run) { return run.begin <= token && token < run.end; };
+    const auto holds = [&](const language::Run& run) {
+      return run.begin <= token && token < run.end;
+    };
     for (const auto& verb : parse_.verbs) {
       bool is_said = holds(verb.tokens);
       for (auto i = verb.complement.begin; i < verb.complement.end; ++i)
@@ -100,10 +106,13 @@ class PhraseReader {
   bool stands_alone(std::size_t i) const {
     const NounPhrase& said = phrase(i);
     if (said.is_pronoun || says_nothing(said)) return false;
-    if (text_.is_attribute(said) && said.determiner == Determiner::absent && parse_.phrases.size() > 1) return false;
+    if (text_.is_attribute(said) && said.determiner == Determiner::absent &&
+        parse_.phrases.size() > 1)
+      return false;
     const Attachment* joint = joins(i);
-    return !joint || (joint->from != none && (phrase(static_cast<std::size_t>(joint->from)).is_pronoun ||
-                                              says_nothing(phrase(static_cast<std::size_t>(joint->from))))) ||
+    return !joint ||
+           (joint->from != none && (phrase(static_cast<std::size_t>(joint->from)).is_pronoun ||
+                                    says_nothing(phrase(static_cast<std::size_t>(joint->from))))) ||
            joint->relation == "into";
   }
   bool says_nothing(const NounPhrase& said) const {
@@ -140,7 +149,8 @@ class PhraseReader {
     }
     at_ = std::max(at_, end);
     likeness_ = false;
-    if (!text_.is(at_, ",") && !text_.is(at_, "and") && !pending_.article && !is_arrangement(i)) place_ = nullptr;
+    if (!text_.is(at_, ",") && !text_.is(at_, "and") && !pending_.article && !is_arrangement(i))
+      place_ = nullptr;
   }
 
   // The words around the name: `owned` gets parts that modifiers name.
@@ -150,10 +160,15 @@ class PhraseReader {
     Attributes read = std::exchange(pending_, {});
     const auto carried = read.count;
     for (std::size_t at = said.tokens.begin; at < said.tokens.end;) {
-      if (at >= name_begin && at < name_end) at = name_end;
-      else if (const std::size_t length = read_owned(at, name_begin, owned)) at += length;
-      else if (const auto measure = read_measure(text_, at)) at += measure->length;
-      else at += std::max<std::size_t>(1, text_.read_attribute(at, at < name_begin ? name_begin : said.tokens.end, read));
+      if (at >= name_begin && at < name_end)
+        at = name_end;
+      else if (const std::size_t length = read_owned(at, name_begin, owned))
+        at += length;
+      else if (const auto measure = read_measure(text_, at))
+        at += measure->length;
+      else
+        at += std::max<std::size_t>(
+            1, text_.read_attribute(at, at < name_begin ? name_begin : said.tokens.end, read));
     }
     read.count = count_of(said) ? count_of(said) : carried;
     if (!read.count && said.count == 1 && text_.is(text_.content(said), "single")) read.count = 1;
@@ -165,20 +180,24 @@ class PhraseReader {
     const auto number = language::number_at(parse_.tokens, at);
     std::size_t next = at + (number ? number->length : 0);
     NamedPart named;
-    if (number) named.said.count = static_cast<int>(number->value);
+    if (number)
+      named.said.count = static_cast<int>(number->value);
     else if (next + 1 < end && parse_.tokens[next + 1].joint == language::Token::Joint::hyphen)
       next += text_.read_attribute(next, next + 1, named.said);
     const auto part = text_.owned_part(next, end);
     Attributes unused;
     // "framed" alone is what the thing is like.
-    if (!part || (next == at && text_[at].ends_with("ed")) || (next == at && text_.read_attribute(at, end, unused) > 0)) return 0;
+    if (!part || (next == at && text_[at].ends_with("ed")) ||
+        (next == at && text_.read_attribute(at, end, unused) > 0))
+      return 0;
     named.label = part.meaning;
     owned->push_back(named);
     return part.end - at;
   }
 
   void measure_of(const NounPhrase& said, const Referent& of) {
-    if (said.measure != none) objects_.measure(parse_.measures[static_cast<std::size_t>(said.measure)], of);
+    if (said.measure != none)
+      objects_.measure(parse_.measures[static_cast<std::size_t>(said.measure)], of);
   }
 
   // The head: what the sentence describes.
@@ -206,8 +225,10 @@ class PhraseReader {
     std::size_t at = text_.content(phrase(i));
     Attributes unused;
     while (at < phrase(i).head)
-      if (const std::size_t length = text_.read_attribute(at, phrase(i).head, unused)) at += length;
-      else break;
+      if (const std::size_t length = text_.read_attribute(at, phrase(i).head, unused))
+        at += length;
+      else
+        break;
     return at;
   }
 
@@ -220,11 +241,13 @@ class PhraseReader {
     // "cups on it": some of them.
     if (!objects_.empty() && said.is_plural) object.count = usual_some;
     // "a sculpture of three spheres" is what its parts are.
-    if (objects_.empty() && words_.makings.count(object.noun) && (text_.is(kind.end, "of") || text_.is(kind.end, "from"))) {
+    if (objects_.empty() && words_.makings.count(object.noun) &&
+        (text_.is(kind.end, "of") || text_.is(kind.end, "from"))) {
       object.kind.clear();
       object.approximate = true;
     }
-    const Attributes read = attributes(i, kind.begin, kind.end, objects_.empty() ? &owned : nullptr);
+    const Attributes read =
+        attributes(i, kind.begin, kind.end, objects_.empty() ? &owned : nullptr);
     for (const auto& one : owned) objects_.add_part(one);
     last_ = named_[i] = objects_.add(std::move(object), read);
     measure_of(said, last_);
@@ -248,15 +271,21 @@ class PhraseReader {
     const bool made_of_parts = !objects_.empty() && objects_.head()->kind.empty();
     const bool ends = part && part.begin + part.length() > text_.last_word(said);
     const bool longer = kind && part && kind.length() > part.length() && !has && !made_of_parts;
-    if (ends && !(kind && has_relation(i)) && !longer) return name_part(i, part.meaning, part.begin, part.end);
+    if (ends && !(kind && has_relation(i)) && !longer)
+      return name_part(i, part.meaning, part.begin, part.end);
     if (objects_.empty()) return;
-    if (kind && !said.is_denied && kind.meaning->name != objects_.head()->kind && objects_.size() < most_objects) {
-      if (is_owned(i) || has_relation(i)) add_object(i, kind);
-      else pending_ = {};
+    if (kind && !said.is_denied && kind.meaning->name != objects_.head()->kind &&
+        objects_.size() < most_objects) {
+      if (is_owned(i) || has_relation(i))
+        add_object(i, kind);
+      else
+        pending_ = {};
       return;
     }
-    if (!kind && is_unknown_part(i)) name_part(i, language::singular(text_[said.head]), said.head, said.head + 1);
-    else pending_ = {};
+    if (!kind && is_unknown_part(i))
+      name_part(i, language::singular(text_[said.head]), said.head, said.head + 1);
+    else
+      pending_ = {};
   }
   // "cups on it"
   bool has_relation(std::size_t i) const {
@@ -264,23 +293,28 @@ class PhraseReader {
       return text_.starts(phrase(i).tokens.end, relation.first);
     });
   }
-  // A noun that nobody knows is a part where parts are introduced; "three crests long" is a measure.
+  // A noun that nobody knows is a part where parts are introduced; "three crests long" is a
+  // measure.
   bool is_unknown_part(std::size_t i) const {
     const NounPhrase& said = phrase(i);
-    const bool introduced = said.determiner == Determiner::indefinite || said.count > 0 || said.is_denied;
+    const bool introduced =
+        said.determiner == Determiner::indefinite || said.count > 0 || said.is_denied;
     const std::string noun = language::singular(text_[said.head]);
-    const bool is_measure = said.head + 1 < said.tokens.end && words_.scales.count(text_[said.head + 1]);
-    return introduced && !is_measure && (is_owned(i) || place_) && !words_.fillers.count(noun) && may_be_part(noun);
+    const bool is_measure =
+        said.head + 1 < said.tokens.end && words_.scales.count(text_[said.head + 1]);
+    return introduced && !is_measure && (is_owned(i) || place_) && !words_.fillers.count(noun) &&
+           may_be_part(noun);
   }
 
   void name_part(std::size_t i, const std::string& label, std::size_t begin, std::size_t end) {
     const NounPhrase& said = phrase(i);
     const bool has = text_.has_part(objects_.head(), label);
-    const bool is_subject = std::any_of(parse_.verbs.begin(), parse_.verbs.end(), [&](const VerbPhrase& verb) {
-      return verb.subject == static_cast<std::int32_t>(i);
-    });
+    const bool is_subject = std::any_of(
+        parse_.verbs.begin(), parse_.verbs.end(),
+        [&](const VerbPhrase& verb) { return verb.subject == static_cast<std::int32_t>(i); });
     const bool gone = is_left_out(i);
-    if (!objects_.empty() && !is_owned(i) && !place_ && !is_subject && !gone && !(has && said.determiner != Determiner::definite)) {
+    if (!objects_.empty() && !is_owned(i) && !place_ && !is_subject && !gone &&
+        !(has && said.determiner != Determiner::definite)) {
       pending_ = {};
       return;
     }
@@ -298,7 +332,8 @@ class PhraseReader {
     last_ = named_[i] = objects_.add_part(named);
     PartWish* part = objects_.part(last_);
     // "above the top": that is there already.
-    if (part && place_ && !(has && (place_->below || said.determiner == Determiner::definite))) place_after(*place_, *part);
+    if (part && place_ && !(has && (place_->below || said.determiner == Determiner::definite)))
+      place_after(*place_, *part);
     measure_of(said, last_);
     if (part && gone) part->count = 0;
   }
@@ -306,7 +341,8 @@ class PhraseReader {
   bool is_left_out(std::size_t i) const {
     return std::any_of(parse_.verbs.begin(), parse_.verbs.end(), [&](const VerbPhrase& verb) {
       return verb.object == static_cast<std::int32_t>(i) &&
-             (words_.absences.count(verb.base) || words_.absences.count(verb.base + " " + text_[phrase(i).tokens.end]));
+             (words_.absences.count(verb.base) ||
+              words_.absences.count(verb.base + " " + text_[phrase(i).tokens.end]));
     });
   }
 
@@ -320,10 +356,13 @@ class PhraseReader {
       part->count = part->count.value_or(0) + *std::exchange(pending_, {}).count;
     const std::size_t end = said.tokens.end;
     if (const auto count = count_of(said)) {
-      if (text_.is(end, "in") && (text_.is(end + 1, "all") || text_.is(end + 1, "total"))) return count_first(*count);
-      if (text_.is(end, "of") && (text_.is(end + 1, "them") || text_.is(end + 1, "these"))) return count_some(i, *count);
+      if (text_.is(end, "in") && (text_.is(end + 1, "all") || text_.is(end + 1, "total")))
+        return count_first(*count);
+      if (text_.is(end, "of") && (text_.is(end + 1, "them") || text_.is(end + 1, "these")))
+        return count_some(i, *count);
       // "hooks, thirteen", "drawers, three on either side"
-      if (part && text_.is(said.tokens.begin - 1, ",") && said.modifiers.empty() && !text_.is(end, "of")) {
+      if (part && text_.is(said.tokens.begin - 1, ",") && said.modifiers.empty() &&
+          !text_.is(end, "of")) {
         part->count = *count;
         named_[i] = last_;
         return;
@@ -331,7 +370,8 @@ class PhraseReader {
       if (joins(i) && !place_ && !is_owned(i)) return;
       pending_.count = *count;
       pending_.article = true;
-      for (std::size_t at = said.tokens.begin; at < end; ++at) text_.read_attribute(at, end, pending_);
+      for (std::size_t at = said.tokens.begin; at < end; ++at)
+        text_.read_attribute(at, end, pending_);
     }
     if (part) named_[i] = last_;
   }
@@ -348,7 +388,8 @@ class PhraseReader {
   void count_some(std::size_t i, int count) {
     const Attachment* joint = joins(i);
     // "two of them mirrored"
-    if (!joint || joint->from == none || is_owned(i)) return void((pending_.count = count, pending_.article = true));
+    if (!joint || joint->from == none || is_owned(i))
+      return void((pending_.count = count, pending_.article = true));
     if (PartWish* part = objects_.part(named_[static_cast<std::size_t>(joint->from)]))
       part->count = count * part->count.value_or(1);
   }
@@ -356,7 +397,8 @@ class PhraseReader {
   void read_likeness(std::size_t i) {
     const NounPhrase& said = phrase(i);
     Attributes all, form;
-    for (std::size_t at = said.tokens.begin; at < said.tokens.end; ++at) text_.read_attribute(at, at + 1, all);
+    for (std::size_t at = said.tokens.begin; at < said.tokens.end; ++at)
+      text_.read_attribute(at, at + 1, all);
     form.shape = all.shape;
     form.course = all.course;
     objects_.apply(form, target_);
@@ -374,19 +416,23 @@ class PhraseReader {
     const NounPhrase& said = phrase(i);
     const auto subject = subject_of_being(i);
     Referent of = subject ? *subject : last_;
-    if (const Attachment* joint = joins(i); !subject && joint && joint->from != none && !joint->is_verb && joint->relation != "with")
+    if (const Attachment* joint = joins(i);
+        !subject && joint && joint->from != none && !joint->is_verb && joint->relation != "with")
       if (const Referent from = named_[static_cast<std::size_t>(joint->from)]) of = from;
     Attributes read = attributes(i, said.tokens.end, said.tokens.end, nullptr);
     if (said.is_denied) return;
     // "a square padded seat", whose noun is still to come.
-    const bool goes_on = !subject && said.determiner == Determiner::indefinite && !text_.is(said.tokens.end, ",");
+    const bool goes_on =
+        !subject && said.determiner == Determiner::indefinite && !text_.is(said.tokens.end, ",");
     if (goes_on) {
       pending_ = read;
       pending_.article = true;
       return;
     }
-    if (of) objects_.apply(read, named_[i] = of);
-    else pending_ = read;
+    if (of)
+      objects_.apply(read, named_[i] = of);
+    else
+      pending_ = read;
   }
 
   // "a stand for umbrellas" is an umbrella stand.
@@ -395,7 +441,8 @@ class PhraseReader {
     Description& object = *objects_.head();
     const std::size_t last = phrase(i).head;
     for (std::size_t at = text_.content(phrase(i)); at <= last; ++at) {
-      const std::string held = (at < last ? text_.joined(at, last) + " " : "") + language::singular(text_[last]);
+      const std::string held =
+          (at < last ? text_.joined(at, last) + " " : "") + language::singular(text_[last]);
       const ShapeKind* kind = kinds_.find(held + " " + object.noun);
       if (!kind) continue;
       object.kind = kind->name;
@@ -411,14 +458,17 @@ class PhraseReader {
     const std::size_t next = i + 1;
     if (found == words_.arrangements.end()) return false;
     if (relation_to(i) == "in") return true;  // "in a row"
-    if (next >= parse_.phrases.size() || relation_to(next) != "of" || !(count_of(phrase(next)) || text_.part(phrase(next), nullptr)))
+    if (next >= parse_.phrases.size() || relation_to(next) != "of" ||
+        !(count_of(phrase(next)) || text_.part(phrase(next), nullptr)))
       return false;
     arrange(found->second, text_[said.head]);
     named_[i] = last_;
     at_ = said.tokens.end + 1;
     return true;
   }
-  bool is_arrangement(std::size_t i) const { return words_.arrangements.count(text_[phrase(i).head]) > 0; }
+  bool is_arrangement(std::size_t i) const {
+    return words_.arrangements.count(text_[phrase(i).head]) > 0;
+  }
   void arrange(Place place, const std::string& noun) {
     arranged_ = Placement{};
     arranged_.after = place;
@@ -432,7 +482,8 @@ class PhraseReader {
 
   // What was said between phrases belongs to what was named before.
   void release() {
-    if (PartWish* part = objects_.part(target_); part && pending_.count && part->count == 0) pending_.count.reset();
+    if (PartWish* part = objects_.part(target_); part && pending_.count && part->count == 0)
+      pending_.count.reset();
     if (target_) objects_.apply(std::exchange(pending_, {}), target_);
     target_ = last_;
   }
@@ -468,8 +519,10 @@ class PhraseReader {
   }
   void relate(const std::string& relation) {
     const Referent of = subject_at(at_);
-    if (of && of.object > 0) objects_.relate(of.object, relation);
-    else if (PartWish* part = objects_.part(of)) part->place = place_of(relation);
+    if (of && of.object > 0)
+      objects_.relate(of.object, relation);
+    else if (PartWish* part = objects_.part(of))
+      part->place = place_of(relation);
   }
 
   // "shaped like a tree": no tree is there.
@@ -489,7 +542,8 @@ class PhraseReader {
     const auto measure = read_measure(text_, at_);
     if (!measure) return false;
     // Behind a comma it is said of the thing, unless it goes on.
-    const bool is_of_whole = at_ > 0 && text_.is(at_ - 1, ",") && at_ != measured_ + 1 && objects_.head();
+    const bool is_of_whole =
+        at_ > 0 && text_.is(at_ - 1, ",") && at_ != measured_ + 1 && objects_.head();
     objects_.measure(*measure, is_of_whole ? Referent{0, ""} : subject_at(at_));
     measured_ = at_ += measure->length;
     return true;
@@ -497,11 +551,13 @@ class PhraseReader {
 
   void read_between() {
     if (measure()) return;
-    if (const auto stacked = words_.arrangements.find(text_[at_]); stacked != words_.arrangements.end() && objects_.empty()) {
+    if (const auto stacked = words_.arrangements.find(text_[at_]);
+        stacked != words_.arrangements.end() && objects_.empty()) {
       arrange(stacked->second, text_[at_++]);
       return;
     }
-    if (const auto part = text_.owned_part(at_, at_ + 1); part && pending_.count && !objects_.empty()) {
+    if (const auto part = text_.owned_part(at_, at_ + 1);
+        part && pending_.count && !objects_.empty()) {
       last_ = objects_.add_part({part.meaning, std::exchange(pending_, {})});
       ++at_;
       return;
@@ -528,10 +584,10 @@ class PhraseReader {
   std::vector<Referent> named_;  ///< by noun phrase
   std::size_t head_ = 0;         ///< the noun phrase that names the thing itself
   std::size_t at_ = 0;
-  std::size_t measured_ = 0;  ///< where the last measure ended
-  Referent last_;      ///< what was named last
-  Referent target_;    ///< of what is pending
-  Attributes pending_;  ///< said, and not yet of anything
+  std::size_t measured_ = 0;          ///< where the last measure ended
+  Referent last_;                     ///< what was named last
+  Referent target_;                   ///< of what is pending
+  Attributes pending_;                ///< said, and not yet of anything
   const Placement* place_ = nullptr;  ///< says where the parts to come are
   Placement arranged_;                ///< of the last arrangement
   bool likeness_ = false;             ///< what comes is only compared with

@@ -39,7 +39,8 @@ Vec3 sides(const Measure& measure) {
   Vec3 result = Vec3::Constant(std::nan(""));
   if (measure.kind != Measure::Kind::sides) {
     const bool is_range = measure.kind == Measure::Kind::range;
-    result[axis_of(measure.side)] = is_range ? (measure.values[0] + measure.values[1]) / 2 : measure.values[0];
+    result[axis_of(measure.side)] =
+        is_range ? (measure.values[0] + measure.values[1]) / 2 : measure.values[0];
     return result;
   }
   for (int i = 0; i < std::min(measure.count, 3); ++i) result[i] = measure.values[i];

@@ -20,7 +20,8 @@ bool ends_alike(const std::string& noun, const ShapeKind& kind) {
   if (wanted.empty()) return false;
   const auto ends = [&](const std::string& name) {
     const auto pieces = words(name);
-    return !pieces.empty() && language::singular(pieces.back()) == language::singular(wanted.back());
+    return !pieces.empty() &&
+           language::singular(pieces.back()) == language::singular(wanted.back());
   };
   return ends(kind.name) || std::any_of(kind.names.begin(), kind.names.end(), ends);
 }
@@ -77,8 +78,10 @@ Referent PhraseObjects::add_part(const NamedPart& named) {
 }
 
 void PhraseObjects::apply(const Attributes& said, const Referent& to) {
-  if (PartWish* known = part(to)) create::apply(said, *known);
-  else if (to) create::apply(said, objects_[to.object]);
+  if (PartWish* known = part(to))
+    create::apply(said, *known);
+  else if (to)
+    create::apply(said, objects_[to.object]);
 }
 
 void PhraseObjects::measure(const language::Measure& measure, const Referent& of) {

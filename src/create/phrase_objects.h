@@ -51,7 +51,9 @@ class PhraseObjects {
   void measure(const language::Measure& measure, const Referent& of);
 
   /// How another thing stands to the head.
-  void relate(std::size_t object, const std::string& relation) { objects_[object].relation = relation; }
+  void relate(std::size_t object, const std::string& relation) {
+    objects_[object].relation = relation;
+  }
 
   /// All of them, and one if nothing was named.
   std::vector<Description> finish();

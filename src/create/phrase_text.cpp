@@ -16,8 +16,11 @@ using language::Token;
 
 PhraseText::PhraseText(const std::string& prompt, const Words& words, const PartForms& parts,
                        const ShapeKinds& kinds)
-    : words_(words), parts_(parts), kinds_(kinds),
-      parse_(language::parse(prompt, [&](std::string_view name) { return kinds.find(name) != nullptr; })) {
+    : words_(words),
+      parts_(parts),
+      kinds_(kinds),
+      parse_(language::parse(prompt,
+                             [&](std::string_view name) { return kinds.find(name) != nullptr; })) {
   for (const auto& token : parse_.tokens)
     texts_.push_back(token.kind == Token::Kind::word || token.kind == Token::Kind::number
                          ? token.text
@@ -36,22 +39,26 @@ bool PhraseText::starts(std::size_t at, const std::vector<std::string>& phrase) 
 
 std::string PhraseText::joined(std::size_t begin, std::size_t end) const {
   const auto first = texts_.begin();
-  return join({first + static_cast<std::ptrdiff_t>(begin), first + static_cast<std::ptrdiff_t>(end)},
-              " ");
+  return join(
+      {first + static_cast<std::ptrdiff_t>(begin), first + static_cast<std::ptrdiff_t>(end)}, " ");
 }
 
 // --- Nouns --------------------------------------------------------------------------------------
 
 std::size_t PhraseText::content(const NounPhrase& phrase) const {
   const bool modified = !phrase.modifiers.empty();
-  const std::size_t first = modified ? parse_.modifiers[phrase.modifiers.begin].tokens.begin : phrase.head;
+  const std::size_t first =
+      modified ? parse_.modifiers[phrase.modifiers.begin].tokens.begin : phrase.head;
   return std::min<std::size_t>(first, phrase.head);
 }
 
 std::size_t PhraseText::last_word(const NounPhrase& phrase) const {
   const std::size_t next = phrase.head + 1;
-  const auto holds = [&](const auto& part) { return part.tokens.begin <= next && next < part.tokens.end; };
-  const bool is_taken = next >= size() || next < phrase.tokens.end || !parts_.labels.count(texts_[next]) ||
+  const auto holds = [&](const auto& part) {
+    return part.tokens.begin <= next && next < part.tokens.end;
+  };
+  const bool is_taken = next >= size() || next < phrase.tokens.end ||
+                        !parts_.labels.count(texts_[next]) ||
                         std::any_of(parse_.phrases.begin(), parse_.phrases.end(), holds) ||
                         std::any_of(parse_.verbs.begin(), parse_.verbs.end(), holds) ||
                         std::any_of(parse_.attachments.begin(), parse_.attachments.end(), holds);
@@ -61,7 +68,8 @@ std::size_t PhraseText::last_word(const NounPhrase& phrase) const {
 // What is said of its form or style stands before a name: "a round table" is a table.
 PhraseText::Match<const ShapeKind*> PhraseText::kind(const NounPhrase& phrase) const {
   for (std::size_t at = content(phrase); at <= phrase.head; ++at) {
-    if (at < phrase.head && (words_.shapes.count(texts_[at]) || words_.styles.count(texts_[at]))) continue;
+    if (at < phrase.head && (words_.shapes.count(texts_[at]) || words_.styles.count(texts_[at])))
+      continue;
     const ShapeKind* kind = nullptr;
     const std::size_t length = kinds_.match(texts_, at, &kind);
     if (at + length > last_word(phrase)) return {at, at + length, kind};
@@ -91,14 +99,16 @@ PhraseText::Match<std::string> PhraseText::part(const NounPhrase& phrase,
     for (const auto& label : known.meaning)
       if (has_part(head, label)) return {known.begin, last + 1, label};
     // Recipes have parts of which no list knows.
-    if (const auto label = language::singular(texts_[at]); has_part(head, label)) return {at, last + 1, label};
+    if (const auto label = language::singular(texts_[at]); has_part(head, label))
+      return {at, last + 1, label};
     if (known && at == last) first = {known.begin, known.end, known.meaning.front()};
   }
   return first;
 }
 
 PhraseText::Match<std::string> PhraseText::owned_part(std::size_t at, std::size_t end) const {
-  if (const auto found = longest(parts_.labels, at, end)) return {found.begin, found.end, found.meaning->front()};
+  if (const auto found = longest(parts_.labels, at, end))
+    return {found.begin, found.end, found.meaning->front()};
   // "three-legged"
   std::string stem = (*this)[at];
   if (stem.size() <= 4 || !stem.ends_with("ed")) return {};
@@ -150,7 +160,8 @@ std::size_t PhraseText::read_attribute(std::size_t at, std::size_t end, Attribut
     return 1;
   }
   for (std::size_t last = std::min({end, at + 2, size()}); last > at; --last)
-    if (std::string name = texts_[at] + (last > at + 1 ? texts_[at + 1] : ""); shape::parse_color(name)) {
+    if (std::string name = texts_[at] + (last > at + 1 ? texts_[at + 1] : "");
+        shape::parse_color(name)) {
       to.color = std::move(name);
       return last - at;
     }
@@ -167,22 +178,27 @@ bool PhraseText::is_attribute(const NounPhrase& phrase) const {
   // "of oak", but "a ladder".
   const bool is_stuff = phrase.determiner == language::Determiner::absent ||
                         phrase.determiner == language::Determiner::no;
-  return is_stuff && phrase.count == 0 && !phrase.is_plural ? true : !kind(phrase) && !part(phrase, nullptr);
+  return is_stuff && phrase.count == 0 && !phrase.is_plural
+             ? true
+             : !kind(phrase) && !part(phrase, nullptr);
 }
 
 std::optional<int> count_of(const NounPhrase& phrase) {
-  const bool article = phrase.count == 1 && (phrase.determiner == language::Determiner::indefinite ||
-                                             phrase.determiner == language::Determiner::another);
-  if (phrase.count < 1 || phrase.count > most_count || article || phrase.is_vague) return std::nullopt;
+  const bool article =
+      phrase.count == 1 && (phrase.determiner == language::Determiner::indefinite ||
+                            phrase.determiner == language::Determiner::another);
+  if (phrase.count < 1 || phrase.count > most_count || article || phrase.is_vague)
+    return std::nullopt;
   return static_cast<int>(phrase.count);
 }
 
 bool may_be_part(const std::string& noun) {
   using language::WordClass;
   const auto& english = language::lexicon();
-  const auto no_parts = {WordClass::person, WordClass::activity, WordClass::time, WordClass::feeling,
-                         WordClass::event,  WordClass::attribute, WordClass::quantity, WordClass::place,
-                         WordClass::color,  WordClass::animal};
+  const auto no_parts = {WordClass::person,   WordClass::activity, WordClass::time,
+                         WordClass::feeling,  WordClass::event,    WordClass::attribute,
+                         WordClass::quantity, WordClass::place,    WordClass::color,
+                         WordClass::animal};
   return english.may_be(noun, WordClass::artefact) || english.is(noun, WordClass::shape) ||
          std::none_of(no_parts.begin(), no_parts.end(),
                       [&](WordClass one) { return english.is(noun, one); });

@@ -48,8 +48,8 @@ class PhraseText {
   /// The longest name of a kind that ends with the phrase's head, or goes on behind it: "chest of
   /// drawers".
   Match<const ShapeKind*> kind(const language::NounPhrase& phrase) const;
-  /// The label of a part that the phrase names: one that the thing (null: none yet) has, if its words
-  /// may mean several. "A back panel" is the back of what has no panels.
+  /// The label of a part that the phrase names: one that the thing (null: none yet) has, if its
+  /// words may mean several. "A back panel" is the back of what has no panels.
   Match<std::string> part(const language::NounPhrase& phrase, const Description* head) const;
   /// A modifier's part: "three-legged", "glass-topped".
   Match<std::string> owned_part(std::size_t at, std::size_t end) const;
@@ -78,7 +78,8 @@ class PhraseText {
   std::vector<std::string> texts_;
 };
 
-/// The number of things that a phrase says: nothing for articles, vague numbers and more than can be.
+/// The number of things that a phrase says: nothing for articles, vague numbers and more than can
+/// be.
 std::optional<int> count_of(const language::NounPhrase& phrase);
 /// Whether what a noun names can be a part: not people, times, measures or feelings.
 bool may_be_part(const std::string& noun);

@@ -111,15 +111,14 @@ std::vector<UnitFacts> facts_of(const std::vector<Token>& tokens, const std::vec
   for (const Unit& unit : units) {
     result.push_back(facts_of(tokens, unit));
     UnitFacts& last = result.back();
-    last.ends_compound = result.size() > 1 && last.may_be.is_small &&
-                         lexicon().has(result[result.size() - 2].word + " " + last.word,
-                                       PartOfSpeech::noun);
+    last.ends_compound =
+        result.size() > 1 && last.may_be.is_small &&
+        lexicon().has(result[result.size() - 2].word + " " + last.word, PartOfSpeech::noun);
   }
   for (std::size_t i = 0; i < result.size(); ++i)
-    result[i].begins_compound =
-        is_known_pair(result, i) ||
-        (is_name && i + 1 < result.size() && result[i + 1].may_be.is_noun &&
-         is_name(result[i].word + " " + singular(result[i + 1].word)));
+    result[i].begins_compound = is_known_pair(result, i) ||
+                                (is_name && i + 1 < result.size() && result[i + 1].may_be.is_noun &&
+                                 is_name(result[i].word + " " + singular(result[i + 1].word)));
   return result;
 }
 
@@ -133,13 +132,15 @@ void TagContext::add(const Unit& unit, const UnitFacts& facts, WordTag tag) {
   last_ = word_tag_letters[static_cast<std::size_t>(tag)];
   static const std::set<std::string_view> openers = {"a",  "an", "the", "of", "with",
                                                      "in", "on", "at",  "by", "for"};
-  awaits_noun_ = (tag == WordTag::determiner || tag == WordTag::preposition) &&
-                 openers.count(facts.word) > 0;
+  awaits_noun_ =
+      (tag == WordTag::determiner || tag == WordTag::preposition) && openers.count(facts.word) > 0;
   if (unit.kind == Unit::Kind::stop || unit.kind == Unit::Kind::comma) {
     last_ = unit.kind == Unit::Kind::stop ? '.' : ',';
     end_phrase();
-    if (unit.kind == Unit::Kind::stop) verbs_ = '0';
-    else if (verbs_ == '1') verbs_ = '2';
+    if (unit.kind == Unit::Kind::stop)
+      verbs_ = '0';
+    else if (verbs_ == '1')
+      verbs_ = '2';
     return;
   }
   switch (tag) {

@@ -20,7 +20,7 @@ struct UnitFacts {
   bool is_plural_number = false;
   bool is_hyphened = false;
   bool begins_compound = false;  ///< with the next word a known noun: "writing desk"
-  bool ends_compound = false;  ///< a small word that is the head of a known noun: "watering can"
+  bool ends_compound = false;    ///< a small word that is the head of a known noun: "watering can"
 };
 
 /// `is_name` as parse() has it; it may be empty.
@@ -40,7 +40,8 @@ class TagContext {
   char before_last() const { return before_last_; }
   /// Whether the phrase is of one thing alone, none of a list.
   bool is_singular() const {
-    return (number_ == Number::one || number_ == Number::definite) && nouns_ == '1' && opener_ != 'C';
+    return (number_ == Number::one || number_ == Number::definite) && nouns_ == '1' &&
+           opener_ != 'C';
   }
   bool awaits_noun() const { return awaits_noun_; }
 

@@ -56,7 +56,8 @@ WordTag TagModel::best(const TagFeatures& features, const UnitFacts& facts,
   const auto sums = scores(features);
   std::size_t best = word_tag_count;
   for (std::size_t tag = 0; tag < word_tag_count; ++tag)
-    if (may_have(facts, context, static_cast<WordTag>(tag)) && (best == word_tag_count || sums[tag] > sums[best]))
+    if (may_have(facts, context, static_cast<WordTag>(tag)) &&
+        (best == word_tag_count || sums[tag] > sums[best]))
       best = tag;
   return static_cast<WordTag>(best);
 }
@@ -67,10 +68,10 @@ namespace {
 // words of several parts ("next to") and for what the lists forgot, but for those of a single word.
 bool may_have_by_form(const UnitFacts& facts, WordTag tag) {
   const Candidates& may_be = facts.may_be;
-  const bool is_unknown = !may_be.is_noun && !may_be.verb && !may_be.is_adjective && !may_be.is_adverb;
+  const bool is_unknown =
+      !may_be.is_noun && !may_be.verb && !may_be.is_adjective && !may_be.is_adverb;
   const auto has_form = [&](std::initializer_list<VerbForm> forms) {
-    return may_be.verb &&
-           std::find(forms.begin(), forms.end(), may_be.verb->form) != forms.end();
+    return may_be.verb && std::find(forms.begin(), forms.end(), may_be.verb->form) != forms.end();
   };
   switch (tag) {
     case WordTag::adjective:
@@ -97,8 +98,8 @@ bool may_have_in_closed_class(const std::string& word, WordTag tag) {
   const auto& words = small_words();
   if (words.determiners.count(word))
     return tag == WordTag::determiner || tag == WordTag::pronoun ||
-           (tag == WordTag::relative && words.relatives.count(word)) ||
-           tag == WordTag::quantity || (tag == WordTag::adverb && words.adverbs.count(word));
+           (tag == WordTag::relative && words.relatives.count(word)) || tag == WordTag::quantity ||
+           (tag == WordTag::adverb && words.adverbs.count(word));
   switch (tag) {
     case WordTag::noun:
       // "to its right"

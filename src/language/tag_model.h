@@ -11,12 +11,13 @@
 
 namespace roomgen::language {
 
-/// The weights of an averaged perceptron (Collins, "Discriminative training methods for hidden Markov
-/// models", 2002), read in place from bytes that are part of the program.
+/// The weights of an averaged perceptron (Collins, "Discriminative training methods for hidden
+/// Markov models", 2002), read in place from bytes that are part of the program.
 ///
 /// The bytes: magic; the number of slots, a power of two (4 bytes); that many slots of a feature's
-/// hash (4 bytes, 0: free) and its first weight (3) and number of weights (1); then weights of a tag
-/// (1) and a signed value (2). Little end first; a feature is at the first slot from its hash on.
+/// hash (4 bytes, 0: free) and its first weight (3) and number of weights (1); then weights of a
+/// tag (1) and a signed value (2). Little end first; a feature is at the first slot from its hash
+/// on.
 class TagModel {
  public:
   explicit TagModel(std::string_view bytes);
@@ -24,7 +25,8 @@ class TagModel {
   /// The sums of the weights by tag.
   std::array<int, word_tag_count> scores(const TagFeatures& features) const;
   /// The best of those that the word may have.
-  WordTag best(const TagFeatures& features, const UnitFacts& facts, const TagContext& context) const;
+  WordTag best(const TagFeatures& features, const UnitFacts& facts,
+               const TagContext& context) const;
 
   static constexpr std::string_view magic = "roomgen tagger 1\n";
   static constexpr std::size_t slot_size = 8, weight_size = 3;

@@ -12,7 +12,9 @@ namespace {
 class Tagger {
  public:
   Tagger(const std::vector<Token>& tokens, const IsName& is_name)
-      : tokens_(tokens), units_(units(tokens)), facts_(facts_of(tokens, units_, is_name)),
+      : tokens_(tokens),
+        units_(units(tokens)),
+        facts_(facts_of(tokens, units_, is_name)),
         tags_(tag_words(units_, facts_, tag_model())) {}
 
   std::vector<Piece> run() {
@@ -71,8 +73,7 @@ class Tagger {
     if (const auto length = run_of(words.adverbs, 2); length > 1)
       return add(Tag::adverb, length), length;
     if (is_in(words.negations, at_)) return negation(), 1;
-    if (is_in(words.vague_numbers, at_) && tags_[at_] == WordTag::adjective)
-      return determiner(), 1;
+    if (is_in(words.vague_numbers, at_) && tags_[at_] == WordTag::adjective) return determiner(), 1;
     if (is_reciprocal()) return add(Tag::pronoun, 2), 2;
     if (begins_existence()) {
       add(Tag::there);

@@ -44,9 +44,10 @@ TaggedSentence read_sentence(const std::string& line) {
     const std::size_t end = sentence.tokens[unit.tokens.end - 1].span.end;
     while (word + 1 < words.size() && words[word].end < end) ++word;
     const auto given = given_tag(unit);
-    if (!given && words[word].tag == 0) throw std::runtime_error("a word without a tag: " + sentence.text);
-    sentence.tags.push_back(
-        given ? *given : static_cast<WordTag>(word_tag_letters.find(words[word].tag)));
+    if (!given && words[word].tag == 0)
+      throw std::runtime_error("a word without a tag: " + sentence.text);
+    sentence.tags.push_back(given ? *given
+                                  : static_cast<WordTag>(word_tag_letters.find(words[word].tag)));
   }
   return sentence;
 }

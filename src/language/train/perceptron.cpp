@@ -13,7 +13,7 @@ namespace roomgen::language {
 
 namespace {
 
-constexpr int rounds = 30;  ///< averaged, so that the order of the sentences matters little
+constexpr int rounds = 30;       ///< averaged, so that the order of the sentences matters little
 constexpr int fewest = 2;        ///< places of the corpus where a feature has to occur
 constexpr double scale = 256.0;  ///< of the weights that are written
 constexpr double greatest = 32767.0;
@@ -31,7 +31,8 @@ class Perceptron {
       TagContext context;
       for (std::size_t i = 0; i < sentence.units.size(); ++i) {
         if (!given_tag(sentence.units[i]))
-          for (const auto feature : tag_features(sentence.facts, i, context)) ++occurrences[feature];
+          for (const auto feature : tag_features(sentence.facts, i, context))
+            ++occurrences[feature];
         context.add(sentence.units[i], sentence.facts[i], sentence.tags[i]);
       }
     }
@@ -77,7 +78,8 @@ class Perceptron {
     TagContext context;
     for (std::size_t i = 0; i < sentence.units.size(); ++i) {
       WordTag tag = sentence.tags[i];
-      if (!given_tag(sentence.units[i])) tag = learn(tag_features(sentence.facts, i, context), sentence.facts[i], context, tag);
+      if (!given_tag(sentence.units[i]))
+        tag = learn(tag_features(sentence.facts, i, context), sentence.facts[i], context, tag);
       context.add(sentence.units[i], sentence.facts[i], tag);
     }
   }
@@ -96,7 +98,8 @@ class Perceptron {
     const auto wanted = static_cast<std::size_t>(right);
     std::size_t said = wanted;
     for (std::size_t tag = 0; tag < word_tag_count; ++tag)
-      if (tag != wanted && sums[tag] >= sums[said] && may_have(facts, context, static_cast<WordTag>(tag)))
+      if (tag != wanted && sums[tag] >= sums[said] &&
+          may_have(facts, context, static_cast<WordTag>(tag)))
         said = tag;
     if (said != wanted)
       for (Weights* weights : found)
