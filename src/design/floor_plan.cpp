@@ -182,8 +182,8 @@ Vec2 choose_size(const RoomKind& kind, const Brief& brief, double scale, double 
                                              : of_area(*brief.area, kind, random);
     return {std::round(size.x() * 100) / 100, std::round(size.y() * 100) / 100};
   }
-  Vec2 size(random.uniform(kind.width.low, kind.width.high),
-            random.uniform(kind.depth.low, kind.depth.high));
+  const double depth = random.uniform(kind.depth.low, kind.depth.high);
+  Vec2 size(random.uniform(kind.width.low, kind.width.high), depth);
   size *= scale;
   const double needed = furniture / std::max(0.1, kind.share.high);
   if (size.prod() < needed) size *= std::sqrt(needed / size.prod());

@@ -53,8 +53,10 @@ Problem synthetic_problem(const SyntheticOptions& options) {
   for (int i = 0; i < options.objects; ++i) {
     problem.tasks.push_back(make_task(i, table, random));
     if (i % 4 == 1) table = problem.tasks.back().object.id;
-    if (options.suggestions)
-      problem.tasks.back().location = Vec2(random.uniform(0, width), random.uniform(0, depth));
+    if (options.suggestions) {
+      const double y = random.uniform(0, depth);
+      problem.tasks.back().location = Vec2(random.uniform(0, width), y);
+    }
   }
   return problem;
 }

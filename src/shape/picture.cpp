@@ -32,7 +32,13 @@ Canvas canvas(double aspect) {
 }
 
 // A colour of the wheel: hue in turns, the rest 0 to 1.
-Tint hue(double turn, double saturation, double value) {
+/// Given in braces, its parts are drawn in their order by every compiler.
+struct HueParts {
+  double turn, saturation, value;
+};
+
+Tint hue(const HueParts& parts) {
+  const auto& [turn, saturation, value] = parts;
   Tint result;
   for (int k = 0; k < 3; ++k) {
     const double away = std::abs(std::remainder(turn - k / 3.0, 1.0)) * 6.0;
@@ -58,7 +64,7 @@ Image landscape(const Canvas& c, Random& random, std::uint64_t seed) {
   const Tint high = mixed({92, 148, 205}, {72, 74, 128}, time);
   const Tint low = mixed({214, 230, 240}, {246, 178, 118}, time);
   const double ground_hue = random.uniform(0.20, 0.40), horizon = random.uniform(0.38, 0.58);
-  const Vec2 sun(random.uniform(0.15, 0.85), horizon - random.uniform(0.05, 0.22));
+  const Vec2 sun{random.uniform(0.15, 0.85), horizon - random.uniform(0.05, 0.22)};
   std::vector<Noise> hills;
   for (std::uint64_t k = 0; k < 4; ++k)
     hills.emplace_back(3 + static_cast<int>(2 * k), 1, seed + 2 + k);
@@ -70,7 +76,7 @@ Image landscape(const Canvas& c, Random& random, std::uint64_t seed) {
     for (int k = 0; k < 4; ++k) {
       const double near = (k + 1) / 4.0;
       const double top = horizon + 0.13 * k - 0.26 * (1.0 - 0.5 * near) * (hills[k](u, 0.5) - 0.35);
-      const Tint green = hue(ground_hue - 0.06 * near, 0.25 + 0.30 * near, 0.62 - 0.22 * near);
+      const Tint green = hue({ground_hue - 0.06 * near, 0.25 + 0.30 * near, 0.62 - 0.22 * near});
       const Tint hill = mixed(mixed(low, high, 0.5), green, 0.35 + 0.65 * near);
       color = mixed(color, hill * (1.06 - 0.35 * std::max(v - top, 0.0)), cover(top - v));
     }
@@ -82,7 +88,7 @@ Image abstract(const Canvas& c, Random& random, std::uint64_t seed) {
   const Noise strokes(60, 60, seed);
   const Clouds edge(5, 5, seed + 1);
   const double base = random.uniform();
-  const Tint paper = hue(base + 0.1, 0.08, 0.94);
+  const Tint paper = hue({base + 0.1, 0.08, 0.94});
   struct Blot {
     Vec2 at, half;
     double turn, roundness;
@@ -96,8 +102,11 @@ Image abstract(const Canvas& c, Random& random, std::uint64_t seed) {
     const double turn = random.uniform(-0.5, 0.5), round = random.chance(0.5) ? 1.0 : 0.12;
     const double own = random.chance(0.3) ? 0.5 : random.uniform(-0.09, 0.09);
     const double strength = random.uniform(0.35, 0.75), light = random.uniform(0.35, 0.92);
-    blots.push_back(
-        {c.half().cwiseProduct(Vec2(x, y)), {w, h}, turn, round, hue(base + own, strength, light)});
+    blots.push_back({c.half().cwiseProduct(Vec2(x, y)),
+                     {w, h},
+                     turn,
+                     round,
+                     hue({base + own, strength, light})});
   }
   return painted(c.width, c.height, [&](double u, double v) {
     Tint color = paper;
@@ -115,9 +124,9 @@ Image abstract(const Canvas& c, Random& random, std::uint64_t seed) {
 Image still_life(const Canvas& c, Random& random, std::uint64_t seed) {
   const Noise strokes(40, 60, seed);
   const Clouds wall(4, 3, seed + 1);
-  const Tint wall_color = hue(random.uniform(), 0.22, random.uniform(0.35, 0.6));
-  const Tint cloth = hue(random.uniform(0.03, 0.13), 0.30, random.uniform(0.55, 0.8));
-  const Tint vase = hue(random.uniform(), 0.45, random.uniform(0.5, 0.8));
+  const Tint wall_color = hue({random.uniform(), 0.22, random.uniform(0.35, 0.6)});
+  const Tint cloth = hue({random.uniform(0.03, 0.13), 0.30, random.uniform(0.55, 0.8)});
+  const Tint vase = hue({random.uniform(), 0.45, random.uniform(0.5, 0.8)});
   const double vase_x = random.uniform(-0.25, 0.25) * c.half().x() * 2;
   const double vase_width = random.uniform(0.11, 0.17), table = 0.5 * random.uniform(0.30, 0.44);
   struct Fruit {
@@ -132,11 +141,11 @@ Image still_life(const Canvas& c, Random& random, std::uint64_t seed) {
                  radius = random.uniform(0.06, 0.10);
     const double y = table + 0.06 + 0.10 * k / count - radius;
     const double kind = random.uniform(0.0, 0.28);
-    fruits.push_back({{x, y}, radius, hue(kind, 0.72, random.uniform(0.65, 0.9))});
+    fruits.push_back({{x, y}, radius, hue({kind, 0.72, random.uniform(0.65, 0.9)})});
   }
   const auto lit = [](const Tint& color, const Vec2& from_middle) {
-    return Tint(color *
-               std::clamp(0.95 - 0.45 * (0.7 * from_middle.x() + 0.7 * from_middle.y()), 0.3, 1.3));
+    return Tint(color * std::clamp(0.95 - 0.45 * (0.7 * from_middle.x() + 0.7 * from_middle.y()),
+                                   0.3, 1.3));
   };
   return painted(c.width, c.height, [&](double u, double v) {
     const Vec2 p = c.place(u, v);
@@ -164,9 +173,9 @@ Image still_life(const Canvas& c, Random& random, std::uint64_t seed) {
 
 Image botanical(const Canvas& c, Random& random, std::uint64_t seed) {
   const Noise paper(40, 40, seed);
-  const Tint ground = hue(random.uniform(0.08, 0.16), random.uniform(0.04, 0.12), 0.95);
+  const Tint ground = hue({random.uniform(0.08, 0.16), random.uniform(0.04, 0.12), 0.95});
   const Tint green =
-      hue(random.uniform(0.24, 0.42), random.uniform(0.35, 0.6), random.uniform(0.35, 0.55));
+      hue({random.uniform(0.24, 0.42), random.uniform(0.35, 0.6), random.uniform(0.35, 0.55)});
   const double sway = random.uniform(-0.25, 0.25), length = random.uniform(0.22, 0.34);
   const double slim = random.uniform(0.22, 0.45), lift = random.uniform(0.5, 1.1);
   const int pairs = random.integer(4, 7);
@@ -208,8 +217,8 @@ Image botanical(const Canvas& c, Random& random, std::uint64_t seed) {
 Image map(const Canvas& c, Random& random, std::uint64_t seed) {
   const Clouds land(4, 3, seed);
   const Noise paper(60, 60, seed + 1);
-  const Tint sea = hue(random.uniform(0.50, 0.58), 0.22, 0.84),
-            soil = hue(random.uniform(0.10, 0.22), 0.28, 0.90);
+  const Tint sea = hue({random.uniform(0.50, 0.58), 0.22, 0.84}),
+             soil = hue({random.uniform(0.10, 0.22), 0.28, 0.90});
   const double shore = random.uniform(0.44, 0.52);
   return painted(c.width, c.height, [&](double u, double v) {
     const Vec2 p = c.place(u, v);
@@ -217,8 +226,8 @@ Image map(const Canvas& c, Random& random, std::uint64_t seed) {
     const double height = land(0.02 + 0.96 * u, 0.02 + 0.96 * v) - 0.12 * p.squaredNorm();
     const double level = height - shore;
     Tint color = level > 0 ? mixed(soil, soil.cwiseProduct(Tint(0.80, 0.70, 0.58)),
-                                  std::min(5.0 * level, 1.0))
-                          : mixed(sea, sea * 0.86, std::min(-2.5 * level, 1.0));
+                                   std::min(5.0 * level, 1.0))
+                           : mixed(sea, sea * 0.86, std::min(-2.5 * level, 1.0));
     const double contour = std::abs(std::remainder(level, 0.06));
     color *= 1.0 - 0.12 * cover(contour - 0.004, 0.003);
     color = mixed(color, {105, 88, 66}, 0.8 * cover(std::abs(level) - 0.004, 0.004));
@@ -236,13 +245,13 @@ Image map(const Canvas& c, Random& random, std::uint64_t seed) {
 Image screen(const Canvas& c, Random& random, std::uint64_t seed) {
   const Clouds glow(2, 2, seed);
   const double base = random.uniform(0.48, 0.68);
-  const Tint dark = hue(base, 0.70, 0.30),
-            light = hue(base + random.uniform(-0.10, 0.14), 0.55, 0.85);
+  const Tint dark = hue({base, 0.70, 0.30}),
+             light = hue({base + random.uniform(-0.10, 0.14), 0.55, 0.85});
   const int cards = random.integer(3, 5);
   const double row = random.uniform(0.52, 0.66), tall = random.uniform(0.16, 0.24);
   std::vector<Tint> colors;
   for (int k = 0; k < cards; ++k)
-    colors.push_back(hue(base + random.uniform(-0.2, 0.2), 0.45, random.uniform(0.55, 0.95)));
+    colors.push_back(hue({base + random.uniform(-0.2, 0.2), 0.45, random.uniform(0.55, 0.95)}));
   return painted(c.width, c.height, [&](double u, double v) {
     Tint color =
         mixed(dark, light,
@@ -276,8 +285,8 @@ Image mirror(const Canvas& c, Random& random, std::uint64_t seed) {
   return painted(c.width, c.height, [&](double u, double v) {
     const double down = v + tilt * (u - 0.5);
     const Tint sky =
-        mixed(hue(tint, 0.16, 0.90), hue(tint, 0.05, 0.97), smooth_step(0.0, 0.65, down));
-    const Tint color = mixed(sky, hue(tint - 0.4, 0.10, 0.78), smooth_step(0.60, 1.0, down));
+        mixed(hue({tint, 0.16, 0.90}), hue({tint, 0.05, 0.97}), smooth_step(0.0, 0.65, down));
+    const Tint color = mixed(sky, hue({tint - 0.4, 0.10, 0.78}), smooth_step(0.60, 1.0, down));
     return Tint(color * (0.97 + 0.06 * haze(0.5 * u, 0.5 * v)));
   });
 }
@@ -285,9 +294,9 @@ Image mirror(const Canvas& c, Random& random, std::uint64_t seed) {
 Image clock(const Canvas& c, Random& random, std::uint64_t) {
   const bool dark = random.chance(0.35);
   const Tint face =
-      dark ? hue(random.uniform(), 0.2, 0.18) : hue(random.uniform(0.05, 0.17), 0.06, 0.96);
+      dark ? hue({random.uniform(), 0.2, 0.18}) : hue({random.uniform(0.05, 0.17), 0.06, 0.96});
   const Tint ink = dark ? Tint(235, 230, 220) : Tint(38, 36, 36);
-  const Tint accent = hue(random.uniform(), 0.75, 0.75);
+  const Tint accent = hue({random.uniform(), 0.75, 0.75});
   const double minutes = random.integer(0, 719);
   const auto direction = [](double turn) {
     return Vec2(std::sin(2 * pi * turn), -std::cos(2 * pi * turn));
@@ -313,7 +322,7 @@ Image clock(const Canvas& c, Random& random, std::uint64_t) {
 
 Image plain(const Canvas& c, Random& random, std::uint64_t seed) {
   const Noise canvas_weave(96, 96, seed);
-  const Tint tone = hue(random.uniform(), random.uniform(0.05, 0.35), random.uniform(0.6, 0.92));
+  const Tint tone = hue({random.uniform(), random.uniform(0.05, 0.35), random.uniform(0.6, 0.92)});
   return painted(c.width, c.height, [&](double u, double v) {
     return Tint(tone * (0.97 + 0.05 * canvas_weave(u, v)));
   });

@@ -7,8 +7,8 @@
 
 namespace roomgen {
 
-/// A seeded generator (PCG32, O'Neill 2014) with distributions of its own: those of the standard
-/// library differ between vendors, and a seed must give the same room everywhere.
+/// A seeded generator (PCG32, O'Neill 2014) with distributions of its own: a seed must give the same room everywhere.
+/// Two draws are never arguments of one call, since compilers differ in which they evaluate first.
 class Random {
  public:
   explicit Random(std::uint64_t seed, std::uint64_t stream = 0);
