@@ -345,12 +345,18 @@ class Attacher {
            last_ != none;
   }
 
+  // "avoid glass tables, a living room with a sofa": what has something is wanted.
+  bool is_described() const {
+    return ahead() == Tag::preposition && is_with(chunks_[at_ + 1].piece->base);
+  }
+
   void phrase(std::uint32_t number) {
     const auto id = static_cast<std::int32_t>(number);
     if (is_floating(id)) {
       is_joined_ = has_comma_ = false;
       return;
     }
+    if (denies_list_ && has_comma_ && is_described()) end_clause();
     if (denies_list_ || is_denied_) at(id).is_denied = true;
     if (preposition_) {
       under_preposition(id);

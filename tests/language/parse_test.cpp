@@ -127,6 +127,14 @@ TEST_CASE("What is denied says so") {
   CHECK_FALSE(parse("A rug, not large.").phrases.front().is_denied);
 }
 
+TEST_CASE("A denial ends where something is described") {
+  const Parse parsed = parse("Avoid glass tables, a living room with a sofa.");
+  REQUIRE(parsed.phrases.size() == 3);
+  CHECK(parsed.phrases[0].is_denied);
+  CHECK_FALSE(parsed.phrases[1].is_denied);
+  CHECK_FALSE(parsed.phrases[2].is_denied);
+}
+
 TEST_CASE("Spans lead back to the text") {
   const std::string text =
       "Please place two L-shaped sofas \u2014 red ones \u2014 beside the caf\u00e9 table.";
