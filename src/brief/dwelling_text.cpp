@@ -8,7 +8,7 @@ DwellingText::DwellingText(std::string_view text, const Vocabulary& vocabulary,
                            const DwellingKinds& dwelling_kinds, const RoomKinds& room_kinds,
                            const KindTable& table)
     : prompt(language::tokenize(text, max_tokens)),
-      tokens(tokenize(text)),
+      tokens(meaningful_tokens(prompt)),
       words(vocabulary),
       dwellings(dwelling_kinds),
       things(table),

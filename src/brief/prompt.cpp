@@ -38,7 +38,12 @@ class PromptReader {
         words_(lexicon.words),
         brief_(brief),
         talk_(lexicon, brief),
-        mention_of_(parse_.phrases.size()) {}
+        mention_of_(parse_.phrases.size()) {
+    for (std::size_t i = 0; i < parse_.phrases.size(); ++i)
+      things_.push_back(read_thing_phrase(text_, i));
+    for (const auto& attachment : parse_.attachments)
+      placements_.push_back(placement_of(text_, attachment));
+  }
 
   void run() {
     read_openings();
@@ -54,6 +59,10 @@ class PromptReader {
  private:
   const NounPhrase& phrase(std::int32_t i) const {
     return parse_.phrases[static_cast<std::size_t>(i)];
+  }
+  const ThingPhrase& thing_at(std::int32_t i) const { return things_[static_cast<std::size_t>(i)]; }
+  const std::optional<SaidPlacement>& placement_at(const Attachment& attachment) const {
+    return placements_[static_cast<std::size_t>(&attachment - parse_.attachments.data())];
   }
   std::optional<std::size_t> mention_of(std::int32_t i) const {
     return i == none ? std::nullopt : mention_of_[static_cast<std::size_t>(i)];
@@ -93,7 +102,7 @@ class PromptReader {
       mention_of_[number] = stands_for(id);
       return;
     }
-    const ThingPhrase thing = read_thing_phrase(text_, number);
+    const ThingPhrase& thing = things_[number];
     if (said.is_denied) return exclude(said, thing);
     if (const auto carrier = top(number, thing)) {
       mention_of_[number] = carrier;
@@ -153,7 +162,7 @@ class PromptReader {
                                       "feature", "hold", "display", "support",
                                       "carry",   "by",   "need",    "want"};
     if (relations.count(attachment.relation)) return true;
-    const auto said = placement_of(text_, attachment);
+    const auto said = placement_at(attachment);
     return said && said->placement->inverse;
   }
 
@@ -167,9 +176,7 @@ class PromptReader {
     return false;
   }
   // "a collection of books" are books, "a jar of honey" is a jar.
-  bool names_owner(std::int32_t id) const {
-    return read_thing_phrase(text_, static_cast<std::size_t>(id)).kind.length > 0;
-  }
+  bool names_owner(std::int32_t id) const { return thing_at(id).kind.length > 0; }
   // "walls of brick", "in leather"
   bool tells_what_it_is_of(std::int32_t id, const ThingPhrase& thing) const {
     if (!words_.materials.count(word(phrase(id).head)) || thing.article || thing.definite)
@@ -218,7 +225,7 @@ class PromptReader {
   bool is_target(std::int32_t id) const {
     for (const Attachment& attachment : parse_.attachments) {
       if (attachment.to != id) continue;
-      const auto said = placement_of(text_, attachment);
+      const auto said = placement_at(attachment);
       if (said && !said->placement->inverse) return true;
     }
     return false;
@@ -319,7 +326,7 @@ class PromptReader {
 
   void read_attachment(const Attachment& attachment) {
     if (attachment.is_denied || attachment.from == none) return;
-    const auto said = placement_of(text_, attachment);
+    const auto said = placement_at(attachment);
     if (!said) {
       if (owns(attachment)) read_owned(attachment);
       return;
@@ -506,9 +513,8 @@ class PromptReader {
   bool is_place_of_thing(std::int32_t id) const {
     for (const Attachment& attachment : parse_.attachments) {
       if (attachment.to != id || attachment.from == none || owns(attachment)) continue;
-      const auto kind =
-          read_thing_phrase(text_, static_cast<std::size_t>(attachment.from)).kind.length;
-      if (kind > 0 && placement_of(text_, attachment)) return true;
+      const auto kind = thing_at(attachment.from).kind.length;
+      if (kind > 0 && placement_at(attachment)) return true;
     }
     return false;
   }
@@ -536,7 +542,7 @@ class PromptReader {
     if (opening.wish.type == OpeningType::window || opening.wish.has_place()) return false;
     for (const Attachment& attachment : parse_.attachments)
       if (attachment.to == id && attachment.from != none && owns(attachment) &&
-          read_thing_phrase(text_, static_cast<std::size_t>(attachment.from)).kind.length > 0)
+          thing_at(attachment.from).kind.length > 0)
         return true;
     return false;
   }
@@ -561,9 +567,11 @@ class PromptReader {
   const Vocabulary& words_;
   Brief& brief_;
   Discourse talk_;
-  std::vector<std::optional<std::size_t>> mention_of_;  ///< by noun phrase
-  std::map<std::size_t, std::size_t> owner_of_;         ///< "a tray with cups": mentions
-  std::size_t skip_to_ = 0;                             ///< the token behind the last name
+  std::vector<ThingPhrase> things_;                       ///< what the noun phrases would name
+  std::vector<std::optional<SaidPlacement>> placements_;  ///< by attachment
+  std::vector<std::optional<std::size_t>> mention_of_;    ///< by noun phrase
+  std::map<std::size_t, std::size_t> owner_of_;           ///< "a tray with cups": mentions
+  std::size_t skip_to_ = 0;                               ///< the token behind the last name
 };
 
 // What the readers of measures, people, shapes, rooms and finishes took out of the tokens.
@@ -587,7 +595,7 @@ Brief read_prompt(std::string_view prompt, const RoomKinds& kinds, const KindTab
   if (parse.tokens.size() >= max_tokens)
     brief.notes.push_back("only the first " + std::to_string(max_tokens) +
                           " words of the prompt were read");
-  auto tokens = tokenize(prompt);
+  auto tokens = meaningful_tokens(parse.tokens);
   read_measures(tokens, parse.tokens, *words, table, brief);
   read_people(tokens, *words, table, brief);
   read_floor_shape(tokens, *words, table, kinds, brief);

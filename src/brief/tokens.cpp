@@ -34,12 +34,15 @@ std::vector<Token> plain_tokens(const std::vector<language::Token>& tokens) {
   return result;
 }
 
-std::vector<Token> tokenize(std::string_view text) {
-  const auto tokens = language::tokenize(text, max_tokens);
+std::vector<Token> meaningful_tokens(const std::vector<language::Token>& tokens) {
   auto result = plain_tokens(tokens);
   std::erase_if(result,
                 [&](const Token& token) { return means_nothing(tokens[token.source.begin]); });
   return result;
+}
+
+std::vector<Token> tokenize(std::string_view text) {
+  return meaningful_tokens(language::tokenize(text, max_tokens));
 }
 
 void replace(std::vector<Token>& tokens, std::size_t at, std::size_t count,

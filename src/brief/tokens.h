@@ -35,7 +35,10 @@ inline constexpr std::size_t max_tokens = 4000;
 /// ending.
 std::vector<Token> plain_tokens(const std::vector<language::Token>& tokens);
 
-/// Splits a prompt; marks that mean nothing are left out.
+/// Those without the marks that mean nothing.
+std::vector<Token> meaningful_tokens(const std::vector<language::Token>& tokens);
+
+/// The meaningful tokens of a prompt.
 std::vector<Token> tokenize(std::string_view text);
 
 /// Replaces some tokens by others, which have their source.

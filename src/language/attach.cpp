@@ -175,7 +175,6 @@ class Attacher {
     verb_ = static_cast<std::int32_t>(&verb - parse_.verbs.data());
     participle_ = none;
     if (!is_relative) close_lists();
-    is_list_subject_ = !is_relative;
     // "it faces the window" is said of what the pronoun stands for.
     if (verb.subject == none && last_ != none && fronted_.empty()) verb_at(verb_).subject = last_;
   }
@@ -380,10 +379,9 @@ class Attacher {
       fronted_.push_back(attachment);
       return;
     }
-    const bool is_verb_with = false;
-    const auto by = is_with(attachment.relation) || is_verb_with ? Opened::with
-                    : attachment.relation == "of"                ? Opened::of
-                                                                 : Opened::place;
+    const auto by = is_with(attachment.relation)  ? Opened::with
+                    : attachment.relation == "of" ? Opened::of
+                                                  : Opened::place;
     open(by, id, add(attachment));
   }
 
@@ -552,7 +550,7 @@ class Attacher {
   std::int32_t pending_ = none;  ///< the verb that waits for its object
   std::int32_t auxiliary_ = none;
   bool has_existential_ = false, is_imperative_ = false, is_joined_ = false, has_comma_ = false;
-  bool ended_by_conjunction_ = false, is_list_subject_ = false;
+  bool ended_by_conjunction_ = false;
   bool is_denied_ = false, is_auxiliary_denied_ = false, denies_list_ = false;
 };
 

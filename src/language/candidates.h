@@ -20,15 +20,8 @@ struct Candidates {
   std::optional<Verb> verb;
   double noun_uses = 0.0, verb_uses = 0.0, adjective_uses = 0.0;
 
-  bool is_rather_adjective() const {
-    return is_adjective && (!is_noun || adjective_uses > noun_uses);
-  }
-
   bool is_participle() const {
     return verb && (verb->form == VerbForm::past || verb->form == VerbForm::gerund);
-  }
-  bool is_finite() const {
-    return verb && (verb->form == VerbForm::base || verb->form == VerbForm::third_person);
   }
 };
 

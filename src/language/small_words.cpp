@@ -68,7 +68,6 @@ SmallWords read(const JsonReader& root) {
   read(root["negations"], words.negations);
   read(root["be"], words.be);
   read(root["auxiliaries"], words.auxiliaries);
-  read(root["verbs"], words.verbs);
   read(root["verbs of denial"], words.verbs_of_denial);
   read(root["verbs of having"], words.verbs_of_having);
   read(root["prepositions"], words.prepositions);

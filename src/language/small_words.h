@@ -22,7 +22,7 @@ struct SmallWords {
   std::map<std::string, Determiner, std::less<>> determiners;
   std::map<std::string, std::string, std::less<>> contractions;
   Words vague_numbers, pronouns, standing_alone, negative_pronouns, relatives, conjunctions,
-      subordinators, negations, be, auxiliaries, verbs, verbs_of_denial, verbs_of_having, prepositions,
+      subordinators, negations, be, auxiliaries, verbs_of_denial, verbs_of_having, prepositions,
       denying_prepositions, adverbs, quantities, plurals, exceptions;
 };
 
