@@ -23,6 +23,7 @@ struct BuildState {
   std::map<std::string, AssetInfo> favourites;  ///< by what was asked for (retrieve.h)
   ModelTable models;                            ///< of what stands and what was tried
   std::vector<Step> trace;
+  std::vector<Move> moved;  ///< by improvements of the whole room
   ModelUse model_use;
   std::string stopped;      ///< why the designer may not be asked any more
   bool is_cut = false;      ///< an improvement ran out of time

@@ -54,6 +54,7 @@ class DwellingJoiner {
       step.room = room.id;
       whole_.trace.push_back(std::move(step));
     }
+    for (auto& move : part.moved) whole_.moved.push_back(std::move(move));
     for (auto& note : part.notes) whole_.notes.push_back(room.id + ": " + note);
     whole_.constraints += part.constraints;
     whole_.held += part.held;

@@ -91,6 +91,7 @@ Generation outcome(const Workplace& place, const BuildState& state) {
                             place.options.cancel.cancelled();
   result.models = state.models;
   result.trace = state.trace;
+  result.moved = state.moved;
   result.model_use = state.model_use;
   result.stopped = state.stopped;
   list_objects(place, state, result.scene);

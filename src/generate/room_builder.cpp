@@ -5,6 +5,7 @@
 
 #include "attempts.h"
 #include "hang_cover.h"
+#include "moves.h"
 #include "order.h"
 #include "outcome.h"
 #include "patience.h"
@@ -25,6 +26,12 @@ Error cut_error(const CancelToken& all) {
 }
 
 Error not_found(const std::string& what) { return {Error::Kind::not_found, what}; }
+
+std::optional<Pose> pose_in(const BuildState& state, const std::string& id) {
+  for (const auto& object : state.objects)
+    if (object.id == id) return Pose{object.position.head<2>(), object.position.z(), object.yaw};
+  return std::nullopt;
+}
 
 }  // namespace
 
@@ -116,6 +123,8 @@ struct RoomBuilder::Impl {
     if (!*job->result) return job->result->error();
     Step step = **std::move(job->result);
     step.seconds = Seconds(Clock::now() - start).count();
+    step.pose = pose_in(job->state, planned.id);
+    step.moved = moves_between(state.objects, job->state.objects);
     record(step, std::move(job->state));
     return step;
   }
@@ -249,6 +258,7 @@ Status RoomBuilder::improve(std::optional<Seconds> time) {
   });
   if (!job) return cut_error(impl_->place->options.cancel);
   job->state.is_cut = cancel.cancelled();
+  add_moves(moves_between(impl_->state.objects, job->state.objects), job->state.moved);
   impl_->commit(std::move(job->state));
   impl_->tell({BuildEvent::Kind::improved});
   return {};

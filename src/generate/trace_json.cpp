@@ -60,7 +60,24 @@ Json attempt_json(const Attempt& attempt) {
   return json;
 }
 
+Json point_json(const Vec3& point) {
+  return {rounded(point.x()), rounded(point.y()), rounded(point.z())};
+}
+
+Json pose_json(const Pose& pose) {
+  return {{"position", point_json({pose.position.x(), pose.position.y(), pose.bottom})},
+          {"yaw_deg", rounded(degrees(pose.yaw), 2)}};
+}
+
 }  // namespace
+
+Json to_json(const Move& move) {
+  return {{"object", move.object},
+          {"from", point_json(move.from)},
+          {"to", point_json(move.to)},
+          {"by", rounded(move.distance(), 3)},
+          {"turned_deg", rounded(degrees(move.turn), 2)}};
+}
 
 Json to_json(const Step& step) {
   Json json;
@@ -69,7 +86,10 @@ Json to_json(const Step& step) {
   if (!step.window.empty()) json["window"] = step.window;
   if (step.has_assets) json["attempts"] = Json::array();
   for (const auto& attempt : step.attempts) json["attempts"].push_back(attempt_json(attempt));
+  if (step.pose) json["pose"] = pose_json(*step.pose);
   if (step.repaired) json["repaired"] = true;
+  if (!step.moved.empty()) json["moved"] = Json::array();
+  for (const auto& move : step.moved) json["moved"].push_back(to_json(move));
   json["outcome"] = step.reason.empty() ? "placed" : "unplaced";
   if (!step.reason.empty()) json["reason"] = step.reason;
   if (!step.room.empty()) json["room"] = step.room;

@@ -47,7 +47,8 @@ def main():
     scene = json.loads((output / "scene.json").read_text())
     options = report.Options(files.Categories.default(), STRICT, "auto", None, reach.LENIENCE)
     violations = report.check_file(output / "scene.json", options)["violations"]
-    steps = [json.loads(line) for line in (output / "trace.jsonl").read_text().splitlines()]
+    lines = [json.loads(line) for line in (output / "trace.jsonl").read_text().splitlines()]
+    steps = [line for line in lines if "object" in line]
     by_rules = sum(a.get("model", {}).get("fell_back", False) for s in steps for a in s.get("attempts", []))
     failures = []
     if violations:

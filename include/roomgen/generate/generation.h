@@ -26,6 +26,15 @@ struct Attempt {
   std::string refused;     ///< why no pose could be taken; empty: one was
 };
 
+/// A thing that an improvement or a repair put elsewhere.
+struct Move {
+  std::string object;
+  Vec3 from = Vec3::Zero(), to = Vec3::Zero();  ///< bottom centre
+  double turn = 0.0;                            ///< radians, counter-clockwise
+
+  double distance() const { return (to - from).norm(); }
+};
+
 /// What became of one planned object: a line of trace.jsonl (docs/trace.md).
 struct Step {
   PlannedObject planned;
@@ -33,7 +42,9 @@ struct Step {
   bool has_assets = false;            ///< it found something to try
   std::vector<Attempt> attempts;      ///< in order
   std::string window;                 ///< the one that a curtain or blind covers
+  std::optional<Pose> pose;           ///< where it stood at the end of the step
   bool repaired = false;              ///< neighbours made way
+  std::vector<Move> moved;            ///< those neighbours
   std::string reason;                 ///< why it has no place; empty: it has one
   std::string room;                   ///< of a dwelling
   double seconds = 0.0;               ///< that the step took; not part of the trace
@@ -41,6 +52,8 @@ struct Step {
 
 /// One line of trace.jsonl. Nothing in it depends on the clock.
 Json to_json(const Step& step);
+/// {"object", "from", "to", "by", "turned_deg"}: metres and degrees.
+Json to_json(const Move& move);
 
 /// How closely suggestions were followed (papers: RoomGen, table 3): numbers of objects in the finished
 /// scene.
@@ -67,6 +80,7 @@ struct Generation {
   ModelTable models;  ///< of all openings and all objects placed
   std::vector<AssetInfo> assets;  ///< of all openings and all objects placed, without repetition
   std::vector<Step> trace;        ///< one a planned object that was tried, in order
+  std::vector<Move> moved;        ///< by the improvement at the end
   int constraints = 0;
   int held = 0;
   SuggestionFigures suggestions;
