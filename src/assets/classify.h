@@ -2,7 +2,7 @@
 
 #include "asset_source.h"
 #include "labels.h"
-#include "roomgen/library/vocabulary.h"
+#include "library/vocabulary.h"
 
 namespace roomgen::assets {
 

@@ -6,14 +6,14 @@
 #include <thread>
 
 #include "asset_source.h"
+#include "base/resource.h"
 #include "classify.h"
 #include "import_mesh.h"
 #include "index_file.h"
+#include "library/shown_colors.h"
 #include "roomgen/base/file.h"
-#include "roomgen/base/resource.h"
 #include "roomgen/base/sha256.h"
 #include "roomgen/base/text.h"
-#include "roomgen/library/shown_colors.h"
 
 namespace roomgen::assets {
 

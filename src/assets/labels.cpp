@@ -1,7 +1,7 @@
 #include "labels.h"
 
+#include "base/resource.h"
 #include "roomgen/base/json.h"
-#include "roomgen/base/resource.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen::assets {

@@ -5,9 +5,9 @@
 #include <set>
 
 #include "index_file.h"
+#include "library/ranking.h"
 #include "roomgen/base/text.h"
 #include "roomgen/kinds/kind_table.h"
-#include "roomgen/library/ranking.h"
 
 namespace roomgen::assets {
 

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "database.h"
+#include "library/looks.h"
+#include "library/vocabulary.h"
 #include "roomgen/library/library.h"
-#include "roomgen/library/looks.h"
-#include "roomgen/library/vocabulary.h"
 
 namespace roomgen::assets {
 

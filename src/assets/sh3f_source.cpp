@@ -8,7 +8,7 @@
 #include "asset_source.h"
 #include "properties.h"
 #include "roomgen/base/text.h"
-#include "roomgen/scene/opening_kind.h"
+#include "scene/opening_kind.h"
 
 namespace roomgen::assets {
 

@@ -1,4 +1,4 @@
-#include "roomgen/base/numbers.h"
+#include "numbers.h"
 
 #include <charconv>
 #include <cmath>

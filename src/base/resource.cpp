@@ -1,4 +1,4 @@
-#include "roomgen/base/resource.h"
+#include "resource.h"
 
 #include <algorithm>
 

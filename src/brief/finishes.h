@@ -5,7 +5,7 @@
 #include "brief.h"
 #include "kind_mention.h"
 #include "prompt_words.h"
-#include "roomgen/scene/finish_words.h"
+#include "scene/finish_words.h"
 #include "tokens.h"
 
 namespace roomgen::design {

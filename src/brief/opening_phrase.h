@@ -7,7 +7,7 @@
 #include "kind_mention.h"
 #include "opening_wish.h"
 #include "prompt_words.h"
-#include "roomgen/scene/opening_kind.h"
+#include "scene/opening_kind.h"
 #include "tokens.h"
 
 namespace roomgen::design {

@@ -1,7 +1,7 @@
 #include "prompt_words.h"
 
+#include "base/resource.h"
 #include "roomgen/base/json.h"
-#include "roomgen/base/resource.h"
 #include "roomgen/scene/relation.h"
 
 namespace roomgen::design {

@@ -1,7 +1,7 @@
 #include "room_kinds.h"
 
+#include "base/resource.h"
 #include "roomgen/base/json.h"
-#include "roomgen/base/resource.h"
 
 namespace roomgen::design {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "roomgen/language/lexicon.h"
+#include "language/lexicon.h"
 
 namespace roomgen::design {
 

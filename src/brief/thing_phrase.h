@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "kind_mention.h"
+#include "language/parse.h"
 #include "prompt_words.h"
-#include "roomgen/language/parse.h"
 #include "tokens.h"
 
 namespace roomgen::design {

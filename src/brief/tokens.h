@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "roomgen/language/parse.h"
+#include "language/parse.h"
 
 namespace roomgen::design {
 

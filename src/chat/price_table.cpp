@@ -2,8 +2,8 @@
 
 #include <cassert>
 
+#include "base/resource.h"
 #include "roomgen/base/json.h"
-#include "roomgen/base/resource.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen {

@@ -2,8 +2,8 @@
 
 #include <set>
 
+#include "base/resource.h"
 #include "roomgen/base/file.h"
-#include "roomgen/base/resource.h"
 #include "roomgen/base/sha256.h"
 #include "roomgen/base/text.h"
 

@@ -1,4 +1,4 @@
-#include "roomgen/collision/mesh_distance.h"
+#include "mesh_distance.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -9,7 +9,7 @@
 #include <tuple>
 #include <utility>
 
-#include "roomgen/geometry/mesh_tree.h"
+#include "geometry/mesh_tree.h"
 
 namespace roomgen {
 

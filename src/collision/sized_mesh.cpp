@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "roomgen/scene/box_model.h"
+#include "scene/box_model.h"
 
 namespace roomgen::detail {
 

@@ -7,9 +7,9 @@
 #include <map>
 #include <string>
 
-#include "roomgen/geometry/centroid.h"
-#include "roomgen/geometry/decimate.h"
-#include "roomgen/geometry/mesh_tree.h"
+#include "geometry/centroid.h"
+#include "geometry/decimate.h"
+#include "geometry/mesh_tree.h"
 #include "sized_mesh.h"
 
 namespace roomgen {

@@ -8,9 +8,9 @@
 #include <string>
 
 #include "columns.h"
-#include "roomgen/geometry/centroid.h"
-#include "roomgen/geometry/convex_hull.h"
-#include "roomgen/scene/box_model.h"
+#include "geometry/centroid.h"
+#include "geometry/convex_hull.h"
+#include "scene/box_model.h"
 #include "sized_mesh.h"
 
 namespace roomgen {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "collision/mesh_distance.h"
 #include "roomgen/base/result.h"
-#include "roomgen/collision/mesh_distance.h"
 #include "roomgen/shape/evaluate.h"
 #include "roomgen/shape/program.h"
 

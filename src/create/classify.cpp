@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cctype>
 
+#include "language/inflection.h"
+#include "language/measure.h"
 #include "part_forms.h"
 #include "roomgen/base/text.h"
-#include "roomgen/language/inflection.h"
-#include "roomgen/language/measure.h"
 
 namespace roomgen::create {
 

@@ -5,6 +5,8 @@
 #include <map>
 #include <mutex>
 
+#include "library/ranking.h"
+#include "library/vocabulary.h"
 #include "phrase.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/sha256.h"
@@ -12,8 +14,6 @@
 #include "roomgen/create/kinds.h"
 #include "roomgen/create/rule_maker.h"
 #include "roomgen/kinds/kind_table.h"
-#include "roomgen/library/ranking.h"
-#include "roomgen/library/vocabulary.h"
 #include "stock.h"
 
 namespace roomgen::create {

@@ -4,8 +4,8 @@
 #include <mutex>
 #include <optional>
 
+#include "base/resource.h"
 #include "roomgen/base/json.h"
-#include "roomgen/base/resource.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen::create {

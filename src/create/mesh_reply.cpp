@@ -5,8 +5,8 @@
 #include "chat/loose_json.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
-#include "roomgen/shape/color.h"
 #include "roomgen/shape/primitives.h"
+#include "shape/color.h"
 #include "shape_checks.h"
 
 namespace roomgen::create {

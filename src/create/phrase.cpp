@@ -2,14 +2,14 @@
 
 #include <algorithm>
 
+#include "language/inflection.h"
+#include "language/number.h"
 #include "part_forms.h"
 #include "phrase_measure.h"
 #include "phrase_objects.h"
 #include "phrase_place.h"
 #include "phrase_text.h"
 #include "roomgen/base/text.h"
-#include "roomgen/language/inflection.h"
-#include "roomgen/language/number.h"
 
 namespace roomgen::create {
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <utility>
 
+#include "language/inflection.h"
 #include "phrase_measure.h"
 #include "roomgen/base/text.h"
-#include "roomgen/language/inflection.h"
 
 namespace roomgen::create {
 

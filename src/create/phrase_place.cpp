@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "roomgen/language/number.h"
+#include "language/number.h"
 
 namespace roomgen::create {
 

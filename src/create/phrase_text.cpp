@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "language/inflection.h"
+#include "language/lexicon.h"
+#include "language/number.h"
 #include "roomgen/base/text.h"
-#include "roomgen/language/inflection.h"
-#include "roomgen/language/lexicon.h"
-#include "roomgen/language/number.h"
-#include "roomgen/shape/color.h"
+#include "shape/color.h"
 
 namespace roomgen::create {
 

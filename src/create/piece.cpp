@@ -5,8 +5,8 @@
 #include <cmath>
 #include <optional>
 
-#include "roomgen/shape/color.h"
 #include "roomgen/shape/recipe.h"
+#include "shape/color.h"
 #include "words.h"
 
 namespace roomgen::create {

@@ -7,8 +7,8 @@
 #include "chat/loose_json.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
-#include "roomgen/shape/color.h"
 #include "roomgen/shape/program.h"
+#include "shape/color.h"
 
 namespace roomgen::create {
 

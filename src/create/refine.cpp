@@ -3,13 +3,13 @@
 #include <algorithm>
 
 #include "compose.h"
+#include "language/number.h"
 #include "part_forms.h"
 #include "parts.h"
 #include "reshape.h"
 #include "roomgen/base/text.h"
-#include "roomgen/language/number.h"
-#include "roomgen/shape/color.h"
 #include "roomgen/shape/evaluate.h"
+#include "shape/color.h"
 
 namespace roomgen::create {
 

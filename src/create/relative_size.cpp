@@ -4,11 +4,11 @@
 #include <cmath>
 #include <limits>
 
+#include "base/resource.h"
+#include "language/inflection.h"
+#include "language/number.h"
 #include "part_forms.h"
 #include "roomgen/base/json.h"
-#include "roomgen/base/resource.h"
-#include "roomgen/language/inflection.h"
-#include "roomgen/language/number.h"
 #include "words.h"
 
 namespace roomgen::create {

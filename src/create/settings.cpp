@@ -6,7 +6,7 @@
 #include "relative_size.h"
 #include "roomgen/base/random.h"
 #include "roomgen/base/text.h"
-#include "roomgen/shape/color.h"
+#include "shape/color.h"
 #include "sizing.h"
 
 namespace roomgen::create {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "assembly.h"
-#include "roomgen/geometry/convex_hull.h"
+#include "geometry/convex_hull.h"
 
 namespace roomgen::create::detail {
 

@@ -1,7 +1,7 @@
 #include "stock.h"
 
+#include "library/vocabulary.h"
 #include "roomgen/kinds/kind_table.h"
-#include "roomgen/library/vocabulary.h"
 
 namespace roomgen::create {
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "base/resource.h"
 #include "description_words.h"
 #include "roomgen/base/json.h"
-#include "roomgen/base/resource.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen::create {

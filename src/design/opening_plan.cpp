@@ -6,7 +6,7 @@
 #include <set>
 
 #include "roomgen/base/text.h"
-#include "roomgen/scene/opening_kind.h"
+#include "scene/opening_kind.h"
 
 namespace roomgen::design {
 

@@ -12,7 +12,7 @@
 #include "opening_plan.h"
 #include "order.h"
 #include "roomgen/base/random.h"
-#include "roomgen/solve/dry_run.h"
+#include "solve/dry_run.h"
 
 namespace roomgen::design {
 

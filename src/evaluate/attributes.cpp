@@ -1,10 +1,10 @@
-#include "roomgen/evaluate/attributes.h"
+#include "attributes.h"
 
 #include <algorithm>
 
+#include "library/attribute_words.h"
+#include "library/vocabulary.h"
 #include "roomgen/base/text.h"
-#include "roomgen/library/attribute_words.h"
-#include "roomgen/library/vocabulary.h"
 
 namespace roomgen {
 

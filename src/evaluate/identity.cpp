@@ -1,11 +1,11 @@
-#include "roomgen/evaluate/identity.h"
+#include "identity.h"
 
 #include <algorithm>
 
+#include "base/resource.h"
+#include "library/vocabulary.h"
 #include "roomgen/base/json.h"
-#include "roomgen/base/resource.h"
 #include "roomgen/base/text.h"
-#include "roomgen/library/vocabulary.h"
 
 namespace roomgen {
 

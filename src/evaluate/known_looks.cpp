@@ -1,7 +1,7 @@
 #include <map>
 
+#include "attributes.h"
 #include "roomgen/base/text.h"
-#include "roomgen/evaluate/attributes.h"
 #include "roomgen/kinds/kind_table.h"
 
 namespace roomgen {

@@ -1,4 +1,4 @@
-#include "roomgen/evaluate/ledger.h"
+#include "ledger.h"
 
 #include <algorithm>
 

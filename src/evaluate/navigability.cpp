@@ -1,4 +1,4 @@
-#include "roomgen/evaluate/navigability.h"
+#include "navigability.h"
 
 #include <algorithm>
 #include <array>

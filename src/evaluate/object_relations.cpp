@@ -1,4 +1,4 @@
-#include "roomgen/evaluate/object_relations.h"
+#include "object_relations.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "roomgen/evaluate/opening_clearance.h"
+#include "opening_clearance.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "roomgen/evaluate/oriented_box.h"
+#include "oriented_box.h"
 
 #include <algorithm>
 #include <cmath>

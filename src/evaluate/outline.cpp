@@ -1,4 +1,4 @@
-#include "roomgen/evaluate/outline.h"
+#include "outline.h"
 
 #include <algorithm>
 #include <array>

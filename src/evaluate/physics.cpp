@@ -1,4 +1,4 @@
-#include "roomgen/evaluate/physics.h"
+#include "physics.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

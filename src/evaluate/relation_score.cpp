@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <functional>
 
+#include "object_relations.h"
+#include "relation_words.h"
+#include "room_relations.h"
 #include "roomgen/base/text.h"
-#include "roomgen/evaluate/object_relations.h"
-#include "roomgen/evaluate/relation_words.h"
-#include "roomgen/evaluate/room_relations.h"
 
 namespace roomgen {
 

@@ -6,7 +6,7 @@
 
 #include "roomgen/evaluate/requirements.h"
 #include "roomgen/evaluate/score.h"
-#include "roomgen/evaluate/thing.h"
+#include "thing.h"
 
 namespace roomgen {
 

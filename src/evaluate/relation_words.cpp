@@ -1,10 +1,10 @@
-#include "roomgen/evaluate/relation_words.h"
+#include "relation_words.h"
 
 #include <algorithm>
 #include <array>
 
+#include "base/resource.h"
 #include "roomgen/base/json.h"
-#include "roomgen/base/resource.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen {

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <set>
 
+#include "navigability.h"
+#include "opening_clearance.h"
+#include "physics.h"
 #include "roomgen/collision/solids.h"
-#include "roomgen/evaluate/navigability.h"
-#include "roomgen/evaluate/opening_clearance.h"
-#include "roomgen/evaluate/physics.h"
-#include "roomgen/evaluate/support.h"
+#include "support.h"
 
 namespace roomgen {
 

@@ -1,10 +1,10 @@
-#include "roomgen/evaluate/room_relations.h"
+#include "room_relations.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "roomgen/evaluate/object_relations.h"
+#include "object_relations.h"
 
 namespace roomgen::sceneeval {
 

@@ -4,11 +4,11 @@
 #include <deque>
 #include <set>
 
+#include "attributes.h"
+#include "identity.h"
 #include "relation_score.h"
 #include "room_physics.h"
 #include "roomgen/base/text.h"
-#include "roomgen/evaluate/attributes.h"
-#include "roomgen/evaluate/identity.h"
 
 namespace roomgen {
 

@@ -1,12 +1,12 @@
-#include "roomgen/evaluate/support.h"
+#include "support.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
+#include "geometry/convex_hull.h"
 #include "roomgen/base/random.h"
-#include "roomgen/geometry/convex_hull.h"
 
 namespace roomgen::sceneeval {
 

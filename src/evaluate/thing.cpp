@@ -1,11 +1,11 @@
-#include "roomgen/evaluate/thing.h"
+#include "thing.h"
 
 #include <algorithm>
 
-#include "roomgen/geometry/centroid.h"
-#include "roomgen/geometry/mesh_tree.h"
-#include "roomgen/scene/box_model.h"
+#include "geometry/centroid.h"
+#include "geometry/mesh_tree.h"
 #include "roomgen/scene/room_shell.h"
+#include "scene/box_model.h"
 
 namespace roomgen {
 

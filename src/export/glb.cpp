@@ -5,14 +5,14 @@
 #include <optional>
 #include <span>
 
+#include "geometry/conventions.h"
 #include "glb_buffer.h"
 #include "glb_lights.h"
 #include "glb_materials.h"
 #include "roomgen/base/file.h"
 #include "roomgen/base/json.h"
 #include "roomgen/export/attribution.h"
-#include "roomgen/geometry/conventions.h"
-#include "roomgen/scene/box_model.h"
+#include "scene/box_model.h"
 
 namespace roomgen {
 

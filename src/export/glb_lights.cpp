@@ -3,8 +3,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "geometry/conventions.h"
 #include "roomgen/base/json.h"
-#include "roomgen/geometry/conventions.h"
 
 namespace roomgen::detail {
 

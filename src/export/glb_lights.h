@@ -4,7 +4,7 @@
 #include <string>
 
 #include "roomgen/base/json.h"
-#include "roomgen/scene/lights.h"
+#include "scene/lights.h"
 
 namespace roomgen::detail {
 

@@ -3,9 +3,9 @@
 #include <map>
 #include <memory>
 
+#include "geometry/alpha.h"
 #include "glb_buffer.h"
 #include "roomgen/export/image_encoder.h"
-#include "roomgen/geometry/alpha.h"
 #include "roomgen/geometry/model.h"
 
 namespace roomgen::detail {

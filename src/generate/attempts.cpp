@@ -5,7 +5,7 @@
 #include "consult.h"
 #include "prepare.h"
 #include "roomgen/solve/improve.h"
-#include "roomgen/solve/make_room.h"
+#include "solve/make_room.h"
 
 namespace roomgen {
 

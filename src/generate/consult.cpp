@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "geometry/free_rectangles.h"
 #include "order.h"
-#include "roomgen/geometry/free_rectangles.h"
-#include "roomgen/solve/support.h"
+#include "solve/support.h"
 #include "support.h"
 
 namespace roomgen {

@@ -4,7 +4,7 @@
 
 #include "roomgen/base/random.h"
 #include "roomgen/library/library.h"
-#include "roomgen/scene/opening_kind.h"
+#include "scene/opening_kind.h"
 
 namespace roomgen {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <set>
 
-#include "roomgen/evaluate/attributes.h"
-#include "roomgen/evaluate/ledger.h"
+#include "evaluate/attributes.h"
+#include "evaluate/ledger.h"
 #include "roomgen/scene/judgement.h"
 
 namespace roomgen {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "library/vocabulary.h"
 #include "loads.h"
 #include "retrieve.h"
-#include "roomgen/library/vocabulary.h"
 #include "sizing.h"
 
 namespace roomgen {

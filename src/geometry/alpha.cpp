@@ -1,4 +1,4 @@
-#include "roomgen/geometry/alpha.h"
+#include "alpha.h"
 
 namespace roomgen {
 

@@ -1,4 +1,4 @@
-#include "roomgen/geometry/centroid.h"
+#include "centroid.h"
 
 #include <Eigen/Geometry>
 

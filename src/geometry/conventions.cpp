@@ -1,4 +1,4 @@
-#include "roomgen/geometry/conventions.h"
+#include "conventions.h"
 
 namespace roomgen {
 

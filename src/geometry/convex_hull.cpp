@@ -1,4 +1,4 @@
-#include "roomgen/geometry/convex_hull.h"
+#include "convex_hull.h"
 
 #include <algorithm>
 #include <limits>

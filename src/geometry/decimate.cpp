@@ -1,4 +1,4 @@
-#include "roomgen/geometry/decimate.h"
+#include "decimate.h"
 
 #include <meshoptimizer.h>
 

@@ -1,4 +1,4 @@
-#include "roomgen/geometry/difference.h"
+#include "difference.h"
 
 #include <cmath>
 #include <polyclipping/clipper.hpp>

@@ -1,4 +1,4 @@
-#include "roomgen/geometry/facet.h"
+#include "facet.h"
 
 #include <Eigen/Geometry>
 #include <cmath>

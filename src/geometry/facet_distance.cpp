@@ -4,7 +4,7 @@
 #include <array>
 #include <limits>
 
-#include "roomgen/geometry/facet.h"
+#include "facet.h"
 
 namespace roomgen {
 

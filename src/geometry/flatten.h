@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "roomgen/geometry/svg_path.h"
+#include "svg_path.h"
 
 /// The curves of SVG paths as straight lines: each gives the points behind its start, the last of
 /// them its end.

@@ -1,4 +1,4 @@
-#include "roomgen/geometry/free_rectangles.h"
+#include "free_rectangles.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "roomgen/geometry/mesh_tree.h"
+#include "mesh_tree.h"
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "box_distance.h"
-#include "roomgen/geometry/mesh_tree.h"
+#include "mesh_tree.h"
 
 namespace roomgen {
 

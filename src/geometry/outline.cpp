@@ -1,8 +1,8 @@
-#include "roomgen/geometry/outline.h"
+#include "outline.h"
 
 #include <string>
 
-#include "roomgen/geometry/svg_path.h"
+#include "svg_path.h"
 
 namespace roomgen {
 

@@ -1,6 +1,6 @@
 #include "path_scanner.h"
 
-#include "roomgen/base/numbers.h"
+#include "base/numbers.h"
 
 namespace roomgen::detail {
 

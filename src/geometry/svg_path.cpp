@@ -1,4 +1,4 @@
-#include "roomgen/geometry/svg_path.h"
+#include "svg_path.h"
 
 #include <cmath>
 #include <optional>

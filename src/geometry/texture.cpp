@@ -1,4 +1,4 @@
-#include "roomgen/geometry/texture.h"
+#include "texture.h"
 
 #include <algorithm>
 #include <cmath>

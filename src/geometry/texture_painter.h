@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "roomgen/geometry/texture.h"
+#include "texture.h"
 
 namespace roomgen::detail {
 

@@ -1,4 +1,4 @@
-#include "roomgen/geometry/triangulate.h"
+#include "triangulate.h"
 
 #include <optional>
 

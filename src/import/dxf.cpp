@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/numbers.h"
 #include "drawing.h"
-#include "roomgen/base/numbers.h"
 #include "roomgen/base/text.h"
 #include "roomgen/import/floor_plan.h"
 

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "geometry/conventions.h"
 #include "roomgen/base/file.h"
 #include "roomgen/base/json.h"
-#include "roomgen/geometry/conventions.h"
 
 namespace roomgen {
 

@@ -5,10 +5,10 @@
 #include <optional>
 #include <utility>
 
+#include "base/numbers.h"
 #include "drawing.h"
-#include "roomgen/base/numbers.h"
+#include "geometry/svg_path.h"
 #include "roomgen/base/text.h"
-#include "roomgen/geometry/svg_path.h"
 #include "roomgen/import/floor_plan.h"
 #include "xml.h"
 

@@ -5,9 +5,9 @@
 #include <optional>
 #include <set>
 
+#include "base/resource.h"
 #include "kind_json.h"
 #include "roomgen/base/json.h"
-#include "roomgen/base/resource.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "roomgen/language/inflection.h"
-#include "roomgen/language/token.h"
+#include "inflection.h"
+#include "token.h"
 
 namespace roomgen::language {
 

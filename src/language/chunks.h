@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "roomgen/language/parse.h"
+#include "parse.h"
 #include "tagger.h"
 
 namespace roomgen::language {

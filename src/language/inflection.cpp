@@ -1,9 +1,9 @@
-#include "roomgen/language/inflection.h"
+#include "inflection.h"
 
 #include <algorithm>
 #include <array>
 
-#include "roomgen/language/lexicon.h"
+#include "lexicon.h"
 
 namespace roomgen::language {
 

@@ -1,4 +1,4 @@
-#include "roomgen/language/lexicon.h"
+#include "lexicon.h"
 
 #include <algorithm>
 #include <cassert>

@@ -1,6 +1,6 @@
-#include "roomgen/language/measure.h"
+#include "measure.h"
 
-#include "roomgen/language/number.h"
+#include "number.h"
 #include "small_words.h"
 
 namespace roomgen::language {

@@ -1,4 +1,4 @@
-#include "roomgen/language/number.h"
+#include "number.h"
 
 #include "small_words.h"
 

@@ -1,8 +1,8 @@
-#include "roomgen/language/parse.h"
+#include "parse.h"
 
 #include "attach.h"
 #include "chunks.h"
-#include "roomgen/language/inflection.h"
+#include "inflection.h"
 
 namespace roomgen::language {
 

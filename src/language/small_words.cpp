@@ -1,7 +1,7 @@
 #include "small_words.h"
 
+#include "base/resource.h"
 #include "roomgen/base/json.h"
-#include "roomgen/base/resource.h"
 
 namespace roomgen::language {
 

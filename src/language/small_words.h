@@ -6,9 +6,9 @@
 #include <string>
 #include <string_view>
 
-#include "roomgen/language/measure.h"
-#include "roomgen/language/parse.h"
-#include "roomgen/language/token.h"
+#include "measure.h"
+#include "parse.h"
+#include "token.h"
 
 namespace roomgen::language {
 

@@ -5,8 +5,8 @@
 #include <initializer_list>
 #include <set>
 
-#include "roomgen/language/inflection.h"
-#include "roomgen/language/lexicon.h"
+#include "inflection.h"
+#include "lexicon.h"
 
 namespace roomgen::language {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "candidates.h"
-#include "roomgen/language/parse.h"
+#include "parse.h"
 #include "units.h"
 #include "word_tag.h"
 

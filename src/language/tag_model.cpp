@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "roomgen/language/lexicon.h"
+#include "lexicon.h"
 #include "small_words.h"
 
 extern "C" {

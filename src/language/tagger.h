@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "roomgen/language/inflection.h"
-#include "roomgen/language/parse.h"
+#include "inflection.h"
+#include "parse.h"
 
 namespace roomgen::language {
 

@@ -1,7 +1,7 @@
 #include <array>
 #include <utility>
 
-#include "roomgen/language/token.h"
+#include "token.h"
 
 namespace roomgen::language {
 

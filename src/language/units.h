@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "roomgen/language/measure.h"
-#include "roomgen/language/number.h"
-#include "roomgen/language/parse.h"
+#include "measure.h"
+#include "number.h"
+#include "parse.h"
 
 namespace roomgen::language {
 

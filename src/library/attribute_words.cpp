@@ -1,11 +1,11 @@
-#include "roomgen/library/attribute_words.h"
+#include "attribute_words.h"
 
 #include <algorithm>
 #include <array>
 #include <utility>
 
+#include "base/resource.h"
 #include "roomgen/base/json.h"
-#include "roomgen/base/resource.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen {

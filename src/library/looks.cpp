@@ -1,10 +1,10 @@
-#include "roomgen/library/looks.h"
+#include "looks.h"
 
 #include <algorithm>
 #include <set>
 
+#include "attribute_words.h"
 #include "roomgen/base/text.h"
-#include "roomgen/library/attribute_words.h"
 
 namespace roomgen {
 

@@ -1,4 +1,4 @@
-#include "roomgen/library/ranking.h"
+#include "ranking.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "roomgen/library/shown_colors.h"
+#include "shown_colors.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

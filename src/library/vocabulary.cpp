@@ -1,10 +1,10 @@
-#include "roomgen/library/vocabulary.h"
+#include "vocabulary.h"
 
 #include <algorithm>
 #include <array>
 
+#include "base/resource.h"
 #include "roomgen/base/json.h"
-#include "roomgen/base/resource.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen {

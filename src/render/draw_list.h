@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "gpu_model.h"
-#include "roomgen/scene/box_model.h"
 #include "roomgen/scene/scene.h"
+#include "scene/box_model.h"
 
 namespace roomgen::detail {
 

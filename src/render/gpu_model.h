@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "geometry/alpha.h"
 #include "gl_objects.h"
-#include "roomgen/geometry/alpha.h"
 #include "roomgen/geometry/model.h"
 
 namespace roomgen::detail {

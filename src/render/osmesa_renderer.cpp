@@ -6,8 +6,8 @@
 #include "overlay.h"
 #include "picture.h"
 #include "roomgen/base/json.h"
-#include "roomgen/scene/lights.h"
 #include "roomgen/scene/room_shell.h"
+#include "scene/lights.h"
 #include "shadow_map.h"
 
 namespace roomgen {

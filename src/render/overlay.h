@@ -1,7 +1,7 @@
 #pragma once
 
 #include "roomgen/base/result.h"
-#include "roomgen/view/marks.h"
+#include "view/marks.h"
 
 namespace roomgen::detail {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "roomgen/scene/lights.h"
+#include "scene/lights.h"
 
 namespace roomgen::detail {
 

@@ -1,11 +1,11 @@
-#include "roomgen/scene/box_model.h"
+#include "box_model.h"
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
 
+#include "finish.h"
 #include "roomgen/base/text.h"
-#include "roomgen/scene/finish.h"
 
 namespace roomgen {
 

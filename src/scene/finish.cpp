@@ -1,4 +1,4 @@
-#include "roomgen/scene/finish.h"
+#include "finish.h"
 
 #include <algorithm>
 #include <optional>

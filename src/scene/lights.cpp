@@ -1,4 +1,4 @@
-#include "roomgen/scene/lights.h"
+#include "lights.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,11 @@
-#include "roomgen/scene/opening_kind.h"
+#include "opening_kind.h"
 
 #include <algorithm>
 
+#include "base/resource.h"
+#include "geometry/outline.h"
 #include "roomgen/base/json.h"
-#include "roomgen/base/resource.h"
 #include "roomgen/base/text.h"
-#include "roomgen/geometry/outline.h"
 
 namespace roomgen {
 

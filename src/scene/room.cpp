@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/outline.h"
 #include "roomgen/base/text.h"
-#include "roomgen/geometry/outline.h"
 
 namespace roomgen {
 

@@ -3,10 +3,10 @@
 
 #include "file_limits.h"
 #include "file_walls.h"
+#include "geometry/outline.h"
 #include "roomgen/base/file.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
-#include "roomgen/geometry/outline.h"
 #include "roomgen/scene/scene.h"
 
 namespace roomgen {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "finish.h"
+#include "geometry/difference.h"
 #include "joinery.h"
-#include "roomgen/geometry/difference.h"
-#include "roomgen/scene/finish.h"
 #include "wall_builder.h"
 #include "woodwork.h"
 

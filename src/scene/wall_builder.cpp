@@ -5,8 +5,8 @@
 #include <cmath>
 #include <optional>
 
-#include "roomgen/geometry/outline.h"
-#include "roomgen/geometry/triangulate.h"
+#include "geometry/outline.h"
+#include "geometry/triangulate.h"
 
 namespace roomgen::detail {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "roomgen/geometry/outline.h"
-#include "roomgen/scene/finish.h"
+#include "finish.h"
+#include "geometry/outline.h"
 #include "wall_builder.h"
 
 namespace roomgen::detail {

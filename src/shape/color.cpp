@@ -1,4 +1,4 @@
-#include "roomgen/shape/color.h"
+#include "color.h"
 
 #include <charconv>
 #include <utility>

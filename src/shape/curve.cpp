@@ -5,7 +5,7 @@
 
 #include "chain.h"
 #include "checks.h"
-#include "roomgen/geometry/triangulate.h"
+#include "geometry/triangulate.h"
 #include "rounds.h"
 
 namespace roomgen::shape {

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <set>
 
+#include "color.h"
 #include "expression_parser.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
-#include "roomgen/shape/color.h"
 
 namespace roomgen::shape {
 

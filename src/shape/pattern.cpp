@@ -1,4 +1,4 @@
-#include "roomgen/shape/pattern.h"
+#include "pattern.h"
 
 #include <algorithm>
 #include <cmath>

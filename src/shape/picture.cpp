@@ -1,4 +1,4 @@
-#include "roomgen/shape/picture.h"
+#include "picture.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "roomgen/geometry/triangulate.h"
+#include "geometry/triangulate.h"
 #include "surface.h"
 
 namespace roomgen::shape {

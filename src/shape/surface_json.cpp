@@ -1,8 +1,8 @@
 #include <algorithm>
 
+#include "color.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
-#include "roomgen/shape/color.h"
 #include "solid_json.h"
 
 namespace roomgen::shape::detail {

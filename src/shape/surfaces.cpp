@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "roomgen/shape/picture.h"
+#include "picture.h"
 
 namespace roomgen::shape::detail {
 

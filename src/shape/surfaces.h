@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include "color.h"
+#include "pattern.h"
 #include "roomgen/geometry/model.h"
-#include "roomgen/shape/color.h"
-#include "roomgen/shape/pattern.h"
 #include "roomgen/shape/program.h"
 
 namespace roomgen::shape::detail {

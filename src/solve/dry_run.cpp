@@ -1,10 +1,10 @@
-#include "roomgen/solve/dry_run.h"
+#include "dry_run.h"
 
 #include <algorithm>
 
 #include "roomgen/scene/judgement.h"
 #include "roomgen/solve/place.h"
-#include "roomgen/solve/support.h"
+#include "support.h"
 
 namespace roomgen {
 

@@ -1,4 +1,4 @@
-#include "roomgen/solve/make_room.h"
+#include "make_room.h"
 
 #include <algorithm>
 #include <set>

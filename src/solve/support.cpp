@@ -1,4 +1,4 @@
-#include "roomgen/solve/support.h"
+#include "support.h"
 
 #include <algorithm>
 #include <optional>

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "roomgen/view/marks.h"
+#include "marks.h"
 
 namespace roomgen::detail {
 

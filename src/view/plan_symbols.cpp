@@ -1,4 +1,4 @@
-#include "roomgen/view/marks.h"
+#include "marks.h"
 
 namespace roomgen {
 

@@ -4,9 +4,9 @@
 
 #include "catch.h"
 #include "fixture.h"
-#include "roomgen/geometry/outline.h"
+#include "geometry/outline.h"
 #include "roomgen/geometry/polygon.h"
-#include "roomgen/scene/opening_kind.h"
+#include "scene/opening_kind.h"
 
 using namespace roomgen;
 using namespace roomgen::assets;

@@ -1,4 +1,4 @@
-#include "roomgen/base/numbers.h"
+#include "base/numbers.h"
 
 #include "catch.h"
 

@@ -2,8 +2,8 @@
 
 #include <fstream>
 
+#include "base/resource.h"
 #include "catch.h"
-#include "roomgen/base/resource.h"
 #include "support/contains.h"
 #include "support/temporary_folder.h"
 

@@ -1,4 +1,4 @@
-#include "roomgen/collision/mesh_distance.h"
+#include "collision/mesh_distance.h"
 
 #include <Eigen/Geometry>
 

@@ -1,7 +1,7 @@
 // What the prompts show is what the format is.
+#include "base/resource.h"
 #include "conversation.h"
 #include "roomgen/base/json.h"
-#include "roomgen/base/resource.h"
 #include "roomgen/shape/recipe.h"
 
 using namespace conversation;

@@ -1,10 +1,10 @@
 #include <set>
 
+#include "base/resource.h"
 #include "brief/kind_mention.h"
 #include "brief/prompt_words.h"
 #include "brief/room_kinds.h"
 #include "catch.h"
-#include "roomgen/base/resource.h"
 #include "roomgen/base/text.h"
 #include "roomgen/kinds/kind_table.h"
 #include "roomgen/solve/arrangement.h"

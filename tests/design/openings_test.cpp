@@ -8,7 +8,7 @@
 #include "plans.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
-#include "roomgen/scene/opening_kind.h"
+#include "scene/opening_kind.h"
 #include "support/shapes.h"
 
 using namespace roomgen;

@@ -5,7 +5,7 @@
 #include "roomgen/base/json.h"
 #include "roomgen/scene/scene.h"
 #include "roomgen/solve/place.h"
-#include "roomgen/solve/support.h"
+#include "solve/support.h"
 
 using namespace roomgen;
 using roomgen::test::plan_of;

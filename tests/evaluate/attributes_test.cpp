@@ -1,9 +1,9 @@
-#include "roomgen/evaluate/attributes.h"
+#include "evaluate/attributes.h"
 
 #include "catch.h"
+#include "library/attribute_words.h"
 #include "roomgen/base/file.h"
 #include "roomgen/evaluate/score.h"
-#include "roomgen/library/attribute_words.h"
 #include "support/furnished_room.h"
 #include "support/rooms.h"
 

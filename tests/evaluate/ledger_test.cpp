@@ -1,4 +1,4 @@
-#include "roomgen/evaluate/ledger.h"
+#include "evaluate/ledger.h"
 
 #include "catch.h"
 #include "support/rooms.h"

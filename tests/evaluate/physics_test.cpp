@@ -1,11 +1,11 @@
 #include <cmath>
 
 #include "catch.h"
+#include "evaluate/navigability.h"
+#include "evaluate/opening_clearance.h"
+#include "evaluate/physics.h"
+#include "evaluate/support.h"
 #include "roomgen/base/random.h"
-#include "roomgen/evaluate/navigability.h"
-#include "roomgen/evaluate/opening_clearance.h"
-#include "roomgen/evaluate/physics.h"
-#include "roomgen/evaluate/support.h"
 #include "support/rooms.h"
 
 using namespace roomgen;

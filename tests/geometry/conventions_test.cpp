@@ -1,4 +1,4 @@
-#include "roomgen/geometry/conventions.h"
+#include "geometry/conventions.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>

@@ -1,4 +1,4 @@
-#include "roomgen/geometry/convex_hull.h"
+#include "geometry/convex_hull.h"
 
 #include "catch.h"
 #include "roomgen/geometry/polygon.h"

@@ -1,8 +1,8 @@
-#include "roomgen/geometry/decimate.h"
+#include "geometry/decimate.h"
 
 #include "catch.h"
+#include "geometry/mesh_tree.h"
 #include "roomgen/base/random.h"
-#include "roomgen/geometry/mesh_tree.h"
 
 using namespace roomgen;
 

@@ -1,4 +1,4 @@
-#include "roomgen/geometry/difference.h"
+#include "geometry/difference.h"
 
 #include "catch.h"
 #include "roomgen/base/random.h"

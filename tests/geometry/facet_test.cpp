@@ -1,4 +1,4 @@
-#include "roomgen/geometry/facet.h"
+#include "geometry/facet.h"
 
 #include <Eigen/Geometry>
 

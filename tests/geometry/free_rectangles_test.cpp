@@ -1,4 +1,4 @@
-#include "roomgen/geometry/free_rectangles.h"
+#include "geometry/free_rectangles.h"
 
 #include "catch.h"
 #include "roomgen/base/random.h"

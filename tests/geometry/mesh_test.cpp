@@ -4,8 +4,8 @@
 #include <limits>
 
 #include "catch.h"
+#include "geometry/centroid.h"
 #include "roomgen/base/random.h"
-#include "roomgen/geometry/centroid.h"
 
 using namespace roomgen;
 using Eigen::Vector3f;

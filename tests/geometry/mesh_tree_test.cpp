@@ -1,5 +1,5 @@
 // The tree against looking at every triangle, on meshes without any order.
-#include "roomgen/geometry/mesh_tree.h"
+#include "geometry/mesh_tree.h"
 
 #include "catch.h"
 #include "support/random_mesh.h"

@@ -1,4 +1,4 @@
-#include "roomgen/geometry/outline.h"
+#include "geometry/outline.h"
 
 #include <cmath>
 

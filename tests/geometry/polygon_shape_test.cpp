@@ -1,6 +1,6 @@
 #include "catch.h"
+#include "geometry/triangulate.h"
 #include "roomgen/geometry/polygon.h"
-#include "roomgen/geometry/triangulate.h"
 #include "support/shapes.h"
 
 using namespace roomgen;

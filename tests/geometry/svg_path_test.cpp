@@ -1,4 +1,4 @@
-#include "roomgen/geometry/svg_path.h"
+#include "geometry/svg_path.h"
 
 #include "catch.h"
 #include "support/error_of.h"

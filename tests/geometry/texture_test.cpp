@@ -1,4 +1,4 @@
-#include "roomgen/geometry/texture.h"
+#include "geometry/texture.h"
 
 #include <cmath>
 #include <set>

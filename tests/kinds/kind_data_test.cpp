@@ -1,9 +1,9 @@
 // The table that is compiled into the library.
 #include <map>
 
+#include "base/resource.h"
 #include "catch.h"
 #include "roomgen/base/file.h"
-#include "roomgen/base/resource.h"
 #include "roomgen/base/text.h"
 #include "roomgen/kinds/kind_table.h"
 

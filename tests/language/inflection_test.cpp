@@ -1,9 +1,9 @@
-#include "roomgen/language/inflection.h"
+#include "language/inflection.h"
 
 #include <set>
 
 #include "catch.h"
-#include "roomgen/language/lexicon.h"
+#include "language/lexicon.h"
 
 using namespace roomgen::language;
 

@@ -1,4 +1,4 @@
-#include "roomgen/language/lexicon.h"
+#include "language/lexicon.h"
 
 #include <ctime>
 #include <iostream>

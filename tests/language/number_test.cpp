@@ -1,7 +1,7 @@
-#include "roomgen/language/number.h"
+#include "language/number.h"
 
 #include "catch.h"
-#include "roomgen/language/measure.h"
+#include "language/measure.h"
 
 using namespace roomgen::language;
 using Catch::Detail::Approx;

@@ -7,8 +7,8 @@
 #include <set>
 
 #include "catch.h"
+#include "language/parse.h"
 #include "roomgen/base/text.h"
-#include "roomgen/language/parse.h"
 
 using namespace roomgen;
 using namespace roomgen::language;

@@ -1,4 +1,4 @@
-#include "roomgen/language/parse.h"
+#include "language/parse.h"
 
 #include <ctime>
 #include <iostream>

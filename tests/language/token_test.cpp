@@ -1,4 +1,4 @@
-#include "roomgen/language/token.h"
+#include "language/token.h"
 
 
 #include "catch.h"

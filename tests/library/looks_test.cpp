@@ -1,4 +1,4 @@
-#include "roomgen/library/looks.h"
+#include "library/looks.h"
 
 #include "catch.h"
 

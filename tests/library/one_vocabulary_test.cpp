@@ -4,12 +4,12 @@
 #include <map>
 #include <set>
 
+#include "base/resource.h"
 #include "catch.h"
+#include "library/vocabulary.h"
 #include "roomgen/base/file.h"
-#include "roomgen/base/resource.h"
 #include "roomgen/base/text.h"
 #include "roomgen/kinds/kind_table.h"
-#include "roomgen/library/vocabulary.h"
 
 using namespace roomgen;
 

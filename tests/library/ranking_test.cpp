@@ -1,5 +1,5 @@
 #include "catch.h"
-#include "roomgen/library/ranking.h"
+#include "library/ranking.h"
 
 using namespace roomgen;
 

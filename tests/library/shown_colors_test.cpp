@@ -1,4 +1,4 @@
-#include "roomgen/library/shown_colors.h"
+#include "library/shown_colors.h"
 
 #include "catch.h"
 #include "roomgen/base/random.h"

@@ -1,6 +1,6 @@
+#include "base/resource.h"
 #include "catch.h"
-#include "roomgen/base/resource.h"
-#include "roomgen/library/vocabulary.h"
+#include "library/vocabulary.h"
 
 using namespace roomgen;
 

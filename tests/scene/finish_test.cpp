@@ -1,9 +1,9 @@
-#include "roomgen/scene/finish.h"
+#include "scene/finish.h"
 
+#include "base/resource.h"
 #include "catch.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/random.h"
-#include "roomgen/base/resource.h"
 
 using namespace roomgen;
 

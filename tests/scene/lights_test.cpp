@@ -1,4 +1,4 @@
-#include "roomgen/scene/lights.h"
+#include "scene/lights.h"
 
 #include "catch.h"
 #include "support/furnished_room.h"

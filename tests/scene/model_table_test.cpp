@@ -1,7 +1,7 @@
 #include "roomgen/scene/model_table.h"
 
 #include "catch.h"
-#include "roomgen/scene/box_model.h"
+#include "scene/box_model.h"
 #include "support/rooms.h"
 
 using namespace roomgen;

@@ -1,9 +1,9 @@
 // What an opening is beyond its rectangle: outline, leaves, kind and mesh; and how files hold them.
 #include "catch.h"
+#include "geometry/outline.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/random.h"
-#include "roomgen/geometry/outline.h"
-#include "roomgen/scene/opening_kind.h"
+#include "scene/opening_kind.h"
 #include "support/contains.h"
 #include "support/rooms.h"
 

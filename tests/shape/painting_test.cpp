@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "catch.h"
-#include "roomgen/shape/pattern.h"
-#include "roomgen/shape/picture.h"
+#include "shape/pattern.h"
+#include "shape/picture.h"
 
 using namespace roomgen;
 using namespace roomgen::shape;

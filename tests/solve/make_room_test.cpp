@@ -1,4 +1,4 @@
-#include "roomgen/solve/make_room.h"
+#include "solve/make_room.h"
 
 #include "catch.h"
 #include "roomgen/evaluate/report.h"

@@ -3,9 +3,9 @@
 #include <string>
 
 #include "roomgen/base/random.h"
-#include "roomgen/scene/finish.h"
 #include "roomgen/scene/model_table.h"
 #include "roomgen/scene/scene.h"
+#include "scene/finish.h"
 
 // Scenes and models for tests of pictures and files. They need not make sense to live in.
 namespace roomgen::test {

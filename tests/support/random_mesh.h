@@ -1,7 +1,7 @@
 #pragma once
 
+#include "geometry/facet.h"
 #include "roomgen/base/random.h"
-#include "roomgen/geometry/facet.h"
 
 namespace shapes {
 

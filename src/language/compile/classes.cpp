@@ -5,7 +5,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "roomgen/language/word_class.h"
+#include "word_class.h"
 
 namespace roomgen::language {
 

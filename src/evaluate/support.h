@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
-#include "roomgen/evaluate/thing.h"
 #include "roomgen/scene/room.h"
+#include "thing.h"
 
 namespace roomgen::sceneeval {
 

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "geometry/texture.h"
 #include "roomgen/base/result.h"
-#include "roomgen/geometry/texture.h"
 
 namespace roomgen {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "roomgen/evaluate/thing.h"
 #include "roomgen/scene/room.h"
+#include "thing.h"
 
 /// SceneEval's measures of what stands how in the room, version 1.1.1.
 namespace roomgen::sceneeval {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <span>
 
-#include "roomgen/language/token.h"
+#include "token.h"
 
 namespace roomgen::language {
 

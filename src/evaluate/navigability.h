@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "roomgen/evaluate/oriented_box.h"
+#include "oriented_box.h"
 #include "roomgen/scene/room.h"
 
 namespace roomgen::sceneeval {

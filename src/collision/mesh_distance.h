@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "roomgen/geometry/facet.h"
+#include "geometry/facet.h"
 
 namespace roomgen {
 

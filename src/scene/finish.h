@@ -3,8 +3,8 @@
 #include <Eigen/Core>
 #include <array>
 
+#include "finish_words.h"
 #include "roomgen/geometry/model.h"
-#include "roomgen/scene/finish_words.h"
 #include "roomgen/scene/room.h"
 
 namespace roomgen {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "roomgen/language/word_class.h"
+#include "word_class.h"
 
 namespace roomgen::language {
 

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "roomgen/language/measure.h"
-#include "roomgen/language/token.h"
+#include "measure.h"
+#include "token.h"
 
 namespace roomgen::language {
 

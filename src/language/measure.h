@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include "roomgen/language/token.h"
+#include "token.h"
 
 namespace roomgen::language {
 

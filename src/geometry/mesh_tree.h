@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "roomgen/geometry/facet.h"
+#include "facet.h"
 
 namespace roomgen {
 

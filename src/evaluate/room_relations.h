@@ -2,8 +2,8 @@
 
 #include <span>
 
-#include "roomgen/evaluate/thing.h"
 #include "roomgen/scene/room.h"
+#include "thing.h"
 
 /// SceneEval's functions of an object to the room (spatial/arch_relation.py, version 1.1.1), each in
 /// [0, 1]; a relation holds above one half. Of several walls, doors or windows the best counts.

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "roomgen/library/library.h"
-#include "roomgen/library/vocabulary.h"
+#include "vocabulary.h"
 
 namespace roomgen {
 

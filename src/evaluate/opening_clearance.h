@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "roomgen/evaluate/oriented_box.h"
+#include "oriented_box.h"
 #include "roomgen/scene/room.h"
 
 namespace roomgen::sceneeval {

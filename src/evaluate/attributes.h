@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
-#include "roomgen/evaluate/identity.h"
-#include "roomgen/evaluate/outline.h"
-#include "roomgen/library/shown_colors.h"
+#include "identity.h"
+#include "library/shown_colors.h"
+#include "outline.h"
 #include "roomgen/scene/model_table.h"
 
 namespace roomgen {

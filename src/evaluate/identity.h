@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "roomgen/library/vocabulary.h"
+#include "library/vocabulary.h"
 #include "roomgen/scene/object.h"
 
 namespace roomgen {

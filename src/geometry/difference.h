@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "roomgen/geometry/triangulate.h"
+#include "triangulate.h"
 
 namespace roomgen {
 

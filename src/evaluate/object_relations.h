@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "roomgen/evaluate/thing.h"
+#include "thing.h"
 
 /// SceneEval's functions of objects to each other (spatial/spatial_relation.py, version 1.1.1), each in
 /// [0, 1]; a relation holds above one half. `target` is what is judged, `anchor` what it is judged

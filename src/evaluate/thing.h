@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "roomgen/evaluate/oriented_box.h"
+#include "oriented_box.h"
 #include "roomgen/geometry/mesh.h"
 #include "roomgen/scene/model_table.h"
 #include "roomgen/scene/room.h"
