@@ -9,14 +9,16 @@
 #include <cstdlib>
 #include <ctime>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "create/validate.h"
 #include "roomgen/base/file.h"
 #include "roomgen/base/json.h"
 #include "roomgen/create/create.h"
-#include "roomgen/create/rule_maker.h"
-#include "roomgen/export/glb.h"
+#include "roomgen/create/maker.h"
+#include "roomgen/export/exporter.h"
 #include "roomgen/shape/evaluate.h"
 #ifdef ROOMGEN_HAS_RENDER
 #include "roomgen/render/image_file.h"

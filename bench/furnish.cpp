@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "roomgen/assets/catalogue.h"
-#include "roomgen/create/created_library.h"
-#include "roomgen/design/rule_designer.h"
+#include "roomgen/create/create.h"
+#include "roomgen/design/designer.h"
 #include "roomgen/generate/generate.h"
-#include "roomgen/library/first_of.h"
+#include "roomgen/library/library.h"
 
 namespace {
 

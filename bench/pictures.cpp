@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "roomgen/assets/catalogue.h"
-#include "roomgen/design/rule_designer.h"
+#include "roomgen/design/designer.h"
 #include "roomgen/generate/generate.h"
 #include "roomgen/render/osmesa_renderer.h"
 

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "roomgen/scene/synthetic.h"
 #include "roomgen/solve/solve.h"
+#include "synthetic.h"
 
 namespace {
 

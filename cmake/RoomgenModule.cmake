@@ -3,7 +3,8 @@
 # One module of a floor = one static library roomgen_<name>, alias roomgen::<name>. Always static
 # and position independent, so that engines can fold the core into a shared library of their own.
 # PUBLIC and PRIVATE are link dependencies; HEADERS, which users may include, are relative to
-# include/roomgen/<name>; other modules may include src/<name>/x.h as "<name>/x.h".
+# include/roomgen/<name> and must be readable alone (target all_verify_interface_header_sets); other
+# modules may include src/<name>/x.h as "<name>/x.h".
 include_guard()
 
 set_property(GLOBAL PROPERTY ROOMGEN_COMPONENTS "")
@@ -35,7 +36,7 @@ function(roomgen_add_module name)
   set_target_properties(
     ${target} PROPERTIES POSITION_INDEPENDENT_CODE ON CXX_EXTENSIONS OFF
                          CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON
-                         EXPORT_NAME ${name})
+                         EXPORT_NAME ${name} VERIFY_INTERFACE_HEADER_SETS ON)
   target_link_libraries(${target} PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE})
 
   if(ROOMGEN_INSTALL)
@@ -45,17 +46,23 @@ function(roomgen_add_module name)
   set_property(GLOBAL APPEND PROPERTY ROOMGEN_MODULES_${arg_COMPONENT} ${target})
 endfunction()
 
-# roomgen_finish_component(<component>): the target roomgen::<component> that users link, and its
-# export set.
+# roomgen_finish_component(<component> [HEADERS …]): the target roomgen::<component> that users link, and
+# its export set. HEADERS, relative to include/roomgen, belong to no module.
 function(roomgen_finish_component component)
+  cmake_parse_arguments(arg "" "" "HEADERS" ${ARGN})
+  list(TRANSFORM arg_HEADERS PREPEND "${PROJECT_SOURCE_DIR}/include/roomgen/")
   get_property(modules GLOBAL PROPERTY ROOMGEN_MODULES_${component})
   if(NOT TARGET roomgen_${component})
     add_library(roomgen_${component} INTERFACE)
     add_library(roomgen::${component} ALIAS roomgen_${component})
     target_link_libraries(roomgen_${component} INTERFACE ${modules})
-    set_target_properties(roomgen_${component} PROPERTIES EXPORT_NAME ${component})
+    target_sources(roomgen_${component} INTERFACE FILE_SET HEADERS
+                   BASE_DIRS "${PROJECT_SOURCE_DIR}/include" FILES ${arg_HEADERS})
+    set_target_properties(roomgen_${component} PROPERTIES EXPORT_NAME ${component}
+                                                          VERIFY_INTERFACE_HEADER_SETS ON)
     if(ROOMGEN_INSTALL)
-      install(TARGETS roomgen_${component} EXPORT roomgen-${component})
+      install(TARGETS roomgen_${component} EXPORT roomgen-${component}
+              FILE_SET HEADERS COMPONENT ${component})
     endif()
   endif()
   if(ROOMGEN_INSTALL)

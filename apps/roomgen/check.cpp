@@ -1,6 +1,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "command.h"
 #include "models.h"
@@ -8,8 +9,7 @@
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "roomgen/evaluate/report.h"
-#include "roomgen/import/floor_plan.h"
-#include "roomgen/scene/dwelling.h"
+#include "roomgen/import/import.h"
 #include "roomgen/scene/plan.h"
 #include "roomgen/scene/problem.h"
 #include "roomgen/shape/evaluate.h"

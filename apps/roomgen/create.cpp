@@ -1,6 +1,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -12,17 +13,14 @@
 #include "options.h"
 #include "roomgen/base/file.h"
 #include "roomgen/base/json.h"
-#include "roomgen/base/output_folder.h"
 #include "roomgen/base/text.h"
 #include "roomgen/create/create.h"
-#include "roomgen/create/created_library.h"
 #include "roomgen/create/suite.h"
-#include "roomgen/export/glb.h"
+#include "roomgen/export/exporter.h"
 #include "roomgen/render/image_file.h"
-#include "roomgen/render/model_picture.h"
+#include "roomgen/render/osmesa_renderer.h"
 #include "roomgen/shape/evaluate.h"
 #include "roomgen/shape/recipe.h"
-#include "roomgen/view/model_camera.h"
 
 namespace roomgen::cli {
 
@@ -140,7 +138,7 @@ Status write_views(const Context& context, const fs::path& path, const Model& mo
   auto folder = OutputFolder::open(path);
   if (!folder) return folder.error();
   for (std::size_t k = 0; k < pictures->size(); ++k)
-    if (auto status = write_png(*folder, std::string(model_views()[k].name) + ".png", (*pictures)[k]);
+    if (auto status = write_png(*folder, model_view_names()[k] + ".png", (*pictures)[k]);
         !status)
       return status;
   if (auto status = write_png(*folder, "views.png", contact_sheet(*pictures, 2)); !status)

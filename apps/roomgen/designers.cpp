@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "roomgen/base/file.h"
-#include "roomgen/design/rule_designer.h"
+#include "roomgen/design/designer.h"
 #include "roomgen/kinds/kind_table.h"
 #include "roomgen/render/image_file.h"
 #ifdef ROOMGEN_HAS_AGENT

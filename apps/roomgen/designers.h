@@ -6,10 +6,10 @@
 #include <string>
 
 #include "command.h"
-#include "roomgen/chat/chat_decorators.h"
+#include "roomgen/chat/chat_model.h"
 #include "roomgen/design/designer.h"
 #include "roomgen/design/model_designer.h"
-#include "roomgen/solve/fuse.h"
+#include "roomgen/solve/placement.h"
 
 namespace roomgen::cli {
 

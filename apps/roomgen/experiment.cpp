@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 #include <string>
@@ -14,7 +15,6 @@
 #include "options.h"
 #include "roomgen/base/file.h"
 #include "roomgen/base/json.h"
-#include "roomgen/base/sha256.h"
 #include "roomgen/base/text.h"
 #include "roomgen/create/suite.h"
 
@@ -249,7 +249,7 @@ std::vector<Task> tasks_of(const ExperimentOptions& options, std::size_t sentenc
 Json head_of(const ExperimentOptions& options, const std::string& suite) {
   Json head = {{"format", "roomgen-experiment"},
                {"version", 1},
-               {"suite", sha256_hex(suite)},
+               {"suite", create::suite_version(suite)},
                {"seed", options.seed},
                {"designer", options.maker.designer.designer},
                {"judge", options.maker.judge}};

@@ -1,5 +1,6 @@
 #include "roomgen/generate/generate.h"
 
+#include <nlohmann/json.hpp>
 #include <unistd.h>
 
 #include <algorithm>
@@ -16,11 +17,10 @@
 #include "roomgen/base/file.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
-#include "roomgen/design/dwelling.h"
-#include "roomgen/export/attribution.h"
-#include "roomgen/export/glb.h"
+#include "roomgen/design/designer.h"
+#include "roomgen/export/exporter.h"
 #include "roomgen/generate/output.h"
-#include "roomgen/import/floor_plan.h"
+#include "roomgen/import/import.h"
 #include "roomgen/render/image_file.h"
 #include "roomgen/render/osmesa_renderer.h"
 

@@ -4,8 +4,8 @@
 
 #include <cstdio>
 
-#include "roomgen/create/created_library.h"
-#include "roomgen/library/first_of.h"
+#include "roomgen/create/create.h"
+#include "roomgen/library/library.h"
 
 namespace roomgen::cli {
 

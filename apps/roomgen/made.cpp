@@ -1,20 +1,18 @@
 #include "made.h"
 
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "roomgen/base/json.h"
 #include "roomgen/create/suite.h"
-#include "roomgen/generate/set_out.h"
+#include "roomgen/generate/generate.h"
 #include "roomgen/render/image_file.h"
-#include "roomgen/render/model_picture.h"
+#include "roomgen/render/osmesa_renderer.h"
 #include "roomgen/shape/evaluate.h"
-#include "roomgen/view/model_camera.h"
 
 namespace roomgen::cli {
 
 namespace {
-
-constexpr int view_pixels = 512;
 
 // One thing alone stands for itself; several are set out by the solver.
 Status stand_together(const create::Creation& creation, std::uint64_t seed, MadeAll& made) {
@@ -57,13 +55,6 @@ Result<MadeAll> made_of(create::Creation creation, std::uint64_t seed) {
   if (auto status = stand_together(creation, seed, result); !status) return status.error();
   for (auto& object : creation.objects) result.objects.push_back(made_of(std::move(object)));
   return result;
-}
-
-Result<std::vector<Image>> draw_views(const Model& model) {
-  std::vector<Camera> cameras;
-  for (const auto& view : model_views())
-    cameras.push_back(model_camera(bounds(model), view, view_pixels));
-  return draw_model(std::make_shared<Model>(model), cameras);
 }
 
 GlbOptions glb_options() {

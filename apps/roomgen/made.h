@@ -5,9 +5,8 @@
 #include <vector>
 
 #include "roomgen/create/create.h"
-#include "roomgen/create/judge.h"
-#include "roomgen/export/glb.h"
-#include "roomgen/geometry/image.h"
+#include "roomgen/create/model_maker.h"
+#include "roomgen/export/exporter.h"
 #include "roomgen/geometry/model.h"
 
 namespace roomgen::cli {
@@ -33,9 +32,6 @@ struct MadeAll {
 /// The objects of a sentence that passed; several are set out by the solver.
 Result<MadeAll> made_of(create::Creation creation, std::uint64_t seed);
 Made made_of(create::CreatedObject object);
-
-/// Front, side, back and above: see model_views().
-Result<std::vector<Image>> draw_views(const Model& model);
 
 GlbOptions glb_options();
 

@@ -1,9 +1,8 @@
 #include "makers.h"
 
 #include "made.h"
-#include "roomgen/create/kinds.h"
+#include "roomgen/create/maker.h"
 #include "roomgen/create/model_maker.h"
-#include "roomgen/create/rule_maker.h"
 #include "roomgen/render/image_file.h"
 
 namespace roomgen::cli {
@@ -55,8 +54,6 @@ std::unique_ptr<create::Maker> ComposedMakers::maker(create::Variant variant,
   options.answers = options_.answers;
   if (const auto tokens = options_.answer_tokens)
     options.classify_tokens = options.decompose_tokens = options.generate_tokens = *tokens;
-  if (const auto& kinds = create::ShapeKinds::built_in(); kinds)
-    for (const auto& [name, kind] : kinds->all()) options.kinds.push_back(name);
   if (const LimitedModel* limited = making_.limited)
     options.budget_is_spent = [limited] { return limited->refused(); };
   return create::make_model_maker(*making_.model, std::move(rules), making_.prompts,

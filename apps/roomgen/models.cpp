@@ -4,10 +4,10 @@
 #include <cstdio>
 #include <optional>
 
-#include "roomgen/import/glb.h"
-#include "roomgen/library/load_models.h"
+#include "roomgen/import/import.h"
+#include "roomgen/library/library.h"
 #ifdef ROOMGEN_HAS_ASSETS
-#include "roomgen/assets/image_decode.h"
+#include "roomgen/assets/catalogue.h"
 #endif
 
 namespace roomgen::cli {

@@ -1,14 +1,14 @@
 #include <cstdio>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "command.h"
 #include "options.h"
 #include "roomgen/base/file.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
-#include "roomgen/design/dwelling.h"
-#include "roomgen/design/rule_designer.h"
-#include "roomgen/import/floor_plan.h"
+#include "roomgen/design/designer.h"
+#include "roomgen/import/import.h"
 
 namespace roomgen::cli {
 

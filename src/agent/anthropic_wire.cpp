@@ -1,7 +1,9 @@
 #include "anthropic_wire.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
+#include "base/json_reader.h"
 #include "base64.h"
 #include "roomgen/base/json.h"
 

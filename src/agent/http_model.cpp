@@ -1,5 +1,7 @@
 #include "roomgen/agent/http_model.h"
 
+#include <nlohmann/json.hpp>
+
 #include "anthropic_wire.h"
 #include "http_status.h"
 #include "openai_wire.h"

@@ -4,9 +4,9 @@
 #include <optional>
 #include <string_view>
 
+#include "base/random.h"
 #include "roomgen/agent/http_model.h"
 #include "roomgen/base/cancel.h"
-#include "roomgen/base/random.h"
 #include "transport.h"
 
 namespace roomgen {

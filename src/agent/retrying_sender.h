@@ -5,9 +5,9 @@
 #include <string>
 
 #include "api_key.h"
+#include "base/random.h"
 #include "endpoint.h"
 #include "roomgen/agent/http_model.h"
-#include "roomgen/base/random.h"
 #include "transport.h"
 
 namespace roomgen {

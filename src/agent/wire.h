@@ -1,8 +1,10 @@
 #pragma once
 
+#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 
+#include "base/json_reader.h"
 #include "dialect.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/result.h"

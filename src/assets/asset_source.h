@@ -7,7 +7,7 @@
 
 #include "file_tree.h"
 #include "frame.h"
-#include "roomgen/base/log.h"
+#include "roomgen/base/result.h"
 #include "roomgen/library/library.h"
 
 namespace roomgen::assets {

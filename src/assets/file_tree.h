@@ -7,7 +7,6 @@
 #include <string_view>
 #include <vector>
 
-#include "roomgen/base/log.h"
 #include "roomgen/base/result.h"
 
 namespace roomgen::assets {

@@ -1,4 +1,4 @@
-#include "roomgen/assets/image_decode.h"
+#include "roomgen/assets/catalogue.h"
 
 #include <png.h>
 

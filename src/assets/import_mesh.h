@@ -4,7 +4,6 @@
 #include <string>
 
 #include "file_tree.h"
-#include "roomgen/base/log.h"
 #include "roomgen/base/result.h"
 #include "roomgen/geometry/model.h"
 

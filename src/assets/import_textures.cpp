@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "roomgen/assets/image_decode.h"
+#include "roomgen/assets/catalogue.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen::assets {

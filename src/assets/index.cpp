@@ -7,12 +7,12 @@
 
 #include "asset_source.h"
 #include "base/resource.h"
+#include "base/sha256.h"
 #include "classify.h"
 #include "import_mesh.h"
 #include "index_file.h"
 #include "library/shown_colors.h"
 #include "roomgen/base/file.h"
-#include "roomgen/base/sha256.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen::assets {

@@ -1,5 +1,8 @@
 #include "index_file.h"
 
+#include <nlohmann/json.hpp>
+
+#include "base/json_reader.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 

@@ -1,8 +1,10 @@
 #include "sidecar.h"
 
 #include <array>
+#include <nlohmann/json.hpp>
 #include <utility>
 
+#include "base/json_reader.h"
 #include "roomgen/base/json.h"
 
 namespace roomgen::assets {

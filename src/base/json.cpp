@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "json_literal.h"
+#include "json_reader.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen {

@@ -1,4 +1,4 @@
-#include "roomgen/base/output_folder.h"
+#include "roomgen/base/file.h"
 
 #include <algorithm>
 #include <utility>
@@ -6,7 +6,6 @@
 
 #include "beside.h"
 #include "exchange.h"
-#include "roomgen/base/file.h"
 
 namespace roomgen {
 

@@ -1,4 +1,4 @@
-#include "roomgen/base/random.h"
+#include "random.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,4 +1,4 @@
-#include "roomgen/base/sha256.h"
+#include "sha256.h"
 
 #include <array>
 #include <bit>

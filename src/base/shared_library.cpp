@@ -1,4 +1,4 @@
-#include "roomgen/base/shared_library.h"
+#include "shared_library.h"
 
 #include <dlfcn.h>
 
@@ -24,11 +24,6 @@ Result<void*> SharedLibrary::symbol(const char* name) const {
   void* address = dlsym(handle_, name);
   if (!address) return load_error(name_);
   return address;
-}
-
-std::filesystem::path program_folder() {
-  std::error_code failed;
-  return std::filesystem::read_symlink("/proc/self/exe", failed).parent_path();
 }
 
 }  // namespace roomgen

@@ -1,7 +1,9 @@
 #include "floor_shapes.h"
 
+#include <nlohmann/json.hpp>
 #include <optional>
 
+#include "base/json_reader.h"
 #include "base/resource.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"

@@ -6,10 +6,10 @@
 #include <string_view>
 #include <vector>
 
+#include "base/random.h"
 #include "room_kinds.h"
-#include "roomgen/base/random.h"
 #include "roomgen/base/result.h"
-#include "roomgen/shape/expression.h"
+#include "shape/expression.h"
 
 namespace roomgen::design {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "base/random.h"
 #include "floor_shapes.h"
-#include "roomgen/base/random.h"
 #include "roomgen/geometry/polygon.h"
 
 namespace roomgen::design {

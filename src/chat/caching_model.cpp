@@ -1,9 +1,11 @@
+#include <nlohmann/json.hpp>
 #include <utility>
 
+#include "base/json_reader.h"
 #include "chat_question.h"
 #include "roomgen/base/file.h"
 #include "roomgen/base/json.h"
-#include "roomgen/chat/chat_decorators.h"
+#include "roomgen/chat/chat_model.h"
 
 namespace roomgen {
 

@@ -1,7 +1,10 @@
 #include "chat_question.h"
 
+#include <nlohmann/json.hpp>
+
+#include "base/json_reader.h"
+#include "base/sha256.h"
 #include "roomgen/base/json.h"
-#include "roomgen/base/sha256.h"
 
 namespace roomgen {
 

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <nlohmann/json.hpp>
 #include <string>
 
+#include "base/json_reader.h"
 #include "roomgen/base/json.h"
 #include "roomgen/chat/chat_model.h"
 

@@ -2,7 +2,7 @@
 #include <utility>
 
 #include "roomgen/base/text.h"
-#include "roomgen/chat/chat_decorators.h"
+#include "roomgen/chat/chat_model.h"
 
 namespace roomgen {
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <charconv>
+#include <nlohmann/json.hpp>
 
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"

@@ -1,7 +1,9 @@
-#include "roomgen/chat/price_table.h"
+#include "roomgen/chat/chat_model.h"
 
 #include <cassert>
+#include <nlohmann/json.hpp>
 
+#include "base/json_reader.h"
 #include "base/resource.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"

@@ -3,8 +3,8 @@
 #include <set>
 
 #include "base/resource.h"
+#include "base/sha256.h"
 #include "roomgen/base/file.h"
-#include "roomgen/base/sha256.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen {

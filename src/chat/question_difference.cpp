@@ -1,6 +1,7 @@
 #include "question_difference.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "chat_question.h"

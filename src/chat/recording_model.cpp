@@ -2,7 +2,7 @@
 
 #include "chat_recording.h"
 #include "roomgen/base/file.h"
-#include "roomgen/chat/chat_decorators.h"
+#include "roomgen/chat/chat_model.h"
 
 namespace roomgen {
 

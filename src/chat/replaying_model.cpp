@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "chat_question.h"
@@ -7,7 +8,7 @@
 #include "question_difference.h"
 #include "roomgen/base/file.h"
 #include "roomgen/base/json.h"
-#include "roomgen/chat/chat_decorators.h"
+#include "roomgen/chat/chat_model.h"
 
 namespace roomgen {
 

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "roomgen/geometry/footprint.h"
-#include "roomgen/geometry/mesh.h"
+#include "roomgen/geometry/model.h"
+#include "roomgen/geometry/polygon.h"
 
 namespace roomgen::detail {
 

@@ -1,4 +1,4 @@
-#include "roomgen/collision/occupancy_grid.h"
+#include "occupancy_grid.h"
 
 #include <algorithm>
 #include <cmath>

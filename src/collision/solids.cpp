@@ -1,4 +1,4 @@
-#include "roomgen/collision/solids.h"
+#include "solids.h"
 
 #include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/math/bv/OBB.h>

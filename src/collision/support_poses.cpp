@@ -1,4 +1,4 @@
-#include "roomgen/collision/support_poses.h"
+#include "support_poses.h"
 
 #include <Eigen/Geometry>
 

@@ -1,4 +1,4 @@
-#include "roomgen/collision/support_surfaces.h"
+#include "support_surfaces.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "roomgen/collision/usability.h"
+#include "usability.h"
 
 #include <algorithm>
 

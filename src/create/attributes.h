@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "roomgen/create/description.h"
+#include "roomgen/create/maker.h"
 
 namespace roomgen::create {
 

@@ -3,7 +3,6 @@
 #include <string>
 #include <vector>
 
-#include "roomgen/create/description.h"
 #include "roomgen/create/maker.h"
 #include "words.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "roomgen/create/description.h"
-#include "roomgen/create/kinds.h"
+#include "kinds.h"
+#include "roomgen/create/maker.h"
 
 namespace roomgen::create {
 

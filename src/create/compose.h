@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "roomgen/create/description.h"
+#include "roomgen/create/maker.h"
 #include "roomgen/shape/program.h"
 
 namespace roomgen::create {

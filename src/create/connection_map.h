@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "assembly.h"
-#include "roomgen/create/validate.h"
+#include "validate.h"
 
 namespace roomgen::create::detail {
 

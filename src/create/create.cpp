@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
+#include "kinds.h"
 #include "relative_size.h"
 #include "roomgen/base/json.h"
-#include "roomgen/create/kinds.h"
+#include "validate.h"
 
 namespace roomgen::create {
 

@@ -1,18 +1,19 @@
-#include "roomgen/create/created_library.h"
+#include "roomgen/create/create.h"
 
 #include <algorithm>
 #include <cstdlib>
 #include <map>
 #include <mutex>
+#include <nlohmann/json.hpp>
 
+#include "base/json_reader.h"
+#include "base/sha256.h"
+#include "kinds.h"
 #include "library/ranking.h"
 #include "library/vocabulary.h"
 #include "phrase.h"
 #include "roomgen/base/json.h"
-#include "roomgen/base/sha256.h"
-#include "roomgen/create/create.h"
-#include "roomgen/create/kinds.h"
-#include "roomgen/create/rule_maker.h"
+#include "roomgen/create/maker.h"
 #include "roomgen/kinds/kind_table.h"
 #include "stock.h"
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "interview.h"
-#include "roomgen/create/description.h"
+#include "roomgen/create/maker.h"
 
 namespace roomgen::create {
 

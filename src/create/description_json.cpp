@@ -1,9 +1,11 @@
 #include <cmath>
+#include <nlohmann/json.hpp>
 
+#include "base/json_reader.h"
 #include "description_words.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
-#include "roomgen/create/description.h"
+#include "roomgen/create/maker.h"
 
 namespace roomgen::create {
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "roomgen/create/description.h"
+#include "roomgen/create/maker.h"
 
 namespace roomgen::create {
 

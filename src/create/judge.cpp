@@ -1,6 +1,7 @@
-#include "roomgen/create/judge.h"
+#include "roomgen/create/model_maker.h"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "brief/reply_measure.h"
 #include "chat/loose_json.h"

@@ -4,8 +4,8 @@
 
 #include "assembly.h"
 #include "connection_map.h"
-#include "roomgen/create/validate.h"
 #include "standing.h"
+#include "validate.h"
 
 namespace roomgen::create::detail {
 

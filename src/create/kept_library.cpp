@@ -1,13 +1,14 @@
 #include <algorithm>
 #include <map>
+#include <nlohmann/json.hpp>
 
+#include "base/sha256.h"
+#include "kinds.h"
 #include "library/vocabulary.h"
 #include "roomgen/base/file.h"
 #include "roomgen/base/json.h"
-#include "roomgen/base/sha256.h"
 #include "roomgen/base/text.h"
-#include "roomgen/create/created_library.h"
-#include "roomgen/create/kinds.h"
+#include "roomgen/create/create.h"
 #include "roomgen/shape/evaluate.h"
 #include "roomgen/shape/recipe.h"
 #include "stock.h"

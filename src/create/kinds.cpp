@@ -1,9 +1,11 @@
-#include "roomgen/create/kinds.h"
+#include "kinds.h"
 
 #include <algorithm>
 #include <mutex>
+#include <nlohmann/json.hpp>
 #include <optional>
 
+#include "base/json_reader.h"
 #include "base/resource.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"

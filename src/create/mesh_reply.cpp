@@ -1,7 +1,9 @@
 #include "mesh_reply.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
+#include "base/json_reader.h"
 #include "chat/loose_json.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"

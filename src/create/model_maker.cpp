@@ -3,6 +3,7 @@
 #include "decompose_reply.h"
 #include "description_words.h"
 #include "interview.h"
+#include "kinds.h"
 #include "mesh_reply.h"
 #include "program_reply.h"
 #include "reply_schema.h"
@@ -164,6 +165,8 @@ class AskingMaker final : public Maker {
 
 std::unique_ptr<Maker> make_model_maker(ChatModel& model, std::unique_ptr<Maker> fallback,
                                              Prompts prompts, ModelMakerOptions options) {
+  if (const auto& kinds = ShapeKinds::built_in(); kinds && options.kinds.empty())
+    for (const auto& [name, kind] : kinds->all()) options.kinds.push_back(name);
   return std::make_unique<AskingMaker>(model, std::move(fallback), std::move(prompts),
                                        std::move(options));
 }

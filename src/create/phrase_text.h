@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "attributes.h"
+#include "kinds.h"
 #include "language/parse.h"
 #include "part_forms.h"
-#include "roomgen/create/kinds.h"
 
 namespace roomgen::create {
 

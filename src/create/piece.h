@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "part_forms.h"
-#include "roomgen/create/description.h"
+#include "roomgen/create/maker.h"
 #include "roomgen/shape/program.h"
 #include "spots.h"
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "interview.h"
-#include "roomgen/create/description.h"
+#include "roomgen/create/maker.h"
 #include "roomgen/shape/program.h"
 
 namespace roomgen::create {

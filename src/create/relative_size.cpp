@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 
+#include "base/json_reader.h"
 #include "base/resource.h"
 #include "language/inflection.h"
 #include "language/number.h"

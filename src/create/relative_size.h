@@ -3,8 +3,8 @@
 #include <optional>
 #include <string>
 
-#include "roomgen/create/description.h"
-#include "roomgen/create/kinds.h"
+#include "kinds.h"
+#include "roomgen/create/maker.h"
 
 namespace roomgen::create {
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <nlohmann/json.hpp>
+
 #include "roomgen/base/json.h"
 
 /// The forms of answers, for models that can be held to one. What is optional in shape programs is

@@ -1,5 +1,7 @@
 #include "request_text.h"
 
+#include <nlohmann/json.hpp>
+
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "roomgen/create/description.h"
+#include "roomgen/create/maker.h"
 #include "roomgen/shape/program.h"
 
 /// What a model is shown of a request.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "roomgen/create/description.h"
+#include "roomgen/create/maker.h"
 #include "roomgen/shape/program.h"
 #include "words.h"
 

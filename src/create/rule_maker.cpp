@@ -1,7 +1,8 @@
-#include "roomgen/create/rule_maker.h"
+#include "roomgen/create/maker.h"
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "classify.h"
 #include "closer_kind.h"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/random.h"
 #include "relative_size.h"
-#include "roomgen/base/random.h"
 #include "roomgen/base/text.h"
 #include "shape/color.h"
 #include "sizing.h"

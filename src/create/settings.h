@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "roomgen/create/description.h"
-#include "roomgen/create/kinds.h"
+#include "kinds.h"
+#include "roomgen/create/maker.h"
 #include "words.h"
 
 namespace roomgen::create {

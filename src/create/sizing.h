@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "roomgen/base/random.h"
-#include "roomgen/create/description.h"
-#include "roomgen/create/kinds.h"
+#include "base/random.h"
+#include "kinds.h"
+#include "roomgen/create/maker.h"
 
 namespace roomgen::create {
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "roomgen/create/description.h"
-#include "roomgen/geometry/mesh.h"
+#include "roomgen/create/maker.h"
+#include "roomgen/geometry/model.h"
 
 namespace roomgen::create {
 

@@ -1,8 +1,11 @@
 #include "roomgen/create/suite.h"
 
 #include <array>
+#include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "base/json_reader.h"
+#include "base/sha256.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 
@@ -92,6 +95,10 @@ std::optional<Variant> variant_named(std::string_view name) {
   for (const auto& [variant, text] : variant_names)
     if (name == text) return variant;
   return std::nullopt;
+}
+
+std::string suite_version(std::string_view text) {
+  return sha256_hex(text);
 }
 
 Result<std::vector<SuiteSentence>> read_suite(const Json& json, const std::string& source) {

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"

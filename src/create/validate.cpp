@@ -1,4 +1,4 @@
-#include "roomgen/create/validate.h"
+#include "validate.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,7 @@
 #include "verdict_reply.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "chat/loose_json.h"
 #include "roomgen/base/json.h"

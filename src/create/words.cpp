@@ -1,7 +1,9 @@
 #include "words.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
+#include "base/json_reader.h"
 #include "base/resource.h"
 #include "description_words.h"
 #include "roomgen/base/json.h"

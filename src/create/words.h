@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "roomgen/base/result.h"
-#include "roomgen/create/description.h"
+#include "roomgen/create/maker.h"
 #include "roomgen/shape/program.h"
 
 namespace roomgen::create {

@@ -1,18 +1,19 @@
-#include "roomgen/design/dwelling.h"
+#include "roomgen/design/designer.h"
 
 #include <algorithm>
 #include <map>
 #include <utility>
 
+#include "base/random.h"
 #include "brief/dwelling_kinds.h"
 #include "brief/dwelling_prompt.h"
 #include "brief/prompt.h"
 #include "brief/room_kinds.h"
 #include "dwelling_layout.h"
 #include "dwelling_openings.h"
-#include "roomgen/base/random.h"
 #include "roomgen/base/text.h"
 #include "roomgen/kinds/kind_table.h"
+#include "scene/dwelling.h"
 
 namespace roomgen {
 

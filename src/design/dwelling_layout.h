@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "base/random.h"
 #include "brief/dwelling_kinds.h"
-#include "roomgen/base/random.h"
-#include "roomgen/geometry/footprint.h"
+#include "roomgen/geometry/polygon.h"
 
 namespace roomgen::design {
 

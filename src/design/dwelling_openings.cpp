@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "roomgen/scene/dwelling.h"
+#include "scene/dwelling.h"
 
 namespace roomgen::design {
 

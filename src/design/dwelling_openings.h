@@ -2,10 +2,10 @@
 
 #include <vector>
 
+#include "base/random.h"
 #include "brief/dwelling_kinds.h"
 #include "brief/room_kinds.h"
 #include "dwelling_layout.h"
-#include "roomgen/base/random.h"
 #include "roomgen/scene/room.h"
 
 namespace roomgen::design {

@@ -2,10 +2,10 @@
 
 #include <optional>
 
+#include "base/random.h"
 #include "brief/brief.h"
 #include "brief/outline.h"
 #include "brief/room_kinds.h"
-#include "roomgen/base/random.h"
 #include "roomgen/scene/room.h"
 
 namespace roomgen::design {

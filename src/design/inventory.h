@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
+#include "base/random.h"
 #include "brief/brief.h"
 #include "brief/room_kinds.h"
 #include "looks.h"
-#include "roomgen/base/random.h"
 #include "roomgen/kinds/kind_table.h"
 #include "roomgen/scene/plan.h"
 

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "base/random.h"
 #include "brief/room_kinds.h"
-#include "roomgen/base/random.h"
 #include "roomgen/kinds/kind_table.h"
 
 namespace roomgen::design {

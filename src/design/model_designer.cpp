@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "base/json_literal.h"
+#include "base/sha256.h"
 #include "place_reply.h"
 #include "plan_reply.h"
-#include "roomgen/base/sha256.h"
 #include "roomgen/base/text.h"
 #include "scene_text.h"
 

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
+#include "base/random.h"
 #include "brief/opening_wish.h"
 #include "brief/room_kinds.h"
-#include "roomgen/base/random.h"
 
 namespace roomgen::design {
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "inventory.h"
-#include "roomgen/solve/arrangement.h"
+#include "solve/arrangement.h"
 
 namespace roomgen::design {
 

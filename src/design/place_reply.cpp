@@ -1,6 +1,7 @@
 #include "place_reply.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "chat/loose_json.h"
 #include "chat/plain_reply.h"

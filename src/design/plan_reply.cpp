@@ -1,6 +1,7 @@
 #include "plan_reply.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "brief/prompt.h"
 #include "brief/room_type.h"
@@ -11,7 +12,7 @@
 #include "reply_room.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
-#include "roomgen/solve/arrangement.h"
+#include "solve/arrangement.h"
 
 namespace roomgen::design {
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "base/random.h"
 #include "brief/prompt.h"
 #include "brief/room_type.h"
 #include "floor_plan.h"
@@ -11,7 +12,6 @@
 #include "looks.h"
 #include "opening_plan.h"
 #include "order.h"
-#include "roomgen/base/random.h"
 #include "solve/dry_run.h"
 
 namespace roomgen::design {

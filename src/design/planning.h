@@ -3,7 +3,7 @@
 #include "brief/room_kinds.h"
 #include "roomgen/design/designer.h"
 #include "roomgen/kinds/kind_table.h"
-#include "roomgen/solve/arrangement.h"
+#include "solve/arrangement.h"
 
 namespace roomgen::design {
 

@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "brief/reply_measure.h"
 #include "reply_words.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
-#include "roomgen/scene/judgement.h"
+#include "scene/judgement.h"
 
 namespace roomgen::design {
 

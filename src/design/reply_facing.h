@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "roomgen/base/json_fwd.h"
+#include "roomgen/base/json.h"
 #include "roomgen/scene/relation.h"
 #include "roomgen/scene/scene.h"
 #include "target_names.h"

@@ -6,7 +6,7 @@
 #include "brief/kind_mention.h"
 #include "brief/room_kinds.h"
 #include "inventory.h"
-#include "roomgen/base/json_fwd.h"
+#include "roomgen/base/json.h"
 
 namespace roomgen::design {
 

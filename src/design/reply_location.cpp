@@ -1,6 +1,7 @@
 #include "reply_location.h"
 
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "brief/reply_measure.h"
 #include "roomgen/base/json.h"

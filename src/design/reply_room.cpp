@@ -2,14 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <optional>
 
+#include "base/random.h"
 #include "brief/reply_measure.h"
 #include "chat/loose_json.h"
 #include "floor_plan.h"
 #include "opening_plan.h"
 #include "roomgen/base/json.h"
-#include "roomgen/base/random.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen::design {

@@ -5,7 +5,7 @@
 
 #include "brief/brief.h"
 #include "brief/room_kinds.h"
-#include "roomgen/base/json_fwd.h"
+#include "roomgen/base/json.h"
 #include "roomgen/design/designer.h"
 
 namespace roomgen::design {

@@ -1,11 +1,11 @@
-#include "roomgen/design/rule_designer.h"
+#include "roomgen/design/designer.h"
 
 #include "brief/prompt_words.h"
 #include "brief/room_kinds.h"
 #include "planning.h"
 #include "roomgen/base/text.h"
-#include "roomgen/scene/judgement.h"
-#include "roomgen/solve/arrangement.h"
+#include "scene/judgement.h"
+#include "solve/arrangement.h"
 
 namespace roomgen {
 

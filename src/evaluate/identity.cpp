@@ -1,6 +1,7 @@
 #include "identity.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "base/resource.h"
 #include "library/vocabulary.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "roomgen/base/text.h"
-#include "roomgen/scene/judgement.h"
+#include "scene/judgement.h"
 
 namespace roomgen {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "roomgen/base/random.h"
+#include "base/random.h"
 
 namespace roomgen::sceneeval {
 

@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "roomgen/evaluate/requirements.h"
 #include "roomgen/evaluate/score.h"
 #include "thing.h"
 

@@ -4,9 +4,10 @@
 #include <iterator>
 #include <utility>
 
-#include "roomgen/collision/solids.h"
-#include "roomgen/collision/usability.h"
-#include "roomgen/scene/dwelling.h"
+#include "collision/solids.h"
+#include "collision/usability.h"
+#include "scene/dwelling.h"
+#include "scene/judgement.h"
 
 namespace roomgen {
 
@@ -18,6 +19,21 @@ constexpr double ceiling_tolerance = 1e-3;
 bool is_inside(const Object& object, const Room& room) {
   return contains(room.polygon, footprint(object)) && bottom(object) >= -ceiling_tolerance &&
          top(object) <= room.height + ceiling_tolerance;
+}
+
+// Does the object keep the clearance of this door or window free?
+bool keeps_clear(const Object& object, const Kind& category, const Room& room,
+                 const Opening& opening) {
+  if (category.covers_window && !opening.is_entrance()) return true;
+  if (object.traits.flat || object.mount == Mount::surface) return true;
+  // What stands before a window may hide a little of it; what hangs keeps clear of it.
+  const double hidden = object.mount == Mount::wall ? 0.0 : window_overlap;
+  const double from = opening.is_entrance() ? 0.0 : opening.sill + hidden;
+  if (top(object) <= from || bottom(object) >= opening.head) return true;
+  const auto areas = clearances(room, opening);
+  return std::none_of(areas.begin(), areas.end(), [&](const Footprint& area) {
+    return overlaps(footprint(object), area, clearance_tolerance);
+  });
 }
 
 void find_overlaps(const Scene& scene, const ModelTable& models, std::vector<Violation>& found) {
@@ -71,20 +87,6 @@ std::string_view name(Fault fault) {
 int SceneReport::relations_held() const {
   return static_cast<int>(std::count_if(relations.begin(), relations.end(),
                                         [](const auto& verdict) { return verdict.judgement.held; }));
-}
-
-bool keeps_clear(const Object& object, const Kind& category, const Room& room,
-                 const Opening& opening) {
-  if (category.covers_window && !opening.is_entrance()) return true;
-  if (object.traits.flat || object.mount == Mount::surface) return true;
-  // What stands before a window may hide a little of it; what hangs keeps clear of it.
-  const double hidden = object.mount == Mount::wall ? 0.0 : window_overlap;
-  const double from = opening.is_entrance() ? 0.0 : opening.sill + hidden;
-  if (top(object) <= from || bottom(object) >= opening.head) return true;
-  const auto areas = clearances(room, opening);
-  return std::none_of(areas.begin(), areas.end(), [&](const Footprint& area) {
-    return overlaps(footprint(object), area, clearance_tolerance);
-  });
 }
 
 SceneReport examine(const Scene& scene, const ModelTable& models, const KindTable& categories) {

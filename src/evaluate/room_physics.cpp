@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <set>
 
+#include "collision/solids.h"
 #include "navigability.h"
 #include "opening_clearance.h"
 #include "physics.h"
-#include "roomgen/collision/solids.h"
 #include "support.h"
 
 namespace roomgen {

@@ -1,7 +1,8 @@
-#include "roomgen/evaluate/score_report.h"
+#include "roomgen/evaluate/score.h"
 
 #include <algorithm>
 #include <functional>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include "base/random.h"
 #include "geometry/convex_hull.h"
-#include "roomgen/base/random.h"
 
 namespace roomgen::sceneeval {
 

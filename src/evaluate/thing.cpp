@@ -4,8 +4,8 @@
 
 #include "geometry/centroid.h"
 #include "geometry/mesh_tree.h"
-#include "roomgen/scene/room_shell.h"
 #include "scene/box_model.h"
+#include "scene/room_shell.h"
 
 namespace roomgen {
 

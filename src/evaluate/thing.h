@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "oriented_box.h"
-#include "roomgen/geometry/mesh.h"
+#include "roomgen/geometry/model.h"
 #include "roomgen/scene/model_table.h"
 #include "roomgen/scene/room.h"
 

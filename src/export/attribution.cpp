@@ -1,4 +1,4 @@
-#include "roomgen/export/attribution.h"
+#include "roomgen/export/exporter.h"
 
 #include <map>
 #include <tuple>

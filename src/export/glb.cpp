@@ -1,7 +1,8 @@
-#include "roomgen/export/glb.h"
+#include "roomgen/export/exporter.h"
 
 #include <Eigen/Geometry>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
 
@@ -11,8 +12,8 @@
 #include "glb_materials.h"
 #include "roomgen/base/file.h"
 #include "roomgen/base/json.h"
-#include "roomgen/export/attribution.h"
 #include "scene/box_model.h"
+#include "scene/room_shell.h"
 
 namespace roomgen {
 
@@ -62,7 +63,7 @@ class GlbWriter {
     Json room = {{"name", shown.id.empty() ? "room" : shown.id}};
     const std::size_t room_node = nodes_.size();
     nodes_.push_back(nullptr);
-    for (const auto& part : room_shell(rooms, index, options_.shell, models)) {
+    for (const auto& part : room_shell(rooms, index, {}, models)) {
       const auto mesh = add_mesh(part.name, part.model);
       if (!mesh) return mesh.error();
       if (!*mesh) continue;

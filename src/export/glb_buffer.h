@@ -1,10 +1,11 @@
 #pragma once
 
 #include <array>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "roomgen/base/json.h"
-#include "roomgen/geometry/mesh.h"
+#include "roomgen/geometry/model.h"
 
 namespace roomgen::detail {
 

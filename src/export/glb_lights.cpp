@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "geometry/conventions.h"
 #include "roomgen/base/json.h"

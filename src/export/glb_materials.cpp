@@ -1,9 +1,10 @@
 #include "glb_materials.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
+#include "base/sha256.h"
 #include "roomgen/base/json.h"
-#include "roomgen/base/sha256.h"
 
 namespace roomgen::detail {
 

@@ -5,7 +5,7 @@
 
 #include "geometry/alpha.h"
 #include "glb_buffer.h"
-#include "roomgen/export/image_encoder.h"
+#include "roomgen/export/exporter.h"
 #include "roomgen/geometry/model.h"
 
 namespace roomgen::detail {

@@ -4,7 +4,7 @@
 
 #include "consult.h"
 #include "prepare.h"
-#include "roomgen/solve/improve.h"
+#include "solve/improve.h"
 #include "solve/make_room.h"
 
 namespace roomgen {

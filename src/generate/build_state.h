@@ -5,8 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "roomgen/base/random.h"
-#include "roomgen/generate/generation.h"
+#include "base/random.h"
+#include "roomgen/generate/generate.h"
+#include "roomgen/scene/problem.h"
 
 namespace roomgen {
 

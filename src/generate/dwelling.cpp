@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "roomgen/generate/generate.h"
+#include "scene/dwelling.h"
 
 namespace roomgen {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "roomgen/base/random.h"
+#include "base/random.h"
 #include "roomgen/library/library.h"
 #include "scene/opening_kind.h"
 

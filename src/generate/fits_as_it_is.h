@@ -1,7 +1,7 @@
 #pragma once
 
 #include "roomgen/base/result.h"
-#include "roomgen/solve/layout.h"
+#include "solve/layout.h"
 
 namespace roomgen {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "roomgen/collision/support_poses.h"
+#include "collision/support_poses.h"
 #include "roomgen/kinds/kind_table.h"
 #include "roomgen/scene/plan.h"
 

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "roomgen/generate/generation.h"
+#include "roomgen/generate/generate.h"
 
 namespace roomgen {
 

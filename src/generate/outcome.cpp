@@ -6,7 +6,7 @@
 
 #include "evaluate/attributes.h"
 #include "evaluate/ledger.h"
-#include "roomgen/scene/judgement.h"
+#include "scene/judgement.h"
 
 namespace roomgen {
 

@@ -1,6 +1,7 @@
 #include "roomgen/generate/output.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "roomgen/base/file.h"

@@ -5,6 +5,7 @@
 #include "fits_as_it_is.h"
 #include "hang_cover.h"
 #include "prepare.h"
+#include "solve/place.h"
 
 namespace roomgen {
 

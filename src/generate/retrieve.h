@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "roomgen/base/random.h"
+#include "base/random.h"
 #include "roomgen/kinds/kind_table.h"
 #include "roomgen/library/library.h"
 #include "roomgen/scene/plan.h"

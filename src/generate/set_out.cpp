@@ -1,7 +1,9 @@
-#include "roomgen/generate/set_out.h"
+#include "roomgen/generate/generate.h"
 
 #include <algorithm>
 #include <cmath>
+
+#include "roomgen/create/create.h"
 
 namespace roomgen {
 

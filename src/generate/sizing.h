@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <span>
 
-#include "roomgen/collision/support_surfaces.h"
+#include "collision/support_surfaces.h"
 #include "roomgen/kinds/kind_table.h"
 #include "roomgen/library/library.h"
 #include "roomgen/scene/plan.h"

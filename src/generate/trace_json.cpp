@@ -1,5 +1,7 @@
+#include <nlohmann/json.hpp>
+
 #include "roomgen/base/json.h"
-#include "roomgen/generate/generation.h"
+#include "roomgen/generate/generate.h"
 
 namespace roomgen {
 

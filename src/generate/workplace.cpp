@@ -4,7 +4,7 @@
 
 #include "fit_openings.h"
 #include "retrieve.h"
-#include "roomgen/solve/place.h"
+#include "solve/place.h"
 
 namespace roomgen {
 

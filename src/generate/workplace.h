@@ -6,7 +6,7 @@
 
 #include "build_state.h"
 #include "roomgen/generate/room_builder.h"
-#include "roomgen/solve/layout.h"
+#include "solve/layout.h"
 
 namespace roomgen {
 

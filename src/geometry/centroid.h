@@ -1,6 +1,6 @@
 #pragma once
 
-#include "roomgen/geometry/mesh.h"
+#include "roomgen/geometry/model.h"
 
 namespace roomgen {
 

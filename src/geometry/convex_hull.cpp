@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "roomgen/geometry/segment.h"
+#include "roomgen/geometry/polygon.h"
 
 namespace roomgen {
 

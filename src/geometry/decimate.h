@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "roomgen/geometry/mesh.h"
+#include "roomgen/geometry/model.h"
 
 namespace roomgen {
 

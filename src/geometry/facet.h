@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "roomgen/geometry/mesh.h"
+#include "roomgen/geometry/model.h"
 
 namespace roomgen {
 

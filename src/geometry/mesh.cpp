@@ -1,4 +1,4 @@
-#include "roomgen/geometry/mesh.h"
+#include "roomgen/geometry/model.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

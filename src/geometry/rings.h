@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "roomgen/geometry/mesh.h"
-#include "roomgen/geometry/segment.h"
+#include "roomgen/geometry/model.h"
+#include "roomgen/geometry/polygon.h"
 
 /// The steps of triangulation. Rings are loops by the indices of their points.
 namespace roomgen::detail {

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "roomgen/geometry/image.h"
+#include "roomgen/geometry/model.h"
 
 namespace roomgen {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "roomgen/geometry/mesh.h"
+#include "roomgen/geometry/model.h"
 #include "roomgen/geometry/polygon.h"
 
 namespace roomgen {

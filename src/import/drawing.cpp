@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "roomgen/base/text.h"
-#include "roomgen/import/floor_plan.h"
+#include "roomgen/import/import.h"
 
 namespace roomgen::detail {
 

@@ -8,7 +8,7 @@
 #include "base/numbers.h"
 #include "drawing.h"
 #include "roomgen/base/text.h"
-#include "roomgen/import/floor_plan.h"
+#include "roomgen/import/import.h"
 
 namespace roomgen {
 

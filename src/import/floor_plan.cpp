@@ -1,4 +1,4 @@
-#include "roomgen/import/floor_plan.h"
+#include "roomgen/import/import.h"
 
 #include <algorithm>
 #include <array>

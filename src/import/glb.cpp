@@ -1,13 +1,15 @@
-#include "roomgen/import/glb.h"
+#include "roomgen/import/import.h"
 
 #include <bit>
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "base/json_reader.h"
 #include "geometry/conventions.h"
 #include "roomgen/base/file.h"
 #include "roomgen/base/json.h"

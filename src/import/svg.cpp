@@ -9,7 +9,7 @@
 #include "drawing.h"
 #include "geometry/svg_path.h"
 #include "roomgen/base/text.h"
-#include "roomgen/import/floor_plan.h"
+#include "roomgen/import/import.h"
 #include "xml.h"
 
 namespace roomgen {

@@ -1,3 +1,4 @@
+#include "base/json_reader.h"
 #include "kind_json.h"
 
 #include <algorithm>

@@ -1,7 +1,8 @@
 #pragma once
 
-#include "roomgen/base/json_reader.h"
-#include "roomgen/kinds/kind.h"
+#include "base/json_reader.h"
+#include "base/json_reader.h"
+#include "roomgen/kinds/kind_table.h"
 
 namespace roomgen {
 

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <deque>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 
+#include "base/json_reader.h"
 #include "base/resource.h"
 #include "kind_json.h"
 #include "roomgen/base/json.h"

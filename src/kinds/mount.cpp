@@ -1,4 +1,4 @@
-#include "roomgen/kinds/mount.h"
+#include "roomgen/kinds/kind_table.h"
 
 #include <array>
 

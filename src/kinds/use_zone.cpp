@@ -1,4 +1,4 @@
-#include "roomgen/kinds/use_zone.h"
+#include "roomgen/kinds/kind_table.h"
 
 namespace roomgen {
 

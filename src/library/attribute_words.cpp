@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <nlohmann/json.hpp>
 #include <utility>
 
+#include "base/json_reader.h"
 #include "base/resource.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"

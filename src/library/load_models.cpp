@@ -1,4 +1,4 @@
-#include "roomgen/library/load_models.h"
+#include "roomgen/library/library.h"
 
 namespace roomgen {
 

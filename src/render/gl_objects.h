@@ -5,7 +5,7 @@
 
 #include "gl.h"
 #include "roomgen/base/result.h"
-#include "roomgen/geometry/image.h"
+#include "roomgen/geometry/model.h"
 
 namespace roomgen::detail {
 

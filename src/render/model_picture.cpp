@@ -1,10 +1,11 @@
-#include "roomgen/render/model_picture.h"
+#include "roomgen/render/osmesa_renderer.h"
 
 #include <algorithm>
 
 #include "gl_context.h"
 #include "picture.h"
 #include "shadow_map.h"
+#include "view/model_camera.h"
 
 namespace roomgen {
 
@@ -46,8 +47,16 @@ std::vector<Vec3> corners(const Bounds3& box) {
 
 }  // namespace
 
-Result<std::vector<Image>> draw_model(const std::shared_ptr<const Model>& model,
-                                      const std::vector<Camera>& cameras) {
+const std::vector<std::string>& model_view_names() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all;
+    for (const auto& view : model_views()) all.push_back(view.name);
+    return all;
+  }();
+  return names;
+}
+
+Result<std::vector<Image>> draw_views(const Model& model, int pixels) {
   auto context = GlContext::create();
   if (!context) return context.error();
   if (auto status = (*context)->make_current(); !status) return status.error();
@@ -58,15 +67,16 @@ Result<std::vector<Image>> draw_model(const std::shared_ptr<const Model>& model,
   if (!picture) return picture.error();
   ShadowMap shadows(gl);
   GpuCache cache(gl);
-  const Bounds3 box = bounds(*model);
+  const Bounds3 box = bounds(model);
   const auto floor = floor_under(box);
-  const DrawList items = {item_of("model", model, cache), item_of("floor", floor, cache)};
+  const DrawList items = {item_of("model", std::make_shared<Model>(model), cache), item_of("floor", floor, cache)};
 
   Bounds3 all = items[1].box;
   all.add(box.high);
   const std::vector<Vec3> lit = corners(all);
   std::vector<Image> images;
-  for (const auto& camera : cameras) {
+  for (const auto& view : model_views()) {
+    const Camera camera = model_camera(box, view, pixels);
     const Sun sun = make_sun(sun_direction(camera, View::Kind::isometric), lit);
     shadows.update(*painter, items, sun, ShadowMap::whole());
     Image image(camera.width, camera.height);

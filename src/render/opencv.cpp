@@ -1,6 +1,6 @@
 #include "opencv.h"
 
-#include "roomgen/base/shared_library.h"
+#include "base/shared_library.h"
 
 namespace roomgen::detail {
 

@@ -1,13 +1,14 @@
 #include "roomgen/render/osmesa_renderer.h"
 
 #include <list>
+#include <nlohmann/json.hpp>
 
 #include "gl_context.h"
 #include "overlay.h"
 #include "picture.h"
 #include "roomgen/base/json.h"
-#include "roomgen/scene/room_shell.h"
 #include "scene/lights.h"
+#include "scene/room_shell.h"
 #include "shadow_map.h"
 
 namespace roomgen {

@@ -1,5 +1,9 @@
-#include "roomgen/scene/asset_ref.h"
+#include "roomgen/scene/object.h"
 
+#include <nlohmann/json.hpp>
+
+#include "base/json_reader.h"
+#include "document_parts.h"
 #include "file_limits.h"
 #include "roomgen/base/json.h"
 

@@ -1,4 +1,4 @@
-#include "roomgen/scene/dwelling.h"
+#include "dwelling.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,13 @@
-#include <map>
+#include "roomgen/scene/plan.h"
 
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "base/json_reader.h"
+#include "dwelling.h"
 #include "file_limits.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
-#include "roomgen/scene/dwelling.h"
 #include "roomgen/scene/scene.h"
 
 namespace roomgen {

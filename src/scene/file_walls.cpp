@@ -1,7 +1,9 @@
 #include "file_walls.h"
 
+#include <nlohmann/json.hpp>
 #include <string>
 
+#include "base/json_reader.h"
 #include "file_limits.h"
 #include "roomgen/base/json.h"
 

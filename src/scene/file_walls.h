@@ -2,7 +2,8 @@
 
 #include <vector>
 
-#include "roomgen/base/json_fwd.h"
+#include "base/json_reader.h"
+#include "roomgen/base/json.h"
 #include "roomgen/geometry/polygon.h"
 #include "roomgen/scene/relation.h"
 

@@ -1,5 +1,8 @@
 #include "finish_words.h"
 
+#include <nlohmann/json.hpp>
+
+#include "base/json_reader.h"
 #include "base/resource.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "roomgen/scene/room_shell.h"
+#include "room_shell.h"
 
 namespace roomgen::detail {
 

@@ -1,4 +1,4 @@
-#include "roomgen/scene/judgement.h"
+#include "judgement.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,7 @@
 #include "roomgen/scene/object.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "roomgen/base/json.h"
 

@@ -1,7 +1,9 @@
 #include "opening_kind.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
+#include "base/json_reader.h"
 #include "base/resource.h"
 #include "geometry/outline.h"
 #include "roomgen/base/json.h"

@@ -1,13 +1,16 @@
 #include "roomgen/scene/plan.h"
 
 #include <map>
+#include <nlohmann/json.hpp>
 
+#include "base/json_reader.h"
+#include "document_parts.h"
 #include "file_limits.h"
 #include "file_walls.h"
 #include "roomgen/base/file.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
-#include "roomgen/scene/dwelling.h"
+#include "roomgen/scene/plan.h"
 #include "roomgen/scene/scene.h"
 
 namespace roomgen {

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <set>
 
+#include "base/json_reader.h"
 #include "file_limits.h"
 #include "file_walls.h"
 #include "roomgen/base/file.h"

@@ -1,7 +1,10 @@
 #include "roomgen/scene/requirement.h"
 
+#include <nlohmann/json.hpp>
 #include <utility>
 
+#include "base/json_reader.h"
+#include "document_parts.h"
 #include "roomgen/base/json.h"
 
 namespace roomgen {

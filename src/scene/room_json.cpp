@@ -1,6 +1,9 @@
 #include <algorithm>
 #include <array>
+#include <nlohmann/json.hpp>
 
+#include "base/json_reader.h"
+#include "document_parts.h"
 #include "file_limits.h"
 #include "file_walls.h"
 #include "geometry/outline.h"

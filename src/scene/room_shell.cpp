@@ -1,4 +1,4 @@
-#include "roomgen/scene/room_shell.h"
+#include "room_shell.h"
 
 #include <algorithm>
 #include <utility>

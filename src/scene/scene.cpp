@@ -2,7 +2,7 @@
 
 #include <set>
 
-#include "roomgen/scene/dwelling.h"
+#include "dwelling.h"
 
 namespace roomgen {
 

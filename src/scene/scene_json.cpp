@@ -1,3 +1,7 @@
+#include <nlohmann/json.hpp>
+
+#include "base/json_reader.h"
+#include "document_parts.h"
 #include "file_limits.h"
 #include "file_walls.h"
 #include "roomgen/base/file.h"

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "room_shell.h"
 #include "roomgen/geometry/model.h"
-#include "roomgen/scene/room_shell.h"
 
 namespace roomgen::detail {
 

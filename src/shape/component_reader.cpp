@@ -2,8 +2,10 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <set>
 
+#include "base/json_reader.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "solid_json.h"

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/json_reader.h"
 #include "numbers.h"
 #include "roomgen/shape/program.h"
 

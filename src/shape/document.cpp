@@ -1,7 +1,9 @@
 #include "document.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
+#include "base/json_reader.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "solid_json.h"

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/json_reader.h"
 #include "numbers.h"
 #include "roomgen/shape/program.h"
 

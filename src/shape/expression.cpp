@@ -1,8 +1,9 @@
-#include "roomgen/shape/expression.h"
+#include "expression.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "expression_parser.h"

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "roomgen/shape/expression.h"
+#include "expression.h"
 
 namespace roomgen::shape::detail {
 

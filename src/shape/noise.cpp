@@ -1,6 +1,6 @@
 #include "noise.h"
 
-#include "roomgen/base/random.h"
+#include "base/random.h"
 
 namespace roomgen::shape {
 

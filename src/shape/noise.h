@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "roomgen/geometry/image.h"
+#include "roomgen/geometry/model.h"
 
 namespace roomgen::shape {
 

@@ -1,7 +1,9 @@
 #include "numbers.h"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
+#include "base/json_reader.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "roomgen/shape/program.h"

@@ -4,8 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "roomgen/base/json_reader.h"
-#include "roomgen/shape/expression.h"
+#include "base/json_reader.h"
+#include "base/json_reader.h"
+#include "expression.h"
 #include "roomgen/shape/primitives.h"
 
 namespace roomgen::shape::detail {

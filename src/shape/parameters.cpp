@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <set>
 
+#include "base/json_reader.h"
 #include "color.h"
 #include "expression_parser.h"
 #include "roomgen/base/json.h"

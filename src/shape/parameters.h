@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "base/json_reader.h"
 #include "numbers.h"
 #include "roomgen/shape/recipe.h"
 

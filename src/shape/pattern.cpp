@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/random.h"
 #include "noise.h"
-#include "roomgen/base/random.h"
 #include "roomgen/geometry/vec.h"
 
 namespace roomgen::shape {

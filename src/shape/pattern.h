@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 
-#include "roomgen/geometry/image.h"
+#include "roomgen/geometry/model.h"
 
 namespace roomgen::shape {
 

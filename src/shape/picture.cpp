@@ -4,9 +4,9 @@
 #include <cmath>
 #include <vector>
 
+#include "base/random.h"
 #include "noise.h"
-#include "roomgen/base/random.h"
-#include "roomgen/geometry/segment.h"
+#include "roomgen/geometry/polygon.h"
 
 namespace roomgen::shape {
 

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "roomgen/geometry/image.h"
+#include "roomgen/geometry/model.h"
 
 namespace roomgen::shape {
 

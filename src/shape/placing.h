@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "roomgen/geometry/mesh.h"
+#include "roomgen/geometry/model.h"
 #include "roomgen/shape/evaluate.h"
 
 namespace roomgen::shape::detail {

@@ -1,7 +1,9 @@
 #include "roomgen/shape/program.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
+#include "base/json_reader.h"
 #include "component_reader.h"
 #include "document.h"
 #include "roomgen/base/json.h"

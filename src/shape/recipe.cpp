@@ -1,14 +1,16 @@
 #include "roomgen/shape/recipe.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <optional>
 
+#include "base/json_reader.h"
+#include "base/random.h"
 #include "component_reader.h"
 #include "document.h"
 #include "parameters.h"
 #include "roomgen/base/file.h"
 #include "roomgen/base/json.h"
-#include "roomgen/base/random.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen::shape {

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <nlohmann/json.hpp>
 
+#include "base/json_reader.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 

@@ -1,10 +1,11 @@
 #include "solid_mesh.h"
 
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <optional>
 
+#include "expression.h"
 #include "roomgen/base/json.h"
-#include "roomgen/shape/expression.h"
 #include "roomgen/shape/primitives.h"
 
 namespace roomgen::shape::detail {

@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "roomgen/geometry/mesh.h"
+#include "roomgen/geometry/model.h"
 
 namespace roomgen::shape {
 

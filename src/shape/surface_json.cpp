@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
+#include "base/json_reader.h"
 #include "color.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"

@@ -2,10 +2,10 @@
 
 #include <span>
 
+#include "base/random.h"
+#include "layout.h"
 #include "roomgen/base/cancel.h"
-#include "roomgen/base/random.h"
 #include "roomgen/scene/problem.h"
-#include "roomgen/solve/layout.h"
 
 namespace roomgen {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "roomgen/scene/judgement.h"
-#include "roomgen/solve/place.h"
+#include "place.h"
+#include "scene/judgement.h"
 #include "support.h"
 
 namespace roomgen {

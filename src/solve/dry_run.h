@@ -2,9 +2,9 @@
 
 #include <vector>
 
+#include "arrangement.h"
 #include "roomgen/kinds/kind_table.h"
 #include "roomgen/scene/plan.h"
-#include "roomgen/solve/arrangement.h"
 
 namespace roomgen {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "roomgen/solve/place.h"
+#include "place.h"
 
 namespace roomgen {
 

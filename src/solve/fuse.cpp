@@ -1,4 +1,4 @@
-#include "roomgen/solve/fuse.h"
+#include "fuse.h"
 
 #include <algorithm>
 #include <cmath>

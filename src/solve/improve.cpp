@@ -1,4 +1,4 @@
-#include "roomgen/solve/improve.h"
+#include "improve.h"
 
 #include <algorithm>
 #include <optional>
@@ -7,7 +7,7 @@
 
 #include "arrange.h"
 #include "propose.h"
-#include "roomgen/scene/judgement.h"
+#include "scene/judgement.h"
 #include "score.h"
 
 namespace roomgen {

@@ -1,4 +1,4 @@
-#include "roomgen/solve/layout.h"
+#include "layout.h"
 
 #include <algorithm>
 #include <cmath>

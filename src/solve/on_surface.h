@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
+#include "layout.h"
 #include "roomgen/scene/problem.h"
-#include "roomgen/solve/layout.h"
 
 namespace roomgen {
 

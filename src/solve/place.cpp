@@ -1,10 +1,11 @@
-#include "roomgen/solve/place.h"
+#include "place.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "exact_choice.h"
+#include "fuse.h"
 #include "place_usual.h"
 #include "propose.h"
 #include "refusal.h"

@@ -6,6 +6,7 @@
 
 #include "compatible.h"
 #include "exact_choice.h"
+#include "fuse.h"
 #include "propose.h"
 #include "refusal.h"
 #include "score.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "roomgen/solve/place.h"
+#include "place.h"
 
 namespace roomgen {
 

@@ -4,10 +4,10 @@
 #include <span>
 #include <vector>
 
+#include "layout.h"
 #include "on_surface.h"
-#include "roomgen/scene/judgement.h"
 #include "roomgen/scene/problem.h"
-#include "roomgen/solve/layout.h"
+#include "scene/judgement.h"
 #include "surroundings.h"
 
 namespace roomgen {

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "layout.h"
 #include "roomgen/base/result.h"
 #include "roomgen/scene/problem.h"
-#include "roomgen/solve/layout.h"
 
 namespace roomgen {
 

@@ -2,8 +2,8 @@
 
 #include <optional>
 
+#include "place.h"
 #include "propose.h"
-#include "roomgen/solve/place.h"
 
 namespace roomgen {
 

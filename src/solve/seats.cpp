@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "roomgen/kinds/use_zone.h"
+#include "roomgen/kinds/kind_table.h"
 
 namespace roomgen {
 

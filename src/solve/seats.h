@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "roomgen/geometry/footprint.h"
+#include "roomgen/geometry/polygon.h"
 
 namespace roomgen {
 

@@ -3,7 +3,8 @@
 #include <map>
 
 #include "arrange.h"
-#include "roomgen/scene/judgement.h"
+#include "improve.h"
+#include "scene/judgement.h"
 
 namespace roomgen {
 

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
+#include "layout.h"
 #include "roomgen/scene/problem.h"
-#include "roomgen/solve/layout.h"
 
 namespace roomgen {
 

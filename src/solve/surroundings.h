@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "roomgen/scene/judgement.h"
+#include "layout.h"
 #include "roomgen/scene/problem.h"
-#include "roomgen/solve/layout.h"
+#include "scene/judgement.h"
 #include "seats.h"
 
 namespace roomgen {

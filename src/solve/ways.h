@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "layout.h"
 #include "roomgen/scene/relation.h"
-#include "roomgen/solve/layout.h"
 
 namespace roomgen {
 

@@ -1,4 +1,4 @@
-#include "roomgen/view/camera.h"
+#include "camera.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -8,7 +8,7 @@
 #include <string>
 
 #include "eye_camera.h"
-#include "roomgen/scene/dwelling.h"
+#include "scene/dwelling.h"
 
 namespace roomgen {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "roomgen/view/camera.h"
+#include "camera.h"
 
 namespace roomgen::detail {
 

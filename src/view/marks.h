@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "camera.h"
 #include "roomgen/geometry/vec.h"
 #include "roomgen/scene/scene.h"
-#include "roomgen/view/camera.h"
 
 namespace roomgen {
 

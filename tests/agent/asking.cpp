@@ -1,6 +1,7 @@
 #include "asking.h"
 
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 
 #include "roomgen/base/json.h"
 

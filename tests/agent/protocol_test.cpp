@@ -1,8 +1,10 @@
 // Both protocols against a server that checks what it gets.
+#include <nlohmann/json.hpp>
+
 #include "asking.h"
+#include "base/sha256.h"
 #include "catch.h"
 #include "roomgen/base/json.h"
-#include "roomgen/base/sha256.h"
 
 using namespace roomgen;
 

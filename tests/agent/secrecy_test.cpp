@@ -4,7 +4,7 @@
 #include "asking.h"
 #include "catch.h"
 #include "roomgen/base/file.h"
-#include "roomgen/chat/chat_decorators.h"
+#include "roomgen/chat/chat_model.h"
 #include "support/contains.h"
 
 using namespace roomgen;

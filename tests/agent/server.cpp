@@ -1,6 +1,7 @@
 #include "server.h"
 
 #include <fcntl.h>
+#include <nlohmann/json.hpp>
 #include <sys/wait.h>
 #include <unistd.h>
 

@@ -1,3 +1,5 @@
+#include <nlohmann/json.hpp>
+
 #include "wire.h"
 
 #include "anthropic_wire.h"

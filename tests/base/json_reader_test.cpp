@@ -1,3 +1,6 @@
+#include <nlohmann/json.hpp>
+
+#include "base/json_reader.h"
 #include "catch.h"
 #include "roomgen/base/json.h"
 #include "support/contains.h"

@@ -1,8 +1,9 @@
 #include <cmath>
+#include <nlohmann/json.hpp>
 
+#include "base/random.h"
 #include "catch.h"
 #include "roomgen/base/json.h"
-#include "roomgen/base/random.h"
 #include "support/contains.h"
 
 using namespace roomgen;

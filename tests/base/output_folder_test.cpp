@@ -1,4 +1,4 @@
-#include "roomgen/base/output_folder.h"
+#include "roomgen/base/file.h"
 
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -7,7 +7,6 @@
 #include <thread>
 
 #include "catch.h"
-#include "roomgen/base/file.h"
 #include "support/contains.h"
 #include "support/file_size_limit.h"
 #include "support/temporary_folder.h"

@@ -1,4 +1,4 @@
-#include "roomgen/base/random.h"
+#include "base/random.h"
 
 #include <algorithm>
 #include <array>

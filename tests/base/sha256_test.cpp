@@ -1,4 +1,4 @@
-#include "roomgen/base/sha256.h"
+#include "base/sha256.h"
 
 #include "catch.h"
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/random.h"
 #include "catch.h"
-#include "roomgen/base/random.h"
 
 using namespace roomgen;
 

@@ -1,6 +1,6 @@
 #include "catch.h"
 #include "roomgen/base/file.h"
-#include "roomgen/chat/chat_decorators.h"
+#include "roomgen/chat/chat_model.h"
 #include "support/scripted_model.h"
 #include "support/temporary_folder.h"
 

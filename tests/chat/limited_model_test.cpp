@@ -1,7 +1,7 @@
 #include <tuple>
 
 #include "catch.h"
-#include "roomgen/chat/chat_decorators.h"
+#include "roomgen/chat/chat_model.h"
 #include "support/contains.h"
 #include "support/scripted_model.h"
 

@@ -1,4 +1,4 @@
-#include "roomgen/chat/price_table.h"
+#include "roomgen/chat/chat_model.h"
 
 #include "catch.h"
 #include "support/contains.h"

@@ -1,12 +1,13 @@
 #include <algorithm>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
+#include "base/sha256.h"
 #include "catch.h"
 #include "chat/chat_question.h"
 #include "roomgen/base/file.h"
 #include "roomgen/base/json.h"
-#include "roomgen/base/sha256.h"
-#include "roomgen/chat/chat_decorators.h"
+#include "roomgen/chat/chat_model.h"
 #include "support/contains.h"
 #include "support/file_size_limit.h"
 #include "support/scripted_model.h"

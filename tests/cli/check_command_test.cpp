@@ -1,8 +1,10 @@
+#include <nlohmann/json.hpp>
+
 #include "catch.h"
 #include "process.h"
 #include "roomgen/base/file.h"
 #include "roomgen/base/json.h"
-#include "roomgen/export/glb.h"
+#include "roomgen/export/exporter.h"
 #include "support/furnished_room.h"
 
 using namespace roomgen;

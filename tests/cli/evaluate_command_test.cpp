@@ -1,3 +1,5 @@
+#include <nlohmann/json.hpp>
+
 #include "catch.h"
 #include "process.h"
 #include "roomgen/base/file.h"

@@ -1,5 +1,6 @@
 #include <chrono>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "catch.h"

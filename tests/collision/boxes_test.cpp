@@ -1,5 +1,5 @@
 #include "catch.h"
-#include "roomgen/collision/solids.h"
+#include "collision/solids.h"
 #include "support/brute_force.h"
 
 using namespace roomgen;

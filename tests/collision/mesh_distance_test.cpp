@@ -2,8 +2,8 @@
 
 #include <Eigen/Geometry>
 
+#include "base/random.h"
 #include "catch.h"
-#include "roomgen/base/random.h"
 #include "roomgen/shape/primitives.h"
 
 using namespace roomgen;

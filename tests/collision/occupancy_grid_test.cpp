@@ -1,4 +1,4 @@
-#include "roomgen/collision/occupancy_grid.h"
+#include "collision/occupancy_grid.h"
 
 #include "catch.h"
 #include "support/rooms.h"

@@ -4,7 +4,7 @@
 //   ||                 ||
 //   ||                 ||
 //  1.6 x 0.8 m, legs of 6 cm
-#include "roomgen/collision/solids.h"
+#include "collision/solids.h"
 
 #include "catch.h"
 #include "support/rooms.h"

@@ -1,9 +1,9 @@
-#include "roomgen/collision/support_poses.h"
+#include "collision/support_poses.h"
 
 #include <set>
 
+#include "base/random.h"
 #include "catch.h"
-#include "roomgen/base/random.h"
 
 using namespace roomgen;
 

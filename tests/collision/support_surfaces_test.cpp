@@ -1,10 +1,11 @@
-#include "roomgen/collision/support_surfaces.h"
+#include "collision/support_surfaces.h"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
+#include "base/random.h"
 #include "catch.h"
 #include "roomgen/base/json.h"
-#include "roomgen/base/random.h"
 #include "roomgen/geometry/model.h"
 #include "roomgen/shape/evaluate.h"
 #include "roomgen/shape/recipe.h"

@@ -1,4 +1,4 @@
-#include "roomgen/collision/usability.h"
+#include "collision/usability.h"
 
 #include "catch.h"
 #include "support/rooms.h"

@@ -3,11 +3,11 @@
 #include <random>
 
 #include "catch.h"
+#include "create/kinds.h"
 #include "part_forms.h"
 #include "parts.h"
 #include "roomgen/create/create.h"
-#include "roomgen/create/kinds.h"
-#include "roomgen/create/rule_maker.h"
+#include "roomgen/create/maker.h"
 #include "roomgen/shape/recipe.h"
 
 using namespace roomgen;

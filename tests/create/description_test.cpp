@@ -1,6 +1,7 @@
-#include "roomgen/create/description.h"
+#include "roomgen/create/maker.h"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "catch.h"
 #include "roomgen/base/json.h"

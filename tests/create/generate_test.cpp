@@ -1,3 +1,5 @@
+#include <nlohmann/json.hpp>
+
 #include "conversation.h"
 #include "roomgen/base/json.h"
 #include "roomgen/create/create.h"

@@ -1,10 +1,10 @@
 // Whatever a model answers: no crash, no endless work, and the fallback stands ready.
 #include <chrono>
 
+#include "base/random.h"
 #include "conversation.h"
-#include "roomgen/base/random.h"
-#include "roomgen/create/kinds.h"
-#include "roomgen/create/rule_maker.h"
+#include "create/kinds.h"
+#include "roomgen/create/maker.h"
 
 using namespace conversation;
 

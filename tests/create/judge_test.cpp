@@ -1,4 +1,4 @@
-#include "roomgen/create/judge.h"
+#include "roomgen/create/model_maker.h"
 
 #include "conversation.h"
 

@@ -1,11 +1,12 @@
-#include "roomgen/create/kinds.h"
+#include <nlohmann/json.hpp>
+
+#include "create/kinds.h"
 
 #include "catch.h"
 #include "library/vocabulary.h"
 #include "roomgen/base/json.h"
 #include "roomgen/create/create.h"
-#include "roomgen/create/created_library.h"
-#include "roomgen/create/rule_maker.h"
+#include "roomgen/create/maker.h"
 
 using namespace roomgen;
 using namespace roomgen::create;

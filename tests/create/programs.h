@@ -1,11 +1,12 @@
 #pragma once
 
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "catch.h"
+#include "create/validate.h"
 #include "roomgen/base/json.h"
-#include "roomgen/create/validate.h"
 #include "roomgen/shape/recipe.h"
 
 /// Shape programs for the tests of the validator.

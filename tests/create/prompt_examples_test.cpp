@@ -1,4 +1,6 @@
 // What the prompts show is what the format is.
+#include <nlohmann/json.hpp>
+
 #include "base/resource.h"
 #include "conversation.h"
 #include "roomgen/base/json.h"

@@ -4,8 +4,8 @@
 #include <iostream>
 #include <map>
 
+#include "base/random.h"
 #include "programs.h"
-#include "roomgen/base/random.h"
 #include "sampled_contacts.h"
 
 using namespace roomgen;

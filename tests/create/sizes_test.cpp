@@ -4,7 +4,7 @@
 #include "closer_kind.h"
 #include "relative_size.h"
 #include "roomgen/create/create.h"
-#include "roomgen/create/rule_maker.h"
+#include "roomgen/create/maker.h"
 #include "settings.h"
 
 using namespace roomgen;

@@ -1,3 +1,5 @@
+#include <nlohmann/json.hpp>
+
 #include "roomgen/create/suite.h"
 
 #include "programs.h"

@@ -7,7 +7,7 @@
 #include "catch.h"
 #include "roomgen/base/text.h"
 #include "roomgen/kinds/kind_table.h"
-#include "roomgen/solve/arrangement.h"
+#include "solve/arrangement.h"
 
 using namespace roomgen;
 using namespace roomgen::design;

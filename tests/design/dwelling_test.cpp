@@ -1,5 +1,6 @@
 // Several rooms: which ones a prompt asks for, what is said of each, and how they lie together.
 #include <map>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "brief/dwelling_kinds.h"
@@ -9,7 +10,8 @@
 #include "dwelling_layout.h"
 #include "plans.h"
 #include "roomgen/base/json.h"
-#include "roomgen/design/dwelling.h"
+#include "roomgen/design/designer.h"
+#include "scene/dwelling.h"
 
 using namespace roomgen;
 using namespace roomgen::design;

@@ -1,11 +1,11 @@
 #include <chrono>
 
+#include "base/random.h"
 #include "brief/prompt.h"
 #include "brief/prompt_words.h"
 #include "brief/room_kinds.h"
 #include "catch.h"
-#include "roomgen/base/random.h"
-#include "roomgen/design/rule_designer.h"
+#include "roomgen/design/designer.h"
 #include "roomgen/kinds/kind_table.h"
 
 using namespace roomgen;

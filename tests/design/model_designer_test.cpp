@@ -1,7 +1,7 @@
 #include "roomgen/design/model_designer.h"
 
 #include "catch.h"
-#include "roomgen/design/rule_designer.h"
+#include "roomgen/design/designer.h"
 #include "support/contains.h"
 #include "support/rooms.h"
 #include "support/scripted_model.h"

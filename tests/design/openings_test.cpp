@@ -1,4 +1,5 @@
 // Doors and windows as prompts ask for them: what is read, and the rooms that come of it.
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "brief/brief.h"

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/random.h"
 #include "catch.h"
-#include "roomgen/base/random.h"
 #include "support/contains.h"
 #include "support/damaged.h"
 #include "support/rooms.h"

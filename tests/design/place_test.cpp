@@ -1,10 +1,11 @@
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "catch.h"
 #include "plans.h"
 #include "roomgen/base/json.h"
 #include "roomgen/scene/scene.h"
-#include "roomgen/solve/place.h"
+#include "solve/place.h"
 #include "solve/support.h"
 
 using namespace roomgen;

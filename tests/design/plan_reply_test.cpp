@@ -1,7 +1,7 @@
 #include "plan_reply.h"
 
+#include "base/random.h"
 #include "catch.h"
-#include "roomgen/base/random.h"
 #include "roomgen/base/text.h"
 #include "support/contains.h"
 #include "support/damaged.h"

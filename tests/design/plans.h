@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "roomgen/design/rule_designer.h"
+#include "roomgen/design/designer.h"
 #include "roomgen/kinds/kind_table.h"
 
 namespace roomgen::test {

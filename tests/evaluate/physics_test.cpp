@@ -1,11 +1,11 @@
 #include <cmath>
 
+#include "base/random.h"
 #include "catch.h"
 #include "evaluate/navigability.h"
 #include "evaluate/opening_clearance.h"
 #include "evaluate/physics.h"
 #include "evaluate/support.h"
-#include "roomgen/base/random.h"
 #include "support/rooms.h"
 
 using namespace roomgen;

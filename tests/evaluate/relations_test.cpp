@@ -1,9 +1,9 @@
 #include <cmath>
 
+#include "base/random.h"
 #include "catch.h"
 #include "evaluate/object_relations.h"
 #include "evaluate/room_relations.h"
-#include "roomgen/base/random.h"
 #include "support/rooms.h"
 
 // SceneEval's functions against what plain boxes say by arithmetic.

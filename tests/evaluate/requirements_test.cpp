@@ -1,4 +1,4 @@
-#include "roomgen/evaluate/requirements.h"
+#include "roomgen/evaluate/score.h"
 
 #include "catch.h"
 #include "support/error_of.h"

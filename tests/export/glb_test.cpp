@@ -1,8 +1,9 @@
-#include "roomgen/export/glb.h"
+#include "roomgen/export/exporter.h"
 
 #include <Eigen/Geometry>
 #include <cstring>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "catch.h"

@@ -1,7 +1,7 @@
 // Writes scenes with every feature of the GLB writer into the folder given.
 #include <cstdio>
 
-#include "roomgen/export/glb.h"
+#include "roomgen/export/exporter.h"
 #include "support/furnished_room.h"
 #ifdef ROOMGEN_HAS_RENDER
 #include "roomgen/render/image_file.h"

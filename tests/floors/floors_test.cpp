@@ -1,5 +1,5 @@
-// Includes point down only, modules of one floor do not include each other, and third-party headers stay in
-// the adapters that are made for them.
+// Includes point down only, modules of one floor do not include each other, third-party headers stay in
+// the adapters that are made for them, and what is public is small and closed.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -27,31 +27,48 @@ const std::map<std::string, std::vector<std::string>> adapters = {
     {"png.h", {"assets", "render"}}, {"jpeglib.h", {"assets", "render"}}, {"GL/", {"render"}},
     {"opencv2/", {"render", "assets"}}, {"pugixml", {"import"}}, {"cpr/", {"agent"}}, {"curl/", {"agent"}}, {"CLI/", {}}};
 
+const fs::path source = ROOMGEN_SOURCE_DIR;
+const fs::path headers = source / "include" / "roomgen";
+const std::string contents = "roomgen.h";  // the table of contents, of no module
+constexpr std::size_t most_headers = 45;
+
 struct Include {
   std::string file, module, target;
   bool is_public = false;
 };
 
+std::vector<std::string> targets_in(const fs::path& file) {
+  std::vector<std::string> targets;
+  std::ifstream stream(file);
+  for (std::string line; std::getline(stream, line);) {
+    const auto start = line.find_first_not_of(" \t");
+    if (start == std::string::npos || line.compare(start, 8, "#include") != 0) continue;
+    const auto open = line.find_first_of("\"<"), close = line.find_first_of("\">", open + 1);
+    if (close != std::string::npos) targets.push_back(line.substr(open + 1, close - open - 1));
+  }
+  return targets;
+}
+
+// Relative to the root.
+std::vector<fs::path> files_in(const fs::path& root) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::recursive_directory_iterator(root))
+    if (entry.is_regular_file()) files.push_back(fs::relative(entry.path(), root));
+  return files;
+}
+
 void collect(const fs::path& root, bool is_public, std::vector<Include>& includes) {
-  for (const auto& entry : fs::recursive_directory_iterator(root)) {
-    if (!entry.is_regular_file()) continue;
-    const auto inside = fs::relative(entry.path(), root);
-    std::ifstream stream(entry.path());
-    for (std::string line; std::getline(stream, line);) {
-      const auto start = line.find_first_not_of(" \t");
-      if (start == std::string::npos || line.compare(start, 8, "#include") != 0) continue;
-      const auto open = line.find_first_of("\"<"), close = line.find_first_of("\">", open + 1);
-      if (close == std::string::npos) continue;
-      includes.push_back({inside.string(), inside.begin()->string(),
-                          line.substr(open + 1, close - open - 1), is_public});
-    }
+  for (const auto& file : files_in(root)) {
+    if (file == contents) continue;
+    for (const auto& target : targets_in(root / file))
+      includes.push_back({file.string(), file.begin()->string(), target, is_public});
   }
 }
 
 std::vector<Include> all_includes() {
   std::vector<Include> includes;
-  collect(fs::path(ROOMGEN_SOURCE_DIR) / "include" / "roomgen", true, includes);
-  collect(fs::path(ROOMGEN_SOURCE_DIR) / "src", false, includes);
+  collect(headers, true, includes);
+  collect(source / "src", false, includes);
   return includes;
 }
 
@@ -63,6 +80,12 @@ std::string module_of(const std::string& target) {
   // What modules show each other, but not users.
   const auto folder = target.substr(0, target.find('/'));
   return folder != target && floors.count(folder) ? folder : "";
+}
+
+// What is for users: a header of include/roomgen, or nothing of ours at all.
+bool is_for_users(const std::string& target) {
+  if (target.rfind("roomgen/", 0) == 0) return fs::exists(source / "include" / target);
+  return module_of(target).empty() && target.find("..") == std::string::npos;
 }
 
 // The types that a header defines at the outermost level, with their namespace: after the house's style a
@@ -116,14 +139,45 @@ TEST_CASE("Every include points to a lower floor or stays in its module") {
   }
 }
 
+TEST_CASE("Public headers are few, include each other only, and stand in the table of contents") {
+  const auto public_headers = files_in(headers);
+  CHECK(public_headers.size() <= most_headers);
+  const auto listed = targets_in(headers / contents);
+  for (const auto& header : public_headers) {
+    const std::string target = "roomgen/" + header.generic_string();
+    INFO(target);
+    CHECK((header == contents || std::count(listed.begin(), listed.end(), target) == 1));
+    for (const auto& included : targets_in(headers / header)) {
+      INFO("includes " << included);
+      CHECK(is_for_users(included));
+    }
+  }
+}
+
+TEST_CASE("Programs and examples include public headers only") {
+  for (const fs::path root : {"apps", "bench", "tests/consumer"})
+    for (const auto& file : files_in(source / root)) {
+      // Times the validator by itself.
+      if (root / file == fs::path("bench/create.cpp")) continue;
+      for (const auto& target : targets_in(source / root / file)) {
+        INFO(root / file << " includes " << target);
+        CHECK(is_for_users(target));
+      }
+    }
+  for (const auto& target : targets_in(source / "README.md")) {
+    INFO("README.md includes " << target);
+    CHECK(is_for_users(target));
+  }
+}
+
 TEST_CASE("A type's name belongs to one header") {
   // Two types of one name in one namespace share their destructors, whichever the linker keeps.
   std::map<std::string, std::string> homes;
   for (const auto& root : {fs::path("include") / "roomgen", fs::path("src")})
-    for (const auto& entry : fs::recursive_directory_iterator(fs::path(ROOMGEN_SOURCE_DIR) / root)) {
+    for (const auto& entry : fs::recursive_directory_iterator(source / root)) {
       // A tool of the build is a program of its own.
       if (entry.path().extension() != ".h" || entry.path().parent_path().filename() == "compile") continue;
-      const std::string file = fs::relative(entry.path(), ROOMGEN_SOURCE_DIR).string();
+      const std::string file = fs::relative(entry.path(), source).string();
       for (const auto& type : types_in(entry.path())) {
         INFO(type << " in " << file << " and " << homes[type]);
         CHECK(homes[type] == "");
@@ -145,4 +199,10 @@ TEST_CASE("The check of floors finds what it looks for") {
   CHECK(verdict({"collision/a.cpp", "collision", "fcl/fcl.h", false}) == "");
   CHECK(verdict({"scene/a.cpp", "scene", "fcl/fcl.h", false}) != "");
   CHECK(verdict({"new/a.cpp", "new", "vector", false}) != "");
+  CHECK(is_for_users("roomgen/scene/scene.h"));
+  CHECK(is_for_users("vector"));
+  CHECK(is_for_users("options.h"));
+  CHECK(!is_for_users("roomgen/scene/judgement.h"));
+  CHECK(!is_for_users("scene/judgement.h"));
+  CHECK(!is_for_users("../src/scene/judgement.h"));
 }

@@ -1,6 +1,7 @@
 // scene.json from strangers: what can be read can be written and read again.
 #include <cstddef>
 #include <cstdint>
+#include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "roomgen/base/json.h"

@@ -1,10 +1,10 @@
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "catch.h"
 #include "roomgen/base/json.h"
-#include "roomgen/create/created_library.h"
-#include "roomgen/design/dwelling.h"
-#include "roomgen/design/rule_designer.h"
+#include "roomgen/create/create.h"
+#include "roomgen/design/designer.h"
 #include "roomgen/evaluate/report.h"
 #include "roomgen/generate/generate.h"
 

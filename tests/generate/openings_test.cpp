@@ -2,10 +2,10 @@
 #include <set>
 
 #include "catch.h"
+#include "collision/usability.h"
 #include "fit_openings.h"
-#include "roomgen/collision/usability.h"
-#include "roomgen/create/created_library.h"
-#include "roomgen/design/rule_designer.h"
+#include "roomgen/create/create.h"
+#include "roomgen/design/designer.h"
 #include "roomgen/evaluate/report.h"
 #include "roomgen/generate/generate.h"
 #include "support/furnished_room.h"

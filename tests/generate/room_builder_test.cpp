@@ -2,12 +2,13 @@
 
 #include <atomic>
 #include <chrono>
+#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "catch.h"
 #include "roomgen/base/json.h"
-#include "roomgen/create/created_library.h"
-#include "roomgen/design/rule_designer.h"
+#include "roomgen/create/create.h"
+#include "roomgen/design/designer.h"
 #include "roomgen/generate/generate.h"
 #include "small_plans.h"
 #include "support/contains.h"

@@ -1,5 +1,5 @@
 #include "catch.h"
-#include "roomgen/create/created_library.h"
+#include "roomgen/create/create.h"
 #include "roomgen/generate/generate.h"
 #include "small_plans.h"
 #include "support/contains.h"

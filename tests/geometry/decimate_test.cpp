@@ -1,8 +1,8 @@
 #include "geometry/decimate.h"
 
+#include "base/random.h"
 #include "catch.h"
 #include "geometry/mesh_tree.h"
-#include "roomgen/base/random.h"
 
 using namespace roomgen;
 

@@ -1,7 +1,7 @@
 #include "geometry/difference.h"
 
+#include "base/random.h"
 #include "catch.h"
-#include "roomgen/base/random.h"
 #include "support/shapes.h"
 
 using namespace roomgen;

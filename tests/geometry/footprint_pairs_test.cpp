@@ -1,6 +1,6 @@
 // Overlap and gap of pairs against points sampled in what the footprints really cover.
 #include "catch.h"
-#include "roomgen/geometry/footprint.h"
+#include "roomgen/geometry/polygon.h"
 #include "support/shapes.h"
 
 using namespace roomgen;

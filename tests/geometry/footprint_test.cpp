@@ -1,4 +1,4 @@
-#include "roomgen/geometry/footprint.h"
+#include "roomgen/geometry/polygon.h"
 
 #include "catch.h"
 #include "support/shapes.h"

@@ -1,7 +1,7 @@
 #include "geometry/free_rectangles.h"
 
+#include "base/random.h"
 #include "catch.h"
-#include "roomgen/base/random.h"
 
 using namespace roomgen;
 

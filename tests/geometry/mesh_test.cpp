@@ -1,11 +1,11 @@
-#include "roomgen/geometry/mesh.h"
+#include "roomgen/geometry/model.h"
 
 #include <Eigen/Geometry>
 #include <limits>
 
+#include "base/random.h"
 #include "catch.h"
 #include "geometry/centroid.h"
-#include "roomgen/base/random.h"
 
 using namespace roomgen;
 using Eigen::Vector3f;

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "base/random.h"
 #include "catch.h"
-#include "roomgen/base/random.h"
 #include "roomgen/geometry/polygon.h"
 
 using namespace roomgen;

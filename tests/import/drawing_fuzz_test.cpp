@@ -1,7 +1,7 @@
 // Whatever a file holds, reading it ends, and a room that comes out of it is sound.
 #include "catch.h"
 #include "roomgen/base/file.h"
-#include "roomgen/import/floor_plan.h"
+#include "roomgen/import/import.h"
 #include "support/damaged.h"
 
 using namespace roomgen;

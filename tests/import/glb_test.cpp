@@ -1,10 +1,10 @@
-#include "roomgen/import/glb.h"
+#include "roomgen/import/import.h"
 
 #include <Eigen/Geometry>
 
 #include "catch.h"
 #include "roomgen/base/file.h"
-#include "roomgen/export/glb.h"
+#include "roomgen/export/exporter.h"
 #include "support/damaged.h"
 #include "support/furnished_room.h"
 #include "support/random_mesh.h"

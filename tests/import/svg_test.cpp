@@ -1,6 +1,6 @@
 #include "catch.h"
 #include "roomgen/base/file.h"
-#include "roomgen/import/floor_plan.h"
+#include "roomgen/import/import.h"
 #include "support/contains.h"
 #include "support/error_of.h"
 

@@ -3,8 +3,8 @@
 #include <ctime>
 #include <iostream>
 
+#include "base/random.h"
 #include "catch.h"
-#include "roomgen/base/random.h"
 
 using namespace roomgen;
 using namespace roomgen::language;

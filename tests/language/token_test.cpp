@@ -1,8 +1,8 @@
 #include "language/token.h"
 
 
+#include "base/random.h"
 #include "catch.h"
-#include "roomgen/base/random.h"
 
 using namespace roomgen;
 using namespace roomgen::language;

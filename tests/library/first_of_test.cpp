@@ -1,4 +1,4 @@
-#include "roomgen/library/first_of.h"
+#include "roomgen/library/library.h"
 
 #include "catch.h"
 

@@ -1,7 +1,7 @@
 #include "library/shown_colors.h"
 
+#include "base/random.h"
 #include "catch.h"
-#include "roomgen/base/random.h"
 
 using namespace roomgen;
 

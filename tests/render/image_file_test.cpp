@@ -2,9 +2,9 @@
 
 #include <filesystem>
 
+#include "base/random.h"
 #include "catch.h"
 #include "roomgen/base/file.h"
-#include "roomgen/base/random.h"
 
 using namespace roomgen;
 

@@ -1,8 +1,8 @@
 #include "roomgen/render/osmesa_renderer.h"
 
 #include "catch.h"
-#include "roomgen/view/camera.h"
 #include "support/furnished_room.h"
+#include "view/camera.h"
 
 using namespace roomgen;
 

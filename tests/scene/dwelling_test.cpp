@@ -1,4 +1,7 @@
-#include "roomgen/scene/dwelling.h"
+#include <nlohmann/json.hpp>
+
+#include "roomgen/scene/plan.h"
+#include "scene/dwelling.h"
 
 #include "catch.h"
 #include "roomgen/base/json.h"

@@ -1,9 +1,11 @@
+#include <nlohmann/json.hpp>
+
 #include "scene/finish.h"
 
+#include "base/random.h"
 #include "base/resource.h"
 #include "catch.h"
 #include "roomgen/base/json.h"
-#include "roomgen/base/random.h"
 
 using namespace roomgen;
 

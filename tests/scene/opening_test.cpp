@@ -1,8 +1,12 @@
 // What an opening is beyond its rectangle: outline, leaves, kind and mesh; and how files hold them.
+#include <nlohmann/json.hpp>
+
+#include "base/json_reader.h"
+#include "base/random.h"
 #include "catch.h"
 #include "geometry/outline.h"
 #include "roomgen/base/json.h"
-#include "roomgen/base/random.h"
+#include "scene/document_parts.h"
 #include "scene/opening_kind.h"
 #include "support/contains.h"
 #include "support/rooms.h"

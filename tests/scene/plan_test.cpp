@@ -1,3 +1,5 @@
+#include <nlohmann/json.hpp>
+
 #include "roomgen/scene/plan.h"
 
 #include "catch.h"

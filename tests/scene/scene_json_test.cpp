@@ -1,3 +1,5 @@
+#include <nlohmann/json.hpp>
+
 #include "catch.h"
 #include "roomgen/base/json.h"
 #include "roomgen/kinds/kind_table.h"

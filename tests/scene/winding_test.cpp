@@ -1,10 +1,12 @@
 // Files may give the corners in either winding; rooms are kept counter-clockwise, and whatever counts walls
 // must still mean the wall that its author meant.
+#include <nlohmann/json.hpp>
+
 #include "catch.h"
 #include "roomgen/base/json.h"
-#include "roomgen/scene/judgement.h"
 #include "roomgen/scene/plan.h"
 #include "roomgen/scene/problem.h"
+#include "scene/judgement.h"
 #include "support/random_problem.h"
 
 using namespace roomgen;

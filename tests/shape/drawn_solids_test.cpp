@@ -3,11 +3,12 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
+#include <nlohmann/json.hpp>
 
+#include "base/random.h"
 #include "catch.h"
 #include "primitive_checks.h"
 #include "roomgen/base/json.h"
-#include "roomgen/base/random.h"
 #include "roomgen/geometry/polygon.h"
 
 using namespace roomgen;

@@ -1,10 +1,10 @@
-#include "roomgen/shape/expression.h"
+#include "shape/expression.h"
 
 #include <cmath>
 #include <functional>
 
+#include "base/random.h"
 #include "catch.h"
-#include "roomgen/base/random.h"
 #include "support/contains.h"
 
 using namespace roomgen;

@@ -1,8 +1,9 @@
 // Valid documents changed at random: nothing crashes or hangs, and what is accepted is sound.
 #include <chrono>
+#include <nlohmann/json.hpp>
 
+#include "base/random.h"
 #include "roomgen/base/json.h"
-#include "roomgen/base/random.h"
 #include "shape_files.h"
 
 using namespace roomgen;

@@ -1,3 +1,5 @@
+#include <nlohmann/json.hpp>
+
 #include "roomgen/shape/program.h"
 
 #include "roomgen/base/json.h"

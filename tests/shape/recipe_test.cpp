@@ -1,6 +1,7 @@
 #include "roomgen/shape/recipe.h"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "roomgen/base/json.h"
 #include "roomgen/shape/primitives.h"

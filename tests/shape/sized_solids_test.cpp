@@ -3,9 +3,9 @@
 #include <Eigen/Geometry>
 #include <limits>
 
+#include "base/random.h"
 #include "catch.h"
 #include "primitive_checks.h"
-#include "roomgen/base/random.h"
 
 using namespace roomgen;
 using namespace roomgen::shape;

@@ -1,8 +1,8 @@
 #include <Eigen/Geometry>
 
+#include "base/random.h"
 #include "catch.h"
 #include "primitive_checks.h"
-#include "roomgen/base/random.h"
 #include "roomgen/geometry/polygon.h"
 
 using namespace roomgen;

@@ -1,4 +1,5 @@
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "roomgen/base/json.h"

@@ -1,9 +1,9 @@
-#include "roomgen/solve/fuse.h"
+#include "solve/fuse.h"
 
 #include <set>
 
+#include "base/random.h"
 #include "catch.h"
-#include "roomgen/base/random.h"
 
 using namespace roomgen;
 

@@ -1,4 +1,4 @@
-#include "roomgen/solve/improve.h"
+#include "solve/improve.h"
 
 #include "support/random_problem.h"
 #include "support/solved.h"

@@ -1,4 +1,4 @@
-#include "roomgen/solve/layout.h"
+#include "solve/layout.h"
 
 #include "support/brute_force.h"
 #include "support/random_problem.h"

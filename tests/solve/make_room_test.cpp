@@ -2,7 +2,7 @@
 
 #include "catch.h"
 #include "roomgen/evaluate/report.h"
-#include "roomgen/solve/place.h"
+#include "solve/place.h"
 #include "support/rooms.h"
 
 using namespace roomgen;

@@ -1,6 +1,6 @@
 // The choice must not depend on how fine the grid is: one next object in a fixed room, a suggestion, and
 // three pitches.
-#include "roomgen/solve/place.h"
+#include "solve/place.h"
 #include "support/rooms.h"
 #include "support/shapes.h"
 #include "support/solved.h"

@@ -1,5 +1,6 @@
 #include <map>
 
+#include "base/random.h"
 #include "catch.h"
 #include "roomgen/evaluate/report.h"
 #include "roomgen/solve/solve.h"

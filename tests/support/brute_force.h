@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "collision/usability.h"
 #include "roomgen/kinds/kind_table.h"
 #include "support/rooms.h"
 #include "support/shapes.h"

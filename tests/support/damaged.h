@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "roomgen/base/random.h"
+#include "base/random.h"
 
 /// The text with one to eight damages: up to `longest` bytes dropped (only while more than `least`
 /// are left) or said twice, or any byte put in.

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "roomgen/base/random.h"
+#include "base/random.h"
 #include "roomgen/scene/model_table.h"
 #include "roomgen/scene/scene.h"
 #include "scene/finish.h"

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "catch.h"
-#include "roomgen/scene/judgement.h"
+#include "scene/judgement.h"
 #include "support/rooms.h"
 
 /// Does the relation of the object hold in this scene?

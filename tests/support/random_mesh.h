@@ -1,7 +1,7 @@
 #pragma once
 
+#include "base/random.h"
 #include "geometry/facet.h"
-#include "roomgen/base/random.h"
 
 namespace shapes {
 

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "roomgen/base/random.h"
-#include "roomgen/geometry/footprint.h"
+#include "base/random.h"
 #include "roomgen/geometry/polygon.h"
 
 namespace shapes {

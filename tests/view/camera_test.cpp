@@ -1,4 +1,4 @@
-#include "roomgen/view/camera.h"
+#include "view/camera.h"
 
 #include "catch.h"
 #include "support/furnished_room.h"

@@ -3,7 +3,7 @@
 #include <set>
 
 #include "catch.h"
-#include "roomgen/scene/room_shell.h"
+#include "scene/room_shell.h"
 
 using namespace roomgen;
 

@@ -1,6 +1,6 @@
 #include "catch.h"
-#include "roomgen/view/camera.h"
 #include "support/furnished_room.h"
+#include "view/camera.h"
 
 using namespace roomgen;
 

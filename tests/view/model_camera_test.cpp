@@ -1,4 +1,4 @@
-#include "roomgen/view/model_camera.h"
+#include "view/model_camera.h"
 
 #include <Eigen/Geometry>
 

@@ -1,4 +1,4 @@
-#include "roomgen/scene/room_shell.h"
+#include "scene/room_shell.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

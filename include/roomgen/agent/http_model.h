@@ -8,7 +8,6 @@
 #include <optional>
 #include <string>
 
-#include "roomgen/base/log.h"
 #include "roomgen/base/result.h"
 #include "roomgen/chat/chat_model.h"
 

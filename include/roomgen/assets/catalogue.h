@@ -8,7 +8,8 @@
 #include <vector>
 
 #include "roomgen/base/cancel.h"
-#include "roomgen/base/log.h"
+#include "roomgen/base/result.h"
+#include "roomgen/geometry/model.h"
 #include "roomgen/library/library.h"
 
 namespace roomgen::assets {
@@ -63,5 +64,9 @@ class Catalogue final : public AssetLibrary {
 ///     if (!catalogue) return catalogue.error();
 ///     auto desks = (*catalogue)->search({.category = "desk", .description = "white, modern"});
 Result<std::unique_ptr<Catalogue>> open_catalogue(const CatalogueOptions& options);
+
+/// Decodes PNG or JPEG bytes (told apart by their first bytes), at most 16384 pixels a side, and
+/// shrinks the picture by averaging until no side is longer than `max_side`.
+Result<Image> decode_image(std::string_view bytes, int max_side = 1024);
 
 }  // namespace roomgen::assets

@@ -1,14 +1,16 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 
-#include "roomgen/base/json_fwd.h"
-#include "roomgen/base/json_reader.h"
 #include "roomgen/base/result.h"
 
 namespace roomgen {
+
+/// Keeps the order of keys, so that files read as their authors wrote them and output is stable. Who looks
+/// into one includes <nlohmann/json.hpp>.
+using Json = nlohmann::ordered_json;
 
 /// Parses UTF-8 JSON nested at most 64 deep. `source` names the text in errors, which give line and
 /// column.

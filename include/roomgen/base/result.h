@@ -1,6 +1,8 @@
 #pragma once
 
+#include <functional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 
@@ -68,5 +70,15 @@ class [[nodiscard]] Result<void> {
 };
 
 using Status = Result<void>;
+
+enum class LogLevel { info, warning };
+
+/// Where a library call reports what its result does not carry (an asset repaired, a file skipped).
+/// Empty means silence; there is no global log.
+using LogSink = std::function<void(LogLevel, std::string_view message)>;
+
+inline void log(const LogSink& sink, LogLevel level, std::string_view message) {
+  if (sink) sink(level, message);
+}
 
 }  // namespace roomgen

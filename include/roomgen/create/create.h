@@ -1,16 +1,20 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "roomgen/base/cancel.h"
+#include "roomgen/base/result.h"
 #include "roomgen/create/maker.h"
-#include "roomgen/create/validate.h"
 #include "roomgen/geometry/model.h"
+#include "roomgen/library/library.h"
 #include "roomgen/scene/object.h"
 #include "roomgen/shape/evaluate.h"
+#include "roomgen/shape/program.h"
 
 namespace roomgen::create {
 
@@ -20,6 +24,21 @@ struct CreateOptions {
   Variant variant = Variant::full;
   std::size_t triangles = shape::default_triangles;  ///< at most, where that can be reached
   CancelToken cancel;
+};
+
+/// What holds of a shape, measured on its meshes.
+struct Soundness {
+  int bodies = 0;
+  int pieces = 0;            ///< connected groups of bodies (touching within 2 mm)
+  bool grounded = false;     ///< the lowest point is at z = 0 within 1 mm
+  bool stable = false;       ///< the centre of mass is over the hull of what touches the ground
+  double stability = 0.0;    ///< metres from the centre of mass to the hull's edge; negative outside
+  bool supported = false;    ///< everything rests on something below it or is fixed to what does
+  bool congruent = false;    ///< copies of a part have one size
+  std::vector<std::string> open_connections;  ///< "leg-2 and seat: 14 mm apart"
+  std::vector<std::string> problems;          ///< all that is wrong, for people
+
+  bool sound() const { return pieces == 1 && grounded && stable; }
 };
 
 /// An object that was made.
@@ -50,5 +69,25 @@ Result<CreatedObject> create_described(const Description& description, Maker& ma
 /// An earlier object's program changed as the wish says.
 Result<CreatedObject> refine(const shape::Program& earlier, const std::string& wish, Maker& maker,
                              const CreateOptions& options = {});
+
+/// A library that has nothing in stock and builds what is asked for from words, by rules: for every
+/// kind that a recipe makes (docs/objects.md) one match of low score, in the wanted size as far as
+/// people would believe it, in the colours and materials that the description names. A thing of another
+/// kind that somebody asked for (AssetQuery::asked) is put together from its words, if they say enough,
+/// and marked approximate; else there is nothing.
+///
+/// AssetRef::procedural carries all that is needed to build it again: recipe "words", the params kind,
+/// description, size in metres and approximate, and the seed, which follows from the words.
+///
+/// What was built is kept in memory; for use by several threads at once.
+std::unique_ptr<AssetLibrary> make_created_library();
+
+/// The programs of objects that were made and kept: a folder of JSON files, whose "name" says what
+/// they are. Licence CC0. A folder that is not there is empty; files that are no programs are left
+/// out.
+std::unique_ptr<AssetLibrary> make_kept_library(const std::filesystem::path& folder);
+/// Keeps a program in the folder, under a name of its own ("bar-stool-3f2a91.json"), which is
+/// returned. The folder is made if need be.
+Result<std::string> keep_program(const shape::Program& program, const std::filesystem::path& folder);
 
 }  // namespace roomgen::create

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "roomgen/base/cancel.h"
+#include "roomgen/base/result.h"
 #include "roomgen/chat/chat_model.h"
 #include "roomgen/chat/prompts.h"
 #include "roomgen/create/maker.h"
@@ -14,7 +16,7 @@ namespace roomgen::create {
 
 struct ModelMakerOptions {
   Variant variant = Variant::full;
-  /// Kinds that a decomposition may name as the nearest (Description::kind).
+  /// Kinds that a decomposition may name as the nearest (Description::kind); empty: all that are built in.
   std::vector<std::string> kinds = {};
   int answers = 3;  ///< asked for at most, for one step, when answers cannot be used
   /// Longest answers, in tokens; what a model thinks before it answers counts too.
@@ -36,5 +38,32 @@ struct ModelMakerOptions {
 /// null; the model must outlive the maker.
 std::unique_ptr<Maker> make_model_maker(ChatModel& model, std::unique_ptr<Maker> fallback,
                                              Prompts prompts, ModelMakerOptions options = {});
+
+/// 1 (bad) to 5 (as good as bought), and one sentence why.
+struct Score {
+  int points = 0;
+  std::string reason;
+};
+
+/// The three rubrics that people judged objects by (papers: primitives, section 5.2).
+struct Scores {
+  Score structure;  ///< does it hold together and stand, as a thing that could be built?
+  Score realism;    ///< does it look like one whole thing of its kind?
+  Score alignment;  ///< is it what the words say?
+
+  double mean() const { return (structure.points + realism.points + alignment.points) / 3.0; }
+};
+
+struct JudgeOptions {
+  int answers = 3;  ///< asked for at most, when answers cannot be used
+  int tokens = 1024;
+  CancelToken cancel = {};
+};
+
+/// What a model that sees pictures says of an object. `views`: whole PNG files of it from several
+/// sides, at least one. Fails as ChatModel::chat() does, and with invalid_input when no answer can
+/// be used.
+Result<Scores> judge(ChatModel& model, const Prompts& prompts, const std::string& prompt,
+                     const std::vector<std::string>& views, const JudgeOptions& options = {});
 
 }  // namespace roomgen::create

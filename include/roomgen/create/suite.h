@@ -5,10 +5,10 @@
 #include <string_view>
 #include <vector>
 
-#include "roomgen/base/json_fwd.h"
+#include "roomgen/base/json.h"
 #include "roomgen/base/result.h"
 #include "roomgen/create/create.h"
-#include "roomgen/create/judge.h"
+#include "roomgen/create/model_maker.h"
 #include "roomgen/geometry/vec.h"
 #include "roomgen/scene/object.h"
 
@@ -33,6 +33,8 @@ struct SuiteSentence {
 };
 
 Result<std::vector<SuiteSentence>> read_suite(const Json& json, const std::string& source);
+/// SHA-256 of a suite's file: which sentences results belong to.
+std::string suite_version(std::string_view text);
 
 enum class Check { connected, grounded, supported, symmetric, stable, size };
 inline constexpr std::size_t check_count = 6;

@@ -2,13 +2,14 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "roomgen/base/cancel.h"
 #include "roomgen/base/result.h"
-#include "roomgen/geometry/image.h"
+#include "roomgen/geometry/model.h"
 #include "roomgen/scene/plan.h"
 #include "roomgen/scene/relation.h"
 #include "roomgen/scene/scene.h"
@@ -25,15 +26,6 @@ struct Consultation {
   std::string image_sha256;    ///< of the picture, if any
   std::vector<std::string> notes;  ///< what was repaired or refused
   bool fell_back = false;      ///< the model had no usable answer: rules decided
-};
-
-/// What a room shall become.
-struct PlanRequest {
-  std::string prompt;
-  std::uint64_t seed = 0;
-  std::optional<Vec2> size;   ///< inner width and depth in metres, whatever the prompt says
-  std::optional<Room> room;   ///< a floor plan that is given; then `size` is not used
-  CancelToken cancel;
 };
 
 /// One object whose place is asked for. What is already placed is in `scene`.
@@ -76,5 +68,23 @@ class Designer {
   /// then the room ends with what is placed.
   virtual Result<PlaceAdvice> place(const PlaceRequest& request) = 0;
 };
+
+/// Longest prompt that is read, in bytes.
+inline constexpr std::size_t max_prompt_bytes = 100'000;
+
+/// A designer that needs no language model: it reads English prompts with a small grammar, completes
+/// them from the knowledge in data/rooms.json and places things by data/arrangements.json. What the
+/// prompt says outranks what rooms usually hold.
+///
+/// plan() fails with invalid_input for an empty prompt and for a size outside 0.5 to 50 m, with limit
+/// for a prompt beyond max_prompt_bytes. A prompt that names no room and no furniture gives a living
+/// room and a note. place() keeps no state: equal requests give equal advice, and each refusal in the
+/// request makes it give up more of its own wishes.
+std::unique_ptr<Designer> make_rule_designer();
+
+/// The plan of a dwelling, if the prompt asks for several rooms (docs/dwellings.md) and the request
+/// gives neither a floor plan nor a size of one room; else nothing. The rooms are laid out by
+/// rules, and the designer plans each of them with what the prompt says of it.
+Result<std::optional<DwellingPlan>> plan_dwelling(const PlanRequest& request, Designer& designer);
 
 }  // namespace roomgen

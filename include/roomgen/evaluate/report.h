@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "roomgen/kinds/kind_table.h"
-#include "roomgen/scene/judgement.h"
 #include "roomgen/scene/model_table.h"
+#include "roomgen/scene/relation.h"
 #include "roomgen/scene/scene.h"
 
 namespace roomgen {
@@ -32,9 +32,5 @@ struct SceneReport {
 /// must have one that leads outdoors by way of others. `models` decides solids whose boxes overlap; objects without a model count as
 /// boxes.
 SceneReport examine(const Scene& scene, const ModelTable& models, const KindTable& categories);
-
-/// Does the object keep the clearance of this door or window free?
-bool keeps_clear(const Object& object, const Kind& category, const Room& room,
-                 const Opening& opening);
 
 }  // namespace roomgen

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <string>
 
 #include "roomgen/base/result.h"
+#include "roomgen/geometry/model.h"
 #include "roomgen/scene/model_table.h"
 #include "roomgen/scene/scene.h"
 
@@ -18,5 +21,53 @@ class Exporter {
   virtual Status write(const Scene& scene, const ModelTable& models,
                        const std::filesystem::path& path) const = 0;
 };
+
+/// A picture as the bytes of a file.
+struct EncodedImage {
+  std::string mime_type;  ///< "image/png" or "image/jpeg"
+  std::string bytes;
+};
+
+/// How exporters make files of textures. The core links no image library: roomgen::render provides
+/// one (render/image_file.h).
+using ImageEncoder = std::function<Result<EncodedImage>(const Image&)>;
+
+struct GlbOptions {
+  ImageEncoder encode_image;  ///< without it textures become their mean colour
+  bool lights = true;         ///< with the lamps and the sun
+};
+
+/// The scene as binary glTF 2.0 (Khronos specification 2.0.1): metres, Y up, fronts towards +Z.
+///
+/// Nodes: "room" with its floor, walls, ceiling, doors and windows as children, then one node an object,
+/// named by its id, whose extras hold category, size (width, depth, height), description and relations. One
+/// mesh an asset, shared by its objects; a node's scale brings it to the object's size. Textures are
+/// embedded once. asset.copyright names creators and licences.
+///
+/// A node "lights" holds the lamps as point or spot lights, in candela, each named by its object, and the
+/// sun that shines in as a directional one, in lux (extension KHR_lights_punctual; docs/materials.md).
+Result<std::string> make_glb(const Scene& scene, const ModelTable& models,
+                             const GlbOptions& options = {});
+
+/// One model alone: a single node of this name in the model's frame, whose extras hold its size.
+Result<std::string> make_glb(const std::string& name, const Model& model,
+                             const GlbOptions& options = {});
+
+class GlbExporter final : public Exporter {
+ public:
+  explicit GlbExporter(GlbOptions options = {}) : options_(std::move(options)) {}
+  Status write(const Scene& scene, const ModelTable& models,
+               const std::filesystem::path& path) const override;
+
+ private:
+  GlbOptions options_;
+};
+
+/// ATTRIBUTION.md for a scene: every asset of a library once, with creator, licence and the objects,
+/// doors and windows that use it. Things that roomgen made itself need none.
+std::string attribution_markdown(const Scene& scene);
+
+/// The same in one line, for files that have a field for it; empty if nothing needs it.
+std::string attribution_line(const Scene& scene);
 
 }  // namespace roomgen

@@ -1,10 +1,136 @@
 #pragma once
 
-#include "roomgen/generate/generation.h"
-#include "roomgen/generate/room_builder.h"
-#include "roomgen/scene/dwelling.h"
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "roomgen/base/cancel.h"
+#include "roomgen/base/json.h"
+#include "roomgen/base/result.h"
+#include "roomgen/design/designer.h"
+#include "roomgen/kinds/kind_table.h"
+#include "roomgen/library/library.h"
+#include "roomgen/scene/model_table.h"
+#include "roomgen/scene/plan.h"
+#include "roomgen/scene/scene.h"
+#include "roomgen/solve/placement.h"
+#include "roomgen/view/view.h"
+
+namespace roomgen::create {
+struct Creation;
+}
 
 namespace roomgen {
+
+/// One asset with one answer of the designer, and what became of it.
+struct Attempt {
+  std::string asset;       ///< asset_key()
+  PlaceAdvice answer;      ///< of the designer, or of the host
+  int candidates = 0;      ///< poses proposed
+  int feasible = 0;        ///< of them, inside the room and clear of other things
+  std::optional<PlacementTerms> chosen;     ///< of the pose taken
+  std::optional<PlacementTerms> runner_up;  ///< of the best other one
+  bool made_room = false;  ///< what stood on the same support was arranged anew for it
+  std::string refused;     ///< why no pose could be taken; empty: one was
+};
+
+/// A thing that an improvement or a repair put elsewhere.
+struct Move {
+  std::string object;
+  Vec3 from = Vec3::Zero(), to = Vec3::Zero();  ///< bottom centre
+  double turn = 0.0;                            ///< radians, counter-clockwise
+
+  double distance() const { return (to - from).norm(); }
+};
+
+/// What became of one planned object: a line of trace.jsonl (docs/trace.md).
+struct Step {
+  PlannedObject planned;
+  std::string category, description;  ///< what retrieval was asked for
+  bool has_assets = false;            ///< it found something to try
+  std::vector<Attempt> attempts;      ///< in order
+  std::string window;                 ///< the one that a curtain or blind covers
+  std::optional<Pose> pose;           ///< where it stood at the end of the step
+  bool repaired = false;              ///< neighbours made way
+  std::vector<Move> moved;            ///< those neighbours
+  std::string reason;                 ///< why it has no place; empty: it has one
+  std::string room;                   ///< of a dwelling
+  double seconds = 0.0;               ///< that the step took; not part of the trace
+};
+
+/// One line of trace.jsonl. Nothing in it depends on the clock.
+Json to_json(const Step& step);
+/// {"object", "from", "to", "by", "turned_deg"}: metres and degrees.
+Json to_json(const Move& move);
+
+/// How closely suggestions were followed (papers: RoomGen, table 3): numbers of objects in the finished
+/// scene.
+struct SuggestionFigures {
+  int located = 0;      ///< placed, and a location was suggested
+  int within_half = 0;  ///< of them, 0.5 m from it at most
+  int within_one = 0;   ///< 1 m at most
+  int faced = 0;        ///< placed, and a yaw was suggested
+  int facing_kept = 0;  ///< of them, 15 degrees from it at most
+};
+
+/// What was asked of a language model while placing; zero for rules.
+struct ModelUse {
+  int calls = 0;
+  long long input_tokens = 0;
+  long long output_tokens = 0;
+  double seconds = 0.0;
+  int fallbacks = 0;  ///< objects for which rules decided in the end
+};
+
+/// A furnished room, or dwelling, and how it came about.
+struct Generation {
+  Scene scene;  ///< in the plan's order, with the requirements' verdicts; incomplete if it was stopped
+  ModelTable models;  ///< of all openings and all objects placed
+  std::vector<AssetInfo> assets;  ///< of all openings and all objects placed, without repetition
+  std::vector<Step> trace;        ///< one a planned object that was tried, in order
+  std::vector<Move> moved;        ///< by the improvement at the end
+  int constraints = 0;
+  int held = 0;
+  SuggestionFigures suggestions;
+  ModelUse model_use;
+  std::vector<std::string> notes;  ///< which objects are only stand-ins, for people
+  std::string stopped;  ///< why the designer was not asked any more, if so
+};
+
+/// What a builder tells while it works, on the thread that called it.
+struct BuildEvent {
+  enum class Kind {
+    begun,      ///< `object` is looked after now
+    placed,     ///< `object` stands: `placed` has its pose
+    left_out,   ///< `object` found no place: `step->reason`
+    improving,  ///< what stands is moved about to win back what was lost
+    improved,
+    undone,     ///< the last step; `scene` is that before it
+  };
+  Kind kind = Kind::begun;
+  std::size_t done = 0;   ///< planned objects that were tried
+  std::size_t total = 0;  ///< planned objects
+  std::string object = {};         ///< id; empty for what concerns all
+  const Object* placed = nullptr;  ///< these live as long as the call
+  const Step* step = nullptr;      ///< of placed and left_out: what the trace will say
+  const Scene* scene = nullptr;    ///< what stands now
+};
+
+struct BuildOptions {
+  PlaceOptions place;
+  int assets_per_object = 3;   ///< assets that are tried before the designer is asked again
+  int answers_per_object = 3;  ///< times the designer is asked for one object
+  int repair_rounds = 12;      ///< of improvement for one object that found no place
+  int improve_rounds = 60;     ///< of improvement at the end
+  std::uint64_t seed = 0;      ///< which of equally good assets are taken
+  CancelToken cancel;          ///< stops the call at work, and those to come
+  std::function<void(const BuildEvent&)> on_event;
+  /// Draws what the designer sees; may be null.
+  Renderer* renderer = nullptr;
+  View marks_view{View::Kind::top, 1024, true, false};
+};
 
 /// Furnishes a room step by step (RoomBuilder): for each planned object retrieve an asset, ask the designer,
 /// propose, score, fuse, place; when it does not fit, the next asset, then the designer again with the
@@ -19,5 +145,14 @@ Result<Generation> generate(const Plan& plan, Designer& designer, const AssetLib
 Result<Generation> generate(const DwellingPlan& plan, Designer& designer,
                             const AssetLibrary& library, const KindTable& categories,
                             const BuildOptions& options = {});
+
+/// Objects that a sentence names together ("a table with cups on it and four chairs around it"), set
+/// out by the solver in an empty room: the first in the middle, the others as their relations to it
+/// say, as many of each as were asked for. What finds no place is in Generation::scene.unplaced.
+Result<Generation> set_out(const create::Creation& creation, const KindTable& categories,
+                           std::uint64_t seed);
+
+/// Everything that stands in the scene as one model, the first object's centre at the origin.
+Model merged_model(const Scene& scene, const ModelTable& models);
 
 }  // namespace roomgen

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "roomgen/base/output_folder.h"
+#include "roomgen/base/file.h"
 #include "roomgen/base/result.h"
 #include "roomgen/generate/generate.h"
 #include "roomgen/scene/plan.h"

@@ -1,54 +1,18 @@
 #pragma once
 
 #include <chrono>
-#include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "roomgen/base/cancel.h"
 #include "roomgen/base/result.h"
-#include "roomgen/generate/generation.h"
+#include "roomgen/generate/generate.h"
 #include "roomgen/kinds/kind_table.h"
-#include "roomgen/view/view.h"
+#include "roomgen/scene/problem.h"
 
 namespace roomgen {
-
-/// What a builder tells while it works, on the thread that called it.
-struct BuildEvent {
-  enum class Kind {
-    begun,      ///< `object` is looked after now
-    placed,     ///< `object` stands: `placed` has its pose
-    left_out,   ///< `object` found no place: `step->reason`
-    improving,  ///< what stands is moved about to win back what was lost
-    improved,
-    undone,     ///< the last step; `scene` is that before it
-  };
-  Kind kind = Kind::begun;
-  std::size_t done = 0;   ///< planned objects that were tried
-  std::size_t total = 0;  ///< planned objects
-  std::string object = {};         ///< id; empty for what concerns all
-  const Object* placed = nullptr;  ///< these live as long as the call
-  const Step* step = nullptr;      ///< of placed and left_out: what the trace will say
-  const Scene* scene = nullptr;    ///< what stands now
-};
-
-struct BuildOptions {
-  PlaceOptions place;
-  int assets_per_object = 3;   ///< assets that are tried before the designer is asked again
-  int answers_per_object = 3;  ///< times the designer is asked for one object
-  int repair_rounds = 12;      ///< of improvement for one object that found no place
-  int improve_rounds = 60;     ///< of improvement at the end
-  std::uint64_t seed = 0;      ///< which of equally good assets are taken
-  CancelToken cancel;          ///< stops the call at work, and those to come
-  std::function<void(const BuildEvent&)> on_event;
-  /// Draws what the designer sees; may be null.
-  Renderer* renderer = nullptr;
-  View marks_view{View::Kind::top, 1024, true, false};
-};
 
 /// Where an object could stand, best first: what a host chooses from.
 struct Proposal {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -7,7 +8,9 @@
 
 #include "roomgen/base/result.h"
 #include "roomgen/geometry/model.h"
+#include "roomgen/scene/model_table.h"
 #include "roomgen/scene/object.h"
+#include "roomgen/scene/scene.h"
 
 namespace roomgen {
 
@@ -26,7 +29,7 @@ struct WallFit {
 struct AssetInfo {
   AssetRef ref;
   std::string name;                    ///< "Double bed"
-  std::string category;                ///< what it is, as Vocabulary names kinds: "bed"
+  std::string category;                ///< what it is, as kinds are named: "bed"
   std::vector<std::string> tags;
   std::string group;                   ///< the library's own category: "Bedroom"
   Vec3 size = Vec3::Ones();            ///< width, depth, height in metres
@@ -71,5 +74,20 @@ class AssetLibrary {
   /// The mesh of an asset, in the frame of Model, its box exactly AssetInfo::size.
   virtual Result<std::shared_ptr<const Model>> load(const AssetRef& ref) const = 0;
 };
+
+/// Several libraries as one: a search asks them in order and takes the answers of the first that
+/// has any that does not contradict the query, so that a catalogue of real furniture goes before one
+/// that builds what is asked for, and what is built before what looks otherwise than asked. Matches that
+/// contradict are answers when there are no others. A failing search is an error; load() asks the libraries in order until one knows the asset.
+std::unique_ptr<AssetLibrary> make_first_of(
+    std::vector<std::shared_ptr<const AssetLibrary>> libraries);
+
+/// Where else a mesh may come from, by asset_key(); null if not from there either.
+using SpareModels = std::function<std::shared_ptr<const Model>(const std::string& key)>;
+
+/// The meshes of all objects and openings of a scene. An asset that neither the library has (any more)
+/// nor `spare` is reported to `log`; its objects stay boxes, its openings keep the room's own woodwork.
+ModelTable load_models(const Scene& scene, const AssetLibrary& library, const LogSink& log = {},
+                       const SpareModels& spare = {});
 
 }  // namespace roomgen

@@ -1,12 +1,14 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
+#include <string_view>
 
-#include "roomgen/base/output_folder.h"
+#include "roomgen/base/file.h"
 #include "roomgen/base/result.h"
-#include "roomgen/export/image_encoder.h"
-#include "roomgen/geometry/image.h"
+#include "roomgen/export/exporter.h"
+#include "roomgen/geometry/model.h"
 
 namespace roomgen {
 

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "roomgen/base/result.h"
+#include "roomgen/geometry/model.h"
 #include "roomgen/view/view.h"
 
 namespace roomgen {
@@ -13,5 +16,14 @@ namespace roomgen {
 /// a room draws only what changed. One thread at a time may use it; several renderers may work side
 /// by side. Fails with Error::Kind::unavailable when OSMesa gives no OpenGL 4.0 core context.
 Result<std::unique_ptr<Renderer>> make_osmesa_renderer();
+
+/// A model alone on a plain floor, without a room: square pictures of one scale, `pixels` wide, in the
+/// order of model_view_names(). Needs what make_osmesa_renderer() needs.
+Result<std::vector<Image>> draw_views(const Model& model, int pixels = 512);
+/// "front", "side" (its left), "back" and "above" (three-quarter).
+const std::vector<std::string>& model_view_names();
+
+/// Pictures of one size side by side, `columns` in a row.
+Image contact_sheet(const std::vector<Image>& pictures, int columns);
 
 }  // namespace roomgen

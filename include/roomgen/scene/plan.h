@@ -8,13 +8,23 @@
 #include <string_view>
 #include <vector>
 
-#include "roomgen/base/json_fwd.h"
+#include "roomgen/base/cancel.h"
+#include "roomgen/base/json.h"
 #include "roomgen/base/result.h"
 #include "roomgen/scene/object.h"
 #include "roomgen/scene/requirement.h"
 #include "roomgen/scene/room.h"
 
 namespace roomgen {
+
+/// What a room shall become.
+struct PlanRequest {
+  std::string prompt;
+  std::uint64_t seed = 0;
+  std::optional<Vec2> size;   ///< inner width and depth in metres, whatever the prompt says
+  std::optional<Room> room;   ///< a floor plan that is given; then `size` is not used
+  CancelToken cancel;
+};
 
 /// Objects of one kind that the room shall hold.
 struct PlanItem {
@@ -62,5 +72,23 @@ int quantity_of(const Plan& plan, std::string_view category);
 Json to_json(const Plan& plan);
 Result<Plan> plan_from_json(const Json& json, const std::string& source);
 Result<Plan> read_plan(const std::filesystem::path& path);
+
+/// What a designer makes of a prompt that asks for several rooms: a plan for each, in the order in
+/// which they are furnished. Their objects are numbered through.
+struct DwellingPlan {
+  std::string prompt;
+  std::uint64_t seed = 0;
+  std::vector<Plan> rooms;
+  std::vector<std::string> notes;  ///< what was assumed, for people
+};
+
+/// Gives the objects of later plans other numbers than those of earlier ones ("bed-1"), wherever
+/// a plan names them.
+void number_through(DwellingPlan& plan);
+
+/// plan.json of a dwelling (docs/plan.schema.json): "rooms" instead of "room" and "objects".
+bool is_dwelling_plan(const Json& json);
+Json to_json(const DwellingPlan& plan);
+Result<DwellingPlan> dwelling_plan_from_json(const Json& json, const std::string& source);
 
 }  // namespace roomgen

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "roomgen/base/json_fwd.h"
+#include "roomgen/base/json.h"
 #include "roomgen/base/result.h"
 #include "roomgen/scene/object.h"
 #include "roomgen/scene/room.h"

@@ -9,7 +9,7 @@
 
 namespace roomgen {
 
-/// The constraint vocabulary. docs/constraints.md says when each holds; scene/judgement.h decides it.
+/// The constraint vocabulary. docs/constraints.md says when each holds.
 enum class RelationKind {
   edge,
   middle,
@@ -42,6 +42,17 @@ struct Relation {
   std::string target;
 
   bool operator==(const Relation&) const = default;
+};
+
+/// The verdict on one relation of a placed object.
+struct Judgement {
+  bool held = false;
+  double degree = 0.0;  ///< in [0, 1]: how well, continuous, so that near misses and best fits rank
+};
+struct RelationVerdict {
+  std::string object;  ///< its id
+  Relation relation;
+  Judgement judgement;
 };
 
 /// A way to write a relation.

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "roomgen/base/json_fwd.h"
+#include "roomgen/base/json.h"
 #include "roomgen/scene/relation.h"
 
 namespace roomgen {
@@ -48,7 +48,5 @@ std::string_view name(Requirement::Kind kind);
 Json to_json(const Requirement& requirement);
 /// That with "met" and "reason".
 Json to_json(const RequirementVerdict& verdict);
-Requirement read_requirement(const JsonReader& json);
-RequirementVerdict read_verdict(const JsonReader& json);
 
 }  // namespace roomgen

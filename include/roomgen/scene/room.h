@@ -6,7 +6,7 @@
 
 #include "roomgen/base/result.h"
 #include "roomgen/geometry/polygon.h"
-#include "roomgen/scene/asset_ref.h"
+#include "roomgen/scene/object.h"
 
 namespace roomgen {
 
@@ -63,8 +63,7 @@ struct Opening {
   bool is_entrance() const { return type != OpeningType::window; }
 };
 
-/// What the room is covered with, in words that make_finish() reads ("oak floor", "sage walls"); may be
-/// empty.
+/// What the room is covered with, in words ("oak floor", "sage walls"; docs/materials.md); may be empty.
 struct RoomMaterials {
   std::string floor, walls, ceiling;
   std::string accent;  ///< of accent_wall(), where that differs from the other walls

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "roomgen/base/json_fwd.h"
+#include "roomgen/base/json.h"
 #include "roomgen/base/result.h"
 #include "roomgen/scene/object.h"
 #include "roomgen/scene/requirement.h"
@@ -61,7 +61,6 @@ Result<Scene> read_scene(const std::filesystem::path& path);
 
 /// The "room" part of scene.json, also a file of its own (docs/room.schema.json).
 Json to_json(const Room& room);
-Room read_room(const JsonReader& json);
 Result<Room> read_room_file(const std::filesystem::path& path);
 
 }  // namespace roomgen

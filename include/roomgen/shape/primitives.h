@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "roomgen/base/result.h"
-#include "roomgen/geometry/mesh.h"
+#include "roomgen/geometry/model.h"
 
 /// The solids that shape programs are made of. Metres; a solid given by its sizes stands on z = 0
 /// with its box centred on the z axis, like everything else that is placed; one that is drawn (an

@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "roomgen/base/json_fwd.h"
+#include "roomgen/base/json.h"
 #include "roomgen/base/result.h"
 #include "roomgen/shape/primitives.h"
 
@@ -135,7 +135,7 @@ struct Component {
   Vec3 at = Vec3::Zero();      ///< then moved
 };
 
-/// A surface as it is written. Colours are texts: "#rrggbb" or a name of shape/color.h.
+/// A surface as it is written. Colours are texts: "#rrggbb" or a name (docs/shapes.md).
 struct Surface {
   std::string name;
   std::string color = "#cccccc";

@@ -3,12 +3,14 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <string>
+#include <string_view>
+#include <variant>
 #include <vector>
 
-#include "roomgen/base/json_fwd.h"
+#include "roomgen/base/json.h"
 #include "roomgen/base/result.h"
-#include "roomgen/shape/expression.h"
 #include "roomgen/shape/program.h"
 
 /// Shape programs with parameters (docs/shapes.md). A concrete program is a recipe without any.
@@ -16,6 +18,13 @@ namespace roomgen::shape {
 
 inline constexpr std::size_t max_program_bytes = 1u << 20;
 inline constexpr int max_use_depth = 8;
+
+/// What an expression, a parameter or a let can be: a number or a word.
+using Value = std::variant<double, std::string>;
+using Values = std::map<std::string, Value, std::less<>>;
+
+/// As people write it: 0.4, round.
+std::string to_text(const Value& value);
 
 struct Parameter {
   std::string name, about;

@@ -4,10 +4,11 @@
 
 #include "roomgen/base/cancel.h"
 #include "roomgen/base/result.h"
+#include "roomgen/kinds/kind_table.h"
 #include "roomgen/scene/model_table.h"
 #include "roomgen/scene/problem.h"
 #include "roomgen/scene/scene.h"
-#include "roomgen/solve/improve.h"
+#include "roomgen/solve/placement.h"
 
 namespace roomgen {
 

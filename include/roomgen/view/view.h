@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "roomgen/base/result.h"
-#include "roomgen/geometry/footprint.h"
-#include "roomgen/geometry/image.h"
+#include "roomgen/geometry/model.h"
+#include "roomgen/geometry/polygon.h"
 #include "roomgen/scene/model_table.h"
 #include "roomgen/scene/scene.h"
 

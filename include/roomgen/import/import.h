@@ -1,0 +1,39 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "roomgen/base/result.h"
+#include "roomgen/geometry/model.h"
+#include "roomgen/scene/model_table.h"
+#include "roomgen/scene/room.h"
+
+namespace roomgen {
+
+/// Reads the floor plan of one room: room.json (docs/room.schema.json, or the room of a scene or
+/// plan), a simple SVG or an ASCII DXF (docs/floor-plans.md). What the file is, its beginning
+/// tells. Fails with the line and the way out when the outline is open, crosses itself, has a
+/// spike, no area or too many corners, or is no room by its size.
+Result<Room> read_floor_plan(const std::filesystem::path& path);
+
+/// `source` names the file in errors. The box of the outline begins at the origin.
+Result<Room> room_from_svg(std::string_view text, const std::string& source);
+Result<Room> room_from_dxf(std::string_view text, const std::string& source);
+
+/// Bounds of a drawing; files beyond them are refused.
+inline constexpr std::size_t max_drawing_bytes = 8u << 20;
+inline constexpr double least_drawn_side = 0.5;      ///< metres, of the outline's box
+inline constexpr double greatest_drawn_side = 100.0;
+
+/// Makes a picture of the bytes of a PNG or JPEG file; the core links no image library.
+using ImageDecoder = std::function<Result<Image>(std::string_view bytes)>;
+
+/// The furniture in a scene.glb that roomgen wrote, as it was in its library, by asset_key(). Of glTF
+/// it reads what the exporter writes (export/exporter.h): triangles with indices in the file's own binary
+/// chunk, and the metallic-roughness surface. Without a decoder textures are left out.
+Result<ModelTable> read_glb_models(const std::filesystem::path& path,
+                                   const ImageDecoder& decode = {});
+
+}  // namespace roomgen

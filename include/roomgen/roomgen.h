@@ -1,0 +1,74 @@
+#pragma once
+
+// roomgen furnishes 3D rooms from a sentence. All its public headers, by what one does with them: each may
+// also be included alone. Namespace roomgen; metres, radians, Z up, fronts towards -Y.
+
+// Furnish a room.
+#include "roomgen/generate/generate.h"      // from a plan to a furnished room or dwelling, at one go
+#include "roomgen/generate/room_builder.h"  // the same one step at a time: propose, place, refuse, undo
+#include "roomgen/generate/output.h"        // the folder with a room's files
+
+// Decide what it holds: by rules, or by a language model.
+#include "roomgen/design/designer.h"        // what a designer is; the one that follows rules; dwellings
+#include "roomgen/design/model_designer.h"  // the one that asks a language model
+#include "roomgen/scene/plan.h"             // what a designer makes of a prompt; plan.json
+
+// Look at a room, keep it, hand it on.
+#include "roomgen/scene/scene.h"        // a furnished room or dwelling; scene.json
+#include "roomgen/scene/room.h"         // its floor plan, doors and windows; room.json
+#include "roomgen/scene/object.h"       // a thing in it, and where its mesh comes from
+#include "roomgen/scene/relation.h"     // what a thing shall be to others: "near, bed-0"
+#include "roomgen/scene/requirement.h"  // what the prompt asked for, met or not
+#include "roomgen/scene/model_table.h"  // the meshes of a scene, and where in the room they are
+#include "roomgen/view/view.h"          // how to look at a room; what a renderer is
+#include "roomgen/export/exporter.h"    // what an exporter is; GLB files; who made the meshes
+#include "roomgen/import/import.h"      // floor plans from SVG and DXF; the meshes of a scene.glb
+
+// Judge a room.
+#include "roomgen/evaluate/report.h"  // what is wrong with it, which relations hold
+#include "roomgen/evaluate/score.h"   // how it meets written requirements, after SceneEval
+
+// Place things without a designer.
+#include "roomgen/scene/problem.h"    // a room and things with constraints; problem.json
+#include "roomgen/solve/solve.h"      // finds the poses of all of them
+#include "roomgen/solve/placement.h"  // how one pose is chosen: options, and the terms of a choice
+
+// Bring meshes and kinds of things.
+#include "roomgen/kinds/kind_table.h"  // what kinds of things there are: sizes, mounts, use zones
+#include "roomgen/library/library.h"   // what an asset library is; several as one; a scene's meshes
+
+// Make objects from words.
+#include "roomgen/create/create.h"       // a sentence to objects; libraries of created objects
+#include "roomgen/create/maker.h"        // what makes them: words to descriptions to programs, by rules
+#include "roomgen/create/model_maker.h"  // the maker that asks a language model, and the judge that sees
+#include "roomgen/create/suite.h"        // sentences with checks, for experiments
+#include "roomgen/shape/program.h"       // a shape program: named parts of solids
+#include "roomgen/shape/primitives.h"    // the solids
+#include "roomgen/shape/recipe.h"        // programs with parameters
+#include "roomgen/shape/evaluate.h"      // a program's meshes
+
+// Ask language models.
+#include "roomgen/chat/chat_model.h"  // what a model is; recording, replay, cache, limits, prices
+#include "roomgen/chat/prompts.h"     // what models are told
+
+// Words that all of them use.
+#include "roomgen/base/cancel.h"       // stopping long work
+#include "roomgen/base/file.h"         // files and folders that are written as a whole
+#include "roomgen/base/json.h"         // JSON documents
+#include "roomgen/base/result.h"       // a value or an error; where warnings go
+#include "roomgen/base/text.h"         // small work on text
+#include "roomgen/geometry/model.h"    // meshes, materials, pictures
+#include "roomgen/geometry/polygon.h"  // the floor from above: segments, polygons, footprints
+#include "roomgen/geometry/vec.h"      // points, directions, angles
+
+// The parts that an installation may lack: link roomgen::assets, roomgen::render, roomgen::agent.
+#if __has_include("roomgen/assets/catalogue.h")
+#include "roomgen/assets/catalogue.h"  // furniture libraries: Sweet Home 3D archives, folders of meshes
+#endif
+#if __has_include("roomgen/render/osmesa_renderer.h")
+#include "roomgen/render/image_file.h"       // PNG and JPEG
+#include "roomgen/render/osmesa_renderer.h"  // pictures of rooms and of single models, without a display
+#endif
+#if __has_include("roomgen/agent/http_model.h")
+#include "roomgen/agent/http_model.h"  // a language model behind an HTTP endpoint
+#endif

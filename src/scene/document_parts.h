@@ -1,0 +1,17 @@
+#pragma once
+
+#include "base/json_reader.h"
+#include "roomgen/scene/scene.h"
+
+namespace roomgen {
+
+// Parts of the documents of scenes and plans. What is wrong with them is reported to the reader.
+
+/// "asset"; empty if there is none.
+AssetRef read_asset(const JsonReader& json);
+/// "room".
+Room read_room(const JsonReader& json);
+Requirement read_requirement(const JsonReader& json);
+RequirementVerdict read_verdict(const JsonReader& json);
+
+}  // namespace roomgen

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "roomgen/kinds/kind_table.h"
+#include "roomgen/scene/scene.h"
+
+namespace roomgen {
+
+/// Which offset "aligned" means, from the other relations with the same target.
+enum class AlignAxis { either, lateral, longitudinal };
+
+/// A relation whose target has been looked up, ready to judge many poses of one object.
+struct ResolvedRelation {
+  RelationKind kind = RelationKind::edge;
+  std::vector<Footprint> targets;  ///< one; several for "corner", of which the best counts; none
+                                   ///< when the target is not there: then no pose can hold it
+  double target_bottom = 0.0;      ///< vertical range of the target, metres above the floor
+  double target_top = 0.0;
+  double gap_low = 0.0;  ///< preferred range of the gap
+  double gap_high = 0.5;
+  AlignAxis axis = AlignAxis::either;
+};
+
+/// Looks up the targets of an object's relations among the placed objects and the parts of the
+/// room, in the order of the relations.
+std::vector<ResolvedRelation> resolve(const Object& object, const Room& room,
+                                      std::span<const Object> placed,
+                                      const KindTable& categories);
+
+/// Those of the relations whose targets are there.
+std::vector<Relation> known_relations(const std::vector<Relation>& relations, const Room& room,
+                                      std::span<const Object> placed);
+
+/// A pose of the object to be judged.
+struct Subject {
+  Footprint footprint;
+  double bottom = 0.0;
+  double top = 0.0;
+};
+
+/// The meaning of every relation (docs/constraints.md): one definition for the solver, the reports
+/// and the metrics.
+Judgement judge(const ResolvedRelation& relation, const Subject& subject, const Room& room);
+
+/// The part of the room that a name means, as a thin footprint whose front looks into the room:
+/// "door-0", "window-1", "wall-2". Empty if there is none.
+std::optional<Footprint> part_of_room(const Room& room, std::string_view name);
+
+/// Judges every relation of every object of a scene, in order.
+std::vector<RelationVerdict> judge_scene(const Scene& scene, const KindTable& categories);
+
+}  // namespace roomgen
