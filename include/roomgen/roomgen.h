@@ -11,7 +11,7 @@
 // Decide what it holds: by rules, or by a language model.
 #include "roomgen/design/designer.h"        // what a designer is; the one that follows rules; dwellings
 #include "roomgen/design/model_designer.h"  // the one that asks a language model
-#include "roomgen/scene/plan.h"             // what a designer makes of a prompt; plan.json
+#include "roomgen/scene/plan.h"             // what is asked of it, and what it makes of that; plan.json
 
 // Look at a room, keep it, hand it on.
 #include "roomgen/scene/scene.h"        // a furnished room or dwelling; scene.json
