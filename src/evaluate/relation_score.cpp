@@ -186,8 +186,8 @@ std::string findings(const RelationMeaning& meaning, const Groups& groups) {
 
 }  // namespace
 
-Verdict judge_relation(const ObjectRelationRequirement& relation, const MatchedThings& scene) {
-  Verdict verdict;
+JudgedRequirement judge_relation(const ObjectRelationRequirement& relation, const MatchedThings& scene) {
+  JudgedRequirement verdict;
   verdict.text = relation.text;
   // An index that points nowhere stands for the first thing.
   const std::size_t anchor = relation.anchor >= 0 && relation.anchor <
@@ -217,8 +217,8 @@ Verdict judge_relation(const ObjectRelationRequirement& relation, const MatchedT
   return verdict;
 }
 
-Verdict judge_relation(const RoomRelationRequirement& relation, const MatchedThings& scene) {
-  Verdict verdict;
+JudgedRequirement judge_relation(const RoomRelationRequirement& relation, const MatchedThings& scene) {
+  JudgedRequirement verdict;
   verdict.text = relation.text;
   if (scene.of(relation.thing).empty()) {
     verdict.missing = relation.thing;

@@ -26,7 +26,7 @@ struct MatchedThings {
   const std::vector<std::size_t>& of(const std::string& category) const { return matched.at(category); }
 };
 
-Verdict judge_relation(const ObjectRelationRequirement& relation, const MatchedThings& scene);
-Verdict judge_relation(const RoomRelationRequirement& relation, const MatchedThings& scene);
+JudgedRequirement judge_relation(const ObjectRelationRequirement& relation, const MatchedThings& scene);
+JudgedRequirement judge_relation(const RoomRelationRequirement& relation, const MatchedThings& scene);
 
 }  // namespace roomgen

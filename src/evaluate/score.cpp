@@ -14,8 +14,8 @@ namespace roomgen {
 
 namespace {
 
-Verdict judge_count(const CountRequirement& requirement, std::size_t count) {
-  Verdict verdict;
+JudgedRequirement judge_count(const CountRequirement& requirement, std::size_t count) {
+  JudgedRequirement verdict;
   verdict.text = requirement.text;
   verdict.satisfied = requirement.wanted.holds(static_cast<int>(count));
   verdict.reason = std::to_string(count) + " in the scene";
@@ -29,8 +29,8 @@ class AttributeCounter {
  public:
   AttributeCounter(const Scene& scene, const ModelTable& models) : scene_(scene), models_(models) {}
 
-  Verdict judge(const AttributeRequirement& requirement, const std::vector<std::size_t>& things) {
-    Verdict verdict;
+  JudgedRequirement judge(const AttributeRequirement& requirement, const std::vector<std::size_t>& things) {
+    JudgedRequirement verdict;
     verdict.text = requirement.text;
     if (things.empty()) {
       verdict.reason = "no " + requirement.category;

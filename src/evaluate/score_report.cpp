@@ -23,7 +23,7 @@ struct Share {
   }
 };
 
-Share satisfied(const std::vector<Verdict>& verdicts) {
+Share satisfied(const std::vector<JudgedRequirement>& verdicts) {
   Share share;
   share.of = verdicts.size();
   for (const auto& verdict : verdicts) share.held += verdict.satisfied;
@@ -32,10 +32,10 @@ Share satisfied(const std::vector<Verdict>& verdicts) {
 
 Share share_of(std::size_t held, std::size_t of) { return {static_cast<double>(held), of}; }
 
-Share unjudged(const std::vector<Verdict>& verdicts) {
+Share unjudged(const std::vector<JudgedRequirement>& verdicts) {
   return share_of(static_cast<std::size_t>(
                       std::count_if(verdicts.begin(), verdicts.end(),
-                                    [](const Verdict& verdict) { return !verdict.unjudged.empty(); })),
+                                    [](const JudgedRequirement& verdict) { return !verdict.unjudged.empty(); })),
                   verdicts.size());
 }
 
@@ -111,7 +111,7 @@ Json totals_json(std::span<const RoomScore> scores, const std::string& difficult
   return json;
 }
 
-Json verdicts_json(const std::vector<Verdict>& verdicts) {
+Json verdicts_json(const std::vector<JudgedRequirement>& verdicts) {
   Json json = Json::array();
   for (const auto& verdict : verdicts) {
     Json entry = {{"requirement", verdict.text},
@@ -157,7 +157,7 @@ std::string cell(const Share& share) {
          std::to_string(share.of) + ")";
 }
 
-void add_failures(std::string& text, const char* name, const std::vector<Verdict>& verdicts) {
+void add_failures(std::string& text, const char* name, const std::vector<JudgedRequirement>& verdicts) {
   for (const auto& verdict : verdicts)
     if (!verdict.satisfied)
       text += std::string("- ") + name + " `" + verdict.text + "`: " + verdict.reason + "\n";

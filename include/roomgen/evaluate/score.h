@@ -72,7 +72,7 @@ Result<std::vector<Requirements>> parse_requirements(std::string_view text,
                                                      const std::string& source);
 
 /// One requirement with its verdict.
-struct Verdict {
+struct JudgedRequirement {
   std::string text;  ///< as the annotator wrote it: "eq,1,on,0,table,lamp"
   bool satisfied = false;
   std::string reason;   ///< "2 in the scene", "no lamp"
@@ -85,7 +85,7 @@ struct Verdict {
 struct RoomScore {
   std::string id, difficulty;
   std::size_t objects = 0, solids = 0;  ///< solids: all but rugs
-  std::vector<Verdict> counts, attributes, object_relations, room_relations;
+  std::vector<JudgedRequirement> counts, attributes, object_relations, room_relations;
   std::vector<std::pair<std::string, std::string>> collisions;  ///< ids of objects whose meshes cross
   std::vector<std::string> colliding;         ///< ids, rugs included, as SceneEval counts
   std::vector<std::string> colliding_solids;  ///< in collision with another solid
