@@ -5,7 +5,7 @@
 
 #include "brief/kind_mention.h"
 #include "brief/room_kinds.h"
-#include "inventory.h"
+#include "plan/inventory.h"
 #include "roomgen/base/json.h"
 
 namespace roomgen::design {

@@ -8,8 +8,8 @@
 #include "base/random.h"
 #include "brief/reply_measure.h"
 #include "chat/loose_json.h"
-#include "floor_plan.h"
-#include "opening_plan.h"
+#include "plan/floor_plan.h"
+#include "plan/opening_plan.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 

@@ -2,7 +2,7 @@
 
 #include "brief/prompt_words.h"
 #include "brief/room_kinds.h"
-#include "planning.h"
+#include "plan/planning.h"
 #include "roomgen/base/text.h"
 #include "scene/judgement.h"
 #include "solve/arrangement.h"

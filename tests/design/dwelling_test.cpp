@@ -7,7 +7,7 @@
 #include "brief/dwelling_prompt.h"
 #include "brief/room_kinds.h"
 #include "catch.h"
-#include "dwelling_layout.h"
+#include "plan/dwelling_layout.h"
 #include "plans.h"
 #include "roomgen/base/json.h"
 #include "roomgen/design/designer.h"

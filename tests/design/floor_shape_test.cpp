@@ -6,7 +6,7 @@
 #include "brief/prompt.h"
 #include "brief/room_kinds.h"
 #include "catch.h"
-#include "floor_plan.h"
+#include "plan/floor_plan.h"
 #include "plans.h"
 
 using namespace roomgen;

@@ -5,7 +5,7 @@
 #include "brief/brief.h"
 #include "brief/prompt.h"
 #include "catch.h"
-#include "opening_plan.h"
+#include "plan/opening_plan.h"
 #include "plans.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"

@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "opening_measures.h"
+
 namespace roomgen::design {
 
 namespace {
 
-// From the corner to the frame: room for the frame and for the hand on the handle.
-constexpr double door_offset = 0.12;
 constexpr double window_margin = 0.35;
-constexpr double under_ceiling = 0.1;
 // From the corner of a bay to its glass, and the least that is worth glazing.
 constexpr double glazing_margin = 0.1, least_glazing = 0.3;
 constexpr double bay_sill = 0.5;
@@ -39,7 +38,7 @@ Vec2 of_proportion(double area, const Brief& brief, Random& random) {
 Opening door_in(const Room& room, const RoomKind& kind, std::size_t wall, bool at_from) {
   const double length = room.polygon.edge(wall).length();
   const double width = std::min(kind.door, std::max(0.3, length - 0.1));
-  const double offset = std::min(door_offset, std::max(0.0, 0.5 * (length - width)));
+  const double offset = std::min(corner_offset, std::max(0.0, 0.5 * (length - width)));
   Opening door;
   door.id = "door-0";
   door.type = OpeningType::door;

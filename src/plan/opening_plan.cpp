@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "opening_measures.h"
 #include "roomgen/base/text.h"
 #include "scene/opening_kind.h"
 
@@ -12,9 +13,7 @@ namespace roomgen::design {
 
 namespace {
 
-constexpr double corner_offset = 0.12;  // of a door at the end of a wall: room for frame and hand
 constexpr double least_gap = 0.15;      // between openings, and to the corners
-constexpr double under_ceiling = 0.1;
 constexpr double least_height = 0.3;
 constexpr double wide_door = 1.2;    // a wider one goes to the middle of its wall
 constexpr double enlarged = 1.5;     // a large window against a usual one

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "brief/room_kinds.h"
-#include "roomgen/design/designer.h"
 #include "roomgen/kinds/kind_table.h"
+#include "roomgen/scene/plan.h"
 #include "solve/arrangement.h"
 
 namespace roomgen::design {

@@ -5,15 +5,15 @@
 #include <optional>
 #include <string>
 
+#include "opening_measures.h"
 #include "scene/dwelling.h"
 
 namespace roomgen::design {
 
 namespace {
 
-constexpr double corner_offset = 0.12;   // of a door from the wall beside it
 constexpr double window_offset = 0.35;
-constexpr double least_window = 0.5, glass_under_ceiling = 0.1;
+constexpr double least_window = 0.5;
 constexpr double widest_passage = 1.5, least_passage = 0.9, passage_head = 2.2;
 constexpr double entrance_width = 0.95;
 
@@ -223,7 +223,7 @@ class Opener {
       if (width < least_window || std::find(used.begin(), used.end(), part.wall) != used.end()) continue;
       Opening window = opening(OpeningType::window, part.wall,
                                0.5 * (part.from + part.to - width), width,
-                               std::min(known.windows.head, rooms_[room].height - glass_under_ceiling));
+                               std::min(known.windows.head, rooms_[room].height - under_ceiling));
       window.sill = std::min(known.windows.sill, window.head - 0.3);
       rooms_[room].openings.push_back(window);
       used.push_back(part.wall);
