@@ -251,15 +251,36 @@ void print_lacks(const std::vector<Lack>& lacks, const char* verb, const char* f
                 fate);
 }
 
-// What the prompt asked for and the room does not have.
-void print_requirements(const Scene& scene) {
-  if (scene.requirements.empty()) return;
-  std::vector<Lack> unmet;
+std::vector<Lack> clauses_that_are(const Scene& scene, Compliance compliance) {
+  std::vector<Lack> lacks;
   for (const auto& verdict : scene.requirements)
-    if (!verdict.met) unmet.push_back({verdict.requirement.clause, verdict.reason});
-  std::printf("  %zu of %zu requirements of the prompt are met\n",
-              scene.requirements.size() - unmet.size(), scene.requirements.size());
-  print_lacks(unmet, "are", "not met");
+    if (verdict.compliance == compliance)
+      lacks.push_back({verdict.requirement.clause, verdict.reason});
+  return lacks;
+}
+
+std::vector<std::string> not_understood(const Scene& scene) {
+  std::vector<std::string> words;
+  for (const auto& heard : scene.heard)
+    if (heard.as == Heard::As::not_understood) words.push_back("\"" + heard.text + "\"");
+  return words;
+}
+
+// What the prompt asked for and the room does not have, and what of it nobody understood.
+void print_requirements(const Scene& scene) {
+  print_lacks(clauses_that_are(scene, Compliance::not_met), "are", "not met");
+  print_lacks(clauses_that_are(scene, Compliance::not_judged), "cannot be", "cannot be judged");
+  if (const auto words = not_understood(scene); !words.empty())
+    std::printf("  not understood: %s\n", join(words, ", ").c_str());
+}
+
+// "6 of 9 things you asked for"
+std::string met_of_asked(const Scene& scene) {
+  if (scene.requirements.empty()) return "nothing was asked for that can be checked";
+  const auto met = std::count_if(scene.requirements.begin(), scene.requirements.end(),
+                                 [](const RequirementVerdict& verdict) { return verdict.met(); });
+  return std::to_string(met) + " of " + std::to_string(scene.requirements.size()) +
+         " things you asked for";
 }
 
 void print_left_out(const Scene& scene) {
@@ -298,6 +319,7 @@ void print_summary(const Context& context, const fs::path& folder, const AnyPlan
     json["requirements"] = Json::array();
     for (const auto& verdict : scene.requirements)
       json["requirements"].push_back(to_json(verdict));
+    json["heard"] = to_json(scene.heard);
     json["notes"] = generation.notes;
     json["constraints"] = generation.constraints;
     json["held"] = generation.held;
@@ -311,12 +333,20 @@ void print_summary(const Context& context, const fs::path& folder, const AnyPlan
   }
   for (const auto& note : notes_of(plan)) std::printf("note: %s\n", note.c_str());
   for (const auto& note : generation.notes) std::printf("note: %s\n", note.c_str());
-  std::printf("%s: %s with %zu objects, %d of %d constraints held (%.1f s)\n",
-              folder.string().c_str(), title(scene).c_str(), scene.objects.size(),
-              generation.held, generation.constraints, seconds);
+  std::printf("%s: %s; a %s with %zu objects (%.1f s)\n", folder.string().c_str(),
+              met_of_asked(scene).c_str(), title(scene).c_str(), scene.objects.size(), seconds);
   if (composed.model) print_model_use(composed, generation);
   print_requirements(scene);
   print_left_out(scene);
+}
+
+// Everything has its place, and nothing that was asked for is missing, doubtful or not understood.
+bool is_as_asked(const Scene& scene) {
+  return scene.unplaced.empty() && not_understood(scene).empty() &&
+         std::all_of(scene.requirements.begin(), scene.requirements.end(),
+                     [](const RequirementVerdict& verdict) {
+                       return verdict.met() || verdict.compliance == Compliance::withdrawn;
+                     });
 }
 
 // What a model looks at; none for designers without eyes.
@@ -377,7 +407,7 @@ Result<int> run(const Context& context, const GenerateCommand& command) {
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   print_summary(context, folder, *plan, *generation, *composed, elapsed.count());
   if (context.cancel.cancelled()) return exit_interrupted;
-  return command.strict && !generation->scene.unplaced.empty() ? exit_failure : exit_ok;
+  return command.strict && !is_as_asked(generation->scene) ? exit_failure : exit_ok;
 }
 
 }  // namespace
@@ -397,7 +427,7 @@ void add_generate_command(CLI::App& app, Context& context) {
   sub->add_option("--plan", command->plan_file, "Inventory to use (docs/plan.schema.json)")
       ->excludes(prompt);
   sub->add_flag("--force", command->force, "Write into a folder that holds other files");
-  sub->add_flag("--strict", command->strict, "Exit with 1 if something found no place");
+  sub->add_flag("--strict", command->strict, "Exit with 1 if something found no place, is not as asked, or was not understood");
   sub->add_flag("--marks", command->marks,
                 "Also draw the room with coordinate marks after each step");
   sub->add_flag("--no-pictures", command->no_pictures, "Leave out the pictures");

@@ -15,8 +15,14 @@ void on_interrupt(int signal) {
 }
 
 int exit_code_of(const roomgen::Error& error) {
-  return error.kind == roomgen::Error::Kind::cancelled ? roomgen::cli::exit_interrupted
-                                                       : roomgen::cli::exit_failure;
+  switch (error.kind) {
+    case roomgen::Error::Kind::cancelled:
+      return roomgen::cli::exit_interrupted;
+    case roomgen::Error::Kind::not_understood:
+      return roomgen::cli::exit_usage;
+    default:
+      return roomgen::cli::exit_failure;
+  }
 }
 
 }  // namespace

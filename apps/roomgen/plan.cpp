@@ -20,7 +20,16 @@ struct PlanOptions {
   std::string size;
   std::string room;
   std::string output;
+  bool explain = false;
 };
+
+// Line breaks as blanks, without those at the ends.
+std::string one_line(std::string text) {
+  for (char& c : text)
+    if (c == '\n' || c == '\t' || c == '\r') c = ' ';
+  const auto first = text.find_first_not_of(' ');
+  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(' ') - first + 1);
+}
 
 void print_room(const Room& room) {
   const Vec2 box = bounds(room.polygon).size();
@@ -31,6 +40,33 @@ void print_room(const Room& room) {
     std::printf("  %-10s %-18s wall %zu, from %s to %s m\n", opening.id.c_str(),
                 opening.kind.empty() ? "" : opening.kind.c_str(), opening.wall,
                 format_number(opening.from, 2).c_str(), format_number(opening.to, 2).c_str());
+}
+
+// The prompt in pieces, each with what it was taken for and what checks it.
+void print_heard(const std::string& prompt, const std::vector<Heard>& heard,
+                 const std::vector<Requirement>& requirements) {
+  std::size_t end = 0;
+  for (const auto& words : heard) {
+    if (words.begin > end) std::printf("%s\n", one_line(prompt.substr(end, words.begin - end)).c_str());
+    std::vector<std::string> clauses;
+    for (const auto& requirement : requirements)
+      for (const auto& id : words.requirements)
+        if (id == requirement.id) clauses.push_back(requirement.clause);
+    std::printf("  [%s] %s%s%s\n", one_line(words.text).c_str(), std::string(name(words.as)).c_str(),
+                clauses.empty() ? "" : ": ", join(clauses, "; ").c_str());
+    end = words.end;
+  }
+}
+
+std::vector<Requirement> all_requirements(const Plan& plan) {
+  return plan.requirements;
+}
+
+std::vector<Requirement> all_requirements(const DwellingPlan& plan) {
+  auto all = plan.requirements;
+  for (const auto& room : plan.rooms)
+    all.insert(all.end(), room.requirements.begin(), room.requirements.end());
+  return all;
 }
 
 void print_item(const PlanItem& item) {
@@ -81,6 +117,8 @@ Result<int> show(const AnyPlan& plan, const PlanOptions& options, const Context&
   }
   if (context.json)
     std::fputs(json.c_str(), stdout);
+  else if (options.explain)
+    print_heard(plan.prompt, plan.heard, all_requirements(plan));
   else if (options.output.empty() || !context.quiet)
     print_plan(plan);
   return exit_ok;
@@ -113,6 +151,8 @@ void add_plan_command(CLI::App& app, Context& context) {
       });
   command->add_option("--room", options->room, "A floor plan of your own: room.json, SVG or DXF");
   command->add_option("-o,--output", options->output, "Write the plan here (plan.json)");
+  command->add_flag("--explain", options->explain,
+                    "Say what each word of the prompt was taken for, and what is checked by it");
   command->callback([options, &context] {
     context.run = [options, &context] { return run_plan(*options, context); };
   });

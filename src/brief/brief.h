@@ -7,12 +7,23 @@
 
 #include "opening_wish.h"
 #include "outline.h"
+#include "language/parse.h"
 #include "roomgen/geometry/vec.h"
+#include "roomgen/scene/requirement.h"
 #include "roomgen/scene/object.h"
 #include "roomgen/scene/relation.h"
 #include "roomgen/scene/room.h"
 
 namespace roomgen::design {
+
+/// Words of a prompt and what they were taken for.
+struct HeardWords {
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+  language::Run tokens;
+  Heard::As as = Heard::As::thing;
+  std::string word;  ///< of an attribute the look, of an absence the category, of a room what of it
+};
 
 /// "next to the bed": a relation of a mention to another one or to a part of the room.
 struct Demand {
@@ -25,6 +36,16 @@ struct Demand {
   bool shared = false;         ///< with other mentions: each takes a side
   int nth = -1;                ///< which of the mention's things; -1: in turn
   bool listed = false;         ///< said of another thing of the same list
+  std::size_t heard = HeardWords::none;  ///< of Brief::heard: the words that say it
+};
+
+/// The word of what is heard as a length of a thing.
+inline constexpr const char* said_length = "length";
+
+/// "1.6 m wide", of a thing.
+struct SaidLength {
+  std::string side;  ///< width, depth, height, diameter; longer side where it is not said which
+  double metres = 0.0;
 };
 
 /// Things of one kind that the prompt names.
@@ -42,8 +63,12 @@ struct Mention {
   bool sized = false;        ///< the prompt says something about its size
   Vec3 size = Vec3::Ones();  ///< wanted
   Mount mount = Mount::floor;
+  std::size_t mount_heard = HeardWords::none;  ///< of Brief::heard: "on the wall"
   std::vector<Demand> demands;
   int sentence = 0;  ///< of the prompt in which it is named first
+  std::vector<std::string> parts;  ///< what it has: "drawers", "a glass top"
+  std::vector<SaidLength> lengths;
+  std::vector<std::size_t> heard;  ///< of Brief::heard: what names, counts and describes it
 };
 
 /// What a prompt says, no more.
@@ -63,6 +88,12 @@ struct Brief {
   std::vector<std::string> excluded;  ///< categories
   std::vector<std::string> styles;    ///< words of style, as data/rooms.json knows them
   std::vector<std::string> notes;     ///< what was not understood or was bounded
+  std::vector<HeardWords> heard;      ///< in no order
+  bool understood = false;            ///< some word means a room, a thing or what it is like
+  std::vector<language::Token> tokens;  ///< of the prompt
 };
+
+/// Adds words to what was heard; which of Brief::heard they are.
+std::size_t hear(Brief& brief, const language::Run& tokens, Heard::As as, std::string word = "");
 
 }  // namespace roomgen::design

@@ -159,6 +159,7 @@ void Discourse::add(std::size_t index, const Demand& what) {
     });
   mention.demands.push_back(what);
   mention.demands.back().kind = as_seen(what.kind);
+  mention.demands.back().heard = told_by_;
   // "a lamp on each side" is two, but not "a lamp and a plant flank it".
   if (what.flank && !what.shared) mention.quantity = std::max(2, mention.quantity);
 }
@@ -235,7 +236,11 @@ void Discourse::locate_at_wall(const std::vector<std::size_t>& subjects, Relatio
 }
 
 void Discourse::mount(const std::vector<std::size_t>& subjects, Mount where) {
-  for (const std::size_t subject : subjects) hang(brief_.mentions[subject], where, lexicon_.table);
+  for (const std::size_t subject : subjects) {
+    Mention& mention = brief_.mentions[subject];
+    hang(mention, where, lexicon_.table);
+    if (mention.mount == where && told_by_ != HeardWords::none) mention.mount_heard = told_by_;
+  }
 }
 
 void Discourse::own(std::size_t owner, std::size_t index) {

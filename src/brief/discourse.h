@@ -32,6 +32,8 @@ class Discourse {
   std::size_t count() const { return brief_.mentions.size(); }
   /// What is looked for further back lies before this mention.
   void look_back_from(std::size_t mention) { horizon_ = mention; }
+  /// The words (of Brief::heard) that say the demands which follow.
+  void told_by(std::size_t heard) { told_by_ = heard; }
 
   /// The thing spoken of before that a phrase means.
   std::optional<std::size_t> known(const ThingPhrase& phrase) const;
@@ -84,6 +86,7 @@ class Discourse {
 
   Brief& brief_;
   std::size_t horizon_ = static_cast<std::size_t>(-1);
+  std::size_t told_by_ = HeardWords::none;
 };
 
 }  // namespace roomgen::design

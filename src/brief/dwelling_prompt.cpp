@@ -19,17 +19,20 @@ std::optional<double> total_area(const DwellingText& text, const NamedRoom& whol
 }
 
 // "a modern apartment": each of its rooms is.
-std::string styles_of(const DwellingText& text, const NamedRoom& whole, const RoomKinds& kinds) {
+std::string read_styles(const DwellingText& text, const NamedRoom& whole, const RoomKinds& kinds,
+                        std::vector<HeardWords>& heard) {
   std::string styles;
   for (std::size_t i = whole.noun; i-- > 0 && whole.noun - i <= 2 * longest_phrase;) {
     if (text.tokens[i].kind == Token::Kind::stop) break;
-    if (kinds.style(text.tokens[i].text)) styles += text.tokens[i].text + " ";
+    if (!kinds.style(text.tokens[i].text)) continue;
+    styles += text.tokens[i].text + " ";
+    heard.push_back({text.tokens[i].source, Heard::As::style, ""});
   }
   return styles;
 }
 
 // Without the words that only join it to the next room's.
-std::string text_of(const DwellingText& text, Stretch range) {
+Stretch without_joints(const DwellingText& text, Stretch range) {
   const auto& tokens = text.tokens;
   const auto joins = [](const Token& token) {
     return token.kind == Token::Kind::comma || token.is_word("and") || token.is_word("plus") ||
@@ -43,33 +46,89 @@ std::string text_of(const DwellingText& text, Stretch range) {
   while (range.end > range.begin &&
          (joins(tokens[range.end - 1]) || leads_on(tokens[range.end - 1])))
     --range.end;
-  std::string said;
-  for (std::size_t i = range.begin; i < range.end; ++i)
-    said += tokens[i].kind == Token::Kind::comma ? "," : (said.empty() ? "" : " ") + tokens[i].text;
+  return range;
+}
+
+/// Puts a room's own prompt together and remembers where its words come from.
+class RoomPrompt {
+ public:
+  explicit RoomPrompt(const DwellingText& text) : text_(text) {}
+
+  void add(std::string_view words) { prompt_ += words; }
+  void add(Stretch range) {
+    for (std::size_t i = range.begin; i < range.end; ++i) {
+      const Token& token = text_.tokens[i];
+      if (token.kind == Token::Kind::comma) {
+        prompt_ += ",";
+        continue;
+      }
+      if (i > range.begin) prompt_ += " ";
+      const std::size_t begin = prompt_.size();
+      prompt_ += token.text;
+      origins_.push_back({{static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(prompt_.size())},
+                          text_.prompt[token.source.begin].span});
+    }
+  }
+  void put_into(SaidRoom& room) {
+    room.prompt = std::move(prompt_);
+    room.origins = std::move(origins_);
+  }
+
+ private:
+  const DwellingText& text_;
+  std::string prompt_;
+  std::vector<Origin> origins_;
+};
+
+bool begins_with_link(const DwellingText& text, Stretch range) {
+  static const WordSet links = {"with",     "has",      "have", "contains", "features",
+                                "includes", "for",      "that", "where"};
+  return range.end > range.begin + 1 && links.count(text.tokens[range.begin].text) > 0;
+}
+
+void write_prompt(const DwellingText& text, const FoundRoom& room,
+                  const std::vector<Stretch>& about, const std::string& styles, SaidRoom& said) {
+  RoomPrompt prompt(text);
+  prompt.add("a " + styles + room.adjectives + room.type);
+  for (const auto& range : about) {
+    const Stretch words = without_joints(text, range);
+    if (words.begin == words.end) continue;
+    // At once it goes on about the room that it names, later it comes back to it.
+    const bool goes_on = range.begin == room.introduced;
+    if (begins_with_link(text, words))
+      prompt.add(goes_on ? " " : ". the " + room.type + " ");
+    else
+      prompt.add(text.tokens[words.begin].is_word("there") ? ". " : ". there is ");
+    prompt.add(words);
+  }
+  prompt.put_into(said);
+}
+
+SaidRoom said_room(const DwellingText& text, const FoundRoom& room,
+                   const std::vector<Stretch>& about, const std::string& styles) {
+  SaidRoom said;
+  said.type = room.type;
+  said.owner = room.owner;
+  write_prompt(text, room, about, styles, said);
   return said;
 }
 
-bool begins_with_link(const std::string& text) {
-  for (const char* link : {"with ", "has ", "have ", "contains ", "features ", "includes ", "for ",
-                           "that ", "where "})
-    if (text.starts_with(link)) return true;
-  return false;
-}
-
-std::string prompt_for(const DwellingText& text, const FoundRoom& room,
-                       const std::vector<Stretch>& about, const std::string& styles) {
-  std::string prompt = "a " + styles + room.adjectives + room.type;
-  for (const auto& range : about) {
-    const std::string said = text_of(text, range);
-    if (said.empty()) continue;
-    // At once it goes on about the room that it names, later it comes back to it.
-    const bool goes_on = range.begin == room.introduced;
-    if (begins_with_link(said))
-      prompt += (goes_on ? " " : ". the " + room.type + " ") + said;
-    else
-      prompt += (said.starts_with("there ") ? ". " : ". there is ") + said;
+// The names of rooms, how many they are, and words of size and style before them.
+void hear_names(const DwellingText& text, const std::vector<NamedRoom>& names,
+                const RoomKinds& kinds, std::vector<HeardWords>& heard) {
+  for (const auto& name : names) {
+    heard.push_back({source_of(text.tokens, name.noun, name.end - name.noun), Heard::As::room,
+                     name.type});
+    for (std::size_t i = name.begin; i < name.noun; ++i) {
+      const Token& token = text.tokens[i];
+      const bool counts =
+          token.kind == Token::Kind::number || text.words.numbers.count(token.text) > 0;
+      if (counts || text.words.sizes.count(token.text))
+        heard.push_back({token.source, Heard::As::room, name.type});
+      else if (kinds.style(token.text))
+        heard.push_back({token.source, Heard::As::style, ""});
+    }
   }
-  return prompt;
 }
 
 }  // namespace
@@ -86,12 +145,13 @@ std::optional<SaidDwelling> read_dwelling(std::string_view prompt, const Dwellin
   std::string styles;
   if (const NamedRoom* whole = whole_dwelling(text, names)) {
     said.area = total_area(text, *whole);
-    styles = styles_of(text, *whole, kinds);
+    styles = read_styles(text, *whole, kinds, said.heard);
   }
   const auto about = share_clauses(text, names, rooms, kinds, table);
   for (std::size_t r = 0; r < rooms.size(); ++r)
-    said.rooms.push_back(
-        {rooms[r].type, prompt_for(text, rooms[r], about[r], styles), rooms[r].owner});
+    said.rooms.push_back(said_room(text, rooms[r], about[r], styles));
+  hear_names(text, names, kinds, said.heard);
+  said.tokens = text.prompt;
   return said;
 }
 

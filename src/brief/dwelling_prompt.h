@@ -5,11 +5,17 @@
 #include <string_view>
 #include <vector>
 
+#include "brief.h"
 #include "dwelling_kinds.h"
 #include "room_kinds.h"
 #include "roomgen/kinds/kind_table.h"
 
 namespace roomgen::design {
+
+/// Bytes of a room's own prompt that stand for bytes of the whole prompt.
+struct Origin {
+  language::Span own, whole;
+};
 
 /// A room of a dwelling and what the prompt says of it.
 struct SaidRoom {
@@ -17,6 +23,7 @@ struct SaidRoom {
 
   std::string type;             ///< "bedroom"
   std::string prompt;           ///< a prompt for this room alone
+  std::vector<Origin> origins;  ///< of its words, in their order
   std::size_t owner = none;     ///< index of the room from which it alone is entered (en suite)
 };
 
@@ -24,6 +31,8 @@ struct SaidDwelling {
   std::vector<SaidRoom> rooms;
   std::optional<double> area;      ///< of all rooms, square metres
   std::vector<std::string> notes;
+  std::vector<HeardWords> heard;  ///< what names the dwelling and its rooms
+  std::vector<language::Token> tokens;  ///< of the whole prompt
 };
 
 /// The rooms of a prompt that asks for several ("a two-bedroom apartment", "a bedroom with an

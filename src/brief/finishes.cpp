@@ -190,6 +190,8 @@ void read_finishes(std::vector<Token>& tokens, const Vocabulary& words, const Ki
     if (!found) continue;
     std::string& said = material(brief.materials, *found);
     if (said.empty()) said = found->description;
+    hear(brief, source_of(tokens, found->begin, found->end - found->begin), Heard::As::attribute,
+         found->description);
     if (reader.is_target(found->begin)) {
       at = found->end - 1;
       continue;

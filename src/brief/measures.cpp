@@ -33,12 +33,14 @@ bool sensible(double side) {
   return side >= least_room_side && side <= greatest_room_side;
 }
 
-void set_size(const Vec2& size, Brief& brief) {
+// Whether it is used.
+bool set_size(const Vec2& size, Brief& brief) {
   if (!sensible(size.x()) || !sensible(size.y())) {
     brief.notes.push_back("the size in the prompt is beyond 0.5 to 50 m and was not used");
-    return;
+    return false;
   }
   if (!brief.size) brief.size = size;
+  return *brief.size == size;
 }
 
 // "4 x 5 m": of a thing where one is named right after, else of the room; a third side is its
@@ -52,17 +54,20 @@ void read_sides(std::vector<Token>& tokens, std::size_t at, std::size_t count,
             {{Token::Kind::length, "length", size.x(), {}},
              {Token::Kind::length, "depth", size.y(), {}}});
   } else if (measure.has_unit || size.maxCoeff() <= metres_up_to) {
-    set_size(size, brief);
+    if (set_size(size, brief)) hear(brief, source_of(tokens, at, count), Heard::As::room, "size");
     replace(tokens, at, count);
   }
 }
 
-void set_area(double area, Brief& brief) {
-  if (area >= least_room_side * least_room_side && area <= greatest_room_side * greatest_room_side)
-    brief.area = area;
-  else
+// Whether it is used.
+bool set_area(double area, Brief& brief) {
+  if (area < least_room_side * least_room_side || area > greatest_room_side * greatest_room_side) {
     brief.notes.push_back(
         "the floor area in the prompt is beyond 0.25 to 2500 m2 and was not used");
+    return false;
+  }
+  brief.area = area;
+  return true;
 }
 
 // The tokens from `at` on whose source ends before `end`.
@@ -126,7 +131,8 @@ void read_measures(std::vector<Token>& tokens, const std::vector<language::Token
     if (count == 0) continue;
     switch (measure->kind) {
       case Measure::Kind::area:
-        set_area(measure->values[0], brief);
+        if (set_area(measure->values[0], brief))
+          hear(brief, source_of(tokens, i, count), Heard::As::room, "area");
         replace(tokens, i, count);
         break;
       case Measure::Kind::sides:
@@ -149,6 +155,8 @@ void read_people(std::vector<Token>& tokens, const Vocabulary& words, const Kind
     const People people = people_at(tokens, i + 1, words, table);
     if (people.length == 0) continue;
     if (brief.people == 0) brief.people = std::min(people.count, 40);
+    if (brief.people == people.count)
+      hear(brief, source_of(tokens, i, people.length + 1), Heard::As::person);
     replace(tokens, i, people.length + 1);
     if (i > 0) --i;
   }

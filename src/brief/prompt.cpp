@@ -5,6 +5,7 @@
 
 #include "discourse.h"
 #include "finishes.h"
+#include "hearing.h"
 #include "measures.h"
 #include "opening_phrase.h"
 #include "placement.h"
@@ -38,6 +39,7 @@ class PromptReader {
         words_(lexicon.words),
         brief_(brief),
         talk_(lexicon, brief),
+        hearing_(text, brief),
         mention_of_(parse_.phrases.size()) {
     for (std::size_t i = 0; i < parse_.phrases.size(); ++i)
       things_.push_back(read_thing_phrase(text_, i));
@@ -54,6 +56,8 @@ class PromptReader {
     }
     read_adverbs();
     read_bare();
+    brief_.understood = !brief_.heard.empty();
+    hearing_.plain_verbs(mention_of_);
   }
 
  private:
@@ -97,34 +101,41 @@ class PromptReader {
   void read_phrase(std::size_t number) {
     const NounPhrase& said = parse_.phrases[number];
     if (is_taken(said)) return;
+    if (words_.generic_rooms.count(word(said.head)))
+      hear(brief_, {said.head, said.head + 1}, Heard::As::room);
     const auto id = static_cast<std::int32_t>(number);
     if (said.is_pronoun) {
       mention_of_[number] = stands_for(id);
       return;
     }
     const ThingPhrase& thing = things_[number];
-    if (said.is_denied) return exclude(said, thing);
+    if (said.is_denied) return exclude(id, thing);
     if (const auto carrier = top(number, thing)) {
       mention_of_[number] = carrier;
+      hearing_.stand_in(id, *carrier);
       return;
     }
+    if (const auto owner = owner_of_part(id, thing)) return hearing_.part(id, *owner);
     if (!names_thing(id, thing)) return;
     if (!thing.article && !thing.definite) read_listed_without_commas(said, thing);
     mention_of_[number] = refer(id, thing);
+    if (mention_of_[number]) hearing_.thing(id, thing, *mention_of_[number]);
     skip_to_ = std::max(skip_to_, thing.end);
   }
 
   // "bed desk wardrobe": things of their own, though they stand like "oak" before the last.
   void read_listed_without_commas(const NounPhrase& said, const ThingPhrase& last) {
-    for (std::size_t i = said.tokens.begin; i + last.kind.length <= said.head;) {
+    for (std::uint32_t i = said.tokens.begin; i + last.kind.length <= said.head;) {
       const KindMention kind = mention_at(text_.table, text_.plain, i);
       if (kind.length > 0 && kind.category->mount == Mount::floor &&
           !words_.materials.count(kind.name)) {
         ThingPhrase thing;
         thing.kind = kind;
-        talk_.refer(thing, sentence_of(i));
+        thing.name_tokens = {i, i + static_cast<std::uint32_t>(kind.length)};
+        if (const auto mention = talk_.refer(thing, sentence_of(i)))
+          hearing_.thing(static_cast<std::int32_t>(&said - parse_.phrases.data()), thing, *mention);
       }
-      i += std::max<std::size_t>(1, kind.length);
+      i += std::max<std::uint32_t>(1, static_cast<std::uint32_t>(kind.length));
     }
   }
 
@@ -189,19 +200,26 @@ class PromptReader {
 
   // "a desk with drawers", "with an integrated sink", "a photo frame with a print": no other thing.
   bool is_of_owner(std::int32_t id, const ThingPhrase& thing) const {
-    for (const auto& modifier : thing.modifiers)
-      if (words_.built_in.count(modifier)) return true;
+    return is_built_in(thing) || owner_of_part(id, thing).has_value();
+  }
+  bool is_built_in(const ThingPhrase& thing) const {
+    return std::any_of(thing.modifiers.begin(), thing.modifiers.end(), [&](const auto& modifier) {
+      return words_.built_in.count(modifier) > 0;
+    });
+  }
+  std::optional<std::size_t> owner_of_part(std::int32_t id, const ThingPhrase& thing) const {
     for (const Attachment& attachment : parse_.attachments) {
       if (attachment.to != id || !owns(attachment)) continue;
       const auto owner = mention_of(attachment.from);
       if (!owner) continue;
+      if (is_built_in(thing)) return owner;
       if (words_.parts.count(word(phrase(id).head)) && !is_listed_with_thing(attachment))
-        return true;
+        return owner;
       if (thing.kind.length > 0 && thing.kind.category->mount == Mount::wall &&
           talk_.mention(*owner).mount == Mount::surface)
-        return true;
+        return owner;
     }
-    return false;
+    return std::nullopt;
   }
   // "with a cabinet and a shelf": a shelf beside other things is one.
   bool is_listed_with_thing(const Attachment& attachment) const {
@@ -244,9 +262,12 @@ class PromptReader {
     return known_owner ? known_owner : talk_.last_carrier(word(said.head));
   }
 
-  void exclude(const NounPhrase& said, const ThingPhrase& thing) {
-    const std::string& noun = word(said.head);
-    if (noun == "window" || noun == "windows") brief_.windows = 0;
+  void exclude(std::int32_t id, const ThingPhrase& thing) {
+    const std::string& noun = word(phrase(id).head);
+    if (noun == "window" || noun == "windows") {
+      brief_.windows = 0;
+      hearing_.absence(id, "window");
+    }
     if (thing.kind.length == 0) return;
     const std::string category = talk_.category_name(thing.kind);
     // "avoid glass tables" forbids no tables.
@@ -255,6 +276,7 @@ class PromptReader {
                              "\" is not checked: only whole kinds can be left out");
       return;
     }
+    hearing_.absence(id, category);
     if (std::find(brief_.excluded.begin(), brief_.excluded.end(), category) ==
         brief_.excluded.end())
       brief_.excluded.push_back(category);
@@ -327,6 +349,10 @@ class PromptReader {
   void read_attachment(const Attachment& attachment) {
     if (attachment.is_denied || attachment.from == none) return;
     const auto said = placement_at(attachment);
+    const bool is_place = said && said->target != none && !mention_of(said->target);
+    talk_.told_by(said || owns(attachment)
+                      ? hearing_.relation(attachment, is_place ? said->target : none)
+                      : HeardWords::none);
     if (!said) {
       if (owns(attachment)) read_owned(attachment);
       return;
@@ -447,6 +473,8 @@ class PromptReader {
       if (!match || (!match.value->pronoun && !match.value->adverb && !match.value->mutual))
         continue;
       const Indices subjects = subjects_at(i);
+      const auto first = static_cast<std::uint32_t>(i);
+      talk_.told_by(hearing_.adverb({first, first + static_cast<std::uint32_t>(match.length)}));
       if (!subjects.empty() && match.value->mutual)
         relate_listed(i, *match.value);
       else if (!subjects.empty())
@@ -526,10 +554,13 @@ class PromptReader {
     const auto opening = read_opening(left_, left_index(said.tokens.begin), left_index(sentence),
                                       words_, text_.table, kinds);
     if (!opening) return;
+    if (is_part_of_thing(id, *opening)) return;
     const auto end = opening->end < left_.size() ? left_[opening->end].source.begin : taken_.size();
     std::fill(taken_.begin() + said.tokens.begin, taken_.begin() + static_cast<std::ptrdiff_t>(end),
               Taken::yes);
-    if (!is_part_of_thing(id, *opening)) ask_for(*opening, brief_);
+    ask_for(*opening, brief_);
+    hear(brief_, {said.tokens.begin, static_cast<std::uint32_t>(end)}, Heard::As::thing,
+         opening->wish.kind);
   }
   // The first of the tokens that are left, from a token of the prompt on.
   std::size_t left_index(std::uint32_t token) const {
@@ -567,6 +598,7 @@ class PromptReader {
   const Vocabulary& words_;
   Brief& brief_;
   Discourse talk_;
+  Hearing hearing_;
   std::vector<ThingPhrase> things_;                       ///< what the noun phrases would name
   std::vector<std::optional<SaidPlacement>> placements_;  ///< by attachment
   std::vector<std::optional<std::size_t>> mention_of_;    ///< by noun phrase
@@ -595,6 +627,7 @@ Brief read_prompt(std::string_view prompt, const RoomKinds& kinds, const KindTab
   if (parse.tokens.size() >= max_tokens)
     brief.notes.push_back("only the first " + std::to_string(max_tokens) +
                           " words of the prompt were read");
+  brief.tokens = parse.tokens;
   auto tokens = meaningful_tokens(parse.tokens);
   read_measures(tokens, parse.tokens, *words, table, brief);
   read_people(tokens, *words, table, brief);
@@ -610,11 +643,6 @@ Brief read_prompt(std::string_view prompt, const RoomKinds& kinds, const KindTab
                brief)
       .run();
   settle(brief, table);
-  if (brief.type.empty() && brief.mentions.empty() && brief.styles.empty() && !prompt.empty())
-    brief.notes.push_back(
-        "no room and no thing of the prompt is known; the rules read English only (a language "
-        "model "
-        "reads others: --model)");
   if (brief.type.empty()) {
     brief.type = guess_room_type(brief, kinds, table);
     if (!brief.type.empty()) {

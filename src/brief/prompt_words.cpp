@@ -76,7 +76,7 @@ Result<Vocabulary> parse_vocabulary(std::string_view text, const std::string& so
                    "only",          "measured",       "stops",    "parts",        "no things",
                    "materials",     "sizes",          "people",   "people words", "room words",
                    "generic rooms", "parts of rooms", "walls",    "placements",   "pairs",
-                   "verbs",         "tops",           "portions", "built in",     "further"});
+                   "verbs",         "tops",           "portions", "built in", "asking",     "further"});
   Vocabulary words;
   words.numbers = read_integers(root["numbers"]);
   words.people = read_integers(root["people"]);
@@ -106,6 +106,7 @@ Result<Vocabulary> parse_vocabulary(std::string_view text, const std::string& so
                                                    {"tops", &words.tops},
                                                    {"portions", &words.portions},
                                                    {"built in", &words.built_in},
+                                                   {"asking", &words.asking},
                                                    {"further", &words.further}};
   for (const auto& [key, set] : sets) *set = read_set(root[key]);
   if (problems.first()) return *problems.first();

@@ -40,6 +40,7 @@ struct Vocabulary {
   WordSet tops;      ///< "the countertop": of what was spoken of
   WordSet portions;  ///< "the edge of the bathtub", "the sofa cushion": stand for the whole
   WordSet further;   ///< "extra towels": besides those spoken of
+  WordSet asking;    ///< "create", "add": verbs that only ask for something
   WordSet built_in;  ///< what is so is no thing of its own
   WordSet vague, definite, negations, only, measured, stops, parts, no_things, materials,
       people_words, room_words, generic_rooms;

@@ -25,12 +25,21 @@ void collect_styles(const std::vector<Token>& tokens, std::size_t before, const 
     if (token.kind == Token::Kind::comma || token.is_word("and") || token.is_word("but")) continue;
     if (token.kind != Token::Kind::word) return;
     if (kinds.style(token.text)) {
+      hear(brief, token.source, Heard::As::style);
       if (std::find(brief.styles.begin(), brief.styles.end(), token.text) == brief.styles.end())
         brief.styles.push_back(token.text);
     } else if (words.stops.count(token.text)) {
       return;
     }
   }
+}
+
+// "industrial style": the head says that what stands before it is one.
+void read_styles_at_head(const std::vector<Token>& tokens, std::size_t at, const RoomKinds& kinds,
+                         const Vocabulary& words, Brief& brief) {
+  const std::size_t before = brief.heard.size();
+  collect_styles(tokens, at, kinds, words, brief);
+  if (brief.heard.size() > before) hear(brief, tokens[at].source, Heard::As::style);
 }
 
 void make_room_token(std::vector<Token>& tokens, std::size_t at, std::size_t length) {
@@ -61,6 +70,7 @@ void read_compound_rooms(std::vector<Token>& tokens, const Vocabulary& words,
     make_room_token(tokens, i - 1, 2);
     if (brief.type.empty()) {
       brief.type = tokens[i - 1].text;
+      hear(brief, tokens[i - 1].source, Heard::As::room, "kind");
       collect_styles(tokens, i - 1, kinds, words, brief);
     }
     --i;
@@ -87,6 +97,7 @@ void read_leading_noun(std::vector<Token>& tokens, const Vocabulary& words, cons
   for (std::size_t i = 0; i < end; ++i)
     if (mention_at(table, tokens, i).length > 0) return;
   brief.type = noun;
+  hear(brief, tokens[end - 1].source, Heard::As::room, "kind");
   collect_styles(tokens, end - 1, kinds, words, brief);
   make_room_token(tokens, end - 1, 1);
 }
@@ -107,11 +118,13 @@ void read_room_type(std::vector<Token>& tokens, const Vocabulary& words, const K
   const auto rooms = room_names(kinds);
   for (std::size_t i = 0; i < tokens.size(); ++i) {
     if (tokens[i].kind != Token::Kind::word) continue;
-    if (style_heads().count(tokens[i].text)) collect_styles(tokens, i, kinds, words, brief);
+    if (style_heads().count(tokens[i].text)) read_styles_at_head(tokens, i, kinds, words, brief);
     const auto room = longest(rooms, tokens, i, 3);
     // "bathroom cabinet", "kitchen sink" and "hall table" name things.
     if (!room || mention_at(table, tokens, i).length > room.length) continue;
     make_room_token(tokens, i, room.length);
+    if (!brief.type_known || brief.type == *room.value)
+      hear(brief, tokens[i].source, Heard::As::room, "kind");
     if (!brief.type_known) {
       brief.type = *room.value;
       brief.type_known = true;

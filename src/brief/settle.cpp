@@ -31,6 +31,16 @@ double told(double length) {
   return std::clamp(length, 0.05, 10.0);
 }
 
+// Width and depth, and perhaps height.
+void set_sides(Mention& mention, const language::Measure& measure) {
+  static constexpr const char* names[] = {"width", "depth", "height"};
+  mention.lengths.clear();
+  for (int i = 0; i < measure.count; ++i) {
+    mention.size[i] = told(measure.values[i]);
+    mention.lengths.push_back({names[i], mention.size[i]});
+  }
+}
+
 // One length is the longer side, two are width and depth, unless it is said which.
 void set_length(Mention& mention, const language::Measure& measure) {
   using Measure = language::Measure;
@@ -39,18 +49,22 @@ void set_length(Mention& mention, const language::Measure& measure) {
     case Measure::Side::height:
     case Measure::Side::thickness:
       mention.size.z() = told(measure.values[0]);
+      mention.lengths.push_back({"height", mention.size.z()});
       break;
     case Measure::Side::depth:
       mention.size.y() = told(measure.values[0]);
+      mention.lengths.push_back({"depth", mention.size.y()});
       break;
     case Measure::Side::diameter:
       mention.size.x() = mention.size.y() = told(measure.values[0]);
+      mention.lengths.push_back({"diameter", mention.size.x()});
       break;
     default:
       mention.size.x() = told(measure.values[0]);
+      mention.lengths.push_back({measure.side == Measure::Side::width ? "width" : "longer side",
+                                 mention.size.x()});
   }
-  if (measure.kind == Measure::Kind::sides)
-    for (int i = 1; i < measure.count; ++i) mention.size[i] = told(measure.values[i]);
+  if (measure.kind == Measure::Kind::sides) set_sides(mention, measure);
   mention.sized = true;
 }
 

@@ -82,6 +82,7 @@ class ShapeReader {
     if (length == 0 || (!room_follows(i + length) && !room_precedes(i, i + length))) return false;
     if (outline && brief_.shape.outline.empty()) brief_.shape.outline = *outline.value;
     if (proportion && !brief_.shape.proportion) brief_.shape.proportion = *proportion.value;
+    hear(brief_, source_of(tokens_, i, length), Heard::As::room, outline ? "shape" : "proportion");
     erase(i, length);
     return true;
   }
@@ -100,7 +101,9 @@ class ShapeReader {
       for (const auto& singular : singulars(name)) {
         const auto found = shapes_.feature_names.find(singular);
         if (found == shapes_.feature_names.end()) continue;
-        if (!is_denied(i)) add_feature(found->second, singular == name ? 1 : 2);
+        if (is_denied(i)) return;
+        add_feature(found->second, singular == name ? 1 : 2);
+        hear(brief_, source_of(tokens_, i, length), Heard::As::room, found->second);
         return;
       }
     }

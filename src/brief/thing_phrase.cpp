@@ -30,6 +30,8 @@ class ThingPhraseReader {
     modifiers();
     described_elsewhere();
     contents();
+    phrase_.name_tokens = {static_cast<std::uint32_t>(start_),
+                           static_cast<std::uint32_t>(std::max<std::size_t>(phrase_.end, said_.head + 1))};
     if (said_.measure != language::none)
       phrase_.measures.push_back(parse_.measures[static_cast<std::size_t>(said_.measure)]);
     pair_is_one();
@@ -70,18 +72,19 @@ class ThingPhraseReader {
                        said_.determiner == Determiner::each || said_.determiner == Determiner::both;
     phrase_.another = said_.determiner == Determiner::another;
     phrase_.article = phrase_.another || said_.determiner == Determiner::indefinite;
-    for (std::size_t i = said_.tokens.begin; i < start_; ++i) count_word(i);
+    for (std::uint32_t i = said_.tokens.begin; i < start_; ++i) count_word(i);
     if (phrase_.article || said_.count <= 0) return;
     // Numbers of several words.
     const bool part_of_name = is_number(start_) || measured_;
     if (!part_of_name) set_count(static_cast<int>(std::min<double>(said_.count, max_count)), true);
   }
 
-  void count_word(std::size_t token) {
+  void count_word(std::uint32_t token) {
     const std::string& here = word(token);
     static const WordSet sets = {"set", "pair", "group", "row", "collection", "series"};
     phrase_.set = phrase_.set || (sets.count(here) && token < start_);
-    if (text_.words.further.count(here) && !is_modifier(token)) phrase_.modifiers.push_back(here);
+    if (text_.words.further.count(here) && !is_modifier(token))
+      add_modifier(here, {token, token + 1});
     if (is_measured(token)) {
       measured_ = true;
       const auto number = text_.words.numbers.find(here);
@@ -90,13 +93,15 @@ class ThingPhraseReader {
                             : static_cast<int>(std::min(text_.plain[token].value, 100.0));
       const std::string& what = word(token + 1);
       if (what == "seat" || what == "seater" || what == "person") phrase_.seats = value;
-      phrase_.modifiers.push_back(here + " " + what);
+      add_modifier(here + " " + what, {token, token + 2});
     } else if (text_.plain[token].kind == Token::Kind::number) {
+      phrase_.count_tokens.push_back(token);
       if (said_.measure == language::none)
         set_count(static_cast<int>(std::min<double>(said_.count, max_count)), true);
     } else if (const auto number = text_.words.numbers.find(here);
                number != text_.words.numbers.end() && !is_modifier(token)) {
       // "a dozen", "twenty-four": what the parse makes of the words counts.
+      phrase_.count_tokens.push_back(token);
       const bool exact = !text_.words.vague.count(here);
       const int said =
           is_number(start_) ? 0 : static_cast<int>(std::min<double>(said_.count, max_count));
@@ -107,6 +112,11 @@ class ThingPhraseReader {
     phrase_.count = std::clamp(number, 1, max_count);
     phrase_.counted = exact;
     phrase_.article = true;
+  }
+
+  void add_modifier(std::string word, const Run& tokens) {
+    phrase_.modifiers.push_back(std::move(word));
+    phrase_.modifier_tokens.push_back(tokens);
   }
 
   bool is_modifier(std::size_t token) const {
@@ -121,16 +131,16 @@ class ThingPhraseReader {
       add_words(parse_.modifiers[i].tokens, start_);
   }
   void add_words(const Run& run, std::size_t before) {
-    for (std::size_t i = run.begin; i < std::min<std::size_t>(run.end, before); ++i) {
+    for (std::uint32_t i = run.begin; i < std::min<std::size_t>(run.end, before); ++i) {
       if (is_measured(i)) {
         ++i;
         continue;
       }
       if (text_.plain[i].is_word("built") && i + 1 < run.end && text_.plain[i + 1].is_word("in")) {
-        phrase_.modifiers.push_back("built in");
+        add_modifier("built in", {i, i + 2});
         ++i;
       } else if (text_.plain[i].kind == Token::Kind::word) {
-        phrase_.modifiers.push_back(word(i));
+        add_modifier(word(i), {i, i + 1});
       }
     }
   }
@@ -162,6 +172,7 @@ class ThingPhraseReader {
           text_.words.room_parts.count(word(inside.head)))
         continue;
       phrase_.contents = "of";
+      phrase_.contents_tokens = inside.tokens;
       for (auto i = inside.tokens.begin; i < inside.tokens.end; ++i)
         phrase_.contents += " " + word(i);
       return;

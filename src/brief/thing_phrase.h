@@ -23,7 +23,11 @@ struct ThingPhrase {
   KindMention kind;  ///< length 0: the thing is not known
   std::string noun;  ///< of an unknown thing
   std::vector<std::string> modifiers;
+  std::vector<language::Run> modifier_tokens;  ///< one for each
+  std::vector<std::uint32_t> count_tokens;
+  language::Run name_tokens;
   std::string contents;  ///< "of honey"
+  language::Run contents_tokens;
   std::vector<language::Measure> measures;
   int seats = 0;        ///< "six-seater"
   std::size_t end = 0;  ///< the token behind its name: "stack of books" goes on behind the phrase

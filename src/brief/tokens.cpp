@@ -45,10 +45,15 @@ std::vector<Token> tokenize(std::string_view text) {
   return meaningful_tokens(language::tokenize(text, max_tokens));
 }
 
+language::Run source_of(const std::vector<Token>& tokens, std::size_t at, std::size_t count) {
+  if (count == 0 || at + count > tokens.size()) return {};
+  return {tokens[at].source.begin, tokens[at + count - 1].source.end};
+}
+
 void replace(std::vector<Token>& tokens, std::size_t at, std::size_t count,
              std::vector<Token> with) {
   for (Token& token : with)
-    if (count > 0) token.source = {tokens[at].source.begin, tokens[at + count - 1].source.end};
+    if (count > 0) token.source = source_of(tokens, at, count);
   const auto begin = tokens.begin() + static_cast<std::ptrdiff_t>(at);
   tokens.erase(begin, begin + static_cast<std::ptrdiff_t>(count));
   tokens.insert(tokens.begin() + static_cast<std::ptrdiff_t>(at), with.begin(), with.end());

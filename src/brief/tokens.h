@@ -41,6 +41,9 @@ std::vector<Token> meaningful_tokens(const std::vector<language::Token>& tokens)
 /// The meaningful tokens of a prompt.
 std::vector<Token> tokenize(std::string_view text);
 
+/// The prompt's own tokens that some of them stand for.
+language::Run source_of(const std::vector<Token>& tokens, std::size_t at, std::size_t count);
+
 /// Replaces some tokens by others, which have their source.
 void replace(std::vector<Token>& tokens, std::size_t at, std::size_t count,
              std::vector<Token> with = {});

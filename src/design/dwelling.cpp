@@ -9,6 +9,7 @@
 #include "brief/dwelling_prompt.h"
 #include "brief/prompt.h"
 #include "brief/room_kinds.h"
+#include "plan/coverage.h"
 #include "plan/dwelling_layout.h"
 #include "plan/dwelling_openings.h"
 #include "roomgen/base/text.h"
@@ -89,6 +90,38 @@ void share_floors(std::vector<Room>& rooms) {
     if (is_wooden(room)) room.materials.floor = floor;
 }
 
+// Ids are unique in the whole dwelling.
+void name_requirements(Plan& plan) {
+  const std::string prefix = plan.room.id + "/";
+  for (auto& requirement : plan.requirements) requirement.id = prefix + requirement.id;
+  for (auto& words : plan.heard)
+    for (auto& id : words.requirements) id = prefix + id;
+}
+
+// How many rooms of each kind the prompt names, and what its words were taken for.
+void keep_ledger(const SaidDwelling& said, DwellingPlan& plan) {
+  std::map<std::string, std::string> ids;
+  for (const auto& room : said.rooms) {
+    const bool is_named =
+        std::any_of(said.heard.begin(), said.heard.end(),
+                    [&](const HeardWords& words) { return words.word == room.type; });
+    if (!is_named || ids.count(room.type)) continue;
+    Requirement requirement;
+    requirement.id = ids[room.type] = "r" + std::to_string(plan.requirements.size() + 1);
+    requirement.kind = Requirement::Kind::room;
+    requirement.attribute = "rooms";
+    requirement.category = room.type;
+    requirement.amount = static_cast<double>(
+        std::count_if(said.rooms.begin(), said.rooms.end(),
+                      [&](const SaidRoom& other) { return other.type == room.type; }));
+    requirement.clause = format_number(requirement.amount, 0) + " " + room.type;
+    plan.requirements.push_back(std::move(requirement));
+  }
+  plan.heard = heard_words(said, plan.rooms, ids);
+  for (auto& words : plan.heard)
+    words.text = plan.prompt.substr(words.begin, words.end - words.begin);
+}
+
 }  // namespace
 
 Result<std::optional<DwellingPlan>> plan_dwelling(const PlanRequest& request, Designer& designer) {
@@ -123,8 +156,10 @@ Result<std::optional<DwellingPlan>> plan_dwelling(const PlanRequest& request, De
     auto room = designer.plan(own);
     if (!room) return with_context(room.error(), "room \"" + rooms[i].id + "\"");
     plan.rooms.push_back(*std::move(room));
+    name_requirements(plan.rooms.back());
   }
   number_through(plan);
+  keep_ledger(*said, plan);
   return std::optional<DwellingPlan>(std::move(plan));
 }
 

@@ -1,7 +1,9 @@
 #include "roomgen/design/designer.h"
 
+#include "brief/prompt.h"
 #include "brief/prompt_words.h"
 #include "brief/room_kinds.h"
+#include "language/foreign.h"
 #include "plan/planning.h"
 #include "roomgen/base/text.h"
 #include "scene/judgement.h"
@@ -35,11 +37,25 @@ Status check_request(const PlanRequest& request) {
   return {};
 }
 
+// Furnishing a room that nobody asked for would be worse than saying so.
+Status check_understood(const PlanRequest& request) {
+  const auto tokens = language::tokenize(request.prompt, max_tokens);
+  if (const auto foreign = language::foreign_language(tokens))
+    return Error{Error::Kind::not_understood,
+                 "the prompt seems to be " + foreign->name + ". " + foreign->refusal};
+  if (read_prompt(request.prompt, *built_in_room_kinds(), KindTable::built_in()).understood)
+    return {};
+  return Error{Error::Kind::not_understood,
+               "no word of the prompt names a room or a thing: say what room you want in English, "
+               "as in \"a cosy bedroom for two\", or let a language model read it (--model)"};
+}
+
 class RuleDesigner : public Designer {
  public:
   Result<Plan> plan(const PlanRequest& request) override {
     if (auto ready = check_knowledge(); !ready) return ready.error();
     if (auto status = check_request(request); !status) return status.error();
+    if (auto status = check_understood(request); !status) return status.error();
     return make_plan(request, *built_in_room_kinds(), KindTable::built_in(),
                      *built_in_arrangements());
   }

@@ -1,13 +1,19 @@
 #include "ledger.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "finding.h"
 #include "roomgen/base/text.h"
+#include "room_clause.h"
 #include "scene/judgement.h"
 
 namespace roomgen {
 
 namespace {
+
+constexpr double length_tolerance = 0.05, least_tolerance = 0.02;  // share, metres
+constexpr std::string_view mount_prefix = "mount ";
 
 class Checker {
  public:
@@ -15,29 +21,64 @@ class Checker {
           const AttributeJudge& has_attribute)
       : all_(all), scene_(scene), categories_(categories), has_attribute_(has_attribute) {}
 
-  // Why it is not met; empty if it is.
-  std::string fault(const Requirement& requirement) const {
+  Finding check(const Requirement& requirement) const {
     switch (requirement.kind) {
       case Requirement::Kind::count:
-        return count_fault(requirement);
+        return by_fault(count_fault(requirement));
       case Requirement::Kind::attribute:
         if (const std::string* material = material_of(requirement.category))
-          return *material == requirement.attribute ? "" : "it is \"" + *material + "\"";
-        return each(requirement, [&](const Object& object) {
-          return has_attribute_(object, requirement.attribute);
-        });
-      case Requirement::Kind::relation:
+          return by_fault(*material == requirement.attribute ? "" : "it is \"" + *material + "\"");
         return each(requirement,
-                    [&](const Object& object) { return relation_fault(requirement, object); });
+                    [&](const Object& object) { return judge_attribute(requirement, object); });
+      case Requirement::Kind::relation:
+        return each(requirement, [&](const Object& object) {
+          return by_fault(relation_fault(requirement, object));
+        });
       case Requirement::Kind::absence: {
         const int there = number_of(requirement.category);
-        return there == 0 ? "" : "there are " + std::to_string(there);
+        return by_fault(there == 0 ? "" : "there are " + std::to_string(there));
       }
+      case Requirement::Kind::room:
+        return requirement.attribute == "rooms" ? count_rooms(requirement)
+                                                : judge_room(requirement, scene_.room);
     }
-    return "";
+    return {};
   }
 
  private:
+  Finding count_rooms(const Requirement& requirement) const {
+    const auto rooms = rooms_of(scene_);
+    const auto there =
+        std::count_if(rooms.begin(), rooms.end(),
+                      [&](const Room& room) { return room.type == requirement.category; });
+    const bool met = there == static_cast<std::ptrdiff_t>(requirement.amount);
+    return by_fault(met ? "" : "there are " + std::to_string(there));
+  }
+
+  Finding judge_attribute(const Requirement& requirement, const Object& object) const {
+    const std::string& asked = requirement.attribute;
+    if (requirement.amount > 0.0) return by_fault(length_fault(requirement, object));
+    if (asked.starts_with(mount_prefix))
+      return by_fault(asked.substr(mount_prefix.size()) == name(object.mount)
+                          ? ""
+                          : "its mount is " + std::string(name(object.mount)));
+    const auto verdict = has_attribute_(object, asked);
+    if (!verdict.judged) return {Compliance::not_judged, verdict.reason};
+    return by_fault(verdict.held ? "" : "is not known to be " + asked + ": " + verdict.reason);
+  }
+
+  static std::string length_fault(const Requirement& requirement, const Object& object) {
+    const Vec3& size = object.size;
+    const std::string& side = requirement.attribute;
+    const double there = side == "height"  ? size.z()
+                         : side == "depth" ? size.y()
+                         : side == "width" ? size.x()
+                                           : std::max(size.x(), size.y());
+    const double tolerance = std::max(least_tolerance, length_tolerance * requirement.amount);
+    if (std::abs(there - requirement.amount) <= tolerance) return "";
+    return "its " + side + " is " + format_number(there, 2) + " m";
+  }
+
   // What a part of the room is covered with; null for things.
   const std::string* material_of(std::string_view part) const {
     const RoomMaterials& materials = scene_.room.materials;
@@ -81,15 +122,22 @@ class Checker {
     return id + " is not there";
   }
 
-  template <typename Fault>
-  std::string each(const Requirement& requirement, const Fault& fault_of) const {
-    if (requirement.subjects.empty()) return "there is no " + requirement.category;
+  // The worst that is found of any of its things: one that is not so weighs more than one of which
+  // nothing shows it.
+  template <typename Judge>
+  Finding each(const Requirement& requirement, const Judge& judge_one) const {
+    if (requirement.subjects.empty()) return by_fault("there is no " + requirement.category);
+    Finding worst{Compliance::met, ""};
     for (const auto& id : requirement.subjects) {
       const Object* object = find_object(scene_, id);
-      if (!object) return missing(id);
-      if (std::string fault = fault_of(*object); !fault.empty()) return id + ": " + fault;
+      if (!object) return by_fault(missing(id));
+      Finding finding = judge_one(*object);
+      if (finding.compliance == Compliance::met) continue;
+      finding.reason = id + ": " + finding.reason;
+      if (finding.compliance == Compliance::not_met) return finding;
+      worst = std::move(finding);
     }
-    return "";
+    return worst;
   }
 
   std::string relation_fault(const Requirement& requirement, const Object& object) const {
@@ -123,8 +171,8 @@ std::vector<RequirementVerdict> check_requirements(std::span<const Requirement> 
   const Checker checker(requirements, scene, categories, has_attribute);
   std::vector<RequirementVerdict> verdicts;
   for (const auto& requirement : requirements) {
-    std::string fault = checker.fault(requirement);
-    verdicts.push_back({requirement, fault.empty(), std::move(fault)});
+    Finding finding = checker.check(requirement);
+    verdicts.push_back({requirement, finding.compliance, std::move(finding.reason)});
   }
   return verdicts;
 }

@@ -5,20 +5,22 @@
 #include <string>
 #include <vector>
 
+#include "evaluate/attributes.h"
 #include "roomgen/kinds/kind_table.h"
 #include "roomgen/scene/requirement.h"
 #include "roomgen/scene/scene.h"
 
 namespace roomgen {
 
-/// Says whether a thing has an attribute (attributes.h): nothing if it has, else why not.
-using AttributeJudge = std::function<std::string(const Object& object, const std::string& attribute)>;
+/// Says whether a thing has an attribute.
+using AttributeJudge =
+    std::function<AttributeVerdict(const Object& object, const std::string& attribute)>;
 
 /// Checks every clause on the finished scene. Counts are of all things of the category (those of
 /// kinds that are one count too), exactly unless `at_least`. An attribute must be had by all its
 /// things; that of "floor", "walls", "ceiling" or "accent wall" must be the room's material. A relation
-/// (docs/constraints.md) must hold for each of the things towards one of the targets. A reason says what
-/// is missing.
+/// (docs/constraints.md) must hold for each of the things towards one of the targets. What is asked of
+/// the room is measured on it. A reason says what is missing.
 std::vector<RequirementVerdict> check_requirements(std::span<const Requirement> requirements,
                                                    const Scene& scene,
                                                    const KindTable& categories,

@@ -1,7 +1,9 @@
+#include <iterator>
 #include <map>
 #include <set>
 #include <utility>
 
+#include "evaluate/ledger.h"
 #include "roomgen/generate/generate.h"
 #include "scene/dwelling.h"
 
@@ -31,6 +33,7 @@ class DwellingJoiner {
   explicit DwellingJoiner(const DwellingPlan& plan) {
     whole_.scene.prompt = plan.prompt;
     whole_.scene.seed = plan.seed;
+    whole_.scene.heard = plan.heard;
   }
 
   void add_room(const Room& room, Generation part) {
@@ -114,7 +117,12 @@ Result<Generation> generate(const DwellingPlan& plan, Designer& designer,
     before += planned_objects(room).size();
     joiner.add_room(room.room, *std::move(part));
   }
-  return joiner.take();
+  Generation whole = joiner.take();
+  auto verdicts = check_requirements(plan.requirements, whole.scene, categories, {});
+  auto& all = whole.scene.requirements;
+  all.insert(all.begin(), std::make_move_iterator(verdicts.begin()),
+             std::make_move_iterator(verdicts.end()));
+  return whole;
 }
 
 }  // namespace roomgen

@@ -52,8 +52,7 @@ std::vector<RequirementVerdict> verdicts(const Workplace& place, const Generatio
   return check_requirements(
       place.plan.requirements, result.scene, place.categories,
       [&](const Object& object, const std::string& word) {
-        const auto verdict = judge_attribute(known_looks(object, result.models), word);
-        return verdict.held ? std::string() : "is not known to be " + word + ": " + verdict.reason;
+        return judge_attribute(known_looks(object, result.models), word);
       });
 }
 
@@ -97,6 +96,7 @@ Generation outcome(const Workplace& place, const BuildState& state) {
   list_objects(place, state, result.scene);
   list_assets(place, state, result);
   result.scene.requirements = verdicts(place, result);
+  result.scene.heard = place.plan.heard;
   count_constraints(place, state, result);
   return result;
 }

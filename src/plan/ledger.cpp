@@ -3,27 +3,34 @@
 #include <algorithm>
 #include <map>
 
+#include "coverage.h"
 #include "floor_plan.h"
+#include "roomgen/base/text.h"
 
 namespace roomgen::design {
 
 namespace {
 
+constexpr double least_long = 1.5;  ///< ratio of the sides of a "long" room; docs/requirements.md
+
 class Ledger {
  public:
   Ledger(const Brief& brief, const std::vector<Draft>& drafts, const Plan& plan)
-      : brief_(brief), room_(plan.room) {
+      : brief_(brief), room_(plan.room), ids_by_words_(brief.heard.size()) {
     for (const auto& planned : planned_objects(plan)) {
       const std::size_t mention = drafts[planned.item].mention;
       if (mention != Demand::none) ids_[mention].push_back(planned.id);
     }
   }
 
-  std::vector<Requirement> run() {
+  LedgerOfPrompt run() {
     for (std::size_t i = 0; i < brief_.mentions.size(); ++i) {
       const Mention& mention = brief_.mentions[i];
       count(i, mention);
       for (const auto& look : mention.looks) attribute(i, mention, look);
+      for (const auto& part : mention.parts) attribute(i, mention, part);
+      for (const auto& length : mention.lengths) this->length(i, mention, length);
+      mount(i, mention);
       for (const auto& demand : mention.demands) relation(i, mention, demand);
     }
     for (const auto& category : brief_.excluded) absence(category);
@@ -31,10 +38,43 @@ class Ledger {
     material("walls", brief_.materials.walls);
     material("ceiling", brief_.materials.ceiling);
     material("accent wall", brief_.materials.accent);
-    return std::move(requirements_);
+    room();
+    return {std::move(requirements_), heard_words(brief_, ids_by_words_)};
   }
 
  private:
+  // The number of a requirement, which words are checked by it.
+  void add(Requirement requirement, const std::vector<std::size_t>& said_by = {}) {
+    const auto same = std::find_if(
+        requirements_.begin(), requirements_.end(), [&](const Requirement& known) {
+          requirement.id = known.id;
+          return known == requirement;
+        });
+    if (same == requirements_.end()) {
+      requirement.id = "r" + std::to_string(requirements_.size() + 1);
+      requirements_.push_back(requirement);
+    }
+    for (const std::size_t heard : said_by)
+      if (heard != HeardWords::none) ids_by_words_[heard].push_back(requirement.id);
+  }
+
+  // What of a mention's words was taken for that, and of attributes for this one.
+  std::vector<std::size_t> words_of(const Mention& mention, Heard::As as,
+                                    const std::string& word = "") const {
+    std::vector<std::size_t> result;
+    for (const std::size_t heard : mention.heard)
+      if (brief_.heard[heard].as == as && (word.empty() || brief_.heard[heard].word == word))
+        result.push_back(heard);
+    return result;
+  }
+  // Those that are said of no thing.
+  std::vector<std::size_t> words_of(Heard::As as, const std::string& word) const {
+    std::vector<std::size_t> result;
+    for (std::size_t i = 0; i < brief_.heard.size(); ++i)
+      if (brief_.heard[i].as == as && brief_.heard[i].word == word) result.push_back(i);
+    return result;
+  }
+
   Requirement about(std::size_t index, const Mention& mention, Requirement::Kind kind) {
     Requirement requirement;
     requirement.kind = kind;
@@ -49,14 +89,34 @@ class Ledger {
     requirement.at_least = !mention.counted;
     requirement.clause = (mention.quantity == 1 ? "a" : std::to_string(mention.quantity)) + " " +
                          mention.description;
-    requirements_.push_back(std::move(requirement));
+    auto words = words_of(mention, Heard::As::thing);
+    const auto counts = words_of(mention, Heard::As::count);
+    words.insert(words.end(), counts.begin(), counts.end());
+    add(std::move(requirement), words);
   }
 
   void attribute(std::size_t index, const Mention& mention, const std::string& look) {
     Requirement requirement = about(index, mention, Requirement::Kind::attribute);
     requirement.attribute = look;
     requirement.clause = look + " " + mention.category;
-    requirements_.push_back(std::move(requirement));
+    add(std::move(requirement), words_of(mention, Heard::As::attribute, look));
+  }
+
+  void length(std::size_t index, const Mention& mention, const SaidLength& length) {
+    Requirement requirement = about(index, mention, Requirement::Kind::attribute);
+    requirement.attribute = length.side;
+    requirement.amount = length.metres;
+    requirement.clause =
+        mention.category + ", " + length.side + " " + format_number(length.metres, 2) + " m";
+    add(std::move(requirement), words_of(mention, Heard::As::attribute, said_length));
+  }
+
+  void mount(std::size_t index, const Mention& mention) {
+    if (mention.mount_heard == HeardWords::none) return;
+    Requirement requirement = about(index, mention, Requirement::Kind::attribute);
+    requirement.attribute = "mount " + std::string(name(mention.mount));
+    requirement.clause = mention.category + " on the " + std::string(name(mention.mount));
+    add(std::move(requirement), {mention.mount_heard});
   }
 
   void relation(std::size_t index, const Mention& mention, const Demand& demand) {
@@ -72,8 +132,7 @@ class Ledger {
       requirement.targets = {part_of(room_, demand.part)};
       requirement.clause += " " + demand.part;
     }
-    if (std::find(requirements_.begin(), requirements_.end(), requirement) == requirements_.end())
-      requirements_.push_back(std::move(requirement));
+    add(std::move(requirement), {demand.heard});
   }
 
   void material(const std::string& part, const std::string& said) {
@@ -83,7 +142,7 @@ class Ledger {
     requirement.clause = said;
     requirement.category = part;
     requirement.attribute = said;
-    requirements_.push_back(std::move(requirement));
+    add(std::move(requirement), words_of(Heard::As::attribute, said));
   }
 
   void absence(const std::string& category) {
@@ -91,19 +150,69 @@ class Ledger {
     requirement.kind = Requirement::Kind::absence;
     requirement.category = category;
     requirement.clause = "no " + category;
-    requirements_.push_back(std::move(requirement));
+    add(std::move(requirement), words_of(Heard::As::absence, category));
+  }
+
+  // --- The room itself --------------------------------------------------------------------------
+
+  void of_room(const char* what, const std::string& category, double amount, std::string clause,
+               const std::vector<std::size_t>& words, bool at_least = false) {
+    Requirement requirement;
+    requirement.kind = Requirement::Kind::room;
+    requirement.attribute = what;
+    requirement.category = category;
+    requirement.amount = amount;
+    requirement.at_least = at_least;
+    requirement.clause = std::move(clause);
+    add(std::move(requirement), words);
+  }
+
+  void room() {
+    if (const auto words = words_of(Heard::As::room, "kind"); !words.empty())
+      of_room("kind", brief_.type, 0.0, "a " + brief_.type, words);
+    if (brief_.size) {
+      const auto words = words_of(Heard::As::room, "size");
+      const double longer = brief_.size->maxCoeff(), shorter = brief_.size->minCoeff();
+      of_room("longer side", "", longer, format_number(longer, 2) + " m long", words);
+      of_room("shorter side", "", shorter, format_number(shorter, 2) + " m wide", words);
+    }
+    if (brief_.area)
+      of_room("area", "", *brief_.area, format_number(*brief_.area, 2) + " m2",
+              words_of(Heard::As::room, "area"));
+    if (!brief_.shape.outline.empty())
+      of_room("shape", brief_.shape.outline, 0.0, brief_.shape.outline + "-shaped room",
+              words_of(Heard::As::room, "shape"));
+    if (brief_.shape.proportion) {
+      const double ratio = std::min(brief_.shape.proportion->low, least_long);
+      of_room("proportion", "", ratio, "a long room", words_of(Heard::As::room, "proportion"), true);
+    }
+    openings();
+  }
+
+  void openings() {
+    for (const auto& wish : brief_.openings) {
+      const std::string clause = std::to_string(wish.count) + " " + wish.kind;
+      of_room("openings", wish.kind, wish.count, clause, words_of(Heard::As::thing, wish.kind),
+              !wish.counted);
+    }
+    const auto words = words_of(Heard::As::thing, "window");
+    if (brief_.windows && *brief_.windows > 0)
+      of_room("openings", "window", *brief_.windows, std::to_string(*brief_.windows) + " windows",
+              words, true);
+    else if (brief_.windows && brief_.openings.empty())
+      of_room("openings", "window", 0.0, "no windows", words_of(Heard::As::absence, "window"));
   }
 
   const Brief& brief_;
   const Room& room_;
   std::map<std::size_t, std::vector<std::string>> ids_;  ///< by mention
   std::vector<Requirement> requirements_;
+  RequirementIds ids_by_words_;
 };
 
 }  // namespace
 
-std::vector<Requirement> requirements_of(const Brief& brief, const std::vector<Draft>& drafts,
-                                         const Plan& plan) {
+LedgerOfPrompt ledger_of(const Brief& brief, const std::vector<Draft>& drafts, const Plan& plan) {
   return Ledger(brief, drafts, plan).run();
 }
 

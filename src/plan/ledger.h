@@ -8,9 +8,15 @@
 
 namespace roomgen::design {
 
+/// What a prompt asks for, and what each of its words was taken for.
+struct LedgerOfPrompt {
+  std::vector<Requirement> requirements;
+  std::vector<Heard> heard;
+};
+
 /// Every clause of the prompt that can be checked: how many of each thing, how they look, how they
-/// stand to others and to the room, what is not there. `drafts` are those of plan.items.
-std::vector<Requirement> requirements_of(const Brief& brief, const std::vector<Draft>& drafts,
-                                         const Plan& plan);
+/// stand to others and to the room, what the room is like, what is not there. `drafts` are those of
+/// plan.items.
+LedgerOfPrompt ledger_of(const Brief& brief, const std::vector<Draft>& drafts, const Plan& plan);
 
 }  // namespace roomgen::design

@@ -56,7 +56,11 @@ class Planner {
     if (!best.missed.empty()) leave_out(best);
     if (best.plan.items.empty())
       best.plan.notes.push_back("nothing that such a room usually holds fits into it");
-    best.plan.requirements = requirements_of(brief_, best.drafts, best.plan);
+    auto ledger = ledger_of(brief_, best.drafts, best.plan);
+    best.plan.requirements = std::move(ledger.requirements);
+    best.plan.heard = std::move(ledger.heard);
+    for (auto& words : best.plan.heard)
+      words.text = request_.prompt.substr(words.begin, words.end - words.begin);
     return std::move(best.plan);
   }
 

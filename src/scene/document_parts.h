@@ -13,5 +13,7 @@ AssetRef read_asset(const JsonReader& json);
 Room read_room(const JsonReader& json);
 Requirement read_requirement(const JsonReader& json);
 RequirementVerdict read_verdict(const JsonReader& json);
+/// "heard".
+std::vector<Heard> read_heard(const JsonReader& json);
 
 }  // namespace roomgen

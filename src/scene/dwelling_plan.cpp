@@ -69,6 +69,9 @@ Json to_json(const DwellingPlan& plan) {
   json["rooms"] = Json::array();
   for (const auto& room : plan.rooms) json["rooms"].push_back(to_json(room));
   json["notes"] = plan.notes;
+  for (const auto& requirement : plan.requirements)
+    json["requirements"].push_back(to_json(requirement));
+  if (!plan.heard.empty()) json["heard"] = to_json(plan.heard);
   return json;
 }
 
@@ -79,12 +82,15 @@ Result<DwellingPlan> dwelling_plan_from_json(const Json& json, const std::string
     root.report("not a plan: \"format\" must be \"roomgen-plan\"");
   if (root["version"].integer_or(1, 1, 1000) != 1)
     root["version"].report("this version of roomgen reads version 1 only");
-  root.allow_only({"format", "version", "prompt", "seed", "rooms", "notes"});
+  root.allow_only({"format", "version", "prompt", "seed", "rooms", "notes", "requirements", "heard"});
   DwellingPlan plan;
   plan.prompt = root["prompt"].text_or("", 100000);
   plan.seed = static_cast<std::uint64_t>(root["seed"].integer_or(0, 0, max_seed));
   for (const auto& element : root["notes"].elements_or_none(max_notes))
     plan.notes.push_back(element.text());
+  for (const auto& element : root["requirements"].elements_or_none(max_notes))
+    plan.requirements.push_back(read_requirement(element));
+  plan.heard = read_heard(root["heard"]);
   const auto rooms = root["rooms"].elements(max_rooms);
   if (problems.first()) return *problems.first();
   std::vector<Room> shells;

@@ -100,6 +100,7 @@ Json to_json(const Plan& plan) {
   json["requirements"] = Json::array();
   for (const auto& requirement : plan.requirements)
     json["requirements"].push_back(to_json(requirement));
+  if (!plan.heard.empty()) json["heard"] = to_json(plan.heard);
   return json;
 }
 
@@ -111,7 +112,7 @@ Result<Plan> plan_from_json(const Json& json, const std::string& source) {
   if (root["format"].text_or("") != "roomgen-plan")
     root.report("not a plan: \"format\" must be \"roomgen-plan\"");
   root.allow_only({"format", "version", "prompt", "seed", "room", "objects", "excluded", "notes",
-                   "requirements"});
+                   "requirements", "heard"});
   if (root["version"].integer_or(1, 1, 1000) != 1)
     root["version"].report("this version of roomgen reads version 1 only");
   Plan plan;
@@ -126,6 +127,7 @@ Result<Plan> plan_from_json(const Json& json, const std::string& source) {
     plan.notes.push_back(element.text());
   for (const auto& element : root["requirements"].elements_or_none(max_requirements))
     plan.requirements.push_back(read_requirement(element));
+  plan.heard = read_heard(root["heard"]);
   if (problems.first()) return *problems.first();
   const FileWalls walls(read_corners(root["room"]["polygon"]), plan.room.polygon);
   for (auto& item : plan.items) walls.rename(item.relations);

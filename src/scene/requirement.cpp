@@ -1,6 +1,8 @@
 #include "roomgen/scene/requirement.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <utility>
 
 #include "base/json_reader.h"
@@ -11,11 +13,44 @@ namespace roomgen {
 
 namespace {
 
+template <typename T>
+using Names = std::span<const std::pair<T, std::string_view>>;
+
 constexpr std::pair<Requirement::Kind, std::string_view> kinds[] = {
     {Requirement::Kind::count, "count"},
     {Requirement::Kind::attribute, "attribute"},
     {Requirement::Kind::relation, "relation"},
-    {Requirement::Kind::absence, "absence"}};
+    {Requirement::Kind::absence, "absence"},
+    {Requirement::Kind::room, "room"}};
+constexpr std::pair<Requirement::Source, std::string_view> sources[] = {
+    {Requirement::Source::prompt, "prompt"},
+    {Requirement::Source::model, "model"},
+    {Requirement::Source::edit, "edit"},
+    {Requirement::Source::person, "person"},
+    {Requirement::Source::activity, "activity"}};
+constexpr std::pair<Compliance, std::string_view> compliances[] = {
+    {Compliance::met, "met"},
+    {Compliance::not_met, "not met"},
+    {Compliance::not_judged, "cannot be judged"},
+    {Compliance::withdrawn, "withdrawn"}};
+
+template <typename T>
+std::string_view name_in(Names<T> names, T wanted) {
+  const auto found = std::find_if(names.begin(), names.end(),
+                                  [&](const auto& entry) { return entry.first == wanted; });
+  return found == names.end() ? names.front().second : found->second;
+}
+
+template <typename T>
+T read_name(const JsonReader& json, Names<T> names) {
+  const std::string text = json.text(50);
+  for (const auto& [value, name] : names)
+    if (text == name) return value;
+  std::string known;
+  for (const auto& [value, name] : names) known += (known.empty() ? "" : ", ") + std::string(name);
+  json.report("\"" + text + "\" is none of " + known);
+  return names.front().first;
+}
 
 constexpr std::size_t max_ids = 500;
 constexpr int max_count = 10000;
@@ -36,17 +71,17 @@ RelationKind read_relation(const JsonReader& json) {
 
 Requirement read_members(const JsonReader& json) {
   Requirement requirement;
+  requirement.id = json["id"].text_or("", 200);
   requirement.clause = json["clause"].text_or("");
-  const std::string kind = json["kind"].text(50);
-  bool known = false;
-  for (const auto& [value, text] : kinds)
-    if (kind == text) requirement.kind = value, known = true;
-  if (!known) json["kind"].report("\"" + kind + "\" is none of count, attribute, relation, absence");
+  requirement.kind = read_name<Requirement::Kind>(json["kind"], kinds);
+  if (json["source"].exists())
+    requirement.source = read_name<Requirement::Source>(json["source"], sources);
   requirement.category = json["category"].text_or("", 200);
   requirement.subjects = read_ids(json["subjects"]);
   requirement.count = static_cast<int>(json["count"].integer_or(1, 0, max_count));
   requirement.at_least = json["at_least"].boolean_or(false);
   requirement.attribute = json["attribute"].text_or("", 200);
+  requirement.amount = json["amount"].number_or(0.0, 0.0, 1e6);
   if (requirement.kind == Requirement::Kind::relation)
     requirement.relation = read_relation(json["relation"]);
   requirement.targets = read_ids(json["targets"]);
@@ -57,15 +92,23 @@ Requirement read_members(const JsonReader& json) {
 }  // namespace
 
 std::string_view name(Requirement::Kind kind) {
-  for (const auto& [value, text] : kinds)
-    if (value == kind) return text;
-  return kinds[0].second;
+  return name_in<Requirement::Kind>(kinds, kind);
+}
+
+std::string_view name(Requirement::Source source) {
+  return name_in<Requirement::Source>(sources, source);
+}
+
+std::string_view name(Compliance compliance) {
+  return name_in<Compliance>(compliances, compliance);
 }
 
 Json to_json(const Requirement& requirement) {
   Json json;
+  if (!requirement.id.empty()) json["id"] = requirement.id;
   json["clause"] = requirement.clause;
   json["kind"] = name(requirement.kind);
+  json["source"] = name(requirement.source);
   json["category"] = requirement.category;
   switch (requirement.kind) {
     case Requirement::Kind::count:
@@ -79,6 +122,11 @@ Json to_json(const Requirement& requirement) {
       json["relation"] = name(requirement.relation);
       if (!requirement.targets.empty()) json["targets"] = requirement.targets;
       break;
+    case Requirement::Kind::room:
+      json["attribute"] = requirement.attribute;
+      json["amount"] = rounded(requirement.amount);
+      if (requirement.at_least) json["at_least"] = true;
+      break;
     case Requirement::Kind::absence:
       break;
   }
@@ -89,23 +137,28 @@ Json to_json(const Requirement& requirement) {
 
 Json to_json(const RequirementVerdict& verdict) {
   Json json = to_json(verdict.requirement);
-  json["met"] = verdict.met;
+  json["verdict"] = name(verdict.compliance);
+  json["met"] = verdict.met();
   if (!verdict.reason.empty()) json["reason"] = verdict.reason;
   return json;
 }
 
 Requirement read_requirement(const JsonReader& json) {
-  json.allow_only({"clause", "kind", "category", "subjects", "count", "at_least", "attribute",
-                   "relation", "targets", "room"});
+  json.allow_only({"id", "clause", "kind", "source", "category", "subjects", "count",
+                   "at_least", "attribute", "amount", "relation", "targets", "room"});
   return read_members(json);
 }
 
 RequirementVerdict read_verdict(const JsonReader& json) {
-  json.allow_only({"clause", "kind", "category", "subjects", "count", "at_least", "attribute",
-                   "relation", "targets", "room", "met", "reason"});
+  json.allow_only({"id", "clause", "kind", "source", "category", "subjects", "count",
+                   "at_least", "attribute", "amount", "relation", "targets", "room", "verdict", "met",
+                   "reason"});
   RequirementVerdict verdict;
   verdict.requirement = read_members(json);
-  verdict.met = json["met"].boolean_or(false);
+  if (json["verdict"].exists())
+    verdict.compliance = read_name<Compliance>(json["verdict"], compliances);
+  else
+    verdict.compliance = json["met"].boolean_or(false) ? Compliance::met : Compliance::not_met;
   verdict.reason = json["reason"].text_or("");
   return verdict;
 }

@@ -113,9 +113,8 @@ Json to_json(const Scene& scene) {
   for (const auto& missing : scene.unplaced)
     json["unplaced"].push_back(
         {{"id", missing.id}, {"category", missing.category}, {"reason", missing.reason}});
-  if (scene.requirements.empty()) return json;
-  json["requirements"] = Json::array();
   for (const auto& verdict : scene.requirements) json["requirements"].push_back(to_json(verdict));
+  if (!scene.heard.empty()) json["heard"] = to_json(scene.heard);
   return json;
 }
 
@@ -127,7 +126,7 @@ Result<Scene> scene_from_json(const Json& json, const std::string& source) {
   if (root["version"].integer_or(1, 1, 1000) != 1)
     root["version"].report("this version of roomgen reads version 1 only");
   root.allow_only({"format", "version", "units", "up", "front", "prompt", "seed", "incomplete",
-                   "room", "rooms", "objects", "unplaced", "requirements"});
+                   "room", "rooms", "objects", "unplaced", "requirements", "heard"});
   Scene scene;
   scene.prompt = root["prompt"].text_or("", 100000);
   scene.seed = static_cast<std::uint64_t>(root["seed"].integer_or(0, 0, max_seed));
@@ -146,6 +145,7 @@ Result<Scene> scene_from_json(const Json& json, const std::string& source) {
                               element["reason"].text_or("")});
   for (const auto& element : root["requirements"].elements_or_none(max_objects))
     scene.requirements.push_back(read_verdict(element));
+  scene.heard = read_heard(root["heard"]);
   if (problems.first()) return *problems.first();
   rename_walls(scene, root);
   if (auto status = check(scene); !status) return with_context(status.error(), source);

@@ -38,7 +38,7 @@ TEST_CASE("A dwelling is furnished room by room into one sound scene") {
     CHECK_FALSE(verdict.requirement.room.empty());
     if (verdict.requirement.category == "desk") {
       desk = true;
-      CHECK(verdict.met);
+      CHECK(verdict.met());
       CHECK(verdict.requirement.room == "bedroom-0");
     }
   }

@@ -17,6 +17,7 @@ struct Error {
     io,             ///< reading or writing failed
     limit,          ///< a bound on size, depth, time or money was reached
     cancelled,      ///< the caller asked to stop
+    not_understood, ///< nothing in a text that is read by rules means anything to them
     unavailable,    ///< this build or machine lacks what was asked for
   };
   Kind kind = Kind::invalid_input;

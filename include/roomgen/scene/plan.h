@@ -49,6 +49,7 @@ struct Plan {
   std::vector<std::string> excluded;  ///< categories that the prompt forbids
   std::vector<std::string> notes;     ///< what was assumed, for people
   std::vector<Requirement> requirements;  ///< the prompt's clauses, to be checked at the end
+  std::vector<Heard> heard;               ///< what its words were taken for
   /// Numbers of a category from which its objects count; 0 unless given. In a dwelling, those that
   /// other rooms have.
   std::map<std::string, int, std::less<>> first_numbers;
@@ -80,6 +81,8 @@ struct DwellingPlan {
   std::uint64_t seed = 0;
   std::vector<Plan> rooms;
   std::vector<std::string> notes;  ///< what was assumed, for people
+  std::vector<Requirement> requirements;  ///< of the dwelling as a whole; rooms have their own
+  std::vector<Heard> heard;        ///< what the words of the whole prompt were taken for
 };
 
 /// Gives the objects of later plans other numbers than those of earlier ones ("bed-1"), wherever

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,14 +18,22 @@ struct Requirement {
     attribute,  ///< its things, or the floor, walls or ceiling, are round, red, of oak
     relation,   ///< its things stand so to others or to a part of the room
     absence,    ///< no such things
+    room,       ///< the room itself: its kind, its sides, its height, how many windows
   };
+  /// Who asked for it.
+  enum class Source { prompt, model, edit, person, activity };
+
+  std::string id;  ///< unique in its scene; stays through edits
   Kind kind = Kind::count;
+  Source source = Source::prompt;
   std::string clause;                 ///< for people: "two nightstands", "laptop on desk"
   std::string category;               ///< of the things that it is about
   std::vector<std::string> subjects;  ///< their ids, as the plan has them
   int count = 1;                      ///< of Kind::count
   bool at_least = false;              ///< more are as good
-  std::string attribute;              ///< of Kind::attribute, a word
+  std::string attribute;              ///< of Kind::attribute, a word; of Kind::room what of it, as
+                                      ///< docs/requirements.md lists them
+  double amount = 0.0;                ///< of Kind::room: metres, square metres, a number
   RelationKind relation = RelationKind::near;
   std::vector<std::string> targets;   ///< ids or parts of the room, of which one will do; none for
                                       ///< edge and middle
@@ -33,20 +42,63 @@ struct Requirement {
   bool operator==(const Requirement&) const = default;
 };
 
+/// What becomes of a requirement.
+enum class Compliance {
+  met,
+  not_met,
+  not_judged,  ///< nothing shows whether it is met
+  withdrawn,   ///< by an edit
+};
+
 /// A requirement and whether the room meets it.
 struct RequirementVerdict {
   Requirement requirement;
-  bool met = false;
+  Compliance compliance = Compliance::not_met;
   std::string reason;  ///< why not, for people
+
+  bool met() const { return compliance == Compliance::met; }
 
   bool operator==(const RequirementVerdict&) const = default;
 };
 
 std::string_view name(Requirement::Kind kind);
+std::string_view name(Requirement::Source source);
+/// "met", "not met", "cannot be judged", "withdrawn"
+std::string_view name(Compliance compliance);
 
-/// {"clause", "kind", "category", "subjects", "count" | "attribute" | "relation", "targets"}
+/// A run of words of a prompt, and what it was taken for. Every word of a prompt that is no mere
+/// function word ("the", "is", "of") is heard as something, if only as not understood.
+struct Heard {
+  enum class As {
+    thing,
+    count,
+    attribute,
+    relation,
+    room,
+    style,
+    person,
+    activity,
+    absence,
+    not_understood
+  };
+
+  std::size_t begin = 0, end = 0;  ///< bytes of the prompt: the first, and one past the last
+  std::string text;                ///< as written
+  As as = As::not_understood;
+  std::vector<std::string> requirements;  ///< ids of what it is checked by
+
+  bool operator==(const Heard&) const = default;
+};
+
+/// "not understood"
+std::string_view name(Heard::As as);
+
+/// {"id", "clause", "kind", "source", "category", "subjects", "count" | "attribute" | "relation", ...}
 Json to_json(const Requirement& requirement);
-/// That with "met" and "reason".
+/// That with "verdict", "met" and "reason".
 Json to_json(const RequirementVerdict& verdict);
+
+/// A list in the order of the text: {"span": [0, 5], "text", "as", "requirements"}.
+Json to_json(const std::vector<Heard>& heard);
 
 }  // namespace roomgen

@@ -33,6 +33,7 @@ struct Scene {
   std::vector<Object> objects;
   std::vector<Unplaced> unplaced;
   std::vector<RequirementVerdict> requirements;  ///< what the prompt asked for, met or not
+  std::vector<Heard> heard;                      ///< what its words were taken for
   std::vector<Room> rooms;  ///< of a dwelling
 };
 

@@ -1,0 +1,103 @@
+#include "hearing.h"
+
+#include <algorithm>
+
+namespace roomgen::design {
+
+using language::none;
+using language::Run;
+
+std::size_t Hearing::note(std::size_t mention, const Run& tokens, Heard::As as, std::string word) {
+  const std::size_t index = hear(brief_, tokens, as, std::move(word));
+  brief_.mentions[mention].heard.push_back(index);
+  return index;
+}
+
+void Hearing::thing(std::int32_t number, const ThingPhrase& thing, std::size_t mention) {
+  note(mention, thing.name_tokens, Heard::As::thing);
+  for (const auto token : thing.count_tokens)
+    note(mention, {token, token + 1}, Heard::As::count);
+  const auto& looks = brief_.mentions[mention].looks;
+  for (std::size_t i = 0; i < thing.modifiers.size(); ++i)
+    if (std::find(looks.begin(), looks.end(), thing.modifiers[i]) != looks.end())
+      note(mention, thing.modifier_tokens[i], Heard::As::attribute, thing.modifiers[i]);
+  if (!thing.contents.empty()) note(mention, thing.contents_tokens, Heard::As::thing);
+  lengths(number, mention);
+}
+
+void Hearing::lengths(std::int32_t number, std::size_t mention) {
+  const auto& said = phrase(number);
+  Run run = said.tokens;
+  // "a table 1.6 m long"
+  if (said.measure != none)
+    run.end = std::min<std::uint32_t>(static_cast<std::uint32_t>(text_.plain.size()), run.end + 2);
+  for (std::uint32_t i = run.begin; i < run.end; ++i) {
+    const auto measure = language::measure_at(text_.parse.tokens, i);
+    if (!measure) continue;
+    const Run tokens{i, i + static_cast<std::uint32_t>(measure->length)};
+    note(mention, tokens, Heard::As::attribute, said_length);
+    i = tokens.end - 1;
+  }
+}
+
+void Hearing::part(std::int32_t number, std::size_t owner) {
+  const Run run{phrase(number).tokens.begin, phrase(number).head + 1};
+  std::string words;
+  for (auto i = run.begin; i < run.end; ++i)
+    if (text_.plain[i].kind == Token::Kind::word || text_.plain[i].kind == Token::Kind::number)
+      words += (words.empty() ? "" : " ") + text_.plain[i].text;
+  auto& parts = brief_.mentions[owner].parts;
+  if (std::find(parts.begin(), parts.end(), words) == parts.end()) parts.push_back(words);
+  note(owner, run, Heard::As::attribute, words);
+}
+
+void Hearing::absence(std::int32_t number, const std::string& category) {
+  Run run = phrase(number).tokens;
+  // "avoid rugs": the word that denies it is part of it.
+  for (const auto& verb : text_.parse.verbs)
+    if (verb.object == number && verb.tokens.end <= run.begin)
+      hear(brief_, verb.tokens, Heard::As::absence, category);
+  hear(brief_, run, Heard::As::absence, category);
+}
+
+void Hearing::stand_in(std::int32_t number, std::size_t mention) {
+  note(mention, {phrase(number).tokens.begin, phrase(number).head + 1}, Heard::As::thing);
+}
+
+std::size_t Hearing::relation(const language::Attachment& attachment, std::int32_t place) {
+  Run tokens = attachment.tokens;
+  if (attachment.verb != none) {
+    const auto& verb = text_.parse.verbs[static_cast<std::size_t>(attachment.verb)];
+    if (verb.tokens.end == tokens.begin) tokens.begin = verb.tokens.begin;
+  }
+  if (place != none) {
+    const auto& target = phrase(place);
+    tokens.begin = std::min(tokens.begin, target.tokens.begin);
+    tokens.end = std::max(tokens.end, target.tokens.end);
+  }
+  return hear(brief_, tokens, Heard::As::relation);
+}
+
+std::size_t Hearing::adverb(const Run& tokens) {
+  return hear(brief_, tokens, Heard::As::relation);
+}
+
+void Hearing::plain_verbs(const std::vector<std::optional<std::size_t>>& mention_of) {
+  const auto mention = [&](std::int32_t number) {
+    return number == none ? std::nullopt : mention_of[static_cast<std::size_t>(number)];
+  };
+  for (const auto& verb : text_.parse.verbs) {
+    const std::string& word = text_.plain[verb.tokens.end - 1].text;
+    if (verb.is_denied || !(text_.words.verbs.count(word) || text_.words.stops.count(word) ||
+                            text_.words.asking.count(verb.base)))
+      continue;
+    auto one = mention(verb.object);
+    if (!one) one = mention(verb.subject);
+    if (one)
+      note(*one, verb.tokens, Heard::As::thing);
+    else
+      hear(brief_, verb.tokens, Heard::As::room);
+  }
+}
+
+}  // namespace roomgen::design
