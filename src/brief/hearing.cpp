@@ -13,7 +13,7 @@ std::size_t Hearing::note(std::size_t mention, const Run& tokens, Heard::As as, 
   return index;
 }
 
-void Hearing::thing(std::int32_t number, const ThingPhrase& thing, std::size_t mention) {
+void Hearing::thing(const ThingPhrase& thing, std::size_t mention) {
   note(mention, thing.name_tokens, Heard::As::thing);
   for (const auto token : thing.count_tokens)
     note(mention, {token, token + 1}, Heard::As::count);
@@ -22,22 +22,8 @@ void Hearing::thing(std::int32_t number, const ThingPhrase& thing, std::size_t m
     if (std::find(looks.begin(), looks.end(), thing.modifiers[i]) != looks.end())
       note(mention, thing.modifier_tokens[i], Heard::As::attribute, thing.modifiers[i]);
   if (!thing.contents.empty()) note(mention, thing.contents_tokens, Heard::As::thing);
-  lengths(number, mention);
-}
-
-void Hearing::lengths(std::int32_t number, std::size_t mention) {
-  const auto& said = phrase(number);
-  Run run = said.tokens;
-  // "a table 1.6 m long"
-  if (said.measure != none)
-    run.end = std::min<std::uint32_t>(static_cast<std::uint32_t>(text_.plain.size()), run.end + 2);
-  for (std::uint32_t i = run.begin; i < run.end; ++i) {
-    const auto measure = language::measure_at(text_.parse.tokens, i);
-    if (!measure) continue;
-    const Run tokens{i, i + static_cast<std::uint32_t>(measure->length)};
+  for (const auto& tokens : thing.measure_tokens)
     note(mention, tokens, Heard::As::attribute, said_length);
-    i = tokens.end - 1;
-  }
 }
 
 void Hearing::part(std::int32_t number, std::size_t owner) {

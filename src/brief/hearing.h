@@ -12,9 +12,9 @@ class Hearing {
  public:
   Hearing(const PromptText& text, Brief& brief) : text_(text), brief_(brief) {}
 
-  /// A noun phrase that names a thing: its name, number, looks and lengths. What is said of the looks
+  /// What a noun phrase says of the thing that it names: its name, number, looks and lengths. What is said of the looks
   /// of a thing that was spoken of before counts where the thing is known to be so.
-  void thing(std::int32_t phrase, const ThingPhrase& thing, std::size_t mention);
+  void thing(const ThingPhrase& thing, std::size_t mention);
   /// What a thing has: "with drawers".
   void part(std::int32_t phrase, std::size_t owner);
   void absence(std::int32_t phrase, const std::string& category);
@@ -28,7 +28,6 @@ class Hearing {
   void plain_verbs(const std::vector<std::optional<std::size_t>>& mention_of);
 
  private:
-  void lengths(std::int32_t phrase, std::size_t mention);
   std::size_t note(std::size_t mention, const language::Run& tokens, Heard::As as,
                    std::string word = "");
   const language::NounPhrase& phrase(std::int32_t i) const {

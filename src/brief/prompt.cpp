@@ -31,9 +31,10 @@ enum class Taken : std::uint8_t { no, yes, room };
 class PromptReader {
  public:
   PromptReader(const PromptText& text, std::vector<Token> left, std::vector<Taken> taken,
-               const Lexicon& lexicon, Brief& brief)
+               const Lexicon& lexicon, const RoomKinds& kinds, Brief& brief)
       : text_(text),
         parse_(text.parse),
+        kinds_(kinds),
         left_(std::move(left)),
         taken_(std::move(taken)),
         words_(lexicon.words),
@@ -56,6 +57,7 @@ class PromptReader {
     }
     read_adverbs();
     read_bare();
+    read_styles();
     brief_.understood = !brief_.heard.empty();
     hearing_.plain_verbs(mention_of_);
   }
@@ -119,7 +121,7 @@ class PromptReader {
     if (!names_thing(id, thing)) return;
     if (!thing.article && !thing.definite) read_listed_without_commas(said, thing);
     mention_of_[number] = refer(id, thing);
-    if (mention_of_[number]) hearing_.thing(id, thing, *mention_of_[number]);
+    if (mention_of_[number]) hearing_.thing(thing, *mention_of_[number]);
     skip_to_ = std::max(skip_to_, thing.end);
   }
 
@@ -133,7 +135,7 @@ class PromptReader {
         thing.kind = kind;
         thing.name_tokens = {i, i + static_cast<std::uint32_t>(kind.length)};
         if (const auto mention = talk_.refer(thing, sentence_of(i)))
-          hearing_.thing(static_cast<std::int32_t>(&said - parse_.phrases.data()), thing, *mention);
+          hearing_.thing(thing, *mention);
       }
       i += std::max<std::uint32_t>(1, static_cast<std::uint32_t>(kind.length));
     }
@@ -591,8 +593,29 @@ class PromptReader {
         brief_.bare = true;
   }
 
+  // "Rustic but bright.", "a cosy one": words of style that are said of no thing are the room's.
+  void read_styles() {
+    std::vector<bool> used(text_.plain.size(), false);
+    for (const auto& words : brief_.heard)
+      std::fill(used.begin() + words.tokens.begin,
+                used.begin() + std::min<std::ptrdiff_t>(words.tokens.end, std::ssize(used)), true);
+    for (std::uint32_t i = 0; i < used.size(); ++i) {
+      if (used[i] || taken_[i] == Taken::yes || !kinds_.style(word(i)) || is_denied(i)) continue;
+      hear(brief_, {i, i + 1}, Heard::As::style);
+      if (std::find(brief_.styles.begin(), brief_.styles.end(), word(i)) == brief_.styles.end())
+        brief_.styles.push_back(word(i));
+    }
+  }
+  // "not too modern", "nothing rustic"
+  bool is_denied(std::size_t token) const {
+    for (std::size_t n = 1; n <= 2 && n <= token; ++n)
+      if (words_.negations.count(word(token - n)) || is_word(token - n, "nothing")) return true;
+    return false;
+  }
+
   const PromptText& text_;
   const language::Parse& parse_;
+  const RoomKinds& kinds_;
   const std::vector<Token> left_;  ///< what the other readers did not take, lengths in one piece
   std::vector<Taken> taken_;
   const Vocabulary& words_;
@@ -640,7 +663,7 @@ Brief read_prompt(std::string_view prompt, const RoomKinds& kinds, const KindTab
     if (taken[i] == Taken::room) plain[i].kind = Token::Kind::room;
   const PromptText text{parse, plain, *words, table};
   PromptReader(text, std::move(tokens), std::move(taken), {*words, table, kinds.get(brief.type)},
-               brief)
+               kinds, brief)
       .run();
   settle(brief, table);
   if (brief.type.empty()) {

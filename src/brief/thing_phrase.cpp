@@ -32,8 +32,7 @@ class ThingPhraseReader {
     contents();
     phrase_.name_tokens = {static_cast<std::uint32_t>(start_),
                            static_cast<std::uint32_t>(std::max<std::size_t>(phrase_.end, said_.head + 1))};
-    if (said_.measure != language::none)
-      phrase_.measures.push_back(parse_.measures[static_cast<std::size_t>(said_.measure)]);
+    measures();
     pair_is_one();
     return phrase_;
   }
@@ -159,6 +158,24 @@ class ThingPhraseReader {
       }
   }
   bool tells_material(const Attachment& attachment) const;
+
+  // "a 2 m tall bookcase", "a table 1.6 m long", "the desk is 1.6 m wide"
+  void measures() {
+    if (said_.measure != language::none) add_measure_in({said_.tokens.begin, said_.tokens.end + 2});
+    for (const auto& verb : parse_.verbs)
+      if (verb.subject == number_ && !verb.is_denied)
+        add_measure_in({verb.tokens.end, verb.tokens.end + 1});
+  }
+  // The first that begins there.
+  void add_measure_in(const Run& run) {
+    for (auto i = run.begin; i < std::min<std::size_t>(run.end, parse_.tokens.size()); ++i) {
+      const auto measure = language::measure_at(parse_.tokens, i);
+      if (!measure) continue;
+      phrase_.measures.push_back(*measure);
+      phrase_.measure_tokens.push_back({i, i + static_cast<std::uint32_t>(measure->length)});
+      return;
+    }
+  }
 
   // "a jar of honey": bare nouns say what is in it, and are no things beside it.
   void contents() {

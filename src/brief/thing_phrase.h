@@ -29,6 +29,7 @@ struct ThingPhrase {
   std::string contents;  ///< "of honey"
   language::Run contents_tokens;
   std::vector<language::Measure> measures;
+  std::vector<language::Run> measure_tokens;  ///< one for each
   int seats = 0;        ///< "six-seater"
   std::size_t end = 0;  ///< the token behind its name: "stack of books" goes on behind the phrase
 };

@@ -43,6 +43,7 @@ Status check_understood(const PlanRequest& request) {
   if (const auto foreign = language::foreign_language(tokens))
     return Error{Error::Kind::not_understood,
                  "the prompt seems to be " + foreign->name + ". " + foreign->refusal};
+  if (request.room && !request.room->type.empty()) return {};
   if (read_prompt(request.prompt, *built_in_room_kinds(), KindTable::built_in()).understood)
     return {};
   return Error{Error::Kind::not_understood,

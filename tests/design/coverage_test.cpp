@@ -110,7 +110,7 @@ TEST_CASE("Each word of a prompt is heard as what it says") {
   CHECK(heard_as(ledger, "glorbs") == "not understood");
   CHECK(asked_by(ledger, "nightstands", Requirement::Kind::count).count == 2);
   CHECK(asked_by(ledger, "4 x 5", Requirement::Kind::room).amount == Approx(5.0));
-  CHECK(asked_by(ledger, "television", Requirement::Kind::absence).category == "television");
+  CHECK(asked_by(ledger, "television", Requirement::Kind::absence).category == "tv");
 }
 
 TEST_CASE("Lengths, parts and mounts of things are asked for") {
@@ -165,7 +165,7 @@ TEST_CASE("What says nothing, or nothing in English, is refused") {
     CHECK(refused.error().message.find("--model") != std::string::npos);
   }
   for (const char* prompt : {"bedroom", "a room", "Der Sessel: a room with an armchair",
-                             "a bistro with a la carte menus on the tables", "cosy", "a lamp"}) {
+                             "a bistro with a la carte menus on the tables", "a cosy one", "a lamp"}) {
     INFO(prompt);
     CHECK(plan(prompt));
   }

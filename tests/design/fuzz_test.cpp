@@ -107,7 +107,8 @@ TEST_CASE("a very long prompt takes bounded time") {
     PlanRequest request;
     request.prompt = text;
     const auto start = std::chrono::steady_clock::now();
-    CHECK(make_rule_designer()->plan(request).ok());
+    const auto plan = make_rule_designer()->plan(request);
+    CHECK((plan || plan.error().kind == Error::Kind::not_understood));
     // Generous: sanitizers and loaded machines are slow. It is seconds at most where it is quick.
     CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(60));
   }

@@ -308,10 +308,6 @@ TEST_CASE("of two numbers of the same things the first is built, and the other i
   CHECK_FALSE(apart.mentions[1].contradicts);
 }
 
-TEST_CASE("what is in no English word is told") {
-  CHECK_FALSE(read("ein Zimmer mit einem Bett").notes.empty());
-}
-
 TEST_CASE("a thing on each of several makes as many") {
   const auto brief = read("a sofa, two side tables and a lamp on each side table");
   REQUIRE(brief.mentions.size() == 3);
