@@ -1,10 +1,12 @@
 #include "foreign.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
+#include "base/json_reader.h"
+#include "base/resource.h"
 #include "function_word.h"
 #include "roomgen/base/json.h"
-#include "base/resource.h"
 #include "small_words.h"
 
 namespace roomgen::language {

@@ -6,8 +6,7 @@
 #include "language/function_word.h"
 #include "roomgen/base/json.h"
 #include "base/random.h"
-#include "roomgen/design/dwelling.h"
-#include "roomgen/design/rule_designer.h"
+#include "roomgen/design/designer.h"
 #include "roomgen/kinds/kind_table.h"
 
 using namespace roomgen;
