@@ -57,6 +57,7 @@ struct Mention {
   std::vector<std::string> looks;  ///< of it: "white", "wooden"
   int quantity = 1;
   bool counted = false;      ///< the prompt gives the number
+  bool at_least = false;     ///< "at least five": more are as good
   bool open = false;         ///< a plural without a number
   bool varied = false;       ///< they shall differ
   bool contradicts = false;  ///< another number of the same things was asked for before: not planned
@@ -68,6 +69,8 @@ struct Mention {
   int sentence = 0;  ///< of the prompt in which it is named first
   std::vector<std::string> parts;  ///< what it has: "drawers", "a glass top"
   std::vector<SaidLength> lengths;
+  Requirement::Source source = Requirement::Source::prompt;
+  std::string reason;  ///< who or what needs it, where the prompt does not name it itself
   std::vector<std::size_t> heard;  ///< of Brief::heard: what names, counts and describes it
 };
 
@@ -77,6 +80,7 @@ struct Brief {
   bool type_known = false;
   std::optional<Vec2> size;    ///< width and depth, metres
   std::optional<double> area;  ///< square metres
+  std::optional<double> height;  ///< of the ceiling, metres
   SaidShape shape;             ///< of the floor
   int people = 0;              ///< 0: not said
   std::optional<int> windows;  ///< how many, apart from those of `openings`

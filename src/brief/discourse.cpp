@@ -81,6 +81,7 @@ Mention Discourse::new_mention(const ThingPhrase& phrase, int sentence) const {
   Mention mention;
   mention.quantity = phrase.count;
   mention.counted = phrase.counted;
+  mention.at_least = phrase.at_least;
   mention.looks = phrase.modifiers;
   mention.sentence = sentence;
   std::vector<std::string> description = phrase.modifiers;

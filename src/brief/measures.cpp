@@ -12,6 +12,7 @@ namespace {
 using language::Measure;
 
 constexpr double metres_up_to = 30.0;  ///< bare numbers up to this are metres
+constexpr double least_ceiling = 2.0, greatest_ceiling = 12.0;  ///< metres above the floor
 constexpr std::size_t ahead = 4;       ///< words between a length and its thing
 
 // The measured is a thing rather than the room when one is named right after.
@@ -26,6 +27,14 @@ bool thing_follows(const std::vector<Token>& tokens, std::size_t at, const KindT
       return true;
     if (words.stops.count(tokens[i].text) || words.room_words.count(tokens[i].text)) return false;
   }
+  return false;
+}
+
+// "a desk, 180 x 90 cm"
+bool thing_precedes(const std::vector<Token>& tokens, std::size_t at, const KindTable& table) {
+  if (at > 0 && tokens[at - 1].kind == Token::Kind::comma) --at;
+  for (std::size_t n = 1; n <= ahead && n <= at; ++n)
+    if (mention_at(table, tokens, at - n).length == n) return true;
   return false;
 }
 
@@ -49,7 +58,7 @@ void read_sides(std::vector<Token>& tokens, std::size_t at, std::size_t count,
                 const Measure& measure, const Vocabulary& words, const KindTable& table,
                 Brief& brief) {
   const Vec2 size(measure.values[0], measure.values[1]);
-  if (thing_follows(tokens, at + count, table, words)) {
+  if (thing_follows(tokens, at + count, table, words) || thing_precedes(tokens, at, table)) {
     replace(tokens, at, count,
             {{Token::Kind::length, "length", size.x(), {}},
              {Token::Kind::length, "depth", size.y(), {}}});
@@ -67,6 +76,46 @@ bool set_area(double area, Brief& brief) {
     return false;
   }
   brief.area = area;
+  return true;
+}
+
+bool is_ceiling(const std::vector<Token>& tokens, std::size_t at) {
+  return at < tokens.size() && (tokens[at].is_word("ceiling") || tokens[at].is_word("ceilings"));
+}
+
+// "a ceiling of 2.9 m", "2.7 m high ceilings", "height 2.9 m" of the room: the tokens before it that
+// say so; nothing where the length is of something else.
+std::optional<std::size_t> ceiling_before(const std::vector<Token>& tokens, std::size_t at,
+                                          const KindTable& table) {
+  static const WordSet joints = {"of", "is", "are", "at", "a", "height", "about", "being"};
+  bool height = false;
+  for (std::size_t n = 1; n <= 4 && n <= at; ++n) {
+    const Token& token = tokens[at - n];
+    if (is_ceiling(tokens, at - n)) return n;
+    height = height || token.is_word("height");
+    const bool ends = token.kind == Token::Kind::stop || token.kind == Token::Kind::comma;
+    if (ends || !joints.count(token.text)) {
+      const bool of_thing = !ends && mention_at(table, tokens, at - n).length > 0;
+      return height && !of_thing ? std::optional(n - 1) : std::nullopt;
+    }
+  }
+  return std::nullopt;
+}
+
+// Whether a length was that of the ceiling above the floor.
+bool read_ceiling(std::vector<Token>& tokens, std::size_t at, std::size_t count,
+                  const Measure& measure, const KindTable& table, Brief& brief) {
+  const double height = measure.values[0];
+  const auto before = ceiling_before(tokens, at, table);
+  const std::size_t behind = is_ceiling(tokens, at + count)       ? 1
+                             : is_ceiling(tokens, at + count + 1) ? 2
+                                                                  : 0;
+  if ((!before && behind == 0) || height < least_ceiling || height > greatest_ceiling) return false;
+  brief.height = height;
+  const std::size_t first = at - before.value_or(0);
+  const std::size_t length = count + before.value_or(0) + (before ? 0 : behind);
+  hear(brief, source_of(tokens, first, length), Heard::As::room, "height");
+  replace(tokens, at, count);
   return true;
 }
 
@@ -141,6 +190,7 @@ void read_measures(std::vector<Token>& tokens, const std::vector<language::Token
       case Measure::Kind::range:
         continue;
       case Measure::Kind::length:
+        if (read_ceiling(tokens, i, count, *measure, table, brief)) break;
         replace(tokens, i, count, {{Token::Kind::length, "length", measure->values[0], {}}});
     }
   }

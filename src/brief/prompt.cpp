@@ -7,6 +7,7 @@
 #include "finishes.h"
 #include "hearing.h"
 #include "measures.h"
+#include "occupant_phrase.h"
 #include "opening_phrase.h"
 #include "placement.h"
 #include "room_type.h"
@@ -39,6 +40,7 @@ class PromptReader {
         taken_(std::move(taken)),
         words_(lexicon.words),
         brief_(brief),
+        lexicon_(lexicon),
         talk_(lexicon, brief),
         hearing_(text, brief),
         mention_of_(parse_.phrases.size()) {
@@ -51,12 +53,15 @@ class PromptReader {
   void run() {
     read_openings();
     for (std::size_t i = 0; i < parse_.phrases.size(); ++i) read_phrase(i);
+    // What the prompt names itself comes before what people need.
+    for (const auto id : of_occupants_) read_occupants(id);
     for (const auto& attachment : parse_.attachments) {
       look_back_from(attachment.tokens.begin);
       read_attachment(attachment);
     }
     read_adverbs();
     read_bare();
+    read_activities();
     read_styles();
     brief_.understood = !brief_.heard.empty();
     hearing_.plain_verbs(mention_of_);
@@ -102,7 +107,10 @@ class PromptReader {
 
   void read_phrase(std::size_t number) {
     const NounPhrase& said = parse_.phrases[number];
-    if (is_taken(said)) return;
+    if (is_taken(said)) {
+      if (heard_as_person(said.head)) of_occupants_.push_back(static_cast<std::int32_t>(number));
+      return;
+    }
     if (words_.generic_rooms.count(word(said.head)))
       hear(brief_, {said.head, said.head + 1}, Heard::As::room);
     const auto id = static_cast<std::int32_t>(number);
@@ -112,6 +120,10 @@ class PromptReader {
     }
     const ThingPhrase& thing = things_[number];
     if (said.is_denied) return exclude(id, thing);
+    if (thing.kind.length == 0 && names_occupants(said)) {
+      of_occupants_.push_back(id);
+      return;
+    }
     if (const auto carrier = top(number, thing)) {
       mention_of_[number] = carrier;
       hearing_.stand_in(id, *carrier);
@@ -123,6 +135,82 @@ class PromptReader {
     mention_of_[number] = refer(id, thing);
     if (mention_of_[number]) hearing_.thing(thing, *mention_of_[number]);
     skip_to_ = std::max(skip_to_, thing.end);
+  }
+
+  // --- People, and what they do -----------------------------------------------------------------
+
+  // "my twin boys", "a reading corner": whoever or whatever it is, its things stand for the phrase.
+  void read_occupants(std::int32_t id) {
+    const auto& occupants = Occupants::built_in();
+    if (!occupants) return;
+    const NounPhrase& said = phrase(id);
+    for (auto i = said.tokens.begin; i <= said.head; ++i) {
+      auto found = occupant_at(text_, *occupants, i);
+      if (!found || found->tokens.begin < said.tokens.begin) continue;
+      i = found->tokens.end - 1;
+      if (found->persons == 0 && said.count > 1)
+        found->persons = static_cast<int>(std::min(said.count, 20.0));
+      if (is_for_thing(id)) {
+        hear(brief_, found->tokens, Heard::As::person);
+        continue;
+      }
+      const auto lead = bring_things(*found, *occupants, lexicon_, brief_);
+      if (lead && found->occupant->is_activity) locate_activity(id, *found, *lead);
+    }
+  }
+  bool names_occupants(const NounPhrase& said) const {
+    const auto& occupants = Occupants::built_in();
+    if (!occupants) return false;
+    for (auto i = said.tokens.begin; i <= said.head; ++i)
+      if (occupant_at(text_, *occupants, i)) return true;
+    return false;
+  }
+  // "for two children": how many there are was read with the room.
+  bool heard_as_person(std::uint32_t token) const {
+    return std::any_of(brief_.heard.begin(), brief_.heard.end(), [&](const HeardWords& words) {
+      return words.as == Heard::As::person && words.tokens.begin <= token &&
+             token < words.tokens.end;
+    });
+  }
+  // "a chair for guests" is a chair.
+  bool is_for_thing(std::int32_t id) const {
+    return std::any_of(parse_.attachments.begin(), parse_.attachments.end(),
+                       [&](const Attachment& one) {
+                         return one.to == id && one.relation == "for" && mention_of(one.from);
+                       });
+  }
+  // "a reading corner by the window": where the activity is, its first thing is.
+  void locate_activity(std::int32_t id, const OccupantPhrase& found, std::size_t lead) {
+    const NounPhrase& said = phrase(id);
+    mention_of_[static_cast<std::size_t>(id)] = lead;
+    if (found.tokens.end > said.head) return;
+    const std::size_t place = hear(brief_, {said.head, said.head + 1}, Heard::As::activity);
+    brief_.mentions[lead].heard.push_back(place);
+    const auto part = words_.room_parts.find(word(said.head));
+    if (part == words_.room_parts.end() || part->second != "corner") return;
+    talk_.told_by(hear(brief_, {said.head, said.head + 1}, Heard::As::relation));
+    talk_.demand({lead}, {RelationKind::corner, Demand::none, "", false});
+  }
+
+  // "where we knit", "to read": what is done is said by verbs too.
+  void read_activities() {
+    const auto& occupants = Occupants::built_in();
+    if (!occupants) return;
+    std::vector<bool> used = heard_tokens();
+    for (std::uint32_t i = 0; i < used.size(); ++i) {
+      if (used[i] || taken_[i] == Taken::yes || is_denied(i)) continue;
+      const auto found = occupant_at(text_, *occupants, i);
+      if (!found || used[found->tokens.end - 1]) continue;
+      bring_things(*found, *occupants, lexicon_, brief_);
+      i = found->tokens.end - 1;
+    }
+  }
+  std::vector<bool> heard_tokens() const {
+    std::vector<bool> used(text_.plain.size(), false);
+    for (const auto& words : brief_.heard)
+      std::fill(used.begin() + words.tokens.begin,
+                used.begin() + std::min<std::ptrdiff_t>(words.tokens.end, std::ssize(used)), true);
+    return used;
   }
 
   // "bed desk wardrobe": things of their own, though they stand like "oak" before the last.
@@ -595,10 +683,7 @@ class PromptReader {
 
   // "Rustic but bright.", "a cosy one": words of style that are said of no thing are the room's.
   void read_styles() {
-    std::vector<bool> used(text_.plain.size(), false);
-    for (const auto& words : brief_.heard)
-      std::fill(used.begin() + words.tokens.begin,
-                used.begin() + std::min<std::ptrdiff_t>(words.tokens.end, std::ssize(used)), true);
+    const std::vector<bool> used = heard_tokens();
     for (std::uint32_t i = 0; i < used.size(); ++i) {
       if (used[i] || taken_[i] == Taken::yes || !kinds_.style(word(i)) || is_denied(i)) continue;
       hear(brief_, {i, i + 1}, Heard::As::style);
@@ -620,12 +705,14 @@ class PromptReader {
   std::vector<Taken> taken_;
   const Vocabulary& words_;
   Brief& brief_;
+  const Lexicon lexicon_;
   Discourse talk_;
   Hearing hearing_;
   std::vector<ThingPhrase> things_;                       ///< what the noun phrases would name
   std::vector<std::optional<SaidPlacement>> placements_;  ///< by attachment
   std::vector<std::optional<std::size_t>> mention_of_;    ///< by noun phrase
   std::map<std::size_t, std::size_t> owner_of_;           ///< "a tray with cups": mentions
+  std::vector<std::int32_t> of_occupants_;                ///< noun phrases
   std::size_t skip_to_ = 0;                               ///< the token behind the last name
 };
 

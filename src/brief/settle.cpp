@@ -9,6 +9,10 @@
 
 namespace roomgen::design {
 
+bool needs_wall(const Mention& mention, const KindTable& table) {
+  return table.is_any_of(mention.category, {"storage", "console table", "room divider", "desk"});
+}
+
 namespace {
 
 constexpr int seats_at_a_table = 4;
@@ -401,10 +405,6 @@ void lay_rugs(Brief& brief, const KindTable& table) {
       return demand.kind == RelationKind::near && demand.mention == Demand::none &&
              demand.part.empty();
     });
-}
-
-bool needs_wall(const Mention& mention, const KindTable& table) {
-  return table.is_any_of(mention.category, {"storage", "console table", "room divider", "desk"});
 }
 
 bool stands_at_wall(const Mention& mention) {

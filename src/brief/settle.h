@@ -17,6 +17,9 @@ inline constexpr double small_side = 0.7;
 /// Tables, cabinets, shelves and counters: where small things are kept.
 bool keeps_things(const std::string& category, const KindTable& table);
 
+/// Whether a thing stands with its back to a wall.
+bool needs_wall(const Mention& mention, const KindTable& table);
+
 /// Makes a mention one that hangs on a wall or under the ceiling, if such a thing can: a television
 /// becomes a wall tv, a wardrobe "on the wall" stays what it is. Small things can also stand on the
 /// floor.

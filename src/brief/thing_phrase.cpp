@@ -71,11 +71,27 @@ class ThingPhraseReader {
                        said_.determiner == Determiner::each || said_.determiner == Determiner::both;
     phrase_.another = said_.determiner == Determiner::another;
     phrase_.article = phrase_.another || said_.determiner == Determiner::indefinite;
+    qualifier();
     for (std::uint32_t i = said_.tokens.begin; i < start_; ++i) count_word(i);
     if (phrase_.article || said_.count <= 0) return;
     // Numbers of several words.
     const bool part_of_name = is_number(start_) || measured_;
     if (!part_of_name) set_count(static_cast<int>(std::min<double>(said_.count, max_count)), true);
+  }
+
+  // "at least five", "exactly two", "no more than one"
+  void qualifier() {
+    static const WordSet words = {"least", "exactly", "only",  "more",   "most",
+                                  "just",  "than",    "fewer", "precisely"};
+    const auto begin = said_.tokens.begin;
+    for (std::uint32_t n = 1; n <= 3 && n <= begin && words.count(word(begin - n)); ++n) {
+      phrase_.at_least = phrase_.at_least || word(begin - n) == "least";
+      phrase_.count_tokens.push_back(begin - n);
+    }
+    for (auto i = begin; i < start_ && words.count(word(i)); ++i) {
+      phrase_.at_least = phrase_.at_least || word(i) == "least";
+      phrase_.count_tokens.push_back(i);
+    }
   }
 
   void count_word(std::uint32_t token) {
@@ -161,10 +177,31 @@ class ThingPhraseReader {
 
   // "a 2 m tall bookcase", "a table 1.6 m long", "the desk is 1.6 m wide"
   void measures() {
-    if (said_.measure != language::none) add_measure_in({said_.tokens.begin, said_.tokens.end + 2});
+    add_measure_in({said_.tokens.begin, said_.tokens.end});
+    measures_behind();
     for (const auto& verb : parse_.verbs)
       if (verb.subject == number_ && !verb.is_denied)
         add_measure_in({verb.tokens.end, verb.tokens.end + 1});
+  }
+  // "a bookcase 2.4 m tall and 3 m long", "a desk, 180 x 90 cm": up to what is said of something else.
+  void measures_behind() {
+    std::uint32_t at = said_.tokens.end;
+    for (int n = 0; n < 3; ++n) {
+      while (at < text_.plain.size() &&
+             (text_.plain[at].kind == Token::Kind::comma || text_.plain[at].is_word("and") ||
+              text_.plain[at].is_word("about")))
+        ++at;
+      const auto measure = language::measure_at(parse_.tokens, at);
+      if (!measure || !measure->has_unit || is_of_other(at)) return;
+      add_measure_in({at, at + 1});
+      at += static_cast<std::uint32_t>(measure->length);
+    }
+  }
+  bool is_of_other(std::uint32_t token) const {
+    return std::any_of(parse_.phrases.begin(), parse_.phrases.end(), [&](const auto& other) {
+      return &other != &said_ && other.tokens.begin <= token && token < other.tokens.end &&
+             other.head >= token;
+    });
   }
   // The first that begins there.
   void add_measure_in(const Run& run) {

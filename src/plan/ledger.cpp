@@ -79,6 +79,7 @@ class Ledger {
     Requirement requirement;
     requirement.kind = kind;
     requirement.category = mention.category;
+    requirement.source = mention.source;
     if (const auto found = ids_.find(index); found != ids_.end()) requirement.subjects = found->second;
     return requirement;
   }
@@ -86,12 +87,14 @@ class Ledger {
   void count(std::size_t index, const Mention& mention) {
     Requirement requirement = about(index, mention, Requirement::Kind::count);
     requirement.count = mention.quantity;
-    requirement.at_least = !mention.counted;
+    requirement.at_least = !mention.counted || mention.at_least;
     requirement.clause = (mention.quantity == 1 ? "a" : std::to_string(mention.quantity)) + " " +
                          mention.description;
-    auto words = words_of(mention, Heard::As::thing);
-    const auto counts = words_of(mention, Heard::As::count);
-    words.insert(words.end(), counts.begin(), counts.end());
+    if (!mention.reason.empty()) requirement.clause += ", for " + mention.reason;
+    std::vector<std::size_t> words;
+    for (const auto as :
+         {Heard::As::thing, Heard::As::count, Heard::As::person, Heard::As::activity})
+      for (const std::size_t heard : words_of(mention, as)) words.push_back(heard);
     add(std::move(requirement), words);
   }
 
@@ -179,6 +182,9 @@ class Ledger {
     if (brief_.area)
       of_room("area", "", *brief_.area, format_number(*brief_.area, 2) + " m2",
               words_of(Heard::As::room, "area"));
+    if (brief_.height)
+      of_room("height", "", *brief_.height, format_number(*brief_.height, 2) + " m high",
+              words_of(Heard::As::room, "height"));
     if (!brief_.shape.outline.empty())
       of_room("shape", brief_.shape.outline, 0.0, brief_.shape.outline + "-shaped room",
               words_of(Heard::As::room, "shape"));

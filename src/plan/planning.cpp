@@ -79,6 +79,7 @@ class Planner {
     }
     kind_ = kinds_.get(brief_.type);
     kind_.type = brief_.type;
+    if (brief_.height) kind_.height = *brief_.height;
   }
 
   double size_factor() const {

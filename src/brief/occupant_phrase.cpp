@@ -1,0 +1,151 @@
+#include "occupant_phrase.h"
+
+#include <algorithm>
+
+#include "language/inflection.h"
+#include "settle.h"
+
+namespace roomgen::design {
+
+namespace {
+
+constexpr int most_persons = 20;
+
+// As written, and with its last word as a noun in the singular or a verb in its base form.
+std::vector<std::string> forms_of(const std::string& before, const std::string& last) {
+  std::vector<std::string> forms{before + last};
+  for (const auto& noun : language::singulars(last)) forms.push_back(before + noun);
+  if (const auto verb = language::verb(last)) forms.push_back(before + verb->base);
+  return forms;
+}
+
+int number_before(const PromptText& text, std::uint32_t token) {
+  if (token == 0) return 0;
+  const Token& before = text.plain[token - 1];
+  if (before.kind == Token::Kind::number)
+    return static_cast<int>(std::clamp(before.value, 0.0, 1.0 * most_persons));
+  const auto number = text.words.numbers.find(before.text);
+  const bool exact = number != text.words.numbers.end() && !text.words.vague.count(before.text);
+  return exact && before.text != "a" && before.text != "an" ? std::min(number->second, most_persons) : 0;
+}
+
+/// Adds what one occupant means to a brief.
+class Bringer {
+ public:
+  Bringer(const OccupantPhrase& phrase, const Occupants& occupants, const Lexicon& lexicon,
+          Brief& brief)
+      : phrase_(phrase), occupants_(occupants), lexicon_(lexicon), brief_(brief) {}
+
+  std::optional<std::size_t> run() {
+    heard_ = hear(brief_, phrase_.tokens,
+                  phrase_.occupant->is_activity ? Heard::As::activity : Heard::As::person);
+    for (const auto& thing : phrase_.occupant->things) bring(thing);
+    for (const auto& thing : phrase_.occupant->things) relate(thing);
+    return first_;
+  }
+
+ private:
+  bool brought_by_room(const std::string& kind) const {
+    const auto& core = lexicon_.kind.core;
+    return std::any_of(core.begin(), core.end(), [&](const Piece& piece) {
+      return std::any_of(piece.any.begin(), piece.any.end(), [&](const auto& option) {
+        return lexicon_.table.is_a(option.first, kind) || lexicon_.table.is_a(kind, option.first);
+      });
+    });
+  }
+
+  std::optional<std::size_t> named(const std::string& kind) const {
+    for (std::size_t i = 0; i < brief_.mentions.size(); ++i)
+      if (lexicon_.table.is_a(brief_.mentions[i].category, kind)) return i;
+    return std::nullopt;
+  }
+
+  int number_of(const Occupant::Thing& thing) const {
+    if (!thing.each) return std::max(1, thing.count);
+    if (phrase_.persons > 0) return phrase_.persons;
+    if (thing.count > 0) return thing.count;
+    if (phrase_.occupant->is_activity) return std::clamp(brief_.people, 1, most_persons);
+    return std::max(1, phrase_.occupant->count);
+  }
+
+  void bring(const Occupant::Thing& thing) {
+    std::optional<std::size_t> mention = named(thing.kind);
+    if (!mention) {
+      const bool belongs =
+          phrase_.occupant->is_activity || occupants_.belongs(thing.kind, brief_.type);
+      const Kind* kind = lexicon_.table.by_name(thing.kind);
+      if (!kind || !belongs || (!thing.always && brought_by_room(thing.kind))) return;
+      mention = add(*kind, number_of(thing));
+    }
+    brief_.mentions[*mention].heard.push_back(heard_);
+    brought_[thing.kind] = *mention;
+    if (!first_) first_ = mention;
+  }
+
+  std::size_t add(const Kind& kind, int count) {
+    Mention mention;
+    mention.category = mention.noun = mention.description = kind.name;
+    mention.quantity = count;
+    mention.source = phrase_.occupant->is_activity ? Requirement::Source::activity
+                                                   : Requirement::Source::person;
+    mention.reason = phrase_.occupant->name;
+    shape(mention, ThingPhrase(), lexicon_.words, lexicon_.table);
+    brief_.mentions.push_back(std::move(mention));
+    return brief_.mentions.size() - 1;
+  }
+
+  // What the prompt says of a thing's place itself counts.
+  void relate(const Occupant::Thing& thing) {
+    const auto own = brought_.find(thing.kind), target = brought_.find(thing.to);
+    if (!thing.relation || own == brought_.end()) return;
+    Mention& mention = brief_.mentions[own->second];
+    if (mention.source == Requirement::Source::prompt) return;
+    Demand demand{*thing.relation, Demand::none, "", false};
+    if (!thing.to.empty()) {
+      if (target == brought_.end() || target->second == own->second) return;
+      demand.mention = target->second;
+    }
+    mention.demands.push_back(demand);
+    const bool beside = *thing.relation == RelationKind::near ||
+                        *thing.relation == RelationKind::next_to;
+    if (beside && mention.mount == Mount::floor && needs_wall(mention, lexicon_.table))
+      mention.demands.push_back({RelationKind::edge, Demand::none, "", false});
+  }
+
+  const OccupantPhrase& phrase_;
+  const Occupants& occupants_;
+  const Lexicon& lexicon_;
+  Brief& brief_;
+  std::size_t heard_ = HeardWords::none;
+  std::optional<std::size_t> first_;
+  std::map<std::string, std::size_t> brought_;  ///< mentions, by the kinds of the occupant's things
+};
+
+}  // namespace
+
+std::optional<OccupantPhrase> occupant_at(const PromptText& text, const Occupants& occupants,
+                                          std::uint32_t token) {
+  std::optional<OccupantPhrase> best;
+  std::string before;
+  for (std::uint32_t n = 0; n < longest_occupant_name && token + n < text.plain.size(); ++n) {
+    const Token& last = text.plain[token + n];
+    if (last.kind != Token::Kind::word) break;
+    for (const auto& form : forms_of(before, last.text))
+      if (const Occupant* occupant = occupants.find(form)) {
+        best = {occupant, {token, token + n + 1}, 0};
+        break;
+      }
+    before += last.text + " ";
+  }
+  if (!best) return std::nullopt;
+  best->persons = number_before(text, token);
+  if (best->persons > 0) --best->tokens.begin;
+  return best;
+}
+
+std::optional<std::size_t> bring_things(const OccupantPhrase& phrase, const Occupants& occupants,
+                                        const Lexicon& lexicon, Brief& brief) {
+  return Bringer(phrase, occupants, lexicon, brief).run();
+}
+
+}  // namespace roomgen::design
