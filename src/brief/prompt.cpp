@@ -11,6 +11,7 @@
 #include "opening_phrase.h"
 #include "placement.h"
 #include "room_type.h"
+#include "roomgen/base/text.h"
 #include "settle.h"
 #include "shape_words.h"
 
@@ -358,12 +359,14 @@ class PromptReader {
       brief_.windows = 0;
       hearing_.absence(id, "window");
     }
-    if (thing.kind.length == 0) return;
-    const std::string category = talk_.category_name(thing.kind);
+    const bool is_known = thing.kind.length > 0;
+    if (!is_known && !may_be_thing(text_, thing.noun)) return;
+    const std::string category = is_known ? talk_.category_name(thing.kind) : thing.noun;
     // "avoid glass tables" forbids no tables.
-    if (!thing.modifiers.empty()) {
-      brief_.notes.push_back("\"no " + thing.modifiers.front() + " " + thing.kind.name +
-                             "\" is not checked: only whole kinds can be left out");
+    if (is_known && !thing.modifiers.empty()) {
+      const std::string looks = join(thing.modifiers, " ");
+      hearing_.absence(id, looks + " " + category);
+      brief_.excluded_looks.push_back({category, looks});
       return;
     }
     hearing_.absence(id, category);

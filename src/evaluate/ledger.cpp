@@ -34,10 +34,8 @@ class Checker {
         return each(requirement, [&](const Object& object) {
           return by_fault(relation_fault(requirement, object));
         });
-      case Requirement::Kind::absence: {
-        const int there = number_of(requirement.category);
-        return by_fault(there == 0 ? "" : "there are " + std::to_string(there));
-      }
+      case Requirement::Kind::absence:
+        return judge_absence(requirement);
       case Requirement::Kind::room:
         return requirement.attribute == "rooms" ? count_rooms(requirement)
                                                 : judge_room(requirement, scene_.room);
@@ -53,6 +51,19 @@ class Checker {
                       [&](const Room& room) { return room.type == requirement.category; });
     const bool met = there == static_cast<std::ptrdiff_t>(requirement.amount);
     return by_fault(met ? "" : "there are " + std::to_string(there));
+  }
+
+  // "no television", "no glass tables"
+  Finding judge_absence(const Requirement& requirement) const {
+    Finding finding;
+    for (const auto& object : scene_.objects) {
+      if (!categories_.is_a(object.category, requirement.category)) continue;
+      if (requirement.attribute.empty()) return by_fault("there is " + object.id);
+      const auto verdict = has_attribute_(object, requirement.attribute);
+      if (verdict.held) return by_fault(object.id + " is " + requirement.attribute);
+      if (!verdict.judged) finding = {Compliance::not_judged, object.id + ": " + verdict.reason};
+    }
+    return finding;
   }
 
   Finding judge_attribute(const Requirement& requirement, const Object& object) const {

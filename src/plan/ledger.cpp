@@ -33,7 +33,8 @@ class Ledger {
       mount(i, mention);
       for (const auto& demand : mention.demands) relation(i, mention, demand);
     }
-    for (const auto& category : brief_.excluded) absence(category);
+    for (const auto& category : brief_.excluded) absence(category, "");
+    for (const auto& [category, looks] : brief_.excluded_looks) absence(category, looks);
     material("floor", brief_.materials.floor);
     material("walls", brief_.materials.walls);
     material("ceiling", brief_.materials.ceiling);
@@ -148,12 +149,14 @@ class Ledger {
     add(std::move(requirement), words_of(Heard::As::attribute, said));
   }
 
-  void absence(const std::string& category) {
+  void absence(const std::string& category, const std::string& looks) {
+    const std::string what = looks.empty() ? category : looks + " " + category;
     Requirement requirement;
     requirement.kind = Requirement::Kind::absence;
     requirement.category = category;
-    requirement.clause = "no " + category;
-    add(std::move(requirement), words_of(Heard::As::absence, category));
+    requirement.attribute = looks;
+    requirement.clause = "no " + what;
+    add(std::move(requirement), words_of(Heard::As::absence, what));
   }
 
   // --- The room itself --------------------------------------------------------------------------
@@ -205,7 +208,7 @@ class Ledger {
     if (brief_.windows && *brief_.windows > 0)
       of_room("openings", "window", *brief_.windows, std::to_string(*brief_.windows) + " windows",
               words, true);
-    else if (brief_.windows && brief_.openings.empty())
+    else if (brief_.windows && !words_of(Heard::As::absence, "window").empty())
       of_room("openings", "window", 0.0, "no windows", words_of(Heard::As::absence, "window"));
   }
 

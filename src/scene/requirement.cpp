@@ -128,6 +128,7 @@ Json to_json(const Requirement& requirement) {
       if (requirement.at_least) json["at_least"] = true;
       break;
     case Requirement::Kind::absence:
+      if (!requirement.attribute.empty()) json["attribute"] = requirement.attribute;
       break;
   }
   if (!requirement.subjects.empty()) json["subjects"] = requirement.subjects;
