@@ -57,13 +57,13 @@ Result<std::unique_ptr<AssetLibrary>> open_all_libraries(const LibraryOptions& o
   std::vector<std::shared_ptr<const AssetLibrary>> libraries;
   libraries.push_back(create::make_kept_library(kept_folder(options.cache)));
   auto catalogue = open_libraries(options, context);
-  if (catalogue) libraries.push_back(*std::move(catalogue));
+  if (catalogue) libraries.push_back(create::make_finishing_library(*std::move(catalogue)));
   else if (catalogue.error().kind != Error::Kind::not_found || !options.more.empty())
     return catalogue.error();
   else
     std::fprintf(stderr, "roomgen: %s; everything is made from words\n",
                  catalogue.error().message.c_str());
-  libraries.push_back(create::make_created_library());
+  libraries.push_back(create::make_finishing_library(create::make_created_library()));
   return make_first_of(std::move(libraries));
 }
 

@@ -159,11 +159,11 @@ double kind_term(const SearchPlan& plan, const AssetInfo& asset, const Vocabular
   return found == plan.kinds.end() ? 0.0 : found->second;
 }
 
-bool contradicts_query(const SearchPlan& plan, const AssetInfo& asset,
-                       const std::vector<WeightedWord>& found, const Vocabulary& vocabulary) {
-  if (!plan.query.asked) return false;
-  if (plan.query.sized && plan.query.size && contradicts_size(asset, *plan.query.size)) return true;
-  return contradicts(asset, plan.looks, vocabulary, [&](const std::string& word) {
+Contradiction contradiction_of(const SearchPlan& plan, const AssetInfo& asset,
+                               const std::vector<WeightedWord>& found, const Vocabulary& vocabulary) {
+  if (!plan.query.asked) return Contradiction::none;
+  if (plan.query.sized && plan.query.size && contradicts_size(asset, *plan.query.size)) return Contradiction::form;
+  return contradiction(asset, plan.looks, vocabulary, [&](const std::string& word) {
     const auto at = std::find(plan.words.begin(), plan.words.end(), word) - plan.words.begin();
     return found[static_cast<std::size_t>(at)].found > 0.0;
   });
@@ -219,7 +219,7 @@ Result<std::vector<AssetMatch>> run_search(const std::vector<const Database*>& d
                        text_relevance(words.found(i, row)),
                        size_term(plan, match.asset), mount_term(plan, match.asset, vocabulary)});
       if (match.score <= 0.0) continue;
-      match.contradicts = contradicts_query(plan, match.asset, words.found(i, row), vocabulary);
+      match.contradicts = contradiction_of(plan, match.asset, words.found(i, row), vocabulary);
       match.asset.mount = plan.query.mount.value_or(match.asset.mount);
       matches.push_back(std::move(match));
     }

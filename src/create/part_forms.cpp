@@ -13,7 +13,7 @@ namespace roomgen::create {
 
 namespace {
 
-constexpr const char* path = "data/create/parts.json";
+constexpr const char* parts_path = "data/create/parts.json";
 constexpr const char* unknown_form = "block";
 
 // A form is written as its components; the box that it fills are its parameters.
@@ -51,9 +51,9 @@ void add_name(PartForms& parts, const std::string& word, const std::string& labe
 }
 
 Result<PartForms> read() {
-  const auto json = parse_json(resource(path).value_or(""), path);
+  const auto json = parse_json(resource(parts_path).value_or(""), parts_path);
   if (!json) return json.error();
-  JsonReader::Problems problems{path};
+  JsonReader::Problems problems{parts_path};
   const JsonReader root(*json, problems);
   root.allow_only({"about", "shapes", "forms", "parts"});
   PartForms parts;

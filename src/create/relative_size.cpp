@@ -17,7 +17,7 @@ namespace roomgen::create {
 
 namespace {
 
-constexpr const char* path = "data/create/relative_sizes.json";
+constexpr const char* relative_sizes_path = "data/create/relative_sizes.json";
 constexpr double not_said = std::numeric_limits<double>::quiet_NaN();
 constexpr int most_people = 30;
 constexpr std::size_t most_between = 4;  // words from "half" to "height"
@@ -42,9 +42,9 @@ WordSet read_list(const JsonReader& json) {
 
 Comparisons read() {
   Comparisons result;
-  const auto json = parse_json(resource(path).value_or("{}"), path);
+  const auto json = parse_json(resource(relative_sizes_path).value_or("{}"), relative_sizes_path);
   if (!json) return result;
-  JsonReader::Problems problems{path};
+  JsonReader::Problems problems{relative_sizes_path};
   const JsonReader root(*json, problems);
   result.heights = read_numbers(root["heights"]);
   result.beings = read_numbers(root["beings"]);

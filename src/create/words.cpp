@@ -13,7 +13,7 @@ namespace roomgen::create {
 
 namespace {
 
-constexpr const char* path = "data/create/words.json";
+constexpr const char* words_path = "data/create/words.json";
 
 WordMap<std::string> read_texts(const JsonReader& json) {
   WordMap<std::string> result;
@@ -73,9 +73,9 @@ void read_placement(const JsonReader& json, std::vector<Placement>& placements) 
 }
 
 Result<Words> read() {
-  const auto json = parse_json(resource(path).value_or(""), path);
+  const auto json = parse_json(resource(words_path).value_or(""), words_path);
   if (!json) return json.error();
-  JsonReader::Problems problems{path};
+  JsonReader::Problems problems{words_path};
   const JsonReader root(*json, problems);
   Words words;
   words.shapes = read_texts(root["shapes"]);

@@ -3,8 +3,10 @@
 #include <algorithm>
 
 #include "library/attribute_words.h"
+#include "library/style_words.h"
 #include "library/vocabulary.h"
 #include "roomgen/base/text.h"
+#include "stated_size.h"
 
 namespace roomgen {
 
@@ -36,10 +38,14 @@ class Judge {
 
   AttributeVerdict phrase(const std::string& text) const {
     const AttributeMeaning* meaning = table_.find(text);
-    if (!meaning) return unlisted(text);
+    if (!meaning) {
+      const StyleMeaning* style = StyleWords::built_in().find(text);
+      return style ? of_style(*style) : unlisted(text);
+    }
     if (const auto* kind = first_of(meaning->kinds)) return yes("as any " + *kind);
     for (const auto& word : meaning->said)
       if (has_word(looks_.identity.words, word)) return yes("its label says " + word);
+    if (!meaning->drawings.empty()) return drawing(text, *meaning);
     if (!meaning->materials.empty()) return material(text, *meaning);
     if (meaning->measured()) return measured(*meaning);
     return unlisted(text);
@@ -68,6 +74,18 @@ class Judge {
     return said ? yes("its label says so") : unknown("\"" + text + "\" cannot be judged");
   }
 
+  // A thing is of a style when it shows the style's colours and is of one of its materials.
+  AttributeVerdict of_style(const StyleMeaning& style) const {
+    if (has_word(looks_.identity.words, style.name)) return yes("its label says so");
+    if (looks_.colors.empty()) return unknown("its colour is not known");
+    for (const auto& color : looks_.colors)
+      if (color.share >= shown_share && std::find(style.colors.begin(), style.colors.end(), color.name) == style.colors.end())
+        return no(color.name + " is no colour of that style");
+    for (const auto& material : style.materials)
+      if (phrase(material).held) return yes("of " + material + " in a colour of that style");
+    return no("of no material of that style");
+  }
+
   bool shows(const AttributeMeaning& meaning, double share) const {
     for (std::size_t i = 0; i < looks_.colors.size(); ++i) {
       const ShownColor& color = looks_.colors[i];
@@ -81,30 +99,38 @@ class Judge {
   }
 
   AttributeVerdict material(const std::string& text, const AttributeMeaning& meaning) const {
-    const auto names_it = [&](const std::set<std::string>& said) {
-      return std::any_of(meaning.materials.begin(), meaning.materials.end(),
-                         [&](const std::string& name) { return has_word(said, name); });
-    };
-    if (names_it(looks_.identity.words)) return yes("its label says so");
-    const bool agrees = shows(meaning, material_share);
-    if (agrees && names_it(looks_.surfaces)) return yes("a surface is called so, and of its colour");
-    if (agrees && first_of(meaning.kinds_of_its_color)) return yes("of its colour, as such things are");
-    if (!meaning.family.empty() && agrees)
+    const bool agrees = looks_.colors.empty() || shows(meaning, material_share);
+    if (!agrees) return no(shown_text(looks_));
+    const auto& materials = meaning.materials;
+    if (std::any_of(materials.begin(), materials.end(),
+                    [&](const std::string& name) { return has_word(looks_.identity.words, name); }))
+      return yes("its label says so, and it is of its colour");
+    if (std::any_of(materials.begin(), materials.end(),
+                    [&](const std::string& name) { return is_surface(name, meaning.roughness); }))
+      return yes("a surface is called so, and of its colour");
+    if (!looks_.colors.empty() && first_of(meaning.kinds_of_its_color))
+      return yes("of its colour, as such things are");
+    if (!meaning.family.empty())
       if (const AttributeMeaning* family = table_.find(meaning.family);
           family && material(meaning.family, *family).held)
         return yes("of " + meaning.family + " and of its colour");
-    if (!names_it(looks_.told)) return no("nothing says " + text);
-    return agrees || is_painted() ? yes("made so, and of its colour")
-                                  : no("made so, but " + shown_text(looks_));
+    return no("nothing says " + text);
   }
 
-  // A colour that the maker was told beside the material, and that shows.
-  bool is_painted() const {
-    return std::any_of(looks_.told.begin(), looks_.told.end(), [&](const std::string& word) {
-      const AttributeMeaning* meaning = table_.find(word);
-      return meaning && meaning->materials.empty() && !meaning->colors.empty() &&
-             shows(*meaning, shown_share);
-    });
+  // A name alone is not enough where the stuff is rough or smooth by nature.
+  bool is_surface(const std::string& name, const std::optional<Range>& roughness) const {
+    auto found = looks_.surfaces.find(name);
+    if (found == looks_.surfaces.end()) found = looks_.surfaces.find(singular(name));
+    return found != looks_.surfaces.end() && (!roughness || roughness->contains(found->second));
+  }
+
+  // A pattern: painted on a surface that is called so.
+  AttributeVerdict drawing(const std::string& text, const AttributeMeaning& meaning) const {
+    for (const auto& name : meaning.drawings) {
+      if (has_word(looks_.identity.words, name)) return yes("its label says " + name);
+      if (has_word(looks_.drawings, name)) return yes("its " + name + " surface shows");
+    }
+    return no("no surface is " + text);
   }
 
   AttributeVerdict measured(const AttributeMeaning& meaning) const {
@@ -172,6 +198,8 @@ std::vector<std::string> telling_phrases(std::string_view attribute) {
 }  // namespace
 
 AttributeVerdict judge_attribute(const KnownLooks& looks, std::string_view attribute) {
+  if (const auto stated = read_stated_size(attribute))
+    return has_size(*stated, looks.size) ? yes("as measured") : no("it measures " + size_text(looks.size) + " m");
   const Judge judge(looks);
   const auto phrases = telling_phrases(attribute);
   if (phrases.empty()) return unknown("\"" + std::string(attribute) + "\" says nothing");

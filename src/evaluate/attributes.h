@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <set>
 #include <string>
 #include <string_view>
@@ -13,13 +14,14 @@
 namespace roomgen {
 
 /// What is known of how an object looks: measured on its mesh, and said by who looked at it (the label of a
-/// library's mesh) or made it (a recipe). What the scene's description asked for is no evidence.
+/// library's mesh) or made it (a recipe's kind). What the scene's description asked for is no evidence.
 struct KnownLooks {
   Identity identity;
   std::vector<ShownColor> colors;
-  std::set<std::string> surfaces;  ///< words of the names of materials that cover a seventh or more; "glass"
-                                   ///< and "metal" also of what lets light through or is metallic
-  std::set<std::string> told;      ///< words that a recipe was given: believed where the mesh agrees
+  /// Words of the names of materials that cover a seventh or more, with the roughness there; "glass" and
+  /// "metal" also of what lets light through or is metallic.
+  std::map<std::string, double> surfaces;
+  std::set<std::string> drawings;  ///< those of them that carry a texture
   double roughness = 0.8;          ///< mean over the surface
   Vec3 size = Vec3::Ones();        ///< metres
   Vec3 usual = Vec3::Ones();       ///< size of the kind
@@ -36,7 +38,8 @@ struct AttributeVerdict {
 
 /// Has the thing the attribute ("matte_black", "l-shaped", "pastel pink")? All words of it must hold, the
 /// longest known phrases first (data/evaluate/attributes.json); a word that is in no table holds if the
-/// label says it and cannot be judged otherwise. docs/evaluation.md has the rules.
+/// label says it and cannot be judged otherwise; sizes in numbers ("160 cm wide") are those of the box.
+/// docs/evaluation.md has the rules.
 AttributeVerdict judge_attribute(const KnownLooks& looks, std::string_view attribute);
 
 }  // namespace roomgen

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <tuple>
 
 #include "base/resource.h"
 #include "library/vocabulary.h"
@@ -38,14 +39,10 @@ bool ends_with_kind(const std::string& kind, const std::string& category) {
   return ends_with_words(kind, category) && !makes_an_image(words(kind).front());
 }
 
-// "jar of flowers": a jar that was made for these words.
-bool was_chosen_for(const Identity& identity, const std::vector<std::string>& pieces) {
-  const std::string head = words(identity.kind).back();
-  if (pieces.size() < 2 || std::find(pieces.begin(), pieces.end(), head) == pieces.end())
-    return false;
-  return std::all_of(pieces.begin(), pieces.end(), [&](const std::string& word) {
-    return word == "of" || word == head || identity.asked.count(word) > 0;
-  });
+// "jar of flowers" is a jar.
+bool is_kind_of_something(const Identity& identity, const std::vector<std::string>& pieces) {
+  const auto of = std::find(pieces.begin(), pieces.end(), "of");
+  return of != pieces.begin() && of != pieces.end() && *std::prev(of) == words(identity.kind).back();
 }
 
 // What the meshes of known libraries are, by "library/id".
@@ -109,7 +106,6 @@ Identity identify(const Object& object, const Vocabulary& vocabulary) {
     identity.basis = "name of " + asset.library + "/" + asset.id;
   }
   for (auto& word : words(identity.kind)) identity.words.insert(std::move(word));
-  for (const auto& word : words(object.description)) identity.asked.insert(singular(word));
   return identity;
 }
 
@@ -119,7 +115,8 @@ int identity_rank(const Identity& identity, std::string_view name, const Vocabul
   if (kind.empty() || category.empty()) return 0;
   if (kind == category) return name_rank;
   if (const int kin = kinship_rank(kind, category, vocabulary); kin > 0) return kin;
-  // "wooden desk": the words before the kind may only say how it is, or stand in the label.
+  // "wooden desk": the words before a kind may only say how it is, or stand in the label; those of a name
+  // that nobody knows ("sushi plate") tell nothing.
   const auto pieces = words(category);
   // A table lamp is no floor lamp by being a lamp, but a mere lamp may be one.
   const bool compound = vocabulary.kinds().named(category) != nullptr;
@@ -127,15 +124,14 @@ int identity_rank(const Identity& identity, std::string_view name, const Vocabul
     const bool only_manner =
         std::all_of(pieces.begin(), pieces.begin() + static_cast<std::ptrdiff_t>(first),
                     [&](const std::string& word) {
-                      return vocabulary.is_modifier(word) || identity.words.count(word) ||
-                             identity.asked.count(word);
+                      return !compound || vocabulary.is_modifier(word) || identity.words.count(word);
                     });
     if (!only_manner) break;
     const std::string head =
         join({pieces.begin() + static_cast<std::ptrdiff_t>(first), pieces.end()}, " ");
     if (kind == head || (!compound && kinship_rank(kind, head, vocabulary) > 0)) return 2;
   }
-  if (was_chosen_for(identity, pieces)) return 2;
+  if (is_kind_of_something(identity, pieces)) return 2;
   return ends_with_kind(kind, category) ? 1 : 0;
 }
 
@@ -147,22 +143,15 @@ std::map<std::string, std::vector<std::size_t>> identified_as(
   for (std::size_t i = 0; i < objects.size(); ++i) {
     const Identity identity = identify(objects[i], vocabulary);
     const std::string placed_as = key(objects[i].category);
-    const auto was_asked_as = [&](const std::string& category) {
-      const auto pieces = words(key(category));
-      return std::all_of(pieces.begin(), pieces.end(), [&](const std::string& word) {
-        return identity.asked.count(word) > 0;
-      });
-    };
-    int best = 0;
+    // Of names that fit equally well the one of which fewer are found.
+    std::tuple<int, bool, long> best{0, false, 0};
     const std::string* chosen = nullptr;
     for (const auto& category : categories) {
-      int value = identity_rank(identity, category, vocabulary);
-      if (value == 0) continue;
-      const bool asked = was_asked_as(category);
-      if (asked && value == synonym_rank) value = name_rank;
-      const int wanted = 4 * value + (asked ? 2 : 0) + (key(category) == placed_as ? 1 : 0);
-      if (wanted <= best) continue;
-      best = wanted;
+      const int value = identity_rank(identity, category, vocabulary);
+      const std::tuple<int, bool, long> fit{value, key(category) == placed_as,
+                                            -static_cast<long>(matched[category].size())};
+      if (value == 0 || fit <= best) continue;
+      best = fit;
       chosen = &category;
     }
     if (chosen) matched[*chosen].push_back(i);

@@ -16,7 +16,6 @@ namespace roomgen {
 struct Identity {
   std::string kind;             ///< "dining chair"
   std::set<std::string> words;  ///< of the kind and of the mesh's label, in the singular
-  std::set<std::string> asked;  ///< of what it was made or chosen for: they name, they prove nothing
   std::string basis;            ///< "label of Scopia/chair", "recipe kind"
 };
 
@@ -24,14 +23,13 @@ Identity identify(const Object& object, const Vocabulary& vocabulary = Vocabular
 
 /// How well a thing of this identity is what the category names (docs/evaluation.md); 0 is not at all.
 /// 5: the same name, 4: another name of the same kind, 3: a kind of it, 2: it by all but words that say
-/// how a thing is ("wooden desk") or for which it was chosen (a plate for "sushi plate"), or merely
-/// without the rest of its name (a lamp for "floor lamp"), 1: a compound of it ("lava lamp" for "lamp").
+/// how a thing is ("wooden desk"), by the last word of a name that nobody knows (a plate for "sushi
+/// plate"), or merely without the rest of its name (a lamp for "floor lamp"), 1: a compound of it ("lava lamp" for "lamp").
 int identity_rank(const Identity& identity, std::string_view category,
                   const Vocabulary& vocabulary = Vocabulary::built_in());
 
 /// Which objects are which category, by index. An object is one category at most: the one of the
-/// highest rank; among equals the one whose words it was chosen for (a buffet of a sideboard), then
-/// the one that it was placed as, else the first.
+/// highest rank; among equals the one that it was placed as, then the one of which fewer were found.
 std::map<std::string, std::vector<std::size_t>> identified_as(
     const std::vector<Object>& objects, const std::vector<std::string>& categories,
     const Vocabulary& vocabulary = Vocabulary::built_in());

@@ -16,7 +16,7 @@ void add_words(const std::string& text, std::set<std::string>& to) {
 }
 
 void look_at_surfaces(const Model& model, KnownLooks& looks) {
-  std::map<std::string, double> areas;
+  std::map<std::string, double> areas, rough_areas, drawn_areas;
   double whole = 0.0, rough = 0.0;
   for (const auto& part : model.parts) {
     const Material& material = model.materials[static_cast<std::size_t>(part.material)];
@@ -27,12 +27,18 @@ void look_at_surfaces(const Model& model, KnownLooks& looks) {
     add_words(material.name, names);
     if (material.transparent()) names.insert("glass");
     if (material.metallic >= metallic_from) names.insert("metal");
-    for (const auto& name : names) areas[name] += covered;
+    for (const auto& name : names) {
+      areas[name] += covered;
+      rough_areas[name] += covered * material.roughness;
+      if (material.texture) drawn_areas[name] += covered;
+    }
   }
   if (whole <= 0.0) return;
   looks.roughness = rough / whole;
   for (const auto& [name, covered] : areas)
-    if (covered >= least_surface * whole) looks.surfaces.insert(name);
+    if (covered >= least_surface * whole) looks.surfaces[name] = rough_areas[name] / covered;
+  for (const auto& [name, covered] : drawn_areas)
+    if (covered >= least_surface * whole) looks.drawings.insert(name);
 }
 
 }  // namespace
@@ -40,7 +46,6 @@ void look_at_surfaces(const Model& model, KnownLooks& looks) {
 KnownLooks known_looks(const Object& object, const ModelTable& models) {
   KnownLooks looks;
   looks.identity = identify(object);
-  if (object.asset.procedural) add_words(text_parameter(*object.asset.procedural, "description"), looks.told);
   if (const auto model = models.find(asset_key(object.asset))) {
     looks.colors = shown_colors(*model);
     look_at_surfaces(*model, looks);

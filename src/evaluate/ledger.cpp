@@ -18,8 +18,8 @@ constexpr std::string_view mount_prefix = "mount ";
 class Checker {
  public:
   Checker(std::span<const Requirement> all, const Scene& scene, const KindTable& categories,
-          const AttributeJudge& has_attribute)
-      : all_(all), scene_(scene), categories_(categories), has_attribute_(has_attribute) {}
+          const AttributeJudge& has_attribute, const SizeShare& size_share)
+      : all_(all), scene_(scene), categories_(categories), has_attribute_(has_attribute), size_share_(size_share) {}
 
   Finding check(const Requirement& requirement) const {
     switch (requirement.kind) {
@@ -119,8 +119,12 @@ class Checker {
   }
 
   std::string count_fault(const Requirement& requirement) const {
-    for (const auto& id : requirement.subjects)
-      if (!find_object(scene_, id)) return missing(id);
+    for (const auto& id : requirement.subjects) {
+      const Object* object = find_object(scene_, id);
+      if (!object) return missing(id);
+      if (const double share = size_share_ ? size_share_(*object) : 1.0; share < least_size_share)
+        return id + " was made at " + format_number(100.0 * share, 0) + " % of its size";
+    }
     const int there = number_of(requirement.category, &requirement);
     const bool enough = there >= requirement.count;
     if (enough && (requirement.at_least || there == requirement.count)) return "";
@@ -171,6 +175,7 @@ class Checker {
   const Scene& scene_;
   const KindTable& categories_;
   const AttributeJudge& has_attribute_;
+  const SizeShare& size_share_;
 };
 
 }  // namespace
@@ -178,8 +183,9 @@ class Checker {
 std::vector<RequirementVerdict> check_requirements(std::span<const Requirement> requirements,
                                                    const Scene& scene,
                                                    const KindTable& categories,
-                                                   const AttributeJudge& has_attribute) {
-  const Checker checker(requirements, scene, categories, has_attribute);
+                                                   const AttributeJudge& has_attribute,
+                                                   const SizeShare& size_share) {
+  const Checker checker(requirements, scene, categories, has_attribute, size_share);
   std::vector<RequirementVerdict> verdicts;
   for (const auto& requirement : requirements) {
     Finding finding = checker.check(requirement);

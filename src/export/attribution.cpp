@@ -22,7 +22,7 @@ std::vector<Credit> credits(const Scene& scene) {
     if (asset.id.empty() || asset.procedural) return;
     Credit& credit = by_asset[{asset.library, asset.id}];
     credit.asset = asset;
-    credit.objects.push_back(user);
+    credit.objects.push_back(asset.finish.empty() ? user : user + " (painted anew)");
   };
   for (const auto& room : rooms_of(scene))
     for (const auto& opening : room.openings) add(opening.joinery.asset, opening.id);

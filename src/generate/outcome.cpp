@@ -53,6 +53,10 @@ std::vector<RequirementVerdict> verdicts(const Workplace& place, const Generatio
       place.plan.requirements, result.scene, place.categories,
       [&](const Object& object, const std::string& word) {
         return judge_attribute(known_looks(object, result.models), word);
+      },
+      [&](const Object& object) {
+        const auto model = result.models.find(asset_key(object.asset));
+        return model ? std::cbrt(object.size.prod() / bounds(*model).size().cwiseMax(1e-4).prod()) : 1.0;
       });
 }
 

@@ -3,16 +3,20 @@
 #include <algorithm>
 #include <cmath>
 
+#include "evaluate/ledger.h"
+
 namespace roomgen {
 
 namespace {
 
-// The share by which a mesh is stretched or squeezed at most.
-constexpr double most_asset_stretch = 0.12;
+// The share by which a mesh is stretched or squeezed at most, and where somebody named the length: up to what
+// is no other size (library/looks.h).
+constexpr double most_asset_stretch = 0.12, most_said_stretch = 0.3;
+constexpr double usual_length = 0.02;  // as near to the kind's own a length says nothing
 
 // Small things: how small they get at most, and by how much with each refusal; the share of a surface
 // that they take.
-constexpr double least_shrink = 0.6;
+constexpr double least_shrink = least_size_share;
 constexpr double shrink_step = 0.9;
 constexpr double fit_margin = 0.96;
 
@@ -22,9 +26,13 @@ Vec3 fitted_size(const AssetInfo& asset, const PlanItem& item, const Kind& categ
   Vec3 size = asset.size;
   if (item.mount != Mount::floor || asset.ref.procedural) return size;
   const Vec3 wanted = item.size.value_or(category.size);
-  Vec2 factor = wanted.head<2>().cwiseQuotient(size.head<2>());
-  if (asset.round) factor.setConstant(factor.mean());
-  size.head<2>().array() *= factor.array().max(1.0 - most_asset_stretch).min(1.0 + most_asset_stretch);
+  Vec3 factor = wanted.cwiseQuotient(size);
+  if (asset.round) factor.head<2>().setConstant(factor.head<2>().mean());
+  for (int axis = 0; axis < 3; ++axis) {
+    const bool is_said = item.asked && std::abs(wanted[axis] / category.size[axis] - 1.0) > usual_length;
+    const double most = is_said ? most_said_stretch : axis < 2 ? most_asset_stretch : 0.0;
+    size[axis] *= std::clamp(factor[axis], 1.0 - most, 1.0 + most);
+  }
   return size;
 }
 

@@ -60,7 +60,7 @@ std::map<SizeMeasure, Range> read_size(const JsonReader& json) {
 
 AttributeMeaning read_meaning(const JsonReader& json) {
   json.allow_only({"colors", "lightness", "least_colors", "materials", "family", "outlines", "sizes",
-                   "roughness", "mount", "kinds", "kinds_of_its_color", "said"});
+                   "roughness", "drawings", "mount", "kinds", "kinds_of_its_color", "said"});
   AttributeMeaning meaning;
   meaning.colors = read_words(json["colors"]);
   if (json["lightness"].exists()) meaning.lightness = read_range(json["lightness"]);
@@ -78,6 +78,7 @@ AttributeMeaning read_meaning(const JsonReader& json) {
     meaning.mount = parse_mount(json["mount"].text(20));
     if (!meaning.mount) json["mount"].report("expected floor, wall, ceiling or surface");
   }
+  meaning.drawings = read_words(json["drawings"]);
   meaning.kinds = read_words(json["kinds"]);
   meaning.kinds_of_its_color = read_words(json["kinds_of_its_color"]);
   meaning.said = read_words(json["said"]);

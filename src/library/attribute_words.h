@@ -41,7 +41,8 @@ struct AttributeMeaning {
   std::string family;                  ///< of an oak: "wood"
   std::vector<std::string> outlines;   ///< round, oval, square, rectangular, l-shaped
   std::vector<std::map<SizeMeasure, Range>> sizes;  ///< alternatives; of one all must hold
-  std::optional<Range> roughness;      ///< of the surface, in [0, 1]
+  std::optional<Range> roughness;      ///< of the surface (with `materials`: of that one), in [0, 1]
+  std::vector<std::string> drawings;   ///< names of this pattern
   std::optional<Mount> mount;
   std::vector<std::string> kinds;      ///< that are so by nature: a pillow is soft
   std::vector<std::string> kinds_of_its_color;  ///< that are of this material when they have its colour: a

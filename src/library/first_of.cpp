@@ -18,7 +18,9 @@ class FirstOf final : public AssetLibrary {
     for (const auto& library : libraries_) {
       auto matches = library->search(query);
       if (!matches) return matches;
-      const auto contradicts = [](const AssetMatch& match) { return match.contradicts; };
+      const auto contradicts = [](const AssetMatch& match) {
+        return match.contradicts != Contradiction::none;
+      };
       const auto first = std::stable_partition(matches->begin(), matches->end(), std::not_fn(contradicts));
       contradicting.insert(contradicting.end(), first, matches->end());
       matches->erase(first, matches->end());

@@ -88,20 +88,21 @@ WantedLooks wanted_looks(const std::vector<std::string>& words) {
   return wanted;
 }
 
-bool contradicts(const AssetInfo& asset, const WantedLooks& wanted, const Vocabulary& vocabulary,
-                 const std::function<bool(const std::string&)>& says) {
+Contradiction contradiction(const AssetInfo& asset, const WantedLooks& wanted, const Vocabulary& vocabulary,
+                            const std::function<bool(const std::string&)>& says) {
   const auto said = [&](const std::vector<std::string>& phrases) {
     return std::any_of(phrases.begin(), phrases.end(), [&](const std::string& phrase) {
       const auto pieces = words(phrase);
       return std::all_of(pieces.begin(), pieces.end(), says);
     });
   };
-  if (contradicts_outline(asset, wanted.outline, vocabulary)) return true;
-  if (contradicts_color(asset, wanted.colors)) return true;
-  if (wanted.materials.empty()) return false;
+  if (contradicts_outline(asset, wanted.outline, vocabulary)) return Contradiction::form;
+  if (contradicts_color(asset, wanted.colors)) return Contradiction::looks;
+  if (wanted.materials.empty()) return Contradiction::none;
   // Painted wood is asked for by its colour.
-  if (wanted.colors.empty() && contradicts_natural_color(asset, wanted.materials)) return true;
-  return !said(wanted.materials) && names_other_material(asset);
+  const bool unnatural = wanted.colors.empty() && contradicts_natural_color(asset, wanted.materials);
+  return unnatural || (!said(wanted.materials) && names_other_material(asset)) ? Contradiction::looks
+                                                                               : Contradiction::none;
 }
 
 bool contradicts_size(const AssetInfo& asset, const Vec3& wanted) {

@@ -20,12 +20,12 @@ struct WantedLooks {
 /// Of single words in lower case, in the order in which they were said.
 WantedLooks wanted_looks(const std::vector<std::string>& words);
 
-/// Does the asset look otherwise than wanted? Only what is known can disagree: its outline, its largest
+/// In what does the asset look otherwise than wanted? Only what is known can disagree: its outline, its largest
 /// colour, whether any main colour is one of the material, the materials that its name and tags tell.
 /// What was measured counts before texts: meshes are called after colours that they do not show. `says`
 /// tells whether the asset's own texts have a word or one of its family; it is believed of materials.
-bool contradicts(const AssetInfo& asset, const WantedLooks& wanted, const Vocabulary& vocabulary,
-                 const std::function<bool(const std::string&)>& says);
+Contradiction contradiction(const AssetInfo& asset, const WantedLooks& wanted, const Vocabulary& vocabulary,
+                            const std::function<bool(const std::string&)>& says);
 
 /// Is a side so far from the wanted box that whoever named the size would not accept it? What has no
 /// front may stand the other way round.

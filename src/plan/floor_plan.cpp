@@ -238,6 +238,16 @@ Room make_room(const RoomKind& kind, const Outline& outline, int windows, bool w
   return room;
 }
 
+void put_on(Room& room, const StyleMeaning& style, Random random) {
+  const auto choose = [&](std::string& has, const std::vector<std::string>& words) {
+    if (!words.empty()) has = random.pick(words);
+  };
+  const bool is_tiled = room.materials.floor.find("tile") != std::string::npos;
+  choose(room.materials.walls, style.walls);
+  choose(room.materials.accent, style.accents);
+  if (!is_tiled) choose(room.materials.floor, style.floors);
+}
+
 void put_on(Room& room, const RoomMaterials& said) {
   const auto replace = [](std::string& has, const std::string& wanted) {
     if (!wanted.empty()) has = wanted;

@@ -6,6 +6,7 @@
 #include "brief/brief.h"
 #include "brief/outline.h"
 #include "brief/room_kinds.h"
+#include "library/style_words.h"
 #include "roomgen/scene/room.h"
 
 namespace roomgen::design {
@@ -28,6 +29,8 @@ Outline choose_outline(const Brief& brief, const Vec2& chosen, bool is_box,
 Room make_room(const RoomKind& kind, const Outline& outline, int windows, bool wide_windows,
                Random random);
 
+/// Walls and floor of a style; floors that get wet keep their tiles.
+void put_on(Room& room, const StyleMeaning& style, Random random);
 /// What the prompt says of materials, in place of what the room has.
 void put_on(Room& room, const RoomMaterials& said);
 

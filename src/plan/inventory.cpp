@@ -33,6 +33,7 @@ class Completion {
         random_(random) {
     for (const auto& word : brief.styles)
       if (const Style* style = kinds.style(word)) styles_.push_back(style);
+    meaning_ = style_named(kinds, brief.styles);
   }
 
   void run() {
@@ -127,6 +128,8 @@ class Completion {
       if (table_.is_any_of(category, style->more)) factor *= 4.0;
       if (table_.is_any_of(category, style->fewer)) factor *= 0.1;
     }
+    if (meaning_ && table_.is_any_of(category, meaning_->more)) factor *= 4.0;
+    if (meaning_ && table_.is_any_of(category, meaning_->fewer)) factor *= 0.1;
     return factor;
   }
 
@@ -242,6 +245,7 @@ class Completion {
   const Looks& looks_;
   Random random_;
   std::vector<const Style*> styles_;
+  const StyleMeaning* meaning_ = nullptr;  ///< of the style that is named first
   std::set<const Piece*> used_;
   bool in_core_ = false;
 };

@@ -1,8 +1,18 @@
 #include "looks.h"
 
 #include "roomgen/base/text.h"
+#include "library/looks.h"
 
 namespace roomgen::design {
+
+const StyleMeaning* style_named(const RoomKinds& kinds, const std::vector<std::string>& styles) {
+  for (const auto& word : styles) {
+    if (const auto* meaning = StyleWords::built_in().find(word)) return meaning;
+    const Style* style = kinds.style(word);
+    if (const auto* meaning = style ? StyleWords::built_in().find(style->adjective) : nullptr) return meaning;
+  }
+  return nullptr;
+}
 
 Looks::Looks(const RoomKinds& kinds, const KindTable& table,
              const std::vector<std::string>& styles, Random random)
@@ -10,6 +20,11 @@ Looks::Looks(const RoomKinds& kinds, const KindTable& table,
   for (const auto& word : styles)
     if (const Style* style = kinds.style(word); style && adjective_.empty())
       adjective_ = style->adjective;
+  if (const StyleMeaning* style = style_named(kinds, styles)) {
+    adjective_ = style->name;
+    for (const auto& look : style->looks) finishes_.emplace_back(look.kinds, random.pick(look.words));
+    of_style_ = finishes_.size();
+  }
   for (const auto& finish : kinds.finishes)
     if (!finish.words.empty()) finishes_.emplace_back(finish.kinds, random.pick(finish.words));
 }
@@ -17,14 +32,23 @@ Looks::Looks(const RoomKinds& kinds, const KindTable& table,
 std::string Looks::describe(const std::string& category, const std::string& variant) const {
   std::vector<std::string> words;
   if (!adjective_.empty()) words.push_back(adjective_);
-  for (const auto& [kinds, word] : finishes_)
-    if (table_->is_any_of(category, kinds)) {
-      words.push_back(word);
-      break;
-    }
+  if (const auto* finish = finish_of(category, finishes_.size())) words.push_back(*finish);
   if (!variant.empty()) words.push_back(variant);
   words.push_back(category);
   return join(words, " ");
+}
+
+std::string Looks::in_style(const std::string& category, const std::string& description) const {
+  const WantedLooks said = wanted_looks(roomgen::words(description));
+  if (!said.colors.empty() || !said.materials.empty()) return description;
+  const auto* finish = finish_of(category, of_style_);
+  return finish ? adjective_ + " " + *finish + " " + description : description;
+}
+
+const std::string* Looks::finish_of(const std::string& category, std::size_t among) const {
+  for (std::size_t i = 0; i < among; ++i)
+    if (table_->is_any_of(category, finishes_[i].first)) return &finishes_[i].second;
+  return nullptr;
 }
 
 }  // namespace roomgen::design

@@ -5,12 +5,16 @@
 
 #include "base/random.h"
 #include "brief/room_kinds.h"
+#include "library/style_words.h"
 #include "roomgen/kinds/kind_table.h"
 
 namespace roomgen::design {
 
-/// How the things of one room look: one adjective of style, one finish for each group of kinds, so
-/// that what stands together goes together.
+/// The style that a prompt names first, if it is one of data/styles.json; else null.
+const StyleMeaning* style_named(const RoomKinds& kinds, const std::vector<std::string>& styles);
+
+/// How the things of one room look: one adjective of style, one finish for each group of kinds, those of
+/// the style before those of everybody, so that what stands together goes together.
 class Looks {
  public:
   Looks(const RoomKinds& kinds, const KindTable& table, const std::vector<std::string>& styles,
@@ -19,9 +23,16 @@ class Looks {
   /// "modern wooden double bed"
   std::string describe(const std::string& category, const std::string& variant) const;
 
+  /// What the style gives a thing of which somebody said neither colour nor material, before the words
+  /// that were said: "gothic ebony wardrobe".
+  std::string in_style(const std::string& category, const std::string& description) const;
+
  private:
+  const std::string* finish_of(const std::string& category, std::size_t among) const;
+
   const KindTable* table_;
   std::string adjective_;
+  std::size_t of_style_ = 0;  ///< so many of the finishes are the style's
   std::vector<std::pair<std::vector<std::string>, std::string>> finishes_;  ///< kinds and the word
 };
 

@@ -131,14 +131,18 @@ class Planner {
     plan.seed = request_.seed;
     plan.excluded = brief_.excluded;
     plan.notes = brief_.notes;
+    const Looks looks(kinds_, table_, brief_.styles, random_.fork("looks"));
     auto drafts = asked_items(brief_, table_);
+    for (auto& draft : drafts)
+      draft.item.description = looks.in_style(draft.item.category, draft.item.description);
     plan.room = make_the_room(floor_area(drafts, table_), random, n, plan);
+    if (const auto* style = style_named(kinds_, brief_.styles); style && !request_.room)
+      put_on(plan.room, *style, random_.fork("style"));
     put_on(plan.room, brief_.materials);
     one_for_each_window(drafts, brief_, plan.room, table_);
     const Vec2 box = bounds(plan.room.polygon).size();
     // Of a room that is no rectangle, one of its area.
     const Vec2 usable(box.x(), area(plan.room.polygon) / box.x());
-    const Looks looks(kinds_, table_, brief_.styles, random_.fork("looks"));
     complete(drafts, brief_, kinds_, kind_, usable, table_, looks, random.fork("contents"));
     result.drafts = order_items(std::move(drafts), table_, arrangements_, plan);
     judge(result);

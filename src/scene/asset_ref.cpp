@@ -11,6 +11,8 @@ namespace roomgen {
 
 namespace {
 
+constexpr std::size_t longest_finish = 200;
+
 std::string written_parameters(const ProceduralSource& source) {
   return source.params.empty() ? "null" : source.params;
 }
@@ -29,10 +31,12 @@ std::string text_parameter(const ProceduralSource& source, std::string_view name
 }
 
 std::string asset_key(const AssetRef& asset) {
+  std::string key = asset.id.empty() ? std::string() : asset.library + "/" + asset.id;
   if (asset.procedural)
-    return "procedural:" + asset.procedural->recipe + ":" + written_parameters(*asset.procedural) + ":" +
-           std::to_string(asset.procedural->seed);
-  return asset.id.empty() ? std::string() : asset.library + "/" + asset.id;
+    key = "procedural:" + asset.procedural->recipe + ":" + written_parameters(*asset.procedural) + ":" +
+          std::to_string(asset.procedural->seed);
+  for (const auto& [stuff, looks] : asset.finish) key += "#" + stuff + "=" + looks;
+  return key;
 }
 
 Json to_json(const AssetRef& asset) {
@@ -48,18 +52,21 @@ Json to_json(const AssetRef& asset) {
     json["license"] = asset.license;
     json["creator"] = asset.creator;
   }
+  for (const auto& [stuff, looks] : asset.finish) json["finish"][stuff] = looks;
   return json;
 }
 
 AssetRef read_asset(const JsonReader& json) {
   AssetRef asset;
   if (!json.exists()) return asset;
-  json.allow_only({"library", "id", "sha256", "license", "creator", "procedural"});
+  json.allow_only({"library", "id", "sha256", "license", "creator", "procedural", "finish"});
   asset.library = json["library"].text_or("");
   asset.id = json["id"].text_or("");
   asset.sha256 = json["sha256"].text_or("");
   asset.license = json["license"].text_or("");
   asset.creator = json["creator"].text_or("");
+  if (const auto finish = json["finish"]; finish.exists())
+    for (const auto& [stuff, looks] : finish.members()) asset.finish[stuff] = looks.text(longest_finish);
   if (const auto procedural = json["procedural"]; procedural.exists()) {
     procedural.allow_only({"recipe", "params", "seed"});
     ProceduralSource source;

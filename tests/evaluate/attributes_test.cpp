@@ -95,22 +95,18 @@ TEST_CASE("Shades are read off the mean colour") {
   CHECK(has(sofa, "sky_blue"));
 }
 
-TEST_CASE("A material is believed of surfaces and labels, and of the maker where the colour agrees") {
+TEST_CASE("A material is believed of surfaces and labels where the colour agrees") {
   KnownLooks statue = plain("sculpture", {0.3, 0.3, 0.9});
   statue.colors = {shown("brown", 1.0, 110, 70, 40)};
   CHECK_FALSE(has(statue, "wooden"));
-  statue.told = {"wooden"};
+  statue.surfaces = {{"wooden", 0.6}};
   CHECK(has(statue, "wooden"));
   CHECK(has(statue, "walnut"));          // of wood, and dark
   CHECK_FALSE(has(statue, "pine"));      // of wood, and dark
   CHECK_FALSE(has(statue, "marble"));
   statue.colors = {shown("blue", 1.0, 40, 60, 200)};
   CHECK_FALSE(has(statue, "wooden"));
-  statue.told = {"wooden", "blue"};
-  CHECK(has(statue, "wooden"));
-  statue.told = {};
-  statue.told = {};
-  statue.surfaces = {"oak"};
+  statue.surfaces = {{"oak", 0.6}};
   CHECK_FALSE(has(statue, "wooden"));  // meshes are called after what they do not show
   statue.colors = {shown("brown", 1.0, 140, 90, 50)};
   CHECK(has(statue, "wooden"));
@@ -121,6 +117,9 @@ TEST_CASE("A material is believed of surfaces and labels, and of the maker where
   desk.colors = {shown("white", 1.0, 250, 250, 250)};
   INFO(judge_attribute(desk, "wooden").reason);
   CHECK_FALSE(has(desk, "wooden"));
+  // Whatever its label says.
+  desk.identity.words.insert("walnut");
+  CHECK_FALSE(has(desk, "walnut"));
 }
 
 TEST_CASE("What is in no table can only be read on a label") {
@@ -128,10 +127,51 @@ TEST_CASE("What is in no table can only be read on a label") {
   const auto verdict = judge_attribute(chair, "enchanted");
   CHECK_FALSE(verdict.held);
   CHECK_FALSE(verdict.judged);
-  chair.told = {"enchanted"};
-  CHECK_FALSE(has(chair, "enchanted"));
   chair.identity.words.insert("enchanted");
   CHECK(has(chair, "enchanted"));
+}
+
+TEST_CASE("Velvet is rough, a name alone does not make it") {
+  KnownLooks sofa = plain("bench", {2, 0.9, 0.8});
+  sofa.colors = {shown("blue", 0.9, 20, 30, 80)};
+  sofa.surfaces = {{"velvet", 0.3}};
+  CHECK_FALSE(has(sofa, "velvet"));
+  sofa.surfaces = {{"velvet", 0.95}};
+  CHECK(has(sofa, "velvet"));
+}
+
+TEST_CASE("A pattern is a drawing on a surface that is called so") {
+  KnownLooks rug = plain("rug", {2, 1.4, 0.02});
+  rug.surfaces = {{"striped", 0.9}};
+  CHECK_FALSE(has(rug, "striped"));
+  rug.drawings = {"striped"};
+  CHECK(has(rug, "striped"));
+  CHECK(has(rug, "patterned"));
+  CHECK_FALSE(has(rug, "floral"));
+}
+
+TEST_CASE("A style is judged by the colours and materials that its definition has") {
+  KnownLooks desk = plain("desk", {1.2, 0.6, 0.75});
+  desk.colors = {shown("black", 0.7, 20, 20, 20), shown("brown", 0.3, 90, 60, 40)};
+  desk.surfaces = {{"metal", 0.4}};
+  CHECK(has(desk, "industrial"));
+  CHECK_FALSE(has(desk, "coastal"));
+  desk.colors = {shown("pink", 1.0, 230, 160, 180)};
+  CHECK_FALSE(has(desk, "industrial"));
+}
+
+TEST_CASE("Sizes in numbers are those of the box") {
+  const KnownLooks table = plain("table", {1.6, 0.8, 0.75});
+  for (const char* held : {"160_cm_wide", "1.6 m", "80_cm_deep", "160x80_cm", "75 cm high", "at_most_1_m_tall", "at least 1.5 m long"}) {
+    INFO(held);
+    CHECK(has(table, held));
+  }
+  for (const char* not_held : {"120_cm_wide", "2 m", "60x60_cm", "1_m_tall", "at_most_1_m_long"}) {
+    INFO(not_held);
+    const auto verdict = judge_attribute(table, not_held);
+    CHECK_FALSE(verdict.held);
+    CHECK(verdict.judged);
+  }
 }
 
 TEST_CASE("Sizes are against the usual") {

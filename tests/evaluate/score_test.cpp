@@ -155,3 +155,56 @@ TEST_CASE("What could not be scored is named in the reports") {
   CHECK(score_json({}, unscored)["unscored"][0]["id"] == "7");
   CHECK(score_markdown({}, unscored).find("- 7: 7/scene.json: is cut off") != std::string::npos);
 }
+
+namespace {
+
+// An armchair of a library and a sofa that was built, both with what was asked for in words.
+Scene described_things(const std::string& wish) {
+  Scene scene;
+  scene.room = rooms::box(5, 4);
+  scene.objects = {rooms::thing("armchair-0", "armchair", {0.8, 0.8, 1.0}, {1, 1}),
+                   rooms::thing("sofa-0", "sofa", {2.0, 0.9, 0.8}, {3, 3})};
+  scene.objects[0].asset.library = "Scopia";
+  scene.objects[0].asset.id = "armchair";
+  ProceduralSource built;
+  built.recipe = "words";
+  built.params = Json{{"kind", "sofa"}, {"description", wish}, {"size", {2.0, 0.9, 0.8}}}.dump();
+  scene.objects[1].asset.procedural = built;
+  scene.objects[1].asset.finish = {{"upholstery", "red velvet"}};
+  for (auto& object : scene.objects) object.description = wish;
+  return scene;
+}
+
+Model red_velvet() {
+  Model model;
+  Material velvet;
+  velvet.name = "red velvet";
+  velvet.base_color = {0.5f, 0.02f, 0.02f, 1.0f};
+  velvet.roughness = 0.95f;
+  model.materials = {velvet};
+  model.parts = {{make_box({-0.5, -0.5, 0}, {0.5, 0.5, 1}), 0}};
+  return model;
+}
+
+std::vector<std::string> verdicts_of(const Scene& scene) {
+  ModelTable models;
+  for (const auto& object : scene.objects)
+    models.add(asset_key(object.asset), std::make_shared<Model>(red_velvet()));
+  const auto row = asking(",ObjAttr", "\"eq,1,armchair;eq,1,sofa;eq,1,gilded throne;eq,1,velvet sofa\","
+                                      "\"eq,1,armchair,leather;eq,1,sofa,red;eq,1,sofa,velvet;eq,1,sofa,gilded\"");
+  const auto score = score_room(row, scene, models);
+  std::vector<std::string> all;
+  for (const auto* verdicts : {&score.counts, &score.attributes})
+    for (const auto& verdict : *verdicts)
+      all.push_back(verdict.text + (verdict.satisfied ? " yes " : " no ") + verdict.reason);
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("Blanking every description and wish in a scene changes no verdict") {
+  const auto verdicts = verdicts_of(described_things("a gilded throne, a velvet sofa of leather"));
+  CHECK(verdicts == verdicts_of(described_things("")));
+  CHECK(std::count_if(verdicts.begin(), verdicts.end(),
+                      [](const auto& text) { return text.find(" yes ") != std::string::npos; }) >= 3);
+}

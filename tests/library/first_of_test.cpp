@@ -16,7 +16,7 @@ class OneThing final : public AssetLibrary {
     if (query.category != category_) return matches;
     matches.emplace_back();
     matches.back().asset.ref.library = library_;
-    matches.back().contradicts = contradicts_;
+    if (contradicts_) matches.back().contradicts = Contradiction::form;
     matches.back().asset.ref.id = category_;
     return matches;
   }

@@ -18,8 +18,8 @@ AssetInfo asset(const std::string& category, std::vector<std::string> colors) {
 }
 
 bool contradicts(const AssetInfo& info, const std::vector<std::string>& words) {
-  return contradicts(info, wanted_looks(words), vocabulary(),
-                     [](const std::string&) { return false; });
+  return contradiction(info, wanted_looks(words), vocabulary(),
+                       [](const std::string&) { return false; }) != Contradiction::none;
 }
 
 }  // namespace

@@ -82,6 +82,15 @@ Result<CreatedObject> refine(const shape::Program& earlier, const std::string& w
 /// What was built is kept in memory; for use by several threads at once.
 std::unique_ptr<AssetLibrary> make_created_library();
 
+/// Another library whose things get the looks that are asked for: where the words of a query
+/// (AssetQuery::description) name colours, substances, patterns or a gloss that an asset is not known to
+/// have, it is offered with an AssetRef::finish, and no longer contradicts the query by them. load()
+/// paints the parts of its mesh anew (docs/finishes.md). Glass is never made of what is none.
+///
+/// Looks are given to what somebody asked for (AssetQuery::asked) and to what a word of style is about.
+/// What was painted is kept in memory; for use by several threads at once.
+std::unique_ptr<AssetLibrary> make_finishing_library(std::shared_ptr<const AssetLibrary> library);
+
 /// The programs of objects that were made and kept: a folder of JSON files, whose "name" says what
 /// they are. Licence CC0. A folder that is not there is empty; files that are no programs are left
 /// out.

@@ -56,10 +56,17 @@ struct AssetQuery {
   bool sized = false;  ///< the size was said too, and is not just what is usual
 };
 
+/// What of a query an asset does not have.
+enum class Contradiction {
+  none,
+  looks,  ///< its colour or its material
+  form,   ///< its outline or a side that was said
+};
+
 struct AssetMatch {
   AssetInfo asset;
   double score = 0.0;  ///< in [0, 1], best first
-  bool contradicts = false;  ///< the query asks for another colour, material, outline or size
+  Contradiction contradicts = Contradiction::none;
 };
 
 /// A source of meshes.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -32,6 +33,9 @@ struct AssetRef {
   std::string license;
   std::string creator;
   std::optional<ProceduralSource> procedural;
+  /// Looks that the mesh does not have by itself: words ("navy velvet", "black and white striped") by the
+  /// stuff of the parts that are painted so ("upholstery"; docs/finishes.md).
+  std::map<std::string, std::string> finish = {};
 
   bool is_box() const { return id.empty() && !procedural; }
   bool operator==(const AssetRef&) const = default;
@@ -40,7 +44,7 @@ struct AssetRef {
 /// A text among the parameters; empty if there is none of this name.
 std::string text_parameter(const ProceduralSource& source, std::string_view name);
 
-/// One string that identifies the geometry: the key of a ModelTable. Empty for a plain box.
+/// One string that identifies the mesh and its looks: the key of a ModelTable. Empty for a plain box.
 std::string asset_key(const AssetRef& asset);
 
 /// The "asset" of scene.json (docs/scene.schema.json).

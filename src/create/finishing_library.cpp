@@ -1,0 +1,127 @@
+#include "roomgen/create/create.h"
+
+#include <algorithm>
+#include <map>
+#include <mutex>
+#include <utility>
+
+#include "finish_look.h"
+#include "library/style_words.h"
+#include "repaint.h"
+#include "roomgen/base/text.h"
+#include "library/shown_colors.h"
+#include "library/vocabulary.h"
+
+namespace roomgen::create {
+
+namespace {
+
+bool says_any(const AssetInfo& asset, const std::vector<std::string>& wanted) {
+  auto told = words(asset.name + " " + asset.category + " " + join(asset.tags, " "));
+  return std::any_of(wanted.begin(), wanted.end(), [&](const std::string& word) {
+    return std::find(told.begin(), told.end(), word) != told.end();
+  });
+}
+
+bool has_pattern(const AssetInfo& asset, const PartLook& look) {
+  for (const auto& said : look.said)
+    if (finish_table().patterns.count(said)) return says_any(asset, Vocabulary::built_in().family(said));
+  return true;
+}
+
+bool has_substance(const AssetInfo& asset, const PartLook& look) {
+  if (!look.substance) return true;
+  for (const auto& said : look.said)
+    if (finish_table().stuffs.count(said) && !says_any(asset, {said})) return false;
+  return true;
+}
+
+// Only the plainest words of colour can be told by the largest colour alone.
+bool has_tone(const AssetInfo& asset, const PartLook& look) {
+  if (!look.shades.empty()) return false;
+  if (look.tones.empty()) return true;
+  if (look.tones.size() > 1 || asset.colors.empty()) return false;
+  const std::string name = color_name(look.tones[0][0], look.tones[0][1], look.tones[0][2]);
+  const bool is_plain = std::find(look.said.begin(), look.said.end(), name) != look.said.end();
+  return is_plain && asset.colors.front() == name;
+}
+
+bool is_known_to_look(const AssetInfo& asset, const PartLook& look) {
+  return !asset.ref.procedural && !look.gloss && has_tone(asset, look) && has_substance(asset, look) &&
+         has_pattern(asset, look);
+}
+
+// Without the words that name the kind: a coffee table is not to be the colour of coffee.
+std::string words_of_looks(const AssetQuery& query) {
+  const auto& vocabulary = Vocabulary::built_in();
+  auto all = words(query.description);
+  for (const std::string& name : {vocabulary.understand(query.description).name, query.category}) {
+    const auto of_kind = words(name);
+    const bool ends_so = of_kind.size() <= all.size() &&
+                         std::equal(of_kind.rbegin(), of_kind.rend(), all.rbegin(),
+                                    [](const auto& a, const auto& b) { return singular(a) == singular(b); });
+    if (ends_so) all.resize(all.size() - of_kind.size());
+  }
+  return join(all, " ");
+}
+
+class FinishingLibrary final : public AssetLibrary {
+ public:
+  explicit FinishingLibrary(std::shared_ptr<const AssetLibrary> library) : library_(std::move(library)) {}
+
+  Result<std::vector<AssetMatch>> search(const AssetQuery& query) const override {
+    auto matches = library_->search(query);
+    const bool has_looks = query.asked || StyleWords::built_in().named_in(query.description);
+    if (!matches || !has_looks) return matches;
+    const std::string looks = words_of_looks(query);
+    for (auto& match : *matches) finish(match, wanted_finish(looks, match.asset.category));
+    std::stable_sort(matches->begin(), matches->end(), [](const AssetMatch& a, const AssetMatch& b) {
+      return a.contradicts < b.contradicts;
+    });
+    return matches;
+  }
+
+  Result<std::shared_ptr<const Model>> load(const AssetRef& ref) const override {
+    if (ref.finish.empty()) return library_->load(ref);
+    const std::string key = asset_key(ref);
+    const std::lock_guard lock(mutex_);
+    if (const auto known = models_.find(key); known != models_.end()) return known->second;
+    AssetRef plain = ref;
+    plain.finish.clear();
+    auto loaded = library_->load(plain);
+    if (!loaded) return loaded;
+    Model model = **loaded;
+    repaint(model, ref.finish, paints_);
+    return models_[key] = std::make_shared<const Model>(std::move(model));
+  }
+
+ private:
+  static void finish(AssetMatch& match, std::map<std::string, std::string> wanted) {
+    AssetInfo& asset = match.asset;
+    bool needs_glass = false;
+    std::erase_if(wanted, [&](const auto& entry) {
+      const PartLook look = read_look(entry.second);
+      const bool is_new_glass = look.stuff == "glass" && !has_substance(asset, look);
+      needs_glass = needs_glass || is_new_glass;
+      return look.empty() || is_known_to_look(asset, look);
+    });
+    if (wanted.empty()) return;
+    if (match.contradicts == Contradiction::looks && !needs_glass) match.contradicts = Contradiction::none;
+    for (const auto& [stuff, text] : wanted)
+      if (const auto tone = read_look(text).tone()) asset.colors = {color_name((*tone)[0], (*tone)[1], (*tone)[2])};
+    asset.ref.finish = std::move(wanted);
+  }
+
+  std::shared_ptr<const AssetLibrary> library_;
+  mutable std::mutex mutex_;
+  mutable PaintBox paints_;
+  mutable std::map<std::string, std::shared_ptr<const Model>> models_;
+};
+
+}  // namespace
+
+std::unique_ptr<AssetLibrary> make_finishing_library(std::shared_ptr<const AssetLibrary> library) {
+  return std::make_unique<FinishingLibrary>(std::move(library));
+}
+
+}  // namespace roomgen::create
