@@ -52,7 +52,7 @@ Tone in_shades(Tone tone, const std::vector<Shade>& shades) {
 }
 
 // "wooden oak": the more special one counts.
-bool says_more(const shape::Surface& substance, const std::string& stuff, const PartLook& than) {
+bool is_more_special(const shape::Surface& substance, const std::string& stuff, const PartLook& than) {
   return !than.substance || (than.substance->name.starts_with(stuff) && substance.name != than.substance->name);
 }
 
@@ -133,7 +133,7 @@ PartLook read_look(std::string_view text, const FinishTable& table) {
     if (phrase.kind == Kind::substance) {
       const auto& substance = table.substances.at(name);
       const auto& stuff = table.stuffs.at(name);
-      if (says_more(substance, stuff, look)) look.substance = &substance, look.stuff = stuff;
+      if (is_more_special(substance, stuff, look)) look.substance = &substance, look.stuff = stuff;
     }
     if (phrase.kind < Kind::part) look.said.push_back(name);
   }

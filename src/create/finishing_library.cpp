@@ -51,6 +51,11 @@ bool is_known_to_look(const AssetInfo& asset, const PartLook& look) {
          has_pattern(asset, look);
 }
 
+// Of tables of glass only the legs could be painted.
+bool is_of_glass(const AssetInfo& asset) {
+  return says_any(asset, {"glass", "transparent", "acrylic"}) && !says_any(asset, {"wood", "wooden"});
+}
+
 // Without the words that name the kind: a coffee table is not to be the colour of coffee.
 std::string words_of_looks(const AssetQuery& query) {
   const auto& vocabulary = Vocabulary::built_in();
@@ -106,7 +111,9 @@ class FinishingLibrary final : public AssetLibrary {
       return look.empty() || is_known_to_look(asset, look);
     });
     if (wanted.empty()) return;
-    if (match.contradicts == Contradiction::looks && !needs_glass) match.contradicts = Contradiction::none;
+    const bool can_be_given = !needs_glass && !is_of_glass(asset);
+    if (can_be_given && match.contradicts == Contradiction::looks) match.contradicts = Contradiction::none;
+    if (!can_be_given && match.contradicts == Contradiction::none) match.contradicts = Contradiction::looks;
     for (const auto& [stuff, text] : wanted)
       if (const auto tone = read_look(text).tone()) asset.colors = {color_name((*tone)[0], (*tone)[1], (*tone)[2])};
     asset.ref.finish = std::move(wanted);

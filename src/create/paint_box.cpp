@@ -17,10 +17,10 @@ constexpr std::size_t most_toned = 64;                   // they are as large as
 
 float luma(const Tone& tone) { return tone.dot(Tone(0.299f, 0.587f, 0.114f)); }
 
-int part_of(float component) { return static_cast<int>(std::lround(component)); }
+int rounded_part(float component) { return static_cast<int>(std::lround(component)); }
 
 auto pair_of(const Tone& a, const Tone& b) {
-  return std::make_tuple(part_of(a[0]), part_of(a[1]), part_of(a[2]), part_of(b[0]), part_of(b[1]), part_of(b[2]));
+  return std::make_tuple(rounded_part(a[0]), rounded_part(a[1]), rounded_part(a[2]), rounded_part(b[0]), rounded_part(b[1]), rounded_part(b[2]));
 }
 
 // Of the pattern's name; none of shape's if it is one of geometry's.

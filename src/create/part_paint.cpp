@@ -1,5 +1,6 @@
 #include "part_paint.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <map>
 

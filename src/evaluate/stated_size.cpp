@@ -8,7 +8,7 @@ namespace roomgen {
 
 namespace {
 
-using language::Measure;
+using SaidLength = language::Measure;
 
 constexpr double size_tolerance = 0.1;  // of a length that was said
 
@@ -20,19 +20,19 @@ bool agrees(double have, double stated, StatedSize::Bound bound) {
 }
 
 // The sides that a length may be said of.
-std::vector<double> sides_of(Measure::Side side, const Vec3& size) {
+std::vector<double> sides_of(SaidLength::Side side, const Vec3& size) {
   const double longer = std::max(size.x(), size.y()), shorter = std::min(size.x(), size.y());
   switch (side) {
-    case Measure::Side::length:
-    case Measure::Side::diameter:
+    case SaidLength::Side::length:
+    case SaidLength::Side::diameter:
       return {longer, std::max(longer, size.z())};
-    case Measure::Side::width:
+    case SaidLength::Side::width:
       return {size.x(), size.y()};
-    case Measure::Side::depth:
+    case SaidLength::Side::depth:
       return {size.y(), size.x()};
-    case Measure::Side::height:
+    case SaidLength::Side::height:
       return {size.z()};
-    case Measure::Side::thickness:
+    case SaidLength::Side::thickness:
       return {size.minCoeff()};
     default:
       return {longer, shorter, size.z(), std::hypot(size.x(), size.z())};
@@ -65,27 +65,27 @@ std::optional<StatedSize> read_stated_size(std::string_view text) {
   const auto tokens = language::tokenize(spaced);
   for (std::size_t at = 0; at < tokens.size(); ++at) {
     auto measure = language::measure_at(tokens, at);
-    if (!measure || measure->kind == Measure::Kind::area || !measure->has_unit) continue;
+    if (!measure || measure->kind == SaidLength::Kind::area || !measure->has_unit) continue;
     // "a 90 cm diameter": the side may stand behind it without "in".
     const std::size_t next = at + measure->length;
-    if (measure->side == Measure::Side::unsaid && next < tokens.size() &&
+    if (measure->side == SaidLength::Side::unsaid && next < tokens.size() &&
         (tokens[next].is("diameter") || tokens[next].is("across")))
-      measure->side = Measure::Side::diameter;
+      measure->side = SaidLength::Side::diameter;
     return StatedSize{*measure, bound_before(tokens, at)};
   }
   return std::nullopt;
 }
 
 bool has_size(const StatedSize& stated, const Vec3& size) {
-  const Measure& measure = stated.measure;
+  const SaidLength& measure = stated.measure;
   const auto single = [&](double value, StatedSize::Bound bound) {
     const auto sides = sides_of(measure.side, size);
     return std::any_of(sides.begin(), sides.end(), [&](double side) { return agrees(side, value, bound); });
   };
-  if (measure.kind == Measure::Kind::range)
+  if (measure.kind == SaidLength::Kind::range)
     return single(measure.values[0], StatedSize::Bound::at_least) &&
            single(measure.values[1], StatedSize::Bound::at_most);
-  if (measure.kind == Measure::Kind::length || measure.count == 1) return single(measure.values[0], stated.bound);
+  if (measure.kind == SaidLength::Kind::length || measure.count == 1) return single(measure.values[0], stated.bound);
   if (measure.count == 3) return has_sides(stated, {size.x(), size.y(), size.z()});
   return has_sides(stated, {size.x(), size.y()}) ||
          (size.z() > size.y() && has_sides(stated, {size.x(), size.z()}));
