@@ -43,9 +43,9 @@ Tone tone_of_part(const Model& model, std::size_t part) {
 
 TEST_CASE("The tables of finishes and styles are sound") {
   const std::string data = std::string(ROOMGEN_SOURCE_DIR) + "/data/";
-  const auto finishes = parse_finish_table(read_file(data + "finishes.json").value_or(""), "finishes.json");
+  const auto finishes = parse_finish_table(*read_file(data + "finishes.json"), "finishes.json");
   if (!finishes) FAIL(finishes.error().message);
-  const auto styles = StyleWords::parse(read_file(data + "styles.json").value_or(""), "styles.json");
+  const auto styles = StyleWords::parse(*read_file(data + "styles.json"), "styles.json");
   if (!styles) FAIL(styles.error().message);
   for (const auto& [kinds, main] : finishes->made_of)
     for (const auto& kind : kinds) {
