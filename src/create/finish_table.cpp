@@ -1,8 +1,13 @@
 #include "finish_table.h"
 
-#include "roomgen/base/json.h"
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "base/json_reader.h"
 #include "base/resource.h"
+#include "roomgen/base/json.h"
 #include "roomgen/kinds/kind_table.h"
+#include "roomgen/shape/program.h"
 #include "shape/color.h"
 
 namespace roomgen::create {

@@ -6,11 +6,11 @@
 #include <utility>
 
 #include "finish_look.h"
+#include "library/shown_colors.h"
 #include "library/style_words.h"
+#include "library/vocabulary.h"
 #include "repaint.h"
 #include "roomgen/base/text.h"
-#include "library/shown_colors.h"
-#include "library/vocabulary.h"
 
 namespace roomgen::create {
 

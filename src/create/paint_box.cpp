@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "geometry/texture.h"
-#include "shape/pattern.h"
 #include "roomgen/shape/program.h"
+#include "shape/pattern.h"
 
 namespace roomgen::create {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <tuple>
 
-#include "roomgen/geometry/image.h"
+#include "roomgen/geometry/model.h"
 #include "scene/finish_words.h"
 
 namespace roomgen::create {

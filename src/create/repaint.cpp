@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "finish_look.h"
+#include "library/shown_colors.h"
 #include "part_paint.h"
 #include "roomgen/base/text.h"
-#include "library/shown_colors.h"
 
 namespace roomgen::create {
 

@@ -23,8 +23,8 @@ using SizeShare = std::function<double(const Object& object)>;
 inline constexpr double least_size_share = 0.6;
 
 /// Checks every clause on the finished scene. Counts are of all things of the category (those of
-/// kinds that are one count too), exactly unless `at_least`, and of none that was made smaller than `least_size_share`. An attribute must be had by all its
-/// things; that of "floor", "walls", "ceiling" or "accent wall" must be the room's material. A relation
+/// kinds that are one count too), exactly unless `at_least`, and of none that was made smaller than
+/// `least_size_share`. An attribute must be had by all its things; that of "floor", "walls", "ceiling" or "accent wall" must be the room's material. A relation
 /// (docs/constraints.md) must hold for each of the things towards one of the targets. What is asked of
 /// the room is measured on it. A reason says what is missing.
 std::vector<RequirementVerdict> check_requirements(std::span<const Requirement> requirements,

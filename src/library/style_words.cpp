@@ -1,7 +1,11 @@
 #include "library/style_words.h"
 
-#include "roomgen/base/json.h"
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "base/json_reader.h"
 #include "base/resource.h"
+#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen {
