@@ -6,6 +6,7 @@
 #include "base/json_reader.h"
 #include "base64.h"
 #include "roomgen/base/json.h"
+#include "wire.h"
 
 namespace roomgen {
 
@@ -14,10 +15,12 @@ namespace {
 Json content_of(const ChatMessage& message) {
   if (message.images.empty()) return message.text;
   Json parts = Json::array({{{"type", "text"}, {"text", message.text}}});
-  for (const auto& png : message.images)
-    parts.push_back(
-        {{"type", "image"},
-         {"source", {{"type", "base64"}, {"media_type", "image/png"}, {"data", base64(png)}}}});
+  for (const auto& image : message.images)
+    parts.push_back({{"type", "image"},
+                     {"source",
+                      {{"type", "base64"},
+                       {"media_type", media_type(image)},
+                       {"data", base64(image)}}}});
   return parts;
 }
 

@@ -6,6 +6,7 @@
 #include "base/json_reader.h"
 #include "base64.h"
 #include "roomgen/base/json.h"
+#include "wire.h"
 
 namespace roomgen {
 
@@ -15,9 +16,10 @@ namespace {
 Json content_of(const ChatMessage& message) {
   if (message.images.empty()) return message.text;
   Json parts = Json::array({{{"type", "text"}, {"text", message.text}}});
-  for (const auto& png : message.images)
-    parts.push_back(
-        {{"type", "image_url"}, {"image_url", {{"url", "data:image/png;base64," + base64(png)}}}});
+  for (const auto& image : message.images) {
+    const std::string url = "data:" + media_type(image) + ";base64," + base64(image);
+    parts.push_back({{"type", "image_url"}, {"image_url", {{"url", url}}}});
+  }
   return parts;
 }
 

@@ -80,4 +80,8 @@ Error refused(const std::string& source, std::string_view why) {
                                (why.empty() ? "" : ": " + excerpt(why, complaint_bytes))};
 }
 
+std::string media_type(std::string_view image) {
+  return image.starts_with("\xFF\xD8") ? "image/jpeg" : "image/png";
+}
+
 }  // namespace roomgen

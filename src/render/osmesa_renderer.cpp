@@ -20,6 +20,8 @@ using namespace detail;
 constexpr double shadow_width = 0.03;  // metres, of a shadow's soft edge
 constexpr std::size_t kept_frames = 2;
 const Eigen::Vector3f plan_wall_color(74, 76, 82), wall_top_color(214, 209, 200);
+// Under marks: planks and shadows look like lines and furniture to who reads the picture.
+const Eigen::Vector3f marked_floor_color(226, 223, 216);
 
 // Everything a picture depends on but the objects.
 std::string frame_key(const Scene& scene, const View& view, const Camera& camera) {
@@ -31,6 +33,7 @@ std::string frame_key(const Scene& scene, const View& view, const Camera& camera
   if (camera.eye)
     for (int axis = 0; axis < 3; ++axis) key["eye"].push_back((*camera.eye)[axis]);
   key["kind"] = static_cast<int>(view.kind);
+  key["marks"] = view.marks;
   key["size"] = {camera.width, camera.height};
   return key.dump();
 }
@@ -40,6 +43,7 @@ std::shared_ptr<const Model> shell_model(std::span<const Room> rooms, const Mode
   const bool plan = view.kind == View::Kind::top;
   ShellOptions options;
   options.top_color = plan ? plan_wall_color : wall_top_color;
+  if (view.marks) options.floor_color = marked_floor_color;
   options.door_leaves = !plan;  // drawn open, as a symbol
   options.ceiling = view.kind == View::Kind::eye;
   auto merged = std::make_shared<Model>();
@@ -193,7 +197,8 @@ class OsmesaRenderer : public Renderer {
     damage = damage.clipped({0, 0, camera.width, camera.height});
     if (!damage.empty()) {
       const bool continued = !fresh && depth_owner_ == frame.key;
-      shadows_.update(painter_, items, frame.sun, shadow_damage);
+      const DrawList none;
+      shadows_.update(painter_, view.marks ? none : items, frame.sun, shadow_damage);
       shadow_owner_ = frame.key;
       // A picture that was partly drawn after another one has strange depths around that part.
       if (!continued) depth_owner_ = fresh ? frame.key : std::string();

@@ -172,7 +172,9 @@ void draw_stroke(Pen& pen, const Drawing::Stroke& stroke, int width, double lett
   const Vec2 first = stroke.points.front(), last = stroke.points.back();
   switch (stroke.kind) {
     case Drawing::Line::grid:
-      return pen.line(stroke.points, width, {30, 60, 90, 0.22});
+      return pen.line(stroke.points, width, {30, 60, 90, 0.42});
+    case Drawing::Line::dot:
+      return pen.fill(stroke.points, {20, 40, 110, 0.95});
     case Drawing::Line::outline:
       return pen.line(stroke.points, width, {20, 40, 70, 0.55});
     case Drawing::Line::free:
@@ -200,6 +202,8 @@ void draw_label(Pen& pen, const Drawing::Label& label, double letters) {
       return pen.text(label.text, label.center, label.size, letters, {40, 44, 52, 1.0}, false);
     case Drawing::Text::axis:
       return pen.text(label.text, label.center, label.size, letters, {20, 40, 70, 1.0}, false);
+    case Drawing::Text::part:
+      return pen.text(label.text, label.center, label.size, letters, {120, 50, 10, 1.0}, true);
     case Drawing::Text::point:
       return pen.text(label.text, label.center, label.size, 0.72 * letters, {20, 40, 70, 0.9},
                       true);
@@ -215,7 +219,7 @@ Status draw_overlay(Image& image, const Drawing& drawing) {
   const int width = std::max(1, static_cast<int>(std::lround(drawing.text_height / 11.0)));
   for (const auto kind :
        {Drawing::Line::free, Drawing::Line::plan_symbol, Drawing::Line::grid,
-        Drawing::Line::outline, Drawing::Line::axis, Drawing::Line::leader, Drawing::Line::arrow})
+        Drawing::Line::dot, Drawing::Line::outline, Drawing::Line::axis, Drawing::Line::leader, Drawing::Line::arrow})
     for (const auto& stroke : drawing.strokes)
       if (stroke.kind == kind && stroke.points.size() > 1)
         draw_stroke(pen, stroke, width, drawing.text_height);

@@ -43,8 +43,13 @@ void add_rim(Mesh& mesh, const Loop& outline) {
   }
 }
 
-Model floor_slab(const Room& room, const std::vector<Loop>& outline) {
-  const Finish finish = floor_finish(room);
+Model floor_slab(const Room& room, const std::vector<Loop>& outline, const ShellOptions& options) {
+  Finish finish = floor_finish(room);
+  if (options.floor_color.x() >= 0) {
+    finish.material = Material();
+    finish.material.name = "floor";
+    finish.material.base_color = material_color(options.floor_color);
+  }
   Mesh upper, rest;
   for (const auto& loop : outline)
     for (const auto& p : loop) {
@@ -257,7 +262,7 @@ std::vector<ShellPart> room_shell(std::span<const Room> rooms, std::size_t index
                                   const ShellOptions& options, const ModelTable& models) {
   const Room& room = rooms[index];
   std::vector<ShellPart> shell;
-  shell.push_back({"floor", floor_slab(room, floor_outline(rooms, index))});
+  shell.push_back({"floor", floor_slab(room, floor_outline(rooms, index), options)});
   const Finish finish = wall_finish(room);
   const bool has_accent = !room.materials.accent.empty();
   const Finish accent = has_accent ? accent_finish(room) : finish;

@@ -29,6 +29,8 @@ struct ShellOptions {
   bool ceiling = true;
   /// Colour of the upper face of walls, sRGB 0 to 255; negative: as the wall.
   Eigen::Vector3f top_color{-1, -1, -1};
+  /// Colour of the floor instead of its finish, sRGB 0 to 255; negative: its finish.
+  Eigen::Vector3f floor_color{-1, -1, -1};
 };
 
 /// The room as solids: walls stand outside the polygon, wall_thickness deep, mitred at the corners,

@@ -19,6 +19,8 @@ const double iso_elevation = radians(38.0);
 constexpr double top_margin = 0.15, iso_margin = 0.18;
 // Marks need room for coordinates beside the walls, in parts of the longer side.
 constexpr double marks_margin = 0.055;
+constexpr double part_margin = 0.16;  // of what is shown of a room
+constexpr double least_part = 0.2;    // metres, of that
 
 Vec3 horizontal(const Vec2& direction, double z = 0.0) {
   return {direction.x(), direction.y(), z};
@@ -127,6 +129,17 @@ void fit(Camera& camera, const std::vector<Vec3>& points, const View& view) {
   camera.height = side(size.y());
 }
 
+// With room for coordinates around it.
+void aim_at_part(Camera& camera, const View& view) {
+  const Vec2 shown = view.part->size().cwiseMax(least_part);
+  const Vec2 size =
+      shown + Vec2::Constant(2.0 * (wall_thickness + part_margin * shown.maxCoeff()));
+  camera.center = 0.5 * (view.part->low + view.part->high);
+  camera.pixels_per_metre = view.pixels / size.maxCoeff();
+  camera.width = std::max(min_picture_pixels, static_cast<int>(size.x() * camera.pixels_per_metre));
+  camera.height = std::max(min_picture_pixels, static_cast<int>(size.y() * camera.pixels_per_metre));
+}
+
 // Would a wall of full height hide floor behind it? Only in rooms that are not convex, and in
 // dwellings.
 bool hides_floor(std::span<const Room> rooms, std::size_t index, std::size_t wall,
@@ -213,6 +226,7 @@ Result<Camera> make_camera(const Scene& scene, const View& view) {
   Camera camera;
   aim(camera, scene, view);
   fit(camera, points_to_show(scene, camera, view), view);
+  if (view.part && view.kind == View::Kind::top) aim_at_part(camera, view);
   return camera;
 }
 

@@ -43,6 +43,14 @@ Vec2 on_line(int axis, double value, double along) {
   return axis == 0 ? Vec2(value, along) : Vec2(along, value);
 }
 
+std::vector<Vec2> dot_at(const Vec2& center, double radius) {
+  constexpr int corners = 10;
+  std::vector<Vec2> outline;
+  for (int i = 0; i < corners; ++i)
+    outline.push_back(center + radius * rotated(Vec2(1, 0), 2.0 * pi * i / corners));
+  return outline;
+}
+
 class Grid {
  public:
   Grid(const Room& room, const Camera& camera, bool paper_frame, double letter_height,
@@ -145,7 +153,8 @@ void lay_grid(const Room& room, const Camera& camera, bool paper_frame, double l
 }
 
 void lay_grid_points(const Scene& scene, const Camera& camera, bool paper_frame,
-                     double letter_height, LabelPlacer& placer) {
+                     double letter_height, LabelPlacer& placer,
+                     std::vector<Drawing::Stroke>& strokes) {
   const Room& room = scene.room;
   const Bounds2 extent = mark_extent(room, paper_frame);
   const double step = 2.0 * grid_step(room);
@@ -158,8 +167,9 @@ void lay_grid_points(const Scene& scene, const Camera& camera, bool paper_frame,
       const Vec2 size = label_size(text, letter_height);
       // Beside the crossing, so that the crossing itself can be seen.
       const Vec2 pixel = camera.pixel({point.x(), point.y(), 0.0});
-      placer.place({Drawing::Text::point, text,
-                    pixel + Vec2(0.5 * size.x() + 1.0, -0.5 * size.y() - 1.0), size});
+      const Vec2 beside = pixel + Vec2(0.5 * size.x() + 1.0, -0.5 * size.y() - 1.0);
+      if (placer.place({Drawing::Text::point, text, beside, size}))
+        strokes.push_back({Drawing::Line::dot, dot_at(pixel, 0.32 * letter_height)});
     }
 }
 

@@ -11,6 +11,7 @@ void lay_grid(const Room& room, const Camera& camera, bool paper_frame, double l
 
 /// Adds "x,y" at crossings of grid lines where nothing is in the way.
 void lay_grid_points(const Scene& scene, const Camera& camera, bool paper_frame,
-                     double letter_height, LabelPlacer& placer);
+                     double letter_height, LabelPlacer& placer,
+                     std::vector<Drawing::Stroke>& strokes);
 
 }  // namespace roomgen::detail

@@ -5,12 +5,14 @@
 #include "label_placer.h"
 #include "mark_grid.h"
 #include "object_labels.h"
+#include "part_labels.h"
 
 namespace roomgen {
 
 namespace {
 
 constexpr double letters_at_1024 = 11.0;
+constexpr double part_letters_at_1024 = 17.0;  // small pictures, few words
 constexpr double smallest_letters = 4.0;
 constexpr double shrink = 0.88;
 
@@ -49,14 +51,21 @@ std::optional<Drawing> try_layout(const Scene& scene, const Camera& camera, cons
   for (const auto& box : view.free_floor)
     drawing.strokes.push_back({Drawing::Line::free, outline_of(box, camera)});
 
+  if (!view.part) detail::place_part_labels(scene.room, camera, letters, placer);
   std::vector<detail::ObjectMark> marks;
   for (const auto& object : scene.objects) marks.push_back(detail::object_mark(object, camera));
   for (const auto& mark : marks) add_object_strokes(mark, drawing.strokes);
   if (!detail::place_object_labels(marks, letters, placer, drawing.strokes)) return std::nullopt;
 
-  detail::lay_grid_points(scene, camera, view.paper_frame, 0.72 * letters, placer);
+  detail::lay_grid_points(scene, camera, view.paper_frame, 0.72 * letters, placer,
+                          drawing.strokes);
   drawing.labels = placer.labels();
   return drawing;
+}
+
+void set_rectangle(const Bounds2& box, Room& room) {
+  room.polygon.points = {box.low, {box.high.x(), box.low.y()}, box.high,
+                         {box.low.x(), box.high.y()}};
 }
 
 // The grid of a dwelling is that of the rectangle around it.
@@ -66,8 +75,24 @@ Scene with_one_room(const Scene& scene) {
   for (const auto& room : scene.rooms)
     for (const auto& p : room.polygon.points) box.add(p);
   framed.rooms.clear();
-  framed.room.polygon.points = {box.low, {box.high.x(), box.low.y()}, box.high,
-                                {box.low.x(), box.high.y()}};
+  set_rectangle(box, framed.room);
+  return framed;
+}
+
+bool is_framed(const Scene& scene, const Bounds2& part) {
+  const Bounds2 box = bounds(scene.room.polygon);
+  return box.low == part.low && box.high == part.high && scene.room.openings.empty();
+}
+
+// The part as a room of its own, with what is in it.
+Scene part_of(const Scene& scene, const Bounds2& part) {
+  Scene framed = scene;
+  framed.room.openings.clear();
+  set_rectangle(part, framed.room);
+  std::erase_if(framed.objects, [&](const Object& object) {
+    const Vec2 at = object.position.head<2>();
+    return (at - part.low).minCoeff() < 0.0 || (part.high - at).minCoeff() < 0.0;
+  });
   return framed;
 }
 
@@ -75,6 +100,7 @@ Scene with_one_room(const Scene& scene) {
 
 double grid_step(const Room& room) {
   const double length = bounds(room.polygon).size().maxCoeff();
+  if (length <= 2.0) return length <= 1.0 ? 0.1 : 0.2;
   return length <= 6.5 ? 0.5 : length <= 13.0 ? 1.0 : 2.0;
 }
 
@@ -98,8 +124,11 @@ Vec2 label_size(const std::string& text, double letter_height) {
 
 Drawing layout_marks(const Scene& scene, const Camera& camera, const View& view) {
   if (!scene.rooms.empty()) return layout_marks(with_one_room(scene), camera, view);
+  if (view.part && !is_framed(scene, *view.part))
+    return layout_marks(part_of(scene, *view.part), camera, view);
   const double longest = std::max(camera.width, camera.height);
-  double letters = std::max(letters_at_1024 * longest / 1024.0, smallest_letters);
+  const double letters_wanted = view.part ? part_letters_at_1024 : letters_at_1024;
+  double letters = std::max(letters_wanted * longest / 1024.0, smallest_letters);
   for (;; letters *= shrink) {
     if (auto drawing = try_layout(scene, camera, view, letters)) return *drawing;
     // So many objects or so few pixels that nobody could read them anyway: what fits must do.

@@ -15,6 +15,7 @@ struct Drawing {
   enum class Line {
     grid,         ///< faint, across the room
     outline,      ///< of an object's footprint
+    dot,          ///< around a crossing whose coordinates are written beside it, filled
     free,         ///< around a part of the floor that is free, which is shaded
     arrow,        ///< an object's front; the head is at the last point
     leader,       ///< from a label to its object
@@ -29,6 +30,7 @@ struct Drawing {
     tick,    ///< a coordinate beside the room
     point,   ///< "x,y" at a crossing of grid lines
     axis,    ///< the name of an axis
+    part,    ///< the id of a wall, a door or a window
     object,  ///< an object's id
   };
   struct Label {
@@ -50,7 +52,8 @@ Drawing plan_symbols(std::span<const Room> rooms, const Camera& camera);
 /// within the picture, and an object's label is on its object or tied to it by a leader.
 Drawing layout_marks(const Scene& scene, const Camera& camera, const View& view);
 
-/// 0.5 m in rooms up to 6.5 m long, 1 m up to 13 m, else 2 m.
+/// 0.5 m in rooms up to 6.5 m long, 1 m up to 13 m, else 2 m; less in what is no room: 0.2 m up to 2 m, 0.1 m
+/// up to 1 m.
 double grid_step(const Room& room);
 
 /// Coordinates as the marks name them, from those of the scene, and back. The frame `paper`

@@ -31,16 +31,29 @@ bool box_covers_arrow(const ObjectMark& mark, const Vec2& center, const Vec2& si
   return false;
 }
 
+// Would nothing worth mentioning of the thing be seen beside a label there?
+bool hides(const ObjectMark& mark, const Vec2& center, const Vec2& size) {
+  Bounds2 box;
+  for (const auto& corner : mark.outline) box.add(corner);
+  const Vec2 low = box.low.cwiseMax(center - 0.5 * size), high = box.high.cwiseMin(center + 0.5 * size);
+  const Vec2 shared = (high - low).cwiseMax(0.0), whole = box.size();
+  return shared.x() * shared.y() > 0.5 * whole.x() * whole.y();
+}
+
 // Lower is better; in pixels, roughly.
 double cost(const std::vector<ObjectMark>& marks, std::size_t own, const Vec2& center,
             const Vec2& size) {
   double total = (center - marks[own].center).norm();
-  if (!contains(marks[own], center)) total += 1.5 * size.y();
+  if (hides(marks[own], center, size))
+    total += 2.5 * size.y();  // beside it, with a leader
+  else if (!contains(marks[own], center))
+    total += 1.5 * size.y();
   for (std::size_t i = 0; i < marks.size(); ++i) {
     const bool has_front = marks[i].arrow_end != marks[i].center;
     if (has_front && box_covers_arrow(marks[i], center, size)) total += i == own ? 20.0 : 30.0;
     if (i == own) continue;
-    if (distance_to_box(marks[i].center, center, size) <= 0.0) total += 2.0 * size.y();
+    if (distance_to_box(marks[i].center, center, size) <= 0.0)
+      total += (hides(marks[i], center, size) ? 4.0 : 2.0) * size.y();
     if (contains(marks[i], center) && !contains(marks[own], center)) total += 1.5 * size.y();
   }
   return total;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "roomgen/base/result.h"
@@ -22,6 +23,8 @@ struct View {
   bool marks = false;       ///< top only: coordinate grid, axes, ids and fronts (set-of-mark)
   bool paper_frame = false; ///< marks count x' = ymax - y down and y' = xmax - x to the left
   std::vector<Bounds2> free_floor = {};  ///< with marks: parts of the floor to be shaded as free
+  /// Top only: this part of the room alone, with finer marks in the scene's own coordinates.
+  std::optional<Bounds2> part = {};
 };
 
 /// Draws a scene.
