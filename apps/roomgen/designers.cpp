@@ -84,6 +84,23 @@ Status open_model(const DesignerOptions& options, const Context& context,
   return {};
 }
 
+// Small enough that a whole room and a part of it take no more than 200 KB.
+Result<std::string> encode_small_jpeg(const Image& image) {
+  constexpr std::size_t most_bytes = 140'000;
+  Result<std::string> jpeg = encode_jpeg(image, 85);
+  for (const int quality : {72, 58, 45, 30})
+    if (jpeg && jpeg->size() > most_bytes) jpeg = encode_jpeg(image, quality);
+  return jpeg;
+}
+
+// Keeps what is shown.
+Result<std::string> encode_shown(const DesignerOptions& options, const Image& image,
+                                 std::vector<std::string>& shown) {
+  auto encoded = options.picture == "jpeg" ? encode_small_jpeg(image) : encode_png(image);
+  if (encoded) shown.push_back(*encoded);
+  return encoded;
+}
+
 }  // namespace
 
 ModelMode DesignerOptions::model_mode() const {
@@ -129,6 +146,9 @@ void add_designer_options(CLI::App& command, DesignerOptions& options) {
   add("--prompts", options.prompts, "Folder with prompts of your own (names as in prompts/)");
   add("--record", options.record, "Append all questions and answers to this file");
   add("--replay", options.replay, "Take the answers from a recording; no network");
+  add("--picture", options.picture, "How pictures are sent: jpeg (small) or png")
+      ->check(CLI::IsMember({"jpeg", "png"}))
+      ->capture_default_str();
   command
       .add_flag("--cache-answers", options.cache_answers,
                 "Ask no question twice (the user's cache folder)")
@@ -158,7 +178,44 @@ void add_designer_options(CLI::App& command, DesignerOptions& options) {
       ->capture_default_str();
 }
 
-void apply(const DesignerOptions& options, FusionOptions& fusion) {
+void add_finish_options(CLI::App& command, DesignerOptions& options) {
+  const std::string group = "Finish";
+  command
+      .add_option("--improve", options.improve,
+                  "What the improvement at the end may move: nothing; what a model or person placed only "
+                  "for what was asked for (minimal); everything (free)")
+      ->check(CLI::IsMember({"off", "minimal", "free"}))
+      ->capture_default_str()
+      ->group(group);
+  command.add_option("--repair", options.repair, "Whether others make way for what finds no place")
+      ->check(CLI::IsMember({"off", "on"}))
+      ->capture_default_str()
+      ->group(group);
+  command
+      .add_option("--preset", options.preset,
+                  "paper: ordinal ranks, the paper's frame, near from 0.5 m, the grid alone, no "
+                  "improvement, no repair")
+      ->check(CLI::IsMember({"paper"}))
+      ->group(group);
+}
+
+void apply_preset(DesignerOptions& options) {
+  if (options.preset != "paper") return;
+  options.fusion = options.frame = "paper";
+  options.improve = options.repair = "off";
+}
+
+void apply(const DesignerOptions& options, BuildOptions& build) {
+  constexpr double paper_near = 0.5;  // metres (RoomGen, appendix)
+  build.repair = options.repair == "on";
+  build.improvement = options.improve == "off"    ? Improvement::off
+                      : options.improve == "free" ? Improvement::free
+                                                  : Improvement::minimal;
+  if (options.preset == "paper") {
+    build.place.grid = GridUse::only;
+    build.place.least_near = paper_near;
+  }
+  FusionOptions& fusion = build.place.fusion;
   fusion.ordinal_ranks = options.fusion == "paper";
   fusion.lost_step = options.lost_step;
   if (options.designer == "model" && options.model_mode() != ModelMode::fused) fusion.alpha = 1.0;
@@ -193,7 +250,9 @@ Result<ComposedDesigner> compose_designer(const DesignerOptions& options, const 
   model_options.plan_tokens = options.plan_tokens;
   model_options.place_tokens = options.place_tokens;
   model_options.chooses_order = options.order == "model";
-  model_options.encode_png = [](const Image& image) { return encode_png(image); };
+  model_options.encode_picture = [options, shown = composed.shown](const Image& image) {
+    return encode_shown(options, image, *shown);
+  };
   if (const LimitedModel* limited = composed.limited)
     model_options.budget_is_spent = [limited] { return limited->refused(); };
   composed.designer =

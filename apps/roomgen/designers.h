@@ -4,12 +4,13 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "command.h"
 #include "roomgen/chat/chat_model.h"
 #include "roomgen/design/designer.h"
 #include "roomgen/design/model_designer.h"
-#include "roomgen/solve/placement.h"
+#include "roomgen/generate/generate.h"
 
 namespace roomgen::cli {
 
@@ -18,7 +19,7 @@ struct DesignerOptions {
   std::string designer = "rules";
   std::string model, base_url, protocol, key_file, prompts, prices;
   std::string mode = "fused", frame = "plan", fusion = "scaled", order = "plan";
-  std::string record, replay;
+  std::string record, replay, picture = "jpeg", preset;
   bool cache_answers = false;
   std::optional<int> max_calls;
   std::optional<long long> max_tokens;
@@ -27,6 +28,7 @@ struct DesignerOptions {
   int place_tokens = ModelDesignerOptions().place_tokens;
   double lost_step = FusionOptions().lost_step;
   double seconds_per_call = 300.0;
+  std::string improve = "minimal", repair = "on";
 
   ModelMode model_mode() const;
   bool paper_frame() const { return frame == "paper"; }
@@ -35,11 +37,18 @@ struct DesignerOptions {
 /// Adds --designer and what belongs to a language model.
 void add_designer_options(CLI::App& command, DesignerOptions& options);
 
+/// --improve, --repair and --preset: what a preset fixes is told where it contradicts.
+void add_finish_options(CLI::App& command, DesignerOptions& options);
+/// What --preset stands for; options that were given count as well.
+void apply_preset(DesignerOptions& options);
+
 /// A designer with what it needs to live.
 struct ComposedDesigner {
   std::unique_ptr<ChatModel> model;       ///< null for rules
   const LimitedModel* limited = nullptr;  ///< part of `model`, unless answers are replayed
   std::unique_ptr<Designer> designer;
+  /// The pictures that the model was shown, PNG or JPEG, in order.
+  std::shared_ptr<std::vector<std::string>> shown = std::make_shared<std::vector<std::string>>();
 };
 
 /// The rules, or the model that the options name with recording, replay, cache and limits around
@@ -56,7 +65,8 @@ struct ComposedModel {
 Result<ComposedModel> compose_model(const DesignerOptions& options, const Context& context,
                                     const std::string& cache_folder);
 
-/// What the mode makes of the fusion: without a suggestion there is nothing to weigh.
-void apply(const DesignerOptions& options, FusionOptions& fusion);
+/// What the mode makes of the fusion: without a suggestion there is nothing to weigh. And what is moved
+/// besides.
+void apply(const DesignerOptions& options, BuildOptions& build);
 
 }  // namespace roomgen::cli

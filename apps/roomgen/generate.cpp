@@ -154,6 +154,17 @@ Status write_marks(const GenerateCommand& command, const OutputFolder& folder,
   return {};
 }
 
+// What a model was shown, in order.
+Status write_shown(const OutputFolder& folder, const std::vector<std::string>& shown) {
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    char name[40];
+    const bool jpeg = shown[i].starts_with("\xFF\xD8");
+    std::snprintf(name, sizeof name, "marks/shown-%03zu.%s", i, jpeg ? "jpg" : "png");
+    if (auto status = folder.write(name, shown[i]); !status) return status;
+  }
+  return {};
+}
+
 Status write_glb(const OutputFolder& folder, const Generation& generation) {
   const auto place = folder.place_for("scene.glb");
   if (!place) return place.error();
@@ -163,12 +174,14 @@ Status write_glb(const OutputFolder& folder, const Generation& generation) {
 }
 
 Status write_all(const GenerateCommand& command, OutputFolder& folder, const AnyPlan& plan,
-                 const Generation& generation) {
+                 const Generation& generation, const std::vector<std::string>& shown) {
   const Json json = std::visit([](const auto& each) { return to_json(each); }, plan);
   if (auto status = write_documents(folder, json, generation); !status) return status;
   if (auto status = folder.write("ATTRIBUTION.md", attribution_markdown(generation.scene)); !status)
     return status;
   if (auto status = write_glb(folder, generation); !status) return status;
+  if (command.marks)
+    if (auto status = write_shown(folder, shown); !status) return status;
   if (command.no_pictures) return folder.commit();
   auto renderer = make_osmesa_renderer();
   if (!renderer) return renderer.error();
@@ -179,11 +192,15 @@ Status write_all(const GenerateCommand& command, OutputFolder& folder, const Any
 }
 
 Json suggestions_json(const SuggestionFigures& figures) {
-  return {{"located", figures.located},
-          {"within_0.5_m", figures.within_half},
-          {"within_1_m", figures.within_one},
-          {"faced", figures.faced},
-          {"facing_kept", figures.facing_kept}};
+  Json json = {{"located", figures.located},
+               {"faced", figures.faced},
+               {"facing_kept", figures.facing_kept}};
+  for (std::size_t i = 0; i < figures.within.size(); ++i) {
+    const std::string metres = format_number(SuggestionFigures::thresholds[i], 2) + "_m";
+    json["within_" + metres] = figures.within[i];
+    json["placed_within_" + metres] = figures.placed_within[i];
+  }
+  return json;
 }
 
 // What each object took, waiting for a model included; in no file, since files do not depend on the clock.
@@ -231,8 +248,8 @@ void print_model_use(const ComposedDesigner& composed, const Generation& generat
   std::printf("  the model: %d calls, %lld + %lld tokens, %.1f s; rules made %s%d of the places\n",
               use.calls, use.input_tokens, use.output_tokens, use.seconds,
               planning.fell_back ? "the plan and " : "", use.fallbacks);
-  std::printf("  of %d suggested places %d were followed within 0.5 m, %d within 1 m\n",
-              figures.located, figures.within_half, figures.within_one);
+  std::printf("  of %d suggested places %d were followed within 0.5 m (%d when placed), %d within 1 m\n",
+              figures.located, figures.within[1], figures.placed_within[1], figures.within[2]);
   if (!generation.stopped.empty()) std::printf("  stopped: %s\n", generation.stopped.c_str());
 }
 
@@ -384,7 +401,7 @@ Result<int> run(const Context& context, const GenerateCommand& command) {
   options.cancel = context.cancel;
   options.place.fusion.alpha = command.alpha;
   options.place.fusion.c = command.rrf_c;
-  apply(command.designer, options.place.fusion);
+  apply(command.designer, options);
   options.place.pitch = command.pitch;
   auto renderer = renderer_for(command, *composed);
   if (!renderer) return renderer.error();
@@ -401,7 +418,7 @@ Result<int> run(const Context& context, const GenerateCommand& command) {
   if (context.cancel.cancelled() && holds_whole_scene(folder / "scene.json"))
     return older_stays(folder);
   bar.show(1, 1, "writing files");
-  if (auto status = write_all(command, *output, *plan, *generation); !status) return status.error();
+  if (auto status = write_all(command, *output, *plan, *generation, *composed->shown); !status) return status.error();
   bar.clear();
 
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
@@ -439,10 +456,12 @@ void add_generate_command(CLI::App& app, Context& context) {
   sub->add_option("--rrf-c", command->rrf_c, "The fusion's constant")->capture_default_str();
   sub->add_option("--pitch", command->pitch, "Grid pitch in metres")->capture_default_str();
   add_designer_options(*sub, command->designer);
+  add_finish_options(*sub, command->designer);
   add_library_options(*sub, command->libraries);
   sub->callback([command, &context] {
     if (command->prompt.empty() && command->plan_file.empty())
       throw CLI::ValidationError("prompt", "say what the room shall be, or give --plan");
+    apply_preset(command->designer);
     context.run = [command, &context] { return run(context, *command); };
   });
 }

@@ -1,6 +1,7 @@
 #include "roomgen/design/model_designer.h"
 
 #include <algorithm>
+#include <map>
 
 #include "base/json_literal.h"
 #include "base/sha256.h"
@@ -17,11 +18,25 @@ using design::SceneText;
 
 // Kinds still to come are named up to here: enough to leave room for them.
 constexpr std::size_t most_named_later = 12;
+constexpr std::size_t most_together = 8;    // things on one carrier that one answer places
 constexpr std::size_t most_offered = 30;    // ids among which the model chooses the next
 constexpr double second_temperature = 0.5;  // weak models repeat a bad answer word for word
 constexpr std::size_t most_quoted = 4000;   // bytes of an answer that cannot be used
 // Calls that fail one after the other before the model is given up: each may take all its time.
 constexpr int most_failures = 3;
+
+// The names of the prompts of a mode, without "-system" and "-user".
+std::string_view place_prompt(ModelMode mode) {
+  switch (mode) {
+    case ModelMode::constraints:
+      return "place-constraints";
+    case ModelMode::image:
+      return "place-image";
+    case ModelMode::fused:
+      break;
+  }
+  return "place";
+}
 
 // Long lists are bounded when they are read: grammar samplers grow slow with such bounds.
 const Json& plan_schema() {
@@ -67,6 +82,17 @@ Json place_schema(const ModelDesignerOptions& options) {
   return schema;
 }
 
+// For several things at once: a list of the same, each with its id.
+void add_others(Json& schema) {
+  Json one = schema;
+  one["properties"].erase("next");
+  one["properties"]["id"] = {{"type", "string"}};
+  one["required"] = Json::array();
+  for (const auto& [key, value] : one["properties"].items()) one["required"].push_back(key);
+  schema["properties"]["others"] = {{"type", "array"}, {"items", one}};
+  schema["required"].push_back("others");
+}
+
 class ModelDesigner : public Designer {
  public:
   ModelDesigner(ChatModel& model, std::unique_ptr<Designer> fallback, Prompts prompts,
@@ -108,6 +134,7 @@ class ModelDesigner : public Designer {
 
   Result<PlaceAdvice> place(const PlaceRequest& request) override {
     Consultation consultation;
+    if (auto advice = told_already(request)) return *std::move(advice);
     if (model_is_lost_.empty()) {
       auto advice = ask(request, consultation);
       if (advice) {
@@ -166,6 +193,75 @@ class ModelDesigner : public Designer {
     return question;
   }
 
+  design::PlaceReplyContext context_of(const PlaceRequest& request) const {
+    return {request.scene, request.object, options_.paper_frame,
+            options_.chooses_order ? request.later : std::vector<std::string>()};
+  }
+
+  // What was answered together with another thing on the same carrier, while everything stands as it did.
+  std::optional<PlaceAdvice> told_already(const PlaceRequest& request) {
+    const auto told = others_.find(request.object.id);
+    if (told == others_.end()) return std::nullopt;
+    const std::string text = told->second;
+    others_.erase(told);
+    const bool again = !request.refusals.empty() || !request.objections.empty();
+    if (again || !stands_as_then(request.scene)) return std::nullopt;
+    auto reply = design::read_place_reply(text, context_of(request));
+    if (!reply) return std::nullopt;
+    if (options_.mode != ModelMode::fused) reply->advice.location.reset(), reply->advice.yaw.reset();
+    Consultation& consultation = reply->advice.consultation;
+    consultation.prompt_sha256 = others_prompt_;
+    consultation.notes = std::move(reply->repairs);
+    consultation.notes.insert(consultation.notes.begin(), "answered together with what stands beside it");
+    return std::move(reply->advice);
+  }
+
+  bool stands_as_then(const Scene& scene) const {
+    return std::all_of(others_scene_.begin(), others_scene_.end(), [&](const Object& then) {
+      return std::any_of(scene.objects.begin(), scene.objects.end(), [&](const Object& now) {
+        return now.id == then.id && now.position == then.position && now.yaw == then.yaw;
+      });
+    });
+  }
+
+  // Those still to come that shall stand on the same thing.
+  static std::vector<PlannedObject> companions(const PlaceRequest& request) {
+    const PlanItem& own = request.plan.items[request.planned.item];
+    std::vector<PlannedObject> found;
+    if (own.mount != Mount::surface || own.on.empty()) return found;
+    for (auto& planned : planned_objects(request.plan)) {
+      const PlanItem& item = request.plan.items[planned.item];
+      const bool waits = std::find(request.later.begin(), request.later.end(), planned.id) !=
+                         request.later.end();
+      if (waits && planned.id != request.object.id && item.mount == Mount::surface &&
+          item.on == own.on && found.size() < most_together)
+        found.push_back(std::move(planned));
+    }
+    return found;
+  }
+
+  static std::string together(const PlaceRequest& request) {
+    const auto others = companions(request);
+    if (others.empty()) return "";
+    std::string text =
+        "\nGive also \"others\", a list with the same members and \"id\" for each of these, which stand on "
+        "the same thing:";
+    for (const auto& other : others) {
+      const PlanItem& item = request.plan.items[other.item];
+      const Vec3 size = item.size.value_or(KindTable::built_in().get(item.category).size);
+      text += "\n" + other.id + ": " + item.description + ", about " + design::size_text(size) + " m";
+    }
+    return text;
+  }
+
+  void keep_others(const PlaceRequest& request, design::PlaceReply& reply,
+                   const Consultation& consultation) {
+    if (reply.others.empty()) return;
+    others_ = std::move(reply.others);
+    others_prompt_ = consultation.prompt_sha256;
+    others_scene_ = request.scene.objects;
+  }
+
   Result<PlaceAdvice> ask(const PlaceRequest& request, Consultation& consultation) {
     auto question = place_question(request);
     if (!question) return question.error();
@@ -174,35 +270,43 @@ class ModelDesigner : public Designer {
       return status.error();
     const bool located = options_.mode == ModelMode::fused;
     const auto read = [&](const std::string& text) {
-      return design::read_place_reply(
-          text, design::PlaceReplyContext{
-                    request.scene, request.object, options_.paper_frame,
-                    options_.chooses_order ? request.later : std::vector<std::string>()});
+      return design::read_place_reply(text, context_of(request));
     };
     auto reply = converse(*question, read, consultation);
     if (!reply) return reply.error();
     consultation.notes.insert(consultation.notes.end(), reply->repairs.begin(),
                               reply->repairs.end());
     if (!located) reply->advice.location.reset(), reply->advice.yaw.reset();
+    keep_others(request, *reply, consultation);
     return std::move(reply->advice);
+  }
+
+  Result<Prompts::Slots> system_slots(const SceneText& text) const {
+    auto vocabulary = prompts_.render("place-words", {});
+    if (!vocabulary) return vocabulary.error();
+    return Prompts::Slots{{"frame", text.frame()}, {"words", *std::move(vocabulary)}};
   }
 
   Result<ChatRequest> place_question(const PlaceRequest& request) const {
     const SceneText text(request.scene.room, options_.paper_frame);
-    auto question = make_question("place", {{"frame", text.frame()}},
+    const bool sees_places = options_.mode != ModelMode::constraints;
+    const auto system = system_slots(text);
+    if (!system) return system.error();
+    auto question = make_question(place_prompt(options_.mode), *system,
                                   {{"prompt", request.plan.prompt},
                                    {"room", text.room()},
                                    {"parts", text.parts()},
-                                   {"placed", text.placed(request.scene.objects)},
+                                   {"placed", text.placed(request.scene.objects, sees_places)},
                                    {"later", later(request)},
                                    {"id", request.object.id},
                                    {"description", request.object.description},
                                    {"size", design::size_text(request.object.size)},
                                    {"mount", where(request)},
                                    {"refusals", refusals(request, text)},
-                                   {"order", order(request)}});
+                                   {"order", order(request) + together(request)}});
     if (!question) return question;
     question->schema = place_schema(options_);
+    if (!companions(request).empty()) add_others(question->schema);
     question->schema_name = "placement";
     question->max_tokens = options_.place_tokens;
     question->cancel = request.cancel;
@@ -211,14 +315,18 @@ class ModelDesigner : public Designer {
 
   Status show_picture(const PlaceRequest& request, ChatRequest& question,
                       Consultation& consultation) const {
-    if (options_.mode == ModelMode::constraints || !request.marks || !options_.encode_png)
+    if (options_.mode == ModelMode::constraints || !request.marks || !options_.encode_picture)
       return {};
-    const auto image = request.marks();
-    if (!image) return image.error();
-    auto png = options_.encode_png(*image);
-    if (!png) return png.error();
-    consultation.image_sha256 = sha256_hex(*png);
-    question.messages.back().images.push_back(*std::move(png));
+    const auto pictures = request.marks();
+    if (!pictures) return pictures.error();
+    std::string all;
+    for (const auto& picture : *pictures) {
+      auto encoded = options_.encode_picture(picture);
+      if (!encoded) return encoded.error();
+      all += *encoded;
+      question.messages.back().images.push_back(*std::move(encoded));
+    }
+    consultation.image_sha256 = sha256_hex(all);
     return {};
   }
 
@@ -255,11 +363,21 @@ class ModelDesigner : public Designer {
     return names.empty() ? "nothing" : join(names, ", ");
   }
 
-  static std::string refusals(const PlaceRequest& request, const SceneText& text) {
+  std::string refusals(const PlaceRequest& request, const SceneText& text) const {
+    const bool sees_places = options_.mode != ModelMode::constraints;
     std::string lines;
-    for (const auto& refusal : request.refusals)
-      lines += "An earlier answer did not work: " + refusal + "\n";
-    if (!request.refusals.empty())
+    for (std::size_t i = 0; i < request.refusals.size(); ++i) {
+      lines += "An earlier answer did not work";
+      if (i < request.earlier.size()) lines += " (" + text.answer(request.earlier[i]) + ")";
+      lines += ": " + request.refusals[i] + "\n";
+    }
+    if (!request.objections.empty() && !request.earlier.empty() && request.standing_at)
+      lines += "Your last answer (" + text.answer(request.earlier.back()) + ") puts it at " +
+               (sees_places ? text.point(*request.standing_at) : "a place of its own") +
+               ". Not all is as you said: " +
+               join(request.objections, "; ") +
+               ". Answer once more: change what should change, or repeat the answer if that will do.\n";
+    if (!request.refusals.empty() && sees_places)
       lines +=
           "Free floor (shaded green in the picture): " + text.free_floor(request.free_floor) + "\n";
     return lines;
@@ -320,6 +438,9 @@ class ModelDesigner : public Designer {
   const KindTable& categories_;
   ModelDesignerOptions options_;
   Consultation planning_;
+  std::map<std::string, std::string> others_;  ///< answers for things whose turn comes
+  std::string others_prompt_;                  ///< hash of the question
+  std::vector<Object> others_scene_;           ///< what stood then
   int failures_ = 0;           ///< calls that failed since the last answer
   std::string model_is_lost_;  ///< why it is not asked any more
 };

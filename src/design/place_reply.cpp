@@ -55,23 +55,59 @@ std::string read_next(const Json& json, const std::vector<std::string>& later,
   return "";
 }
 
+// {"others": [{"id": "cup-0", …}]}
+std::map<std::string, std::string> read_others(const Json& json) {
+  constexpr std::size_t most_others = 30;
+  std::map<std::string, std::string> others;
+  const Json* list = member(json, {"others", "other things"});
+  if (!list || !list->is_array()) return others;
+  for (const auto& one : *list) {
+    const Json* id = one.is_object() ? member(one, {"id", "object", "name"}) : nullptr;
+    if (id && id->is_string() && others.size() < most_others)
+      others.emplace(id->get<std::string>(),
+                     one.dump(-1, ' ', false, Json::error_handler_t::replace));
+  }
+  return others;
+}
+
 void bound(std::vector<std::string>& repairs) {
   if (repairs.size() > max_place_repairs) repairs.resize(max_place_repairs);
   for (auto& repair : repairs) repair = shortened(std::move(repair), max_repair);
 }
 
 std::optional<Vec2> read_location(const Json& json, const PlaceReplyContext& context,
-                                  std::vector<std::string>& repairs) {
+                                  ReplyNotes& notes) {
   const auto frame = context.paper_frame ? MarksFrame::paper : MarksFrame::plan;
   const Polygon& room = context.scene.room.polygon;
   if (const Json* value = member(json, location_keys))
-    return read_reply_location(*value, room, frame, repairs);
+    return read_reply_location(*value, room, frame, notes);
   if (member(json, {"x"}) && member(json, {"y"})) {
     const Json pair = {{"x", *member(json, {"x"})}, {"y", *member(json, {"y"})}};
-    return read_reply_location(pair, room, frame, repairs);
+    return read_reply_location(pair, room, frame, notes);
   }
-  repairs.emplace_back("the answer has no location");
+  notes.repair("the answer has no location");
   return std::nullopt;
+}
+
+// Furniture stands under a window when it is before it.
+std::vector<Relation> with_windows_before(const std::vector<Relation>& said,
+                                          const PlaceReplyContext& context, ReplyNotes& notes) {
+  std::vector<Relation> relations;
+  for (const auto& relation : said) {
+    const bool before = relation.kind == RelationKind::under &&
+                        context.object.mount == Mount::floor &&
+                        find_opening(context.scene.room, relation.target);
+    if (!before) {
+      relations.push_back(relation);
+      continue;
+    }
+    const std::vector<Relation> meant = {{RelationKind::near, relation.target},
+                                         {RelationKind::in_front_of, relation.target}};
+    notes.repair("\"" + to_text(relation) + "\" was read as \"" + to_text(meant) + "\"");
+    for (const auto& one : meant)
+      if (std::find(said.begin(), said.end(), one) == said.end()) relations.push_back(one);
+  }
+  return relations;
 }
 
 Result<LooseJson> find_answer(std::string_view text) {
@@ -105,23 +141,29 @@ Result<PlaceReply> read_place_reply(std::string_view text, const PlaceReplyConte
   auto found = find_answer(text);
   if (!found) return found.error();
   const Json& json = found->json;
-  PlaceReply reply{{}, std::move(found->repairs)};
+  PlaceReply reply;
   PlaceAdvice& advice = reply.advice;
+  ReplyNotes notes{std::move(found->repairs), {}};
   const TargetNames targets(context.scene, context.object, KindTable::built_in());
 
   if (const Json* constraints = member(json, constraint_keys))
-    advice.relations = read_reply_relations(*constraints, targets, reply.repairs);
-  advice.location = read_location(json, context, reply.repairs);
-  if (const Json* facing = member(json, facing_keys)) {
+    advice.relations = with_windows_before(
+        read_reply_relations(*constraints, targets, notes), context, notes);
+  advice.location = read_location(json, context, notes);
+  if (const Json* facing = member(json, facing_keys); facing && !facing->is_null()) {
     const auto read =
-        read_reply_facing(*facing, context.scene, targets, advice.location, reply.repairs);
+        read_reply_facing(*facing, context.scene, targets, advice.location, notes);
     advice.yaw = read.yaw;
-    if (read.relation) add_relation(advice.relations, *read.relation, reply.repairs);
+    if (read.relation) add_relation(advice.relations, *read.relation, notes);
   }
-  advice.next = read_next(json, context.later, reply.repairs);
+  advice.next = read_next(json, context.later, notes.all);
   if (const Json* reasoning = member(json, reasoning_keys); reasoning && reasoning->is_string())
     advice.reasoning = shortened(reasoning->get<std::string>(), max_reasoning);
-  bound(reply.repairs);
+  bound(notes.all);
+  bound(notes.lost);
+  reply.others = read_others(json);
+  reply.repairs = std::move(notes.all);
+  advice.lost = std::move(notes.lost);
   if (advice.relations.empty() && !advice.location) return unusable(context, reply.repairs);
   return reply;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,7 +11,8 @@ namespace roomgen::design {
 
 struct PlaceReply {
   PlaceAdvice advice;
-  std::vector<std::string> repairs;  ///< what was understood otherwise than it was written
+  std::map<std::string, std::string> others = {};  ///< answers for other things by their ids, to be read in their turn
+  std::vector<std::string> repairs;  ///< what was understood otherwise than it was written, or is lost
 };
 
 struct PlaceReplyContext {

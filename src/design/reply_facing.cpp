@@ -82,14 +82,14 @@ ReplyFacing facing_target(const std::string& id, const Scene& scene,
 
 ReplyFacing read_reply_facing(const Json& value, const Scene& scene, const TargetNames& targets,
                               const std::optional<Vec2>& location,
-                              std::vector<std::string>& repairs) {
+                              ReplyNotes& notes) {
   if (const auto angle = degrees_in(value)) {
     if (std::abs(*angle) <= most_degrees) return {wrap_angle(radians(*angle)), std::nullopt};
-    repairs.emplace_back("a facing of more than ten turns was dropped");
+    notes.lose("a facing of more than ten turns was dropped");
     return {};
   }
   if (!value.is_string()) {
-    repairs.emplace_back("the facing is neither degrees nor the id of a target");
+    notes.lose("the facing is neither degrees nor the id of a target");
     return {};
   }
   const std::string text = value.get<std::string>();
@@ -97,8 +97,8 @@ ReplyFacing read_reply_facing(const Json& value, const Scene& scene, const Targe
   for (const auto& spelling : {text, name})
     if (const auto yaw = compass_yaw(spelling)) return {yaw, std::nullopt};
   const NamedTarget target = targets.find(name);
-  if (!target.repair.empty()) repairs.push_back("facing: " + target.repair);
-  if (target.id.empty()) return {};
+  if (target.id.empty()) return notes.lose("facing: " + target.repair), ReplyFacing();
+  if (!target.repair.empty()) notes.repair("facing: " + target.repair);
   return facing_target(target.id, scene, location);
 }
 

@@ -7,6 +7,7 @@
 #include "roomgen/base/json.h"
 #include "roomgen/scene/relation.h"
 #include "roomgen/scene/scene.h"
+#include "reply_notes.h"
 #include "target_names.h"
 
 namespace roomgen::design {
@@ -21,6 +22,6 @@ struct ReplyFacing {
 /// or a target. Notes what was not understood.
 ReplyFacing read_reply_facing(const Json& value, const Scene& scene, const TargetNames& targets,
                               const std::optional<Vec2>& location,
-                              std::vector<std::string>& repairs);
+                              ReplyNotes& notes);
 
 }  // namespace roomgen::design

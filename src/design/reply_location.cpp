@@ -98,26 +98,26 @@ std::string as_text(const Vec2& point) {
 }  // namespace
 
 std::optional<Vec2> read_reply_location(const Json& value, const Polygon& room, MarksFrame frame,
-                                        std::vector<std::string>& repairs) {
+                                        ReplyNotes& notes) {
   const auto given = read_given(value);
   if (!given) {
-    repairs.emplace_back("the location is not two numbers [x, y] in metres");
+    notes.lose("the location is not two numbers [x, y] in metres");
     return std::nullopt;
   }
   for (const auto& reading : readings(*given)) {
     const Vec2 point = under(reading, *given, room, frame);
     if (given->point.cwiseAbs().maxCoeff() < reading.least || !contains(room, point)) continue;
-    if (*reading.repair) repairs.emplace_back(reading.repair);
+    if (*reading.repair) notes.repair(reading.repair);
     return point;
   }
   const Vec2 point = under(as_given, *given, room, frame);
   const Vec2 inside = nearest_inside(room, point);
   if ((inside - point).norm() <= farthest_outside && contains(room, inside)) {
-    repairs.push_back("the location " + as_text(given->point) +
+    notes.lose("the location " + as_text(given->point) +
                       " lies outside the room; it was moved to the wall");
     return inside;
   }
-  repairs.push_back("the location " + as_text(given->point) + " lies outside the room");
+  notes.lose("the location " + as_text(given->point) + " lies outside the room");
   return std::nullopt;
 }
 

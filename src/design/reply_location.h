@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "reply_notes.h"
 #include "roomgen/base/json.h"
 #include "roomgen/geometry/polygon.h"
 
@@ -19,6 +20,6 @@ enum class MarksFrame {
 /// centimetres or millimetres, or with its coordinates swapped, or moved into the room by at most a
 /// metre. Notes what it did and why there is none.
 std::optional<Vec2> read_reply_location(const Json& value, const Polygon& room, MarksFrame frame,
-                                        std::vector<std::string>& repairs);
+                                        ReplyNotes& notes);
 
 }  // namespace roomgen::design

@@ -157,8 +157,8 @@ std::optional<KindWords> misspelt_kind(const Pieces& words) {
 /// and their targets.
 class RelationReader {
  public:
-  RelationReader(const TargetNames& targets, std::vector<std::string>& repairs)
-      : targets_(targets), repairs_(repairs) {}
+  RelationReader(const TargetNames& targets, ReplyNotes& notes)
+      : targets_(targets), notes_(notes) {}
 
   /// "near, bed-0": what stands between two bars.
   void read(std::string_view piece) {
@@ -216,7 +216,7 @@ class RelationReader {
     if (state_ == State::unknown) return;
     if (state_ == State::kind) return read_target(segment, pieces);
     if (const auto kind = misspelt_kind(pieces)) return read_kind(*kind, segment, pieces);
-    repairs_.push_back("the unknown constraint \"" + segment + "\" was dropped");
+    notes_.lose("the unknown constraint \"" + segment + "\" was dropped");
     state_ = State::unknown;
   }
 
@@ -226,9 +226,9 @@ class RelationReader {
     state_ = State::kind;
     const std::string given = spoken(pieces, 0, found.length);
     if (found.misspelt || given != name(kind_))
-      repairs_.push_back("\"" + given + "\" was read as \"" + std::string(name(kind_)) + "\"");
+      notes_.repair("\"" + given + "\" was read as \"" + std::string(name(kind_)) + "\"");
     waiting_ = takes_target(kind_);
-    if (!waiting_) add_relation(relations_, {kind_, ""}, repairs_);
+    if (!waiting_) add_relation(relations_, {kind_, ""}, notes_);
     std::size_t rest = found.length;
     while (rest < pieces.size() && is_one_of(pieces[rest], connectors)) ++rest;
     if (rest == pieces.size()) return;
@@ -236,33 +236,41 @@ class RelationReader {
   }
 
   void read_target(const std::string& segment, const Pieces& pieces) {
-    if (!takes_target(kind_)) {
-      repairs_.push_back("\"" + std::string(name(kind_)) + "\" takes no target; \"" +
-                         join(pieces, " ") + "\" was dropped");
-      return;
-    }
+    if (!takes_target(kind_)) return read_needless_target(pieces);
     waiting_ = false;
     // As it was written if nothing else was: then the id needs no note.
     const bool alone = words(segment) == pieces;
     const NamedTarget target =
         targets_.find(alone ? std::string_view(segment) : std::string_view(join(pieces, " ")));
     if (target.id.empty()) {
-      repairs_.push_back("\"" + std::string(name(kind_)) + "\" was dropped: " + target.repair);
+      notes_.lose("\"" + std::string(name(kind_)) + "\" was dropped: " + target.repair);
       return;
     }
     if (!target.repair.empty() && (alone || words(target.id) != pieces))
-      repairs_.push_back(target.repair);
-    add_relation(relations_, {kind_, target.id}, repairs_);
+      notes_.repair(target.repair);
+    add_relation(relations_, {kind_, target.id}, notes_);
+  }
+
+  // "against, wall-3" names the wall.
+  void read_needless_target(const Pieces& pieces) {
+    const std::string id = targets_.spelt(pieces);
+    const std::string said = "\"" + std::string(name(kind_)) + "\" takes no target; \"";
+    if (kind_ == RelationKind::edge && id.starts_with("wall-")) {
+      notes_.repair(said + id + "\" was read as \"next to, " + id + "\"");
+      add_relation(relations_, {RelationKind::next_to, id}, notes_);
+    } else {
+      notes_.lose(said + join(pieces, " ") + "\" was dropped");
+    }
   }
 
   void end_waiting() {
     if (waiting_)
-      repairs_.push_back("\"" + std::string(name(kind_)) + "\" was dropped: it has no target");
+      notes_.lose("\"" + std::string(name(kind_)) + "\" was dropped: it has no target");
     waiting_ = false;
   }
 
   const TargetNames& targets_;
-  std::vector<std::string>& repairs_;
+  ReplyNotes& notes_;
   std::vector<Relation> relations_;
   State state_ = State::none;
   RelationKind kind_ = RelationKind::edge;
@@ -334,19 +342,19 @@ bool contradict(RelationKind a, RelationKind b) {
 }  // namespace
 
 void add_relation(std::vector<Relation>& relations, const Relation& relation,
-                  std::vector<std::string>& repairs) {
+                  ReplyNotes& notes) {
   if (std::find(relations.begin(), relations.end(), relation) != relations.end()) {
-    repairs.push_back("\"" + to_text(relation) + "\" was said twice");
+    notes.repair("\"" + to_text(relation) + "\" was said twice");
     return;
   }
   for (const auto& other : relations)
     if (contradict(other.kind, relation.kind)) {
-      repairs.push_back("\"" + to_text(relation) + "\" was dropped: it contradicts \"" +
+      notes.lose("\"" + to_text(relation) + "\" was dropped: it contradicts \"" +
                         to_text(other) + "\"");
       return;
     }
   if (relations.size() >= max_relations) {
-    repairs.push_back("\"" + to_text(relation) + "\" was dropped: only the first " +
+    notes.lose("\"" + to_text(relation) + "\" was dropped: only the first " +
                       std::to_string(max_relations) + " constraints are kept");
     return;
   }
@@ -354,12 +362,12 @@ void add_relation(std::vector<Relation>& relations, const Relation& relation,
 }
 
 std::vector<Relation> read_reply_relations(const Json& value, const TargetNames& targets,
-                                           std::vector<std::string>& repairs) {
-  RelationReader reader(targets, repairs);
+                                           ReplyNotes& notes) {
+  RelationReader reader(targets, notes);
   Pieces pieces = pieces_of(value);
   if (pieces.size() > max_pieces) {
     pieces.resize(max_pieces);
-    repairs.emplace_back("only the first " + std::to_string(max_pieces) +
+    notes.repair("only the first " + std::to_string(max_pieces) +
                          " constraints were looked at");
   }
   for (const auto& piece : pieces) reader.read(piece);

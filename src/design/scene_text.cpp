@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "roomgen/base/text.h"
+#include "roomgen/kinds/kind_table.h"
+#include "scene/judgement.h"
 
 namespace roomgen::design {
 
@@ -23,6 +25,21 @@ std::string_view kind_of(const Opening& opening) {
       return "passage";
   }
   return "opening";
+}
+
+double shown_degrees(double yaw) {
+  return std::fmod(std::round(degrees(yaw)) + 360.0, 360.0);
+}
+
+std::string with_verdicts(const Object& object, const Room& room,
+                          const std::vector<Object>& objects) {
+  const auto resolved = resolve(object, room, objects, KindTable::built_in());
+  const Subject subject{footprint(object), bottom(object), top(object)};
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < resolved.size(); ++i)
+    texts.push_back(to_text(object.relations[i]) +
+                    (judge(resolved[i], subject, room).held ? "" : " (does not hold)"));
+  return join(texts, " | ");
 }
 
 }  // namespace
@@ -70,14 +87,14 @@ std::string SceneText::parts() const {
   return text;
 }
 
-std::string SceneText::placed(const std::vector<Object>& objects) const {
+std::string SceneText::placed(const std::vector<Object>& objects, bool places) const {
   if (objects.empty()) return "nothing yet";
   std::string text;
   for (const auto& object : objects) {
-    const double yaw = std::fmod(std::round(degrees(object.yaw)) + 360.0, 360.0);
-    text += object.id + "; " + object.category + "; " + size_text(object.size) + "; " +
-            point(object.position.head<2>()) + "; " + metres(yaw) + "; " +
-            to_text(object.relations) + "\n";
+    text += object.id + "; " + object.category + "; " + size_text(object.size) + "; ";
+    if (places)
+      text += point(object.position.head<2>()) + "; " + metres(shown_degrees(object.yaw)) + "; ";
+    text += with_verdicts(object, room_, objects) + "\n";
   }
   text.pop_back();
   return text;
@@ -91,6 +108,13 @@ std::string SceneText::free_floor(const std::vector<Bounds2>& parts) const {
                     point(0.5 * (part.low + part.high)));
   }
   return texts.empty() ? "none" : join(texts, "; ");
+}
+
+std::string SceneText::answer(const PlaceAdvice& advice) const {
+  std::string text = advice.relations.empty() ? "no constraints" : to_text(advice.relations);
+  if (advice.location) text += "; at " + point(*advice.location);
+  if (advice.yaw) text += "; facing " + metres(shown_degrees(*advice.yaw));
+  return text;
 }
 
 std::string size_text(const Vec3& size) {

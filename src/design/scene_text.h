@@ -18,13 +18,16 @@ class SceneText {
   std::string room() const;
   /// A line for each wall, door and window.
   std::string parts() const;
-  /// A line for each object.
-  std::string placed(const std::vector<Object>& objects) const;
+  /// A line for each object; of its constraints it says which do not hold.
+  /// Without `places` only what it is.
+  std::string placed(const std::vector<Object>& objects, bool places = true) const;
   /// Sizes and centres, in one line.
   std::string free_floor(const std::vector<Bounds2>& parts) const;
+  /// Constraints, place and facing of an answer, in one line.
+  std::string answer(const PlaceAdvice& advice) const;
+  std::string point(const Vec2& position) const;
 
  private:
-  std::string point(const Vec2& position) const;
 
   const Room& room_;
   bool paper_frame_;

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "consult.h"
+#include "objections.h"
 #include "prepare.h"
 #include "solve/improve.h"
 #include "solve/make_room.h"
@@ -17,7 +18,7 @@ constexpr double squeeze_step = 0.81;
 
 // Where a small thing was asked for and found no room: others there make some, and it gets smaller.
 bool squeeze_in(Work& work, PlacementTask& task) {
-  if (!task.asked || task.object.mount != Mount::surface) return false;
+  if (!work.place.options.repair || !task.asked || task.object.mount != Mount::surface) return false;
   PlacementTask smaller = task;
   for (double factor = 1.0; factor >= least_squeeze && !work.cancel.cancelled();
        factor *= squeeze_step) {
@@ -39,37 +40,89 @@ PlaceOptions place_options(const Work& work) {
 struct Trial {
   const PlannedObject& planned;
   Step& step;
-  std::vector<std::string> refusals = {};
+  EarlierAnswers earlier = {};
   std::optional<PlacementTask> first = {};  ///< as the first attempt had it
 };
+
+// Whatever comes of it, the room may go on with the first answer.
+Result<Attempt> second_answer(Work& work, const AssetInfo& asset, Trial& trial,
+                              const Object& standing) {
+  auto task = prepare(work, trial.planned, asset);
+  if (!task) return task.error();
+  EarlierAnswers earlier = trial.earlier;
+  earlier.objections = trial.step.attempts.back().objections;
+  earlier.standing_at = standing.position.head<2>();
+  const std::string stopped = work.state.stopped;
+  auto advice = consult(work, trial.planned, *task, earlier);
+  work.state.stopped = stopped;
+  if (!advice) return advice.error();
+  if (advice->consultation.fell_back)
+    return Error{Error::Kind::invalid_input, "the model had no second answer"};
+  return try_to_place(work, trial.planned, asset, *advice, trial.earlier.refusals.size(), *task);
+}
+
+// Nothing of an answer is dropped silently: a model is told once what could not be followed, and the
+// answer that is followed better stays.
+void reconsider(Work& work, const AssetInfo& asset, Trial& trial) {
+  Attempt& first = trial.step.attempts.back();
+  const Object standing = *work.layout().find(trial.planned.id);
+  first.objections = objections_to(work.place, first.answer, standing);
+  const Consultation& asked = first.answer.consultation;
+  const bool by_model = asked.calls > 0 || !asked.prompt_sha256.empty();
+  if (first.objections.empty() || first.made_room || !by_model || asked.fell_back) return;
+  BuildState before = work.state;
+  const auto all = work.layout().objects();
+  const std::vector<Object> stood(all.begin(), all.end());
+  work.layout().remove(standing.id);
+  auto second = second_answer(work, asset, trial, standing);
+  const Object* moved = work.layout().find(standing.id);
+  if (second && moved) second->objections = objections_to(work.place, second->answer, *moved);
+  const bool better = moved && second->objections.size() <= first.objections.size();
+  if (!better) {
+    if (second && moved) second->refused = "the answer before is followed more closely";
+    arrange_as(work.layout(), stood);
+    before.model_use = work.state.model_use;
+    work.state = std::move(before);
+  }
+  if (better) first.refused = "the answer after it is followed no less";
+  if (second) trial.step.attempts.push_back(*std::move(second));
+}
 
 // An asset as the designer says. Whether that was the end: it stands, or nothing more can be tried.
 bool try_asset(Work& work, const AssetInfo& asset, Trial& trial) {
   auto task = prepare(work, trial.planned, asset);
   if (!task) return trial.step.reason = task.error().message, true;
-  const auto advice = consult(work, trial.planned, *task, trial.refusals);
+  const auto advice = consult(work, trial.planned, *task, trial.earlier);
   if (!advice) return trial.step.reason = advice.error().message, true;
   auto attempt =
-      try_to_place(work, trial.planned, asset, *advice, trial.refusals.size(), *task);
+      try_to_place(work, trial.planned, asset, *advice, trial.earlier.refusals.size(), *task);
   if (!attempt) return trial.step.reason = attempt.error().message, true;
   if (!trial.first) trial.first = *std::move(task);
   trial.step.attempts.push_back(*std::move(attempt));
   const std::string& refused = trial.step.attempts.back().refused;
-  if (refused.empty()) return true;
-  trial.refusals.push_back(refused);
+  trial.earlier.answers.push_back(*advice);
+  if (refused.empty()) return reconsider(work, asset, trial), true;
+  trial.earlier.refusals.push_back(refused);
   return false;
+}
+
+// Where the finish may move nothing, a repair still does, as little as can be.
+Improvement repairing(const Work& work) {
+  const Improvement mode = work.place.options.improvement;
+  return mode == Improvement::off ? Improvement::minimal : mode;
 }
 
 // Neighbours make way for an object that found no place.
 void repair(Work& work, const AssetInfo& asset, const Trial& trial) {
   const PlannedObject& planned = trial.planned;
   enter(work, planned, asset, *trial.first);
-  work.state.reasons[planned.id] = trial.refusals.back();
-  improve_all(work, work.place.options.repair_rounds);
+  work.state.reasons[planned.id] = trial.earlier.refusals.back();
+  if (work.place.options.repair)
+    improve_all(work, work.place.options.repair_rounds, repairing(work));
   trial.step.repaired = work.layout().find(planned.id) != nullptr;
   if (trial.step.repaired) return;
   work.state.hopeless_items.insert(planned.item);
-  trial.step.reason = trial.refusals.back();
+  trial.step.reason = trial.earlier.refusals.back();
 }
 
 void try_assets(Work& work, const std::vector<AssetInfo>& assets, Trial& trial) {
@@ -82,7 +135,7 @@ void try_assets(Work& work, const std::vector<AssetInfo>& assets, Trial& trial) 
       if (work.cancel.cancelled() || try_asset(work, assets[a], trial)) return;
   }
   if (brief)
-    trial.step.reason = trial.refusals.back();
+    trial.step.reason = trial.earlier.refusals.back();
   else
     repair(work, assets.front(), trial);
 }
@@ -134,8 +187,9 @@ void try_all(Work& work, const PlannedObject& planned, Step& step) {
   }
 }
 
-void improve_all(Work& work, int rounds) {
+void improve_all(Work& work, int rounds, Improvement mode) {
   ImproveOptions options;
+  options.mode = mode;
   options.place = work.place.options.place;
   options.rounds = rounds;
   options.cancel = work.cancel;

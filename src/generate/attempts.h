@@ -1,5 +1,6 @@
 #pragma once
 
+#include "roomgen/solve/placement.h"
 #include "workplace.h"
 
 namespace roomgen {
@@ -19,6 +20,6 @@ Result<Attempt> try_to_place(Work& work, const PlannedObject& planned, const Ass
                              const PlaceAdvice& advice, std::size_t refused, PlacementTask& task);
 
 /// Moves what stands for those that do not, and for constraints that do not hold.
-void improve_all(Work& work, int rounds);
+void improve_all(Work& work, int rounds, Improvement mode);
 
 }  // namespace roomgen

@@ -14,11 +14,13 @@ namespace {
 // Of the free parts of the floor that a designer is told of: metres, and how many.
 constexpr double least_free_side = 0.3;
 constexpr std::size_t most_free_parts = 6;
+constexpr int least_part_pixels = 256;
 
-// Where there is room left, for a designer whose answer did not fit.
-std::vector<Bounds2> free_floor(const Layout& layout) {
+// Where there is room left for a thing of this height, for a designer whose answer did not fit.
+std::vector<Bounds2> free_floor(const Layout& layout, const Object& object) {
   const auto doors = layout.door_areas();
   std::vector<Footprint> taken(doors.begin(), doors.end());
+  for (const auto& area : layout.areas_before_windows(object)) taken.push_back(area);
   for (const auto& thing : layout.things())
     if (blocks_floor(*thing.object, *thing.category)) taken.push_back(thing.footprint);
   return free_rectangles(layout.room().polygon, taken, least_free_side, most_free_parts);
@@ -30,6 +32,39 @@ void tally(const Consultation& consultation, ModelUse& use) {
   use.output_tokens += consultation.output_tokens;
   use.seconds += consultation.seconds;
   use.fallbacks += consultation.fell_back ? 1 : 0;
+}
+
+// A thing that is to carry the object, as far as that is known before the answer.
+const Object* carrier_of(const Work& work, const PlannedObject& planned,
+                         const PlacementTask& task) {
+  if (task.object.mount != Mount::surface) return nullptr;
+  for (const auto& relation : task.object.relations)
+    if (relation.kind == RelationKind::on) return work.layout().find(relation.target);
+  const std::string& wanted = work.item(planned).on;
+  for (const auto& object : work.layout().objects())
+    if (object.id == wanted || (!wanted.empty() && could_carry(work.place.categories,
+                                                               object.category, wanted)))
+      return &object;
+  return nullptr;
+}
+
+// The room, and half as large the top of the carrier.
+Result<std::vector<Image>> pictures(const Workplace& place, const Scene& scene,
+                                    const std::vector<Bounds2>& free_floor,
+                                    const Object* carrier) {
+  View view = place.options.marks_view;
+  view.free_floor = free_floor;
+  auto room = place.options.renderer->render(scene, place.models, view);
+  if (!room) return room.error();
+  std::vector<Image> all = {*std::move(room)};
+  if (!carrier || view.paper_frame) return all;
+  view.free_floor.clear();
+  view.part = footprint(*carrier).bounds();
+  view.pixels = std::max(view.pixels / 2, least_part_pixels);
+  auto top = place.options.renderer->render(scene, place.models, view);
+  if (!top) return top.error();
+  all.push_back(*std::move(top));
+  return all;
 }
 
 // What the plan asks for, before what the designer adds; how many they are.
@@ -45,18 +80,19 @@ int put_wishes_first(const PlanItem& item, std::vector<Relation>& relations) {
 }  // namespace
 
 Result<PlaceAdvice> consult(Work& work, const PlannedObject& planned, const PlacementTask& task,
-                            const std::vector<std::string>& refusals) {
+                            const EarlierAnswers& earlier) {
   const Workplace& place = work.place;
   const Scene scene = scene_of(place, place.layout.objects());
-  PlaceRequest request{place.plan, scene, planned, task.object, refusals};
+  PlaceRequest request{place.plan, scene, planned, task.object, earlier.refusals};
+  request.earlier = earlier.answers;
+  request.objections = earlier.objections;
+  request.standing_at = earlier.standing_at;
   request.later = may_come_next(work);
   request.cancel = work.cancel;
-  if (!refusals.empty()) request.free_floor = free_floor(place.layout);
+  if (!earlier.refusals.empty()) request.free_floor = free_floor(place.layout, task.object);
   if (place.options.renderer)
     request.marks = [&] {
-      View view = place.options.marks_view;
-      view.free_floor = request.free_floor;
-      return place.options.renderer->render(scene, place.models, view);
+      return pictures(place, scene, request.free_floor, carrier_of(work, planned, task));
     };
   auto advice = place.designer.place(request);
   if (!advice) {
@@ -76,6 +112,7 @@ Status follow(const Work& work, const PlaceAdvice& advice, const PlannedObject& 
   task.location = advice.location;
   task.facing = advice.yaw;
   task.usual = advice.usual;
+  task.binding = !advice.usual && (advice.location || advice.yaw);
   task.anywhere = item.asked || refused > 0;
   task.of_its_kind = quantity_of(work.place.plan, item.category);
   if (task.usual && object.mount == Mount::surface)

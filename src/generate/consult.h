@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -7,10 +8,18 @@
 
 namespace roomgen {
 
+/// What was said of one object so far.
+struct EarlierAnswers {
+  std::vector<PlaceAdvice> answers;
+  std::vector<std::string> refusals;    ///< of those that found no place
+  std::vector<std::string> objections;  ///< to the last one, which did
+  std::optional<Vec2> standing_at;      ///< then
+};
+
 /// Asks the designer for the place of an object, with why earlier answers did not fit, and keeps account of
 /// what that took.
 Result<PlaceAdvice> consult(Work& work, const PlannedObject& planned, const PlacementTask& task,
-                            const std::vector<std::string>& refusals);
+                            const EarlierAnswers& earlier);
 
 /// The advice decides what carries the object or what it hangs above, and so its height. `refused`: how
 /// often it found no place already.

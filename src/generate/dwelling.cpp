@@ -13,8 +13,10 @@ namespace {
 
 void add(const SuggestionFigures& part, SuggestionFigures& sum) {
   sum.located += part.located;
-  sum.within_half += part.within_half;
-  sum.within_one += part.within_one;
+  for (std::size_t i = 0; i < sum.within.size(); ++i) {
+    sum.within[i] += part.within[i];
+    sum.placed_within[i] += part.placed_within[i];
+  }
   sum.faced += part.faced;
   sum.facing_kept += part.facing_kept;
 }

@@ -4,16 +4,16 @@
 #include <cmath>
 #include <set>
 
+#include "roomgen/base/text.h"
 #include "evaluate/attributes.h"
 #include "evaluate/ledger.h"
 #include "scene/judgement.h"
+#include "moves.h"
+#include "objections.h"
 
 namespace roomgen {
 
 namespace {
-
-// A yaw this far from the suggested one still follows it.
-constexpr double facing_tolerance = pi / 12;
 
 const Object* find_object(const BuildState& state, const std::string& id) {
   const auto found = std::find_if(state.objects.begin(), state.objects.end(),
@@ -48,6 +48,32 @@ void list_assets(const Workplace& place, const BuildState& state, Generation& re
   }
 }
 
+const Step* step_of(const BuildState& state, const std::string& id) {
+  for (const auto& step : state.trace)
+    if (step.planned.id == id) return &step;
+  return nullptr;
+}
+
+// Whatever of a designer's word is not so in the end.
+void tell_what_was_not_followed(const BuildState& state, Generation& result) {
+  for (const auto& task : state.tasks) {
+    const std::string& id = task.object.id;
+    const Step* step = task.binding ? step_of(state, id) : nullptr;
+    if (!step || !find_object(state, id)) continue;
+    for (const auto& attempt : step->attempts)
+      if (attempt.refused.empty() && !attempt.objections.empty())
+        result.notes.push_back(id + " is not all as it was said: " + join(attempt.objections, "; "));
+  }
+  std::vector<Move> moves;
+  for (const auto& step : state.trace) add_moves(step.moved, moves);
+  add_moves(state.moved, moves);
+  for (const auto& move : moves)
+    for (const auto& task : state.tasks)
+      if (task.binding && task.object.id == move.object)
+        result.notes.push_back(move.object + " was moved by " + format_number(move.distance(), 2) +
+                               " m after it was placed, for what was asked for");
+}
+
 std::vector<RequirementVerdict> verdicts(const Workplace& place, const Generation& result) {
   return check_requirements(
       place.plan.requirements, result.scene, place.categories,
@@ -61,12 +87,18 @@ std::vector<RequirementVerdict> verdicts(const Workplace& place, const Generatio
 }
 
 // How far an object ended from where it was suggested.
-void count_suggestions(const PlacementTask& task, const Object& placed, SuggestionFigures& figures) {
+void count_suggestions(const PlacementTask& task, const Object& placed, const Step* step,
+                       SuggestionFigures& figures) {
+  if (!task.binding) return;
   if (task.location) {
-    const double distance = (placed.position.head<2>() - *task.location).norm();
+    const Vec2 ended = placed.position.head<2>();
+    const Vec2 first = step && step->pose ? step->pose->position : ended;
     ++figures.located;
-    figures.within_half += distance <= 0.5 ? 1 : 0;
-    figures.within_one += distance <= 1.0 ? 1 : 0;
+    for (std::size_t i = 0; i < figures.within.size(); ++i) {
+      const double most = SuggestionFigures::thresholds[i];
+      figures.within[i] += (ended - *task.location).norm() <= most ? 1 : 0;
+      figures.placed_within[i] += (first - *task.location).norm() <= most ? 1 : 0;
+    }
   }
   if (task.facing) {
     ++figures.faced;
@@ -79,7 +111,7 @@ void count_constraints(const Workplace& place, const BuildState& state, Generati
   for (const auto& task : state.tasks) {
     result.constraints += static_cast<int>(task.object.relations.size());
     if (const Object* placed = find_object(state, task.object.id))
-      count_suggestions(task, *placed, result.suggestions);
+      count_suggestions(task, *placed, step_of(state, task.object.id), result.suggestions);
   }
   for (const auto& verdict : judge_scene(result.scene, place.categories))
     result.held += verdict.judgement.held ? 1 : 0;
@@ -99,6 +131,7 @@ Generation outcome(const Workplace& place, const BuildState& state) {
   result.stopped = state.stopped;
   list_objects(place, state, result.scene);
   list_assets(place, state, result);
+  tell_what_was_not_followed(state, result);
   result.scene.requirements = verdicts(place, result);
   result.scene.heard = place.plan.heard;
   count_constraints(place, state, result);

@@ -32,7 +32,7 @@ bool is_part_of_room(const fs::path& relative) {
                                               "ATTRIBUTION.md", "top.png", "iso.png", "eye.png",
                                               "marks"};
   const std::string path = relative.generic_string();
-  return names.count(path) > 0 || (path.starts_with("marks/step-") && path.ends_with(".png"));
+  return names.count(path) > 0 || path.starts_with("marks/step-") || path.starts_with("marks/shown-");
 }
 
 std::string line_of(const Json& json) {

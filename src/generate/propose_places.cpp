@@ -40,6 +40,15 @@ void add_places(Work& work, std::size_t count, Proposal& proposal) {
   }
 }
 
+// What somebody chose is their word.
+PlacementTask chosen_by_host(PlacementTask task, const Object& chosen) {
+  task.location = chosen.position.head<2>();
+  task.facing = chosen.yaw;
+  task.usual = false;
+  task.binding = true;
+  return task;
+}
+
 }  // namespace
 
 Result<Proposal> propose_places(Work& work, const PlannedObject& planned, std::size_t count) {
@@ -78,7 +87,7 @@ Status take_place(Work& work, const Proposal& proposal, std::size_t choice, Step
   step.has_assets = true;
   note(chosen, step.attempts.emplace_back(begun(proposal.asset, proposal.answer)));
   work.layout().add(chosen.object);
-  enter(work, proposal.planned, proposal.asset, proposal.task);
+  enter(work, proposal.planned, proposal.asset, chosen_by_host(proposal.task, chosen.object));
   return {};
 }
 

@@ -253,7 +253,7 @@ Status RoomBuilder::improve(std::optional<Seconds> time) {
   impl_->tell({BuildEvent::Kind::improving});
   const CancelToken cancel = impl_->token(time);
   auto job = impl_->work_on<bool>(cancel, [](Work& work) -> Result<bool> {
-    improve_all(work, work.place.options.improve_rounds);
+    improve_all(work, work.place.options.improve_rounds, work.place.options.improvement);
     return true;
   });
   if (!job) return cut_error(impl_->place->options.cancel);

@@ -8,7 +8,7 @@ namespace roomgen {
 namespace {
 
 Json terms_json(const PlacementTerms& terms) {
-  return {{"held", terms.held},
+  Json json = {{"held", terms.held},
           {"lost", terms.lost},
           {"relations", rounded(terms.relations)},
           {"rest", rounded(terms.rest)},
@@ -20,6 +20,8 @@ Json terms_json(const PlacementTerms& terms) {
           {"rank_c", rounded(terms.rank_c)},
           {"rank_l", rounded(terms.rank_l)},
           {"fused", rounded(terms.fused, 8)}};
+  if (terms.off > 0.0) json["off"] = rounded(terms.off);
+  return json;
 }
 
 // Null for rules.
@@ -58,6 +60,7 @@ Json attempt_json(const Attempt& attempt) {
     if (attempt.runner_up) json["runner_up"] = terms_json(*attempt.runner_up);
   }
   if (attempt.made_room) json["made_room"] = true;
+  if (!attempt.objections.empty()) json["objections"] = attempt.objections;
   if (!attempt.refused.empty()) json["refused"] = attempt.refused;
   return json;
 }

@@ -89,6 +89,8 @@ void enter(Work& work, const PlannedObject& planned, const AssetInfo& asset, Pla
   } else {
     task = with_leading_habit(work.layout(), std::move(task));
   }
+  if (const Object* carrier = task.binding ? work.layout().find(task.object.on) : nullptr)
+    task.carrier_then = {carrier->position.head<2>(), carrier->yaw};
   std::erase_if(state.tasks, [&](const PlacementTask& other) { return other.object.id == planned.id; });
   state.tasks.push_back(std::move(task));
   remember(state.favourites, work.item(planned), asset);

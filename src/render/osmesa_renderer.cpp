@@ -23,6 +23,8 @@ const Eigen::Vector3f plan_wall_color(74, 76, 82), wall_top_color(214, 209, 200)
 // Under marks: planks and shadows look like lines and furniture to who reads the picture.
 const Eigen::Vector3f marked_floor_color(226, 223, 216);
 
+bool is_marked(const View& view) { return view.marks && view.kind == View::Kind::top; }
+
 // Everything a picture depends on but the objects.
 std::string frame_key(const Scene& scene, const View& view, const Camera& camera) {
   Json key;
@@ -33,7 +35,7 @@ std::string frame_key(const Scene& scene, const View& view, const Camera& camera
   if (camera.eye)
     for (int axis = 0; axis < 3; ++axis) key["eye"].push_back((*camera.eye)[axis]);
   key["kind"] = static_cast<int>(view.kind);
-  key["marks"] = view.marks;
+  key["marks"] = is_marked(view);
   key["size"] = {camera.width, camera.height};
   return key.dump();
 }
@@ -43,7 +45,7 @@ std::shared_ptr<const Model> shell_model(std::span<const Room> rooms, const Mode
   const bool plan = view.kind == View::Kind::top;
   ShellOptions options;
   options.top_color = plan ? plan_wall_color : wall_top_color;
-  if (view.marks) options.floor_color = marked_floor_color;
+  if (is_marked(view)) options.floor_color = marked_floor_color;
   options.door_leaves = !plan;  // drawn open, as a symbol
   options.ceiling = view.kind == View::Kind::eye;
   auto merged = std::make_shared<Model>();
@@ -198,7 +200,7 @@ class OsmesaRenderer : public Renderer {
     if (!damage.empty()) {
       const bool continued = !fresh && depth_owner_ == frame.key;
       const DrawList none;
-      shadows_.update(painter_, view.marks ? none : items, frame.sun, shadow_damage);
+      shadows_.update(painter_, is_marked(view) ? none : items, frame.sun, shadow_damage);
       shadow_owner_ = frame.key;
       // A picture that was partly drawn after another one has strange depths around that part.
       if (!continued) depth_owner_ = fresh ? frame.key : std::string();

@@ -87,7 +87,7 @@ double outside(double value, double low, double high) {
 }
 
 Judgement judge_near(const ResolvedRelation& relation, double gap) {
-  return {gap <= near_gap + rounding,
+  return {gap <= near_gap + rounding && gap >= relation.least_gap - rounding,
           clamp01(1.0 - outside(gap, relation.gap_low, relation.gap_high) / (2.0 * near_gap))};
 }
 
@@ -172,6 +172,16 @@ Judgement judge_over(bool vertical, const Footprint& subject, const Footprint& t
           vertical ? clamp01(1.0 - apart) : 0.0};
 }
 
+// Anywhere on it is on it.
+Judgement judge_on(const ResolvedRelation& relation, const Subject& subject,
+                   const Footprint& target) {
+  Judgement judgement = judge_over(subject.bottom <= relation.target_top + 0.02 &&
+                                       subject.bottom >= relation.target_bottom,
+                                   subject.footprint, target);
+  if (judgement.held) judgement.degree = 1.0;
+  return judgement;
+}
+
 // Its middle below the top of what contains it.
 Judgement judge_inside(const ResolvedRelation& relation, const Subject& subject,
                        const Footprint& target) {
@@ -217,9 +227,7 @@ Judgement judge_against(const ResolvedRelation& relation, const Subject& subject
     case RelationKind::face_opposite_to:
       return judge_yaw(own, target.yaw() + pi);
     case RelationKind::on:
-      return judge_over(
-          subject.bottom <= relation.target_top + 0.02 && subject.bottom >= relation.target_bottom,
-          own, target);
+      return judge_on(relation, subject, target);
     case RelationKind::inside:
       return judge_inside(relation, subject, target);
     case RelationKind::above:

@@ -24,6 +24,7 @@ struct ResolvedRelation {
   double gap_low = 0.0;  ///< preferred range of the gap
   double gap_high = 0.5;
   AlignAxis axis = AlignAxis::either;
+  double least_gap = 0.0;  ///< from which `near` holds
 };
 
 /// Looks up the targets of an object's relations among the placed objects and the parts of the

@@ -1,6 +1,7 @@
 #include "improve.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <set>
 #include <tuple>
@@ -9,6 +10,7 @@
 #include "propose.h"
 #include "scene/judgement.h"
 #include "score.h"
+#include "words.h"
 
 namespace roomgen {
 
@@ -60,9 +62,17 @@ PlacementTask with_wishes_only(PlacementTask task) {
 
 class Search {
  public:
+  /// What `words` says stays where it is, or moves as little as can be if it `may_move_words`.
   Search(Layout& layout, const std::vector<PlacementTask>& tasks,
-         std::map<std::string, std::string>& reasons, const ImproveOptions& options, Random& random)
-      : layout_(layout), tasks_(tasks), reasons_(reasons), options_(options), random_(random) {}
+         std::map<std::string, std::string>& reasons, const ImproveOptions& options, Random& random,
+         const Words* words = nullptr, bool may_move_words = false)
+      : layout_(layout),
+        tasks_(tasks),
+        reasons_(reasons),
+        options_(options),
+        random_(random),
+        words_(words),
+        may_move_words_(may_move_words) {}
 
   int run() {
     State best = state(), current = best;
@@ -71,6 +81,7 @@ class Search {
     for (; round < options_.rounds && !options_.cancel.cancelled(); ++round) {
       if (best.quality.placed == static_cast<int>(tasks_.size()) && best.quality.held == wanted)
         break;
+      if (is_all_that_words_allow()) break;
       if (has_wishes_ && is_hopeless()) break;
       const bool start_anew = barren >= patience;
       // For a wish any number of habits may go.
@@ -83,7 +94,7 @@ class Search {
       else
         put_elsewhere(choose_ruin(), 1);
       if (options_.cancel.cancelled()) break;  // in the middle of a round
-      const LayoutQuality now = quality(layout_, tasks_);
+      const LayoutQuality now = measured();
       const bool gained = !current.quality.as_good_as(now);
       barren = start_anew || gained ? 0 : barren + 1;
       if (!gained && !start_anew) ++vain_tries_[chosen_];
@@ -96,6 +107,7 @@ class Search {
     }
     restore(best);
     if (round == 0) return 0;
+    if (may_move_words_) bring_back_words(best.quality);
     polish(layout_, tasks_, options_.place, options_.cancel, random_);
     return round;
   }
@@ -108,8 +120,28 @@ class Search {
   };
 
   State state() const {
-    return {
-        {layout_.objects().begin(), layout_.objects().end()}, reasons_, quality(layout_, tasks_)};
+    return {{layout_.objects().begin(), layout_.objects().end()}, reasons_, measured()};
+  }
+
+  LayoutQuality measured() const {
+    LayoutQuality result = quality(layout_, tasks_);
+    if (words_) result.displaced = words_->displaced(layout_);
+    return result;
+  }
+
+  // Words move for what was asked for alone; while they stay, others move for anything.
+  bool is_all_that_words_allow() const {
+    if (!words_) return false;
+    return may_move_words_ ? requirements_hold(layout_, tasks_)
+                           : movable_that([this](const auto& task) { return is_troubled(task); }).empty();
+  }
+
+  void bring_back_words(const LayoutQuality& reached) {
+    words_->bring_back(layout_, [&] {
+      LayoutQuality now = measured();
+      now.displaced = reached.displaced;
+      return now.as_good_as(reached);
+    });
   }
 
   // Touches only what moved.
@@ -166,7 +198,7 @@ class Search {
 
   bool is_fixed(const std::string& id) const {
     const Object* placed = layout_.find(id);
-    return placed && placed->locked;
+    return placed && (placed->locked || (words_ && !may_move_words_ && words_->hold(id)));
   }
 
   std::set<std::string> everything() const {
@@ -342,6 +374,8 @@ class Search {
   std::map<std::string, std::string>& reasons_;
   const ImproveOptions& options_;
   Random& random_;
+  const Words* words_;
+  bool may_move_words_;
   bool has_wishes_ = std::any_of(tasks_.begin(), tasks_.end(), [](const PlacementTask& task) {
     return task.asked || task.wishes > 0;
   });
@@ -350,8 +384,10 @@ class Search {
   int lost_allowed_ = 0;  ///< a round that loses more constraints is given up
 };
 
-std::tuple<int, int, int, int> counts(const LayoutQuality& quality) {
-  return {quality.asked, quality.wishes, quality.placed, quality.held};
+// A tenth of a metre more or less of what was moved is no difference between rough layouts.
+std::tuple<int, int, int, double, int> counts(const LayoutQuality& quality) {
+  return {quality.asked, quality.wishes, quality.placed, -std::round(10.0 * quality.displaced),
+          quality.held};
 }
 
 // The task and those that depend on it.
@@ -400,7 +436,7 @@ void polish(Layout& layout, const std::vector<PlacementTask>& tasks, PlaceOption
   for (const auto& task : tasks) {
     if (cancel.cancelled()) return;
     const Object* placed = layout.find(task.object.id);
-    if (!placed || placed->locked) continue;
+    if (!placed || placed->locked || task.binding) continue;
     if (layout.carries_something(task.object.id)) continue;  // it would leave its things in the air
     const Object before = *placed;
     const auto affected = with_dependants(task, tasks);
@@ -417,8 +453,14 @@ void polish(Layout& layout, const std::vector<PlacementTask>& tasks, PlaceOption
 int improve(Layout& layout, const std::vector<PlacementTask>& tasks,
             std::map<std::string, std::string>& reasons, const ImproveOptions& options,
             Random& random) {
-  if (tasks.empty()) return 0;
-  return Search(layout, tasks, reasons, options, random).run();
+  if (tasks.empty() || options.mode == Improvement::off) return 0;
+  const Words words(layout, tasks);
+  if (options.mode == Improvement::free || words.empty())
+    return Search(layout, tasks, reasons, options, random).run();
+  int rounds = Search(layout, tasks, reasons, options, random, &words).run();
+  if (!requirements_hold(layout, tasks))
+    rounds += Search(layout, tasks, reasons, options, random, &words, true).run();
+  return rounds;
 }
 
 }  // namespace roomgen

@@ -13,6 +13,7 @@ namespace roomgen {
 
 struct ImproveOptions {
   PlaceOptions place;
+  Improvement mode = Improvement::minimal;
   int rounds = 60;  ///< at most; the search ends early when nothing is left to win
   /// Weight of the random part of degrees while searching.
   double noise = 0.6;
@@ -20,11 +21,13 @@ struct ImproveOptions {
 };
 
 /// What a layout is worth: first how many things that were asked for found a place, then how many of
-/// the wishes hold, then how many things and constraints there are at all, then how well they hold.
+/// the wishes hold, then how many things there are at all, then how little of what binds was moved, then
+/// how many constraints hold, then how well.
 struct LayoutQuality {
   int asked = 0;
   int wishes = 0;
   int placed = 0;
+  double displaced = 0.0;  ///< metres in all, those of earlier things weighing up to twice as much
   int held = 0;
   double degree = 0.0;
 

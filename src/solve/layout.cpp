@@ -84,6 +84,14 @@ Layout::Layout(const Room& room, const KindTable& categories, const ModelTable& 
   }
 }
 
+std::vector<Footprint> Layout::areas_before_windows(const Object& object) const {
+  std::vector<Footprint> areas;
+  if (object.mount != Mount::floor || object.traits.flat) return areas;
+  for (const auto& clearance : clearances_)
+    if (clearance.of_window && object.size.z() > clearance.from) areas.push_back(clearance.area);
+  return areas;
+}
+
 const Object* Layout::find(std::string_view id) const {
   const auto found = std::find_if(objects_.begin(), objects_.end(),
                                   [&](const Object& object) { return object.id == id; });

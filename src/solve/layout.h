@@ -59,6 +59,8 @@ class Layout {
 
   /// The clearances of doors and passages.
   std::span<const Footprint> door_areas() const { return door_areas_; }
+  /// The strips before windows where the object, from the floor up, is too high to stand.
+  std::vector<Footprint> areas_before_windows(const Object& object) const;
 
   void add(Object object);
   void remove(std::string_view id);

@@ -27,12 +27,13 @@ PlacementTask relaxed(PlacementTask task, Keep keep) {
 
 // What stands on the support, on that again, and so on, as far as it can move.
 std::vector<PlacementTask> things_on(const Layout& layout, const std::string& support,
-                                     const std::vector<PlacementTask>& tasks) {
+                                     const std::vector<PlacementTask>& tasks, bool words_stay) {
   std::vector<PlacementTask> found;
   std::set<std::string> carriers = {support};
   for (const auto& task : tasks) {
     const Object* placed = layout.find(task.object.id);
     if (!placed || placed->locked || !carriers.count(placed->on)) continue;
+    if (words_stay && task.binding) continue;
     carriers.insert(placed->id);
     found.push_back(task);
   }
@@ -61,13 +62,9 @@ void restore_relations(Layout& layout, const std::vector<PlacementTask>& tasks) 
   }
 }
 
-}  // namespace
-
-bool make_room(Layout& layout, const PlacementTask& newcomer,
-               const std::vector<PlacementTask>& tasks, const CancelToken& cancel,
-               Random& random) {
-  if (newcomer.object.on.empty()) return false;
-  auto moving = things_on(layout, newcomer.object.on, tasks);
+bool make_room_among(Layout& layout, const PlacementTask& newcomer,
+                     std::vector<PlacementTask> moving, const CancelToken& cancel,
+                     Random& random) {
   if (moving.empty() || moving.size() >= most_things) return false;
   std::vector<Object> before;
   for (const auto& task : moving) before.push_back(*layout.find(task.object.id));
@@ -80,6 +77,20 @@ bool make_room(Layout& layout, const PlacementTask& newcomer,
     }
   for (auto& object : before) layout.add(std::move(object));
   return false;
+}
+
+}  // namespace
+
+bool make_room(Layout& layout, const PlacementTask& newcomer,
+               const std::vector<PlacementTask>& tasks, const CancelToken& cancel,
+               Random& random) {
+  if (newcomer.object.on.empty()) return false;
+  auto all = things_on(layout, newcomer.object.on, tasks, false);
+  auto movable = things_on(layout, newcomer.object.on, tasks, true);
+  if (movable.size() < all.size() &&
+      make_room_among(layout, newcomer, std::move(movable), cancel, random))
+    return true;
+  return make_room_among(layout, newcomer, std::move(all), cancel, random);
 }
 
 }  // namespace roomgen

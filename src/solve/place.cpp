@@ -34,7 +34,7 @@ void score_feasible(const ProposalContext& context, const Layout::Candidate& can
     if (!terms) continue;
     scored.push_back({pose, *terms, 0.0});
     // One more may be lost, so that something is left should the best fail the exact tests.
-    if (!context.task.location) most_lost = std::min(most_lost, terms->lost + 1);
+    if (!context.suggestion.location) most_lost = std::min(most_lost, terms->lost + 1);
   }
 }
 
@@ -50,13 +50,13 @@ void add_general_terms(const ProposalContext& context, std::vector<Scored>& scor
   for (const auto& s : scored) least = std::min(least, s.terms.lost);
   const FootprintAt footprint_at(context.task.object);
   for (auto& s : scored)
-    if (context.task.location || s.terms.lost == least)
+    if (context.suggestion.location || s.terms.lost == least)
       add_general_terms(context, footprint_at(s.pose), s.pose.bottom, s.terms);
 }
 
 std::vector<std::size_t> rank(const ProposalContext& context, std::vector<Scored>& scored,
                               const PlaceOptions& options, Random& random) {
-  const PlacementTask& task = context.task;
+  const auto& location = context.suggestion.location;
   add_general_terms(context, scored);
   std::vector<Ranked> ranked;
   ranked.reserve(scored.size());
@@ -64,10 +64,10 @@ std::vector<std::size_t> rank(const ProposalContext& context, std::vector<Scored
     const double noise = options.noise > 0.0 ? options.noise * random.uniform() : 0.0;
     ranked.push_back({s.pose.position, s.terms.lost, total_degree(s.terms) + noise});
   }
-  fuse(ranked, task.location, options.fusion);
+  fuse(ranked, location, options.fusion);
   for (std::size_t i = 0; i < scored.size(); ++i) {
     scored[i].terms.rank_c = ranked[i].rank_c;
-    scored[i].terms.rank_l = task.location ? ranked[i].rank_l : 0.0;
+    scored[i].terms.rank_l = location ? ranked[i].rank_l : 0.0;
     scored[i].terms.fused = scored[i].merit = ranked[i].fused;
   }
   return order_of_choice(ranked);
@@ -159,6 +159,13 @@ constexpr double coarse_pitch = 0.20;
 // Metres about the suggested location that are looked at first.
 constexpr double about_suggestion = 2.0;
 
+std::vector<ResolvedRelation> resolved(const Layout& layout, const PlacementTask& task,
+                                       const PlaceOptions& options) {
+  auto relations = resolve(task.object, layout.room(), layout.objects(), layout.categories());
+  for (auto& relation : relations) relation.least_gap = options.least_near;
+  return relations;
+}
+
 // One object's way to its pose: from the poses that mean something over those near the suggestion
 // to all of the grid, each step only if the one before does not settle it.
 class Placing {
@@ -171,15 +178,17 @@ class Placing {
         options_(options),
         random_(random),
         context_(
-            make_context(layout, task,
-                         resolve(task.object, layout.room(), layout.objects(), layout.categories()),
+            make_context(layout, task, resolved(layout, task, options),
                          count_around(task, layout.objects(), later))),
         candidate_(layout.candidate(task.object)) {}
 
   Result<Placement> run() {
-    add(propose_exact(context_));
+    // Where there is no grid, meaningful poses are all there is.
+    if (options_.grid != GridUse::only || task_.object.mount != Mount::floor)
+      add(propose_exact(context_));
     meaningful_ = scored_.size();
-    if (meaningful_poses_are_enough()) decide();
+    if (!scored_.empty() && (meaningful_poses_are_enough() || context_.suggestion.binds)) decide();
+    if (options_.grid == GridUse::near_suggestions && may_be_followed_better()) best_.reset();
     if (!best_ && options_.grid != GridUse::never) look_at_grid();
     if (options_.cancel.cancelled()) return Error{Error::Kind::cancelled, "stopped"};
     if (!best_) return refusal(layout_, task_, candidate_, proposed_, static_cast<int>(scored_.size()));
@@ -191,27 +200,38 @@ class Placing {
   // grid point is flush with a wall.
   bool meaningful_poses_are_enough() const {
     if (options_.grid == GridUse::never) return true;
-    if (options_.grid == GridUse::near_suggestions && task_.location) return false;
+    if (options_.grid == GridUse::only) return task_.object.mount != Mount::floor;
+    if (options_.grid == GridUse::near_suggestions && location()) return false;
     return one_holds_all(scored_) || wants(context_, RelationKind::edge) ||
            wants(context_, RelationKind::corner);
   }
 
+  const std::optional<Vec2>& location() const { return context_.suggestion.location; }
+
+  // Of a designer's word. Where it is followed and everything holds, no grid point does better.
+  bool may_be_followed_better() const {
+    if (!best_ || !context_.suggestion.binds) return false;
+    const Scored& best = scored_[*best_];
+    return options_.fusion.ordinal_ranks || best.terms.lost > 0 ||
+           !follows(task_.object, best.pose, context_.suggestion);
+  }
+
   void look_at_grid() {
     // Without a suggestion the meaningful poses are the fine ones.
-    const double pitch = task_.location && options_.fusion.ordinal_ranks
+    const double pitch = location() && options_.fusion.ordinal_ranks
                              ? options_.pitch
                              : std::max(coarse_pitch, options_.pitch);
     if (near_suggestion_may_be_enough()) {
-      decide_with(propose_grid(context_, pitch, Disc{*task_.location, about_suggestion}));
+      decide_with(propose_grid(context_, pitch, Disc{*location(), about_suggestion}));
       if (best_ && scored_[*best_].terms.lost > 0) best_.reset();
     }
     if (!best_) decide_with(propose_grid(context_, pitch));
-    if (best_ && task_.location && options_.pitch < pitch) refine();
+    if (best_ && location() && options_.pitch < pitch) refine();
   }
 
   // Where everything holds near the suggestion, nothing farther away has a higher sum.
   bool near_suggestion_may_be_enough() const {
-    return task_.location && !options_.fusion.ordinal_ranks && options_.fusion.alpha < 1.0;
+    return location() && !options_.fusion.ordinal_ranks && options_.fusion.alpha < 1.0;
   }
 
   // A suggestion is followed closely: once more about the choice, as finely as was asked.

@@ -10,9 +10,6 @@ namespace roomgen {
 
 namespace {
 
-// Flush things stand this far off, so that faces do not coincide and rounding pushes nothing into a
-// wall.
-constexpr double flush = 0.004;
 constexpr double along_wall_pitch = 0.10;
 // Between small things side by side.
 constexpr double apart = 0.006;
@@ -60,6 +57,8 @@ std::vector<double> stations(const ProposalContext& context, std::size_t wall, d
   };
   add(last);
   add(0.5 * length);
+  if (context.suggestion.binds && context.suggestion.location)
+    add((*context.suggestion.location - line.a).dot(line.direction()));
   for (const auto& opening : room.openings)
     if (opening.wall == wall) add_beside(opening.from, opening.to);
   const Vec2 along = line.direction(), inward = left_of(along);
@@ -251,6 +250,8 @@ void propose_above_targets(const ProposalContext& context, std::vector<Pose>& po
   const Bounds2 box = bounds(polygon);
   const double yaw = context.layout.wall_yaws().front();
   poses.push_back({0.5 * (box.low + box.high), bottom, yaw});
+  if (context.suggestion.binds && context.suggestion.location)
+    poses.push_back({*context.suggestion.location, bottom, context.suggestion.facing.value_or(yaw)});
   for (const auto& relation : context.relations)
     for (const auto& target : relation.targets)
       if (takes_target(relation.kind)) poses.push_back({target.center(), bottom, target.yaw()});
@@ -350,6 +351,70 @@ void propose_next_to_others(const ProposalContext& context, const Object& suppor
   }
 }
 
+// Offsets from a suggested place: itself, and what still follows it where it is taken.
+std::vector<Vec2> offsets_about_suggestion(double reach) {
+  constexpr double step = 0.03;
+  std::vector<Vec2> offsets;
+  const int most = static_cast<int>(reach / step);
+  for (int j = -most; j <= most; ++j)
+    for (int i = -most; i <= most; ++i)
+      if (const Vec2 offset = step * Vec2(i, j); offset.norm() < reach) offsets.push_back(offset);
+  return offsets;
+}
+
+// Straight at each thing that it shall look at.
+void add_yaws_to_targets(const ProposalContext& context, const Vec2& from,
+                         std::vector<double>& yaws) {
+  for (const auto& relation : context.relations) {
+    if (relation.kind != RelationKind::face_to && relation.kind != RelationKind::around) continue;
+    for (const auto& target : relation.targets)
+      if ((target.center() - from).norm() > 1e-6)
+        yaws.push_back(yaw_facing(target.center() - from));
+  }
+}
+
+// The turns that a designer's word means at a place: the one that was said, else those that the
+// constraints and the walls suggest.
+std::vector<double> suggested_yaws(const ProposalContext& context, const Vec2& at,
+                                   std::vector<double> usual) {
+  std::vector<double> yaws;
+  if (context.suggestion.facing)
+    yaws.push_back(*context.suggestion.facing);
+  else
+    yaws = std::move(usual);
+  add_yaws_to_targets(context, at, yaws);
+  return yaws;
+}
+
+// Exactly where it is suggested, and as near as makes no difference.
+void propose_suggested(const ProposalContext& context, std::vector<Pose>& poses) {
+  if (!context.suggestion.location) return;
+  const Vec2& location = *context.suggestion.location;
+  const double height = mounting_height(context);
+  const auto usual = useful_yaws(context);
+  for (double yaw : usual) poses.push_back({location, height, yaw});
+  if (!context.suggestion.binds) return;
+  for (const Vec2& offset : offsets_about_suggestion(0.10))
+    for (double yaw : suggested_yaws(context, location + offset, usual))
+      poses.push_back({location + offset, height, yaw});
+}
+
+std::vector<Pose> suggested_on(const ProposalContext& context, const Object& support) {
+  if (!context.suggestion.location) return {};
+  const Vec2& location = *context.suggestion.location;
+  const bool has_front = context.task.object.traits.front;
+  std::vector<double> turns;
+  for (int turn = 0; turn < (has_front ? 4 : 2); ++turn)
+    turns.push_back(wrap_angle(support.yaw + turn * pi / 2));
+  std::vector<Pose> poses;
+  for (double yaw : turns) poses.push_back({location, 0.0, yaw});
+  if (!context.suggestion.binds) return poses;
+  for (const Vec2& offset : offsets_about_suggestion(0.07))
+    for (double yaw : suggested_yaws(context, location + offset, turns))
+      poses.push_back({location + offset, 0.0, yaw});
+  return poses;
+}
+
 // Wherever it can rest on the support, and of what means something the places where it can.
 void propose_on_surface(const ProposalContext& context, const Object& support,
                         std::vector<Pose>& poses) {
@@ -357,10 +422,7 @@ void propose_on_surface(const ProposalContext& context, const Object& support,
   const Object& object = context.task.object;
   for (const auto& rest : rests.everywhere(object, support))
     poses.push_back(pose_of(rest, support));
-  std::vector<Pose> wished;
-  if (context.task.location)
-    for (int turn = 0; turn < (object.traits.front ? 4 : 2); ++turn)
-      wished.push_back({*context.task.location, 0.0, wrap_angle(support.yaw + turn * pi / 2)});
+  std::vector<Pose> wished = suggested_on(context, support);
   propose_for_relations(context, wished);
   propose_next_to_others(context, support, wished);
   const Footprint area = footprint(support);
@@ -390,7 +452,8 @@ Company company_around(const ProposalContext& context, const Relation& relation,
 
 ProposalContext make_context(const Layout& layout, const PlacementTask& task,
                              std::vector<ResolvedRelation> relations, int around_count) {
-  ProposalContext context{layout, task, std::move(relations), around_count};
+  ProposalContext context{layout, task, std::move(relations), around_count,
+                          suggestion_of(layout, task)};
   context.rest = Rest::of(layout, task.object);
   const Arrangement* arrangement = layout.arrangement_of(task.object);
   if (arrangement && task.object.mount != Mount::surface && (task.usual || !task.location)) {
@@ -461,9 +524,7 @@ std::vector<Pose> propose_exact(const ProposalContext& context) {
     case Mount::floor:
       break;
   }
-  if (context.task.location)
-    for (double yaw : useful_yaws(context))
-      poses.push_back({*context.task.location, mounting_height(context), yaw});
+  propose_suggested(context, poses);
   if (!wants(context, RelationKind::middle)) propose_at_walls(context, poses);
   if (context.surroundings) propose_beneath(context, poses);
   propose_for_relations(context, poses);
@@ -485,6 +546,9 @@ std::vector<Pose> propose_grid(const ProposalContext& context, double pitch,
       const Vec2 point = middle + pitch * Vec2(i, j);
       if (part && (point - part->center).norm() > part->radius) continue;
       for (double yaw : yaws) poses.push_back({point, mounting_height(context), yaw});
+      if (!context.suggestion.binds) continue;
+      for (double yaw : suggested_yaws(context, point, {}))
+        poses.push_back({point, mounting_height(context), yaw});
     }
   return poses;
 }

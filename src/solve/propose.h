@@ -8,6 +8,7 @@
 #include "on_surface.h"
 #include "roomgen/scene/problem.h"
 #include "scene/judgement.h"
+#include "suggestion.h"
 #include "surroundings.h"
 
 namespace roomgen {
@@ -25,6 +26,7 @@ struct ProposalContext {
   std::vector<ResolvedRelation> relations;
   /// How many will stand around the same target in the end, this one included.
   int around_count = 1;
+  Suggestion suggestion = {};
   std::vector<Company> companies = {};  ///< one for each target that the object stands around
   /// Where the layout knows how kinds are arranged and no place is suggested: what its kind prefers.
   std::optional<Surroundings> surroundings = {};

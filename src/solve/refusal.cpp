@@ -1,8 +1,10 @@
 #include "refusal.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "roomgen/base/text.h"
 
@@ -24,6 +26,31 @@ std::string blocked_by(const Layout& layout, const Layout::Candidate& candidate,
       if (layout.collides(candidate, footprint, bottom, thing)) names.insert(thing.object->id);
   }
   return join({names.begin(), names.end()}, ", ");
+}
+
+// What stands where it could stand otherwise, the most often first: looked at on a coarse grid.
+std::string mostly_blocked_by(const Layout& layout, const Layout::Candidate& candidate) {
+  constexpr double pitch = 0.25;
+  constexpr std::size_t most_named = 3;
+  const FootprintAt footprint_at(candidate.object);
+  const double bottom = candidate.object.position.z();
+  const Bounds2 box = bounds(layout.room().polygon);
+  std::map<std::string, int> counts;
+  for (double x = box.low.x() + pitch; x < box.high.x(); x += pitch)
+    for (double y = box.low.y() + pitch; y < box.high.y(); y += pitch)
+      for (const double yaw : layout.wall_yaws()) {
+        const Footprint footprint = footprint_at({{x, y}, bottom, yaw});
+        if (!layout.fits_room(candidate, footprint, bottom)) continue;
+        for (const auto& thing : layout.things())
+          if (layout.collides(candidate, footprint, bottom, thing)) ++counts[thing.object->id];
+      }
+  std::vector<std::pair<int, std::string>> order;
+  for (const auto& [id, count] : counts) order.push_back({-count, id});
+  std::sort(order.begin(), order.end());
+  std::vector<std::string> names;
+  for (const auto& [count, id] : order)
+    if (names.size() < most_named) names.push_back(id);
+  return join(names, ", ");
 }
 
 // Why nothing more goes onto a thing.
@@ -63,7 +90,11 @@ Error refusal(const Layout& layout, const PlacementTask& task, const Layout::Can
   else
     why += "each of the " + std::to_string(feasible) +
            " clear positions would leave something unusable or out of reach";
-  if (!task.location) return {Error::Kind::not_found, why};
+  if (!task.location) {
+    const std::string blockers = mostly_blocked_by(layout, candidate);
+    if (!blockers.empty()) why += "; mostly in the way: " + blockers;
+    return {Error::Kind::not_found, why};
+  }
   const std::string blockers = blocked_by(layout, candidate, *task.location);
   if (!blockers.empty()) why += "; in the way at the suggested place: " + blockers;
   return {Error::Kind::not_found, why};

@@ -48,12 +48,31 @@ double evenness_degree(const ProposalContext& context, const Footprint& footprin
 }
 
 double closeness_degree(const ProposalContext& context, const Footprint& footprint) {
-  const auto& task = context.task;
+  const Suggestion& wanted = context.suggestion;
   double degree = 0.0;
-  if (task.location)
-    degree = 1.0 - std::min((footprint.center() - *task.location).norm() / location_comfort, 1.0);
-  if (task.facing) degree += weights::facing * std::cos(footprint.yaw() - *task.facing);
+  if (wanted.location)
+    degree = 1.0 - std::min((footprint.center() - *wanted.location).norm() / location_comfort, 1.0);
+  if (wanted.facing) degree += weights::facing * std::cos(footprint.yaw() - *wanted.facing);
   return degree;
+}
+
+double metres_off(const ProposalContext& context, const Footprint& footprint) {
+  const Suggestion& wanted = context.suggestion;
+  if (!wanted.binds) return 0.0;
+  double off = wanted.location ? (footprint.center() - *wanted.location).norm() : 0.0;
+  if (wanted.facing)
+    off += weights::metres_a_radian *
+           turn_between(context.task.object, footprint.yaw(), *wanted.facing);
+  return off;
+}
+
+// What nobody has put anywhere gathers in the middle of what carries it.
+double degree_of(const ProposalContext& context, const ResolvedRelation& relation,
+                 const Judgement& judgement, const Footprint& footprint) {
+  if (relation.kind != RelationKind::on || !judgement.held || context.suggestion.binds)
+    return judgement.degree;
+  const double apart = (relation.targets.front().center() - footprint.center()).norm();
+  return std::clamp(1.0 - apart, 0.0, 1.0);
 }
 
 }  // namespace
@@ -78,7 +97,7 @@ std::optional<PlacementTerms> score_relations(const ProposalContext& context,
     const Judgement judgement = judge(relation, subject, context.layout.room());
     ++(judgement.held ? terms.held : terms.lost);
     if (terms.lost > most_lost) return std::nullopt;
-    terms.relations += judgement.degree;
+    terms.relations += degree_of(context, relation, judgement, footprint);
   }
   if (!context.relations.empty()) terms.relations /= static_cast<double>(context.relations.size());
   return terms;
@@ -93,6 +112,7 @@ void add_general_terms(const ProposalContext& context, const Footprint& footprin
   terms.spread = on_surface ? 1.0 : spread_degree(context, footprint);
   terms.evenness = evenness_degree(context, footprint);
   terms.closeness = closeness_degree(context, footprint);
+  terms.off = metres_off(context, footprint);
   if (context.surroundings)
     terms.arrangement += preference(*context.surroundings, footprint, bottom);
 }
@@ -107,8 +127,8 @@ PlacementTerms score(const ProposalContext& context, const Footprint& footprint,
 double total_degree(const PlacementTerms& terms) {
   return weights::relations * terms.relations + weights::rest * terms.rest +
          weights::walkway * terms.walkway + weights::spread * terms.spread +
-         weights::evenness * terms.evenness + weights::closeness * terms.closeness +
-         terms.arrangement;
+         weights::evenness * terms.evenness + weights::closeness * terms.closeness -
+         weights::off * terms.off + terms.arrangement;
 }
 
 }  // namespace roomgen

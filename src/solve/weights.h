@@ -17,6 +17,11 @@ inline constexpr double closeness = 0.5;
 /// Of the suggested yaw against the suggested centre.
 inline constexpr double facing = 0.5;
 
+// Of a metre off a designer's word: two centimetres outweigh any other degree of the poses about it.
+inline constexpr double off = 100.0;
+/// Ten degrees off what was said are as bad as 0.1 m.
+inline constexpr double metres_a_radian = 0.573;
+
 // The soft constraints of a way: the first counts most, so that one more outweighs preferences.
 inline constexpr double first_habit = 6.0;
 inline constexpr double habit_step = 0.5;

@@ -39,7 +39,7 @@ struct Conversation {
     PlaceRequest request{plan, scene, planned, chair, std::move(refusals)};
     request.free_floor = std::move(free_floor);
     request.later = {"chair-1", "floor lamp-0"};
-    request.marks = [] { return Result<Image>(Image(2, 2)); };
+    request.marks = [] { return Result<std::vector<Image>>(std::vector<Image>{Image(2, 2)}); };
     return designer->place(request);
   }
   Result<Plan> make_plan() {
@@ -172,7 +172,7 @@ TEST_CASE("A plan with more furniture than floor is sent back") {
 
 TEST_CASE("What is shown and kept depends on the mode") {
   ModelDesignerOptions options;
-  options.encode_png = [](const Image&) { return Result<std::string>("PNG"); };
+  options.encode_picture = [](const Image&) { return Result<std::string>("PNG"); };
   for (const auto mode : {ModelMode::constraints, ModelMode::image, ModelMode::fused}) {
     options.mode = mode;
     Conversation talk({reply_saying(good_place)}, options);
@@ -183,6 +183,11 @@ TEST_CASE("What is shown and kept depends on the mode") {
     CHECK(advice->location.has_value() == (mode == ModelMode::fused));
     CHECK(advice->yaw.has_value() == (mode == ModelMode::fused));
     CHECK(question.schema["properties"].contains("location") == (mode == ModelMode::fused));
+    std::string words;
+    for (const auto& message : question.messages) words += message.text;
+    CHECK(contains_text(words, "picture") == (mode != ModelMode::constraints));
+    CHECK(contains_text(words, "\"location\"") == (mode == ModelMode::fused));
+    CHECK(contains_text(words, "(2, 2.6)") == (mode != ModelMode::constraints));  // the desk's place
     CHECK_FALSE(advice->relations.empty());
   }
 }
@@ -206,6 +211,28 @@ TEST_CASE("A refusal is told with what floor is left") {
   REQUIRE(talk.place({"desk-0 was in the way"}, {{Vec2(0.2, 0.4), Vec2(1.4, 1.4)}}));
   CHECK(contains_text(talk.question(0), "desk-0 was in the way"));
   CHECK(contains_text(talk.question(0), "1.2 x 1 about (0.8, 0.9)"));
+}
+
+TEST_CASE("Constraints that do not hold are marked as such") {
+  Conversation talk({reply_saying(good_place)});
+  talk.scene.objects[0].relations = *parse_relations("edge | middle");
+  REQUIRE(talk.place());
+  CHECK(contains_text(talk.question(0), "edge | middle (does not hold)"));
+}
+
+TEST_CASE("What of an answer could not be followed is asked about with that answer") {
+  Conversation talk({reply_saying(good_place)});
+  PlaceRequest request{talk.plan, talk.scene, talk.planned, talk.chair};
+  PlaceAdvice before;
+  before.relations = *parse_relations("near, desk-0");
+  before.location = Vec2(0.5, 0.5);
+  request.earlier = {before};
+  request.objections = {"it stands 1.20 m from the suggested place"};
+  request.standing_at = Vec2(1.5, 1.2);
+  REQUIRE(talk.designer->place(request));
+  CHECK(contains_text(talk.question(0), "near, desk-0; at (0.5, 0.5)"));
+  CHECK(contains_text(talk.question(0), "it stands 1.20 m from the suggested place"));
+  CHECK(contains_text(talk.question(0), "(1.5, 1.2)"));
 }
 
 TEST_CASE("The model chooses what comes next only when it may") {
@@ -244,4 +271,31 @@ TEST_CASE("An answer in plain words is read when it holds a list of constraints"
   CHECK(advice->relations.size() == 3);
   REQUIRE(advice->location);
   CHECK((*advice->location - Vec2(2.0, 1.8)).norm() < 1e-9);
+}
+
+TEST_CASE("Small things of one carrier are asked for at once") {
+  Conversation talk({reply_saying(
+      R"({"constraints": "on, desk-0", "location": [1.8, 2.6], "others": [)"
+      R"({"id": "cup-1", "constraints": "on, desk-0", "location": [2.3, 2.5], "facing": null}]})")});
+  PlanItem cup;
+  cup.category = "cup";
+  cup.mount = Mount::surface;
+  cup.on = "desk-0";
+  cup.quantity = 2;
+  talk.plan.items = {cup};
+  Object first = rooms::thing("cup-0", "cup", {0.1, 0.1, 0.1});
+  first.mount = Mount::surface;
+  const PlannedObject one{"cup-0", 0, 0}, other{"cup-1", 0, 1};
+  PlaceRequest request{talk.plan, talk.scene, one, first};
+  request.later = {"cup-1"};
+  REQUIRE(talk.designer->place(request));
+  CHECK(contains_text(talk.question(0), "cup-1"));
+  Object second = first;
+  second.id = "cup-1";
+  const PlaceRequest next{talk.plan, talk.scene, other, second};
+  const auto advice = talk.designer->place(next);
+  REQUIRE(advice);
+  CHECK(advice->location->isApprox(Vec2(2.3, 2.5)));
+  CHECK(advice->consultation.calls == 0);
+  CHECK(talk.script->questions.size() == 1);
 }

@@ -146,7 +146,7 @@ TEST_CASE("Constraints are understood however they are written") {
       {R"("middle | corner")", "middle", true},
       {R"("edge | edge | near, bed-0 | near, bed-0")", "edge | near, bed-0", true},
       {R"("edge | near")", "edge", true},
-      {R"("edge, wall-0")", "edge", true},
+      {R"("edge, wall-0")", "edge | next to, wall-0", true},
       {R"([])", "", false},
       {R"(null)", "", false},
       {R"(42)", "", true},
@@ -322,4 +322,36 @@ TEST_CASE("Damaged answers do no harm") {
     }
   }
   CHECK(understood > 1000);
+}
+
+TEST_CASE("What cannot be understood of an answer is told apart from what was repaired") {
+  const Scene scene = furnished();
+  const PlaceReplyContext context{scene, nightstand};
+  const auto said = [&](const std::string& constraints, const std::string& facing) {
+    const auto reply = read_place_reply(R"({"constraints": ")" + constraints +
+                                            R"(", "location": [2, 2], "facing": )" + facing + "}",
+                                        context);
+    REQUIRE(reply);
+    return reply->advice.lost;
+  };
+  CHECK(said("edge | near, Bed 0", "90").empty());
+  CHECK(said("edge | near, throne-7", "90").size() == 1);
+  CHECK(said("edge | hover", "90").size() == 1);
+  CHECK(said("edge | middle", "90").size() == 1);
+  CHECK(said("edge", R"("throne-7")").size() == 1);
+  CHECK(said("edge", "null").empty());
+}
+
+TEST_CASE("A wall that things stand against and a window that they stand under are understood") {
+  const Scene scene = furnished();
+  const PlaceReplyContext context{scene, nightstand};
+  const auto relations = [&](const std::string& constraints) {
+    const auto reply = read_place_reply(
+        R"({"location": [2, 2], "constraints": ")" + constraints + "\"}", context);
+    REQUIRE(reply);
+    CHECK(reply->advice.lost.empty());
+    return to_text(reply->advice.relations);
+  };
+  CHECK(relations("against, wall-3") == "edge | next to, wall-3");
+  CHECK(relations("under, window-0") == "near, window-0 | in front of, window-0");
 }

@@ -26,10 +26,10 @@ class Script:
         self.scene = json.loads((Path(folder) / "scene.json").read_text())
         self.plan = json.loads((Path(folder) / "plan.json").read_text())
         self.manner, self.random = manner, random.Random(seed)
-        self.left = {o["id"]: o for o in self.scene["objects"]}
+        self.objects = {o["id"]: o for o in self.scene["objects"]}
 
     def place(self, identifier):
-        known = self.left.pop(identifier, None)
+        known = self.objects.get(identifier)
         if known is None:
             kind = identifier.rsplit("-", 1)[0]
             same = [o for o in self.scene["objects"] if o["category"] == kind]

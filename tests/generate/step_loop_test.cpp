@@ -158,8 +158,8 @@ TEST_CASE("How closely suggestions were followed is counted") {
     half += distance <= 0.5, one += distance <= 1.0;
   }
   CHECK(generation.suggestions.located == 2);
-  CHECK(generation.suggestions.within_half == half);
-  CHECK(generation.suggestions.within_one == one);
+  CHECK(generation.suggestions.within[1] == half);
+  CHECK(generation.suggestions.within[2] == one);
   CHECK(generation.suggestions.faced == 1);
   CHECK(one >= 1);
 }

@@ -28,19 +28,6 @@ struct Consultation {
   bool fell_back = false;      ///< the model had no usable answer: rules decided
 };
 
-/// One object whose place is asked for. What is already placed is in `scene`.
-struct PlaceRequest {
-  const Plan& plan;
-  const Scene& scene;
-  const PlannedObject& planned;  ///< its item is plan.items[planned.item]
-  const Object& object;          ///< id, category and real size are known, position and yaw are not
-  std::vector<std::string> refusals = {};  ///< why earlier answers for this object did not fit
-  std::vector<Bounds2> free_floor = {};  ///< with refusals: the largest free parts of the floor
-  std::vector<std::string> later = {};  ///< ids of what is still to be placed, in the plan's order
-  std::function<Result<Image>()> marks = {};  ///< draws the room with coordinate marks; may be empty
-  CancelToken cancel = {};
-};
-
 /// Where an object shall go, roughly; the solver finds the exact pose.
 struct PlaceAdvice {
   std::vector<Relation> relations;
@@ -49,8 +36,28 @@ struct PlaceAdvice {
   /// The solver chooses what else holds and where, as things of its kind usually are arranged.
   bool usual = false;
   std::string reasoning;         ///< for the trace
+  std::vector<std::string> lost = {};  ///< what the designer said and could not be understood
   std::string next = {};         ///< which of PlaceRequest::later shall come next; empty: the first
   Consultation consultation = {};
+};
+
+/// One object whose place is asked for. What is already placed is in `scene`.
+struct PlaceRequest {
+  const Plan& plan;
+  const Scene& scene;
+  const PlannedObject& planned;  ///< its item is plan.items[planned.item]
+  const Object& object;          ///< id, category and real size are known, position and yaw are not
+  std::vector<std::string> refusals = {};  ///< why earlier answers for this object did not fit
+  std::vector<PlaceAdvice> earlier = {};  ///< the answers so far: those refused, and one to be thought over
+  /// What of the last answer could not be followed where the object would stand then: that answer may be
+  /// changed once.
+  std::vector<std::string> objections = {};
+  std::optional<Vec2> standing_at = {};
+  std::vector<Bounds2> free_floor = {};  ///< with refusals: the largest free parts of the floor
+  std::vector<std::string> later = {};  ///< ids of what is still to be placed, in the plan's order
+  /// Draws the room with coordinate marks, and the top of what carries the object larger; may be empty.
+  std::function<Result<std::vector<Image>>()> marks = {};
+  CancelToken cancel = {};
 };
 
 /// Decides what a room holds and roughly where each thing goes: rules, or a language model.

@@ -14,7 +14,7 @@ namespace roomgen {
 /// What the model sees and says of each object (papers: RoomGen, section 4.4.1). The fusion's alpha
 /// belongs to it: 1 for the first two, where there is no suggestion to follow.
 enum class ModelMode {
-  constraints,  ///< the room as text; constraints come back
+  constraints,  ///< the room as text without places; constraints come back
   image,        ///< the room as text and picture; constraints come back
   fused,        ///< the same, and a location besides
 };
@@ -29,8 +29,8 @@ struct ModelDesignerOptions {
   /// Longest answers, in tokens; what a model thinks before it answers counts too.
   int plan_tokens = 4096;
   int place_tokens = 1024;
-  /// Makes a PNG of a picture; without it no picture is shown.
-  std::function<Result<std::string>(const Image&)> encode_png;
+  /// Makes a PNG or JPEG of a picture; without it no picture is shown.
+  std::function<Result<std::string>(const Image&)> encode_picture;
   /// True when the calls, tokens or money that were granted are spent: then the designer fails with
   /// limit.
   std::function<bool()> budget_is_spent;

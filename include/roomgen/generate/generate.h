@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -33,7 +34,8 @@ struct Attempt {
   std::optional<PlacementTerms> chosen;     ///< of the pose taken
   std::optional<PlacementTerms> runner_up;  ///< of the best other one
   bool made_room = false;  ///< what stood on the same support was arranged anew for it
-  std::string refused;     ///< why no pose could be taken; empty: one was
+  std::vector<std::string> objections = {};  ///< what of the answer is not so at the pose taken
+  std::string refused;     ///< why no pose could be taken, or the answer after it is; empty: one was
 };
 
 /// A thing that an improvement or a repair put elsewhere.
@@ -65,12 +67,13 @@ Json to_json(const Step& step);
 /// {"object", "from", "to", "by", "turned_deg"}: metres and degrees.
 Json to_json(const Move& move);
 
-/// How closely suggestions were followed (papers: RoomGen, table 3): numbers of objects in the finished
-/// scene.
+/// How closely the suggestions of a model or a person were followed (papers: RoomGen, table 3): numbers of
+/// objects in the finished scene. Places that rules chose do not count.
 struct SuggestionFigures {
-  int located = 0;      ///< placed, and a location was suggested
-  int within_half = 0;  ///< of them, 0.5 m from it at most
-  int within_one = 0;   ///< 1 m at most
+  static constexpr std::array<double, 5> thresholds = {0.25, 0.5, 1.0, 2.0, 3.0};  ///< metres
+  int located = 0;  ///< placed, and a location was suggested
+  std::array<int, 5> within = {};         ///< of them, in the end at most a threshold away
+  std::array<int, 5> placed_within = {};  ///< the same at the end of their steps
   int faced = 0;        ///< placed, and a yaw was suggested
   int facing_kept = 0;  ///< of them, 15 degrees from it at most
 };
@@ -122,7 +125,9 @@ struct BuildOptions {
   PlaceOptions place;
   int assets_per_object = 3;   ///< assets that are tried before the designer is asked again
   int answers_per_object = 3;  ///< times the designer is asked for one object
-  int repair_rounds = 12;      ///< of improvement for one object that found no place
+  bool repair = true;          ///< others make way for an object that found no place
+  int repair_rounds = 12;      ///< of improvement for that
+  Improvement improvement = Improvement::minimal;
   int improve_rounds = 60;     ///< of improvement at the end
   std::uint64_t seed = 0;      ///< which of equally good assets are taken
   CancelToken cancel;          ///< stops the call at work, and those to come

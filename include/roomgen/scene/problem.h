@@ -17,6 +17,15 @@ struct PlacementTask {
   Object object;                 ///< position and yaw mean nothing yet; relations are the constraints
   std::optional<Vec2> location;  ///< suggested centre
   std::optional<double> facing;  ///< suggested yaw, radians
+  /// The suggestion is the word of a designer or a person: it is followed to the centimetre where the
+  /// constraints allow, and binds later improvements.
+  bool binding = false;
+  /// Where what carries the object stood when that was said: the suggestion moves along with it.
+  struct Stand {
+    Vec2 position = Vec2::Zero();
+    double yaw = 0.0;
+  };
+  std::optional<Stand> carrier_then;
   bool asked = false;            ///< somebody asked for it: what was merely added makes way
   int wishes = 0;                ///< so many of the relations, the first ones, were asked for
   /// Goes where its kind usually does, as far as the relations leave that open, where the solver knows

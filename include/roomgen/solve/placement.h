@@ -32,11 +32,13 @@ enum class GridUse {
   near_suggestions,  ///< always when a location is suggested, else as a last resort
   last_resort,       ///< when no pose with a meaning will do
   never,
+  only,         ///< no pose with a meaning (RoomGen)
 };
 
 struct PlaceOptions {
   FusionOptions fusion;
   double pitch = 0.10;  ///< of the grid, metres
+  double least_near = 0.0;  ///< metres, the gap from which `near` holds here
   /// Candidates whose meshes and reachability are tested before giving up.
   int max_exact_tests = 300;
   /// Best candidates for which it is tried whether what depends on the object still finds its
@@ -54,6 +56,13 @@ struct PlaceOptions {
   Status validate() const;
 };
 
+/// What an improvement may move besides what stands where nobody said.
+enum class Improvement {
+  off,      ///< nothing is improved
+  minimal,  ///< what somebody put there (PlacementTask::binding) only for what was asked for, by the least way
+  free,     ///< everything
+};
+
 /// Why a candidate stands where it does: degrees in [0, 1], for the trace.
 struct PlacementTerms {
   int held = 0;  ///< constraints
@@ -64,6 +73,8 @@ struct PlacementTerms {
   double spread = 0.0;     ///< no slots too narrow to walk through
   double evenness = 0.0;   ///< distance to others around the same target
   double closeness = 0.0;  ///< to the suggested location
+  /// Metres off a suggestion that binds, 10 degrees counting as 0.1 m; no degree.
+  double off = 0.0;
   /// What its kind prefers (data/arrangements.json), a weighted sum; 0 where a place is suggested.
   double arrangement = 0.0;
   double rank_c = 0.0;

@@ -1,0 +1,49 @@
+#include "objections.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "roomgen/base/text.h"
+#include "scene/judgement.h"
+
+namespace roomgen {
+
+namespace {
+
+constexpr double far_away = 1.0;
+
+std::vector<std::string> lost_constraints(const Workplace& place, const PlaceAdvice& answer,
+                                          const Object& standing) {
+  Object said = standing;
+  said.relations = answer.relations;
+  const auto resolved = resolve(said, place.room, place.layout.objects(), place.categories);
+  const Subject subject{footprint(standing), bottom(standing), top(standing)};
+  std::vector<std::string> lost;
+  for (std::size_t i = 0; i < resolved.size(); ++i)
+    if (!judge(resolved[i], subject, place.room).held)
+      lost.push_back("\"" + to_text(said.relations[i]) + "\" does not hold");
+  return lost;
+}
+
+}  // namespace
+
+std::vector<std::string> objections_to(const Workplace& place, const PlaceAdvice& answer,
+                                       const Object& standing) {
+  if (answer.usual) return {};
+  std::vector<std::string> objections = answer.lost;
+  for (auto& lost : lost_constraints(place, answer, standing)) objections.push_back(std::move(lost));
+  if (answer.location) {
+    const double away = (standing.position.head<2>() - *answer.location).norm();
+    if (away > far_away)
+      objections.push_back("it stands " + format_number(away, 2) + " m from the suggested place");
+  }
+  if (answer.yaw && standing.traits.front) {
+    const double turned = std::abs(wrap_angle(standing.yaw - *answer.yaw));
+    if (turned > facing_tolerance)
+      objections.push_back("it looks " + format_number(degrees(turned), 0) +
+                           " degrees away from the suggested facing");
+  }
+  return objections;
+}
+
+}  // namespace roomgen

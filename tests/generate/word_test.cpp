@@ -1,0 +1,147 @@
+#include <cmath>
+
+#include "catch.h"
+#include "roomgen/create/create.h"
+#include "roomgen/generate/generate.h"
+#include "small_plans.h"
+#include "support/contains.h"
+
+using namespace roomgen;
+using rooms::item;
+using rooms::plan_of;
+using rooms::room_with_door;
+
+namespace {
+
+/// A designer that says what a function says, as a model would.
+class Speaker final : public Designer {
+ public:
+  using Answer = std::function<PlaceAdvice(const PlaceRequest&)>;
+  explicit Speaker(Answer answer) : answer_(std::move(answer)) {}
+
+  Result<Plan> plan(const PlanRequest&) override { return Plan(); }
+  Result<PlaceAdvice> place(const PlaceRequest& request) override {
+    asked.push_back(request.object.id);
+    objections.push_back(request.objections);
+    PlaceAdvice advice = answer_(request);
+    advice.consultation.calls = 1;
+    return advice;
+  }
+
+  std::vector<std::string> asked;
+  std::vector<std::vector<std::string>> objections;
+
+ private:
+  Answer answer_;
+};
+
+PlaceAdvice said(const std::string& constraints, const Vec2& location, double degrees_) {
+  PlaceAdvice advice;
+  advice.relations = *parse_relations(constraints);
+  advice.location = location;
+  advice.yaw = radians(degrees_);
+  return advice;
+}
+
+Generation furnished(const Plan& plan, Speaker& designer, BuildOptions options = {}) {
+  const auto library = create::make_created_library();
+  auto generation = generate(plan, designer, *library, KindTable::built_in(), options);
+  REQUIRE(generation);
+  return *std::move(generation);
+}
+
+const Object& object(const Generation& generation, const std::string& id) {
+  for (const auto& one : generation.scene.objects)
+    if (one.id == id) return one;
+  FAIL(id + " is not there");
+  return generation.scene.objects.front();
+}
+
+double off(const Object& placed, const Vec2& location) {
+  return (placed.position.head<2>() - location).norm();
+}
+
+double turned(const Object& placed, double degrees_) {
+  return degrees(std::abs(wrap_angle(placed.yaw - radians(degrees_))));
+}
+
+}  // namespace
+
+TEST_CASE("What is suggested is taken, off the grid and turned as it was said") {
+  Speaker designer([](const PlaceRequest&) { return said("middle", {2.137, 2.271}, 57); });
+  const auto room = furnished(plan_of({item("armchair")}, room_with_door(4.6, 4.2)), designer);
+  const Object& chair = object(room, "armchair-0");
+  CHECK(off(chair, {2.137, 2.271}) < 0.01);
+  CHECK(turned(chair, 57) < 0.1);
+  CHECK(designer.asked.size() == 1);
+}
+
+TEST_CASE("A small thing stands off the middle of what carries it where that is said") {
+  PlanItem lamp = item("vase", Mount::surface);
+  lamp.on = "table-0";
+  Speaker designer([](const PlaceRequest& request) {
+    if (request.object.id == "table-0") return said("middle", {2.3, 2.1}, 0);
+    return said("on, table-0", {2.62, 2.24}, 0);
+  });
+  const auto room =
+      furnished(plan_of({item("table"), lamp}, room_with_door(4.6, 4.2)), designer);
+  CHECK(off(object(room, "vase-0"), {2.62, 2.24}) < 0.03);
+}
+
+TEST_CASE("What is said to stand nearly at a wall stands flush with it") {
+  Speaker designer([](const PlaceRequest& request) {
+    return said("edge", {2.0, 4.2 - 0.04 - 0.5 * request.object.size.y()}, 2);
+  });
+  const auto room = furnished(plan_of({item("sofa")}, room_with_door(4.6, 4.2)), designer);
+  const Object& sofa = object(room, "sofa-0");
+  CHECK(4.2 - sofa.position.y() - 0.5 * sofa.size.y() < 0.01);
+  CHECK(turned(sofa, 0) < 0.1);
+  CHECK(std::abs(sofa.position.x() - 2.0) < 0.01);
+}
+
+TEST_CASE("No constraint of a later thing moves what a designer placed") {
+  Speaker designer([](const PlaceRequest& request) {
+    if (request.object.id == "sofa-0") return said("edge", {2.0, 3.7}, 0);
+    return said("behind, sofa-0", {3.9, 3.2}, 0);  // where the wall is
+  });
+  const auto plan = plan_of({item("sofa"), item("stool")}, room_with_door(4.6, 4.2));
+  const auto kept = furnished(plan, designer);
+  CHECK(off(object(kept, "sofa-0"), {2.0, 3.7}) < 0.1);
+  CHECK(kept.moved.empty());
+  CHECK(kept.suggestions.within[0] == kept.suggestions.placed_within[0]);
+  bool told = false;
+  for (const auto& note : kept.notes) told |= contains_text(note, "\"behind, sofa-0\" does not hold");
+  CHECK(told);
+}
+
+TEST_CASE("What could not be followed is asked about once more, and the better answer stays") {
+  int answers = 0;
+  Speaker designer([&](const PlaceRequest& request) {
+    if (request.object.id == "sofa-0") return said("edge", {2.0, 3.7}, 0);
+    if (answers++ == 0) return said("behind, sofa-0", {3.9, 3.2}, 0);
+    return said("near, sofa-0", {3.9, 3.2}, 0);
+  });
+  const auto room =
+      furnished(plan_of({item("sofa"), item("stool")}, room_with_door(4.6, 4.2)), designer);
+  REQUIRE(designer.asked.size() == 3);
+  REQUIRE(designer.objections[2].size() == 1);
+  CHECK(contains_text(designer.objections[2][0], "behind, sofa-0"));
+  CHECK(off(object(room, "stool-0"), {3.9, 3.2}) < 0.1);
+  CHECK(room.held == room.constraints);
+  CHECK(room.notes.empty());
+}
+
+TEST_CASE("Without improvement and repair nothing that stands moves") {
+  Speaker designer([](const PlaceRequest& request) {
+    if (request.object.id == "sofa-0") return said("edge", {2.0, 3.7}, 0);
+    return said("behind, sofa-0", {3.9, 3.2}, 0);
+  });
+  BuildOptions options;
+  options.improvement = Improvement::off;
+  options.repair = false;
+  const auto room =
+      furnished(plan_of({item("sofa"), item("stool", Mount::floor, 3)}, room_with_door(4.6, 4.2)),
+                designer, options);
+  CHECK(room.moved.empty());
+  for (const auto& step : room.trace) CHECK(step.moved.empty());
+}
