@@ -688,11 +688,16 @@ class PromptReader {
   void read_styles() {
     const std::vector<bool> used = heard_tokens();
     for (std::uint32_t i = 0; i < used.size(); ++i) {
-      if (used[i] || taken_[i] == Taken::yes || !kinds_.style(word(i)) || is_denied(i)) continue;
+      if (used[i] || taken_[i] == Taken::yes || !names_look(word(i)) || is_denied(i)) continue;
       hear(brief_, {i, i + 1}, Heard::As::style);
       if (std::find(brief_.styles.begin(), brief_.styles.end(), word(i)) == brief_.styles.end())
         brief_.styles.push_back(word(i));
     }
+  }
+  // "Little" and "open" are words of style only where they are said of a room.
+  bool names_look(const std::string& word) const {
+    const Style* style = kinds_.style(word);
+    return style && (!style->adjective.empty() || !style->more.empty());
   }
   // "not too modern", "nothing rustic"
   bool is_denied(std::size_t token) const {
