@@ -71,6 +71,9 @@ TEST_CASE("So many things come as there are people") {
 TEST_CASE("What the prompt names itself comes once, and a thing for somebody is only that") {
   const Brief named = read("a living room with a green armchair in the reading corner");
   CHECK(count_of(named, "armchair") == 1);
+  const Brief office = read("a manager's office with a large desk and a swivel chair");
+  CHECK(count_of(office, "desk") == 1);
+  CHECK(count_of(office, "chair") == 1);
   const Brief chair = read("a hallway with a chair for guests");
   CHECK(chair.mentions.size() == 1);
   CHECK(is_heard(chair, Heard::As::person));
