@@ -60,7 +60,9 @@ class Bringer {
     const std::string noun = kind.substr(kind.rfind(' ') + 1);
     const std::string& general = lexicon_.table.by_name(noun) ? noun : kind;
     for (std::size_t i = 0; i < brief_.mentions.size(); ++i)
-      if (lexicon_.table.is_a(brief_.mentions[i].category, general)) return i;
+      if (lexicon_.table.is_a(brief_.mentions[i].category, kind) ||
+          lexicon_.table.is_a(brief_.mentions[i].category, general))
+        return i;
     return std::nullopt;
   }
 

@@ -74,6 +74,8 @@ TEST_CASE("What the prompt names itself comes once, and a thing for somebody is 
   const Brief office = read("a manager's office with a large desk and a swivel chair");
   CHECK(count_of(office, "desk") == 1);
   CHECK(count_of(office, "chair") == 1);
+  const Brief nursery = read("a nursery for a baby with a soft grey rocking chair");
+  CHECK(count_of(nursery, "rocking chair") == 1);
   const Brief chair = read("a hallway with a chair for guests");
   CHECK(chair.mentions.size() == 1);
   CHECK(is_heard(chair, Heard::As::person));
