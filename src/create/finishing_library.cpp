@@ -56,13 +56,15 @@ bool is_of_glass(const AssetInfo& asset) {
   return says_any(asset, {"glass", "transparent", "acrylic"}) && !says_any(asset, {"wood", "wooden"});
 }
 
-// Without the words that name the kind: a coffee table is not to be the colour of coffee.
+// Without the words that name the kind: a coffee table is not to be the colour of coffee. Of a name that nobody
+// knows ("travertine nightstand") all but the category may be looks.
 std::string words_of_looks(const AssetQuery& query) {
   const auto& vocabulary = Vocabulary::built_in();
   auto all = words(query.description);
-  for (const std::string& name : {vocabulary.understand(query.description).name, query.category}) {
+  const auto phrase = vocabulary.understand(query.description);
+  for (const std::string& name : {phrase.known ? phrase.name : std::string(), query.category}) {
     const auto of_kind = words(name);
-    const bool ends_so = of_kind.size() <= all.size() &&
+    const bool ends_so = !of_kind.empty() && of_kind.size() <= all.size() &&
                          std::equal(of_kind.rbegin(), of_kind.rend(), all.rbegin(),
                                     [](const auto& a, const auto& b) { return singular(a) == singular(b); });
     if (ends_so) all.resize(all.size() - of_kind.size());

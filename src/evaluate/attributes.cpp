@@ -100,14 +100,16 @@ class Judge {
 
   AttributeVerdict material(const std::string& text, const AttributeMeaning& meaning) const {
     const bool agrees = looks_.colors.empty() || shows(meaning, material_share);
-    if (!agrees) return no(shown_text(looks_));
     const auto& materials = meaning.materials;
+    const bool is_named = std::any_of(materials.begin(), materials.end(), [&](const std::string& name) {
+      return is_surface(name, meaning.roughness);
+    });
+    if (!agrees && is_named && is_painted()) return yes("a surface is called so, in the colour that it is called");
+    if (!agrees) return no(shown_text(looks_));
     if (std::any_of(materials.begin(), materials.end(),
                     [&](const std::string& name) { return has_word(looks_.identity.words, name); }))
       return yes("its label says so, and it is of its colour");
-    if (std::any_of(materials.begin(), materials.end(),
-                    [&](const std::string& name) { return is_surface(name, meaning.roughness); }))
-      return yes("a surface is called so, and of its colour");
+    if (is_named) return yes("a surface is called so, and of its colour");
     if (!looks_.colors.empty() && first_of(meaning.kinds_of_its_color))
       return yes("of its colour, as such things are");
     if (!meaning.family.empty())
@@ -115,6 +117,14 @@ class Judge {
           family && material(meaning.family, *family).held)
         return yes("of " + meaning.family + " and of its colour");
     return no("nothing says " + text);
+  }
+
+  // A colour by which a surface is called, and that shows.
+  bool is_painted() const {
+    return std::any_of(looks_.surfaces.begin(), looks_.surfaces.end(), [&](const auto& surface) {
+      const AttributeMeaning* meaning = table_.find(surface.first);
+      return meaning && meaning->materials.empty() && !meaning->colors.empty() && shows(*meaning, shown_share);
+    });
   }
 
   // A name alone is not enough where the stuff is rough or smooth by nature.

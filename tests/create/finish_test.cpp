@@ -135,6 +135,8 @@ TEST_CASE("A library gives its things the looks that were asked for, and makes t
   const auto again = make_finishing_library(std::shared_ptr<const AssetLibrary>(make_created_library()))->load(ref);
   REQUIRE(again);
   CHECK((*again)->parts.size() == (*model)->parts.size());
+  query.description = "travertine sofa";
+  CHECK(library->search(query)->front().asset.ref.finish == Finishes{{"stone", "travertine"}});
   query.asked = false;
   CHECK(library->search(query)->front().asset.ref.finish.empty());
 }

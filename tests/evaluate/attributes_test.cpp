@@ -106,6 +106,8 @@ TEST_CASE("A material is believed of surfaces and labels where the colour agrees
   CHECK_FALSE(has(statue, "marble"));
   statue.colors = {shown("blue", 1.0, 40, 60, 200)};
   CHECK_FALSE(has(statue, "wooden"));
+  statue.surfaces = {{"wooden", 0.6}, {"blue", 0.6}};
+  CHECK(has(statue, "wooden"));  // painted
   statue.surfaces = {{"oak", 0.6}};
   CHECK_FALSE(has(statue, "wooden"));  // meshes are called after what they do not show
   statue.colors = {shown("brown", 1.0, 140, 90, 50)};
