@@ -11,6 +11,7 @@
 #include "library/vocabulary.h"
 #include "repaint.h"
 #include "roomgen/base/text.h"
+#include "roomgen/kinds/kind_table.h"
 
 namespace roomgen::create {
 
@@ -72,6 +73,16 @@ std::string words_of_looks(const AssetQuery& query) {
   return join(all, " ");
 }
 
+// A style says how its things look where the words say neither tone nor substance: a "rustic chest".
+std::string in_style(const std::string& looks, const std::string& kind) {
+  const StyleMeaning* style = StyleWords::built_in().named_in(looks);
+  const PartLook said = read_look(looks);
+  if (!style || said.substance || !said.tones.empty()) return looks;
+  for (const auto& look : style->looks)
+    if (KindTable::built_in().is_any_of(kind, look.kinds)) return look.words.front() + " " + looks;
+  return looks;
+}
+
 class FinishingLibrary final : public AssetLibrary {
  public:
   explicit FinishingLibrary(std::shared_ptr<const AssetLibrary> library) : library_(std::move(library)) {}
@@ -81,7 +92,7 @@ class FinishingLibrary final : public AssetLibrary {
     const bool has_looks = query.asked || StyleWords::built_in().named_in(query.description);
     if (!matches || !has_looks) return matches;
     const std::string looks = words_of_looks(query);
-    for (auto& match : *matches) finish(match, wanted_finish(looks, match.asset.category));
+    for (auto& match : *matches) finish(match, wanted_finish(in_style(looks, match.asset.category), match.asset.category));
     std::stable_sort(matches->begin(), matches->end(), [](const AssetMatch& a, const AssetMatch& b) {
       return a.contradicts < b.contradicts;
     });

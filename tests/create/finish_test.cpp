@@ -137,6 +137,9 @@ TEST_CASE("A library gives its things the looks that were asked for, and makes t
   CHECK((*again)->parts.size() == (*model)->parts.size());
   query.description = "travertine sofa";
   CHECK(library->search(query)->front().asset.ref.finish == Finishes{{"stone", "travertine"}});
+  query.description = "gothic sofa";
+  CHECK(library->search(query)->front().asset.ref.finish == Finishes{{"upholstery", "burgundy velvet"}});
+  query.description = "navy velvet sofa";
   query.asked = false;
   CHECK(library->search(query)->front().asset.ref.finish.empty());
 }
