@@ -64,10 +64,6 @@ std::size_t Hearing::relation(const language::Attachment& attachment, std::int32
   return hear(brief_, tokens, Heard::As::relation);
 }
 
-std::size_t Hearing::adverb(const Run& tokens) {
-  return hear(brief_, tokens, Heard::As::relation);
-}
-
 void Hearing::plain_verbs(const std::vector<std::optional<std::size_t>>& mention_of) {
   const auto mention = [&](std::int32_t number) {
     return number == none ? std::nullopt : mention_of[static_cast<std::size_t>(number)];

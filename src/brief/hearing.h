@@ -22,7 +22,6 @@ class Hearing {
   void stand_in(std::int32_t phrase, std::size_t mention);
   /// The words of a place, with its verb; `place` is a phrase that is no thing, or none.
   std::size_t relation(const language::Attachment& attachment, std::int32_t place);
-  std::size_t adverb(const language::Run& tokens);
   /// Verbs that say no more than that a thing is there ("the desk holds a lamp", "add a rug"): they
   /// count as the words of the thing.
   void plain_verbs(const std::vector<std::optional<std::size_t>>& mention_of);

@@ -9,8 +9,6 @@ namespace roomgen::design {
 
 namespace {
 
-constexpr int most_persons = 20;
-
 // As written, and with its last word as a noun in the singular or a verb in its base form.
 std::vector<std::string> forms_of(const std::string& before, const std::string& last) {
   std::vector<std::string> forms{before + last};

@@ -1,0 +1,92 @@
+#include "prompt_openings.h"
+
+#include <algorithm>
+
+#include "opening_phrase.h"
+
+namespace roomgen::design {
+
+namespace {
+
+using language::Attachment;
+using language::none;
+using language::NounPhrase;
+using language::Run;
+
+class OpeningReader {
+ public:
+  explicit OpeningReader(PromptReading& reading) : reading_(reading) {}
+
+  void run() {
+    const auto& kinds = OpeningKinds::built_in();
+    if (!kinds) return;
+    for (std::size_t i = 0; i < reading_.parse.phrases.size(); ++i) {
+      const NounPhrase& said = reading_.parse.phrases[i];
+      if (reading_.is_taken(said) || said.is_denied || !names_opening(said, *kinds) ||
+          is_place_of_thing(static_cast<std::int32_t>(i)))
+        continue;
+      read_opening_phrase(static_cast<std::int32_t>(i), *kinds);
+    }
+  }
+
+ private:
+  bool names_opening(const NounPhrase& said, const OpeningKinds& kinds) const {
+    for (std::size_t i = said.tokens.begin; i <= said.head; ++i)
+      if (const auto length = opening_name_at(reading_.text.plain, i, kinds);
+          length > 0 && i + length > said.head)
+        return true;
+    return false;
+  }
+  // "under the window": where a thing is.
+  bool is_place_of_thing(std::int32_t id) const {
+    for (const Attachment& attachment : reading_.parse.attachments) {
+      if (attachment.to != id || attachment.from == none || reading_.owns(attachment)) continue;
+      const auto kind = reading_.thing(attachment.from).kind.length;
+      if (kind > 0 && reading_.placement(attachment)) return true;
+    }
+    return false;
+  }
+  void read_opening_phrase(std::int32_t id, const OpeningKinds& kinds) {
+    const NounPhrase& said = reading_.phrase(id);
+    std::uint32_t sentence = 0;
+    for (const Run& run : reading_.parse.sentences)
+      if (run.begin <= said.head) sentence = run.begin;
+    const auto opening =
+        read_opening(reading_.left, left_index(said.tokens.begin), left_index(sentence),
+                     reading_.words, reading_.text.table, kinds);
+    if (!opening) return;
+    if (is_part_of_thing(id, *opening)) return;
+    const auto end = opening->end < reading_.left.size() ? reading_.left[opening->end].source.begin
+                                                         : reading_.taken.size();
+    std::fill(reading_.taken.begin() + said.tokens.begin,
+              reading_.taken.begin() + static_cast<std::ptrdiff_t>(end), Taken::yes);
+    ask_for(*opening, reading_.brief);
+    hear(reading_.brief, {said.tokens.begin, static_cast<std::uint32_t>(end)}, Heard::As::thing,
+         opening->wish.kind);
+  }
+  // The first of the tokens that are left, from a token of the prompt on.
+  std::size_t left_index(std::uint32_t token) const {
+    std::size_t i = 0;
+    while (i < reading_.left.size() && reading_.left[i].source.end <= token) ++i;
+    return i;
+  }
+  // "a wardrobe with sliding doors"
+  bool is_part_of_thing(std::int32_t id, const OpeningPhrase& opening) const {
+    if (opening.wish.type == OpeningType::window || opening.wish.has_place()) return false;
+    for (const Attachment& attachment : reading_.parse.attachments)
+      if (attachment.to == id && attachment.from != none && reading_.owns(attachment) &&
+          reading_.thing(attachment.from).kind.length > 0)
+        return true;
+    return false;
+  }
+
+  PromptReading& reading_;
+};
+
+}  // namespace
+
+void read_openings(PromptReading& reading) {
+  OpeningReader(reading).run();
+}
+
+}  // namespace roomgen::design

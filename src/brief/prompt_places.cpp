@@ -1,0 +1,216 @@
+#include "prompt_places.h"
+
+#include <algorithm>
+#include <map>
+
+namespace roomgen::design {
+
+namespace {
+
+using language::Attachment;
+using language::Determiner;
+using language::none;
+using language::NounPhrase;
+using language::Run;
+using Indices = std::vector<std::size_t>;
+
+class PlaceReader {
+ public:
+  explicit PlaceReader(PromptReading& reading) : reading_(reading) {}
+
+  void run() {
+    for (const auto& attachment : reading_.parse.attachments) {
+      reading_.look_back_from(attachment.tokens.begin);
+      read_attachment(attachment);
+    }
+    read_adverbs();
+  }
+
+ private:
+  // "one holds …, the other …": which of several is meant.
+  int nth_of(std::int32_t id) const {
+    if (id == none || !reading_.phrase(id).is_pronoun) return -1;
+    const std::string& noun = reading_.word(reading_.phrase(id).head);
+    if (noun == "one") return 0;
+    return noun == "other" ? 1 : -1;
+  }
+  void read_attachment(const Attachment& attachment) {
+    if (attachment.is_denied || attachment.from == none) return;
+    const auto said = reading_.placement(attachment);
+    const bool is_place = said && said->target != none && !reading_.mention_of(said->target);
+    reading_.talk.told_by(
+        said || reading_.owns(attachment)
+            ? reading_.hearing.relation(attachment, is_place ? said->target : none)
+            : HeardWords::none);
+    if (!said) {
+      if (reading_.owns(attachment)) read_owned(attachment);
+      return;
+    }
+    if (said->placement->inverse) return read_inverse(attachment, *said);
+    const Indices subjects = reading_.subjects_of(attachment);
+    if (subjects.empty()) return;
+    if (said->placement->mutual) return relate_mutually(subjects, *said->placement);
+    if (said->target == none) return relate_to_implied(subjects, *said->placement);
+    read_target(attachment, *said, subjects);
+  }
+  void read_target(const Attachment& attachment, const SaidPlacement& said,
+                   const Indices& subjects) {
+    const NounPhrase& target = reading_.phrase(said.target);
+    if (const auto thing = reading_.mention_of(said.target)) {
+      if (said.placement->relations.front() != RelationKind::aligned)
+        give_each_one(subjects, *thing, target);
+      return say(subjects, said, *thing);
+    }
+    if (reading_.is_room(target)) {
+      if (said.placement->centered) reading_.talk.locate(subjects, *said.placement, PlacePhrase{});
+      return;
+    }
+    auto place = read_place(reading_.text.plain, target.tokens.begin, reading_.words);
+    if (!place) return;
+    if (place->place == Place::middle)
+      return locate_in_middle(attachment, subjects, *said.placement, *place);
+    reading_.talk.locate(subjects, *said.placement, *place);
+  }
+  // "the middle of the table" is on the table, and so is "at its center".
+  void locate_in_middle(const Attachment& attachment, const Indices& subjects,
+                        const Placement& placement, const PlacePhrase& place) {
+    const NounPhrase& middle = reading_.phrase(attachment.to);
+    for (const Attachment& of : reading_.parse.attachments)
+      if (of.from == attachment.to && of.relation == "of")
+        if (const auto thing = reading_.mention_of(of.to))
+          return reading_.talk.demand(subjects, {RelationKind::on, *thing, "", false});
+    if (middle.determiner == Determiner::possessive) {
+      if (const auto thing = reading_.talk.antecedent(subjects))
+        reading_.talk.demand(subjects, {RelationKind::on, *thing, "", false});
+      return;
+    }
+    reading_.talk.locate(subjects, placement, place);
+  }
+  void say(const Indices& subjects, const SaidPlacement& said, std::size_t target) {
+    if (said.placement->hanging) reading_.talk.hang_from_ceiling(subjects);
+    const bool lies_on_part =
+        said.is_portion && std::all_of(subjects.begin(), subjects.end(), [&](std::size_t i) {
+          return reading_.talk.mention(i).mount == Mount::surface;
+        });
+    if (lies_on_part) return reading_.talk.demand(subjects, {RelationKind::on, target, "", false});
+    for (auto kind : said.placement->relations)
+      reading_.talk.demand(subjects, {kind, target, "", said.placement->flank});
+  }
+  // "a lamp on each nightstand": as many as there are nightstands.
+  void give_each_one(const Indices& subjects, std::size_t target, const NounPhrase& said) {
+    if (said.determiner != Determiner::each) return;
+    for (const std::size_t subject : subjects)
+      if (subject != target && reading_.talk.mention(subject).quantity == 1)
+        reading_.talk.multiply(subject, reading_.talk.mention(target).quantity);
+  }
+  // "flanked by two lamps", "holds a vase": the subject is the target.
+  void read_inverse(const Attachment& attachment, const SaidPlacement& said) {
+    const auto owner = reading_.mention_of(attachment.from),
+               thing = reading_.mention_of(attachment.to);
+    if (!owner || !thing || *owner == *thing) return;
+    for (auto kind : said.placement->relations)
+      reading_.talk.add(*thing, {kind, *owner, "", said.placement->flank,
+                                 is_among_several(attachment), nth_of(attachment.from)});
+  }
+  // "flanked by a dishwasher and a pantry": each takes a side.
+  bool is_among_several(const Attachment& attachment) const {
+    return std::count_if(reading_.parse.attachments.begin(), reading_.parse.attachments.end(),
+                         [&](const Attachment& other) {
+                           return other.from == attachment.from &&
+                                  other.tokens == attachment.tokens;
+                         }) > 1;
+  }
+  void read_owned(const Attachment& attachment) {
+    const auto thing = reading_.mention_of(attachment.to);
+    if (!thing) return;
+    for (const std::size_t owner : reading_.subjects_of(attachment)) {
+      if (owner == *thing) continue;
+      // "two nightstands, each with a lamp"
+      if (attachment.tokens.begin > 0 && reading_.is_word(attachment.tokens.begin - 1, "each"))
+        reading_.talk.multiply(*thing, reading_.talk.mention(owner).quantity);
+      reading_.talk.own(owner, *thing);
+      owner_of_[*thing] = owner;
+    }
+  }
+  // "to its left", "overhead": of what was spoken of before.
+  void relate_to_implied(const Indices& subjects, const Placement& placement) {
+    const RelationKind first = placement.relations.front();
+    auto target = reading_.talk.antecedent(first, subjects);
+    // "a board with a knife on top", "a bed with a nightstand on one side"
+    if (const auto owner = owner_of_.find(subjects.front()); owner != owner_of_.end())
+      target = owner->second;
+    if (target) say(subjects, {&placement, none, false}, *target);
+  }
+  // "nearby", "on top", "side by side": words that no phrase has.
+  void read_adverbs() {
+    std::vector<bool> used(reading_.parse.tokens.size(), false);
+    const auto use = [&](const Run& run) {
+      std::fill(used.begin() + run.begin, used.begin() + run.end, true);
+    };
+    for (const auto& one : reading_.parse.attachments) use(one.tokens);
+    for (const auto& one : reading_.parse.phrases) use({one.tokens.begin, one.head + 1});
+    for (std::size_t i = 0; i < reading_.text.plain.size(); ++i) {
+      if (used[i]) continue;
+      reading_.look_back_from(i);
+      const auto match = longest(reading_.words.placements, reading_.text.plain, i);
+      if (!match || (!match.value->pronoun && !match.value->adverb && !match.value->mutual))
+        continue;
+      const Indices subjects = subjects_at(i);
+      const auto first = static_cast<std::uint32_t>(i);
+      reading_.talk.told_by(hear(reading_.brief,
+                                 {first, first + static_cast<std::uint32_t>(match.length)},
+                                 Heard::As::relation));
+      if (!subjects.empty() && match.value->mutual)
+        relate_listed(i, *match.value);
+      else if (!subjects.empty())
+        relate_to_implied(subjects, *match.value);
+      i += match.length - 1;
+    }
+  }
+  // Of what an adverb is said: the subject of the verb before it, what was named last in its
+  // sentence, or what it is said before ("Above hangs a lantern").
+  Indices subjects_at(std::size_t token) const {
+    for (const auto& verb : reading_.parse.verbs)
+      if (verb.tokens.end == token && verb.subject != none)
+        if (const auto subjects = reading_.mentions_of_list(verb.subject); !subjects.empty())
+          return subjects;
+    std::optional<std::size_t> before, after;
+    for (std::size_t i = 0; i < reading_.parse.phrases.size(); ++i) {
+      const std::size_t head = reading_.parse.phrases[i].head;
+      if (!reading_.mentions[i] || reading_.sentence_of(head) != reading_.sentence_of(token))
+        continue;
+      if (head < token)
+        before = reading_.mentions[i];
+      else if (!after)
+        after = reading_.mentions[i];
+    }
+    if (!before) before = after;
+    return before ? Indices{*before} : Indices{};
+  }
+  // "a desk and a shelf side by side"
+  void relate_listed(std::size_t token, const Placement& placement) {
+    Indices things;
+    for (std::size_t i = 0; i < reading_.parse.phrases.size(); ++i)
+      if (reading_.parse.phrases[i].head < token && reading_.mentions[i] &&
+          reading_.sentence_of(reading_.parse.phrases[i].head) == reading_.sentence_of(token))
+        things.push_back(*reading_.mentions[i]);
+    relate_mutually(things, placement);
+  }
+  // The last two of a list.
+  void relate_mutually(const Indices& things, const Placement& placement) {
+    if (things.size() < 2) return;
+    for (auto kind : placement.relations)
+      reading_.talk.add(things.back(), {kind, things[things.size() - 2], "", false});
+  }
+
+  PromptReading& reading_;
+  std::map<std::size_t, std::size_t> owner_of_;  ///< "a tray with cups": mentions
+};
+
+}  // namespace
+
+void read_places(PromptReading& reading) {
+  PlaceReader(reading).run();
+}
+
+}  // namespace roomgen::design

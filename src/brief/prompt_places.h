@@ -1,0 +1,10 @@
+#pragma once
+
+#include "prompt_reading.h"
+
+namespace roomgen::design {
+
+/// Reads where the things of a prompt are said to be.
+void read_places(PromptReading& reading);
+
+}  // namespace roomgen::design

@@ -1,0 +1,110 @@
+#include "prompt_reading.h"
+
+#include <algorithm>
+
+namespace roomgen::design {
+
+using language::Attachment;
+using language::none;
+using language::Run;
+using Indices = std::vector<std::size_t>;
+
+std::vector<Taken> taken_from(std::size_t count, const std::vector<Token>& left) {
+  std::vector<Taken> taken(count, Taken::yes);
+  for (const Token& token : left)
+    for (auto i = token.source.begin; i < token.source.end; ++i)
+      taken[i] = token.kind == Token::Kind::room ? Taken::room : Taken::no;
+  return taken;
+}
+
+PromptReading::PromptReading(const PromptText& said, std::vector<Token> untaken,
+                             std::vector<Taken> already, const Lexicon& names,
+                             const RoomKinds& rooms, Brief& result)
+    : text(said),
+      parse(said.parse),
+      kinds(rooms),
+      left(std::move(untaken)),
+      taken(std::move(already)),
+      words(names.words),
+      brief(result),
+      lexicon(names),
+      talk(names, result),
+      hearing(said, result),
+      mentions(parse.phrases.size()) {
+  for (std::size_t i = 0; i < parse.phrases.size(); ++i)
+    things.push_back(read_thing_phrase(text, i));
+  for (const auto& attachment : parse.attachments)
+    placements.push_back(placement_of(text, attachment));
+  if (const auto& known = Occupants::built_in())
+    for (std::uint32_t i = 0; i < text.plain.size(); ++i)
+      occupants.push_back(occupant_at(text, *known, i));
+  occupants.resize(text.plain.size());
+}
+
+int PromptReading::sentence_of(std::size_t token) const {
+  int number = 0;
+  for (const Run& sentence : parse.sentences) {
+    if (token < sentence.end) return number;
+    ++number;
+  }
+  return number;
+}
+
+bool PromptReading::is_denied(std::size_t token) const {
+  for (std::size_t n = 1; n <= 2 && n <= token; ++n)
+    if (words.negations.count(word(token - n)) || is_word(token - n, "nothing")) return true;
+  return false;
+}
+
+std::vector<bool> PromptReading::heard_tokens() const {
+  std::vector<bool> used(text.plain.size(), false);
+  for (const auto& heard : brief.heard)
+    std::fill(used.begin() + heard.tokens.begin,
+              used.begin() + std::min<std::ptrdiff_t>(heard.tokens.end, std::ssize(used)), true);
+  return used;
+}
+
+void PromptReading::look_back_from(std::size_t token) {
+  std::size_t made = 0;
+  for (std::size_t i = 0; i < parse.phrases.size() && parse.phrases[i].head < token; ++i)
+    if (mentions[i]) made = std::max(made, *mentions[i] + 1);
+  talk.look_back_from(made);
+}
+
+bool PromptReading::owns(const Attachment& attachment) const {
+  static const WordSet relations = {"with", "have", "feature", "include"};
+  return relations.count(attachment.relation) > 0;
+}
+
+Indices PromptReading::subjects_of(const Attachment& attachment) const {
+  const Attachment& said = of_thing(attachment);
+  if (said.from == none) return {};
+  if (said.is_of_list) return mentions_of_list(said.from);
+  const auto mention = mention_of(said.from);
+  return mention ? Indices{*mention} : Indices{};
+}
+
+// "in the corner next to the door": what is said of a place is said of what is there.
+const Attachment& PromptReading::of_thing(const Attachment& attachment) const {
+  const Attachment* said = &attachment;
+  for (int steps = 0; steps < 4 && said->from != none && !mention_of(said->from); ++steps) {
+    const auto to_place =
+        std::find_if(parse.attachments.begin(), parse.attachments.end(), [&](const Attachment& one) {
+          return one.to == said->from && one.relation != "of" && !owns(one);
+        });
+    if (to_place == parse.attachments.end()) break;
+    said = &*to_place;
+  }
+  return *said;
+}
+
+Indices PromptReading::mentions_of_list(std::int32_t phrase) const {
+  Indices subjects;
+  for (const auto one : parse.with_list(static_cast<std::uint32_t>(phrase)))
+    if (const auto mention = mentions[one];
+        mention && std::find(subjects.begin(), subjects.end(), *mention) == subjects.end())
+      subjects.push_back(*mention);
+  return subjects;
+}
+
+}  // namespace roomgen::design

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "brief.h"
+#include "discourse.h"
+#include "hearing.h"
+#include "occupant_phrase.h"
+#include "placement.h"
+#include "room_kinds.h"
+#include "thing_phrase.h"
+
+namespace roomgen::design {
+
+/// What the words of a prompt that are no things were taken for, by token.
+enum class Taken : std::uint8_t { no, yes, room };
+
+/// What the tokens that the readers of measures, people, shapes, rooms and finishes left say of all
+/// `count`.
+std::vector<Taken> taken_from(std::size_t count, const std::vector<Token>& left);
+
+/// A prompt while it is read: its parse, what each part of it would mean, and what it was taken for
+/// so far. The readers of openings, things, people and places work on it, each on its own words.
+struct PromptReading {
+  PromptReading(const PromptText& said, std::vector<Token> untaken, std::vector<Taken> already,
+                const Lexicon& names, const RoomKinds& rooms, Brief& result);
+
+  const language::NounPhrase& phrase(std::int32_t i) const {
+    return parse.phrases[static_cast<std::size_t>(i)];
+  }
+  const ThingPhrase& thing(std::int32_t phrase) const {
+    return things[static_cast<std::size_t>(phrase)];
+  }
+  const std::optional<SaidPlacement>& placement(const language::Attachment& attachment) const {
+    return placements[static_cast<std::size_t>(&attachment - parse.attachments.data())];
+  }
+  std::optional<std::size_t> mention_of(std::int32_t phrase) const {
+    return phrase == language::none ? std::nullopt : mentions[static_cast<std::size_t>(phrase)];
+  }
+  const std::string& word(std::size_t token) const { return text.plain[token].text; }
+  bool is_word(std::size_t token, std::string_view word) const {
+    return token < text.plain.size() && text.plain[token].is_word(word);
+  }
+  bool is_taken(const language::NounPhrase& phrase) const {
+    return taken[phrase.head] != Taken::no;
+  }
+  bool is_room(const language::NounPhrase& phrase) const {
+    return taken[phrase.head] == Taken::room || words.generic_rooms.count(word(phrase.head));
+  }
+  int sentence_of(std::size_t token) const;
+  /// "not too modern", "nothing rustic"
+  bool is_denied(std::size_t token) const;
+  /// By token: whether it was heard as something.
+  std::vector<bool> heard_tokens() const;
+
+  /// What was said up to a token: "it" means nothing that comes behind.
+  void look_back_from(std::size_t token);
+  /// "with", "has": what follows is the first one's.
+  bool owns(const language::Attachment& attachment) const;
+  /// The mentions of which a place is said.
+  std::vector<std::size_t> subjects_of(const language::Attachment& attachment) const;
+  std::vector<std::size_t> mentions_of_list(std::int32_t phrase) const;
+
+  const PromptText& text;
+  const language::Parse& parse;
+  const RoomKinds& kinds;
+  const std::vector<Token> left;  ///< what the readers before did not take, lengths in one piece
+  std::vector<Taken> taken;
+  const Vocabulary& words;
+  Brief& brief;
+  const Lexicon lexicon;
+  Discourse talk;
+  Hearing hearing;
+  std::vector<ThingPhrase> things;                       ///< what the noun phrases would name
+  std::vector<std::optional<SaidPlacement>> placements;  ///< by attachment
+  std::vector<std::optional<OccupantPhrase>> occupants;  ///< by the first token of the name
+  std::vector<std::optional<std::size_t>> mentions;      ///< by noun phrase
+
+ private:
+  const language::Attachment& of_thing(const language::Attachment& attachment) const;
+};
+
+}  // namespace roomgen::design

@@ -1,0 +1,262 @@
+#include "prompt_things.h"
+
+#include <algorithm>
+
+#include "roomgen/base/text.h"
+
+namespace roomgen::design {
+
+namespace {
+
+using language::Attachment;
+using language::Determiner;
+using language::none;
+using language::NounPhrase;
+using Indices = std::vector<std::size_t>;
+
+class ThingReader {
+ public:
+  explicit ThingReader(PromptReading& reading) : reading_(reading) {}
+
+  /// Gives back the noun phrases that are people or what they do.
+  std::vector<std::int32_t> run() {
+    for (std::size_t i = 0; i < reading_.parse.phrases.size(); ++i) read_phrase(i);
+    return std::move(occupants_);
+  }
+
+ private:
+  void read_phrase(std::size_t number) {
+    const NounPhrase& said = reading_.parse.phrases[number];
+    if (reading_.is_taken(said)) {
+      if (heard_as_person(said.head)) occupants_.push_back(static_cast<std::int32_t>(number));
+      return;
+    }
+    if (reading_.words.generic_rooms.count(reading_.word(said.head)))
+      hear(reading_.brief, {said.head, said.head + 1}, Heard::As::room);
+    const auto id = static_cast<std::int32_t>(number);
+    if (said.is_pronoun) {
+      reading_.mentions[number] = stands_for(id);
+      return;
+    }
+    const ThingPhrase& thing = reading_.things[number];
+    if (said.is_denied) return exclude(id, thing);
+    if (thing.kind.length == 0 && names_occupants(said)) {
+      occupants_.push_back(id);
+      return;
+    }
+    if (const auto carrier = top(number, thing)) {
+      reading_.mentions[number] = carrier;
+      reading_.hearing.stand_in(id, *carrier);
+      return;
+    }
+    if (const auto owner = owner_of_part(id, thing)) return reading_.hearing.part(id, *owner);
+    if (!names_thing(id, thing)) return;
+    if (!thing.article && !thing.definite) read_listed_without_commas(said, thing);
+    reading_.mentions[number] = refer(id, thing);
+    if (reading_.mentions[number]) reading_.hearing.thing(thing, *reading_.mentions[number]);
+    skip_to_ = std::max(skip_to_, thing.end);
+  }
+  // "bed desk wardrobe": things of their own, though they stand like "oak" before the last.
+  void read_listed_without_commas(const NounPhrase& said, const ThingPhrase& last) {
+    for (std::uint32_t i = said.tokens.begin; i + last.kind.length <= said.head;) {
+      const KindMention kind = mention_at(reading_.text.table, reading_.text.plain, i);
+      if (kind.length > 0 && kind.category->mount == Mount::floor &&
+          !reading_.words.materials.count(kind.name)) {
+        ThingPhrase thing;
+        thing.kind = kind;
+        thing.name_tokens = {i, i + static_cast<std::uint32_t>(kind.length)};
+        if (const auto mention = reading_.talk.refer(thing, reading_.sentence_of(i)))
+          reading_.hearing.thing(thing, *mention);
+      }
+      i += std::max<std::uint32_t>(1, static_cast<std::uint32_t>(kind.length));
+    }
+  }
+  // "a stack of books": what comes behind is part of the name.
+  bool names_thing(std::int32_t id, const ThingPhrase& thing) const {
+    const NounPhrase& said = reading_.phrase(id);
+    if (said.tokens.begin < skip_to_) return false;
+    if (thing.kind.length == 0) return is_new_thing(id, thing);
+    if (thing.kind.length == 1 && (is_bare_material(thing) || is_light(said, thing))) return false;
+    return !is_of_owner(id, thing) && !is_inside(id) && !tells_what_it_is_of(id, thing);
+  }
+  // "glass" alone, without an article, is what something is made of.
+  bool is_bare_material(const ThingPhrase& thing) const {
+    return !thing.article && !thing.definite && !thing.kind.plural &&
+           reading_.words.materials.count(thing.kind.name) > 0;
+  }
+  // "soft light filters through": no lamp.
+  bool is_light(const NounPhrase& said, const ThingPhrase& thing) const {
+    return reading_.word(said.head) == "light" && !thing.article && !thing.definite;
+  }
+  // A noun that nobody knows is a thing where things are introduced.
+  bool is_new_thing(std::int32_t id, const ThingPhrase& thing) const {
+    const NounPhrase& said = reading_.phrase(id);
+    const bool introduced = thing.article || said.list != none;
+    if (!introduced || (thing.definite && !thing.article) ||
+        !may_be_thing(reading_.text, thing.noun) ||
+        reading_.text.words.room_parts.count(thing.noun) || is_of_owner(id, thing) || is_inside(id))
+      return false;
+    for (const Attachment& attachment : reading_.parse.attachments)
+      if (attachment.to == id && !introduces(attachment)) return false;
+    return true;
+  }
+  bool introduces(const Attachment& attachment) const {
+    static const WordSet relations = {"with",    "have", "contain", "include",
+                                      "feature", "hold", "display", "support",
+                                      "carry",   "by",   "need",    "want"};
+    if (relations.count(attachment.relation)) return true;
+    const auto said = reading_.placement(attachment);
+    return said && said->placement->inverse;
+  }
+  // What is inside something, of what it is made: no thing beside it.
+  bool is_inside(std::int32_t id) const {
+    const NounPhrase& said = reading_.phrase(id);
+    if (said.determiner != Determiner::absent || said.count > 0) return false;
+    for (const Attachment& attachment : reading_.parse.attachments)
+      if (attachment.to == id && attachment.relation == "of" && names_owner(attachment.from))
+        return true;
+    return false;
+  }
+  // "a collection of books" are books, "a jar of honey" is a jar.
+  bool names_owner(std::int32_t id) const { return reading_.thing(id).kind.length > 0; }
+  // "walls of brick", "in leather"
+  bool tells_what_it_is_of(std::int32_t id, const ThingPhrase& thing) const {
+    if (!reading_.words.materials.count(reading_.word(reading_.phrase(id).head)) || thing.article ||
+        thing.definite)
+      return false;
+    return std::any_of(reading_.parse.attachments.begin(), reading_.parse.attachments.end(),
+                       [&](const Attachment& one) {
+                         return one.to == id && (one.relation == "of" || one.relation == "in");
+                       });
+  }
+  // "a desk with drawers", "with an integrated sink", "a photo frame with a print": no other thing.
+  bool is_of_owner(std::int32_t id, const ThingPhrase& thing) const {
+    return is_built_in(thing) || owner_of_part(id, thing).has_value();
+  }
+  bool is_built_in(const ThingPhrase& thing) const {
+    return std::any_of(thing.modifiers.begin(), thing.modifiers.end(), [&](const auto& modifier) {
+      return reading_.words.built_in.count(modifier) > 0;
+    });
+  }
+  std::optional<std::size_t> owner_of_part(std::int32_t id, const ThingPhrase& thing) const {
+    for (const Attachment& attachment : reading_.parse.attachments) {
+      if (attachment.to != id || !reading_.owns(attachment)) continue;
+      const auto owner = reading_.mention_of(attachment.from);
+      if (!owner) continue;
+      if (is_built_in(thing)) return owner;
+      if (reading_.words.parts.count(reading_.word(reading_.phrase(id).head)) &&
+          !is_listed_with_thing(attachment))
+        return owner;
+      if (thing.kind.length > 0 && thing.kind.category->mount == Mount::wall &&
+          reading_.talk.mention(*owner).mount == Mount::surface)
+        return owner;
+    }
+    return std::nullopt;
+  }
+  // "with a cabinet and a shelf": a shelf beside other things is one.
+  bool is_listed_with_thing(const Attachment& attachment) const {
+    return std::any_of(reading_.parse.attachments.begin(), reading_.parse.attachments.end(),
+                       [&](const Attachment& other) {
+                         return other.from == attachment.from &&
+                                other.tokens == attachment.tokens && other.to < attachment.to &&
+                                reading_.mention_of(other.to);
+                       });
+  }
+  std::optional<std::size_t> refer(std::int32_t id, const ThingPhrase& thing) {
+    // "on a nightstand" means one of those that are there.
+    if (thing.count == 1 && !thing.another && is_target(id))
+      if (const auto known = reading_.talk.known(thing)) return known;
+    return reading_.talk.refer(thing, reading_.sentence_of(reading_.phrase(id).head));
+  }
+  bool is_target(std::int32_t id) const {
+    for (const Attachment& attachment : reading_.parse.attachments) {
+      if (attachment.to != id) continue;
+      const auto said = reading_.placement(attachment);
+      if (said && !said->placement->inverse) return true;
+    }
+    return false;
+  }
+  // "the countertop", "its surface": of the table or cabinet that was spoken of.
+  std::optional<std::size_t> top(std::size_t number, const ThingPhrase& thing) const {
+    const NounPhrase& said = reading_.parse.phrases[number];
+    if (!thing.definite) return std::nullopt;
+    KindMention owner;
+    for (std::size_t i = said.tokens.begin; i < said.head && owner.length == 0; ++i)
+      owner = mention_at(reading_.text.table, reading_.text.plain, i);
+    const bool is_top = reading_.words.tops.count(reading_.word(said.head)) > 0;
+    const auto known_owner = reading_.talk.last_of(owner);
+    if (!is_top && !(known_owner && reading_.words.portions.count(reading_.word(said.head))))
+      return std::nullopt;
+    return known_owner ? known_owner : reading_.talk.last_carrier(reading_.word(said.head));
+  }
+  void exclude(std::int32_t id, const ThingPhrase& thing) {
+    const std::string& noun = reading_.word(reading_.phrase(id).head);
+    if (noun == "window" || noun == "windows") {
+      reading_.brief.windows = 0;
+      reading_.hearing.absence(id, "window");
+    }
+    const bool is_known = thing.kind.length > 0;
+    if (!is_known && !may_be_thing(reading_.text, thing.noun)) return;
+    const std::string category = is_known ? reading_.talk.category_name(thing.kind) : thing.noun;
+    // "avoid glass tables" forbids no tables.
+    if (is_known && !thing.modifiers.empty()) {
+      const std::string looks = join(thing.modifiers, " ");
+      reading_.hearing.absence(id, looks + " " + category);
+      reading_.brief.excluded_looks.push_back({category, looks});
+      return;
+    }
+    reading_.hearing.absence(id, category);
+    if (std::find(reading_.brief.excluded.begin(), reading_.brief.excluded.end(), category) ==
+        reading_.brief.excluded.end())
+      reading_.brief.excluded.push_back(category);
+  }
+  std::optional<std::size_t> stands_for(std::int32_t id) const {
+    const NounPhrase& said = reading_.phrase(id);
+    const std::string& noun = reading_.word(said.head);
+    const bool is_reciprocal = said.tokens.size() > 1 && said.determiner != Determiner::definite;
+    if (noun == "i" || noun == "we" || noun == "you" || is_reciprocal) return std::nullopt;
+    const bool is_one_of_several = noun == "one" || noun == "other" || noun == "others" ||
+                                   said.determiner == Determiner::each || said.count > 0;
+    if (is_one_of_several)
+      if (const auto several = reading_.talk.last_of_several()) return several;
+    for (const Attachment& attachment : reading_.parse.attachments)
+      if (attachment.to == id) return reading_.talk.antecedent(reading_.subjects_of(attachment));
+    return topic_before(id);
+  }
+  // What the clauses before were about.
+  std::optional<std::size_t> topic_before(std::int32_t id) const {
+    for (std::size_t i = reading_.parse.verbs.size(); i-- > 0;) {
+      const auto subject = reading_.parse.verbs[i].subject;
+      if (subject != none && subject < id && reading_.mention_of(subject))
+        return reading_.mention_of(subject);
+    }
+    for (std::int32_t i = id; i-- > 0;)
+      if (reading_.mention_of(i)) return reading_.mention_of(i);
+    return std::nullopt;
+  }
+  // "for two children": how many there are was read with the room.
+  bool heard_as_person(std::uint32_t token) const {
+    return std::any_of(reading_.brief.heard.begin(), reading_.brief.heard.end(),
+                       [&](const HeardWords& words) {
+                         return words.as == Heard::As::person && words.tokens.begin <= token &&
+                                token < words.tokens.end;
+                       });
+  }
+  bool names_occupants(const NounPhrase& said) const {
+    const auto begin = reading_.occupants.begin();
+    return std::any_of(begin + said.tokens.begin, begin + said.head + 1,
+                       [](const auto& found) { return found.has_value(); });
+  }
+
+  PromptReading& reading_;
+  std::vector<std::int32_t> occupants_;
+  std::size_t skip_to_ = 0;  ///< the token behind the last name
+};
+
+}  // namespace
+
+std::vector<std::int32_t> read_things(PromptReading& reading) {
+  return ThingReader(reading).run();
+}
+
+}  // namespace roomgen::design
