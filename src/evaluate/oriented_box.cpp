@@ -29,6 +29,10 @@ Vec3 OrientedBox::front() const {
 
 double OrientedBox::volume() const { return (2.0 * half).cwiseMax(epsilon).prod(); }
 
+double OrientedBox::half_extent(const Vec2& direction) const {
+  return half.head<2>().dot(rotated(direction, -yaw).cwiseAbs());
+}
+
 bool OrientedBox::contains(const Vec3& point) const {
   return (to_local(point).cwiseAbs().array() <= half.array() + epsilon).all();
 }

@@ -21,6 +21,8 @@ struct OrientedBox {
   Vec3 to_world(const Vec3& local) const;
   Vec3 front() const;
   double volume() const;
+  /// How far the box reaches from its centre along a horizontal direction of length 1.
+  double half_extent(const Vec2& direction) const;
   bool contains(const Vec3& point) const;
   /// Is the point on that side: beyond the face (`outside`) or at least beyond the middle, and
   /// beside the face, which counts as larger by the share `margin`?

@@ -4,8 +4,6 @@
 #include <functional>
 
 #include "object_relations.h"
-#include "relation_words.h"
-#include "room_relations.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen {
@@ -13,60 +11,6 @@ namespace roomgen {
 namespace {
 
 constexpr std::size_t max_groups = 20000;
-
-BoxSide side_named(const std::string& name) {
-  if (name == "left") return BoxSide::left;
-  if (name == "right") return BoxSide::right;
-  if (name == "front") return BoxSide::front;
-  if (name == "back") return BoxSide::back;
-  if (name == "top") return BoxSide::top;
-  return BoxSide::bottom;
-}
-
-double evaluate(const RelationFunction& function, std::span<const Thing> targets,
-                const Thing& anchor) {
-  using namespace sceneeval;
-  const Thing& target = function.reversed ? anchor : targets.front();
-  const Thing& other = function.reversed ? targets.front() : anchor;
-  const std::string& name = function.name;
-  if (name == "inside_of") return inside_of(target, other);
-  if (name == "outside_of") return outside_of(target, other);
-  if (name == "face_to") return face_to(target, other);
-  if (name == "side_of") return side_of(target, other, side_named(function.parameter));
-  if (name == "side_region") return side_region(target, other, side_named(function.parameter));
-  if (name == "long_short_side_of")
-    return long_short_side_of(target, other, function.parameter == "long");
-  if (name == "on_top") return on_top(target, other);
-  if (name == "middle_of") return middle_of(target, other);
-  if (name == "surround") return surround(targets, other);
-  if (name == "next_to") return next_to(target, other);
-  if (name == "near") return near(target, other);
-  if (name == "across_from") return across_from(target, other);
-  if (name == "far") return far(target, other);
-  return 0.0;
-}
-
-double evaluate(const RelationFunction& function, const Thing& thing, const std::string& part,
-                const RoomSurfaces& around) {
-  using namespace sceneeval;
-  const std::string& name = function.name;
-  const Room& room = around.room;
-  const auto& walls = around.parts.walls;
-  const auto& parts = part == "door"     ? around.parts.doors
-                      : part == "window" ? around.parts.windows
-                                         : walls;
-  if (name == "inside_room") return inside_room(thing, room);
-  if (name == "middle_of_room") return middle_of_room(thing, room);
-  if (name == "next_to") return next_to(thing, parts);
-  if (name == "near") return near(thing, parts);
-  if (name == "across_from") return across_from(thing, parts);
-  if (name == "far") return far(thing, parts);
-  if (name == "on_wall") return on_wall(thing, walls);
-  if (name == "against_wall") return against_wall(thing, walls);
-  if (name == "corner_of_room") return corner_of_room(thing, walls, room);
-  if (name == "hang_from_ceiling") return hang_from_ceiling(thing, room);
-  return 0.0;
-}
 
 // The best alternative's worst function.
 template <typename Evaluate>
@@ -134,13 +78,20 @@ struct Groups {
   double best = 0.0;
 };
 
+// What is between two things is one, between whichever two it is.
+bool counts_anchors(const RelationMeaning& meaning) {
+  return std::any_of(meaning.begin(), meaning.end(), [](const auto& alternative) {
+    return alternative.front().name == "between";
+  });
+}
+
 // Every anchor with every combination of the others, as SceneEval does; a thing is not its own
 // other.
 class GroupSearch {
  public:
   GroupSearch(const MatchedThings& scene, const std::vector<Other>& others,
               const RelationMeaning& meaning)
-      : scene_(scene), others_(others), meaning_(meaning) {}
+      : scene_(scene), others_(others), meaning_(meaning), once_(counts_anchors(meaning)) {}
 
   Groups run(const std::string& anchor_category) {
     for (const auto anchor : scene_.of(anchor_category)) {
@@ -163,17 +114,19 @@ class GroupSearch {
     std::vector<Thing> targets;
     for (const auto index : chosen_) targets.push_back(scene_.things[index]);
     const double score = score_of(meaning_, [&](const RelationFunction& function) {
-      return evaluate(function, targets, scene_.things[anchor_]);
+      return evaluate(function, targets, scene_.things[anchor_], *scene_.around[anchor_]);
     });
+    const bool held = score > sceneeval::satisfied_above;
     ++groups_.tried;
-    if (score > sceneeval::satisfied_above) ++groups_.held;
+    if (held) ++groups_.held;
     groups_.best = std::max(groups_.best, score);
-    return static_cast<std::size_t>(groups_.tried) < max_groups;
+    return static_cast<std::size_t>(groups_.tried) < max_groups && !(held && once_);
   }
 
   const MatchedThings& scene_;
   const std::vector<Other>& others_;
   const RelationMeaning& meaning_;
+  const bool once_;  // an anchor holds with one group or with several
   std::size_t anchor_ = 0;
   std::vector<std::size_t> chosen_;
   Groups groups_;

@@ -4,17 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "relation_functions.h"
 #include "roomgen/evaluate/score.h"
-#include "thing.h"
 
 namespace roomgen {
-
-/// A room with the surfaces of its walls, doors and windows.
-struct RoomSurfaces {
-  explicit RoomSurfaces(const Room& of) : room(of), parts(room_things(of)) {}
-  Room room;
-  RoomThings parts;
-};
 
 /// What relations are judged on: the things of a scene, each in its room, and which of them are of
 /// which category.

@@ -1,23 +1,17 @@
 #include "relation_words.h"
 
 #include <algorithm>
-#include <array>
 #include <nlohmann/json.hpp>
 
 #include "base/json_reader.h"
 #include "base/resource.h"
+#include "relation_functions.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen {
 
 namespace {
-
-constexpr std::array known_functions = {
-    "inside_of",    "face_to",       "side_of",        "side_region", "long_short_side_of",
-    "on_top",       "middle_of",     "surround",       "next_to",     "near",
-    "across_from",  "far",           "outside_of",     "inside_room", "middle_of_room",
-    "on_wall",      "against_wall",  "corner_of_room", "hang_from_ceiling"};
 
 constexpr std::string_view reversed_prefix = "reversed ";
 
@@ -31,8 +25,7 @@ RelationFunction read_function(const JsonReader& json) {
   const auto colon = text.find(':');
   function.name = text.substr(0, colon);
   if (colon != std::string::npos) function.parameter = text.substr(colon + 1);
-  if (std::find(known_functions.begin(), known_functions.end(), function.name) ==
-      known_functions.end())
+  if (!is_relation_function(function.name))
     json.report("no function \"" + function.name + "\"");
   return function;
 }
@@ -48,6 +41,18 @@ std::map<std::string, RelationMeaning, std::less<>> read_meanings(const JsonRead
   return meanings;
 }
 
+RoomSide read_side(const JsonReader& json) {
+  static const std::map<std::string, RoomSide, std::less<>> known = {
+      {"north", RoomSide::north}, {"south", RoomSide::south}, {"east", RoomSide::east},
+      {"west", RoomSide::west},   {"front", RoomSide::front}, {"rear", RoomSide::rear},
+      {"left", RoomSide::left},   {"right", RoomSide::right}, {"middle", RoomSide::middle}};
+  const std::string name = json.text(20);
+  const auto found = known.find(name);
+  if (found != known.end()) return found->second;
+  json.report("no side \"" + name + "\"");
+  return RoomSide::middle;
+}
+
 }  // namespace
 
 Result<RelationWords> RelationWords::parse(std::string_view text, const std::string& source) {
@@ -55,13 +60,19 @@ Result<RelationWords> RelationWords::parse(std::string_view text, const std::str
   if (!json) return json.error();
   JsonReader::Problems problems(source);
   const JsonReader root(*json, problems);
-  root.allow_only({"about", "shelves", "objects", "room"});
+  root.allow_only({"about", "shelves", "objects", "room", "parts of a room"});
   RelationWords result;
   for (const auto& shelf : root["shelves"].elements_or_none(200))
     result.shelves_.insert(shelf.text(100));
   result.objects_ = read_meanings(root["objects"]);
   for (const auto& [part, meanings] : root["room"].members())
     result.room_[part] = read_meanings(meanings);
+  const auto parts = root["parts of a room"];
+  parts.allow_only({"sides", "shares"});
+  for (const auto& [word, sides] : parts["sides"].members())
+    for (const auto& side : sides.elements(2)) result.sides_[word].push_back(read_side(side));
+  for (const auto& [word, share] : parts["shares"].members())
+    result.shares_[word] = share.number(0.0, 1.0);
   if (problems.first()) return *problems.first();
   return result;
 }
@@ -94,7 +105,24 @@ RelationMeaning RelationWords::to_room(std::string_view word, std::string_view p
   if (meanings == room_.end()) meanings = room_.find("room");
   if (meanings == room_.end()) return {};
   const auto found = meanings->second.find(word);
-  return found == meanings->second.end() ? RelationMeaning() : found->second;
+  if (found != meanings->second.end()) return found->second;
+  if (meanings->first == "room" && part_of_room(word)) return {{{"in_part_of_room", std::string(word)}}};
+  return {};
+}
+
+std::optional<PartOfRoom> RelationWords::part_of_room(std::string_view word) const {
+  std::vector<std::string> pieces = words(word);
+  if (pieces.size() < 2) return std::nullopt;
+  const auto share = shares_.find(pieces.back());
+  if (share == shares_.end()) return std::nullopt;
+  pieces.pop_back();
+  PartOfRoom part{{}, share->second};
+  for (const auto& piece : pieces) {
+    const auto side = sides_.find(piece);
+    if (side == sides_.end()) return std::nullopt;
+    part.sides.insert(part.sides.end(), side->second.begin(), side->second.end());
+  }
+  return part;
 }
 
 }  // namespace roomgen

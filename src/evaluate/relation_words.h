@@ -1,16 +1,18 @@
 #pragma once
 
+#include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
-#include <map>
 #include <vector>
 
+#include "part_of_room.h"
 #include "roomgen/base/result.h"
 
 namespace roomgen {
 
-/// One function of SceneEval with its parameter: "side_of:left".
+/// One function of SceneEval, or of ours where it has none, with its parameter: "side_of:left".
 struct RelationFunction {
   std::string name;
   std::string parameter;
@@ -30,14 +32,19 @@ class RelationWords {
 
   /// Empty if the word is unknown. `anchor` is a category: what is on a shelf may be in it.
   RelationMeaning between_objects(std::string_view word, std::string_view anchor) const;
-  /// `part` is wall, door, window, ceiling or room; any other word is a kind of room ("kitchen").
+  /// `part` is wall, door, window, ceiling, floor or room; any other word is a kind of room ("kitchen").
+  /// A room has parts as well: "northern_half".
   RelationMeaning to_room(std::string_view word, std::string_view part) const;
+  /// Nothing for a word that names no part of a room.
+  std::optional<PartOfRoom> part_of_room(std::string_view word) const;
 
  private:
   using Meanings = std::map<std::string, RelationMeaning, std::less<>>;
   Meanings objects_;
   std::map<std::string, Meanings, std::less<>> room_;
   std::set<std::string, std::less<>> shelves_;
+  std::map<std::string, std::vector<RoomSide>, std::less<>> sides_;
+  std::map<std::string, double, std::less<>> shares_;
 };
 
 }  // namespace roomgen
