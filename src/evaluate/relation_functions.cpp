@@ -9,6 +9,7 @@
 #include "opening_relations.h"
 #include "part_of_room.h"
 #include "room_relations.h"
+#include "wall_relations.h"
 
 namespace roomgen {
 
@@ -33,6 +34,7 @@ struct Pair {
   const Thing& target;
   const Thing& anchor;
   const std::string& parameter;
+  std::span<const Thing> walls;  // of the anchor's room
 };
 
 const Functions<double (*)(const Pair&)>& pair_functions() {
@@ -50,6 +52,9 @@ const Functions<double (*)(const Pair&)>& pair_functions() {
       {"near", [](const Pair& p) { return near(p.target, p.anchor); }},
       {"across_from", [](const Pair& p) { return across_from(p.target, p.anchor); }},
       {"far", [](const Pair& p) { return far(p.target, p.anchor); }},
+      {"behind_on_wall", [](const Pair& p) { return behind_on_wall(p.target, p.anchor, p.walls); }},
+      {"above_sheet", [](const Pair& p) { return above_sheet(p.target, p.anchor, p.walls); }},
+      {"under_sheet", [](const Pair& p) { return under_sheet(p.target, p.anchor, p.walls); }},
   };
   return all;
 }
@@ -118,7 +123,7 @@ double evaluate(const RelationFunction& function, std::span<const Thing> targets
   if (pair == pair_functions().end()) return 0.0;
   const Thing& first = targets.front();
   return pair->second({function.reversed ? anchor : first, function.reversed ? first : anchor,
-                       function.parameter});
+                       function.parameter, around.parts.walls});
 }
 
 double evaluate(const RelationFunction& function, const Thing& thing, std::string_view part,

@@ -29,6 +29,7 @@ class Box:
     def __init__(self, thing):
         size, position = np.array(thing["size"]), np.array(thing["position"], float)
         self.half, self.center = size / 2, position + [0, 0, size[2] / 2]
+        self.hangs = thing["mount"] == "wall"
         angle = math.radians(thing["yaw_deg"])
         self.turn = np.array([[math.cos(angle), -math.sin(angle), 0], [math.sin(angle), math.cos(angle), 0], [0, 0, 1]])
 
@@ -47,6 +48,20 @@ def beyond(points, box, axis, sign, outside, margin):
     return held.mean()
 
 
+def on_wall_side(word, target, anchor):
+    """What hangs on walls: behind at any height, above and below a thin sheet in any depth near its wall."""
+    corners = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)])
+    reach = anchor.local(target.center + (corners * target.half) @ target.turn.T)
+    low, high, middle = reach.min(axis=0), reach.max(axis=0), anchor.local(target.center)
+    if word == "behind":
+        return (target.hangs and middle[1] > 0 and high[1] >= anchor.half[1] - 0.05
+                and abs(middle[0]) <= anchor.half[0])
+    if word not in ("above", "under") or not anchor.hangs or anchor.half[1] > 0.025:
+        return False
+    return ((1 if word == "above" else -1) * middle[2] >= anchor.half[2] and high[1] >= anchor.half[1] - 0.3
+            and abs(middle[0]) <= max(anchor.half[0], (high - low)[0] / 2))
+
+
 def relation(word, target, anchor, rng):
     points = target.draw(rng)
     on_top = beyond(points, anchor, 2, 1, False, 0)
@@ -56,6 +71,8 @@ def relation(word, target, anchor, rng):
         return (np.abs(anchor.local(points)) <= anchor.half).all(axis=1).mean()
     if word == "center":
         return math.exp(-np.sum((target.center - anchor.center)[:2] ** 2) / (2 * 0.25**2))
+    if on_wall_side(word, target, anchor):
+        return 1
     axis, sign = SIDES[word]
     score = beyond(points, anchor, axis, sign, True, 0.25)
     if word == "under":  # also: in the lower half of the box, or the anchor on the target
