@@ -137,6 +137,32 @@ std::string findings(const RelationMeaning& meaning, const Groups& groups) {
          std::to_string(groups.tried) + ", best " + format_number(groups.best, 2);
 }
 
+// "bedroom_2" is a bedroom.
+std::string kind_of_room(std::string_view part) {
+  std::vector<std::string> pieces = words(part);
+  if (pieces.size() > 1 && pieces.back().find_first_not_of("0123456789") == std::string::npos)
+    pieces.pop_back();
+  return join(pieces, " ");
+}
+
+// The rooms of a dwelling that a requirement can mean: those of the kind that it names, all if there
+// are none.
+class NamedRooms {
+ public:
+  NamedRooms(std::string_view part, std::span<const RoomSurfaces* const> rooms)
+      : kind_(kind_of_room(part)),
+        any_(std::any_of(rooms.begin(), rooms.end(), [&](const auto* around) { return is_named(around->room); })) {}
+
+  bool contain(const Room& room) const { return !any_ || is_named(room); }
+
+ private:
+  // A room without an id is no dwelling's.
+  bool is_named(const Room& room) const { return !room.id.empty() && room.type == kind_; }
+
+  std::string kind_;
+  bool any_;
+};
+
 }  // namespace
 
 JudgedRequirement judge_relation(const ObjectRelationRequirement& relation, const MatchedThings& scene) {
@@ -184,8 +210,10 @@ JudgedRequirement judge_relation(const RoomRelationRequirement& relation, const 
     verdict.reason = "\"" + relation.relation + "\" of \"" + part + "\" means nothing here";
     return verdict;
   }
+  const NamedRooms named(part, scene.around);
   Groups groups;
   for (const auto index : scene.of(relation.thing)) {
+    if (!named.contain(scene.around[index]->room)) continue;
     const double score = score_of(meaning, [&](const RelationFunction& function) {
       return evaluate(function, scene.things[index], part, *scene.around[index]);
     });

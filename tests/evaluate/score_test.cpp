@@ -136,6 +136,16 @@ TEST_CASE("A dwelling is scored as a whole, and each of its rooms by itself") {
   CHECK(score.navigability == Approx(0.5 * (score.rooms[0].navigability + score.rooms[1].navigability)));
 }
 
+TEST_CASE("A room that a requirement names is one of that kind, if the dwelling has any") {
+  Scene scene = two_rooms();
+  scene.rooms[1].type = "study";
+  const auto score = score_room(asking(",OARel", "\"eq,3,desk\",\"eq,2,in,desk,study;eq,1,in,desk,study_2;eq,3,in,desk,den\""),
+                                scene, ModelTable());
+  CHECK(score.room_relations[0].satisfied);
+  CHECK_FALSE(score.room_relations[1].satisfied);
+  CHECK(score.room_relations[2].satisfied);
+}
+
 TEST_CASE("A room by itself scores as it does as the only one of a dwelling") {
   Scene one = rooms::scene(rooms::box(5, 4), {rooms::thing("desk-0", "desk", {1.2, 0.6, 0.75}, {2, 2}),
                                               rooms::thing("desk-1", "desk", {1.2, 0.6, 0.75}, {2.5, 2.2})});
