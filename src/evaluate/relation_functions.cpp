@@ -9,6 +9,7 @@
 #include "opening_relations.h"
 #include "part_of_room.h"
 #include "room_relations.h"
+#include "stands_in.h"
 #include "wall_relations.h"
 
 namespace roomgen {
@@ -53,6 +54,7 @@ const Functions<double (*)(const Pair&)>& pair_functions() {
       {"across_from", [](const Pair& p) { return across_from(p.target, p.anchor); }},
       {"far", [](const Pair& p) { return far(p.target, p.anchor); }},
       {"behind_on_wall", [](const Pair& p) { return behind_on_wall(p.target, p.anchor, p.walls); }},
+      {"stands_in", [](const Pair& p) { return stands_in(p.target, p.anchor); }},
       {"above_sheet", [](const Pair& p) { return above_sheet(p.target, p.anchor, p.walls); }},
       {"under_sheet", [](const Pair& p) { return under_sheet(p.target, p.anchor, p.walls); }},
   };
