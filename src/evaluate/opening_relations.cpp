@@ -11,13 +11,13 @@ namespace roomgen {
 
 namespace {
 
-constexpr double facing_deviation = 30.0;    // degrees, as SceneEval's face_to
-constexpr double wall_deviation = 60.0;      // degrees
-constexpr double leaf_distance = 0.15;       // metres, of a curtain before its window
-constexpr double beside_range = 1.5;         // metres, as "near"
-constexpr double beside_wall = 0.3;          // metres, as "against" a wall
+constexpr double facing_deviation = 30.0;  // degrees, as SceneEval's face_to
+constexpr double wall_deviation = 60.0;    // degrees
+constexpr double leaf_distance = 0.15;     // metres, of a curtain before its window
+constexpr double beside_range = 1.5;       // metres, as "near"
+constexpr double beside_wall = 0.3;        // metres, as "against" a wall
 constexpr double beside_deviation = 0.25;
-constexpr double rug_height = 0.05;          // metres
+constexpr double rug_height = 0.05;  // metres
 
 template <typename Score>
 double best_of(std::span<const Thing> parts, Score score) {
@@ -98,7 +98,8 @@ double beside(const OrientedBox& thing, const OrientedBox& opening, BoxSide side
 }  // namespace
 
 double face_opening(const Thing& thing, std::span<const Thing> openings) {
-  return best_of(openings, [&](const OrientedBox& opening) { return facing(thing.box(), opening); });
+  return best_of(openings,
+                 [&](const OrientedBox& opening) { return facing(thing.box(), opening); });
 }
 
 double face_wall(const Thing& thing, std::span<const Thing> walls) {
@@ -109,11 +110,13 @@ double face_wall(const Thing& thing, std::span<const Thing> walls) {
 }
 
 double on_opening(const Thing& thing, std::span<const Thing> openings) {
-  return best_of(openings, [&](const OrientedBox& opening) { return covers(thing.box(), opening); });
+  return best_of(openings,
+                 [&](const OrientedBox& opening) { return covers(thing.box(), opening); });
 }
 
 double beside_opening(const Thing& thing, std::span<const Thing> openings, BoxSide side) {
-  return best_of(openings, [&](const OrientedBox& opening) { return beside(thing.box(), opening, side); });
+  return best_of(openings,
+                 [&](const OrientedBox& opening) { return beside(thing.box(), opening, side); });
 }
 
 double on_floor(const Thing& thing) {

@@ -16,8 +16,6 @@ namespace roomgen {
 
 namespace {
 
-using namespace sceneeval;
-
 BoxSide side_named(const std::string& name) {
   if (name == "left") return BoxSide::left;
   if (name == "right") return BoxSide::right;
@@ -39,12 +37,15 @@ struct Pair {
 };
 
 const Functions<double (*)(const Pair&)>& pair_functions() {
+  using namespace sceneeval;
   static const Functions<double (*)(const Pair&)> all = {
       {"inside_of", [](const Pair& p) { return inside_of(p.target, p.anchor); }},
       {"outside_of", [](const Pair& p) { return outside_of(p.target, p.anchor); }},
       {"face_to", [](const Pair& p) { return face_to(p.target, p.anchor); }},
-      {"side_of", [](const Pair& p) { return side_of(p.target, p.anchor, side_named(p.parameter)); }},
-      {"side_region", [](const Pair& p) { return side_region(p.target, p.anchor, side_named(p.parameter)); }},
+      {"side_of",
+       [](const Pair& p) { return side_of(p.target, p.anchor, side_named(p.parameter)); }},
+      {"side_region",
+       [](const Pair& p) { return side_region(p.target, p.anchor, side_named(p.parameter)); }},
       {"long_short_side_of",
        [](const Pair& p) { return long_short_side_of(p.target, p.anchor, p.parameter == "long"); }},
       {"on_top", [](const Pair& p) { return on_top(p.target, p.anchor); }},
@@ -63,8 +64,9 @@ const Functions<double (*)(const Pair&)>& pair_functions() {
 
 const Functions<double (*)(std::span<const Thing>, const Thing&)>& group_functions() {
   static const Functions<double (*)(std::span<const Thing>, const Thing&)> all = {
-      {"surround", surround},
-      {"between", [](std::span<const Thing> ends, const Thing& middle) { return between(middle, ends); }},
+      {"surround", sceneeval::surround},
+      {"between",
+       [](std::span<const Thing> ends, const Thing& middle) { return between(middle, ends); }},
   };
   return all;
 }
@@ -83,6 +85,7 @@ struct Place {
 };
 
 const Functions<double (*)(const Place&)>& room_functions() {
+  using namespace sceneeval;
   static const Functions<double (*)(const Place&)> all = {
       {"inside_room", [](const Place& p) { return inside_room(p.thing, p.around.room); }},
       {"middle_of_room", [](const Place& p) { return middle_of_room(p.thing, p.around.room); }},
@@ -94,8 +97,10 @@ const Functions<double (*)(const Place&)>& room_functions() {
       {"against_wall", [](const Place& p) { return against_wall(p.thing, p.around.parts.walls); }},
       {"corner_of_room",
        [](const Place& p) { return corner_of_room(p.thing, p.around.parts.walls, p.around.room); }},
-      {"hang_from_ceiling", [](const Place& p) { return hang_from_ceiling(p.thing, p.around.room); }},
-      {"in_part_of_room", [](const Place& p) { return in_part_of_room(p.thing, p.around.room, p.parameter); }},
+      {"hang_from_ceiling",
+       [](const Place& p) { return hang_from_ceiling(p.thing, p.around.room); }},
+      {"in_part_of_room",
+       [](const Place& p) { return in_part_of_room(p.thing, p.around.room, p.parameter); }},
       {"face_wall", [](const Place& p) { return face_wall(p.thing, p.around.parts.walls); }},
       {"face_opening", [](const Place& p) { return face_opening(p.thing, p.parts); }},
       {"on_opening", [](const Place& p) { return on_opening(p.thing, p.parts); }},
@@ -117,8 +122,8 @@ bool is_relation_function(std::string_view name) {
          room_functions().contains(name);
 }
 
-double evaluate(const RelationFunction& function, std::span<const Thing> targets, const Thing& anchor,
-                const RoomSurfaces& around) {
+double evaluate(const RelationFunction& function, std::span<const Thing> targets,
+                const Thing& anchor, const RoomSurfaces& around) {
   const auto group = group_functions().find(function.name);
   if (group != group_functions().end()) return group->second(targets, anchor);
   const auto pair = pair_functions().find(function.name);

@@ -19,8 +19,8 @@ struct RoomSurfaces {
 bool is_relation_function(std::string_view name);
 
 /// In [0, 1]; the relation holds above one half. `around` is the room of the anchor.
-double evaluate(const RelationFunction& function, std::span<const Thing> targets, const Thing& anchor,
-                const RoomSurfaces& around);
+double evaluate(const RelationFunction& function, std::span<const Thing> targets,
+                const Thing& anchor, const RoomSurfaces& around);
 
 /// Of a thing to its room; `part` is the word for the part of the room ("wall", "door").
 double evaluate(const RelationFunction& function, const Thing& thing, std::string_view part,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "named_rooms.h"
 #include "object_relations.h"
 #include "roomgen/base/text.h"
 
@@ -80,9 +81,8 @@ struct Groups {
 
 // What is between two things is one, between whichever two it is.
 bool counts_anchors(const RelationMeaning& meaning) {
-  return std::any_of(meaning.begin(), meaning.end(), [](const auto& alternative) {
-    return alternative.front().name == "between";
-  });
+  return std::any_of(meaning.begin(), meaning.end(),
+                     [](const auto& alternative) { return alternative.front().name == "between"; });
 }
 
 // Every anchor with every combination of the others, as SceneEval does; a thing is not its own
@@ -137,32 +137,6 @@ std::string findings(const RelationMeaning& meaning, const Groups& groups) {
          std::to_string(groups.tried) + ", best " + format_number(groups.best, 2);
 }
 
-// "bedroom_2" is a bedroom.
-std::string kind_of_room(std::string_view part) {
-  std::vector<std::string> pieces = words(part);
-  if (pieces.size() > 1 && pieces.back().find_first_not_of("0123456789") == std::string::npos)
-    pieces.pop_back();
-  return join(pieces, " ");
-}
-
-// The rooms of a dwelling that a requirement can mean: those of the kind that it names, all if there
-// are none.
-class NamedRooms {
- public:
-  NamedRooms(std::string_view part, std::span<const RoomSurfaces* const> rooms)
-      : kind_(kind_of_room(part)),
-        any_(std::any_of(rooms.begin(), rooms.end(), [&](const auto* around) { return is_named(around->room); })) {}
-
-  bool contain(const Room& room) const { return !any_ || is_named(room); }
-
- private:
-  // A room without an id is no dwelling's.
-  bool is_named(const Room& room) const { return !room.id.empty() && room.type == kind_; }
-
-  std::string kind_;
-  bool any_;
-};
-
 }  // namespace
 
 JudgedRequirement judge_relation(const ObjectRelationRequirement& relation, const MatchedThings& scene) {
@@ -213,9 +187,10 @@ JudgedRequirement judge_relation(const RoomRelationRequirement& relation, const 
   const NamedRooms named(part, scene.around);
   Groups groups;
   for (const auto index : scene.of(relation.thing)) {
-    if (!named.contain(scene.around[index]->room)) continue;
+    const RoomSurfaces& around = *scene.around[index];
     const double score = score_of(meaning, [&](const RelationFunction& function) {
-      return evaluate(function, scene.things[index], part, *scene.around[index]);
+      return named.contain(around.room) ? evaluate(function, scene.things[index], part, around)
+                                        : 0.0;
     });
     ++groups.tried;
     if (score > sceneeval::satisfied_above) ++groups.held;

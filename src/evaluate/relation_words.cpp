@@ -25,8 +25,7 @@ RelationFunction read_function(const JsonReader& json) {
   const auto colon = text.find(':');
   function.name = text.substr(0, colon);
   if (colon != std::string::npos) function.parameter = text.substr(colon + 1);
-  if (!is_relation_function(function.name))
-    json.report("no function \"" + function.name + "\"");
+  if (!is_relation_function(function.name)) json.report("no function \"" + function.name + "\"");
   return function;
 }
 
@@ -106,7 +105,8 @@ RelationMeaning RelationWords::to_room(std::string_view word, std::string_view p
   if (meanings == room_.end()) return {};
   const auto found = meanings->second.find(word);
   if (found != meanings->second.end()) return found->second;
-  if (meanings->first == "room" && part_of_room(word)) return {{{"in_part_of_room", std::string(word)}}};
+  if (meanings->first == "room" && part_of_room(word))
+    return {{{"in_part_of_room", std::string(word)}}};
   return {};
 }
 

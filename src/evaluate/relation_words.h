@@ -32,8 +32,8 @@ class RelationWords {
 
   /// Empty if the word is unknown. `anchor` is a category: what is on a shelf may be in it.
   RelationMeaning between_objects(std::string_view word, std::string_view anchor) const;
-  /// `part` is wall, door, window, ceiling, floor or room; any other word is a kind of room ("kitchen").
-  /// A room has parts as well: "northern_half".
+  /// `part` is wall, door, window, ceiling, floor or room; any other word is a kind of room
+  /// ("kitchen"). A room has parts as well: "northern_half".
   RelationMeaning to_room(std::string_view word, std::string_view part) const;
   /// Nothing for a word that names no part of a room.
   std::optional<PartOfRoom> part_of_room(std::string_view word) const;

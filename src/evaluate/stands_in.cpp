@@ -12,7 +12,9 @@ double stands_in(const Thing& target, const Thing& anchor) {
   const OrientedBox& vessel = anchor.box();
   const Vec3 foot = target.box().center - Vec3(0, 0, target.box().half.z());
   const double height = foot.z() - (vessel.center.z() - vessel.half.z());
-  return vessel.contains(foot) && height > off_edge && height < 2.0 * vessel.half.z() - off_edge ? 1.0 : 0.0;
+  return vessel.contains(foot) && height > off_edge && height < 2.0 * vessel.half.z() - off_edge
+             ? 1.0
+             : 0.0;
 }
 
 }  // namespace roomgen

@@ -13,7 +13,7 @@ namespace {
 constexpr double back_tolerance = 0.05;  // metres, of furniture that stands at a wall
 constexpr double sheet_depth = 0.05;     // metres
 constexpr double under_range = 0.3;      // metres from the wall, as "against" a wall
-constexpr double least_height = 0.1;     // metres over the floor: what stands at a wall does not hang
+constexpr double least_height = 0.1;  // metres over the floor: what stands at a wall does not hang
 
 bool hangs(const Thing& thing, std::span<const Thing> walls) {
   return thing.box().center.z() - thing.box().half.z() > least_height &&
@@ -37,7 +37,8 @@ bool shares_wall(const Seen& target, const Vec3& sheet) {
          std::abs(target.at.x()) <= std::max(sheet.x(), target.half.x());
 }
 
-double beyond_sheet(const Thing& target, const Thing& anchor, std::span<const Thing> walls, double up) {
+double beyond_sheet(const Thing& target, const Thing& anchor, std::span<const Thing> walls,
+                    double up) {
   const Vec3& sheet = anchor.box().half;
   if (2.0 * sheet.y() > sheet_depth || !hangs(anchor, walls)) return 0.0;
   const Seen seen = seen_from(anchor.box(), target.box());
@@ -49,7 +50,8 @@ double beyond_sheet(const Thing& target, const Thing& anchor, std::span<const Th
 double behind_on_wall(const Thing& target, const Thing& anchor, std::span<const Thing> walls) {
   const Seen seen = seen_from(anchor.box(), target.box());
   const Vec3& half = anchor.box().half;
-  const bool behind = seen.at.y() > 0.0 && seen.at.y() + seen.half.y() >= half.y() - back_tolerance &&
+  const bool behind = seen.at.y() > 0.0 &&
+                      seen.at.y() + seen.half.y() >= half.y() - back_tolerance &&
                       std::abs(seen.at.x()) <= half.x();
   return behind && hangs(target, walls) ? 1.0 : 0.0;
 }

@@ -26,10 +26,10 @@ TEST_CASE("A table between a sofa and a console, and beside them") {
   const Vec3 table(1, 0.6, 0.4);
   CHECK(between(at(table, {0, 1.5}), sofa, console) == 1.0);
   CHECK(between(at(table, {0, 1.5}), console, sofa) == 1.0);
-  CHECK(between(at(table, {1.4, 1.5}), sofa, console) == 1.0);    // its side still in the corridor
+  CHECK(between(at(table, {1.4, 1.5}), sofa, console) == 1.0);  // its side still in the corridor
   CHECK(between(at(table, {1.6, 1.5}), sofa, console) == 0.0);
-  CHECK(between(at(table, {0, -1}), sofa, console) == 0.0);       // behind the sofa
-  CHECK(between(at(table, {0, 3.5}), sofa, console) == 0.0);      // beyond the console
+  CHECK(between(at(table, {0, -1}), sofa, console) == 0.0);           // behind the sofa
+  CHECK(between(at(table, {0, 3.5}), sofa, console) == 0.0);          // beyond the console
   CHECK(between(at(table, {0, 0.2}, 0, 0.8), sofa, console) == 0.0);  // on the sofa
   CHECK(roomgen::between(at(table, {0, 1.5}), std::vector{sofa}) == 0.0);
 }
@@ -62,19 +62,23 @@ TEST_CASE("Between agrees with corners and angles, whatever way the things are t
                            rotated({sx * object.size.x(), sy * object.size.y()}, object.yaw));
       return points;
     };
-    const Vec2 m = things[0].position.head<2>(), a = things[1].position.head<2>(), b = things[2].position.head<2>();
-    const auto spread = [&](const Object& object) {  // the distance of the corners from the line's direction
-      double most = 0.0;
-      for (const auto& corner : corners(object))
-        most = std::max(most, std::abs(cross(b - a, corner - Vec2(object.position.head<2>()))) / (b - a).norm());
-      return most;
-    };
+    const Vec2 m = things[0].position.head<2>(), a = things[1].position.head<2>(),
+               b = things[2].position.head<2>();
+    const auto spread =
+        [&](const Object& object) {  // the distance of the corners from the line's direction
+          double most = 0.0;
+          for (const auto& corner : corners(object))
+            most = std::max(most, std::abs(cross(b - a, corner - Vec2(object.position.head<2>()))) /
+                                      (b - a).norm());
+          return most;
+        };
     const auto over = [&](const Object& object) {
       const Vec2 local = rotated(m - Vec2(object.position.head<2>()), -object.yaw).cwiseAbs();
       return local.x() <= 0.5 * object.size.x() && local.y() <= 0.5 * object.size.y();
     };
     // Both angles at the ends are acute: the foot of the perpendicular lies between them.
-    const bool expected = (m - a).dot(b - a) > 0 && (m - b).dot(a - b) > 0 && !over(things[1]) && !over(things[2]) &&
+    const bool expected = (m - a).dot(b - a) > 0 && (m - b).dot(a - b) > 0 && !over(things[1]) &&
+                          !over(things[2]) &&
                           std::abs(cross(b - a, m - a)) / (b - a).norm() <=
                               std::max(spread(things[1]), spread(things[2])) + spread(things[0]);
     const auto thing = [](const Object& object) { return thing_of(object, ModelTable()); };
@@ -86,11 +90,14 @@ TEST_CASE("Between agrees with corners and angles, whatever way the things are t
 }
 
 TEST_CASE("What is between several things of a kind is one") {
-  const auto rows = parse_requirements("ID,Description,ObjCount,OORel\n1,x,\"eq,1,lamp\","
-                                       "\"eq,1,between,0,lamp,shelf,shelf;eq,2,between,0,lamp,shelf,shelf;"
-                                       "eq,1,between,0,lamp,shelf,desk\"\n", "r");
+  const auto rows = parse_requirements(
+      "ID,Description,ObjCount,OORel\n1,x,\"eq,1,lamp\","
+      "\"eq,1,between,0,lamp,shelf,shelf;eq,2,between,0,lamp,shelf,shelf;"
+      "eq,1,between,0,lamp,shelf,desk\"\n",
+      "r");
   REQUIRE(rows);
-  Scene scene = rooms::scene(rooms::box(6, 6), {rooms::thing("lamp-0", "lamp", {0.3, 0.3, 1.5}, {3, 3})});
+  Scene scene =
+      rooms::scene(rooms::box(6, 6), {rooms::thing("lamp-0", "lamp", {0.3, 0.3, 1.5}, {3, 3})});
   for (int k = 0; k < 4; ++k)  // one at each side, so that the lamp is between two pairs
     scene.objects.push_back(rooms::thing("shelf-" + std::to_string(k), "shelf", {1, 0.3, 1.8},
                                          Vec2(3, 3) + 2 * rotated({1, 0}, 0.5 * k * pi)));

@@ -22,7 +22,9 @@ Object hung(const Vec3& size, const Vec2& at, double yaw, double height) {
   return object;
 }
 
-Thing made(const Object& object) { return thing_of(object, ModelTable()); }
+Thing made(const Object& object) {
+  return thing_of(object, ModelTable());
+}
 
 Thing standing(const Vec3& size, const Vec2& at, double yaw = 0.0) {
   return made(rooms::thing("a-0", "thing", size, at, yaw));
@@ -34,7 +36,7 @@ TEST_CASE("A low desk faces the window that its front meets") {
   const RoomThings parts = room_things(five_by_four());
   const Vec3 desk(1.2, 0.6, 0.7);
   CHECK(face_opening(standing(desk, {2.7, 2}, 180), parts.windows) == 1.0);
-  CHECK(face_opening(standing(desk, {2.7, 2}, 0), parts.windows) == 0.0);    // its back to it
+  CHECK(face_opening(standing(desk, {2.7, 2}, 0), parts.windows) == 0.0);  // its back to it
   CHECK(face_opening(standing(desk, {2.7, 2}, 90), parts.windows) == 0.0);
   CHECK(face_opening(standing(desk, {4.4, 2}, 180), parts.windows) == 0.0);  // past it
   CHECK(face_opening(standing(desk, {1.5, 2}, 0), parts.doors) == 1.0);
@@ -86,12 +88,13 @@ TEST_CASE("On a door or a window is what covers it, or hangs on it") {
   const auto on_window = [&](const Vec3& size, const Vec2& at, double yaw, double height) {
     return on_opening(made(hung(size, at, yaw, height)), parts.windows);
   };
-  CHECK(on_window({2.2, 0.1, 2.2}, {2.75, 3.94}, 0, 0.2) == 1.0);     // a curtain wider than the window
-  CHECK(on_window({0.4, 0.02, 0.4}, {2.4, 3.97}, 0, 1.3) == 1.0);     // a sign on the pane
-  CHECK(on_window({0.4, 0.02, 0.4}, {1.9, 3.97}, 0, 1.3) < 0.5);      // beside it
-  CHECK(on_window({0.4, 0.02, 0.4}, {2.4, 3.7}, 0, 1.3) == 0.0);      // before it
-  CHECK(on_window({0.4, 0.02, 0.4}, {2.4, 3.97}, 0, 0.2) == 0.0);     // below it
-  CHECK(on_window({2.2, 0.1, 2.2}, {0.06, 2}, 90, 0.2) == 0.0);       // on another wall
+  CHECK(on_window({2.2, 0.1, 2.2}, {2.75, 3.94}, 0, 0.2) ==
+        1.0);  // a curtain wider than the window
+  CHECK(on_window({0.4, 0.02, 0.4}, {2.4, 3.97}, 0, 1.3) == 1.0);  // a sign on the pane
+  CHECK(on_window({0.4, 0.02, 0.4}, {1.9, 3.97}, 0, 1.3) < 0.5);   // beside it
+  CHECK(on_window({0.4, 0.02, 0.4}, {2.4, 3.7}, 0, 1.3) == 0.0);   // before it
+  CHECK(on_window({0.4, 0.02, 0.4}, {2.4, 3.97}, 0, 0.2) == 0.0);  // below it
+  CHECK(on_window({2.2, 0.1, 2.2}, {0.06, 2}, 90, 0.2) == 0.0);    // on another wall
   CHECK(on_opening(made(hung({0.9, 0.05, 0.6}, {1.5, 0.03}, 180, 1.4)), parts.doors) == 1.0);
 }
 
@@ -104,10 +107,10 @@ TEST_CASE("Left and right of a door, as seen from the room") {
   CHECK(beside(2.4, 0.01, BoxSide::left));
   CHECK_FALSE(beside(2.4, 0.01, BoxSide::right));
   CHECK(beside(0.5, 0.01, BoxSide::right));
-  CHECK_FALSE(beside(1.5, 0.01, BoxSide::left));   // on it
-  CHECK_FALSE(beside(4.6, 0.01, BoxSide::left));   // far away
-  CHECK_FALSE(beside(2.4, 1.0, BoxSide::left));    // out in the room
-  CHECK_FALSE(beside(2.4, 3.99, BoxSide::left));   // at the wall opposite
+  CHECK_FALSE(beside(1.5, 0.01, BoxSide::left));  // on it
+  CHECK_FALSE(beside(4.6, 0.01, BoxSide::left));  // far away
+  CHECK_FALSE(beside(2.4, 1.0, BoxSide::left));   // out in the room
+  CHECK_FALSE(beside(2.4, 3.99, BoxSide::left));  // at the wall opposite
 }
 
 TEST_CASE("On the floor, or on a rug there") {
@@ -118,10 +121,13 @@ TEST_CASE("On the floor, or on a rug there") {
 
 TEST_CASE("Rows may ask what faces, covers and flanks openings, and what is on the floor") {
   const auto rows = parse_requirements(
-      "ID,Description,ObjCount,OARel\n1,x,\"eq,1,desk\",\"eq,1,facing,desk,window;eq,1,facing,desk,door;"
-      "eq,1,facing,desk,wall;eq,1,on,desk,floor;eq,1,on,desk,window;eq,1,right,desk,door\"\n", "r");
+      "ID,Description,ObjCount,OARel\n1,x,\"eq,1,desk\",\"eq,1,facing,desk,window;eq,1,facing,desk,"
+      "door;"
+      "eq,1,facing,desk,wall;eq,1,on,desk,floor;eq,1,on,desk,window;eq,1,right,desk,door\"\n",
+      "r");
   REQUIRE(rows);
-  const Scene scene = rooms::scene(five_by_four(), {rooms::thing("desk-0", "desk", {1.2, 0.6, 0.75}, {2.7, 2}, 180)});
+  const Scene scene = rooms::scene(
+      five_by_four(), {rooms::thing("desk-0", "desk", {1.2, 0.6, 0.75}, {2.7, 2}, 180)});
   const auto verdicts = score_room(rows->front(), scene, ModelTable()).room_relations;
   std::vector<bool> held;
   for (const auto& verdict : verdicts) held.push_back(verdict.satisfied);

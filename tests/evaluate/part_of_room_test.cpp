@@ -11,10 +11,12 @@ using namespace roomgen;
 
 namespace {
 
-// Six by four, entered through `wall`: 0 in the south, 1 in the east, 2 in the north, 3 in the west.
+// Six by four, entered through `wall`: 0 in the south, 1 in the east, 2 in the north, 3 in the
+// west.
 Room entered_at(std::size_t wall) {
   Room room = rooms::box(6, 4);
-  room.openings = {rooms::window("window-0", (wall + 1) % 4, 1, 2), rooms::door("door-0", wall, 0.5, 1.4)};
+  room.openings = {rooms::window("window-0", (wall + 1) % 4, 1, 2),
+                   rooms::door("door-0", wall, 0.5, 1.4)};
   return room;
 }
 
@@ -77,17 +79,21 @@ TEST_CASE("The entrance is the door that leads outdoors, and turns with the room
 TEST_CASE("What is outside the room is in no part of it, and other words name none") {
   const Room room = entered_at(0);
   CHECK_FALSE(in("northern_half", {3, 4.2}, room));
-  for (const auto* word : {"north", "half", "half_north", "upper_half", "northern", "northern_half_wall"})
+  for (const auto* word :
+       {"north", "half", "half_north", "upper_half", "northern", "northern_half_wall"})
     CHECK_FALSE(RelationWords::built_in().part_of_room(word));
 }
 
 TEST_CASE("Rows may ask for parts of the room, by whatever name the room goes") {
   const auto rows = parse_requirements(
       "ID,Description,ObjCount,OARel\n1,x,\"eq,2,desk\",\"eq,1,northern_half,desk,room;"
-      "eq,2,northern_half,desk,room;eq,1,rear_third,desk,main_room;eq,1,northern_half,desk,wall\"\n", "r");
+      "eq,2,northern_half,desk,room;eq,1,rear_third,desk,main_room;eq,1,northern_half,desk,"
+      "wall\"\n",
+      "r");
   REQUIRE(rows);
-  const Scene scene = rooms::scene(entered_at(0), {rooms::thing("desk-0", "desk", {1.2, 0.6, 0.75}, {2, 3.5}),
-                                                   rooms::thing("desk-1", "desk", {1.2, 0.6, 0.75}, {2, 1.9})});
+  const Scene scene =
+      rooms::scene(entered_at(0), {rooms::thing("desk-0", "desk", {1.2, 0.6, 0.75}, {2, 3.5}),
+                                   rooms::thing("desk-1", "desk", {1.2, 0.6, 0.75}, {2, 1.9})});
   const auto verdicts = score_room(rows->front(), scene, ModelTable()).room_relations;
   CHECK(verdicts[0].satisfied);
   CHECK_FALSE(verdicts[1].satisfied);

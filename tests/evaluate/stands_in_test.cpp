@@ -33,8 +33,9 @@ TEST_CASE("Feet at random places agree with lengths in the pot's own frame") {
     const double y = random.uniform(-0.5, 0.5);
     const double z = random.uniform(0, 0.7);
     const double angle = std::atan2(y, x) - radians(30), length = std::hypot(x, y);
-    const bool expected = std::abs(length * std::cos(angle)) < 0.3 && std::abs(length * std::sin(angle)) < 0.2 &&
-                          z > 0.205 && z < 0.495;
-    CHECK(stands_in(raised({0.3, 0.3, 0.9}, {x, y, z}, random.uniform(-180, 180)), pot) == (expected ? 1.0 : 0.0));
+    const bool expected = std::abs(length * std::cos(angle)) < 0.3 &&
+                          std::abs(length * std::sin(angle)) < 0.2 && z > 0.205 && z < 0.495;
+    CHECK(stands_in(raised({0.3, 0.3, 0.9}, {x, y, z}, random.uniform(-180, 180)), pot) ==
+          (expected ? 1.0 : 0.0));
   }
 }

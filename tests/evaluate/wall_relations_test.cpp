@@ -29,10 +29,11 @@ TEST_CASE("A clock hangs on the wall behind a bench, high up") {
     return behind_on_wall(placed_at(clock, at, yaw), bench, four_walls());
   };
   CHECK(behind({2.2, 3.95, 1.7}) == 1.0);
-  CHECK(behind({3.1, 3.95, 1.7}) == 0.0);        // beside it
-  CHECK(behind({2, 0.05, 1.7}, 180) == 0.0);     // before it
-  CHECK(behind({2.2, 3.7, 1.7}) == 0.0);         // on no wall
-  CHECK(behind_on_wall(placed_at({0.3, 0.1, 1.8}, {2.2, 3.95, 0}), bench, four_walls()) == 0.0);  // stands
+  CHECK(behind({3.1, 3.95, 1.7}) == 0.0);     // beside it
+  CHECK(behind({2, 0.05, 1.7}, 180) == 0.0);  // before it
+  CHECK(behind({2.2, 3.7, 1.7}) == 0.0);      // on no wall
+  CHECK(behind_on_wall(placed_at({0.3, 0.1, 1.8}, {2.2, 3.95, 0}), bench, four_walls()) ==
+        0.0);  // stands
   const Thing sofa = placed_at({1.4, 0.9, 0.8}, {2, 2, 0});
   CHECK(behind_on_wall(placed_at(clock, {2.2, 3.95, 1.7}), sofa, four_walls()) == 1.0);
 }
@@ -43,10 +44,10 @@ TEST_CASE("What is under or above a mirror may be deeper than it") {
     return under_sheet(placed_at(size, at), mirror, four_walls());
   };
   CHECK(under({0.3, 0.3, 0.8}, {2.3, 3.85, 0}) == 1.0);
-  CHECK(under({2.4, 0.4, 0.8}, {2.9, 3.8, 0}) == 1.0);       // wider than the mirror
-  CHECK(under({0.3, 0.3, 0.8}, {2.8, 3.85, 0}) == 0.0);      // beside it
-  CHECK(under({0.3, 0.3, 0.8}, {2.3, 3.0, 0}) == 0.0);       // out in the room
-  CHECK(under({0.3, 0.3, 1.8}, {2.3, 3.7, 0.2}) == 0.0);     // before it
+  CHECK(under({2.4, 0.4, 0.8}, {2.9, 3.8, 0}) == 1.0);    // wider than the mirror
+  CHECK(under({0.3, 0.3, 0.8}, {2.8, 3.85, 0}) == 0.0);   // beside it
+  CHECK(under({0.3, 0.3, 0.8}, {2.3, 3.0, 0}) == 0.0);    // out in the room
+  CHECK(under({0.3, 0.3, 1.8}, {2.3, 3.7, 0.2}) == 0.0);  // before it
   const auto above = [&](const Vec3& at) {
     return above_sheet(placed_at({0.2, 0.2, 0.2}, at), mirror, four_walls());
   };
@@ -59,14 +60,17 @@ TEST_CASE("What is under or above a mirror may be deeper than it") {
 }
 
 TEST_CASE("Rows may ask what hangs behind and stands under") {
-  const auto rows = parse_requirements("ID,Description,ObjCount,OORel\n1,x,\"eq,1,bench\","
-                                       "\"eq,1,behind,0,bench,clock;eq,1,behind,0,clock,bench;"
-                                       "eq,1,under,0,mirror,plant;eq,1,above,0,mirror,plant\"\n", "r");
+  const auto rows = parse_requirements(
+      "ID,Description,ObjCount,OORel\n1,x,\"eq,1,bench\","
+      "\"eq,1,behind,0,bench,clock;eq,1,behind,0,clock,bench;"
+      "eq,1,under,0,mirror,plant;eq,1,above,0,mirror,plant\"\n",
+      "r");
   REQUIRE(rows);
-  Scene scene = rooms::scene(rooms::box(5, 4), {rooms::thing("bench-0", "bench", {1.4, 0.4, 0.45}, {2, 3.8}),
-                                                rooms::thing("clock-0", "clock", {0.3, 0.1, 0.3}, {2, 3.95}),
-                                                rooms::thing("mirror-0", "mirror", {1.2, 0.04, 0.8}, {4, 3.98}),
-                                                rooms::thing("plant-0", "plant", {0.3, 0.3, 0.8}, {4, 3.85})});
+  Scene scene = rooms::scene(rooms::box(5, 4),
+                             {rooms::thing("bench-0", "bench", {1.4, 0.4, 0.45}, {2, 3.8}),
+                              rooms::thing("clock-0", "clock", {0.3, 0.1, 0.3}, {2, 3.95}),
+                              rooms::thing("mirror-0", "mirror", {1.2, 0.04, 0.8}, {4, 3.98}),
+                              rooms::thing("plant-0", "plant", {0.3, 0.3, 0.8}, {4, 3.85})});
   scene.objects[1].position.z() = 1.7;
   scene.objects[2].position.z() = 1.0;
   const auto verdicts = score_room(rows->front(), scene, ModelTable()).object_relations;
