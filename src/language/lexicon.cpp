@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <charconv>
 #include <cmath>
 #include <cstdint>
 
@@ -169,21 +170,45 @@ bool Lexicon::are_synonyms(std::string_view a, std::string_view b, PartOfSpeech 
   return steps_up(a, b, 0, part).has_value();
 }
 
+std::optional<std::uint32_t> Lexicon::synset(std::string_view sense) const {
+  const auto mark = sense.rfind(".n.");
+  if (mark == std::string_view::npos) return std::nullopt;
+  int rank = 0;
+  std::from_chars(sense.data() + mark + 3, sense.data() + sense.size(), rank);
+  for (const auto& one : senses(sense.substr(0, mark), PartOfSpeech::noun))
+    if (one.rank == rank) return one.synset;
+  return std::nullopt;
+}
+
+std::vector<std::string_view> Lexicon::members(std::uint32_t synset) const {
+  std::vector<std::string_view> result;
+  const auto starts = Section::member_starts;
+  for (std::size_t i = number(starts, synset); i < number(starts, synset + 1); ++i)
+    result.push_back(lemma(number(Section::members, i)));
+  return result;
+}
+
+std::vector<std::uint32_t> Lexicon::more_general(std::uint32_t synset) const {
+  std::vector<std::uint32_t> result;
+  const auto starts = Section::general_starts;
+  for (std::size_t i = number(starts, synset); i < number(starts, synset + 1); ++i)
+    result.push_back(static_cast<std::uint32_t>(number(Section::general, i)));
+  return result;
+}
+
 std::optional<int> Lexicon::steps_up(std::string_view word, std::string_view general, int most,
                                      PartOfSpeech part) const {
   const auto tops = common_senses(general, part);
   if (tops.empty()) return std::nullopt;
-  std::vector<std::size_t> level, above;
+  std::vector<std::uint32_t> level, above;
   for (const auto& sense : common_senses(word, part)) level.push_back(sense.synset);
   for (int steps = 0; steps <= most && !level.empty(); ++steps) {
     for (const auto synset : level)
       for (const auto& top : tops)
         if (synset == top.synset) return steps;
     above.clear();
-    const auto starts = Section::general_starts;
     for (const auto synset : level)
-      for (std::size_t i = number(starts, synset); i < number(starts, synset + 1); ++i)
-        above.push_back(number(Section::general, i));
+      for (const auto general : more_general(synset)) above.push_back(general);
     std::sort(above.begin(), above.end());
     above.erase(std::unique(above.begin(), above.end()), above.end());
     level.swap(above);
@@ -193,26 +218,18 @@ std::optional<int> Lexicon::steps_up(std::string_view word, std::string_view gen
 
 std::vector<std::string_view> Lexicon::synonyms(std::string_view word, PartOfSpeech part) const {
   std::vector<std::string_view> result;
-  const auto starts = Section::member_starts;
   for (const auto& sense : common_senses(word, part))
-    for (std::size_t i = number(starts, sense.synset); i < number(starts, sense.synset + 1); ++i) {
-      const auto member = lemma(number(Section::members, i));
+    for (const auto member : members(sense.synset))
       if (member != word && std::find(result.begin(), result.end(), member) == result.end())
         result.push_back(member);
-    }
   return result;
 }
 
 std::vector<std::string_view> Lexicon::hypernyms(std::string_view word, PartOfSpeech part) const {
   std::vector<std::string_view> result;
-  const auto starts = Section::general_starts;
-  const auto members = Section::member_starts;
   for (const auto& sense : common_senses(word, part))
-    for (std::size_t i = number(starts, sense.synset); i < number(starts, sense.synset + 1); ++i) {
-      const std::size_t above = number(Section::general, i);
-      for (std::size_t k = number(members, above); k < number(members, above + 1); ++k)
-        result.push_back(lemma(number(Section::members, k)));
-    }
+    for (const auto general : more_general(sense.synset))
+      for (const auto member : members(general)) result.push_back(member);
   return result;
 }
 

@@ -43,6 +43,14 @@ class Lexicon {
   /// By part of speech, then by rank; empty for unknown words.
   std::vector<Sense> senses(std::string_view word) const;
   std::vector<Sense> senses(std::string_view word, PartOfSpeech part) const;
+  /// Those that are met at least a tenth as often as the commonest one.
+  std::vector<Sense> common_senses(std::string_view word, PartOfSpeech part) const;
+  /// The synset of a sense as WordNet writes it: "machine.n.1"; nothing if there is none. Nouns only.
+  std::optional<std::uint32_t> synset(std::string_view sense) const;
+  /// The words of a synset.
+  std::vector<std::string_view> members(std::uint32_t synset) const;
+  /// The synsets one step more general than a synset.
+  std::vector<std::uint32_t> more_general(std::uint32_t synset) const;
   /// How often the word was met as this part of speech; 0 also for known words that are rare.
   double tagged(std::string_view word, PartOfSpeech part) const;
 
@@ -75,7 +83,6 @@ class Lexicon {
 
  private:
   std::optional<std::size_t> find(std::string_view word) const;
-  std::vector<Sense> common_senses(std::string_view word, PartOfSpeech part) const;
   std::size_t number(layout::Section section, std::size_t index) const;
   std::string_view text(layout::Section starts, layout::Section text, std::size_t index) const;
   PartOfSpeech part_of(std::size_t synset) const;
