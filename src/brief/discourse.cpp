@@ -27,6 +27,7 @@ bool is_among(const std::vector<std::size_t>& indices, std::size_t index) {
 }  // namespace
 
 std::string Discourse::category_name(const KindMention& kind) const {
+  if (kind.is_stand_in()) return kind.name;
   const auto meant = lexicon_.kind.means.find(kind.name);
   return meant == lexicon_.kind.means.end() ? kind.category->name : meant->second;
 }
@@ -69,7 +70,16 @@ std::optional<std::size_t> Discourse::refer(const ThingPhrase& phrase, int sente
     if (const auto before = known(phrase)) return before;
   if (count() >= max_mentions) return std::nullopt;
   brief_.mentions.push_back(new_mention(phrase, sentence));
+  note_reading(phrase.kind);
   return count() - 1;
+}
+
+// What a noun was read as that is no kind's name.
+void Discourse::note_reading(const KindMention& kind) {
+  if (!kind.misspelt.empty())
+    brief_.notes.push_back("read \"" + kind.misspelt + "\" as \"" + kind.name + "\"");
+  else if (kind.is_inferred() && !kind.is_stand_in())
+    brief_.notes.push_back("\"" + kind.name + "\" is taken for a " + kind.category->name);
 }
 
 void Discourse::multiply(std::size_t mention, int factor) {
@@ -88,6 +98,7 @@ Mention Discourse::new_mention(const ThingPhrase& phrase, int sentence) const {
   if (phrase.kind.length > 0) {
     mention.category = category_name(phrase.kind);
     mention.noun = phrase.kind.name;
+    mention.known = !phrase.kind.is_stand_in();
     description.push_back(phrase.kind.name);
     const bool at_windows = lexicon_.table.get(mention.category).covers_window;
     // "Curtains" are a name of their own, in the plural.

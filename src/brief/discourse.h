@@ -71,6 +71,7 @@ class Discourse {
 
  private:
   Mention new_mention(const ThingPhrase& phrase, int sentence) const;
+  void note_reading(const KindMention& kind);
   std::optional<std::size_t> same_noun(const ThingPhrase& phrase) const;
   std::optional<std::size_t> last_compound(std::string_view noun) const;
   /// Chairs and benches at a table, not at a desk.

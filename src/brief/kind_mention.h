@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "kinds/noun_kind.h"
 #include "roomgen/kinds/kind_table.h"
 #include "tokens.h"
 
@@ -15,6 +16,14 @@ struct KindMention {
   std::size_t length = 0;  ///< tokens; 0 if there is none
   bool plural = false;
   std::string name;  ///< in the singular: "bedside table"
+  NounBasis basis = NounBasis::name;  ///< what makes the name mean the kind
+  std::string misspelt;               ///< as it was written, if that was wrong: "bokshelf"
+
+  /// No kind is called so: WordNet knows what it is.
+  bool is_inferred() const {
+    return basis == NounBasis::synonym || basis == NounBasis::hyponym || is_stand_in();
+  }
+  bool is_stand_in() const { return basis == NounBasis::stand_in; }
 };
 
 /// The longest name of a kind that starts at `at`, in the singular or the plural.

@@ -40,11 +40,12 @@ std::string verb_of(const PromptText& text, const Attachment& attachment) {
   return text.plain[verb.tokens.end - 1].text;
 }
 
-// "the corner of the room" is a place, not the corner of something.
+// "the corner of the room", "of a tea house" is a place, not the corner of something.
 bool is_place(const PromptText& text, const NounPhrase& part, std::int32_t owner) {
   const auto place = read_place(text.plain, part.tokens.begin, text.words);
-  return place && owner != language::none &&
-         part.tokens.begin + place->length > phrase_at(text, owner).head;
+  if (!place || owner == language::none) return false;
+  const std::uint32_t head = phrase_at(text, owner).head;
+  return text.plain[head].kind == Token::Kind::room || part.tokens.begin + place->length > head;
 }
 
 // "on each side of the bed": the part is said as if it were the target.

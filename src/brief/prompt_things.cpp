@@ -40,7 +40,7 @@ class ThingReader {
     }
     const ThingPhrase& thing = reading_.things[number];
     if (said.is_denied) return exclude(id, thing);
-    if (thing.kind.length == 0 && names_occupants(said)) {
+    if ((thing.kind.length == 0 || thing.kind.is_inferred()) && names_occupants(said)) {
       occupants_.push_back(id);
       return;
     }
@@ -91,7 +91,7 @@ class ThingReader {
   // A noun that nobody knows is a thing where things are introduced.
   bool is_new_thing(std::int32_t id, const ThingPhrase& thing) const {
     const NounPhrase& said = reading_.phrase(id);
-    const bool introduced = thing.article || said.list != none;
+    const bool introduced = thing.article || (said.list != none && !may_be_stuff(thing.noun));
     if (!introduced || (thing.definite && !thing.article) ||
         !may_be_thing(reading_.text, thing.noun) ||
         reading_.text.words.room_parts.count(thing.noun) || is_of_owner(id, thing) || is_inside(id))

@@ -30,6 +30,13 @@ void become(Mention& mention, const Kind& category) {
   if (!mention.sized) mention.size = category.size;
 }
 
+// What nobody knows is as large as such things are.
+void guess_size(Mention& mention, const KindTable& table) {
+  const Kind& like = table.get(mention.category);
+  mention.size = like.is_stand_in() ? like.size : unknown_size;
+  if (like.is_stand_in()) mention.mount = like.mount;
+}
+
 // Metres that a thing may be told to be long.
 double told(double length) {
   return std::clamp(length, 0.05, 10.0);
@@ -139,7 +146,8 @@ void stand_on_things(Mention& mention, const Brief& brief, const KindTable& tabl
   const bool lies = table.get(carrier.category).traits.flat;
   // What is on a rug stands on the floor.
   if (lies && mention.mount == Mount::surface) mention.mount = Mount::floor;
-  if (!mention.known && !mention.sized) mention.size = small_unknown_size;
+  const bool guessed = !mention.known && !table.get(mention.category).is_stand_in();
+  if (guessed && !mention.sized) mention.size = small_unknown_size;
   if (mention.mount == Mount::surface) return;
   const bool hangs = mention.mount == Mount::wall &&
                      (mention.sized || std::any_of(mention.demands.begin(), mention.demands.end(),
@@ -489,7 +497,7 @@ void shape(Mention& mention, const ThingPhrase& phrase, const Vocabulary& words,
   if (mention.known && category)
     become(mention, *category);
   else
-    mention.size = unknown_size;
+    guess_size(mention, table);
   if (mention.known && is_round(phrase) && !table.get(mention.category).traits.round &&
       table.is_a(mention.category, "table"))
     mention.size.y() = mention.size.x() = std::max(0.5, 0.8 * mention.size.x());

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "language/inflection.h"
 #include "language/lexicon.h"
 
 namespace roomgen::design {
@@ -48,8 +49,13 @@ class ThingPhraseReader {
            text_.words.measured.count(word(token + 1)) > 0;
   }
 
-  // The longest name that ends in the head: of "bedside table lamp" that of the lamp.
   void name() {
+    known_name();
+    misspelt_name();
+    if (phrase_.kind.length == 0) inferred_name();
+  }
+  // The longest name that ends in the head: of "bedside table lamp" that of the lamp.
+  void known_name() {
     phrase_.end = said_.tokens.end;
     start_ = said_.head;
     for (std::size_t i = said_.tokens.begin; i <= said_.head; ++i) {
@@ -63,6 +69,67 @@ class ThingPhraseReader {
       return;
     }
     phrase_.noun = parse_.head_of(said_);
+  }
+  // A longer one with a slip in it: "bokshelf", "cofee table".
+  void misspelt_name() {
+    const std::size_t name_start = phrase_.kind.length > 0 ? start_ : said_.head + 1;
+    for (std::uint32_t i = said_.tokens.begin; i < name_start; ++i) {
+      const std::string written = text_between(i, said_.head);
+      const NounKind meant = misspelt_kind(text_.table, written);
+      if (!meant.kind) continue;
+      take_name(i, meant, meant.name);
+      phrase_.kind.misspelt = written;
+      return;
+    }
+  }
+  // "credenza", "gong": nouns that no kind is called by, where something is introduced.
+  void inferred_name() {
+    if (!is_introduced() || said_.is_pronoun || !may_be_thing(text_, phrase_.noun) ||
+        text_.words.room_parts.count(phrase_.noun))
+      return;
+    for (std::uint32_t i = said_.tokens.begin; i <= said_.head; ++i) {
+      const std::string noun = in_singular(i);
+      if (i < said_.head && !language::lexicon().has(noun, language::PartOfSpeech::noun)) continue;
+      const NounKind meant = inferred_kind(text_.table, noun);
+      if (!meant.kind) continue;
+      take_name(i, meant, noun);
+      if (phrase_.kind.is_stand_in()) take_nouns_before();
+      return;
+    }
+  }
+  bool is_introduced() const {
+    if (said_.determiner != Determiner::absent || said_.count > 0 || said_.is_plural) return true;
+    return said_.list != language::none && !may_be_stuff(phrase_.noun) && !language::positive(phrase_.noun);
+  }
+  void take_name(std::uint32_t first, const NounKind& meant, const std::string& name) {
+    start_ = first;
+    phrase_.kind = {meant.kind, said_.head + 1 - first, said_.is_plural, name, meant.basis, ""};
+    phrase_.end = std::max<std::size_t>(phrase_.end, said_.head + 1);
+    phrase_.noun.clear();
+  }
+  // Of what nobody knows the whole compound is the name: a "gas cylinder".
+  void take_nouns_before() {
+    while (start_ > said_.tokens.begin && names_what_is_behind(static_cast<std::uint32_t>(start_ - 1))) {
+      --start_;
+      phrase_.kind.name = word(start_) + " " + phrase_.kind.name;
+      ++phrase_.kind.length;
+    }
+  }
+  bool names_what_is_behind(std::uint32_t token) const {
+    const auto& english = language::lexicon();
+    const std::string& here = word(token);
+    return is_modifier(token) && english.has(here, language::PartOfSpeech::noun) &&
+           !english.has(here, language::PartOfSpeech::adjective) && !text_.words.materials.count(here) &&
+           !text_.words.sizes.count(here) && !english.may_be(here, WordClass::color);
+  }
+  std::string text_between(std::uint32_t first, std::uint32_t last) const {
+    std::string text = word(first);
+    for (auto i = first + 1; i <= last; ++i) text += " " + word(i);
+    return text;
+  }
+  std::string in_singular(std::uint32_t first) const {
+    const std::string head = parse_.head_of(said_);
+    return first == said_.head ? head : text_between(first, said_.head - 1) + " " + head;
   }
 
   void count() {
@@ -264,10 +331,26 @@ bool ThingPhraseReader::tells_material(const Attachment& attachment) const {
           (language::lexicon().is(noun, WordClass::material) && !to.is_plural));
 }
 
+// "A case" is rather an event, yet it may be what holds a guitar.
+bool may_yet_stand_in_room(const std::string& noun) {
+  const auto& english = language::lexicon();
+  if (english.is(noun, WordClass::person) || english.is(noun, WordClass::animal)) return false;
+  for (const auto thing : {WordClass::furnishing, WordClass::furniture, WordClass::container,
+                           WordClass::appliance, WordClass::fixture, WordClass::toy})
+    if (english.may_be(noun, thing)) return true;
+  return false;
+}
+
 }  // namespace
 
 ThingPhrase read_thing_phrase(const PromptText& text, std::size_t phrase) {
   return ThingPhraseReader(text, phrase).run();
+}
+
+bool may_be_stuff(const std::string& noun) {
+  const auto& english = language::lexicon();
+  return english.may_be(noun, WordClass::substance) || english.may_be(noun, WordClass::material) ||
+         english.may_be(noun, WordClass::color);
 }
 
 bool may_be_thing(const PromptText& text, const std::string& noun) {
@@ -276,14 +359,14 @@ bool may_be_thing(const PromptText& text, const std::string& noun) {
       words.sizes.count(noun) || words.room_words.count(noun) || words.people_words.count(noun) ||
       words.people.count(noun) || words.stops.count(noun) || words.verbs.count(noun))
     return false;
-  // People, what they do, and when, are no things, nor is what one cannot touch.
+  // People, animals, what they do, and when, are no things, nor is what one cannot touch.
   const auto& english = language::lexicon();
   for (const auto no_thing :
        {WordClass::person, WordClass::activity, WordClass::time, WordClass::feeling,
         WordClass::event, WordClass::attribute, WordClass::quantity, WordClass::place,
-        WordClass::room, WordClass::color, WordClass::group})
-    if (english.is(noun, no_thing)) return english.may_be(noun, WordClass::furnishing);
-  return true;
+        WordClass::room, WordClass::color, WordClass::group, WordClass::animal})
+    if (english.is(noun, no_thing)) return may_yet_stand_in_room(noun);
+  return names_thing(noun);
 }
 
 }  // namespace roomgen::design

@@ -50,4 +50,8 @@ ThingPhrase read_thing_phrase(const PromptText& text, std::size_t phrase);
 /// Whether a noun that is no known kind may yet be that of a thing.
 bool may_be_thing(const PromptText& text, const std::string& noun);
 
+/// Whether what a list says without an article is rather stuff, or a colour: "milk and honey", "oak, linen
+/// and brass".
+bool may_be_stuff(const std::string& noun);
+
 }  // namespace roomgen::design

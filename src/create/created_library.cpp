@@ -9,6 +9,7 @@
 #include "base/json_reader.h"
 #include "base/sha256.h"
 #include "kinds.h"
+#include "kinds/noun_kind.h"
 #include "library/ranking.h"
 #include "library/vocabulary.h"
 #include "phrase.h"
@@ -33,6 +34,7 @@ struct Order {
   Vec3 size = Vec3::Ones();
   std::uint64_t seed = 0;
   bool approximate = false;  ///< nobody knows what the words name
+  bool stand_in = false;     ///< only as large as such things are
 };
 
 // Equal words build equal things.
@@ -49,6 +51,7 @@ ProceduralSource source_of(const Order& order) {
       {"description", order.description},
       {"size", {rounded(order.size.x()), rounded(order.size.y()), rounded(order.size.z())}}};
   if (order.approximate) params["approximate"] = true;
+  if (order.stand_in) params["stand_in"] = true;
   source.params = params.dump();
   return source;
 }
@@ -64,6 +67,7 @@ Result<Order> order_of(const AssetRef& ref) {
   order.kind = params["kind"].text();
   order.description = params["description"].text_or("");
   order.approximate = params["approximate"].boolean_or(false);
+  order.stand_in = params["stand_in"].boolean_or(false);
   const auto sides = params["size"].numbers(3, least_side, greatest_side);
   if (const auto& problem = problems.first()) return *problem;
   order.size = Vec3(sides[0], sides[1], sides[2]);
@@ -120,7 +124,7 @@ class CreatedLibrary final : public AssetLibrary {
     std::vector<AssetMatch> matches;
     const ShapeKind* kind = kind_asked(query);
     if (query.limit == 0 || (!kind && !query.asked)) return matches;
-    if (!kind) return composed(query);
+    if (!kind) return unknown(query);
     const Mount mount = query.mount.value_or(kind->mount);
     const Kind* known = Vocabulary::built_in().find(kind->name);
     const std::vector<Mount> also = known ? known->also : std::vector<Mount>{};
@@ -164,7 +168,25 @@ class CreatedLibrary final : public AssetLibrary {
     return asked.known ? kinds->find(asked.kind) : nullptr;
   }
 
-  // What nobody knows, made as its words say it, or like what it is named after.
+  // What nobody knows: of its parts, if the words name some, else a plain shape.
+  static Result<std::vector<AssetMatch>> unknown(const AssetQuery& query) {
+    auto made = composed(query);
+    if (!made || made->empty()) return stand_in(query);
+    return made;
+  }
+
+  static std::vector<AssetMatch> stand_in(const AssetQuery& query) {
+    const Kind* like = stand_in_for(KindTable::built_in(), query.category);
+    const ShapeKind* kind = like ? ShapeKinds::built_in()->find(like->built_as) : nullptr;
+    if (!kind) return {};
+    Order order{kind->name, query.description, query.size.value_or(kind->size)};
+    order.stand_in = true;
+    AssetMatch match{info_of(order, query.category, query.mount.value_or(kind->mount)), created_score};
+    match.asset.stand_in = true;
+    return {match};
+  }
+
+  // Made as its words say it, or like what it is named after.
   static Result<std::vector<AssetMatch>> composed(const AssetQuery& query) {
     std::vector<AssetMatch> matches;
     const std::string& words = query.description.empty() ? query.category : query.description;

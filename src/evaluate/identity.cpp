@@ -84,6 +84,7 @@ int kinship_rank(const std::string& kind, const std::string& category, const Voc
 
 Identity identify(const Object& object, const Vocabulary& vocabulary) {
   Identity identity;
+  if (object.stand_in) return {"", {}, "a plain stand-in, which is no thing's model"};
   const AssetRef& asset = object.asset;
   if (asset.is_box()) {
     identity.kind = key(object.category);

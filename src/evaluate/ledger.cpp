@@ -24,7 +24,7 @@ class Checker {
   Finding check(const Requirement& requirement) const {
     switch (requirement.kind) {
       case Requirement::Kind::count:
-        return by_fault(count_fault(requirement));
+        return judge_count(requirement);
       case Requirement::Kind::attribute:
         if (const std::string* material = material_of(requirement.category))
           return by_fault(*material == requirement.attribute ? "" : "it is \"" + *material + "\"");
@@ -129,6 +129,16 @@ class Checker {
     const bool enough = there >= requirement.count;
     if (enough && (requirement.at_least || there == requirement.count)) return "";
     return "there are " + std::to_string(there) + " instead of " + std::to_string(requirement.count);
+  }
+
+  // Nothing shows that what stands in for a thing is one.
+  Finding judge_count(const Requirement& requirement) const {
+    Finding finding = by_fault(count_fault(requirement));
+    if (finding.compliance != Compliance::met) return finding;
+    for (const auto& object : scene_.objects)
+      if (object.stand_in && categories_.is_a(object.category, requirement.category))
+        return {Compliance::not_judged, object.id + " is a plain stand-in"};
+    return finding;
   }
 
   std::string missing(const std::string& id) const {

@@ -35,7 +35,13 @@ void list_objects(const Workplace& place, const BuildState& state, Scene& scene)
   }
 }
 
-// The assets of what stands, each once, and what is only a stand-in.
+std::string size_of(const Object& object) {
+  std::vector<std::string> sides;
+  for (const double side : {object.size.x(), object.size.y(), object.size.z()}) sides.push_back(format_number(side, 2));
+  return join(sides, " x ") + " m";
+}
+
+// The assets of what stands, each once, and what is not the thing itself.
 void list_assets(const Workplace& place, const BuildState& state, Generation& result) {
   result.assets = place.joinery;
   std::set<std::string> seen;
@@ -45,6 +51,9 @@ void list_assets(const Workplace& place, const BuildState& state, Generation& re
     if (asset.approximate)
       result.notes.push_back(object.id + " is approximate: \"" + object.category +
                              "\" is no kind that is known, and it was put together from the words");
+    if (object.stand_in)
+      result.notes.push_back("no model of \"" + object.category + "\": " + object.id + " is a plain stand-in of " +
+                             size_of(object));
   }
 }
 

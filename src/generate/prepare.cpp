@@ -26,6 +26,7 @@ Result<PlacementTask> prepare(Work& work, const PlannedObject& planned, const As
   object.category = item.category;
   object.description = item.description.empty() ? asset.name : item.description;
   object.asset = asset.ref;
+  object.stand_in = asset.stand_in;
   object.traits = category.traits;
   object.traits.front = category.traits.front && asset.has_front;
   object.size = fitted_size(asset, item, category);

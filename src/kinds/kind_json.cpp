@@ -118,13 +118,14 @@ Kind child_of(const Kind& parent) {
   kind.forms = {};
   kind.supports = false;
   kind.substitutes.clear();
+  kind.stands_for.clear();
   return kind;
 }
 
 void read_kind(const JsonReader& json, Kind& kind) {
   json.allow_only({"is", "names", "loose_names", "size", "mount", "also", "elevation", "traits", "supports",
                    "covers_window", "zones", "gaps", "tucks_under", "lamp", "forms", "variant", "stocked_as",
-                   "built_as", "serves", "usual", "substitutes", "source"});
+                   "built_as", "serves", "usual", "substitutes", "hyponyms", "stands_for", "source"});
   kind.names = read_texts(json["names"]);
   kind.loose_names = read_texts(json["loose_names"]);
   if (const auto size = json["size"]; size.exists()) {
@@ -141,6 +142,8 @@ void read_kind(const JsonReader& json, Kind& kind) {
   read_lamp(json["lamp"], kind);
   read_forms(json["forms"], kind.forms);
   read_terms(json, kind);
+  kind.hyponyms = static_cast<int>(json["hyponyms"].integer_or(2, 0, 16));
+  kind.stands_for = read_texts(json["stands_for"]);
 }
 
 }  // namespace roomgen

@@ -9,6 +9,8 @@
 #include "base/json_reader.h"
 #include "base/resource.h"
 #include "kind_json.h"
+#include "language/lexicon.h"
+#include "noun_kind.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 
@@ -125,6 +127,9 @@ class KindTable::Reader {
     known(kind.stocked_as);
     known(kind.built_as);
     for (const auto& [other, fit] : kind.substitutes) known(other);
+    for (const auto& sense : kind.stands_for)
+      if (const auto synset = language::lexicon().synset(sense)) table_.stand_ins_[*synset] = kind.name;
+      else entry.json["stands_for"].report("\"" + sense + "\" is no sense of WordNet");
     const Kind* ancestor = &kind;
     for (int i = 0; i < most_ancestors && ancestor && !ancestor->serves.empty(); ++i) {
       ancestor = known(ancestor->serves);
@@ -220,6 +225,11 @@ const Kind* KindTable::spelled(std::string_view name) const {
   return &planned(*by_name(found->second.kind));
 }
 
+const Kind* KindTable::stand_in(std::uint32_t synset) const {
+  const auto found = stand_ins_.find(synset);
+  return found == stand_ins_.end() ? nullptr : by_name(found->second);
+}
+
 const Kind& KindTable::planned(const Kind& kind) const {
   const Kind* found = &kind;
   while (found->variant) found = by_name(found->parent);
@@ -238,8 +248,9 @@ const Kind* KindTable::find(std::string_view name) const {
 
 const Kind& KindTable::get(std::string_view name) const {
   static const Kind unknown;
-  const Kind* found = find(name);
-  return found ? *found : unknown;
+  if (const Kind* found = find(name)) return *found;
+  const Kind* stand_in = stand_ins_.empty() ? nullptr : stand_in_for(*this, name);
+  return stand_in ? *stand_in : unknown;
 }
 
 bool KindTable::is_a(std::string_view name, std::string_view kind) const {

@@ -40,6 +40,7 @@ Json object_json(const Object& object) {
   json["relations"] = Json::array();
   for (const auto& relation : object.relations) json["relations"].push_back(to_text(relation));
   json["locked"] = object.locked;
+  if (object.stand_in) json["stand_in"] = true;
   if (!object.room.empty()) json["room"] = object.room;
   return json;
 }
@@ -58,7 +59,7 @@ Traits read_traits(const JsonReader& json) {
 
 Object read_object(const JsonReader& json) {
   json.allow_only({"id", "category", "description", "asset", "traits", "size", "position", "yaw_deg",
-                   "mount", "on", "relations", "locked", "room"});
+                   "mount", "on", "relations", "locked", "stand_in", "room"});
   Object object;
   object.id = json["id"].text(200);
   object.category = json["category"].text_or("", 200);
@@ -78,6 +79,7 @@ Object read_object(const JsonReader& json) {
     else element.report(relation.error().message);
   }
   object.locked = json["locked"].boolean_or(false);
+  object.stand_in = json["stand_in"].boolean_or(false);
   object.room = json["room"].text_or("", 200);
   return object;
 }

@@ -97,6 +97,43 @@ TEST_CASE("The library builds what it is asked for in exactly the wanted size") 
   CHECK(library->search(unknown)->empty());
 }
 
+TEST_CASE("What nobody knows gets a plain stand-in in the size and the colour that were asked for") {
+  const auto library = make_created_library();
+  AssetQuery query;
+  query.category = "gong";
+  query.description = "a red gong";
+  query.size = Vec3(0.7, 0.3, 1.1);
+  CHECK(library->search(query)->empty());  // of its own accord nobody adds one
+  query.asked = true;
+  const auto matches = library->search(query);
+  REQUIRE(matches);
+  REQUIRE(matches->size() == 1);
+  const AssetInfo& info = matches->front().asset;
+  CHECK(info.stand_in);
+  CHECK(info.size.isApprox(*query.size));
+  CHECK(info.colors == std::vector<std::string>{"red"});
+  const auto model = library->load(info.ref);
+  REQUIRE(model);
+  CHECK((bounds(**model).size() - info.size).norm() < 1e-4);
+}
+
+TEST_CASE("Every stand-in is built in its usual size") {
+  const auto library = make_created_library();
+  for (const auto& [name, kind] : KindTable::built_in().all()) {
+    if (!kind.is_stand_in()) continue;
+    INFO(name);
+    REQUIRE(ShapeKinds::built_in()->find(kind.built_as));
+    AssetQuery query;
+    query.category = name;
+    query.asked = true;
+    const auto matches = library->search(query);
+    REQUIRE(matches->size() == 1);
+    const auto model = library->load(matches->front().asset.ref);
+    REQUIRE(model);
+    CHECK((bounds(**model).size() - kind.size).norm() < 1e-3);
+  }
+}
+
 TEST_CASE("The kind that the words name is built, and not its more general one") {
   const auto library = make_created_library();
   AssetQuery query;

@@ -85,7 +85,7 @@ TEST_CASE("any words give a sound plan") {
   const auto designer = make_rule_designer();
   for (int i = 0; i < 60; ++i) {
     PlanRequest request;
-    request.prompt = "room " + random_prompt(pool, random, random.integer(1, 25));
+    request.prompt = "bedroom, " + random_prompt(pool, random, random.integer(1, 25));
     request.seed = static_cast<std::uint64_t>(i);
     const auto plan = designer->plan(request);
     INFO(request.prompt);

@@ -1,6 +1,7 @@
 #include "evaluate/ledger.h"
 
 #include "catch.h"
+#include "evaluate/identity.h"
 #include "support/rooms.h"
 
 using namespace roomgen;
@@ -105,4 +106,20 @@ TEST_CASE("Attributes are judged by who knows them, absences by what is there") 
   CHECK(check(wanted).reason == "bed-0: is not known to be round: is not round");
   CHECK(check(about(Requirement::Kind::absence, "television", {})).met());
   CHECK_FALSE(check(about(Requirement::Kind::absence, "nightstand", {})).met());
+}
+
+TEST_CASE("Of a stand-in nothing shows that it is the thing, but its place can be checked") {
+  Scene scene = bedroom();
+  scene.objects.push_back(rooms::thing("gong-0", "gong", {0.6, 0.3, 0.9}, {0.5, 0.5}));
+  scene.objects.back().stand_in = true;
+  const AttributeJudge judge = [](const Object&, const std::string&) { return AttributeVerdict{}; };
+  auto near_bed = about(Requirement::Kind::relation, "gong", {"gong-0"});
+  near_bed.relation = RelationKind::far;
+  near_bed.targets = {"nightstand-0"};
+  const std::vector<Requirement> asked = {about(Requirement::Kind::count, "gong", {"gong-0"}), near_bed};
+  const auto verdicts = check_requirements(asked, scene, KindTable::built_in(), judge);
+  CHECK(verdicts[0].compliance == Compliance::not_judged);
+  CHECK(verdicts[0].reason == "gong-0 is a plain stand-in");
+  CHECK(verdicts[1].met());
+  CHECK(identified_as(scene.objects, {"gong"}).at("gong").empty());
 }

@@ -74,10 +74,11 @@ Result<CreatedObject> refine(const shape::Program& earlier, const std::string& w
 /// kind that a recipe makes (docs/objects.md) one match of low score, in the wanted size as far as
 /// people would believe it, in the colours and materials that the description names. A thing of another
 /// kind that somebody asked for (AssetQuery::asked) is put together from its words, if they say enough,
-/// and marked approximate; else there is nothing.
+/// and marked approximate; else it is a plain stand-in of its size (docs/kinds.md), marked so; of what is
+/// no thing there is nothing.
 ///
 /// AssetRef::procedural carries all that is needed to build it again: recipe "words", the params kind,
-/// description, size in metres and approximate, and the seed, which follows from the words.
+/// description, size in metres, approximate and stand_in, and the seed, which follows from the words.
 ///
 /// What was built is kept in memory; for use by several threads at once.
 std::unique_ptr<AssetLibrary> make_created_library();

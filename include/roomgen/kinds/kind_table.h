@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <span>
@@ -98,6 +99,13 @@ struct Kind {
   std::string serves;      ///< who asks for that kind is served by this one: the parent unless said
   bool usual = false;      ///< what people mean when they say the name of the kind that it serves
   std::map<std::string, double> substitutes;  ///< kinds that will do, and how well, in (0, 1)
+
+  /// How many steps more special than its names a word may be in WordNet and still mean the kind.
+  int hyponyms = 2;
+  /// Senses of WordNet ("machine.n.1"): the kind is a plain stand-in for all such things that no other kind
+  /// is; empty for others.
+  std::vector<std::string> stands_for;
+  bool is_stand_in() const { return !stands_for.empty(); }
 };
 
 /// Is the kind the one of this name, or a descendant of it?
@@ -125,7 +133,7 @@ class KindTable {
   /// The kind that plans and scenes mean by a name: the name itself, another name, a plural, or the
   /// longest known ending ("oak writing desk" is a desk). Never a variant. Null if nothing matches.
   const Kind* find(std::string_view name) const;
-  /// Like find(), and a kind without zones or gaps for names that mean nothing.
+  /// Like find(); for other names the stand-in for such things, or a kind without zones or gaps.
   const Kind& get(std::string_view name) const;
   /// The kind of exactly this name, singular or plural, variants and loose names included; or null.
   const Kind* named(std::string_view name) const;
@@ -137,6 +145,9 @@ class KindTable {
   const Kind* spelled(std::string_view name) const;
   /// The kind as which plans and scenes know this one: itself unless it is a variant.
   const Kind& planned(const Kind& kind) const;
+
+  /// The stand-in for what lies below that synset of WordNet; or null.
+  const Kind* stand_in(std::uint32_t synset) const;
 
   /// True if `name` means `kind` or one of its descendants.
   bool is_a(std::string_view name, std::string_view kind) const;
@@ -158,6 +169,7 @@ class KindTable {
 
   std::map<std::string, Kind, std::less<>> kinds_;
   std::map<std::string, Name, std::less<>> names_;  ///< by any spelling
+  std::map<std::uint32_t, std::string> stand_ins_;  ///< by synset
 };
 
 }  // namespace roomgen

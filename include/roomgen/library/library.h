@@ -42,6 +42,7 @@ struct AssetInfo {
   std::size_t triangles = 0;
   std::optional<WallFit> wall_fit;     ///< of doors and windows
   bool approximate = false;            ///< put together from words: nobody knows what it really is
+  bool stand_in = false;               ///< a plain shape in place of what nobody has a model of
 };
 
 struct AssetQuery {

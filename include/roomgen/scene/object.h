@@ -64,6 +64,7 @@ struct Object {
   std::string on;                 ///< id of the object under it, for Mount::surface
   std::vector<Relation> relations;
   bool locked = false;            ///< neither repair nor improvement may move it
+  bool stand_in = false;          ///< a plain shape in place of what nobody has a model of
   std::string room;               ///< id of its room in a dwelling, else empty
 };
 
