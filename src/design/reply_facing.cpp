@@ -11,6 +11,7 @@
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "scene/judgement.h"
+#include "scene/room_part.h"
 
 namespace roomgen::design {
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "roomgen/base/text.h"
+#include "scene/room_part.h"
 
 namespace roomgen::design {
 
@@ -47,6 +48,10 @@ TargetNames::TargetNames(const Scene& scene, const Object& object, const KindTab
   for (std::size_t k = 0; k < scene.room.polygon.size(); ++k)
     add("wall-" + std::to_string(k), false);
   add("corner", false);
+  for (const auto& region : region_names()) {
+    add(region, false);
+    entries_.back().region = true;
+  }
 }
 
 void TargetNames::add(const std::string& id, bool thing) {
@@ -93,7 +98,7 @@ TargetNames::Entries TargetNames::misspelt(const std::string& base,
   if (base.size() < 3) return {};
   std::vector<std::string> known;
   for (const auto& entry : entries_)
-    if (entry.number == number || number.empty()) known.push_back(entry.base);
+    if (!entry.region && (entry.number == number || number.empty())) known.push_back(entry.base);
   return of_base(closest_name(base, known), number);
 }
 

@@ -33,7 +33,8 @@ class TargetNames {
     std::string id;
     std::string base;    ///< "coffee table"
     std::string number;  ///< "0"; empty for "corner"
-    bool thing = false;  ///< no part of the room
+    bool thing = false;   ///< no part of the room
+    bool region = false;  ///< must be spelt as it is: "north wall" is no "north-half"
   };
 
   void add(const std::string& id, bool thing);

@@ -165,7 +165,25 @@ class Checker {
     return worst;
   }
 
+  // Between any two of the targets.
+  bool is_between(const std::vector<std::string>& targets, const Object& object) const {
+    Object asked = object;
+    for (std::size_t i = 0; i < targets.size(); ++i)
+      for (std::size_t j = i + 1; j < targets.size(); ++j) {
+        asked.relations = {{RelationKind::between, targets[i]}, {RelationKind::between, targets[j]}};
+        const auto resolved = resolve(asked, scene_.room, scene_.objects, categories_);
+        if (judge(resolved.front(), {footprint(object), bottom(object), top(object)}, scene_.room)
+                .held)
+          return true;
+      }
+    return false;
+  }
+
   std::string relation_fault(const Requirement& requirement, const Object& object) const {
+    if (requirement.relation == RelationKind::between)
+      return is_between(requirement.targets, object)
+                 ? ""
+                 : "is not between " + join(requirement.targets, " and ");
     const auto holds = [&](const std::string& target) {
       if (requirement.relation == RelationKind::on && object.on == target) return true;
       Object asked = object;

@@ -181,6 +181,14 @@ bool contains(const Footprint& footprint, const Vec2& point) {
   return local.cwiseQuotient(footprint.half()).squaredNorm() <= 1.0;
 }
 
+double reach_along(const Footprint& footprint, const Vec2& direction) {
+  const Vec2 local(std::abs(footprint.x_axis().dot(direction)),
+                   std::abs(footprint.y_axis().dot(direction)));
+  // An ellipse reaches less far than its box.
+  return footprint.round() ? local.cwiseProduct(footprint.half()).norm()
+                           : local.dot(footprint.half());
+}
+
 double ray_hit(const Footprint& footprint, const Vec2& origin, const Vec2& direction) {
   if (contains(footprint, origin)) return 0.0;
   double best = -1.0;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "scene/room_part.h"
+
 namespace roomgen {
 
 namespace {
@@ -21,9 +23,6 @@ constexpr double rounding = 1e-6;  // poses are stored with four decimals
 
 // A rug is under the table that stands on it.
 constexpr double flat_height = 0.05;
-// A part of the room has no depth of its own.
-constexpr double part_depth = 0.002;
-
 double clamp01(double value) {
   return std::clamp(value, 0.0, 1.0);
 }
@@ -80,6 +79,17 @@ Judgement judge_middle(const Footprint& footprint, const Room& room) {
   const double distance = distance_to_boundary(room.polygon, footprint);
   // A little more than the minimum is better than just the minimum.
   return {distance >= middle_gap - rounding, clamp01(distance / (2.0 * middle_gap))};
+}
+
+// From a region the pull reaches this far.
+constexpr double region_reach = 4.0;
+
+// Anywhere in it is in it.
+Judgement judge_in_part(const Footprint& subject, const Footprint& region) {
+  const Vec2 out = (region.to_local(subject.center()).cwiseAbs() - region.half()).cwiseMax(0.0);
+  const double off = out.norm();
+  const bool held = off <= rounding;
+  return {held, held ? 1.0 : 0.7 * clamp01(1.0 - off / region_reach)};
 }
 
 double outside(double value, double low, double high) {
@@ -162,6 +172,23 @@ Judgement judge_around(const ResolvedRelation& relation, const Footprint& subjec
           0.5 * facing.degree + 0.5 * clamp01(1.0 - off)};
 }
 
+// The centre between the two as seen along the line that joins them, and not aside of both.
+Judgement judge_between(const Footprint& subject, const Footprint& a, const Footprint& b) {
+  const Vec2 line = b.center() - a.center();
+  const double length = line.norm();
+  if (length < 1e-9) return {};
+  const Vec2 along = line / length, across = left_of(along);
+  const Vec2 from_a = subject.center() - a.center();
+  const double low = reach_along(a, along), high = length - reach_along(b, along);
+  const double off = std::abs(from_a.dot(across)), station = from_a.dot(along);
+  const double allowed = std::max(reach_along(a, across), reach_along(b, across));
+  const double past = outside(station, low, std::max(low, high));
+  const bool held = high > low && past <= rounding && off <= allowed + rounding;
+  const double askew = std::abs(station - 0.5 * (low + high)) + off;
+  return {held, held ? 1.0 - 0.3 * clamp01(askew / (0.5 * (high - low) + allowed))
+                     : 0.7 * clamp01(1.0 - past - std::max(0.0, off - allowed))};
+}
+
 Judgement judge_over(bool vertical, const Footprint& subject, const Footprint& target) {
   const auto within = [](const Footprint& a, const Footprint& b) {
     const Vec2 offset = a.to_local(b.center()).cwiseAbs() - a.half();
@@ -203,6 +230,8 @@ Judgement judge_against(const ResolvedRelation& relation, const Subject& subject
       return judge_middle(own, room);
     case RelationKind::corner:
       return judge_corner(own, room);
+    case RelationKind::in_part:
+      return judge_in_part(own, target);
     case RelationKind::near:
       return judge_near(relation, gap(own, target));
     case RelationKind::next_to:
@@ -217,6 +246,8 @@ Judgement judge_against(const ResolvedRelation& relation, const Subject& subject
       return judge_position(relation.kind, own, target);
     case RelationKind::around:
       return judge_around(relation, own, target);
+    case RelationKind::between:
+      return relation.other ? judge_between(own, target, *relation.other) : Judgement{};
     case RelationKind::center_aligned:
     case RelationKind::aligned:
       return judge_aligned(relation.axis, own, target);
@@ -241,10 +272,6 @@ Judgement judge_against(const ResolvedRelation& relation, const Subject& subject
     }
   }
   return {};
-}
-
-Footprint thin(const Segment& segment, const Vec2& inward) {
-  return Footprint(segment.middle(), {segment.length(), part_depth}, yaw_facing(inward));
 }
 
 std::vector<Footprint> corners(const Room& room) {
@@ -285,6 +312,33 @@ bool is_merely_near(const Object& object, const Relation& relation) {
   });
 }
 
+const Object* placed_object(std::span<const Object> objects, const std::string& id) {
+  const auto found = std::find_if(objects.begin(), objects.end(),
+                                  [&](const Object& object) { return object.id == id; });
+  return found == objects.end() ? nullptr : &*found;
+}
+
+std::vector<Footprint> targets_of(const Relation& relation, const Room& room,
+                                  std::span<const Object> placed) {
+  if (!takes_target(relation.kind)) return {Footprint()};
+  if (relation.target == "corner") return corners(room);
+  if (const auto part = part_of_room(room, relation.target)) return {*part};
+  if (const auto region = region_of_room(room, relation.target)) return {*region};
+  if (const Object* target = placed_object(placed, relation.target)) return {footprint(*target)};
+  return {};
+}
+
+// Of what is between two: that with which the relation is said the other time.
+std::optional<Footprint> other_end(const Object& object, const Relation& relation,
+                                   const Room& room, std::span<const Object> placed) {
+  for (const auto& other : object.relations) {
+    if (other.kind != RelationKind::between || other.target == relation.target) continue;
+    const auto targets = targets_of(other, room, placed);
+    if (!targets.empty()) return targets.front();
+  }
+  return std::nullopt;
+}
+
 // The range that either of the two prefers for the other.
 void set_preferred_gap(ResolvedRelation& resolved, const Kind& own, const Kind& other) {
   for (const auto* pair : {&own, &other}) {
@@ -300,15 +354,6 @@ void set_preferred_gap(ResolvedRelation& resolved, const Kind& own, const Kind& 
 
 }  // namespace
 
-std::optional<Footprint> part_of_room(const Room& room, std::string_view name) {
-  if (const Opening* opening = find_opening(room, name))
-    return thin(segment(room, *opening), inward(room, *opening));
-  for (std::size_t k = 0; k < room.polygon.size(); ++k)
-    if (name == "wall-" + std::to_string(k))
-      return thin(room.polygon.edge(k), room.polygon.inward(k));
-  return std::nullopt;
-}
-
 std::vector<ResolvedRelation> resolve(const Object& object, const Room& room,
                                       std::span<const Object> placed,
                                       const KindTable& categories) {
@@ -323,17 +368,10 @@ std::vector<ResolvedRelation> resolve(const Object& object, const Room& room,
       resolved.gap_low = near_gap_low;
       resolved.gap_high = near_gap_high;
     }
-    const auto target = std::find_if(placed.begin(), placed.end(), [&](const Object& other) {
-      return other.id == relation.target;
-    });
-    if (!takes_target(relation.kind)) {
-      resolved.targets = {Footprint()};
-    } else if (relation.target == "corner") {
-      resolved.targets = corners(room);
-    } else if (const auto part = part_of_room(room, relation.target)) {
-      resolved.targets = {*part};
-    } else if (target != placed.end()) {
-      resolved.targets = {footprint(*target)};
+    resolved.targets = targets_of(relation, room, placed);
+    if (relation.kind == RelationKind::between)
+      resolved.other = other_end(object, relation, room, placed);
+    if (const Object* target = placed_object(placed, relation.target)) {
       resolved.target_bottom = bottom(*target);
       resolved.target_top = top(*target);
       set_preferred_gap(resolved, own, categories.get(target->category));
@@ -347,10 +385,8 @@ std::vector<Relation> known_relations(const std::vector<Relation>& relations, co
                                       std::span<const Object> placed) {
   std::vector<Relation> known;
   for (const auto& relation : relations)
-    if (relation.target.empty() || relation.target == "corner" ||
-        part_of_room(room, relation.target) ||
-        std::any_of(placed.begin(), placed.end(),
-                    [&](const Object& object) { return object.id == relation.target; }))
+    if (relation.target.empty() || is_part_of_room(room, relation.target) ||
+        placed_object(placed, relation.target))
       known.push_back(relation);
   return known;
 }

@@ -24,6 +24,7 @@ struct ResolvedRelation {
   double gap_low = 0.0;  ///< preferred range of the gap
   double gap_high = 0.5;
   AlignAxis axis = AlignAxis::either;
+  std::optional<Footprint> other;  ///< of `between`: the second of the two
   double least_gap = 0.0;  ///< from which `near` holds
 };
 
@@ -47,10 +48,6 @@ struct Subject {
 /// The meaning of every relation (docs/constraints.md): one definition for the solver, the reports
 /// and the metrics.
 Judgement judge(const ResolvedRelation& relation, const Subject& subject, const Room& room);
-
-/// The part of the room that a name means, as a thin footprint whose front looks into the room:
-/// "door-0", "window-1", "wall-2". Empty if there is none.
-std::optional<Footprint> part_of_room(const Room& room, std::string_view name);
 
 /// Judges every relation of every object of a scene, in order.
 std::vector<RelationVerdict> judge_scene(const Scene& scene, const KindTable& categories);

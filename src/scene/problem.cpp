@@ -8,6 +8,7 @@
 #include "base/json_reader.h"
 #include "file_limits.h"
 #include "file_walls.h"
+#include "room_part.h"
 #include "roomgen/base/file.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
@@ -84,14 +85,6 @@ PlacementTask read_task(const JsonReader& json) {
   if (const auto facing = json["facing"]; facing.exists())
     task.facing = radians(facing.number(-36000, 36000));
   return task;
-}
-
-// Openings, walls and corners are there from the start.
-bool is_part_of_room(const Room& room, const std::string& target) {
-  if (target == "corner" || find_opening(room, target)) return true;
-  for (std::size_t k = 0; k < room.polygon.size(); ++k)
-    if (target == "wall-" + std::to_string(k)) return true;
-  return false;
 }
 
 void check_targets(const Problem& problem, const JsonReader& objects) {

@@ -7,7 +7,7 @@ namespace roomgen {
 namespace {
 
 // Two relations of one group say the same sort of thing; only one of them can lead.
-enum class RelationGroup { wall, distance, position, alignment, facing, support };
+enum class RelationGroup { wall, region, distance, position, alignment, facing, support };
 
 RelationGroup group(RelationKind kind) {
   switch (kind) {
@@ -15,6 +15,8 @@ RelationGroup group(RelationKind kind) {
     case RelationKind::middle:
     case RelationKind::corner:
       return RelationGroup::wall;
+    case RelationKind::in_part:
+      return RelationGroup::region;
     case RelationKind::near:
     case RelationKind::next_to:
     case RelationKind::far:
@@ -25,6 +27,7 @@ RelationGroup group(RelationKind kind) {
     case RelationKind::right_of:
     case RelationKind::side_of:
     case RelationKind::around:
+    case RelationKind::between:
       return RelationGroup::position;
     case RelationKind::center_aligned:
     case RelationKind::aligned:

@@ -139,6 +139,7 @@ class UsualPlacing {
                case RelationKind::edge:
                case RelationKind::corner:
                  return true;
+               case RelationKind::in_part:
                case RelationKind::far:
                case RelationKind::face_to:
                  return false;

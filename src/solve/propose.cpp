@@ -73,8 +73,12 @@ std::vector<double> stations(const ProposalContext& context, std::size_t wall, d
     if (off < depth) add_beside(low, high);  // others stand clear of the wall
   }
   for (const auto& relation : context.relations)
-    for (const auto& target : relation.targets)
-      if (takes_target(relation.kind)) add((target.center() - line.a).dot(line.direction()));
+    for (const auto& target : relation.targets) {
+      if (!takes_target(relation.kind)) continue;
+      add((target.center() - line.a).dot(line.direction()));
+      if (relation.other)
+        add((0.5 * (target.center() + relation.other->center()) - line.a).dot(line.direction()));
+    }
   return result;
 }
 
@@ -260,6 +264,23 @@ void propose_above_targets(const ProposalContext& context, std::vector<Pose>& po
       poses.push_back({{x, y}, bottom, yaw});
 }
 
+// Along the line between the two and a little aside of it, each way round.
+void propose_between(const ProposalContext& context, const Footprint& a, const Footprint& b,
+                     std::vector<Pose>& poses) {
+  const Vec2 line = b.center() - a.center();
+  if (line.norm() < 1e-9) return;
+  const Vec2 along = line.normalized(), across = left_of(along);
+  const double low = reach_along(a, along), high = line.norm() - reach_along(b, along);
+  const double aside = std::max(reach_along(a, across), reach_along(b, across));
+  for (double share : {0.5, 0.35, 0.65, 0.2, 0.8})
+    for (double off : {0.0, 0.5, -0.5, 1.0, -1.0}) {
+      const Vec2 at = a.center() + (low + share * (high - low)) * along + off * aside * across;
+      for (int turn = 0; turn < 4; ++turn)
+        poses.push_back({at, mounting_height(context),
+                         wrap_angle(yaw_facing(across) + turn * pi / 2)});
+    }
+}
+
 // Furniture on a rug.
 void propose_standing_on(const ProposalContext& context, const Footprint& target,
                          std::vector<Pose>& poses) {
@@ -306,6 +327,9 @@ void propose_for_relation(const ProposalContext& context, const ResolvedRelation
       break;
     case RelationKind::face_to:
       propose_facing(context, target, poses);
+      break;
+    case RelationKind::between:
+      if (relation.other) propose_between(context, target, *relation.other, poses);
       break;
     case RelationKind::on:
       propose_standing_on(context, target, poses);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "scene/room_part.h"
+
 namespace roomgen {
 
 namespace {

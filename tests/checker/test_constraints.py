@@ -307,6 +307,35 @@ class Walls(Case):
         self.assertFalse(self.holds(s, "b-0", "middle"))
 
 
+class Between(Case):
+    #   a     b
+    # [ 1 ] [ 1 ]   the gap is 2 wide
+    def place(self, x, y):
+        beds = thing("a-0", 1, 2, (1, 1)), thing("b-0", 4, 2, (1, 1))
+        one = thing("c-0", x, y, (0.4, 0.4), relations=("between, a-0", "between, b-0"))
+        return self.holds(scene(*beds, one), "c-0", "between, a-0")
+
+    def test_between(self):
+        self.assertTrue(self.place(2.5, 2))
+        self.assertTrue(self.place(1.6, 2.45))
+        self.assertFalse(self.place(2.5, 2.6))
+        self.assertFalse(self.place(1.3, 2))
+        self.assertFalse(self.place(4.8, 2))
+
+    def test_between_needs_two(self):
+        lone = thing("c-0", 2.5, 2, (0.4, 0.4), relations=("between, a-0",))
+        self.assertFalse(self.holds(scene(thing("a-0", 1, 2), lone), "c-0", "between, a-0"))
+
+
+class Regions(Case):
+    def test_in_part(self):
+        s = scene(thing("a-0", 1, 3))
+        for name in ("north-half", "west-half", "north-west-quarter", "west-third"):
+            self.assertTrue(self.holds(s, "a-0", f"in part, {name}"), name)
+        for name in ("south-half", "east-half", "south-west-quarter", "middle-third", "up-half", "north"):
+            self.assertFalse(self.holds(s, "a-0", f"in part, {name}"), name)
+
+
 class UpAndDown(Case):
     def test_on(self):
         s = scene(

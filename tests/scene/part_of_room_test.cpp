@@ -1,3 +1,5 @@
+#include "scene/room_part.h"
+
 #include "support/held.h"
 
 using namespace roomgen;

@@ -43,7 +43,7 @@ TEST_CASE("Every kind has a name of its own that parses back to it") {
     REQUIRE(parsed);
     CHECK(*parsed == relation);
   }
-  CHECK(names.size() == 22);
+  CHECK(names.size() == 24);
   CHECK(names.count("") == 0);
 }
 

@@ -7,6 +7,7 @@
 #include "roomgen/scene/plan.h"
 #include "roomgen/scene/problem.h"
 #include "scene/judgement.h"
+#include "scene/room_part.h"
 #include "support/random_problem.h"
 
 using namespace roomgen;

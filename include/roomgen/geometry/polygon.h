@@ -96,6 +96,8 @@ double gap(const Footprint& footprint, const Segment& segment);
 /// Distance from a point; 0 inside.
 double gap(const Footprint& footprint, const Vec2& point);
 bool contains(const Footprint& footprint, const Vec2& point);
+/// Half of what it measures along a direction, a unit vector.
+double reach_along(const Footprint& footprint, const Vec2& direction);
 /// Distance along the ray from `origin` to the footprint, or a negative number if it misses.
 double ray_hit(const Footprint& footprint, const Vec2& origin, const Vec2& direction);
 

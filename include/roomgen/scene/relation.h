@@ -14,6 +14,7 @@ enum class RelationKind {
   edge,
   middle,
   corner,
+  in_part,
   near,
   next_to,
   far,
@@ -23,6 +24,7 @@ enum class RelationKind {
   right_of,
   side_of,
   around,
+  between,
   center_aligned,
   aligned,
   face_to,
@@ -36,7 +38,8 @@ enum class RelationKind {
 };
 
 /// "near, bed-0": what an object shall be to a target, which is the id of an object, an opening
-/// ("door-0"), a wall ("wall-2") or "corner". edge, middle and corner have no target.
+/// ("door-0"), a wall ("wall-2"), "corner" or a region of the room ("north-half"). edge, middle and
+/// corner have no target; what is between two things has the relation twice, once with each.
 struct Relation {
   RelationKind kind = RelationKind::edge;
   std::string target;

@@ -27,6 +27,7 @@ NAMES = (
         "next to",
         "far",
         "around",
+        "between",
         "face to",
         "face same as",
         "face opposite to",
@@ -129,9 +130,13 @@ class Judge:
             return self.to_corner(thing, name)
         if name == "hang from":
             return self.hangs(thing, target)
+        if name == "in part":
+            return self.in_region(thing, target)
         place = self.places.get(target)
         if place is None or target == thing.id.lower() or name not in NAMES:
             return False
+        if name == "between":
+            return self.between(thing, place, target)
         if name in ALIGNED:
             return self.aligned(thing, place, self.companions(thing, target))
         return getattr(self, name.replace(" ", "_"))(thing, place)
@@ -231,6 +236,55 @@ class Judge:
     def around(self, thing, place):
         close = self.gap(thing, place) <= self.limits.around + geo.SLACK
         return close and self.face_to(thing, place)
+
+    def between(self, thing, place, target):
+        """Within the strip that joins the two things with which a thing has the constraint."""
+        others = [
+            self.places[c.target]
+            for c in map(parse, thing.relations)
+            if c.name == "between" and c.target != target and c.target in self.places
+        ]
+        if not others:
+            return False
+        other = others[0]
+        dx, dy = (b - a for a, b in zip(place.centre, other.centre))
+        length = math.hypot(dx, dy)
+        if length < 1e-9:
+            return False
+        along, across = (dx / length, dy / length), (-dy / length, dx / length)
+
+        def span(shape, axis, origin):
+            points = shape.exterior.coords if hasattr(shape, "exterior") else shape.coords
+            stations = [(x - origin[0]) * axis[0] + (y - origin[1]) * axis[1] for x, y in points]
+            return min(stations), max(stations)
+
+        low = span(place.shape, along, place.centre)[1]
+        high = span(other.shape, along, place.centre)[0]
+        widths = [span(p.shape, across, p.centre) for p in (place, other)]
+        allowed = max(max(abs(a), abs(b)) for a, b in widths)
+        offset = [t - c for t, c in zip(thing.centre, place.centre)]
+        station = offset[0] * along[0] + offset[1] * along[1]
+        aside = abs(offset[0] * across[0] + offset[1] * across[1])
+        slack = 0.01  # round things are polygons here
+        return low < high and low - slack <= station <= high + slack and aside <= allowed + slack
+
+    def in_region(self, thing, name):
+        """The centre in the share of the room's box that lies at the named side."""
+        west, south, east, north = self.room.polygon.bounds
+        *sides, share = name.replace("two-thirds", "two_thirds").split("-")
+        if share == "quarter" and len(sides) == 2:
+            return all(self.in_region(thing, f"{side}-half") for side in sides)
+        part = {"half": 1 / 2, "third": 1 / 3, "two_thirds": 2 / 3, "quarter": 1 / 4}.get(share)
+        if part is None or len(sides) != 1:
+            return False
+        (side,) = sides
+        u = (thing.centre[0] - west) / (east - west)
+        v = (thing.centre[1] - south) / (north - south)
+        if side == "middle":
+            t = u if east - west >= north - south else v
+            return abs(t - 0.5) <= part / 2 + geo.SLACK
+        t = {"east": 1 - u, "west": u, "north": 1 - v, "south": v}.get(side)
+        return t is not None and t <= part + geo.SLACK
 
     def aligned(self, thing, place, companions):
         lateral, longitudinal = map(abs, place.local(thing.centre))
