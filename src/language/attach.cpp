@@ -1,6 +1,7 @@
 #include "attach.h"
 
 #include <optional>
+#include <utility>
 
 #include "small_words.h"
 
@@ -76,7 +77,7 @@ class Attacher {
     open_.clear();
     fronted_.clear();
     verb_ = relative_ = participle_ = auxiliary_ = outer_verb_ = none;
-    last_ = main_ = pending_ = none;
+    last_ = main_ = pending_ = each_ = none;
     is_joined_ = is_denied_ = denies_list_ = is_auxiliary_denied_ = false;
   }
   void end_sentence() {
@@ -224,14 +225,24 @@ class Attacher {
 
   // Behind its noun: "facing the window", "made of oak", "each surrounded by".
   void participle(const Piece& piece) {
-    if (last_ == none) return;
+    if (last_ == none) return fronted_participle(piece);
     VerbPhrase& verb = add_verb(VerbPhrase::Kind::participle, piece.tokens, piece.base);
     // "beside the sofa holding a mug": what is known already is not described.
     const bool is_known = at(last_).determiner == Determiner::definite;
-    verb.subject = before_ == Tag::comma || is_known ? what_is_told_of() : last_;
+    if (each_ != none)
+      verb.subject = std::exchange(each_, none);
+    else
+      verb.subject = before_ == Tag::comma || is_known ? what_is_told_of() : last_;
     verb.is_passive = piece.form == VerbForm::past;
     participle_ = static_cast<std::int32_t>(&verb - parse_.verbs.data());
     pending_ = verb.is_passive ? none : participle_;
+  }
+
+  // "Facing the bed, a desk ...": said of what comes.
+  void fronted_participle(const Piece& piece) {
+    VerbPhrase& verb = add_verb(VerbPhrase::Kind::participle, piece.tokens, piece.base);
+    verb.is_passive = piece.form == VerbForm::past;
+    if (!verb.is_passive) pending_ = static_cast<std::int32_t>(&verb - parse_.verbs.data());
   }
 
   // ", topped with a lamp": of the subject of the clause, or of what has been placed by now.
@@ -279,6 +290,8 @@ class Attacher {
   void set_from(Attachment& attachment) {
     if (attachment.relation == "of" && before_ == Tag::noun) {
       attachment.from = last_;
+    } else if (each_ != none) {
+      attachment.from = std::exchange(each_, none);
     } else if (participle_ != none) {
       attachment.verb = participle_;
       attachment.from = verb_at(participle_).subject;
@@ -308,8 +321,10 @@ class Attacher {
 
   void from_nearest(Attachment& attachment) {
     attachment.from = top_of(last_);
-    if (is_with(attachment.relation) && last_ != none && !at(last_).is_pronoun &&
-        at(last_).determiner == Determiner::definite)
+    const bool is_known = last_ != none && (at(last_).is_pronoun
+                                                ? at(last_).determiner != Determiner::each
+                                                : at(last_).determiner == Determiner::definite);
+    if (is_with(attachment.relation) && is_known)
       attachment.from = what_is_told_of();
     if (main_ != none && small_words().exceptions.count(attachment.relation))
       attachment.from = main_;
@@ -344,6 +359,21 @@ class Attacher {
            last_ != none;
   }
 
+  // "A rack stands by the door, a safe inside the wardrobe": something new with a place of its own is
+  // no member of a list that what is known began.
+  bool is_clause_without_verb(std::int32_t id) {
+    const auto is_new = [](const NounPhrase& one) {
+      return one.determiner == Determiner::indefinite || one.determiner == Determiner::another ||
+             (one.determiner == Determiner::absent && one.count > 0);
+    };
+    const auto first = at(open_.back().first).determiner;
+    const bool is_known = first == Determiner::definite || first == Determiner::possessive ||
+                          first == Determiner::each;
+    const bool has_place = ahead() == Tag::preposition && !is_with(chunks_[at_ + 1].piece->base) &&
+                           chunks_[at_ + 1].piece->base != "of";
+    return has_verb() && relative_ == none && is_known && is_new(at(id)) && has_place;
+  }
+
   // "avoid glass tables, a living room with a sofa": what has something is wanted.
   bool is_described() const {
     return ahead() == Tag::preposition && is_with(chunks_[at_ + 1].piece->base);
@@ -351,7 +381,9 @@ class Attacher {
 
   void phrase(std::uint32_t number) {
     const auto id = static_cast<std::int32_t>(number);
+    each_ = none;
     if (is_floating(id)) {
+      each_ = main_ != none && at(main_).is_plural ? main_ : last_;
       is_joined_ = has_comma_ = false;
       return;
     }
@@ -361,6 +393,9 @@ class Attacher {
       under_preposition(id);
     } else if (pending_ != none) {
       under_verb(id);
+    } else if (is_joined_ && !open_.empty() && is_clause_without_verb(id)) {
+      end_clause();
+      begin_main(id);
     } else if (is_joined_ && !open_.empty()) {
       further_member(id);
     } else {
@@ -405,6 +440,11 @@ class Attacher {
     }
     verb.object = id;
     std::int32_t attachment = none;
+    if (subject == none && verb.kind == VerbPhrase::Kind::participle) {
+      fronted_.push_back(between(verb, pending_, none, id));
+      pending_ = none;
+      return;
+    }
     if (subject != none) attachment = add(between(verb, pending_, subject, id));
     const bool is_main = verb.kind == VerbPhrase::Kind::imperative;
     if (is_main) main_ = id;
@@ -548,6 +588,7 @@ class Attacher {
   std::int32_t relative_ = none;            ///< what the open relative clause is about
   std::int32_t verb_ = none, outer_verb_ = none, participle_ = none;
   std::int32_t pending_ = none;  ///< the verb that waits for its object
+  std::int32_t each_ = none;     ///< what an "each" that stands alone and has just been read means
   std::int32_t auxiliary_ = none;
   bool has_existential_ = false, is_imperative_ = false, is_joined_ = false, has_comma_ = false;
   bool ended_by_conjunction_ = false;

@@ -102,6 +102,12 @@ bool is_known_pair(const std::vector<UnitFacts>& facts, std::size_t first) {
                        PartOfSpeech::noun);
 }
 
+// A mark, or nothing more.
+bool ends_phrase(const std::vector<Unit>& units, std::size_t at) {
+  return at >= units.size() || units[at].kind == Unit::Kind::comma ||
+         units[at].kind == Unit::Kind::stop;
+}
+
 }  // namespace
 
 std::vector<UnitFacts> facts_of(const std::vector<Token>& tokens, const std::vector<Unit>& units,
@@ -115,10 +121,12 @@ std::vector<UnitFacts> facts_of(const std::vector<Token>& tokens, const std::vec
         result.size() > 1 && last.may_be.is_small &&
         lexicon().has(result[result.size() - 2].word + " " + last.word, PartOfSpeech::noun);
   }
-  for (std::size_t i = 0; i < result.size(); ++i)
-    result[i].begins_compound = is_known_pair(result, i) ||
-                                (is_name && i + 1 < result.size() && result[i + 1].may_be.is_noun &&
-                                 is_name(result[i].word + " " + singular(result[i + 1].word)));
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    const bool begins_name = is_name && i + 1 < result.size() && result[i + 1].may_be.is_noun &&
+                             is_name(result[i].word + " " + singular(result[i + 1].word));
+    result[i].begins_compound = is_known_pair(result, i) || begins_name;
+    if (begins_name) result[i + 1].ends_name = ends_phrase(units, i + 2);
+  }
   return result;
 }
 
@@ -185,7 +193,7 @@ void TagContext::add(const Unit& unit, const UnitFacts& facts, WordTag tag) {
 
 TagFeatures tag_features(const std::vector<UnitFacts>& facts, std::size_t at,
                          const TagContext& context) {
-  static const UnitFacts edge{"", "|", "|", {}, false, false, false, false};
+  static const UnitFacts edge{"", "|", "|", {}, false, false, false, false, false};
   const auto around = [&](std::size_t i) -> const UnitFacts& {
     return i < facts.size() ? facts[i] : edge;
   };

@@ -20,6 +20,7 @@ struct UnitFacts {
   bool is_plural_number = false;
   bool is_hyphened = false;
   bool begins_compound = false;  ///< with the next word a known noun: "writing desk"
+  bool ends_name = false;        ///< of a thing, and a phrase: "..., and a plant stand."
   bool ends_compound = false;    ///< a small word that is the head of a known noun: "watering can"
 };
 
@@ -43,6 +44,8 @@ class TagContext {
     return (number_ == Number::one || number_ == Number::definite) && nouns_ == '1' &&
            opener_ != 'C';
   }
+  /// Whether the phrase has a number of several, but no plural yet.
+  bool is_short_of_plural() const { return number_ == Number::several && nouns_ == '1'; }
   bool awaits_noun() const { return awaits_noun_; }
 
  private:

@@ -131,6 +131,9 @@ bool may_have(const UnitFacts& facts, const TagContext& context, WordTag tag) {
   const auto& verb = facts.may_be.verb;
   if (tag == WordTag::verb && verb && verb->form == VerbForm::base && context.is_singular())
     return false;
+  // "three mic stands": one thing is not three.
+  if (tag == WordTag::verb && context.is_short_of_plural()) return false;
+  if (facts.ends_name && tag == WordTag::verb) return false;
   // "two windows and blinds": a second verb needs a first.
   if (tag == WordTag::verb && verb && verb->form == VerbForm::third_person &&
       context.last() == 'C' && context.verbs() == '0')

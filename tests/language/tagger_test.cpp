@@ -1,6 +1,9 @@
 // The tagger on sentences tagged by hand that nobody looked at: tests/data/language/tagged.txt.
+#include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <set>
+#include <string>
 
 #include "catch.h"
 #include "language/tag_model.h"
@@ -30,10 +33,12 @@ TEST_CASE("Words of unseen sentences get the tags that a reader gives them") {
 
 TEST_CASE("The model that is built in is what the corpus gives") {
   std::vector<TaggedSentence> sentences;
-  for (const char* file : {"hard-words", "mixed", "noun-phrases", "objects", "prompts", "rooms"})
-    for (auto& sentence :
-         read_corpus(std::string(ROOMGEN_DATA) + "/language/tagged/" + file + ".txt"))
-      sentences.push_back(std::move(sentence));
+  std::set<std::string> files;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(std::string(ROOMGEN_DATA) + "/language/tagged"))
+    if (entry.path().extension() == ".txt") files.insert(entry.path().string());
+  for (const auto& file : files)
+    for (auto& sentence : read_corpus(file)) sentences.push_back(std::move(sentence));
   const auto bytes = read_file(std::string(ROOMGEN_DATA) + "/language/tagger.bin");
   REQUIRE(bytes);
   CHECK(train(sentences) == *bytes);
