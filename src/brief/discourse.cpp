@@ -144,7 +144,7 @@ std::optional<std::size_t> Discourse::antecedent(RelationKind kind,
 
 std::optional<std::size_t> Discourse::last_of_several() const {
   for (std::size_t i = made(); i-- > 0;)
-    if (mention(i).quantity >= 2 && mention(i).mount == Mount::floor) return i;
+    if (mention(i).quantity >= 2) return i;
   return std::nullopt;
 }
 
@@ -191,8 +191,14 @@ void Discourse::locate(const std::vector<std::size_t>& subjects, const Placement
       return;
     case Place::corner:
       if (first == RelationKind::on || first == RelationKind::near ||
-          first == RelationKind::next_to)
+          first == RelationKind::next_to) {
         say(RelationKind::corner, "");
+        if (!place.region.empty()) say(RelationKind::in_part, place.region.c_str());
+      }
+      return;
+    case Place::region:
+      if (first != RelationKind::face_to && first != RelationKind::far)
+        say(RelationKind::in_part, place.region.c_str());
       return;
     case Place::middle:
       return say(RelationKind::middle, "");
@@ -220,8 +226,14 @@ void Discourse::hang_from_ceiling(const std::vector<std::size_t>& subjects) {
 
 void Discourse::locate_at_window(const std::vector<std::size_t>& subjects,
                                  const Placement& placement) {
-  if (!brief_.windows) brief_.windows = 1;
   const RelationKind first = placement.relations.front();
+  if (first == RelationKind::between) {
+    brief_.windows = std::max(2, brief_.windows.value_or(0));
+    for (const char* window : {"window-0", "window-1"})
+      demand(subjects, {RelationKind::between, Demand::none, window, false});
+    return;
+  }
+  if (!brief_.windows) brief_.windows = 1;
   // "under the window" and "on the window" are before it.
   const bool before = first == RelationKind::under || first == RelationKind::on ||
                       first == RelationKind::in_front_of;

@@ -70,7 +70,8 @@ void Hearing::plain_verbs(const std::vector<std::optional<std::size_t>>& mention
   };
   for (const auto& verb : text_.parse.verbs) {
     const std::string& word = text_.plain[verb.tokens.end - 1].text;
-    if (verb.is_denied || !(text_.words.verbs.count(word) || text_.words.stops.count(word) ||
+    const bool puts = verb.kind == language::VerbPhrase::Kind::imperative && mention(verb.object);
+    if (verb.is_denied || !(puts || text_.words.verbs.count(word) || text_.words.stops.count(word) ||
                             text_.words.asking.count(verb.base)))
       continue;
     auto one = mention(verb.object);

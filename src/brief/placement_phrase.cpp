@@ -1,5 +1,8 @@
 #include "placement_phrase.h"
 
+#include <array>
+#include <utility>
+
 namespace roomgen::design {
 
 namespace {
@@ -27,11 +30,39 @@ bool names_side(std::span<const Token> tokens, std::size_t at) {
   return at < tokens.size() && (tokens[at].is_word("side") || tokens[at].is_word("hand"));
 }
 
-bool of_the_room(std::span<const Token> tokens, std::size_t at) {
-  return at + 2 < tokens.size() && tokens[at].is_word("of") &&
-         (tokens[at + 1].is_word("the") || tokens[at + 1].is_word("this")) &&
-         (tokens[at + 2].kind == Token::Kind::room || tokens[at + 2].is_word("room") ||
-          tokens[at + 2].is_word("space") || tokens[at + 2].is_word("area"));
+// "of the room", "of the yoga room": how many tokens, or 0.
+std::size_t of_the_room(std::span<const Token> tokens, std::size_t at) {
+  if (at + 2 >= tokens.size() || !tokens[at].is_word("of") ||
+      !(tokens[at + 1].is_word("the") || tokens[at + 1].is_word("this")))
+    return 0;
+  std::size_t end = at + 2;
+  while (end < tokens.size() && tokens[end].kind == Token::Kind::room) ++end;
+  if (end > at + 2) return end - at;
+  const Token& noun = tokens[end];
+  return noun.is_word("room") || noun.is_word("space") || noun.is_word("area") ? 3 : 0;
+}
+
+bool ends_phrase(std::span<const Token> tokens, std::size_t at, const Vocabulary& words) {
+  if (at >= tokens.size() || tokens[at].kind != Token::Kind::word || of_the_room(tokens, at) > 0)
+    return true;
+  const std::string& next = tokens[at].text;
+  return words.stops.count(next) && next != "of" && !words.room_parts.count(next) &&
+         !words.shares.count(next) && !words.walls.count(next) && !names_side(tokens, at);
+}
+
+// The compass sides of the walls of a rectangle.
+constexpr std::array<std::string_view, 4> compass = {"south", "east", "north", "west"};
+
+bool are_opposite(int wall, int other) {
+  return (wall + 2) % 4 == other;
+}
+
+// Of two walls that meet the corner between them, by north and south first.
+std::string corner_region(int wall, int other) {
+  if (wall < 0 || other < 0 || wall == other || are_opposite(wall, other)) return "";
+  if (wall % 2 == 1) std::swap(wall, other);
+  return std::string(compass[static_cast<std::size_t>(wall)]) + "-" +
+         std::string(compass[static_cast<std::size_t>(other)]) + "-quarter";
 }
 
 }  // namespace
@@ -39,6 +70,8 @@ bool of_the_room(std::span<const Token> tokens, std::size_t at) {
 std::optional<PlacePhrase> read_place(std::span<const Token> tokens, std::size_t at,
                                       const Vocabulary& words) {
   PlacePhrase phrase;
+  int wall_before = -1;
+  bool in_middle = false;
   std::size_t i = at;
   for (std::size_t n = 0; n <= max_qualifiers && i < tokens.size(); ++n, ++i) {
     const Token& token = tokens[i];
@@ -48,21 +81,50 @@ std::optional<PlacePhrase> read_place(std::span<const Token> tokens, std::size_t
     }
     if (token.kind != Token::Kind::word) return std::nullopt;
     const auto wall = words.walls.find(token.text);
+    const auto share = longest(words.shares, tokens, i, 2);
+    if (share && (phrase.wall >= 0 || in_middle)) {
+      phrase.place = Place::region;
+      phrase.region =
+          (in_middle ? "middle" : std::string(compass[static_cast<std::size_t>(phrase.wall)])) +
+          "-" + *share.value;
+      phrase.wall = -1;
+      i += share.length;
+      i += of_the_room(tokens, i);
+      phrase.length = i - at;
+      return phrase;
+    }
+    // "the middle third"
+    if (token.is_word("middle") && longest(words.shares, tokens, i + 1, 2)) {
+      in_middle = true;
+      continue;
+    }
     if (const auto part = longest(words.room_parts, tokens, i, 2);
         part && wall == words.walls.end()) {
       phrase.place = place_of(*part.value);
+      if (phrase.place == Place::corner) phrase.region = corner_region(phrase.wall, wall_before);
       i += part.length;
-      if (of_the_room(tokens, i)) i += 3;
+      i += of_the_room(tokens, i);
       phrase.length = i - at;
       return phrase;
     }
     if (wall != words.walls.end()) {
+      wall_before = phrase.wall;
       phrase.wall = wall->second;
       if (names_side(tokens, i + 1) && of_the_room(tokens, i + 2)) {
         phrase.place = Place::wall;
-        phrase.length = i + 5 - at;
+        phrase.length = i + 2 + of_the_room(tokens, i + 2) - at;
         return phrase;
       }
+    }
+    // "at the back": that half of the room
+    if (wall != words.walls.end() && ends_phrase(tokens, i + 1, words)) {
+      phrase.place = Place::region;
+      phrase.region = std::string(compass[static_cast<std::size_t>(phrase.wall)]) + "-half";
+      phrase.wall = -1;
+      i += 1;
+      i += of_the_room(tokens, i);
+      phrase.length = i - at;
+      return phrase;
     }
     phrase.opposite = phrase.opposite || token.is_word("opposite") || token.is_word("opposing");
     const bool stop = words.stops.count(token.text) > 0;

@@ -10,12 +10,13 @@
 namespace roomgen::design {
 
 /// Part of a room that a placement can name.
-enum class Place { window, door, corner, wall, middle, room, floor, ceiling };
+enum class Place { window, door, corner, wall, middle, region, room, floor, ceiling };
 
-/// "the left wall", "a corner of the room", "the two windows"
+/// "the left wall", "a corner of the room", "the two windows", "the northern half"
 struct PlacePhrase {
   Place place = Place::room;
   int wall = -1;          ///< which, of a rectangle; -1: not said
+  std::string region;     ///< "north-half"; of a corner "north-east-quarter"
   bool opposite = false;  ///< "the opposite wall"
   std::size_t length = 0;
 };

@@ -4,6 +4,7 @@
 
 #include "finishes.h"
 #include "measures.h"
+#include "prompt_headings.h"
 #include "prompt_occupants.h"
 #include "prompt_openings.h"
 #include "prompt_places.h"
@@ -79,6 +80,7 @@ Brief read_prompt(std::string_view prompt, const RoomKinds& kinds, const KindTab
   // What the prompt names itself comes before what people need.
   for (const auto phrase : read_things(reading)) read_occupants(reading, phrase);
   read_places(reading);
+  read_headings(reading);
   read_bare(reading);
   read_activities(reading);
   read_styles(reading);

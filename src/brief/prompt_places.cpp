@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 namespace roomgen::design {
 
@@ -34,16 +35,24 @@ class PlaceReader {
     if (noun == "one") return 0;
     return noun == "other" ? 1 : -1;
   }
+  // The noun phrase of a place that is no thing: "the corner", "the foot" of the bed.
+  std::int32_t place_of(const Attachment& attachment,
+                        const std::optional<SaidPlacement>& said) const {
+    if (!said) return none;
+    const bool is_part = attachment.to != said->target && !reading_.mention_of(attachment.to);
+    if (is_part) return attachment.to;
+    return reading_.mention_of(said->target) ? none : said->target;
+  }
   void read_attachment(const Attachment& attachment) {
     if (attachment.is_denied || attachment.from == none) return;
     const auto said = reading_.placement(attachment);
-    const bool is_place = said && said->target != none && !reading_.mention_of(said->target);
-    reading_.talk.told_by(
-        said || reading_.owns(attachment)
-            ? reading_.hearing.relation(attachment, is_place ? said->target : none)
-            : HeardWords::none);
+    reading_.talk.told_by(said || reading_.owns(attachment)
+                              ? reading_.hearing.relation(attachment, place_of(attachment, said))
+                              : HeardWords::none);
     if (!said) {
       if (reading_.owns(attachment)) read_owned(attachment);
+      if (is_for_each(attachment))
+        give_each(*reading_.mention_of(attachment.to), reading_.subjects_of(attachment));
       return;
     }
     if (said->placement->inverse) return read_inverse(attachment, *said);
@@ -53,12 +62,20 @@ class PlaceReader {
     if (said->target == none) return relate_to_implied(subjects, *said->placement);
     read_target(attachment, *said, subjects);
   }
+  // "a stool for each potter's wheel", "one chair per desk"
+  bool is_for_each(const Attachment& attachment) const {
+    if (!reading_.mention_of(attachment.to)) return false;
+    return attachment.relation == "per" ||
+           (attachment.relation == "for" &&
+            reading_.phrase(attachment.to).determiner == Determiner::each);
+  }
   void read_target(const Attachment& attachment, const SaidPlacement& said,
                    const Indices& subjects) {
     const NounPhrase& target = reading_.phrase(said.target);
     if (const auto thing = reading_.mention_of(said.target)) {
-      if (said.placement->relations.front() != RelationKind::aligned)
-        give_each_one(subjects, *thing, target);
+      if (target.determiner == Determiner::each &&
+          said.placement->relations.front() != RelationKind::aligned)
+        give_each(*thing, subjects);
       return say(subjects, said, *thing);
     }
     if (reading_.is_room(target)) {
@@ -67,11 +84,24 @@ class PlaceReader {
     }
     auto place = read_place(reading_.text.plain, target.tokens.begin, reading_.words);
     if (!place) return;
+    if (target.determiner == Determiner::possessive && is_portion(*place))
+      return lie_on_owner(subjects);
     if (place->place == Place::middle)
       return locate_in_middle(attachment, subjects, *said.placement, *place);
     reading_.talk.locate(subjects, *said.placement, *place);
   }
-  // "the middle of the table" is on the table, and so is "at its center".
+  static bool is_portion(const PlacePhrase& place) {
+    return place.place == Place::corner || place.place == Place::middle ||
+           place.place == Place::region;
+  }
+  // "every mat has a block at its left corner", "at its center"
+  void lie_on_owner(const Indices& subjects) {
+    if (const auto owner = owner_of_.find(subjects.front()); owner != owner_of_.end())
+      return reading_.talk.demand(subjects, {RelationKind::on, owner->second, "", false});
+    if (const auto thing = reading_.talk.antecedent(subjects))
+      reading_.talk.demand(subjects, {RelationKind::on, *thing, "", false});
+  }
+  // "the middle of the table" is on the table.
   void locate_in_middle(const Attachment& attachment, const Indices& subjects,
                         const Placement& placement, const PlacePhrase& place) {
     const NounPhrase& middle = reading_.phrase(attachment.to);
@@ -79,11 +109,6 @@ class PlaceReader {
       if (of.from == attachment.to && of.relation == "of")
         if (const auto thing = reading_.mention_of(of.to))
           return reading_.talk.demand(subjects, {RelationKind::on, *thing, "", false});
-    if (middle.determiner == Determiner::possessive) {
-      if (const auto thing = reading_.talk.antecedent(subjects))
-        reading_.talk.demand(subjects, {RelationKind::on, *thing, "", false});
-      return;
-    }
     reading_.talk.locate(subjects, placement, place);
   }
   void say(const Indices& subjects, const SaidPlacement& said, std::size_t target) {
@@ -96,18 +121,25 @@ class PlaceReader {
     for (auto kind : said.placement->relations)
       reading_.talk.demand(subjects, {kind, target, "", said.placement->flank});
   }
-  // "a lamp on each nightstand": as many as there are nightstands.
-  void give_each_one(const Indices& subjects, std::size_t target, const NounPhrase& said) {
-    if (said.determiner != Determiner::each) return;
-    for (const std::size_t subject : subjects)
-      if (subject != target && reading_.talk.mention(subject).quantity == 1)
-        reading_.talk.multiply(subject, reading_.talk.mention(target).quantity);
+  // "a lamp on each nightstand", "desks, each with two drawers": as many for each of the owners as
+  // were said of one.
+  void give_each(std::size_t owner, const Indices& things) {
+    for (const std::size_t thing : things)
+      if (thing != owner && given_.insert(thing).second)
+        reading_.talk.multiply(thing, reading_.talk.mention(owner).quantity);
+  }
+  // "each with", "every desk has", "each of them holding"
+  bool says_each(const Attachment& attachment) const {
+    const auto begin = attachment.tokens.begin;
+    return (begin > 0 && reading_.is_word(begin - 1, "each")) ||
+           reading_.phrase(attachment.from).determiner == Determiner::each;
   }
   // "flanked by two lamps", "holds a vase": the subject is the target.
   void read_inverse(const Attachment& attachment, const SaidPlacement& said) {
     const auto owner = reading_.mention_of(attachment.from),
                thing = reading_.mention_of(attachment.to);
     if (!owner || !thing || *owner == *thing) return;
+    if (says_each(attachment)) give_each(*owner, {*thing});
     for (auto kind : said.placement->relations)
       reading_.talk.add(*thing, {kind, *owner, "", said.placement->flank,
                                  is_among_several(attachment), nth_of(attachment.from)});
@@ -125,9 +157,7 @@ class PlaceReader {
     if (!thing) return;
     for (const std::size_t owner : reading_.subjects_of(attachment)) {
       if (owner == *thing) continue;
-      // "two nightstands, each with a lamp"
-      if (attachment.tokens.begin > 0 && reading_.is_word(attachment.tokens.begin - 1, "each"))
-        reading_.talk.multiply(*thing, reading_.talk.mention(owner).quantity);
+      if (says_each(attachment)) give_each(owner, {*thing});
       reading_.talk.own(owner, *thing);
       owner_of_[*thing] = owner;
     }
@@ -205,6 +235,7 @@ class PlaceReader {
 
   PromptReading& reading_;
   std::map<std::size_t, std::size_t> owner_of_;  ///< "a tray with cups": mentions
+  std::set<std::size_t> given_;                  ///< mentions that each of others has
 };
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "language/inflection.h"
+#include "language/lexicon.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen::design {
@@ -49,12 +51,33 @@ class ThingReader {
       reading_.hearing.stand_in(id, *carrier);
       return;
     }
+    if (const auto whole = whole_of(id)) {
+      reading_.mentions[number] = whole;
+      reading_.hearing.stand_in(id, *whole);
+      return;
+    }
     if (const auto owner = owner_of_part(id, thing)) return reading_.hearing.part(id, *owner);
     if (!names_thing(id, thing)) return;
     if (!thing.article && !thing.definite) read_listed_without_commas(said, thing);
     reading_.mentions[number] = refer(id, thing);
-    if (reading_.mentions[number]) reading_.hearing.thing(thing, *reading_.mentions[number]);
+    if (reading_.mentions[number]) {
+      read_rows(id, *reading_.mentions[number]);
+      reading_.hearing.thing(thing, *reading_.mentions[number]);
+    }
     skip_to_ = std::max(skip_to_, thing.end);
+  }
+  // "three rows of five seats"
+  void read_rows(std::int32_t id, std::size_t mention) {
+    for (const Attachment& attachment : reading_.parse.attachments) {
+      if (attachment.to != id || attachment.relation != "of" || attachment.from == none) continue;
+      const NounPhrase& rows = reading_.phrase(attachment.from);
+      if (!reading_.words.groups.count(reading_.word(rows.head))) continue;
+      if (rows.count > 1 && reading_.phrase(id).count > 0)
+        reading_.talk.multiply(mention, static_cast<int>(rows.count));
+      const auto heard =
+          hear(reading_.brief, {rows.tokens.begin, rows.head + 1}, Heard::As::count);
+      reading_.brief.mentions[mention].heard.push_back(heard);
+    }
   }
   // "bed desk wardrobe": things of their own, though they stand like "oak" before the last.
   void read_listed_without_commas(const NounPhrase& said, const ThingPhrase& last) {
@@ -75,7 +98,8 @@ class ThingReader {
   bool names_thing(std::int32_t id, const ThingPhrase& thing) const {
     const NounPhrase& said = reading_.phrase(id);
     if (said.tokens.begin < skip_to_) return false;
-    if (thing.kind.length == 0) return is_new_thing(id, thing);
+    if (thing.kind.length == 0)
+      return is_new_thing(id, thing) || (thing.definite && reading_.talk.known(thing));
     if (thing.kind.length == 1 && (is_bare_material(thing) || is_light(said, thing))) return false;
     return !is_of_owner(id, thing) && !is_inside(id) && !tells_what_it_is_of(id, thing);
   }
@@ -100,13 +124,23 @@ class ThingReader {
       if (attachment.to == id && !introduces(attachment)) return false;
     return true;
   }
+  static bool names_artefact(const std::string& noun) {
+    using language::WordClass;
+    const auto& lexicon = language::lexicon();
+    const std::string word = language::singular(noun);
+    return lexicon.is(word, WordClass::artefact) && !lexicon.is(word, WordClass::building) &&
+           !lexicon.is(word, WordClass::room) && !lexicon.is(word, WordClass::place);
+  }
   bool introduces(const Attachment& attachment) const {
     static const WordSet relations = {"with",    "have", "contain", "include",
                                       "feature", "hold", "display", "support",
                                       "carry",   "by",   "need",    "want"};
     if (relations.count(attachment.relation)) return true;
     const auto said = reading_.placement(attachment);
-    return said && said->placement->inverse;
+    if (!said) return false;
+    // "on an altar", but not "at an angle"
+    return said->placement->inverse ||
+           names_artefact(reading_.word(reading_.phrase(attachment.to).head));
   }
   // What is inside something, of what it is made: no thing beside it.
   bool is_inside(std::int32_t id) const {
@@ -189,6 +223,19 @@ class ThingReader {
       return std::nullopt;
     return known_owner ? known_owner : reading_.talk.last_carrier(reading_.word(said.head));
   }
+  // "a bed, its head against the wall": what is said of the place of a part is said of the whole.
+  std::optional<std::size_t> whole_of(std::int32_t id) const {
+    const NounPhrase& said = reading_.phrase(id);
+    const std::string& noun = reading_.word(said.head);
+    if (said.determiner != Determiner::possessive ||
+        !(reading_.words.portions.count(noun) || reading_.words.parts.count(noun)))
+      return std::nullopt;
+    const bool has_place = std::any_of(
+        reading_.parse.attachments.begin(), reading_.parse.attachments.end(),
+        [&](const Attachment& one) { return one.from == id && reading_.placement(one); });
+    return has_place ? topic_before(id) : std::nullopt;
+  }
+
   void exclude(std::int32_t id, const ThingPhrase& thing) {
     const std::string& noun = reading_.word(reading_.phrase(id).head);
     if (noun == "window" || noun == "windows") {
@@ -197,7 +244,7 @@ class ThingReader {
     }
     const bool is_known = thing.kind.length > 0;
     if (!is_known && !may_be_thing(reading_.text, thing.noun)) return;
-    const std::string category = is_known ? reading_.talk.category_name(thing.kind) : thing.noun;
+    const std::string category = is_known ? thing.kind.category->name : thing.noun;
     // "avoid glass tables" forbids no tables.
     if (is_known && !thing.modifiers.empty()) {
       const std::string looks = join(thing.modifiers, " ");
@@ -219,9 +266,29 @@ class ThingReader {
                                    said.determiner == Determiner::each || said.count > 0;
     if (is_one_of_several)
       if (const auto several = reading_.talk.last_of_several()) return several;
-    for (const Attachment& attachment : reading_.parse.attachments)
-      if (attachment.to == id) return reading_.talk.antecedent(reading_.subjects_of(attachment));
+    for (const Attachment& attachment : reading_.parse.attachments) {
+      if (attachment.to != id) continue;
+      if (const auto owner = owner_of(attachment.from)) return owner;
+      if (const auto picture = what_hangs_over(attachment)) return picture;
+      return reading_.talk.antecedent(reading_.subjects_of(attachment));
+    }
     return topic_before(id);
+  }
+  // "On the wall a tapestry; below it an altar"
+  std::optional<std::size_t> what_hangs_over(const Attachment& attachment) const {
+    const auto& said = reading_.placement(attachment);
+    const auto last = topic_before(attachment.to);
+    const bool is_below = said && said->placement->relations.front() == RelationKind::under;
+    if (!is_below || !last) return std::nullopt;
+    const Mount mount = reading_.talk.mention(*last).mount;
+    return mount == Mount::wall || mount == Mount::ceiling ? last : std::nullopt;
+  }
+  // "a table with four chairs around it and a lamp above it": what a thing is with is "it".
+  std::optional<std::size_t> owner_of(std::int32_t id) const {
+    for (const Attachment& attachment : reading_.parse.attachments)
+      if (id != none && attachment.to == id && attachment.relation == "with")
+        return reading_.mention_of(attachment.from);
+    return std::nullopt;
   }
   // What the clauses before were about.
   std::optional<std::size_t> topic_before(std::int32_t id) const {

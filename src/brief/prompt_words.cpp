@@ -76,7 +76,7 @@ Result<Vocabulary> parse_vocabulary(std::string_view text, const std::string& so
                    "only",          "measured",       "stops",    "parts",        "no things",
                    "materials",     "sizes",          "people",   "people words", "room words",
                    "generic rooms", "parts of rooms", "walls",    "placements",   "pairs",
-                   "verbs",         "tops",           "portions", "built in", "asking",     "further"});
+                   "verbs",         "tops",           "portions", "built in", "asking",     "further",  "shares", "groups"});
   Vocabulary words;
   words.numbers = read_integers(root["numbers"]);
   words.people = read_integers(root["people"]);
@@ -87,6 +87,7 @@ Result<Vocabulary> parse_vocabulary(std::string_view text, const std::string& so
   }
   for (const auto& [word, part] : root["parts of rooms"].members())
     words.room_parts[word] = part.text();
+  for (const auto& [word, share] : root["shares"].members()) words.shares[word] = share.text();
   for (const auto& [phrase, relations] : root["placements"].members())
     words.placements[phrase] = read_placement(relations);
   const std::pair<const char*, WordSet*> sets[] = {{"vague", &words.vague},
@@ -107,7 +108,8 @@ Result<Vocabulary> parse_vocabulary(std::string_view text, const std::string& so
                                                    {"portions", &words.portions},
                                                    {"built in", &words.built_in},
                                                    {"asking", &words.asking},
-                                                   {"further", &words.further}};
+                                                   {"further", &words.further},
+                                                   {"groups", &words.groups}};
   for (const auto& [key, set] : sets) *set = read_set(root[key]);
   if (problems.first()) return *problems.first();
   return words;

@@ -33,12 +33,13 @@ struct Placement {
 struct Vocabulary {
   std::map<std::string, int, std::less<>> numbers, people, walls;
   std::map<std::string, Vec3, std::less<>> sizes;
-  std::map<std::string, std::string, std::less<>> room_parts;
+  std::map<std::string, std::string, std::less<>> room_parts, shares;
   std::map<std::string, Placement, std::less<>> placements;
   WordSet pairs;     ///< one thing though a plural: "headphones", "a pair of scissors"
   WordSet verbs;     ///< finite: what stands before begins a clause
   WordSet tops;      ///< "the countertop": of what was spoken of
   WordSet portions;  ///< "the edge of the bathtub", "the sofa cushion": stand for the whole
+  WordSet groups;    ///< "two rows of desks": how often as many
   WordSet further;   ///< "extra towels": besides those spoken of
   WordSet asking;    ///< "create", "add": verbs that only ask for something
   WordSet built_in;  ///< what is so is no thing of its own

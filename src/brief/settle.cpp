@@ -539,12 +539,30 @@ bool keeps_things(const std::string& category, const KindTable& table) {
                          {"table", "storage", "kitchen unit", "kitchen island", "washbasin"});
 }
 
+// Between two things, or two of a kind; of one only what stands beside it is left.
+void settle_between(Mention& mention, const Brief& brief) {
+  const auto is_between = [](const Demand& demand) { return demand.kind == RelationKind::between; };
+  auto& demands = mention.demands;
+  // "between the sofa and the window" means one window, "between the windows" two.
+  if (std::count_if(demands.begin(), demands.end(), is_between) > 2)
+    std::erase_if(demands, [&](const Demand& demand) {
+      return is_between(demand) && demand.part == "window-1";
+    });
+  if (std::count_if(demands.begin(), demands.end(), is_between) != 1) return;
+  const auto only = std::find_if(demands.begin(), demands.end(), is_between);
+  if (only->mention == Demand::none)
+    only->kind = RelationKind::near;
+  else if (brief.mentions[only->mention].quantity < 2)
+    only->kind = RelationKind::next_to;
+}
+
 void settle(Brief& brief, const KindTable& table) {
   for (auto& mention : brief.mentions)
     if (mention.quantity == 0) {
       mention.open = true;
       mention.quantity = usual_number(mention, brief, table);
     }
+  for (auto& mention : brief.mentions) settle_between(mention, brief);
   hand_down_supports(brief);
   for (auto& mention : brief.mentions) drop_listed_supports(mention);
   for (auto& mention : brief.mentions) hang_what_is_above(mention, brief, table);

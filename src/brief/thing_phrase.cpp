@@ -155,7 +155,7 @@ class ThingPhraseReader {
       phrase_.at_least = phrase_.at_least || word(begin - n) == "least";
       phrase_.count_tokens.push_back(begin - n);
     }
-    for (auto i = begin; i < start_ && words.count(word(i)); ++i) {
+    for (auto i = begin; i < start_ && (words.count(word(i)) || word(i) == "at"); ++i) {
       phrase_.at_least = phrase_.at_least || word(i) == "least";
       phrase_.count_tokens.push_back(i);
     }

@@ -31,7 +31,8 @@ int own_stage(const Draft& draft, const KindTable& table, const Arrangements& ar
   const int usual = arrangements.get(table, draft.item.category, draft.item.mount).stage;
   const bool tied =
       std::any_of(draft.demands.begin(), draft.demands.end(), [](const Demand& demand) {
-        return demand.mention == Demand::none && demand.kind != RelationKind::edge;
+        return demand.mention == Demand::none && demand.kind != RelationKind::edge &&
+               demand.kind != RelationKind::in_part;
       });
   const bool stands =
       draft.item.mount == Mount::floor && !table.get(draft.item.category).traits.flat;
@@ -136,6 +137,14 @@ class Ids {
       ids_[drafts[planned.item].mention].push_back(planned.id);
   }
 
+  // Two neighbours in turn, for what is between them; fewer if there are not two.
+  std::vector<std::string> next_two(std::size_t asking, std::size_t mention) {
+    const auto& ids = ids_[mention];
+    if (ids.size() < 2) return ids;
+    const auto turn = static_cast<std::size_t>(turn_[{asking, mention}]++) % (ids.size() - 1);
+    return {ids[turn], ids[turn + 1]};
+  }
+
   std::string next(std::size_t asking, std::size_t mention, int nth) {
     const auto& ids = ids_[mention];
     if (ids.empty()) return "";
@@ -162,6 +171,11 @@ class Resolver {
     std::size_t sharing = draft.mention;  // which mentions take the sides in turn
     for (const auto& demand : draft.demands) {
       Relation relation{demand.kind, part_of(room_, demand.part)};
+      if (demand.kind == RelationKind::between && is_only_between(draft, demand)) {
+        for (const auto& id : ids_.next_two(draft.mention, demand.mention))
+          add(relations, {RelationKind::between, id});
+        continue;
+      }
       if (demand.mention != Demand::none) {
         if (!targets.count(demand.mention))
           targets[demand.mention] = ids_.next(draft.mention, demand.mention, demand.nth);
@@ -188,6 +202,13 @@ class Resolver {
   }
 
  private:
+  // "between the beds": said once of several.
+  static bool is_only_between(const Draft& draft, const Demand& demand) {
+    return demand.mention != Demand::none &&
+           std::none_of(draft.demands.begin(), draft.demands.end(), [&](const Demand& other) {
+             return &other != &demand && other.kind == RelationKind::between;
+           });
+  }
   static void add(std::vector<Relation>& relations, const Relation& relation) {
     if (std::find(relations.begin(), relations.end(), relation) == relations.end())
       relations.push_back(relation);

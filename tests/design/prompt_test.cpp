@@ -214,7 +214,7 @@ TEST_CASE("placements become demands") {
       {"chairs around the dining table", 0, "around, dining table"},
       {"a sofa across from the fireplace", 0, "in front of, fireplace | face to, fireplace | far, fireplace"},
       {"a plant to the left of the sofa", 0, "right of, sofa"},
-      {"a plant between the sofa and the window", 0, "near, sofa | near, window-0"},
+      {"a plant between the sofa and the window", 0, "between, sofa | between, window-0"},
       {"a sofa with a coffee table in front of it", 1, "in front of, sofa"},
       {"a bed with a nightstand to its right", 1, "left of, bed"},
       {"The desk is near the door.", 0, "near, door-0"},
@@ -416,4 +416,57 @@ TEST_CASE("things still stand where the wall is spoken of") {
   CHECK(brief.materials.accent == "white wall");
   REQUIRE(brief.mentions.size() == 1);
   CHECK(places(brief, 0) == places(read("a bedroom with a picture on the wall"), 0));
+}
+
+TEST_CASE("each and every give each of the owners as many as are said of one") {
+  const std::pair<const char*, const char*> cases[] = {
+      {"an office with three desks, each with a chair and two lamps", "3 desk, 3 office chair, 6 table lamp"},
+      {"a workshop with four stools; a bucket stands beside each stool", "4 stool, 4 bucket"},
+      {"a canteen with four tables and six chairs at each table", "4 table, 24 chair"},
+      {"a classroom with ten desks, one chair per desk", "10 student desk, 10 student chair"},
+      {"a bedroom with two nightstands, each holding a lamp", "2 nightstand, 2 table lamp"},
+      {"a hall with two rows of five chairs", "10 chair"},
+      {"three benches. Every bench has a vase.", "3 bench, 3 vase"},
+      {"a lamp stands on the desk and each drawer is closed", "1 table lamp, 1 desk"},
+  };
+  for (const auto& [prompt, expected] : cases) {
+    INFO(prompt);
+    CHECK(things(read(prompt)) == expected);
+  }
+}
+
+TEST_CASE("between takes two things, or two of a kind") {
+  CHECK(places(read("a lamp between the bed and the desk"), 0) == "between, bed | between, desk");
+  const auto beds = read("a bedroom with two beds and a nightstand between them");
+  CHECK(places(beds, 1) == "between, bed");
+  CHECK(places(read("a plant between the windows"), 0) == "between, window-0 | between, window-1");
+  CHECK(places(read("a bed and a rug between the bed and the wall"), 1).find("between") ==
+        std::string::npos);
+}
+
+TEST_CASE("parts of the room are places") {
+  const std::pair<const char*, const char*> cases[] = {
+      {"a desk in the northern half of the room", "in part, north-half"},
+      {"a desk at the south end", "in part, south-third"},
+      {"a desk in the left third", "in part, west-third"},
+      {"a desk in the middle third of the hall", "in part, middle-third"},
+      {"a desk at the back", "in part, north-half"},
+      {"a desk in the south-west corner", "corner | in part, south-west-quarter"},
+      {"a desk in the back left corner of the room", "corner | in part, north-west-quarter"},
+      {"a study. Western half: a desk.", "in part, west-half"},
+      {"a study. North wall: a desk.", "edge | near, wall-2 | face same as, wall-2"},
+  };
+  for (const auto& [prompt, expected] : cases) {
+    INFO(prompt);
+    CHECK(places(read(prompt), 0) == expected);
+  }
+}
+
+TEST_CASE("a heading says where what follows is, unless it has a place of its own") {
+  const auto brief = read("Eastern half: a table with a vase on it; a sofa by the window. A desk.");
+  REQUIRE(things(brief) == "1 table, 1 vase, 1 sofa, 1 desk");
+  CHECK(places(brief, 0) == "in part, east-half");
+  CHECK(places(brief, 1) == "on, table");
+  CHECK(places(brief, 2) == "near, window-0 | in part, east-half");
+  CHECK(places(brief, 3).empty());
 }
