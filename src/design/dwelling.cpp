@@ -117,9 +117,7 @@ void keep_ledger(const SaidDwelling& said, DwellingPlan& plan) {
     requirement.clause = format_number(requirement.amount, 0) + " " + room.type;
     plan.requirements.push_back(std::move(requirement));
   }
-  plan.heard = heard_words(said, plan.rooms, ids);
-  for (auto& words : plan.heard)
-    words.text = plan.prompt.substr(words.begin, words.end - words.begin);
+  plan.heard = heard_words(plan.prompt, said, plan.rooms, ids);
 }
 
 }  // namespace

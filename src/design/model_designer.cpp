@@ -5,7 +5,9 @@
 
 #include "base/json_literal.h"
 #include "base/sha256.h"
+#include "brief/prompt.h"
 #include "place_reply.h"
+#include "plan/claim.h"
 #include "plan_reply.h"
 #include "roomgen/base/text.h"
 #include "scene_text.h"
@@ -108,16 +110,26 @@ class ModelDesigner : public Designer {
     if (!question) return question.error();
     planning_ = {};
     planning_.prompt_sha256 = sha256_hex(question->messages.back().text);
+    const design::Brief brief = brief_of(request);
+    std::optional<design::PlanReply> incomplete;  // what is forgotten goes back once
     const auto read = [&](const std::string& text) -> Result<design::PlanReply> {
       auto answer = design::read_plan_reply(text, request, categories_);
       if (!answer) return answer;
       if (auto status = design::check_floor(answer->plan, categories_); !status)
         return status.error();
-      return answer;
+      if (incomplete) return answer;
+      const auto claimed = design::claim(answer->plan, brief, categories_);
+      const auto objection = design::objection(claimed, brief);
+      if (objection.empty()) return answer;
+      incomplete = *std::move(answer);
+      return Error{Error::Kind::invalid_input, objection};
     };
     auto reply = converse(*question, read, planning_);
     if (!reply && ends_the_room(reply.error())) return reply.error();
+    if (!reply && incomplete) reply = *std::move(incomplete);
     if (reply) {
+      const auto claimed = design::claim(reply->plan, brief, categories_);
+      design::fulfil(claimed, brief, categories_, reply->plan);
       note(reply->plan, reply->repairs);
       note(reply->plan, planning_.notes);
       return std::move(reply->plan);
@@ -155,6 +167,12 @@ class ModelDesigner : public Designer {
  private:
   static void note(Plan& plan, const std::vector<std::string>& notes) {
     plan.notes.insert(plan.notes.end(), notes.begin(), notes.end());
+  }
+
+  // What the prompt asks for holds whoever plans.
+  design::Brief brief_of(const PlanRequest& request) const {
+    const auto& kinds = design::built_in_room_kinds();
+    return kinds ? design::read_prompt(request.prompt, *kinds, categories_) : design::Brief();
   }
 
   // Before anything is placed, what keeps the model from answering at all is worth knowing.

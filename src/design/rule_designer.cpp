@@ -38,14 +38,13 @@ Status check_request(const PlanRequest& request) {
 }
 
 // Furnishing a room that nobody asked for would be worse than saying so.
-Status check_understood(const PlanRequest& request) {
+Status check_understood(const PlanRequest& request, const Brief& brief) {
   const auto tokens = language::tokenize(request.prompt, max_tokens);
   if (const auto foreign = language::foreign_language(tokens))
     return Error{Error::Kind::not_understood,
                  "the prompt seems to be " + foreign->name + ". " + foreign->refusal};
   if (request.room && !request.room->type.empty()) return {};
-  if (read_prompt(request.prompt, *built_in_room_kinds(), KindTable::built_in()).understood)
-    return {};
+  if (brief.understood) return {};
   return Error{Error::Kind::not_understood,
                "no word of the prompt names a room or a thing: say what room you want in English, "
                "as in \"a cosy bedroom for two\", or let a language model read it (--model)"};
@@ -56,8 +55,10 @@ class RuleDesigner : public Designer {
   Result<Plan> plan(const PlanRequest& request) override {
     if (auto ready = check_knowledge(); !ready) return ready.error();
     if (auto status = check_request(request); !status) return status.error();
-    if (auto status = check_understood(request); !status) return status.error();
-    return make_plan(request, *built_in_room_kinds(), KindTable::built_in(),
+    const Brief brief =
+        read_prompt(request.prompt, *built_in_room_kinds(), KindTable::built_in());
+    if (auto status = check_understood(request, brief); !status) return status.error();
+    return make_plan(request, brief, *built_in_room_kinds(), KindTable::built_in(),
                      *built_in_arrangements());
   }
 

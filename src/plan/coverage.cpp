@@ -43,7 +43,7 @@ bool is_mark(const language::Token& token) {
 }
 
 // Neighbours that one meaning has in common are one entry; marks part what nobody heard.
-std::vector<Heard> runs_of(const std::vector<language::Token>& tokens,
+std::vector<Heard> runs_of(const std::string& prompt, const std::vector<language::Token>& tokens,
                            const std::vector<std::size_t>& owner,
                            const std::vector<Meaning>& meanings) {
   std::vector<Heard> heard;
@@ -59,6 +59,7 @@ std::vector<Heard> runs_of(const std::vector<language::Token>& tokens,
     heard.push_back({tokens[i].span.begin, tokens[i].span.end, "", meaning.as, meaning.requirements});
     last = owner[i];
   }
+  for (auto& words : heard) words.text = prompt.substr(words.begin, words.end - words.begin);
   return heard;
 }
 
@@ -69,16 +70,18 @@ void add_all(const std::vector<std::string>& ids, std::vector<std::string>& to) 
 
 }  // namespace
 
-std::vector<Heard> heard_words(const Brief& brief, const RequirementIds& ids) {
+std::vector<Heard> heard_words(const std::string& prompt, const Brief& brief,
+                               const RequirementIds& ids) {
   std::vector<Meaning> meanings;
   for (std::size_t i = 0; i < brief.heard.size(); ++i) {
     meanings.push_back({brief.heard[i].as, {}});
     add_all(ids[i], meanings.back().requirements);
   }
-  return runs_of(brief.tokens, owners(brief, ids), meanings);
+  return runs_of(prompt, brief.tokens, owners(brief, ids), meanings);
 }
 
-std::vector<Heard> heard_words(const SaidDwelling& said, const std::vector<Plan>& rooms,
+std::vector<Heard> heard_words(const std::string& prompt, const SaidDwelling& said,
+                               const std::vector<Plan>& rooms,
                                const std::map<std::string, std::string>& ids) {
   std::vector<Meaning> meanings;
   std::vector<std::size_t> owner(said.tokens.size(), nobody);
@@ -100,7 +103,7 @@ std::vector<Heard> heard_words(const SaidDwelling& said, const std::vector<Plan>
               owner[token] = meanings.size();
       meanings.push_back({words.as, words.requirements});
     }
-  return runs_of(said.tokens, owner, meanings);
+  return runs_of(prompt, said.tokens, owner, meanings);
 }
 
 }  // namespace roomgen::design

@@ -16,7 +16,7 @@ constexpr double least_long = 1.5;  ///< ratio of the sides of a "long" room; do
 class Ledger {
  public:
   Ledger(const Brief& brief, const std::vector<Draft>& drafts, const Plan& plan)
-      : brief_(brief), room_(plan.room), ids_by_words_(brief.heard.size()) {
+      : prompt_(plan.prompt), brief_(brief), room_(plan.room), ids_by_words_(brief.heard.size()) {
     for (const auto& planned : planned_objects(plan)) {
       const std::size_t mention = drafts[planned.item].mention;
       if (mention != Demand::none) ids_[mention].push_back(planned.id);
@@ -40,7 +40,7 @@ class Ledger {
     material("ceiling", brief_.materials.ceiling);
     material("accent wall", brief_.materials.accent);
     room();
-    return {std::move(requirements_), heard_words(brief_, ids_by_words_)};
+    return {std::move(requirements_), heard_words(prompt_, brief_, ids_by_words_)};
   }
 
  private:
@@ -126,6 +126,7 @@ class Ledger {
   void relation(std::size_t index, const Mention& mention, const Demand& demand) {
     // Of those that share the long sides half are behind the target.
     if (demand.flank && demand.kind == RelationKind::in_front_of) return;
+    if (demand.kind == RelationKind::between) return between(index, mention, demand);
     Requirement requirement = about(index, mention, Requirement::Kind::relation);
     requirement.relation = demand.kind;
     requirement.clause = mention.category + " " + std::string(name(demand.kind));
@@ -137,6 +138,26 @@ class Ledger {
       requirement.clause += " " + demand.part;
     }
     add(std::move(requirement), {demand.heard});
+  }
+
+  // One clause of all that it is said of.
+  void between(std::size_t index, const Mention& mention, const Demand& first) {
+    std::vector<std::string> names;
+    std::vector<std::size_t> words;
+    Requirement requirement = about(index, mention, Requirement::Kind::relation);
+    requirement.relation = RelationKind::between;
+    for (const auto& demand : mention.demands) {
+      if (demand.kind != RelationKind::between) continue;
+      if (names.empty() && &demand != &first) return;  // said with the first
+      const bool is_thing = demand.mention != Demand::none;
+      names.push_back(is_thing ? brief_.mentions[demand.mention].category : demand.part);
+      const auto targets = is_thing ? ids_[demand.mention]
+                                    : std::vector<std::string>{part_of(room_, demand.part)};
+      requirement.targets.insert(requirement.targets.end(), targets.begin(), targets.end());
+      words.push_back(demand.heard);
+    }
+    requirement.clause = mention.category + " between " + join(names, " and ");
+    add(std::move(requirement), words);
   }
 
   void material(const std::string& part, const std::string& said) {
@@ -212,6 +233,7 @@ class Ledger {
       of_room("openings", "window", 0.0, "no windows", words_of(Heard::As::absence, "window"));
   }
 
+  const std::string& prompt_;
   const Brief& brief_;
   const Room& room_;
   std::map<std::size_t, std::vector<std::string>> ids_;  ///< by mention

@@ -4,7 +4,6 @@
 #include <string>
 
 #include "base/random.h"
-#include "brief/prompt.h"
 #include "brief/room_type.h"
 #include "floor_plan.h"
 #include "inventory.h"
@@ -35,13 +34,13 @@ struct Attempt {
 
 class Planner {
  public:
-  Planner(const PlanRequest& request, const RoomKinds& kinds, const KindTable& table,
+  Planner(const PlanRequest& request, Brief brief, const RoomKinds& kinds, const KindTable& table,
           const Arrangements& arrangements)
       : request_(request),
         kinds_(kinds),
         table_(table),
         arrangements_(arrangements),
-        brief_(read_prompt(request.prompt, kinds, table)),
+        brief_(std::move(brief)),
         random_(request.seed) {
     choose_kind();
   }
@@ -59,8 +58,6 @@ class Planner {
     auto ledger = ledger_of(brief_, best.drafts, best.plan);
     best.plan.requirements = std::move(ledger.requirements);
     best.plan.heard = std::move(ledger.heard);
-    for (auto& words : best.plan.heard)
-      words.text = request_.prompt.substr(words.begin, words.end - words.begin);
     return std::move(best.plan);
   }
 
@@ -189,9 +186,9 @@ class Planner {
 
 }  // namespace
 
-Plan make_plan(const PlanRequest& request, const RoomKinds& kinds, const KindTable& table,
+Plan make_plan(const PlanRequest& request, const Brief& brief, const RoomKinds& kinds, const KindTable& table,
                const Arrangements& arrangements) {
-  return Planner(request, kinds, table, arrangements).plan();
+  return Planner(request, brief, kinds, table, arrangements).plan();
 }
 
 }  // namespace roomgen::design

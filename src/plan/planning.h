@@ -1,5 +1,6 @@
 #pragma once
 
+#include "brief/brief.h"
 #include "brief/room_kinds.h"
 #include "roomgen/kinds/kind_table.h"
 #include "roomgen/scene/plan.h"
@@ -7,10 +8,10 @@
 
 namespace roomgen::design {
 
-/// The plan for a request whose prompt and sizes are sound. Each plan has a dry run: its things are
+/// The plan for a request whose sizes are sound and whose prompt says what `brief` holds. Each plan has a dry run: its things are
 /// placed as boxes, and where some find no place, another room or another selection is tried; at last
 /// what was not asked for is left out.
-Plan make_plan(const PlanRequest& request, const RoomKinds& kinds, const KindTable& table,
-               const Arrangements& arrangements);
+Plan make_plan(const PlanRequest& request, const Brief& brief, const RoomKinds& kinds,
+               const KindTable& table, const Arrangements& arrangements);
 
 }  // namespace roomgen::design

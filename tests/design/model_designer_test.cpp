@@ -1,5 +1,7 @@
 #include "roomgen/design/model_designer.h"
 
+#include <algorithm>
+
 #include "catch.h"
 #include "roomgen/design/designer.h"
 #include "support/contains.h"
@@ -42,9 +44,9 @@ struct Conversation {
     request.marks = [] { return Result<std::vector<Image>>(std::vector<Image>{Image(2, 2)}); };
     return designer->place(request);
   }
-  Result<Plan> make_plan() {
+  Result<Plan> make_plan(const std::string& prompt = "a study with a desk") {
     PlanRequest request;
-    request.prompt = "a study with a desk";
+    request.prompt = prompt;
     return designer->plan(request);
   }
   const std::string& question(std::size_t turn) const {
@@ -145,6 +147,46 @@ TEST_CASE("Without a model there is no plan, but one that fails leaves it to the
   CHECK(talk.designer->plan_consultation().fell_back);
   REQUIRE_FALSE(plan->notes.empty());
   CHECK(contains_text(plan->notes.back(), "rules made this one"));
+}
+
+TEST_CASE("What a plan forgot goes back once; then rules add it") {
+  const std::string prompt = "a study with a desk, a green wardrobe by the window and no chair";
+  Conversation talk({reply_saying(good_plan), reply_saying(good_plan)});
+  const auto plan = talk.make_plan(prompt);
+  REQUIRE(plan);
+  CHECK(talk.designer->plan_consultation().calls == 2);
+  CHECK_FALSE(talk.designer->plan_consultation().fell_back);
+  CHECK(contains_text(talk.question(1), "a green wardrobe"));
+  REQUIRE(plan->items.size() == 2);
+  for (const auto& item : plan->items) CHECK(item.asked);
+  CHECK(plan->items[0].category + ", " + plan->items[1].category == "desk, wardrobe");
+  const auto has = [&](Requirement::Kind kind, const std::string& category) {
+    return std::any_of(plan->requirements.begin(), plan->requirements.end(), [&](const auto& one) {
+      return one.kind == kind && one.category == category && one.source == Requirement::Source::prompt;
+    });
+  };
+  CHECK(has(Requirement::Kind::count, "desk"));
+  CHECK(has(Requirement::Kind::count, "wardrobe"));
+  CHECK(has(Requirement::Kind::attribute, "wardrobe"));
+  CHECK(has(Requirement::Kind::relation, "wardrobe"));
+  CHECK(has(Requirement::Kind::absence, "chair"));
+  for (const auto& one : plan->requirements)
+    if (one.kind == Requirement::Kind::relation)
+      CHECK(one.subjects == std::vector<std::string>{"wardrobe-0"});
+  CHECK(std::any_of(plan->heard.begin(), plan->heard.end(),
+                    [](const Heard& words) { return words.text == "wardrobe"; }));
+}
+
+TEST_CASE("A second plan that forgets nothing is taken") {
+  const std::string whole = R"({"room": {"type": "study", "size_m": [4, 3]}, "objects": [
+    {"name": "desk", "size_cm": [140, 70, 75]}, {"name": "wardrobe", "size_cm": [100, 60, 200]}]})";
+  Conversation talk({reply_saying(good_plan), reply_saying(whole)});
+  const auto plan = talk.make_plan("a study with a desk and a wardrobe");
+  REQUIRE(plan);
+  CHECK(plan->items.size() == 2);
+  CHECK(plan->items[1].category == "wardrobe");
+  CHECK(std::none_of(plan->notes.begin(), plan->notes.end(),
+                     [](const auto& note) { return contains_text(note, "added by rules"); }));
 }
 
 TEST_CASE("A plan that was cut off is used as far as it goes") {

@@ -1,0 +1,89 @@
+#include "claim.h"
+
+#include <algorithm>
+
+#include "inventory.h"
+#include "ledger.h"
+#include "roomgen/base/text.h"
+
+namespace roomgen::design {
+
+namespace {
+
+bool is_wanted(const Mention& mention) {
+  return !mention.contradicts && mention.quantity > 0;
+}
+
+// Large things come first: before the first one that covers less of the floor.
+std::ptrdiff_t turn_of(const PlanItem& item, const Plan& plan, const KindTable& table) {
+  const double own = floor_area(item, table);
+  return std::find_if(plan.items.begin(), plan.items.end(),
+                      [&](const PlanItem& other) { return floor_area(other, table) < own; }) -
+         plan.items.begin();
+}
+
+std::string numbered(int count, const std::string& name) {
+  return count == 1 ? "a " + name : std::to_string(count) + " " + name;
+}
+
+}  // namespace
+
+Claim claim(const Plan& plan, const Brief& brief, const KindTable& table) {
+  Claim result;
+  result.mention_of.assign(plan.items.size(), Demand::none);
+  std::vector<int> lacking;
+  for (const auto& mention : brief.mentions)
+    lacking.push_back(is_wanted(mention) ? mention.quantity : 0);
+  const auto give = [&](auto fits) {
+    for (std::size_t m = 0; m < lacking.size(); ++m)
+      for (std::size_t i = 0; i < plan.items.size() && lacking[m] > 0; ++i)
+        if (result.mention_of[i] == Demand::none &&
+            fits(plan.items[i].category, brief.mentions[m].category)) {
+          result.mention_of[i] = m;
+          lacking[m] -= plan.items[i].quantity;
+        }
+  };
+  give([](const std::string& item, const std::string& asked) { return item == asked; });
+  give([&](const std::string& item, const std::string& asked) {
+    return table.is_a(item, asked) || table.is_a(asked, item);
+  });
+  for (std::size_t m = 0; m < lacking.size(); ++m)
+    if (lacking[m] > 0) result.forgotten.push_back({m, lacking[m]});
+  return result;
+}
+
+std::string objection(const Claim& claim, const Brief& brief) {
+  if (claim.forgotten.empty()) return "";
+  std::vector<std::string> lacking;
+  for (const auto& one : claim.forgotten)
+    lacking.push_back(numbered(one.lacking, brief.mentions[one.mention].description));
+  return "the description asks for things that your plan lacks: " + join(lacking, ", ");
+}
+
+void fulfil(const Claim& claim, const Brief& brief, const KindTable& table, Plan& plan) {
+  const auto asked = asked_items(brief, table);
+  std::vector<std::size_t> mention_of = claim.mention_of;
+  for (std::size_t i = 0; i < plan.items.size(); ++i)
+    plan.items[i].asked = mention_of[i] != Demand::none;
+  for (const auto& one : claim.forgotten) {
+    const auto draft = std::find_if(asked.begin(), asked.end(), [&](const Draft& other) {
+      return other.mention == one.mention;
+    });
+    if (draft == asked.end()) continue;
+    PlanItem item = draft->item;
+    item.quantity = one.lacking;
+    item.relations.clear();
+    const auto at = turn_of(item, plan, table);
+    plan.items.insert(plan.items.begin() + at, std::move(item));
+    mention_of.insert(mention_of.begin() + at, one.mention);
+    plan.notes.push_back(numbered(one.lacking, draft->item.description) +
+                         ": asked for and not planned; added by rules");
+  }
+  std::vector<Draft> drafts(plan.items.size());
+  for (std::size_t i = 0; i < drafts.size(); ++i) drafts[i].mention = mention_of[i];
+  auto ledger = ledger_of(brief, drafts, plan);
+  plan.requirements = std::move(ledger.requirements);
+  plan.heard = std::move(ledger.heard);
+}
+
+}  // namespace roomgen::design

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "brief/brief.h"
+#include "roomgen/kinds/kind_table.h"
+#include "roomgen/scene/plan.h"
+
+namespace roomgen::design {
+
+/// Things of a mention that a plan lacks.
+struct Forgotten {
+  std::size_t mention = 0;  ///< index into Brief::mentions
+  int lacking = 0;
+};
+
+/// A plan that somebody else made, held against what the prompt asks for.
+struct Claim {
+  /// Of each of Plan::items: the mention that asks for it, or Demand::none.
+  std::vector<std::size_t> mention_of;
+  std::vector<Forgotten> forgotten;
+};
+
+/// Gives the items of a plan to the mentions of the prompt: those of the same kind first, then those
+/// of which one's kind is of the other's.
+Claim claim(const Plan& plan, const Brief& brief, const KindTable& table);
+
+/// What is wrong, in words meant for who made the plan: "a wardrobe, 2 lamps are asked for". Empty
+/// if nothing is.
+std::string objection(const Claim& claim, const Brief& brief);
+
+/// Adds what was forgotten, and makes the prompt's clauses the requirements of the plan.
+void fulfil(const Claim& claim, const Brief& brief, const KindTable& table, Plan& plan);
+
+}  // namespace roomgen::design
