@@ -61,7 +61,8 @@ def fate(roomgen, noun):
             return "no object"
         with open(os.path.join(output, "scene.json"), encoding="utf-8") as file:
             scene = json.load(file)
-    notes = done.stdout + done.stderr
+        with open(os.path.join(output, "plan.json"), encoding="utf-8") as file:
+            notes = " ".join(json.load(file).get("notes", []))
     if scene["unplaced"]:
         return "missing"
     things = [thing for thing in scene["objects"] if thing["id"] != "workbench-0"]
@@ -75,7 +76,7 @@ def fate(roomgen, noun):
         return "made"
     if "is taken for a" in notes:
         return "synonym " + thing["category"]
-    if 'read \\"' in notes or 'read "' in notes:
+    if 'read "' in notes:
         return "spelling " + thing["category"]
     return "kind " + thing["category"]
 

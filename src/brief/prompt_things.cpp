@@ -117,7 +117,7 @@ class ThingReader {
     const NounPhrase& said = reading_.phrase(id);
     const bool introduced = thing.article || (said.list != none && !may_be_stuff(thing.noun));
     if (!introduced || (thing.definite && !thing.article) ||
-        !may_be_thing(reading_.text, thing.noun) ||
+        !may_be_thing(reading_.text, thing.noun) || !is_physical(thing.noun) ||
         reading_.text.words.room_parts.count(thing.noun) || is_of_owner(id, thing) || is_inside(id))
       return false;
     for (const Attachment& attachment : reading_.parse.attachments)

@@ -84,12 +84,11 @@ class ThingPhraseReader {
   }
   // "credenza", "gong": nouns that no kind is called by, where something is introduced.
   void inferred_name() {
-    if (!is_introduced() || said_.is_pronoun || !may_be_thing(text_, phrase_.noun) ||
-        text_.words.room_parts.count(phrase_.noun))
-      return;
+    if (!is_introduced() || said_.is_pronoun || text_.words.room_parts.count(phrase_.noun)) return;
     for (std::uint32_t i = said_.tokens.begin; i <= said_.head; ++i) {
       const std::string noun = in_singular(i);
-      if (i < said_.head && !language::lexicon().has(noun, language::PartOfSpeech::noun)) continue;
+      const bool is_word = language::lexicon().has(noun, language::PartOfSpeech::noun);
+      if ((i < said_.head && !is_word) || !may_be_thing(text_, noun)) continue;
       const NounKind meant = inferred_kind(text_.table, noun);
       if (!meant.kind) continue;
       take_name(i, meant, noun);
@@ -99,7 +98,16 @@ class ThingPhraseReader {
   }
   bool is_introduced() const {
     if (said_.determiner != Determiner::absent || said_.count > 0 || said_.is_plural) return true;
-    return said_.list != language::none && !may_be_stuff(phrase_.noun) && !language::positive(phrase_.noun);
+    return (said_.list != language::none || is_placed()) && !may_be_stuff(phrase_.noun) &&
+           !language::positive(phrase_.noun);
+  }
+  // "Shredder in the corner."
+  bool is_placed() const {
+    constexpr double surely = 0.9;
+    return language::lexicon().share(phrase_.noun, WordClass::artefact) >= surely &&
+           std::any_of(parse_.attachments.begin(), parse_.attachments.end(), [&](const auto& one) {
+             return one.from == number_ && one.to != language::none && one.relation != "of";
+           });
   }
   void take_name(std::uint32_t first, const NounKind& meant, const std::string& name) {
     start_ = first;
@@ -366,7 +374,7 @@ bool may_be_thing(const PromptText& text, const std::string& noun) {
         WordClass::event, WordClass::attribute, WordClass::quantity, WordClass::place,
         WordClass::room, WordClass::color, WordClass::group, WordClass::animal})
     if (english.is(noun, no_thing)) return may_yet_stand_in_room(noun);
-  return names_thing(noun);
+  return true;
 }
 
 }  // namespace roomgen::design

@@ -135,7 +135,7 @@ const Kind* stand_in_for(const KindTable& table, std::string_view noun) {
   return nullptr;
 }
 
-bool names_thing(std::string_view noun) {
+bool is_physical(std::string_view noun) {
   const std::string lemma = lemma_of(noun);
   return lemma.empty() || !thing_senses(lemma).empty();
 }

@@ -37,6 +37,6 @@ NounKind misspelt_kind(const KindTable& table, std::string_view noun);
 const Kind* stand_in_for(const KindTable& table, std::string_view noun);
 
 /// Whether one of the noun's common senses is something that one can touch; true of words that WordNet lacks.
-bool names_thing(std::string_view noun);
+bool is_physical(std::string_view noun);
 
 }  // namespace roomgen

@@ -132,6 +132,9 @@ TEST_CASE("nouns that no kind is called by are another word for one, a slip, or 
   CHECK(things(read("a temple with two gongs and an altar")) == "2 gong, 1 table");
   CHECK(things(read("a garage with a gas cylinder and an estate car")) == "1 gas cylinder, 1 estate car");
   CHECK(things(read("a bedroom with a wolf, a dentist and a sadness")) == "");
+  CHECK(things(read("Office. Shredder in the corner.")) == "1 shredder");
+  CHECK(things(read("a bedroom in oak, linen and verdigris")) == "");
+  CHECK(excluded(read("a cafe with no cash register")) == "cash register");
   const Brief brief = read("an office with a bokshelf and a bonnet");
   REQUIRE(brief.notes.size() == 2);
   CHECK(brief.notes[0] == "read \"bokshelf\" as \"bookshelf\"");
