@@ -242,9 +242,10 @@ class ThingReader {
       reading_.brief.windows = 0;
       reading_.hearing.absence(id, "window");
     }
-    const bool is_known = thing.kind.length > 0;
-    if (!is_known && !may_be_thing(reading_.text, thing.noun)) return;
-    const std::string category = is_known ? thing.kind.category->name : thing.noun;
+    const bool is_named = thing.kind.length > 0, is_known = is_named && !thing.kind.is_stand_in();
+    if (!is_named && !may_be_thing(reading_.text, thing.noun)) return;
+    const std::string& unknown = is_named ? thing.kind.name : thing.noun;
+    const std::string category = is_known ? thing.kind.category->name : unknown;
     // "avoid glass tables" forbids no tables.
     if (is_known && !thing.modifiers.empty()) {
       const std::string looks = join(thing.modifiers, " ");
