@@ -119,6 +119,45 @@ bool read_ceiling(std::vector<Token>& tokens, std::size_t at, std::size_t count,
   return true;
 }
 
+// Whether any thing is named before.
+bool thing_came_before(const std::vector<Token>& tokens, std::size_t at, const KindTable& table) {
+  for (std::size_t i = 0; i < at; ++i)
+    if (tokens[i].kind == Token::Kind::word && mention_at(table, tokens, i).length > 0) return true;
+  return false;
+}
+
+// "16 m deep, 9 m wide, 5 m high", said before any thing is named.
+class RoomSides {
+ public:
+  // Whether the length was one of the room's.
+  bool read(const Measure& measure, const language::Run& tokens, Brief& brief) {
+    switch (measure.side) {
+      case Measure::Side::height:
+        if (measure.values[0] < least_ceiling || measure.values[0] > greatest_ceiling) return false;
+        brief.height = measure.values[0];
+        hear(brief, tokens, Heard::As::room, "height");
+        return true;
+      case Measure::Side::width:
+        width_ = measure.values[0];
+        break;
+      case Measure::Side::depth:
+      case Measure::Side::length:
+        depth_ = measure.values[0];
+        break;
+      default:
+        return false;
+    }
+    said_.push_back(tokens);
+    if (width_ && depth_ && set_size({*width_, *depth_}, brief))
+      for (const auto& run : said_) hear(brief, run, Heard::As::room, "size");
+    return true;
+  }
+
+ private:
+  std::optional<double> width_, depth_;
+  std::vector<language::Run> said_;
+};
+
 // The tokens from `at` on whose source ends before `end`.
 std::size_t count_up_to(const std::vector<Token>& tokens, std::size_t at, std::size_t end) {
   std::size_t count = 0;
@@ -171,6 +210,7 @@ People people_at(const std::vector<Token>& tokens, std::size_t at, const Vocabul
 
 void read_measures(std::vector<Token>& tokens, const std::vector<language::Token>& prompt,
                    const Vocabulary& words, const KindTable& table, Brief& brief) {
+  RoomSides sides;
   for (std::size_t i = 0; i < tokens.size(); ++i) {
     if (tokens[i].kind == Token::Kind::length || tokens[i].kind == Token::Kind::room) continue;
     const auto begin = tokens[i].source.begin;
@@ -191,6 +231,12 @@ void read_measures(std::vector<Token>& tokens, const std::vector<language::Token
         continue;
       case Measure::Kind::length:
         if (read_ceiling(tokens, i, count, *measure, table, brief)) break;
+        if (!thing_follows(tokens, i + count, table, words) &&
+            !thing_came_before(tokens, i, table) &&
+            sides.read(*measure, source_of(tokens, i, count), brief)) {
+          replace(tokens, i, count);
+          break;
+        }
         replace(tokens, i, count, {{Token::Kind::length, "length", measure->values[0], {}}});
     }
   }

@@ -17,14 +17,16 @@ using Indices = std::vector<std::size_t>;
 
 class PlaceReader {
  public:
-  explicit PlaceReader(PromptReading& reading) : reading_(reading) {}
+  explicit PlaceReader(PromptReading& reading)
+      : reading_(reading), left_(words_left(reading.parse)) {}
 
   void run() {
     for (const auto& attachment : reading_.parse.attachments) {
+      read_adverbs(attachment.tokens.begin);
       reading_.look_back_from(attachment.tokens.begin);
       read_attachment(attachment);
     }
-    read_adverbs();
+    read_adverbs(reading_.text.plain.size());
   }
 
  private:
@@ -78,6 +80,8 @@ class PlaceReader {
         give_each(*thing, subjects);
       return say(subjects, said, *thing);
     }
+    if (is_way_in(target, *said.placement))
+      return reading_.talk.locate(subjects, *said.placement, PlacePhrase{Place::door});
     if (reading_.is_room(target)) {
       if (said.placement->centered) reading_.talk.locate(subjects, *said.placement, PlacePhrase{});
       return;
@@ -89,6 +93,13 @@ class PlaceReader {
     if (place->place == Place::middle)
       return locate_in_middle(attachment, subjects, *said.placement, *place);
     reading_.talk.locate(subjects, *said.placement, *place);
+  }
+  // "facing the entrance" means the door, "in the entrance" the room.
+  bool is_way_in(const NounPhrase& target, const Placement& placement) const {
+    const auto part = reading_.words.room_parts.find(reading_.word(target.head));
+    return part != reading_.words.room_parts.end() && part->second == "door" &&
+           target.determiner == Determiner::definite &&
+           placement.relations.front() != RelationKind::on;
   }
   static bool is_portion(const PlacePhrase& place) {
     return place.place == Place::corner || place.place == Place::middle ||
@@ -171,16 +182,21 @@ class PlaceReader {
       target = owner->second;
     if (target) say(subjects, {&placement, none, false}, *target);
   }
-  // "nearby", "on top", "side by side": words that no phrase has.
-  void read_adverbs() {
-    std::vector<bool> used(reading_.parse.tokens.size(), false);
+  // Words that no phrase has and no attachment.
+  static std::vector<bool> words_left(const language::Parse& parse) {
+    std::vector<bool> left(parse.tokens.size(), true);
     const auto use = [&](const Run& run) {
-      std::fill(used.begin() + run.begin, used.begin() + run.end, true);
+      std::fill(left.begin() + run.begin, left.begin() + run.end, false);
     };
-    for (const auto& one : reading_.parse.attachments) use(one.tokens);
-    for (const auto& one : reading_.parse.phrases) use({one.tokens.begin, one.head + 1});
-    for (std::size_t i = 0; i < reading_.text.plain.size(); ++i) {
-      if (used[i]) continue;
+    for (const auto& one : parse.attachments) use(one.tokens);
+    for (const auto& one : parse.phrases) use({one.tokens.begin, one.head + 1});
+    return left;
+  }
+  // "nearby", "on top", "side by side": those up to a token that were not read yet.
+  void read_adverbs(std::size_t end) {
+    for (; next_adverb_ < end; ++next_adverb_) {
+      const std::size_t i = next_adverb_;
+      if (!left_[i]) continue;
       reading_.look_back_from(i);
       const auto match = longest(reading_.words.placements, reading_.text.plain, i);
       if (!match || (!match.value->pronoun && !match.value->adverb && !match.value->mutual))
@@ -194,7 +210,7 @@ class PlaceReader {
         relate_listed(i, *match.value);
       else if (!subjects.empty())
         relate_to_implied(subjects, *match.value);
-      i += match.length - 1;
+      next_adverb_ += match.length - 1;
     }
   }
   // Of what an adverb is said: the subject of the verb before it, what was named last in its
@@ -234,6 +250,8 @@ class PlaceReader {
   }
 
   PromptReading& reading_;
+  const std::vector<bool> left_;                 ///< by token
+  std::size_t next_adverb_ = 0;                  ///< token
   std::map<std::size_t, std::size_t> owner_of_;  ///< "a tray with cups": mentions
   std::set<std::size_t> given_;                  ///< mentions that each of others has
 };

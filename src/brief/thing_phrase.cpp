@@ -249,6 +249,7 @@ class ThingPhraseReader {
       }
   }
   bool tells_material(const Attachment& attachment) const;
+  bool may_be_look(const language::NounPhrase& phrase) const;
 
   // "a 2 m tall bookcase", "a table 1.6 m long", "the desk is 1.6 m wide"
   void measures() {
@@ -334,9 +335,22 @@ bool ThingPhraseReader::tells_material(const Attachment& attachment) const {
   static const WordSet relations = {"of", "in", "from"};
   const auto& to = parse_.phrases[static_cast<std::size_t>(attachment.to)];
   const std::string& noun = word(to.head);
-  return relations.count(attachment.relation) && is_bare(to) &&
-         (text_.words.materials.count(noun) || language::lexicon().is(noun, WordClass::color) ||
-          (language::lexicon().is(noun, WordClass::material) && !to.is_plural));
+  if (!relations.count(attachment.relation) || !is_bare(to)) return false;
+  if (text_.words.materials.count(noun) || language::lexicon().is(noun, WordClass::color) ||
+      (language::lexicon().is(noun, WordClass::material) && !to.is_plural))
+    return true;
+  return attachment.relation == "in" && !to.is_plural && may_be_look(to);
+}
+
+// "in pale ash", "in rust bouclé": what a thing is in, and that may be a colour or what things are
+// made of.
+bool ThingPhraseReader::may_be_look(const language::NounPhrase& phrase) const {
+  const auto& english = language::lexicon();
+  for (auto i = phrase.tokens.begin; i <= phrase.head; ++i)
+    if (english.may_be(word(i), WordClass::color) || english.may_be(word(i), WordClass::material) ||
+        english.may_be(word(i), WordClass::substance) || text_.words.materials.count(word(i)))
+      return true;
+  return false;
 }
 
 // "A case" is rather an event, yet it may be what holds a guitar.

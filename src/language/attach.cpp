@@ -383,7 +383,7 @@ class Attacher {
     const auto id = static_cast<std::int32_t>(number);
     each_ = none;
     if (is_floating(id)) {
-      each_ = main_ != none && at(main_).is_plural ? main_ : last_;
+      each_ = main_ != none && (at(main_).is_plural || !at(last_).is_plural) ? main_ : last_;
       is_joined_ = has_comma_ = false;
       return;
     }

@@ -473,3 +473,33 @@ TEST_CASE("a heading says where what follows is, unless it has a place of its ow
   CHECK(places(brief, 2) == "near, window-0 | in part, east-half");
   CHECK(places(brief, 3).empty());
 }
+
+TEST_CASE("the sides of the room may be said one by one, before any thing") {
+  const auto brief = read("A garage, 9 m deep, 6 m wide, 3.4 m high, with a workbench 2 m wide.");
+  REQUIRE(brief.size);
+  CHECK(brief.size->x() == Approx(6));
+  CHECK(brief.size->y() == Approx(9));
+  CHECK(brief.height == Approx(3.4));
+  CHECK_FALSE(read("a study with a desk 2 m wide and a shelf 2 m deep").size);
+  CHECK_FALSE(read("a study with a 2 m wide desk").size);
+}
+
+TEST_CASE("what a thing is in may be its material or colour") {
+  const auto look = [](const char* prompt) { return read(prompt).mentions.at(0).description; };
+  CHECK(look("a wardrobe in pale ash") == "pale ash wardrobe");
+  CHECK(look("a stool in black vinyl") == "black vinyl stool");
+  CHECK(look("a trolley in aluminium") == "aluminium trolley");
+  CHECK(look("a wardrobe in the corner") == "wardrobe");
+  CHECK(look("a chair in use") == "chair");
+}
+
+TEST_CASE("the entrance is a door to what is near it, and a room to what is in it") {
+  CHECK(places(read("a shop with a counter facing the entrance"), 0) == "face to, door-0");
+  CHECK(places(read("a shop with a coat stand next to the entrance"), 0) == "next to, door-0");
+  CHECK(places(read("a bench in the entrance"), 0).find("door") == std::string::npos);
+}
+
+TEST_CASE("on each side comes before what each carries") {
+  CHECK(things(read("A nightstand stands on each side of the bed, each carrying a lamp.")) ==
+        "2 nightstand, 1 bed, 2 table lamp");
+}
