@@ -144,6 +144,7 @@ std::string guess_room_type(const Brief& brief, const RoomKinds& kinds,
   double most = 0.0;
   for (const auto& [type, kind] : kinds.types) {
     double votes = 0.0;
+    bool is_meant = false;  // what the room is for is there
     for (const auto& mention : brief.mentions) {
       double vote = 0.0;
       const auto hears = [&, &heard = kind](const std::vector<Piece>& pieces, double weight) {
@@ -156,8 +157,9 @@ std::string guess_room_type(const Brief& brief, const RoomKinds& kinds,
       hears(kind.core, 1.0);
       hears(kind.extras, 0.3);
       votes += vote;
+      is_meant = is_meant || vote == first_weight;
     }
-    if (votes > most) {
+    if (is_meant && votes > most) {
       most = votes;
       best = type;
     }

@@ -21,6 +21,7 @@ constexpr int usual_attempts = 5;
 constexpr int max_attempts = 9;  ///< while something of the prompt is not heeded
 constexpr double growth = 1.05;  ///< of the sides from attempt to attempt
 constexpr int fewest = 8;
+constexpr std::size_t enough_things = 2;  ///< named, to furnish a room of no known kind
 constexpr std::size_t most_tried = 80;  ///< things; larger plans are taken as they are
 
 /// One plan and what was wrong with it.
@@ -67,6 +68,10 @@ class Planner {
     if (brief_.type.empty() && request_.room) {
       brief_.type = request_.room->type;
       brief_.type_known = kinds_.types.count(brief_.type) > 0;
+    }
+    if (brief_.type.empty() && brief_.mentions.size() >= enough_things) {
+      brief_.type = "room";
+      brief_.notes.push_back("the prompt names no kind of room; little was added to what it names");
     }
     if (brief_.type.empty()) {
       brief_.type = default_room_type;
