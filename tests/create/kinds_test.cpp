@@ -100,8 +100,8 @@ TEST_CASE("The library builds what it is asked for in exactly the wanted size") 
 TEST_CASE("What nobody knows gets a plain stand-in in the size and the colour that were asked for") {
   const auto library = make_created_library();
   AssetQuery query;
-  query.category = "gong";
-  query.description = "a red gong";
+  query.category = "tuba";
+  query.description = "a red tuba";
   query.size = Vec3(0.7, 0.3, 1.1);
   CHECK(library->search(query)->empty());  // of its own accord nobody adds one
   query.asked = true;

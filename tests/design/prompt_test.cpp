@@ -129,8 +129,8 @@ TEST_CASE("things are read with their numbers") {
 TEST_CASE("nouns that no kind is called by are another word for one, a slip, or get a stand-in") {
   CHECK(things(read("a hall with a fishbowl and two bonnets")) == "1 fish bowl, 2 hat");
   CHECK(things(read("an office with a bokshelf")) == "1 bookshelf");
-  CHECK(things(read("a temple with two gongs and an altar")) == "2 gong, 1 table");
-  CHECK(things(read("a garage with a gas cylinder and an estate car")) == "1 gas cylinder, 1 estate car");
+  CHECK(things(read("a temple with two tubas and an altar")) == "2 tuba, 1 altar");
+  CHECK(things(read("a garage with a generator and a catamaran")) == "1 generator, 1 catamaran");
   CHECK(things(read("a bedroom with a wolf, a dentist and a sadness")) == "");
   CHECK(things(read("Office. Shredder in the corner.")) == "1 shredder");
   CHECK(things(read("a bedroom in oak, linen and verdigris")) == "");
@@ -142,10 +142,10 @@ TEST_CASE("nouns that no kind is called by are another word for one, a slip, or 
 }
 
 TEST_CASE("what is said of a stand-in is asked for as of anything") {
-  const Brief brief = read("A gong stands in the corner. A canoe lies on a red rack next to the gong.");
-  REQUIRE(things(brief) == "1 gong, 1 canoe, 1 rack");
+  const Brief brief = read("A tuba stands in the corner. A catamaran lies on a red rack next to the tuba.");
+  REQUIRE(things(brief) == "1 tuba, 1 catamaran, 1 rack");
   CHECK(places(brief, 0) == "corner");
-  CHECK(places(brief, 1).find("next to, gong") != std::string::npos);
+  CHECK(places(brief, 1).find("next to, tuba") != std::string::npos);
   CHECK(brief.mentions[2].looks == std::vector<std::string>{"red"});
   CHECK_FALSE(brief.mentions[0].known);
   CHECK(brief.mentions[1].size.y() > 2.0);

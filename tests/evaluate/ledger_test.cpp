@@ -110,16 +110,16 @@ TEST_CASE("Attributes are judged by who knows them, absences by what is there") 
 
 TEST_CASE("Of a stand-in nothing shows that it is the thing, but its place can be checked") {
   Scene scene = bedroom();
-  scene.objects.push_back(rooms::thing("gong-0", "gong", {0.6, 0.3, 0.9}, {0.5, 0.5}));
+  scene.objects.push_back(rooms::thing("tuba-0", "tuba", {0.6, 0.3, 0.9}, {0.5, 0.5}));
   scene.objects.back().stand_in = true;
   const AttributeJudge judge = [](const Object&, const std::string&) { return AttributeVerdict{}; };
-  auto near_bed = about(Requirement::Kind::relation, "gong", {"gong-0"});
+  auto near_bed = about(Requirement::Kind::relation, "tuba", {"tuba-0"});
   near_bed.relation = RelationKind::far;
   near_bed.targets = {"nightstand-0"};
-  const std::vector<Requirement> asked = {about(Requirement::Kind::count, "gong", {"gong-0"}), near_bed};
+  const std::vector<Requirement> asked = {about(Requirement::Kind::count, "tuba", {"tuba-0"}), near_bed};
   const auto verdicts = check_requirements(asked, scene, KindTable::built_in(), judge);
   CHECK(verdicts[0].compliance == Compliance::not_judged);
-  CHECK(verdicts[0].reason == "gong-0 is a plain stand-in");
+  CHECK(verdicts[0].reason == "tuba-0 is a plain stand-in");
   CHECK(verdicts[1].met());
-  CHECK(identified_as(scene.objects, {"gong"}).at("gong").empty());
+  CHECK(identified_as(scene.objects, {"tuba"}).at("tuba").empty());
 }

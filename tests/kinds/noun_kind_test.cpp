@@ -30,7 +30,7 @@ TEST_CASE("Another word for a kind is that kind") {
 
 TEST_CASE("A word for something more special is the kind nearest above it") {
   CHECK(kind_inferred("bonnet") == "hat");
-  CHECK(kind_inferred("altar") == "table");
+  CHECK(kind_inferred("tabouret") == "stool");
   CHECK(kind_inferred("streetlight") == "street lamp");
   CHECK(inferred("bonnet").basis == NounBasis::hyponym);
 }
@@ -41,20 +41,20 @@ TEST_CASE("A name of several meanings names its kind in that of the kind only") 
 }
 
 TEST_CASE("Other things get a stand-in of their class") {
-  for (const char* noun : {"gong", "canoe", "kiln", "helmet", "compressor", "gas cylinder", "car", "rack"}) {
+  for (const char* noun : {"tuba", "catamaran", "furnace", "turban", "generator", "truck", "rack"}) {
     INFO(noun);
     REQUIRE(inferred(noun).kind);
     CHECK(inferred(noun).basis == NounBasis::stand_in);
     CHECK(inferred(noun).kind->is_stand_in());
   }
-  CHECK(kind_inferred("canoe") == "stand-in boat");
-  CHECK(kind_inferred("car") == "stand-in car");
+  CHECK(kind_inferred("catamaran") == "stand-in boat");
+  CHECK(kind_inferred("truck") == "stand-in car");
 }
 
 TEST_CASE("A table without stand-ins has none") {
   const auto table = KindTable::parse(R"({"kinds": {"hat": {}}})", "c.json");
   REQUIRE(table);
-  CHECK_FALSE(inferred_kind(*table, "gong").kind);
+  CHECK_FALSE(inferred_kind(*table, "tuba").kind);
   CHECK(inferred_kind(*table, "bonnet").kind);
 }
 
@@ -68,8 +68,8 @@ TEST_CASE("Who lives, what happens and what is felt is no thing") {
 
 TEST_CASE("What is asked of the table for a stand-in's noun is answered by the stand-in") {
   const auto& table = KindTable::built_in();
-  CHECK(table.get("gong").size == inferred("gong").kind->size);
-  CHECK_FALSE(table.find("gong"));
+  CHECK(table.get("tuba").size == inferred("tuba").kind->size);
+  CHECK_FALSE(table.find("tuba"));
   CHECK(table.get("sadness").lineage.empty());
 }
 
