@@ -7,9 +7,11 @@
 #include "roomgen/base/text.h"
 #include "evaluate/attributes.h"
 #include "evaluate/ledger.h"
+#include "solve/fit_rugs.h"
 #include "scene/judgement.h"
 #include "moves.h"
 #include "objections.h"
+#include "sizing.h"
 
 namespace roomgen {
 
@@ -55,6 +57,29 @@ void list_assets(const Workplace& place, const BuildState& state, Generation& re
       result.notes.push_back("no model of \"" + object.category + "\": " + object.id + " is a plain stand-in of " +
                              size_of(object));
   }
+}
+
+// What is said of a rug: whether it may be cut, and what it is to be near to.
+RugWish rug_wish(const Workplace& place, const BuildState& state, const PlannedObject& planned) {
+  const PlanItem& item = place.plan.items[planned.item];
+  RugWish wish{planned.id, item.asked, is_size_told(item, place.categories.get(item.category))};
+  for (const auto& task : state.tasks)
+    if (task.object.id == planned.id) wish.wishes = task.wishes;
+  return wish;
+}
+
+// Comes after all moves: until then things stand as if rugs had no height.
+void lay_rugs(const Workplace& place, const BuildState& state, Generation& result) {
+  std::vector<RugWish> wishes;
+  for (const auto& planned : planned_objects(place.plan))
+    wishes.push_back(rug_wish(place, state, planned));
+  const RugFit fit =
+      fit_rugs(place.room, result.scene.objects, result.models, place.categories, wishes);
+  for (const auto& id : fit.left_out)
+    result.scene.unplaced.push_back(
+        {id, find_object(state, id)->category, "wherever it lies, something stands on its edge"});
+  for (const auto& id : fit.uneven)
+    result.notes.push_back("something stands on the edge of " + id + ", for it was asked for there");
 }
 
 const Step* step_of(const BuildState& state, const std::string& id) {
@@ -139,6 +164,7 @@ Generation outcome(const Workplace& place, const BuildState& state) {
   result.model_use = state.model_use;
   result.stopped = state.stopped;
   list_objects(place, state, result.scene);
+  lay_rugs(place, state, result);
   list_assets(place, state, result);
   tell_what_was_not_followed(state, result);
   result.scene.requirements = verdicts(place, result);

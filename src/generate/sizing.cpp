@@ -20,7 +20,14 @@ constexpr double least_shrink = least_size_share;
 constexpr double shrink_step = 0.9;
 constexpr double fit_margin = 0.96;
 
+bool is_told(double wanted, double usual) { return std::abs(wanted / usual - 1.0) > usual_length; }
+
 }  // namespace
+
+bool is_size_told(const PlanItem& item, const Kind& category) {
+  if (!item.asked || !item.size) return false;
+  return is_told(item.size->x(), category.size.x()) || is_told(item.size->y(), category.size.y());
+}
 
 Vec3 fitted_size(const AssetInfo& asset, const PlanItem& item, const Kind& category) {
   Vec3 size = asset.size;
@@ -29,7 +36,7 @@ Vec3 fitted_size(const AssetInfo& asset, const PlanItem& item, const Kind& categ
   Vec3 factor = wanted.cwiseQuotient(size);
   if (asset.round) factor.head<2>().setConstant(factor.head<2>().mean());
   for (int axis = 0; axis < 3; ++axis) {
-    const bool is_said = item.asked && std::abs(wanted[axis] / category.size[axis] - 1.0) > usual_length;
+    const bool is_said = item.asked && is_told(wanted[axis], category.size[axis]);
     const double most = is_said ? most_said_stretch : axis < 2 ? most_asset_stretch : 0.0;
     size[axis] *= std::clamp(factor[axis], 1.0 - most, 1.0 + most);
   }

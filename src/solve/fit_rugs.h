@@ -1,0 +1,39 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "roomgen/kinds/kind_table.h"
+#include "roomgen/scene/model_table.h"
+#include "roomgen/scene/object.h"
+#include "roomgen/scene/room.h"
+
+namespace roomgen {
+
+/// A rug and what may become of it.
+struct RugWish {
+  std::string id;
+  bool asked = false;      ///< it stays whatever happens
+  bool size_told = false;  ///< somebody said how large it is
+  int wishes = 0;          ///< so many of its relations, the first ones, were asked for
+};
+
+/// What became of the rugs.
+struct RugFit {
+  std::vector<std::string> left_out;  ///< nobody had asked for them
+  std::vector<std::string> uneven;    ///< something stands partly on them still
+};
+
+/// How a thing stands to a rug: all of it that comes down to the floor is on the rug, or nothing is.
+enum class RugStand { beside, on, partly };
+RugStand stand_to_rug(const Object& thing, const Object& rug, const ModelTable& models);
+
+/// Ends a furnished room: cuts and moves the rugs, as little as can be, so that all that stands on the floor
+/// is on a rug with all its feet or with none; lifts what is on one to its top, with all that it carries;
+/// takes rugs out that cannot lie so. Rugs that are locked stay as they are, and what is partly on one stays
+/// on the floor. The objects are those of one room, standing on its floor as if rugs had no height.
+RugFit fit_rugs(const Room& room, std::vector<Object>& objects, const ModelTable& models,
+                const KindTable& kinds, std::span<const RugWish> wishes);
+
+}  // namespace roomgen
