@@ -13,7 +13,7 @@ constexpr double before = 0.03;      // and stays away from what does not
 constexpr double lying_off = 1.5;    // weight of a metre that a rug is moved
 constexpr double shrinking = 1.2;    // and of a metre that it loses, against one that it gains
 constexpr double least_side = 0.35;  // but for rugs that are smaller anyway
-constexpr std::size_t most_spans = 250;  // along one axis
+constexpr std::size_t most_ends = 24;  // on one side
 
 /// A rug along one axis.
 struct Span {
@@ -30,17 +30,32 @@ struct Ends {
   std::vector<double> low, high;
 };
 
-Ends ends_along(int axis, double half, std::span<const Bounds2> parts, std::span<const Vec2> corners) {
+// Each once, and of very many those next to where the end was.
+std::vector<double> nearest(std::vector<double> ends, double was) {
+  std::sort(ends.begin(), ends.end());
+  const auto same = [](double a, double b) { return b - a < 1e-4; };
+  ends.erase(std::unique(ends.begin(), ends.end(), same), ends.end());
+  std::stable_sort(ends.begin(), ends.end(),
+                   [&](double a, double b) { return std::abs(a - was) < std::abs(b - was); });
+  if (ends.size() > most_ends) ends.resize(most_ends);
+  return ends;
+}
+
+Ends ends_along(int axis, double half, const AboutRug& about) {
   Ends ends{{-half}, {half}};
-  for (const auto& part : parts) {
-    ends.low.insert(ends.low.end(), {part.low[axis] - beyond, part.low[axis], part.high[axis] + before});
-    ends.high.insert(ends.high.end(), {part.high[axis] + beyond, part.high[axis], part.low[axis] - before});
+  for (const auto& thing : about.things) {
+    ends.low.push_back(thing.low[axis] - beyond);
+    ends.high.push_back(thing.high[axis] + beyond);
   }
-  for (const auto& corner : corners) {
+  for (const auto& part : about.parts) {
+    ends.low.push_back(part.high[axis] + before);
+    ends.high.push_back(part.low[axis] - before);
+  }
+  for (const auto& corner : about.corners) {
     ends.low.push_back(corner[axis]);
     ends.high.push_back(corner[axis]);
   }
-  return ends;
+  return {nearest(std::move(ends.low), -half), nearest(std::move(ends.high), half)};
 }
 
 class SpansAlong {
@@ -62,7 +77,6 @@ class SpansAlong {
       return std::abs(a.low - b.low) < 1e-4 && std::abs(a.high - b.high) < 1e-4;
     };
     spans_.erase(std::unique(spans_.begin(), spans_.end(), same), spans_.end());
-    if (spans_.size() > most_spans) spans_.resize(most_spans);
     return std::move(spans_);
   }
 
@@ -72,9 +86,8 @@ class SpansAlong {
 };
 
 // Each end where something suggests it, the other one too, or moved along with it, or as far to its side.
-std::vector<Span> spans_along(int axis, const Vec2& size, const RugRange& range,
-                              std::span<const Bounds2> parts, std::span<const Vec2> corners) {
-  const Ends ends = ends_along(axis, 0.5 * size[axis], parts, corners);
+std::vector<Span> spans_along(int axis, const Vec2& size, const RugRange& range, const AboutRug& about) {
+  const Ends ends = ends_along(axis, 0.5 * size[axis], about);
   SpansAlong spans(size[axis], range);
   for (const double low : ends.low) {
     spans.add(low, low + size[axis]);
@@ -88,10 +101,9 @@ std::vector<Span> spans_along(int axis, const Vec2& size, const RugRange& range,
   return spans.take();
 }
 
-std::vector<RugCut> rectangular_cuts(const Vec2& size, const RugRange& range,
-                                     std::span<const Bounds2> parts, std::span<const Vec2> corners) {
-  const auto across = spans_along(0, size, range, parts, corners);
-  const auto along = spans_along(1, size, range, parts, corners);
+std::vector<RugCut> rectangular_cuts(const Vec2& size, const RugRange& range, const AboutRug& about) {
+  const auto across = spans_along(0, size, range, about);
+  const auto along = spans_along(1, size, range, about);
   std::vector<RugCut> cuts;
   cuts.reserve(across.size() * along.size());
   for (const auto& x : across)
@@ -116,9 +128,8 @@ std::vector<RugCut> round_cuts(const Vec2& size, const RugRange& range) {
 
 }  // namespace
 
-std::vector<RugCut> rug_cuts(const Vec2& size, bool round, const RugRange& range,
-                             std::span<const Bounds2> parts, std::span<const Vec2> corners) {
-  auto cuts = round ? round_cuts(size, range) : rectangular_cuts(size, range, parts, corners);
+std::vector<RugCut> rug_cuts(const Vec2& size, bool round, const RugRange& range, const AboutRug& about) {
+  auto cuts = round ? round_cuts(size, range) : rectangular_cuts(size, range, about);
   std::stable_sort(cuts.begin(), cuts.end(),
                    [](const RugCut& a, const RugCut& b) { return a.change < b.change; });
   return cuts;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "roomgen/geometry/polygon.h"
@@ -18,10 +17,15 @@ struct RugRange {
   double least = 1.0, most = 1.0;
 };
 
-/// The ways to cut a rug of this size so that its edges lie just beyond or just before the parts of things
-/// and inside the corners of the room (all in the rug's frame), the smallest change first. The first is the
-/// rug as it lay. A round one stays in shape.
-std::vector<RugCut> rug_cuts(const Vec2& size, bool round, const RugRange& range,
-                             std::span<const Bounds2> parts, std::span<const Vec2> corners);
+/// What is about a rug, in its frame.
+struct AboutRug {
+  std::vector<Bounds2> things;  ///< it may end just beyond them
+  std::vector<Bounds2> parts;   ///< of the things: it may end just before them
+  std::vector<Vec2> corners;    ///< of the room: it may reach as far
+};
+
+/// Ways to cut a rug of this size so that it ends where what is about it suggests, the smallest change
+/// first. The first is the rug as it lay. A round one stays in shape.
+std::vector<RugCut> rug_cuts(const Vec2& size, bool round, const RugRange& range, const AboutRug& about);
 
 }  // namespace roomgen

@@ -70,6 +70,7 @@ class RugPlace {
       : rug_(rug), room_(room), own_(footprint(rug)), ties_(ties_of(rug, wish, room, objects, kinds)) {
     for (const auto& thing : things) add(thing);
     find_its_group(things);
+    for (const auto& point : room.polygon.points) about_.corners.push_back(own_.to_local(point));
     for (const auto& opening : room.openings)
       if (opening.is_entrance() && !overlaps(own_, area_before(room, opening), within))
         kept_clear_.push_back(area_before(room, opening));
@@ -78,32 +79,39 @@ class RugPlace {
   std::optional<Object> best(const RugRange& range) const {
     std::optional<Object> best;
     double least = 1e300;
-    for (const auto& cut : cuts(range)) {
+    for (const auto& cut : rug_cuts(2.0 * own_.half(), own_.round(), range, about_)) {
       if (cut.change >= least) break;
-      const Object object = cut_to(cut);
-      const auto lost = loss(footprint(object));
-      if (lost && cut.change + *lost < least) best = object, least = cut.change + *lost;
+      const auto uneasy = loss(cut.area);
+      if (!uneasy || cut.change + *uneasy >= least) continue;
+      Object object = cut_to(cut);
+      const auto untied = loss(footprint(object));
+      if (untied && cut.change + *uneasy + *untied < least)
+        best = std::move(object), least = cut.change + *uneasy + *untied;
     }
     return best;
   }
 
  private:
+  // In the rug's frame.
   struct Standing {
     std::vector<Footprint> parts;
+    Bounds2 box;
     bool may_be_on = true;
     bool belongs = false;  ///< the rug was laid under it
   };
 
   void add(const LowThing& thing) {
     Standing standing;
-    standing.parts = thing.parts;
     standing.may_be_on = thing.may_be_lifted;
     standing.belongs = contains(own_, footprint(*thing.object).center());
     for (const auto& part : thing.parts) {
-      Bounds2 box;
-      for (const auto& corner : part.outline()) box.add(own_.to_local(corner));
-      boxes_.push_back(box);
+      standing.parts.emplace_back(own_.to_local(part.center()), 2.0 * part.half(),
+                                  part.yaw() - own_.yaw(), part.round());
+      about_.parts.push_back(standing.parts.back().bounds());
+      standing.box.add(about_.parts.back().low);
+      standing.box.add(about_.parts.back().high);
     }
+    if (!thing.parts.empty()) about_.things.push_back(standing.box);
     things_.push_back(std::move(standing));
   }
 
@@ -119,12 +127,6 @@ class RugPlace {
         });
   }
 
-  std::vector<RugCut> cuts(const RugRange& range) const {
-    std::vector<Vec2> corners;
-    for (const auto& point : room_.polygon.points) corners.push_back(own_.to_local(point));
-    return rug_cuts(2.0 * own_.half(), own_.round(), range, boxes_, corners);
-  }
-
   Object cut_to(const RugCut& cut) const {
     Object object = rug_;
     object.position.head<2>() = own_.to_world(0.5 * (cut.area.low + cut.area.high));
@@ -132,18 +134,26 @@ class RugPlace {
     return with_rounded_pose(std::move(object));
   }
 
-  // Nothing if something would stand partly on it, or it may not lie there.
-  std::optional<double> loss(const Footprint& rug) const {
+  // What stands otherwise than it should; nothing if something would stand partly on the rug.
+  std::optional<double> loss(const Bounds2& area) const {
+    const Footprint rug(0.5 * (area.low + area.high), area.size(), 0.0, own_.round());
     double sum = 0.0;
     for (const auto& thing : things_) {
-      const RugStand stand = stand_of(thing.parts, rug, clear);
+      const bool apart = !thing.box.overlaps(area, clear);
+      const RugStand stand = apart ? RugStand::beside : stand_of(thing.parts, rug, clear);
       const bool on = stand == RugStand::on;
       if (stand == RugStand::partly || (on && !thing.may_be_on)) return std::nullopt;
       if (on != thing.belongs) sum += on ? slid_under : laid_under;
     }
+    return sum;
+  }
+
+  // Relations that no longer hold; nothing if the rug may not lie there.
+  std::optional<double> loss(const Footprint& rug) const {
     if (!contains(room_.polygon, rug, room_slack)) return std::nullopt;
     for (const auto& area : kept_clear_)
       if (overlaps(rug, area, within)) return std::nullopt;
+    double sum = 0.0;
     for (const auto& tie : ties_)
       if (!holds(tie, rug, rug_, room_)) sum += tie.weight;
     return sum;
@@ -154,7 +164,7 @@ class RugPlace {
   Footprint own_;
   std::vector<Tie> ties_;
   std::vector<Standing> things_;
-  std::vector<Bounds2> boxes_;          // of all their parts, in the rug's frame
+  AboutRug about_;
   std::vector<Footprint> kept_clear_;
 };
 
