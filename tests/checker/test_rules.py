@@ -73,6 +73,14 @@ class Solid(unittest.TestCase):
         rug = thing("box-0", 2, 2, (2, 2, 0.02), traits=("flat",))
         self.assertEqual(broken(scene(rug, thing("box-1", 2, 2))), set())
 
+    #    [a]       on the rug with all of it, or beside it, never partly
+    #   =====
+    def test_standing_on_a_rug(self):
+        rug = thing("box-0", 2, 2, (2, 2, 0.02), traits=("flat",))
+        self.assertEqual(broken(scene(rug, thing("box-1", 2.4, 2, z=0.02))), set())
+        self.assertEqual(broken(scene(rug, thing("box-1", 2.6, 2, z=0.02))), {("rugs", "box-1")})
+        self.assertEqual(broken(scene(rug, thing("box-1", 2, 2, z=0.03))), {("rugs", "box-1")})
+
     def test_thing_on_a_shelf_within_its_box(self):
         shelf = thing("box-0", 2, 2, (1, 1, 2))
         vase = thing("box-1", 2, 2, (0.2, 0.2, 0.3), z=1.0, mount="surface", on="box-0")

@@ -37,6 +37,7 @@ def find_violations(scene, categories, bodies=None, lenience=reach.LENIENCE):
         + rules.check_doors(scene)
         + rules.check_windows(scene)
         + rules.check_mounts(scene)
+        + rules.check_rugs(scene, bodies)
         + reach.check_connected(scene, walk)
         + reach.check_usable(scene, categories, walk)
     )

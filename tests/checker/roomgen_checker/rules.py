@@ -2,7 +2,7 @@
 
 from dataclasses import asdict, dataclass
 
-from shapely.geometry import Point
+from shapely.geometry import MultiPoint, Point
 
 from . import geometry as geo
 from .constraints import Judge
@@ -16,6 +16,7 @@ SOLID_SLACK = 0.005
 AT_WALL = 0.05
 RESTS = 0.02
 LIFTED = 0.05
+RUG_EDGE = 0.003
 CATEGORIES = Categories.default()
 
 
@@ -199,3 +200,33 @@ def check_mount(thing, scene):
 def check_mounts(scene):
     """Things hang at walls, rest on supports, and touch the ceiling or the floor."""
     return [v for t in scene.things for v in check_mount(t, scene)]
+
+
+def low_part(thing, bodies):
+    """What of a thing reaches its lowest 5 mm, from above."""
+    if not bodies or thing.id not in bodies:
+        return thing.footprint
+    points = bodies.meshes[thing.id.lower()][0]
+    return MultiPoint(points[points[:, 2] < thing.bottom + SOLID_SLACK][:, :2])
+
+
+def check_rugs(scene, bodies=None):
+    """What stands on the floor over a rug's height is on a rug with all its feet; with meshes also: what
+    stands lower meets no rug."""
+    rugs = [t for t in scene.things if not t.solid and t.mount == "floor"]
+    found = []
+    for t in scene.things if rugs else []:
+        if not t.solid or t.mount != "floor":
+            continue
+        if geo.SLACK < t.bottom <= LIFTED:
+            low = low_part(t, bodies)
+            under = [r for r in rugs if abs(r.top - t.bottom) <= geo.SLACK]
+            if not any(r.footprint.buffer(RUG_EDGE).covers(low) for r in under):
+                found.append(Violation("rugs", (t.id,), f"is {t.bottom:.3f} m high, and not all of it on a rug"))
+        elif t.bottom <= geo.SLACK and bodies:
+            found += [
+                Violation("rugs", (t.id, r.id), "stands in the rug")
+                for r in rugs
+                if t.id in bodies and r.id in bodies and overlap_reason(t, r, bodies)
+            ]
+    return found
