@@ -20,7 +20,7 @@ constexpr double room_slack = 5e-4;  // as the layout has it
 // What is lost, in metres of change.
 constexpr double asked_relation = 3.0;
 constexpr double usual_relation = 0.3;
-constexpr double laid_under = 0.4;  // a thing is beside the rug that was laid under it
+constexpr double laid_under = 0.8;  // a thing is beside the rug that was laid under it
 constexpr double slid_under = 0.25;  // a thing is on the rug that has nothing to do with it
 
 /// A relation of the rug, or of another thing to it.
