@@ -149,7 +149,7 @@ TEST_CASE("Without a model there is no plan, but one that fails leaves it to the
   CHECK(contains_text(plan->notes.back(), "rules made this one"));
 }
 
-TEST_CASE("What a plan forgot goes back once; then rules add it") {
+TEST_CASE("What a plan forgot goes back once, then rules add it") {
   const std::string prompt = "a study with a desk, a green wardrobe by the window and no chair";
   Conversation talk({reply_saying(good_plan), reply_saying(good_plan)});
   const auto plan = talk.make_plan(prompt);
