@@ -187,6 +187,20 @@ TEST_CASE("A type's name belongs to one header") {
   REQUIRE(homes.size() > 300);
 }
 
+TEST_CASE("No name of a test has a semicolon, at which CTest would part it") {
+  std::size_t names = 0;
+  for (const auto& file : files_in(source / "tests")) {
+    std::ifstream stream(source / "tests" / file);
+    for (std::string line; std::getline(stream, line);) {
+      if (!line.starts_with("TEST_CASE(")) continue;
+      ++names;
+      INFO(file << ": " << line);
+      CHECK(line.find("; ") == std::string::npos);
+    }
+  }
+  CHECK(names > 300);
+}
+
 TEST_CASE("The check of floors finds what it looks for") {
   CHECK(verdict({"scene/a.h", "scene", "roomgen/geometry/vec.h", true}) == "");
   CHECK(verdict({"scene/a.h", "scene", "roomgen/scene/room.h", true}) == "");

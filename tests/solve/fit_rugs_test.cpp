@@ -158,7 +158,7 @@ TEST_CASE("Where no rug can lie, an asked one stays with a word and another goes
   CHECK(objects.size() == 3);
 }
 
-TEST_CASE("A locked rug stays; what is wholly on it stands at its top") {
+TEST_CASE("A locked rug stays, and what is wholly on it stands at its top") {
   Object locked = rug({2, 2}, {3, 3});
   locked.locked = true;
   std::vector<Object> objects = {table("table-0", {3, 3}), table("table-1", {4.2, 3}), locked};
