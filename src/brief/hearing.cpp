@@ -46,6 +46,10 @@ void Hearing::absence(std::int32_t number, const std::string& category) {
   hear(brief_, run, Heard::As::absence, category);
 }
 
+void Hearing::number(std::int32_t number, std::size_t mention) {
+  note(mention, {phrase(number).tokens.begin, phrase(number).head + 1}, Heard::As::count);
+}
+
 void Hearing::stand_in(std::int32_t number, std::size_t mention) {
   note(mention, {phrase(number).tokens.begin, phrase(number).head + 1}, Heard::As::thing);
 }

@@ -51,7 +51,10 @@ bool ends_phrase(std::span<const Token> tokens, std::size_t at, const Vocabulary
 }
 
 // The compass sides of the walls of a rectangle.
-constexpr std::array<std::string_view, 4> compass = {"south", "east", "north", "west"};
+std::string side_of(int wall) {
+  constexpr std::array<const char*, 4> sides = {"south", "east", "north", "west"};
+  return sides[static_cast<std::size_t>(wall)];
+}
 
 bool are_opposite(int wall, int other) {
   return (wall + 2) % 4 == other;
@@ -61,8 +64,7 @@ bool are_opposite(int wall, int other) {
 std::string corner_region(int wall, int other) {
   if (wall < 0 || other < 0 || wall == other || are_opposite(wall, other)) return "";
   if (wall % 2 == 1) std::swap(wall, other);
-  return std::string(compass[static_cast<std::size_t>(wall)]) + "-" +
-         std::string(compass[static_cast<std::size_t>(other)]) + "-quarter";
+  return side_of(wall) + "-" + side_of(other) + "-quarter";
 }
 
 }  // namespace
@@ -73,6 +75,18 @@ std::optional<PlacePhrase> read_place(std::span<const Token> tokens, std::size_t
   int wall_before = -1;
   bool in_middle = false;
   std::size_t i = at;
+  // The phrase goes up to `end`, and "of the room" behind it.
+  const auto found = [&](Place place, std::size_t end) {
+    phrase.place = place;
+    phrase.length = end + of_the_room(tokens, end) - at;
+    return phrase;
+  };
+  const auto found_region = [&](const std::string& side, const std::string& share,
+                                std::size_t end) {
+    phrase.region = side + "-" + share;
+    phrase.wall = -1;
+    return found(Place::region, end);
+  };
   for (std::size_t n = 0; n <= max_qualifiers && i < tokens.size(); ++n, ++i) {
     const Token& token = tokens[i];
     if (token.kind == Token::Kind::room) {
@@ -82,17 +96,9 @@ std::optional<PlacePhrase> read_place(std::span<const Token> tokens, std::size_t
     if (token.kind != Token::Kind::word) return std::nullopt;
     const auto wall = words.walls.find(token.text);
     const auto share = longest(words.shares, tokens, i, 2);
-    if (share && (phrase.wall >= 0 || in_middle)) {
-      phrase.place = Place::region;
-      phrase.region =
-          (in_middle ? "middle" : std::string(compass[static_cast<std::size_t>(phrase.wall)])) +
-          "-" + *share.value;
-      phrase.wall = -1;
-      i += share.length;
-      i += of_the_room(tokens, i);
-      phrase.length = i - at;
-      return phrase;
-    }
+    if (share && (phrase.wall >= 0 || in_middle))
+      return found_region(in_middle ? "middle" : side_of(phrase.wall), *share.value,
+                          i + share.length);
     // "the middle third"
     if (token.is_word("middle") && longest(words.shares, tokens, i + 1, 2)) {
       in_middle = true;
@@ -100,31 +106,17 @@ std::optional<PlacePhrase> read_place(std::span<const Token> tokens, std::size_t
     }
     if (const auto part = longest(words.room_parts, tokens, i, 2);
         part && wall == words.walls.end()) {
-      phrase.place = place_of(*part.value);
-      if (phrase.place == Place::corner) phrase.region = corner_region(phrase.wall, wall_before);
-      i += part.length;
-      i += of_the_room(tokens, i);
-      phrase.length = i - at;
-      return phrase;
+      const Place place = place_of(*part.value);
+      if (place == Place::corner) phrase.region = corner_region(phrase.wall, wall_before);
+      return found(place, i + part.length);
     }
     if (wall != words.walls.end()) {
       wall_before = phrase.wall;
       phrase.wall = wall->second;
-      if (names_side(tokens, i + 1) && of_the_room(tokens, i + 2)) {
-        phrase.place = Place::wall;
-        phrase.length = i + 2 + of_the_room(tokens, i + 2) - at;
-        return phrase;
-      }
-    }
-    // "at the back": that half of the room
-    if (wall != words.walls.end() && ends_phrase(tokens, i + 1, words)) {
-      phrase.place = Place::region;
-      phrase.region = std::string(compass[static_cast<std::size_t>(phrase.wall)]) + "-half";
-      phrase.wall = -1;
-      i += 1;
-      i += of_the_room(tokens, i);
-      phrase.length = i - at;
-      return phrase;
+      if (names_side(tokens, i + 1) && of_the_room(tokens, i + 2)) return found(Place::wall, i + 2);
+      // "at the back": that half of the room
+      if (ends_phrase(tokens, i + 1, words))
+        return found_region(side_of(phrase.wall), "half", i + 1);
     }
     phrase.opposite = phrase.opposite || token.is_word("opposite") || token.is_word("opposing");
     const bool stop = words.stops.count(token.text) > 0;

@@ -83,9 +83,7 @@ class ThingReader {
       if (!reading_.words.groups.count(reading_.word(rows.head))) continue;
       if (rows.count > 1 && reading_.phrase(id).count > 0)
         reading_.talk.multiply(mention, static_cast<int>(rows.count));
-      const auto heard =
-          hear(reading_.brief, {rows.tokens.begin, rows.head + 1}, Heard::As::count);
-      reading_.brief.mentions[mention].heard.push_back(heard);
+      reading_.hearing.number(attachment.from, mention);
     }
   }
   // "bed desk wardrobe": things of their own, though they stand like "oak" before the last.

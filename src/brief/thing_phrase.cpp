@@ -345,11 +345,8 @@ bool ThingPhraseReader::tells_material(const Attachment& attachment) const {
 // "in pale ash", "in rust bouclé": what a thing is in, and that may be a colour or what things are
 // made of.
 bool ThingPhraseReader::may_be_look(const language::NounPhrase& phrase) const {
-  const auto& english = language::lexicon();
   for (auto i = phrase.tokens.begin; i <= phrase.head; ++i)
-    if (english.may_be(word(i), WordClass::color) || english.may_be(word(i), WordClass::material) ||
-        english.may_be(word(i), WordClass::substance) || text_.words.materials.count(word(i)))
-      return true;
+    if (may_be_stuff(word(i)) || text_.words.materials.count(word(i))) return true;
   return false;
 }
 

@@ -113,7 +113,7 @@ class ModelDesigner : public Designer {
     const design::Brief brief = brief_of(request);
     std::optional<design::PlanReply> incomplete;  // what is forgotten goes back once
     const auto read = [&](const std::string& text) -> Result<design::PlanReply> {
-      auto answer = design::read_plan_reply(text, request, categories_);
+      auto answer = design::read_plan_reply(text, request, brief, categories_);
       if (!answer) return answer;
       if (auto status = design::check_floor(answer->plan, categories_); !status)
         return status.error();

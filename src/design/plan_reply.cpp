@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "brief/prompt.h"
+#include "brief/room_kinds.h"
 #include "brief/room_type.h"
 #include "chat/loose_json.h"
 #include "plan/floor_plan.h"
@@ -90,7 +90,7 @@ void fit_into(const Room& room, std::vector<Draft>& drafts, std::vector<std::str
 }  // namespace
 
 Result<PlanReply> read_plan_reply(std::string_view text, const PlanRequest& request,
-                                  const KindTable& categories) {
+                                  const Brief& brief, const KindTable& categories) {
   if (!built_in_room_kinds()) return built_in_room_kinds().error();
   if (!built_in_vocabulary()) return built_in_vocabulary().error();
   if (!built_in_arrangements()) return built_in_arrangements().error();
@@ -107,7 +107,6 @@ Result<PlanReply> read_plan_reply(std::string_view text, const PlanRequest& requ
   Plan& plan = reply.plan;
   plan.prompt = request.prompt;
   plan.seed = request.seed;
-  const Brief brief = read_prompt(request.prompt, *built_in_room_kinds(), categories);
   const RoomKind kind =
       kind_of_room(choose_type(json, request, brief, reply.repairs), *built_in_room_kinds());
   const ItemLexicon lexicon{categories, kind};

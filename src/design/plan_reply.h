@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "brief/brief.h"
 #include "roomgen/design/designer.h"
 #include "roomgen/kinds/kind_table.h"
 
@@ -15,10 +16,11 @@ struct PlanReply {
 };
 
 /// What a model answered about a whole room: {"room", "objects", "excluded"}, or what comes near to
-/// it. The items are in the order of placement. What the request says about the room wins. Errors
+/// it. The items are in the order of placement; `brief` is what the request's prompt says. What the
+/// request says about the room wins. Errors
 /// (invalid_input) say what is wrong in words meant for the model.
 Result<PlanReply> read_plan_reply(std::string_view text, const PlanRequest& request,
-                                  const KindTable& categories);
+                                  const Brief& brief, const KindTable& categories);
 
 /// Fails, in words meant for the model, when the things cover more than the whole floor: weak models
 /// repeat themselves until they are stopped.

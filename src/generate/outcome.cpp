@@ -37,12 +37,6 @@ void list_objects(const Workplace& place, const BuildState& state, Scene& scene)
   }
 }
 
-std::string size_of(const Object& object) {
-  std::vector<std::string> sides;
-  for (const double side : {object.size.x(), object.size.y(), object.size.z()}) sides.push_back(format_number(side, 2));
-  return join(sides, " x ") + " m";
-}
-
 // The assets of what stands, each once, and what is not the thing itself.
 void list_assets(const Workplace& place, const BuildState& state, Generation& result) {
   result.assets = place.joinery;
@@ -55,7 +49,7 @@ void list_assets(const Workplace& place, const BuildState& state, Generation& re
                              "\" is no kind that is known, and it was put together from the words");
     if (object.stand_in)
       result.notes.push_back("no model of \"" + object.category + "\": " + object.id + " is a plain stand-in of " +
-                             size_of(object));
+                             size_text(object.size) + " m");
   }
 }
 

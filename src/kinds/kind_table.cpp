@@ -255,12 +255,17 @@ const Kind& KindTable::get(std::string_view name) const {
 
 bool KindTable::is_a(std::string_view name, std::string_view kind) const {
   const Kind* wanted = find(kind);
-  if (!wanted) return words(name) == words(kind);
-  return is_of(get(name), wanted->name);
+  return wanted ? is_of(get(name), wanted->name) : words(name) == words(kind);
 }
 
+// The name is looked up once: one that no kind is called by is looked for in all of WordNet.
 bool KindTable::is_any_of(std::string_view name, const std::vector<std::string>& kinds) const {
-  return std::any_of(kinds.begin(), kinds.end(), [&](const std::string& kind) { return is_a(name, kind); });
+  if (kinds.empty()) return false;
+  const Kind& own = get(name);
+  return std::any_of(kinds.begin(), kinds.end(), [&](const std::string& kind) {
+    const Kind* wanted = find(kind);
+    return wanted ? is_of(own, wanted->name) : words(name) == words(kind);
+  });
 }
 
 }  // namespace roomgen

@@ -312,19 +312,13 @@ bool is_merely_near(const Object& object, const Relation& relation) {
   });
 }
 
-const Object* placed_object(std::span<const Object> objects, const std::string& id) {
-  const auto found = std::find_if(objects.begin(), objects.end(),
-                                  [&](const Object& object) { return object.id == id; });
-  return found == objects.end() ? nullptr : &*found;
-}
-
 std::vector<Footprint> targets_of(const Relation& relation, const Room& room,
                                   std::span<const Object> placed) {
   if (!takes_target(relation.kind)) return {Footprint()};
   if (relation.target == "corner") return corners(room);
   if (const auto part = part_of_room(room, relation.target)) return {*part};
   if (const auto region = region_of_room(room, relation.target)) return {*region};
-  if (const Object* target = placed_object(placed, relation.target)) return {footprint(*target)};
+  if (const Object* target = find_object(placed, relation.target)) return {footprint(*target)};
   return {};
 }
 
@@ -371,7 +365,7 @@ std::vector<ResolvedRelation> resolve(const Object& object, const Room& room,
     resolved.targets = targets_of(relation, room, placed);
     if (relation.kind == RelationKind::between)
       resolved.other = other_end(object, relation, room, placed);
-    if (const Object* target = placed_object(placed, relation.target)) {
+    if (const Object* target = find_object(placed, relation.target)) {
       resolved.target_bottom = bottom(*target);
       resolved.target_top = top(*target);
       set_preferred_gap(resolved, own, categories.get(target->category));
@@ -386,7 +380,7 @@ std::vector<Relation> known_relations(const std::vector<Relation>& relations, co
   std::vector<Relation> known;
   for (const auto& relation : relations)
     if (relation.target.empty() || is_part_of_room(room, relation.target) ||
-        placed_object(placed, relation.target))
+        find_object(placed, relation.target))
       known.push_back(relation);
   return known;
 }

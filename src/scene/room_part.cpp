@@ -93,9 +93,10 @@ std::vector<std::string> region_names() {
     for (const auto& side : region_sides)
       names.push_back(std::string(side.name) + "-" + std::string(share.name));
   }
-  for (const auto* ns : {"north", "south"})
-    for (const auto* ew : {"east", "west"})
-      names.push_back(std::string(ns) + "-" + ew + "-quarter");
+  for (const auto& one : region_sides)
+    for (const auto& other : region_sides)
+      if (one.axis > other.axis)
+        names.push_back(std::string(one.name) + "-" + std::string(other.name) + "-quarter");
   return names;
 }
 

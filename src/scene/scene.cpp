@@ -6,10 +6,14 @@
 
 namespace roomgen {
 
-const Object* find_object(const Scene& scene, std::string_view id) {
-  for (const auto& object : scene.objects)
+const Object* find_object(std::span<const Object> objects, std::string_view id) {
+  for (const auto& object : objects)
     if (object.id == id) return &object;
   return nullptr;
+}
+
+const Object* find_object(const Scene& scene, std::string_view id) {
+  return find_object(scene.objects, id);
 }
 
 Object* find_object(Scene& scene, std::string_view id) {

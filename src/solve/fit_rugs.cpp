@@ -108,10 +108,9 @@ class RugFitting {
   const Object& root_of(const Object& object) const {
     const Object* at = &object;
     for (int level = 0; level < most_carried && !at->on.empty(); ++level) {
-      const auto below = std::find_if(first_.begin(), first_.end(),
-                                      [&](const Object& other) { return other.id == at->on; });
-      if (below == first_.end()) break;
-      at = &*below;
+      const Object* below = find_object(first_, at->on);
+      if (!below) break;
+      at = below;
     }
     return *at;
   }

@@ -1,6 +1,7 @@
 #include "plan_reply.h"
 
 #include "base/random.h"
+#include "brief/prompt.h"
 #include "catch.h"
 #include "roomgen/base/text.h"
 #include "support/contains.h"
@@ -12,10 +13,15 @@ using namespace roomgen::design;
 
 namespace {
 
+Result<PlanReply> reply_to(const PlanRequest& request, const std::string& answer) {
+  const Brief brief = read_prompt(request.prompt, *built_in_room_kinds(), KindTable::built_in());
+  return read_plan_reply(answer, request, brief, KindTable::built_in());
+}
+
 PlanReply read(const std::string& answer,
                const PlanRequest& request = {"a bedroom", 1, {}, {}, {}}) {
   INFO(answer);
-  auto reply = read_plan_reply(answer, request, KindTable::built_in());
+  auto reply = reply_to(request, answer);
   if (!reply) INFO(reply.error().message);
   REQUIRE(reply);
   REQUIRE(check(reply->plan.room));
@@ -201,8 +207,7 @@ TEST_CASE("A plan without objects is an error") {
   for (const char* text : {"", "{}", R"({"room": {"size_m": [4, 3]}})", R"({"objects": []})",
                            R"({"objects": [{}, 3, null]})"}) {
     INFO(text);
-    const auto reply =
-        read_plan_reply(text, {"a bedroom", 1, {}, {}, {}}, KindTable::built_in());
+    const auto reply = reply_to({"a bedroom", 1, {}, {}, {}}, text);
     REQUIRE(!reply);
     CHECK(reply.error().kind == Error::Kind::invalid_input);
   }
@@ -214,7 +219,7 @@ TEST_CASE("Damaged plans do no harm") {
   for (int i = 0; i < 500; ++i) {
     const std::string text = damaged(good, random, 12, 50);
     INFO(text);
-    const auto reply = read_plan_reply(text, {"a room", 1, {}, {}, {}}, KindTable::built_in());
+    const auto reply = reply_to({"a room", 1, {}, {}, {}}, text);
     if (!reply) continue;
     ++understood;
     REQUIRE(check(reply->plan.room));

@@ -48,6 +48,7 @@ std::vector<Scene> parts_of(const Scene& scene);
 /// The room that an object of the scene is in.
 const Room& room_of(const Scene& scene, const Object& object);
 
+const Object* find_object(std::span<const Object> objects, std::string_view id);
 const Object* find_object(const Scene& scene, std::string_view id);
 Object* find_object(Scene& scene, std::string_view id);
 
