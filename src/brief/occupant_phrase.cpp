@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "language/inflection.h"
-#include "settle.h"
+#include "mention_shape.h"
 
 namespace roomgen::design {
 

@@ -13,9 +13,9 @@ using language::none;
 using language::NounPhrase;
 using language::Run;
 
-class OpeningReader {
+class PromptOpenings {
  public:
-  explicit OpeningReader(PromptReading& reading) : reading_(reading) {}
+  explicit PromptOpenings(PromptReading& reading) : reading_(reading) {}
 
   void run() {
     const auto& kinds = OpeningKinds::built_in();
@@ -86,7 +86,7 @@ class OpeningReader {
 }  // namespace
 
 void read_openings(PromptReading& reading) {
-  OpeningReader(reading).run();
+  PromptOpenings(reading).run();
 }
 
 }  // namespace roomgen::design

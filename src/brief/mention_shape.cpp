@@ -1,0 +1,149 @@
+#include "mention_shape.h"
+
+#include <algorithm>
+
+#include "table_size.h"
+
+namespace roomgen::design {
+
+namespace {
+
+const Vec3 unknown_size(0.5, 0.5, 0.8);
+
+void become(Mention& mention, const Kind& category) {
+  mention.category = category.name;
+  mention.known = true;
+  mention.mount = category.mount;
+  if (!mention.sized) mention.size = category.size;
+}
+
+// What nobody knows is as large as such things are.
+void guess_size(Mention& mention, const KindTable& table) {
+  const Kind& like = table.get(mention.category);
+  mention.size = like.is_stand_in() ? like.size : unknown_size;
+  if (like.is_stand_in()) mention.mount = like.mount;
+}
+
+// Metres that a thing may be told to be long.
+double told(double length) {
+  return std::clamp(length, 0.05, 10.0);
+}
+
+// Width and depth, and perhaps height.
+void set_sides(Mention& mention, const language::Measure& measure) {
+  static constexpr const char* names[] = {"width", "depth", "height"};
+  mention.lengths.clear();
+  for (int i = 0; i < measure.count; ++i) {
+    mention.size[i] = told(measure.values[i]);
+    mention.lengths.push_back({names[i], mention.size[i]});
+  }
+}
+
+// One length is the longer side, two are width and depth, unless it is said which.
+void set_length(Mention& mention, const language::Measure& measure) {
+  using Measure = language::Measure;
+  if (measure.kind == Measure::Kind::area || measure.side == Measure::Side::distance) return;
+  switch (measure.side) {
+    case Measure::Side::height:
+    case Measure::Side::thickness:
+      mention.size.z() = told(measure.values[0]);
+      mention.lengths.push_back({"height", mention.size.z()});
+      break;
+    case Measure::Side::depth:
+      mention.size.y() = told(measure.values[0]);
+      mention.lengths.push_back({"depth", mention.size.y()});
+      break;
+    case Measure::Side::diameter:
+      mention.size.x() = mention.size.y() = told(measure.values[0]);
+      mention.lengths.push_back({"diameter", mention.size.x()});
+      break;
+    default:
+      mention.size.x() = told(measure.values[0]);
+      mention.lengths.push_back({measure.side == Measure::Side::width ? "width" : "longer side",
+                                 mention.size.x()});
+  }
+  if (measure.kind == Measure::Kind::sides) set_sides(mention, measure);
+  mention.sized = true;
+}
+
+bool is_round(const ThingPhrase& phrase) {
+  return std::any_of(phrase.modifiers.begin(), phrase.modifiers.end(), [](const std::string& word) {
+    return word == "round" || word == "circular" || word == "oval";
+  });
+}
+
+}  // namespace
+
+void shape(Mention& mention, const ThingPhrase& phrase, const Vocabulary& words,
+           const KindTable& table) {
+  const Kind* category = table.find(mention.category);
+  if (mention.known && category && is_round(phrase))
+    if (const Kind* round = table.by_name(category->forms.round)) category = round;
+  if (mention.known && category)
+    become(mention, *category);
+  else
+    guess_size(mention, table);
+  if (mention.known && is_round(phrase) && !table.get(mention.category).traits.round &&
+      table.is_a(mention.category, "table"))
+    mention.size.y() = mention.size.x() = std::max(0.5, 0.8 * mention.size.x());
+  for (const auto& word : phrase.modifiers)
+    if (const auto size = words.sizes.find(word); size != words.sizes.end()) {
+      mention.size = mention.size.cwiseProduct(size->second);
+      mention.sized = true;
+    }
+  if (phrase.seats > 0 && table.is_a(mention.category, "dining table")) {
+    mention.size = table_for(mention.size, table.get(mention.category).traits.round, phrase.seats);
+    mention.sized = true;
+  }
+  for (const auto& measure : phrase.measures) set_length(mention, measure);
+  const auto said = [&](const char* word) {
+    return std::find(phrase.modifiers.begin(), phrase.modifiers.end(), word) !=
+           phrase.modifiers.end();
+  };
+  mention.varied = said("different") || said("mismatched") || said("various") || said("assorted");
+  if (said("ceiling"))
+    hang(mention, Mount::ceiling, table);
+  else if (said("mounted") || said("wall"))
+    hang(mention, Mount::wall, table);
+}
+
+void hang(Mention& mention, Mount where, const KindTable& table) {
+  if (mention.mount == where) return;
+  if (where == Mount::floor) {
+    if (mention.mount == Mount::surface) mention.mount = where;
+    return;
+  }
+  const Forms& forms = table.get(mention.category).forms;
+  if (const Kind* hanging = table.by_name(where == Mount::wall ? forms.wall : forms.ceiling))
+    return become(mention, *hanging);
+  if (mention.mount == Mount::surface || where == Mount::ceiling) mention.mount = where;
+}
+
+bool become_small(Mention& mention, const KindTable& table) {
+  const Kind* kind = table.find(mention.category);
+  for (int i = 0; kind && i < 4; ++i) {
+    if (const Kind* small = table.by_name(kind->forms.small)) {
+      if (i == 0) {
+        become(mention, *small);
+      } else {
+        mention.mount = Mount::surface;
+        mention.size *= std::min(1.0, (small->size.array() / mention.size.array()).minCoeff());
+        mention.sized = true;
+      }
+      return true;
+    }
+    kind = kind->parent.empty() ? nullptr : table.find(kind->parent);
+  }
+  return false;
+}
+
+bool keeps_things(const std::string& category, const KindTable& table) {
+  return table.is_any_of(category,
+                         {"table", "storage", "kitchen unit", "kitchen island", "washbasin"});
+}
+
+bool needs_wall(const Mention& mention, const KindTable& table) {
+  return table.is_any_of(mention.category, {"storage", "console table", "room divider", "desk"});
+}
+
+}  // namespace roomgen::design

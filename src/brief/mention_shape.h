@@ -1,0 +1,32 @@
+#pragma once
+
+#include "brief.h"
+#include "kind_mention.h"
+#include "prompt_words.h"
+#include "thing_phrase.h"
+
+namespace roomgen::design {
+
+/// Size, mount and number of seats of a mention, from its category and the words around it.
+void shape(Mention& mention, const ThingPhrase& phrase, const Vocabulary& words,
+           const KindTable& table);
+
+/// What is smaller, metres, may stand on other things.
+inline constexpr double small_side = 0.7;
+
+/// Tables, cabinets, shelves and counters: where small things are kept.
+bool keeps_things(const std::string& category, const KindTable& table);
+
+/// Whether a thing stands with its back to a wall.
+bool needs_wall(const Mention& mention, const KindTable& table);
+
+/// Makes a mention one that hangs on a wall or under the ceiling, if such a thing can: a television
+/// becomes a wall tv, a wardrobe "on the wall" stays what it is. Small things can also stand on the
+/// floor.
+void hang(Mention& mention, Mount where, const KindTable& table);
+
+/// Makes a mention what stands on tables: a table lamp, a small plant; a fern stays a fern, as small
+/// as small plants are. False if there is no such kind.
+bool become_small(Mention& mention, const KindTable& table);
+
+}  // namespace roomgen::design
