@@ -9,13 +9,13 @@ namespace {
 
 using Units = std::map<std::string, double, std::less<>>;
 
-struct Unit {
+struct UnitWord {
   double factor = 0.0;
   std::size_t length = 0;
 };
 
-Unit unit_at(const Units& units, std::span<const Token> tokens, std::size_t at) {
-  Unit best;
+UnitWord unit_at(const Units& units, std::span<const Token> tokens, std::size_t at) {
+  UnitWord best;
   std::string name;
   for (std::size_t n = 0; n < 2 && at + n < tokens.size(); ++n) {
     const auto kind = tokens[at + n].kind;
@@ -58,8 +58,8 @@ std::optional<Length> length_at(std::span<const Token> tokens, std::size_t at) {
   if (length.value < 1.0 && is_word(tokens, next, "a") &&
       unit_at(small_words().lengths, tokens, next + 1).length)
     ++next;
-  const Unit unit =
-      is_preposition(tokens, next) ? Unit{} : unit_at(small_words().lengths, tokens, next);
+  const UnitWord unit =
+      is_preposition(tokens, next) ? UnitWord{} : unit_at(small_words().lengths, tokens, next);
   if (unit.length == 0) return length;
   length.factor = unit.factor;
   length.length = next + unit.length - at;
@@ -67,8 +67,8 @@ std::optional<Length> length_at(std::span<const Token> tokens, std::size_t at) {
   const std::size_t more = at + length.length;
   const double smaller = unit.factor == 0.3048 ? 1.0 / 12.0 : unit.factor == 1.0 ? 0.01 : 0.0;
   if (smaller > 0 && more < tokens.size() && tokens[more].kind == Token::Kind::number) {
-    const Unit second = is_preposition(tokens, more + 1)
-                            ? Unit{}
+    const UnitWord second = is_preposition(tokens, more + 1)
+                            ? UnitWord{}
                             : unit_at(small_words().lengths, tokens, more + 1);
     const bool inches = smaller < 0.1 && smaller > 0.05;
     if (second.length ? second.factor < unit.factor
@@ -124,7 +124,7 @@ void read_side(Measure& measure, std::span<const Token> tokens, std::size_t at) 
 std::optional<Measure> area_at(std::span<const Token> tokens, std::size_t at) {
   const auto number = number_at(tokens, at);
   if (!number) return std::nullopt;
-  const Unit unit = unit_at(small_words().areas, tokens, at + number->length);
+  const UnitWord unit = unit_at(small_words().areas, tokens, at + number->length);
   if (unit.length == 0) return std::nullopt;
   Measure area;
   area.kind = Measure::Kind::area;

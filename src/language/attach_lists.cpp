@@ -1,0 +1,85 @@
+// Lists: which of those that are open a noun phrase continues.
+#include "attacher.h"
+
+namespace roomgen::language {
+
+void Attacher::open(Opened by, std::int32_t id, std::int32_t attachment) {
+  open_.push_back({by, id, id, attachment, false});
+  is_joined_ = has_comma_ = ended_by_conjunction_ = false;
+}
+
+void Attacher::further_member(std::int32_t id) {
+  ended_by_conjunction_ = before_ == Tag::conjunction;
+  while (open_.size() > 1 && !takes(open_.back(), id)) open_.pop_back();
+  OpenList& list = open_.back();
+  // "no rug, desk or plant"
+  if (at(list.last).is_denied && is_bare(id)) at(id).is_denied = true;
+  link(list, id);
+  if (list.attachment != none) {
+    Attachment attachment = parse_.attachments[static_cast<std::size_t>(list.attachment)];
+    attachment.to = id;
+    if (attachment.is_denied && !attachment.is_verb) at(id).is_denied = true;
+    list.attachment = add(attachment);
+  }
+  is_joined_ = has_comma_ = false;
+}
+
+// Whether the noun phrase is another member of the list, rather than of one around it.
+bool Attacher::takes(const OpenList& list, std::int32_t id) {
+  // "two chairs facing a sofa, a lamp and ...": the sofa ends the clause.
+  if (list.by == Opened::clause) return !has_comma_;
+  // "..., a table holding a mug, and a lamp": the last of the outer list.
+  if (list.by == Opened::with && has_comma_ && ended_by_conjunction_ && list.first == list.last &&
+      is_within_list())
+    return false;
+  // "holds a vase filled with flowers and a bowl"
+  if (list.by == Opened::with && is_bare(list.last) && !is_bare(id) && open_.size() > 1 &&
+      resembles(open_[open_.size() - 2], id))
+    return false;
+  if (list.by == Opened::subject || list.by == Opened::object || list.by == Opened::with)
+    return true;
+  const std::string& relation =
+      parse_.attachments[static_cast<std::size_t>(list.attachment)].relation;
+  if (relation == "between" && list.first == list.last && !at(list.first).is_plural) return true;
+  if (ahead() == Tag::preposition || has_comma_)
+    return list.by == Opened::of && open_.size() == 2 && is_bare(id) && is_adjectival(list);
+  return at(id).determiner == at(list.last).determiner &&
+         (at(id).count > 0) == (at(list.last).count > 0) &&
+         !resembles(open_[open_.size() - 2], id);
+}
+
+// Whether a list around the innermost one has several members by now.
+bool Attacher::is_within_list() const {
+  for (std::size_t i = 0; i + 1 < open_.size(); ++i)
+    if (open_[i].first != open_[i].last) return true;
+  return false;
+}
+
+bool Attacher::is_bare(std::int32_t id) {
+  return at(id).determiner == Determiner::absent && at(id).count == 0.0;
+}
+
+// "full of boxes"
+bool Attacher::is_adjectival(const OpenList& list) {
+  const Attachment& attachment = parse_.attachments[static_cast<std::size_t>(list.attachment)];
+  return at(attachment.from).head + 1 < attachment.tokens.begin;
+}
+
+bool Attacher::resembles(const OpenList& list, std::int32_t id) {
+  return list.by != Opened::subject && at(list.last).determiner == at(id).determiner &&
+         (at(id).count > 0) == (at(list.last).count > 0);
+}
+
+void Attacher::link(OpenList& list, std::int32_t id) {
+  NounPhrase& first = at(list.first);
+  if (first.list == none) {
+    first.list = static_cast<std::int32_t>(parse_.lists.size());
+    parse_.lists.push_back({});
+    members_.push_back({static_cast<std::uint32_t>(list.first)});
+  }
+  members_[static_cast<std::size_t>(first.list)].push_back(static_cast<std::uint32_t>(id));
+  at(id).list = first.list;
+  list.last = id;
+}
+
+}  // namespace roomgen::language

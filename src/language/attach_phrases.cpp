@@ -1,0 +1,73 @@
+// Noun phrases: what each is of what has been read before it.
+#include "attacher.h"
+
+namespace roomgen::language {
+
+// ", each with a lamp": the members of what was said before.
+bool Attacher::is_floating(std::int32_t id) {
+  return at(id).is_pronoun && at(id).determiner == Determiner::each && is_joined_ &&
+         last_ != none;
+}
+
+// "A rack stands by the door, a safe inside the wardrobe": something new with a place of its own is
+// no member of a list that what is known began.
+bool Attacher::is_clause_without_verb(std::int32_t id) {
+  const auto is_new = [](const NounPhrase& one) {
+    return one.determiner == Determiner::indefinite || one.determiner == Determiner::another ||
+           (one.determiner == Determiner::absent && one.count > 0);
+  };
+  const auto first = at(open_.back().first).determiner;
+  const bool is_known = first == Determiner::definite || first == Determiner::possessive ||
+                        first == Determiner::each;
+  const bool has_place = ahead() == Tag::preposition && !is_with(chunks_[at_ + 1].piece->base) &&
+                         chunks_[at_ + 1].piece->base != "of";
+  return has_verb() && relative_ == none && is_known && is_new(at(id)) && has_place;
+}
+
+// "avoid glass tables, a living room with a sofa": what has something is wanted.
+bool Attacher::is_described() const {
+  return ahead() == Tag::preposition && is_with(chunks_[at_ + 1].piece->base);
+}
+
+void Attacher::phrase(std::uint32_t number) {
+  const auto id = static_cast<std::int32_t>(number);
+  each_ = none;
+  if (is_floating(id)) {
+    each_ = main_ != none && (at(main_).is_plural || !at(last_).is_plural) ? main_ : last_;
+    is_joined_ = has_comma_ = false;
+    return;
+  }
+  if (denies_list_ && has_comma_ && is_described()) end_clause();
+  if (denies_list_ || is_denied_) at(id).is_denied = true;
+  if (preposition_) {
+    under_preposition(id);
+  } else if (pending_ != none) {
+    under_verb(id);
+  } else if (is_joined_ && !open_.empty() && is_clause_without_verb(id)) {
+    end_clause();
+    begin_main(id);
+  } else if (is_joined_ && !open_.empty()) {
+    further_member(id);
+  } else {
+    begin_main(id);
+  }
+  is_denied_ = false;
+  last_ = id;
+}
+
+void Attacher::begin_main(std::int32_t id) {
+  const bool is_said_of = verb_ != none && verb_at(verb_).base == "be" &&
+                          verb_at(verb_).subject != none && verb_at(verb_).subject != id;
+  if (is_said_of) {
+    // "The room is a kitchen": said of the subject.
+    verb_at(verb_).object = id;
+    open(Opened::object, id, none);
+    return;
+  }
+  if (verb_ != none && verb_at(verb_).subject == none) verb_at(verb_).subject = id;
+  main_ = id;
+  open(Opened::subject, id, none);
+  flush_fronted(id);
+}
+
+}  // namespace roomgen::language

@@ -1,0 +1,115 @@
+// Prepositions: what is somewhere, and where.
+#include <utility>
+
+#include "attacher.h"
+#include "small_words.h"
+
+namespace roomgen::language {
+
+void Attacher::preposition(const Piece& piece) {
+  Attachment attachment;
+  attachment.tokens = piece.tokens;
+  attachment.relation = piece.base;
+  attachment.is_denied = is_denied_ || small_words().denying_prepositions.count(piece.base) > 0;
+  is_denied_ = false;
+  set_from(attachment);
+  preposition_ = attachment;
+  is_joined_ = has_comma_ = false;
+  pending_ = none;
+}
+
+void Attacher::set_from(Attachment& attachment) {
+  if (attachment.relation == "of" && before_ == Tag::noun) {
+    attachment.from = last_;
+  } else if (each_ != none) {
+    attachment.from = std::exchange(each_, none);
+  } else if (participle_ != none) {
+    attachment.verb = participle_;
+    attachment.from = verb_at(participle_).subject;
+    participle_ = none;
+  } else if (governs_places()) {
+    attachment.verb = verb_;
+    attachment.from = verb_at(verb_).subject;
+    attachment.is_of_list = true;
+  } else if (is_joined_ && is_with(attachment.relation)) {
+    attachment.from = main_ != none ? main_ : last_;
+  } else if (is_joined_ && open_.empty()) {
+    attachment.from = none;
+  } else {
+    from_nearest(attachment);
+  }
+}
+
+// "stands in the corner beside the bed": all that follows the verb is said of its subject, until
+// the object of the verb comes.
+bool Attacher::governs_places() {
+  if (verb_ == none || verb_at(verb_).subject == none) return false;
+  const auto kind = verb_at(verb_).kind;
+  if (kind != VerbPhrase::Kind::finite && kind != VerbPhrase::Kind::relative) return false;
+  if (before_ == Tag::noun && !open_.empty() && open_.back().by == Opened::with) return false;
+  return verb_at(verb_).object == none;
+}
+
+void Attacher::from_nearest(Attachment& attachment) {
+  attachment.from = top_of(last_);
+  const bool is_known = last_ != none && (at(last_).is_pronoun
+                                              ? at(last_).determiner != Determiner::each
+                                              : at(last_).determiner == Determiner::definite);
+  if (is_with(attachment.relation) && is_known)
+    attachment.from = what_is_told_of();
+  if (main_ != none && small_words().exceptions.count(attachment.relation))
+    attachment.from = main_;
+  // "a room for twelve with a screen"; "under the desk, but not in front of it"
+  const Attachment* last = parse_.attachments.empty() ? nullptr : &parse_.attachments.back();
+  const bool goes_on = last && last->to == last_ && !last->is_verb && last->relation != "of" &&
+                       ((is_with(attachment.relation) && last->relation == "for") ||
+                        before_ == Tag::conjunction || before_ == Tag::negation);
+  if (goes_on) {
+    attachment.from = last->from;
+    attachment.is_of_list = last->is_of_list;
+    return;
+  }
+  if (open_.empty() || is_with(attachment.relation)) return;
+  OpenList& list = open_.back();
+  const bool is_whole = list.last == attachment.from && list.first != list.last &&
+                        list.by != Opened::with && !list.has_own_place && ended_by_conjunction_;
+  attachment.is_of_list = is_whole;
+  if (!is_whole && list.last == attachment.from) list.has_own_place = true;
+}
+
+// Of "a vase of flowers" the vase.
+std::int32_t Attacher::top_of(std::int32_t phrase) const {
+  if (parse_.attachments.empty() || phrase == none) return phrase;
+  const Attachment& last = parse_.attachments.back();
+  return last.to == phrase && last.relation == "of" && !last.is_verb ? last.from : phrase;
+}
+
+void Attacher::under_preposition(std::int32_t id) {
+  Attachment attachment = *preposition_;
+  preposition_.reset();
+  attachment.to = id;
+  if (attachment.is_denied) at(id).is_denied = true;
+  if (attachment.from == none) {
+    fronted_.push_back(attachment);
+    return;
+  }
+  const auto by = is_with(attachment.relation)  ? Opened::with
+                  : attachment.relation == "of" ? Opened::of
+                                                : Opened::place;
+  open(by, id, add(attachment));
+}
+
+void Attacher::flush_fronted(std::int32_t id) {
+  for (Attachment attachment : fronted_) {
+    attachment.from = id;
+    fronted_of_.push_back(add(attachment));
+  }
+  fronted_.clear();
+}
+
+std::int32_t Attacher::add(const Attachment& attachment) {
+  parse_.attachments.push_back(attachment);
+  return static_cast<std::int32_t>(parse_.attachments.size() - 1);
+}
+
+}  // namespace roomgen::language
