@@ -21,7 +21,7 @@
 #include "roomgen/export/exporter.h"
 #include "roomgen/shape/evaluate.h"
 #ifdef ROOMGEN_HAS_RENDER
-#include "roomgen/render/image_file.h"
+#include "roomgen/render/pictures.h"
 #endif
 
 namespace {

@@ -8,7 +8,7 @@
 #include "roomgen/assets/catalogue.h"
 #include "roomgen/design/designer.h"
 #include "roomgen/generate/generate.h"
-#include "roomgen/render/osmesa_renderer.h"
+#include "roomgen/render/pictures.h"
 
 namespace {
 

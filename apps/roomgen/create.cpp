@@ -17,8 +17,7 @@
 #include "roomgen/create/create.h"
 #include "roomgen/create/suite.h"
 #include "roomgen/export/exporter.h"
-#include "roomgen/render/image_file.h"
-#include "roomgen/render/osmesa_renderer.h"
+#include "roomgen/render/pictures.h"
 #include "roomgen/shape/evaluate.h"
 #include "roomgen/shape/recipe.h"
 

@@ -6,7 +6,7 @@
 #include "roomgen/base/file.h"
 #include "roomgen/design/designer.h"
 #include "roomgen/kinds/kind_table.h"
-#include "roomgen/render/image_file.h"
+#include "roomgen/render/pictures.h"
 #ifdef ROOMGEN_HAS_AGENT
 #include "http.h"
 #endif

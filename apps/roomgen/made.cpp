@@ -6,8 +6,7 @@
 #include "roomgen/base/json.h"
 #include "roomgen/create/suite.h"
 #include "roomgen/generate/generate.h"
-#include "roomgen/render/image_file.h"
-#include "roomgen/render/osmesa_renderer.h"
+#include "roomgen/render/pictures.h"
 #include "roomgen/shape/evaluate.h"
 
 namespace roomgen::cli {

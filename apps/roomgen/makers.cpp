@@ -3,7 +3,7 @@
 #include "made.h"
 #include "roomgen/create/maker.h"
 #include "roomgen/create/model_maker.h"
-#include "roomgen/render/image_file.h"
+#include "roomgen/render/pictures.h"
 
 namespace roomgen::cli {
 

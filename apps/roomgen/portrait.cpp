@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-#include "roomgen/render/image_file.h"
-#include "roomgen/render/osmesa_renderer.h"
+#include "roomgen/render/pictures.h"
 
 namespace roomgen::cli {
 

@@ -6,8 +6,7 @@
 #include "command.h"
 #include "models.h"
 #include "roomgen/base/json.h"
-#include "roomgen/render/image_file.h"
-#include "roomgen/render/osmesa_renderer.h"
+#include "roomgen/render/pictures.h"
 #include "roomgen/scene/scene.h"
 
 namespace roomgen::cli {

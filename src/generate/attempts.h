@@ -1,6 +1,6 @@
 #pragma once
 
-#include "roomgen/solve/placement.h"
+#include "roomgen/solve/solve.h"
 #include "workplace.h"
 
 namespace roomgen {

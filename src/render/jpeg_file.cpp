@@ -5,7 +5,7 @@
 
 #include <jpeglib.h>
 
-#include "roomgen/render/image_file.h"
+#include "roomgen/render/pictures.h"
 
 namespace roomgen {
 

@@ -1,4 +1,4 @@
-#include "roomgen/render/osmesa_renderer.h"
+#include "roomgen/render/pictures.h"
 
 #include <list>
 #include <nlohmann/json.hpp>

@@ -4,7 +4,7 @@
 #include <cstring>
 
 #include "roomgen/base/file.h"
-#include "roomgen/render/image_file.h"
+#include "roomgen/render/pictures.h"
 
 namespace roomgen {
 

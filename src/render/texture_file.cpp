@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "roomgen/render/image_file.h"
+#include "roomgen/render/pictures.h"
 
 namespace roomgen {
 

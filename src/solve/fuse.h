@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "roomgen/geometry/vec.h"
-#include "roomgen/solve/placement.h"
+#include "roomgen/solve/solve.h"
 
 namespace roomgen {
 

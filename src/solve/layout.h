@@ -12,7 +12,7 @@
 #include "collision/usability.h"
 #include "roomgen/kinds/kind_table.h"
 #include "roomgen/scene/scene.h"
-#include "roomgen/solve/placement.h"
+#include "roomgen/solve/solve.h"
 
 namespace roomgen {
 

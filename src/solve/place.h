@@ -6,7 +6,7 @@
 #include "layout.h"
 #include "roomgen/base/result.h"
 #include "roomgen/scene/problem.h"
-#include "roomgen/solve/placement.h"
+#include "roomgen/solve/solve.h"
 
 namespace roomgen {
 

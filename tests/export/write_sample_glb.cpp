@@ -4,7 +4,7 @@
 #include "roomgen/export/exporter.h"
 #include "support/furnished_room.h"
 #ifdef ROOMGEN_HAS_RENDER
-#include "roomgen/render/image_file.h"
+#include "roomgen/render/pictures.h"
 #endif
 
 using namespace roomgen;

@@ -1,4 +1,4 @@
-#include "roomgen/render/image_file.h"
+#include "roomgen/render/pictures.h"
 
 #include <filesystem>
 

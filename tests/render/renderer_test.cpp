@@ -1,4 +1,4 @@
-#include "roomgen/render/osmesa_renderer.h"
+#include "roomgen/render/pictures.h"
 
 #include "catch.h"
 #include "support/furnished_room.h"

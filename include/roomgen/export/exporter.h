@@ -29,7 +29,7 @@ struct EncodedImage {
 };
 
 /// How exporters make files of textures. The core links no image library: roomgen::render provides
-/// one (render/image_file.h).
+/// one (render/pictures.h).
 using ImageEncoder = std::function<Result<EncodedImage>(const Image&)>;
 
 struct GlbOptions {

@@ -16,7 +16,7 @@
 #include "roomgen/scene/model_table.h"
 #include "roomgen/scene/plan.h"
 #include "roomgen/scene/scene.h"
-#include "roomgen/solve/placement.h"
+#include "roomgen/solve/solve.h"
 #include "roomgen/view/view.h"
 
 namespace roomgen::create {
