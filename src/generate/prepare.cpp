@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "asset_task.h"
 #include "library/vocabulary.h"
 #include "loads.h"
 #include "retrieve.h"
-#include "sizing.h"
 
 namespace roomgen {
 
@@ -20,26 +20,8 @@ Result<PlacementTask> prepare(Work& work, const PlannedObject& planned, const As
   const PlanItem& item = work.item(planned);
   const Kind& category = work.category(planned);
   if (auto status = fetch_model(work.place, asset); !status) return status.error();
-  PlacementTask task;
-  Object& object = task.object;
-  object.id = planned.id;
-  object.category = item.category;
-  object.description = item.description.empty() ? asset.name : item.description;
-  object.asset = asset.ref;
-  object.stand_in = asset.stand_in;
-  object.traits = category.traits;
-  object.traits.front = category.traits.front && asset.has_front;
-  object.size = fitted_size(asset, item, category);
   const auto model = work.place.models.find(asset_key(asset.ref));
-  object.traits.round = asset.round && (!model || keeps_to_ellipse(*model, object.size));
-  object.mount = item.mount;
-  object.relations = item.relations;
-  const double elevation = category.elevation > 0 ? category.elevation : asset.elevation;
-  object.position.z() =
-      mounting_height(item.mount, object.size.z(), elevation, work.place.room);
-  task.location = item.location;
-  task.asked = item.asked;
-  return task;
+  return task_of_asset(planned.id, item, category, asset, model.get(), work.place.room);
 }
 
 Result<std::vector<AssetInfo>> assets_for(Work& work, const PlannedObject& planned) {
