@@ -34,6 +34,8 @@ void add_evaluate_command(CLI::App& app, Context& context);
 void add_plan_command(CLI::App& app, Context& context);
 void add_create_command(CLI::App& app, Context& context);
 void add_generate_command(CLI::App& app, Context& context);
+/// edit, undo, redo, history, branch and diff.
+void add_edit_commands(CLI::App& app, Context& context);
 void add_experiment_command(CLI::App& app, Context& context);
 
 }  // namespace roomgen::cli

@@ -14,6 +14,7 @@
 #include "designers.h"
 #include "libraries.h"
 #include "options.h"
+#include "room_files.h"
 #include "roomgen/base/file.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
@@ -21,8 +22,7 @@
 #include "roomgen/export/exporter.h"
 #include "roomgen/generate/output.h"
 #include "roomgen/import/import.h"
-#include "roomgen/render/image_file.h"
-#include "roomgen/render/osmesa_renderer.h"
+#include "roomgen/render/pictures.h"
 
 namespace roomgen::cli {
 
@@ -118,22 +118,6 @@ Result<AnyPlan> make_plan(const GenerateCommand& command, const Context& context
   return AnyPlan(*std::move(plan));
 }
 
-Status write_pictures(const GenerateCommand& command, const OutputFolder& folder,
-                      const Generation& generation, Renderer& renderer) {
-  const std::pair<View::Kind, const char*> views[] = {{View::Kind::top, "top.png"},
-                                                      {View::Kind::isometric, "iso.png"},
-                                                      {View::Kind::eye, "eye.png"}};
-  for (const auto& [kind, name] : views) {
-    View view;
-    view.kind = kind;
-    view.pixels = command.pixels;
-    const auto image = renderer.render(generation.scene, generation.models, view);
-    if (!image) return image.error();
-    if (auto status = write_png(folder, name, *image); !status) return status;
-  }
-  return {};
-}
-
 // The room after each step, as a designer with eyes would have seen it.
 Status write_marks(const GenerateCommand& command, const OutputFolder& folder,
                    const Generation& generation, Renderer& renderer) {
@@ -165,27 +149,17 @@ Status write_shown(const OutputFolder& folder, const std::vector<std::string>& s
   return {};
 }
 
-Status write_glb(const OutputFolder& folder, const Generation& generation) {
-  const auto place = folder.place_for("scene.glb");
-  if (!place) return place.error();
-  GlbOptions glb;
-  glb.encode_image = encode_texture;
-  return GlbExporter(glb).write(generation.scene, generation.models, *place);
-}
-
 Status write_all(const GenerateCommand& command, OutputFolder& folder, const AnyPlan& plan,
                  const Generation& generation, const std::vector<std::string>& shown) {
   const Json json = std::visit([](const auto& each) { return to_json(each); }, plan);
   if (auto status = write_documents(folder, json, generation); !status) return status;
-  if (auto status = folder.write("ATTRIBUTION.md", attribution_markdown(generation.scene)); !status)
-    return status;
-  if (auto status = write_glb(folder, generation); !status) return status;
+  if (auto status = write_model_files(folder, generation.scene, generation.models); !status) return status;
   if (command.marks)
     if (auto status = write_shown(folder, shown); !status) return status;
   if (command.no_pictures) return folder.commit();
   auto renderer = make_osmesa_renderer();
   if (!renderer) return renderer.error();
-  if (auto status = write_pictures(command, folder, generation, **renderer); !status) return status;
+  if (auto status = write_pictures(folder, generation.scene, generation.models, **renderer, command.pixels); !status) return status;
   if (command.marks)
     if (auto status = write_marks(command, folder, generation, **renderer); !status) return status;
   return folder.commit();

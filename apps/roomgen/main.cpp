@@ -49,6 +49,7 @@ int main(int argc, char** argv) {
 #if defined(ROOMGEN_HAS_ASSETS) && defined(ROOMGEN_HAS_RENDER)
   add_create_command(app, context);
   add_generate_command(app, context);
+  add_edit_commands(app, context);
   add_experiment_command(app, context);
 #endif
 

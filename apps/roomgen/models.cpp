@@ -89,6 +89,8 @@ void add_model_options(CLI::App& command, ModelOptions& options) {
 #endif
 }
 
+SpareModels written_models(const std::filesystem::path& scene_file) { return WrittenModels(scene_file); }
+
 Result<ModelTable> models_of(const Scene& scene, const std::filesystem::path& file,
                              const ModelOptions& options, const Context& context) {
   if (is_all_boxes(scene)) return ModelTable();
@@ -98,7 +100,7 @@ Result<ModelTable> models_of(const Scene& scene, const std::filesystem::path& fi
     std::fprintf(stderr, "roomgen: %.*s; taken as a box\n", static_cast<int>(message.size()),
                  message.data());
   };
-  return load_models(scene, **library, tell, WrittenModels(file));
+  return load_models(scene, **library, tell, written_models(file));
 }
 
 }  // namespace roomgen::cli

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "command.h"
+#include "roomgen/library/library.h"
 #include "roomgen/scene/model_table.h"
 #include "roomgen/scene/scene.h"
 #ifdef ROOMGEN_HAS_ASSETS
@@ -21,6 +22,9 @@ struct ModelOptions {
 };
 
 void add_model_options(CLI::App& command, ModelOptions& options);
+
+/// Meshes from the scene.glb beside a scene's file, which is read when the first is asked for.
+SpareModels written_models(const std::filesystem::path& scene_file);
 
 /// The meshes of a scene. What the libraries do not have is taken from the scene.glb beside the
 /// scene's file; what is not there either is told on stderr and stays a box.

@@ -8,6 +8,10 @@
 #include "roomgen/generate/room_builder.h"  // the same one step at a time: propose, place, refuse, undo
 #include "roomgen/generate/output.h"        // the folder with a room's files
 
+// Change a furnished room.
+#include "roomgen/session/session.h"    // a room and its history: edits, undo, branches, differences
+#include "roomgen/session/operation.h"  // what an edit may do, as values
+
 // Decide what it holds: by rules, or by a language model.
 #include "roomgen/design/designer.h"        // what a designer is; the one that follows rules; dwellings
 #include "roomgen/design/model_designer.h"  // the one that asks a language model
@@ -30,8 +34,7 @@
 
 // Place things without a designer.
 #include "roomgen/scene/problem.h"    // a room and things with constraints; problem.json
-#include "roomgen/solve/solve.h"      // finds the poses of all of them
-#include "roomgen/solve/placement.h"  // how one pose is chosen: options, and the terms of a choice
+#include "roomgen/solve/solve.h"      // how one pose is chosen, and the poses of all of them
 
 // Bring meshes and kinds of things.
 #include "roomgen/kinds/kind_table.h"  // what kinds of things there are: sizes, mounts, use zones
@@ -65,9 +68,8 @@
 #if __has_include("roomgen/assets/catalogue.h")
 #include "roomgen/assets/catalogue.h"  // furniture libraries: Sweet Home 3D archives, folders of meshes
 #endif
-#if __has_include("roomgen/render/osmesa_renderer.h")
-#include "roomgen/render/image_file.h"       // PNG and JPEG
-#include "roomgen/render/osmesa_renderer.h"  // pictures of rooms and of single models, without a display
+#if __has_include("roomgen/render/pictures.h")
+#include "roomgen/render/pictures.h"  // pictures of rooms and of single models, without a display; PNG and JPEG
 #endif
 #if __has_include("roomgen/agent/http_model.h")
 #include "roomgen/agent/http_model.h"  // a language model behind an HTTP endpoint

@@ -117,6 +117,7 @@ Json to_json(const Requirement& requirement) {
       break;
     case Requirement::Kind::attribute:
       json["attribute"] = requirement.attribute;
+      if (requirement.amount > 0.0) json["amount"] = rounded(requirement.amount);
       break;
     case Requirement::Kind::relation:
       json["relation"] = name(requirement.relation);

@@ -1,0 +1,137 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "roomgen/base/json.h"
+#include "roomgen/base/result.h"
+#include "roomgen/geometry/vec.h"
+#include "roomgen/scene/relation.h"
+
+/// Changes of a finished room, as values. Objects are named by their ids. Metres and radians; in JSON
+/// (docs/operation.schema.json) metres and degrees.
+namespace roomgen::edit {
+
+/// New things. They get the next free numbers: after chair-1 comes chair-2.
+struct Add {
+  std::string category;     ///< a kind of the table, or a name that it knows
+  std::string description;  ///< what the library looks for: "tall brass floor lamp"
+  std::optional<Vec3> size = {};
+  int count = 1;
+  std::vector<Relation> relations = {};  ///< all must hold; none: where such things usually stand
+  std::string room = {};                 ///< of a dwelling; else that of the first relation's target
+
+  bool operator==(const Add&) const = default;
+};
+
+/// Takes things out, with all that stands on them; `group`: and with the things that stand around them.
+struct Remove {
+  std::vector<std::string> objects;
+  bool group = false;
+
+  bool operator==(const Remove&) const = default;
+};
+
+/// To where these relations hold, with all that stands on it.
+struct Move {
+  std::string object;
+  std::vector<Relation> relations;
+
+  bool operator==(const Move&) const = default;
+};
+
+/// Exactly there. On what is below; what stands on other things stays on `on` or finds what carries it.
+struct Put {
+  std::string object;
+  Vec2 position = Vec2::Zero();
+  std::optional<double> yaw = {};
+  std::string on = {};
+
+  bool operator==(const Put&) const = default;
+};
+
+/// By so much, in the scene's frame.
+struct Shift {
+  std::string object;
+  Vec2 by = Vec2::Zero();
+
+  bool operator==(const Shift&) const = default;
+};
+
+/// Where it stands, counter-clockwise from above; a little aside where there is no room for that.
+struct Turn {
+  std::string object;
+  double by = 0.0;
+
+  bool operator==(const Turn&) const = default;
+};
+
+/// The front towards an object, an opening or a wall.
+struct Face {
+  std::string object, target;
+
+  bool operator==(const Face&) const = default;
+};
+
+/// Two things change places.
+struct Swap {
+  std::string first, second;
+
+  bool operator==(const Swap&) const = default;
+};
+
+/// Another thing in its place: another mesh of its kind, or as described.
+struct Replace {
+  std::string object;
+  std::string category = {};     ///< empty: the same
+  std::string description = {};  ///< empty: any other
+
+  bool operator==(const Replace&) const = default;
+};
+
+/// Stretched or squeezed to this width, depth and height.
+struct Resize {
+  std::string object;
+  Vec3 size = Vec3::Ones();
+
+  bool operator==(const Resize&) const = default;
+};
+
+/// Painted or covered anew: "navy velvet", "oak".
+struct Recolor {
+  std::string object;
+  std::string looks;
+
+  bool operator==(const Recolor&) const = default;
+};
+
+/// Repairs and improvements move it no more, or again; people's edits of a locked thing are refused.
+struct Lock {
+  std::vector<std::string> objects;
+  bool locked = true;
+
+  bool operator==(const Lock&) const = default;
+};
+
+/// What the floor, the walls, the accent wall or the ceiling of a room are covered with: "oak".
+struct Cover {
+  std::string part, looks;
+  std::string room = {};  ///< of a dwelling
+
+  bool operator==(const Cover&) const = default;
+};
+
+using Operation =
+    std::variant<Add, Remove, Move, Put, Shift, Turn, Face, Swap, Replace, Resize, Recolor, Lock, Cover>;
+
+/// {"do": "move", "object": "lamp-0", "relations": ["next to, bed-0"]}
+Json to_json(const Operation& operation);
+/// Errors name the member: "/object: …".
+Result<Operation> operation_from_json(const Json& json, const std::string& source);
+/// One operation, or a list of them.
+Result<std::vector<Operation>> operations_from_json(const Json& json, const std::string& source);
+
+}  // namespace roomgen::edit

@@ -1,0 +1,159 @@
+#include <algorithm>
+
+#include "generate/asset_task.h"
+#include "generate/retrieve.h"
+#include "generate/window_cover.h"
+#include "make_way.h"
+#include "operations.h"
+#include "roomgen/base/text.h"
+#include "solve/layout.h"
+
+namespace roomgen {
+
+namespace {
+
+constexpr int most_assets = 3;  // that are tried for one thing
+constexpr std::size_t most_things = 5000;  // in a scene
+
+bool wants(const std::vector<Relation>& relations, RelationKind kind) {
+  return std::any_of(relations.begin(), relations.end(), [&](const Relation& one) { return one.kind == kind; });
+}
+
+// A lamp on a table is a table lamp.
+const Kind& kind_for(const KindTable& kinds, const edit::Add& add) {
+  const Kind& kind = kinds.get(add.category);
+  const bool rests = wants(add.relations, RelationKind::on) || wants(add.relations, RelationKind::inside);
+  if (rests && kind.mount != Mount::surface && !kind.forms.small.empty())
+    if (const Kind* small = kinds.by_name(kind.forms.small)) return kinds.planned(*small);
+  return kind;
+}
+
+Result<Mount> mount_for(const Kind& kind, const edit::Add& add) {
+  const auto may = [&](Mount mount) {
+    return kind.mount == mount || std::find(kind.also.begin(), kind.also.end(), mount) != kind.also.end();
+  };
+  const bool rests = wants(add.relations, RelationKind::on) || wants(add.relations, RelationKind::inside);
+  if (!rests) return kind.mount;
+  if (may(Mount::surface)) return Mount::surface;
+  return cannot("a " + kind.name + " does not stand on other things");
+}
+
+PlanItem item_for(const Kind& kind, const edit::Add& add, Mount mount) {
+  PlanItem item;
+  item.category = kind.name.empty() ? lower(add.category) : kind.name;
+  item.description = add.description.empty() ? add.category : add.description;
+  item.size = add.size;
+  item.quantity = add.count;
+  item.mount = mount;
+  item.asked = true;
+  item.relations = add.relations;
+  return item;
+}
+
+Result<std::string> room_for_new(const Draft& draft, const edit::Add& add) {
+  if (add.room.empty())
+    for (const auto& relation : add.relations)
+      if (const Object* target = find_object(draft.scene, relation.target)) return target->room;
+  return room_named(draft, add.room);
+}
+
+/// A thing that is to come, before it has a mesh and a place.
+struct Newcomer {
+  PlannedObject planned;
+  PlanItem item;
+  const Kind& kind;
+  std::string room;
+};
+
+const Room& room_of(const Draft& draft, const std::string& id) {
+  Object object;
+  object.room = id;
+  return roomgen::room_of(draft.scene, object);
+}
+
+// Curtains are made to the measure of a window that has none.
+Status hang_at_window(Draft& draft, const Newcomer& newcomer, const AssetInfo& asset, Object object) {
+  const Room& room = room_of(draft, newcomer.room);
+  Layout& layout = draft.shop.layout(draft.scene, newcomer.room);
+  const auto asked = [&](const Opening* window) {
+    return newcomer.item.relations.empty() ||
+           std::any_of(newcomer.item.relations.begin(), newcomer.item.relations.end(),
+                       [&](const Relation& one) { return one.target == window->id; });
+  };
+  object.asset = asset.ref;
+  object.mount = Mount::wall;
+  for (const Opening* window : windows_to_cover(room, layout.objects(), newcomer.item.category)) {
+    if (!asked(window)) continue;
+    for (const auto& hung : hangings(object, newcomer.kind, room, *window))
+      if (auto place = settled(draft, layout, Cluster{hung, {}})) return draft.put(*place), Status();
+  }
+  return cannot("at no window is there room for it");
+}
+
+Status place_newcomer(Draft& draft, const Newcomer& newcomer, const AssetInfo& asset, bool may_make_way) {
+  const auto model = draft.shop.fetch_model(asset.ref);
+  if (!model) return model.error();
+  PlacementTask task = task_of_asset(newcomer.planned.id, newcomer.item, newcomer.kind, asset, model->get(),
+                                     room_of(draft, newcomer.room));
+  Object& object = task.object;
+  object.room = newcomer.room;
+  if (newcomer.kind.covers_window) return hang_at_window(draft, newcomer, asset, object);
+  Aim aim;
+  aim.asked = newcomer.item.relations;
+  aim.usual = true;
+  const Cluster cluster{object, {}};
+  if (may_make_way) return place_or_make_way(draft, cluster, aim);
+  auto found = find_place(draft, draft.layout_without(cluster), cluster, aim);
+  if (!found) return found.error();
+  draft.put(*found);
+  return {};
+}
+
+// The assets that suit the words, in order; the last chance of the first one is that others make way.
+Status bring(Draft& draft, const Newcomer& newcomer, Favourites& favourites) {
+  const auto assets = retrieve({draft.shop.library(), draft.shop.kinds(), draft.scene.seed}, favourites, newcomer.item,
+                               newcomer.planned, most_assets);
+  if (!assets) return assets.error();
+  if (assets->empty())
+    return cannot("no asset is a " + newcomer.item.category + "; the library has none and none can be made of the words");
+  for (const auto& asset : *assets)
+    if (place_newcomer(draft, newcomer, asset, false))
+      return remember(favourites, newcomer.item, asset), Status();
+  remember(favourites, newcomer.item, assets->front());
+  return place_newcomer(draft, newcomer, assets->front(), true);
+}
+
+}  // namespace
+
+Status carry_out(Draft& draft, const edit::Add& add) {
+  const Kind& kind = kind_for(draft.shop.kinds(), add);
+  if (draft.scene.objects.size() + static_cast<std::size_t>(add.count) > most_things)
+    return cannot("a scene holds " + std::to_string(most_things) + " things at most");
+  const auto mount = mount_for(kind, add);
+  if (!mount) return mount.error();
+  const auto room = room_for_new(draft, add);
+  if (!room) return room.error();
+  if (auto status = check_targets(draft, *room, add.relations); !status) return status;
+  Favourites favourites;
+  Requirement wish;
+  for (int number = 0; number < add.count; ++number) {
+    Newcomer newcomer{{"", 0, number}, item_for(kind, add, *mount), kind, *room};
+    newcomer.planned.id = next_id(draft.scene, newcomer.item.category);
+    if (auto status = bring(draft, newcomer, favourites); !status) return status;
+    const Object& object = *find_object(draft.scene, newcomer.planned.id);
+    draft.added.push_back(object.id);
+    draft.named.insert(object.id);
+    if (number == 0) wish = wish_for(object, newcomer.item.description, Requirement::Kind::count);
+    else wish.subjects.push_back(object.id);
+    wish_relations(draft, object, add.relations);
+    draft.new_categories.insert(object.category);
+  }
+  wish.count = add.count;
+  wish.at_least = true;
+  if (add.count > 1) wish.clause = std::to_string(add.count) + " " + wish.clause;
+  draft.wishes.push_back(std::move(wish));
+  if (kind.traits.flat) settle_heights(draft, *room);
+  return {};
+}
+
+}  // namespace roomgen

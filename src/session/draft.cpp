@@ -1,0 +1,89 @@
+#include "draft.h"
+
+#include <algorithm>
+
+#include "roomgen/base/text.h"
+
+namespace roomgen {
+
+std::set<std::string> Cluster::ids() const {
+  std::set<std::string> all = {root.id};
+  for (const auto& object : carried) all.insert(object.id);
+  return all;
+}
+
+Cluster cluster_of(const Scene& scene, const Object& root) {
+  Cluster cluster{root, {}};
+  std::set<std::string> carriers = {root.id};
+  for (bool grew = true; grew;) {
+    grew = false;
+    for (const auto& object : scene.objects)
+      if (!object.on.empty() && carriers.count(object.on) && !carriers.count(object.id)) {
+        cluster.carried.push_back(object);
+        carriers.insert(object.id);
+        grew = true;
+      }
+  }
+  return cluster;
+}
+
+Pose pose_of(const Object& object) { return {object.position.head<2>(), object.position.z(), object.yaw}; }
+
+Cluster moved_to(const Cluster& cluster, const Pose& pose) {
+  Cluster moved = cluster;
+  const Object& old = cluster.root;
+  moved.root = at_pose(old, pose);
+  const double turn = wrap_angle(moved.root.yaw - old.yaw);
+  const double rise = moved.root.position.z() - old.position.z();
+  for (auto& object : moved.carried) {
+    const Vec2 offset = object.position.head<2>() - old.position.head<2>();
+    const Vec2 at = moved.root.position.head<2>() + (turn == 0.0 ? offset : rotated(offset, turn));
+    object = at_pose(object, {at, object.position.z() + rise, wrap_angle(object.yaw + turn)});
+  }
+  return moved;
+}
+
+void Draft::put(const Cluster& cluster) {
+  const auto put_one = [&](const Object& object) {
+    if (Object* there = find_object(scene, object.id)) *there = object;
+    else scene.objects.push_back(object);
+  };
+  put_one(cluster.root);
+  for (const auto& object : cluster.carried) put_one(object);
+}
+
+void Draft::take_out(const std::set<std::string>& ids) {
+  std::erase_if(scene.objects, [&](const Object& object) { return ids.count(object.id) > 0; });
+}
+
+Error cannot(const std::string& what) { return {Error::Kind::not_found, what}; }
+
+Result<Object> object_named(const Draft& draft, std::string_view id) {
+  if (const Object* object = find_object(draft.scene, id)) return *object;
+  std::vector<std::string> ids;
+  for (const auto& object : draft.scene.objects) ids.push_back(object.id);
+  const std::string near = closest_name(id, ids);
+  return cannot("there is no \"" + std::string(id) + "\" in the scene" +
+                (near.empty() ? "" : "; did you mean " + near + "?"));
+}
+
+Result<Object> object_to_change(Draft& draft, std::string_view id) {
+  auto object = object_named(draft, id);
+  if (!object) return object;
+  if (object->locked) return cannot(object->id + " is locked; unlock it first");
+  draft.named.insert(object->id);
+  return object;
+}
+
+Result<std::string> room_named(const Draft& draft, const std::string& id) {
+  const auto rooms = rooms_of(draft.scene);
+  if (rooms.size() == 1) return rooms.front().id;
+  std::string known;
+  for (const auto& room : rooms) {
+    if (room.id == id) return id;
+    known += (known.empty() ? "" : ", ") + room.id;
+  }
+  return cannot(id.empty() ? "say in which room: " + known : "there is no room \"" + id + "\": there are " + known);
+}
+
+}  // namespace roomgen

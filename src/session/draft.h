@@ -1,0 +1,59 @@
+#pragma once
+
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/random.h"
+#include "roomgen/generate/generate.h"
+#include "roomgen/scene/scene.h"
+#include "workshop.h"
+
+namespace roomgen {
+
+/// A thing and all that stands on it, directly or on what does: they move as one.
+struct Cluster {
+  Object root;
+  std::vector<Object> carried;  ///< each after what carries it
+
+  std::set<std::string> ids() const;
+};
+Cluster cluster_of(const Scene& scene, const Object& root);
+/// With the root at another pose, and the rest as it stands on it.
+Cluster moved_to(const Cluster& cluster, const Pose& pose);
+Pose pose_of(const Object& object);
+
+/// A scene while an edit is at work on it. Given up, it leaves nothing behind.
+struct Draft {
+  Draft(Workshop& the_shop, const Scene& the_scene, bool may_repair)
+      : shop(the_shop), scene(the_scene), repair(may_repair), random(Random(the_scene.seed).fork("edit")) {}
+
+  Workshop& shop;
+  Scene scene;
+  bool repair = true;
+  Random random;
+  std::set<std::string> named;  ///< objects that the edit is about, whatever became of them
+  std::vector<std::string> added;
+  std::vector<Move> repairs;
+  std::vector<Requirement> wishes;       ///< that the edit adds, without ids
+  std::set<std::string> new_categories;  ///< of which it brought or took something
+
+  /// Writes the poses into the scene; new things come to its end.
+  void put(const Cluster& cluster);
+  void take_out(const std::set<std::string>& ids);
+  /// What stands in the room, but for a cluster.
+  Layout& layout_without(const Cluster& cluster) { return shop.layout(scene, cluster.root.room, cluster.ids()); }
+};
+
+/// The object of this id; not_found, with the nearest name, if there is none.
+Result<Object> object_named(const Draft& draft, std::string_view id);
+/// The same for what an edit is to change: not if it is locked. It counts as named from now on.
+Result<Object> object_to_change(Draft& draft, std::string_view id);
+/// The room of this id, or the only one.
+Result<std::string> room_named(const Draft& draft, const std::string& id);
+
+Error cannot(const std::string& what);
+
+}  // namespace roomgen

@@ -1,0 +1,89 @@
+#include "edit_scene.h"
+
+#include <algorithm>
+
+#include "edited_ledger.h"
+#include "operations.h"
+#include "placing.h"
+#include "roomgen/base/text.h"
+#include "roomgen/evaluate/report.h"
+
+namespace roomgen {
+
+namespace {
+
+bool is_same(const Violation& a, const Violation& b) {
+  return a.fault == b.fault && a.object == b.object && a.other == b.other;
+}
+
+std::string words_of(const Violation& violation) {
+  std::string text = std::string(name(violation.fault));
+  if (!violation.object.empty()) text = violation.object + ": " + text;
+  return violation.other.empty() ? text : text + " (" + violation.other + ")";
+}
+
+// The edits of this module let nothing invalid in; what they do together is looked at once more as a whole.
+Status check_new_faults(const Scene& before, const Draft& draft) {
+  const auto now = examine(draft.scene, draft.shop.models(), draft.shop.kinds()).violations;
+  if (now.empty()) return {};
+  const auto was = examine(before, draft.shop.models(), draft.shop.kinds()).violations;
+  for (const auto& violation : now)
+    if (std::none_of(was.begin(), was.end(), [&](const Violation& old) { return is_same(old, violation); }))
+      return cannot("the room would not be valid any more: " + words_of(violation));
+  return {};
+}
+
+double distance_between(const Object& a, const Object& b) {
+  const bool same_height = bottom(a) < top(b) && bottom(b) < top(a);
+  return same_height ? gap(footprint(a), footprint(b)) : 1e9;
+}
+
+double nearest_to(const Scene& scene, const Cluster& cluster) {
+  double nearest = distance_to_boundary(room_of(scene, cluster.root).polygon, footprint(cluster.root));
+  const auto own = cluster.ids();
+  for (const auto& other : scene.objects)
+    if (other.room == cluster.root.room && !own.count(other.id) && !other.traits.flat)
+      nearest = std::min(nearest, distance_between(cluster.root, other));
+  return nearest;
+}
+
+}  // namespace
+
+Result<EditedScene> edit_scene(Workshop& shop, const Scene& scene, std::span<const edit::Operation> operations,
+                               bool repair) {
+  Draft draft(shop, scene, repair);
+  for (const auto& operation : operations)
+    if (auto status = carry_out(draft, operation); !status) return status.error();
+  shop.fetch_models(draft.scene);
+  if (auto status = check_new_faults(scene, draft); !status) return status.error();
+  EditedScene edited;
+  edited.report.broken = update_ledger(draft, scene);
+  if (auto status = check(draft.scene); !status) return status.error();
+  edited.report.added = std::move(draft.added);
+  edited.report.repairs = std::move(draft.repairs);
+  edited.report.changes = differences(scene, draft.scene);
+  edited.scene = std::move(draft.scene);
+  return edited;
+}
+
+Result<Preview> preview_pose(Workshop& shop, const Scene& scene, std::string_view id, const WantedPose& wanted) {
+  Draft draft(shop, scene, false);
+  const auto object = object_named(draft, id);
+  if (!object) return object.error();
+  Cluster cluster = cluster_of(scene, *object);
+  if (!wanted.on.empty()) cluster.root.on = wanted.on;
+  const Pose pose{wanted.position, wanted.bottom.value_or(object->position.z()), wanted.yaw};
+  Preview preview;
+  preview.object = moved_to(cluster, pose).root;
+  auto there = exactly_at(draft, cluster, pose);
+  preview.feasible = there.ok();
+  if (!there) preview.reason = there.error().message;
+  else cluster = *there, preview.object = there->root;
+  preview.nearest = nearest_to(scene, moved_to(cluster, pose_of(preview.object)));
+  if (!there) return preview;
+  draft.put(*there);
+  preview.broken = broken_relations(scene, draft);
+  return preview;
+}
+
+}  // namespace roomgen

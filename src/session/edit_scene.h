@@ -1,0 +1,24 @@
+#pragma once
+
+#include <span>
+
+#include "draft.h"
+#include "roomgen/session/session.h"
+
+namespace roomgen {
+
+/// What operations make of a scene.
+struct EditedScene {
+  Scene scene;
+  EditReport report;
+};
+
+/// Carries all out, in order, on a copy; checks that nothing invalid came in, and brings the ledger up to
+/// date.
+Result<EditedScene> edit_scene(Workshop& shop, const Scene& scene, std::span<const edit::Operation> operations,
+                               bool repair);
+
+/// What a pose would mean.
+Result<Preview> preview_pose(Workshop& shop, const Scene& scene, std::string_view object, const WantedPose& pose);
+
+}  // namespace roomgen

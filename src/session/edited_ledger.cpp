@@ -1,0 +1,206 @@
+#include "edited_ledger.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "evaluate/attributes.h"
+#include "evaluate/ledger.h"
+#include "roomgen/base/text.h"
+#include "scene/judgement.h"
+
+namespace roomgen {
+
+namespace {
+
+using Verdicts = std::vector<RequirementVerdict>;
+
+constexpr const char* by_an_edit = "by an edit";
+
+bool has_any(const std::vector<std::string>& ids, const std::set<std::string>& set) {
+  return std::any_of(ids.begin(), ids.end(), [&](const std::string& id) { return set.count(id) > 0; });
+}
+
+// One room of a dwelling, or all of it.
+Scene scene_about(const Scene& scene, const std::string& room) {
+  if (room.empty() || scene.rooms.empty()) return scene;
+  for (auto& part : parts_of(scene))
+    if (part.room.id == room) return part;
+  return scene;
+}
+
+RequirementVerdict check_one(const Requirement& requirement, const Verdicts& all, const Draft& draft) {
+  std::vector<Requirement> asked = {requirement};
+  for (const auto& other : all)
+    if (other.requirement.kind == Requirement::Kind::count && other.compliance != Compliance::withdrawn &&
+        other.requirement.id != requirement.id && other.requirement.room == requirement.room)
+      asked.push_back(other.requirement);
+  const ModelTable& models = draft.shop.models();
+  return check_requirements(
+             asked, scene_about(draft.scene, requirement.room), draft.shop.kinds(),
+             [&](const Object& object, const std::string& word) {
+               return judge_attribute(known_looks(object, models), word);
+             },
+             [&](const Object& object) {
+               const auto model = models.find(asset_key(object.asset));
+               return model ? std::cbrt(object.size.prod() / bounds(*model).size().cwiseMax(1e-4).prod()) : 1.0;
+             })
+      .front();
+}
+
+// Looks are dear to judge, and change with their things alone.
+bool keeps_verdict(const Requirement& requirement, const Draft& draft) {
+  return requirement.kind == Requirement::Kind::attribute && !requirement.subjects.empty() &&
+         !has_any(requirement.subjects, draft.named);
+}
+
+Verdicts checked(const Verdicts& verdicts, const Draft& draft) {
+  Verdicts result;
+  for (const auto& verdict : verdicts)
+    result.push_back(verdict.compliance == Compliance::withdrawn || keeps_verdict(verdict.requirement, draft)
+                         ? verdict
+                         : check_one(verdict.requirement, verdicts, draft));
+  return result;
+}
+
+// Is it about what the edit itself changed? Then it is the word that came later that counts.
+bool is_overruled(const Requirement& requirement, const Draft& draft) {
+  if (requirement.kind == Requirement::Kind::count || requirement.kind == Requirement::Kind::absence)
+    return std::any_of(draft.new_categories.begin(), draft.new_categories.end(), [&](const std::string& category) {
+      return draft.shop.kinds().is_a(category, requirement.category);
+    });
+  if (requirement.kind == Requirement::Kind::attribute && requirement.subjects.empty())
+    return draft.new_categories.count(requirement.category) > 0;
+  return has_any(requirement.subjects, draft.named);
+}
+
+void withdraw(RequirementVerdict& verdict, const std::string& why) {
+  verdict.compliance = Compliance::withdrawn;
+  verdict.reason = why;
+}
+
+std::set<std::string> gone_ids(const Scene& before, const Scene& after) {
+  std::set<std::string> gone;
+  for (const auto& object : before.objects)
+    if (!find_object(after, object.id)) gone.insert(object.id);
+  return gone;
+}
+
+std::string counted(int count, const std::string& category) { return std::to_string(count) + " " + category; }
+
+// Fewer of a kind: the number that was asked for is another one now.
+Requirement fewer(const Requirement& requirement, const std::vector<std::string>& left) {
+  Requirement now = requirement;
+  now.id.clear();
+  now.source = Requirement::Source::edit;
+  now.subjects = left;
+  now.count = requirement.count - static_cast<int>(requirement.subjects.size() - left.size());
+  now.clause = counted(now.count, requirement.category);
+  return now;
+}
+
+// What went is asked for no more.
+void forget(const std::set<std::string>& gone, Draft& draft) {
+  for (auto& verdict : draft.scene.requirements) {
+    Requirement& asked = verdict.requirement;
+    if (verdict.compliance == Compliance::withdrawn) continue;
+    std::vector<std::string> left = asked.subjects, targets = asked.targets;
+    std::erase_if(left, [&](const std::string& id) { return gone.count(id) > 0; });
+    std::erase_if(targets, [&](const std::string& id) { return gone.count(id) > 0; });
+    const bool lost_some = left.size() < asked.subjects.size();
+    if ((lost_some && left.empty()) || (targets.empty() && !asked.targets.empty())) {
+      withdraw(verdict, by_an_edit);
+    } else if (lost_some && asked.kind == Requirement::Kind::count) {
+      draft.wishes.push_back(fewer(asked, left));
+      withdraw(verdict, by_an_edit);
+    } else {
+      asked.subjects = std::move(left);
+      asked.targets = std::move(targets);
+    }
+  }
+}
+
+std::string free_id(const Verdicts& verdicts) {
+  for (std::size_t number = 1;; ++number) {
+    const std::string id = "e" + std::to_string(number);
+    if (std::none_of(verdicts.begin(), verdicts.end(),
+                     [&](const RequirementVerdict& one) { return one.requirement.id == id; }))
+      return id;
+  }
+}
+
+bool is_about_gone(const Requirement& wish, const Scene& scene) {
+  return std::any_of(wish.subjects.begin(), wish.subjects.end(),
+                     [&](const std::string& id) { return !find_object(scene, id); });
+}
+
+void add_wishes(Draft& draft) {
+  for (auto& wish : draft.wishes) {
+    if (is_about_gone(wish, draft.scene)) continue;
+    wish.id = free_id(draft.scene.requirements);
+    draft.scene.requirements.push_back({wish, Compliance::met, ""});
+  }
+  draft.wishes.clear();
+}
+
+const RequirementVerdict* verdict_of(const Verdicts& verdicts, const std::string& id) {
+  for (const auto& verdict : verdicts)
+    if (verdict.requirement.id == id) return &verdict;
+  return nullptr;
+}
+
+std::vector<RelationVerdict> judged_by_room(const Scene& scene, const KindTable& kinds) {
+  std::vector<RelationVerdict> verdicts;
+  for (const auto& part : parts_of(scene))
+    for (auto& verdict : judge_scene(part, kinds)) verdicts.push_back(std::move(verdict));
+  return verdicts;
+}
+
+}  // namespace
+
+std::vector<RequirementVerdict> ledger_of(const Draft& draft) { return checked(draft.scene.requirements, draft); }
+
+std::vector<std::string> broken_requirements(const std::vector<RequirementVerdict>& before, const Draft& draft) {
+  std::vector<std::string> broken;
+  const auto now = ledger_of(draft);
+  for (const auto& verdict : before) {
+    const auto* later = verdict_of(now, verdict.requirement.id);
+    if (verdict.met() && later && later->compliance == Compliance::not_met &&
+        !is_overruled(verdict.requirement, draft))
+      broken.push_back(verdict.requirement.clause);
+  }
+  return broken;
+}
+
+std::vector<std::string> broken_relations(const Scene& before, const Draft& draft) {
+  std::vector<std::string> broken;
+  const auto was = judged_by_room(before, draft.shop.kinds());
+  const auto is = judged_by_room(draft.scene, draft.shop.kinds());
+  for (const auto& verdict : was) {
+    if (!verdict.judgement.held || !find_object(draft.scene, verdict.object)) continue;
+    const bool lost = std::any_of(is.begin(), is.end(), [&](const RelationVerdict& now) {
+      return now.object == verdict.object && now.relation == verdict.relation && !now.judgement.held;
+    });
+    if (lost) broken.push_back(verdict.object + " is no longer " + to_text(verdict.relation));
+  }
+  return broken;
+}
+
+std::vector<std::string> update_ledger(Draft& draft, const Scene& before) {
+  Draft earlier(draft.shop, before, false);
+  earlier.named = draft.named;
+  const auto was = ledger_of(earlier);
+  forget(gone_ids(before, draft.scene), draft);
+  add_wishes(draft);
+  auto broken = broken_relations(before, draft);
+  Verdicts now = ledger_of(draft);
+  for (auto& verdict : now) {
+    const auto* old = verdict_of(was, verdict.requirement.id);
+    if (!old || !old->met() || verdict.compliance != Compliance::not_met) continue;
+    if (is_overruled(verdict.requirement, draft)) withdraw(verdict, by_an_edit);
+    else broken.push_back("no longer met: " + verdict.requirement.clause);
+  }
+  draft.scene.requirements = std::move(now);
+  return broken;
+}
+
+}  // namespace roomgen

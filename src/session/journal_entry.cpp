@@ -1,0 +1,82 @@
+#include "journal_entry.h"
+
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "base/json_reader.h"
+#include "roomgen/base/file.h"
+
+namespace roomgen {
+
+namespace {
+
+
+constexpr std::pair<JournalEntry::Kind, std::string_view> kinds_of_entries[] = {
+    {JournalEntry::Kind::scene, "scene"}, {JournalEntry::Kind::edit, "edit"}, {JournalEntry::Kind::head, "head"}, {JournalEntry::Kind::snapshot, "snapshot"}};
+constexpr long long most_entries = 1'000'000'000;
+
+std::string_view kind_name(JournalEntry::Kind kind) {
+  for (const auto& [value, name] : kinds_of_entries)
+    if (value == kind) return name;
+  return "";
+}
+
+JournalEntry::Kind read_kind(const JsonReader& json) {
+  const std::string text = json.text(20);
+  for (const auto& [value, name] : kinds_of_entries)
+    if (name == text) return value;
+  json.report("\"" + text + "\" is none of scene, edit, head, snapshot");
+  return JournalEntry::Kind::edit;
+}
+
+std::size_t read_number(const JsonReader& json) {
+  return static_cast<std::size_t>(json.integer_or(0, 0, most_entries));
+}
+
+}  // namespace
+
+std::string journal_text(const JournalEntry& entry) {
+  Json json = {{"sequence", entry.sequence}, {"kind", kind_name(entry.kind)}, {"branch", entry.branch}};
+  const bool is_state = entry.kind == JournalEntry::Kind::edit || entry.kind == JournalEntry::Kind::scene;
+  if (is_state) json["parent"] = entry.parent;
+  else json["to"] = entry.to;
+  if (entry.kind != JournalEntry::Kind::snapshot) {
+    json["by"] = entry.by;
+    json["asked"] = entry.asked;
+  }
+  if (entry.kind == JournalEntry::Kind::edit) {
+    if (!entry.operations.is_null()) json["operations"] = entry.operations;
+    json["before"] = entry.before;
+  }
+  if (is_state) json["after"] = entry.after;
+  if (entry.kind == JournalEntry::Kind::edit) json["patch"] = entry.patch;
+  if (entry.kind == JournalEntry::Kind::scene || entry.kind == JournalEntry::Kind::snapshot) json["text"] = entry.text;
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+Result<JournalEntry> parse_entry(std::string_view text, const std::string& source) {
+  const auto json = parse_json(text, source);
+  if (!json) return json.error();
+  JsonReader::Problems problems(source);
+  const JsonReader root(*json, problems);
+  root.allow_only({"sequence", "kind", "branch", "parent", "to", "by", "asked", "operations", "before", "after",
+                   "patch", "text"});
+  JournalEntry entry;
+  entry.kind = read_kind(root["kind"]);
+  entry.sequence = read_number(root["sequence"]);
+  entry.parent = read_number(root["parent"]);
+  entry.to = read_number(root["to"]);
+  entry.branch = root["branch"].text(200);
+  entry.by = root["by"].text_or("", 200);
+  entry.asked = root["asked"].text_or("", max_document_bytes);
+  entry.before = root["before"].text_or("", 64);
+  entry.after = root["after"].text_or("", 64);
+  entry.text = root["text"].text_or("", max_document_bytes);
+  if (const auto operations = root["operations"]; operations.exists()) entry.operations = *operations.raw();
+  if (const auto patch = root["patch"]; patch.exists()) entry.patch = *patch.raw();
+  if (entry.kind == JournalEntry::Kind::edit && !entry.patch.is_object()) root["patch"].report("an edit says what changed");
+  if (problems.first()) return *problems.first();
+  return entry;
+}
+
+}  // namespace roomgen

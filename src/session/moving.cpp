@@ -1,0 +1,222 @@
+#include <algorithm>
+#include <cmath>
+
+#include "make_way.h"
+#include "operations.h"
+#include "roomgen/base/text.h"
+#include "scene/judgement.h"
+
+namespace roomgen {
+
+namespace {
+
+constexpr double slack_of_turn = 0.5;   // metres that a thing may give way when it turns
+constexpr double slack_of_swap = 0.8;   // and when it takes another one's place
+constexpr double shift_step = 0.05;     // metres, in which it is found how far a shift could go
+constexpr double same_spot = 0.05;      // metres; where things stand on others, places are 2 cm apart
+
+// What says where a thing stands among others; facing and walls are another matter.
+bool is_about_place(RelationKind kind) {
+  switch (kind) {
+    case RelationKind::edge:
+    case RelationKind::face_to:
+    case RelationKind::face_same_as:
+    case RelationKind::face_opposite_to:
+    case RelationKind::hang_from:
+      return false;
+    default:
+      return true;
+  }
+}
+
+bool says_support(const std::vector<Relation>& relations) {
+  return std::any_of(relations.begin(), relations.end(), [](const Relation& one) {
+    return one.kind == RelationKind::on || one.kind == RelationKind::inside;
+  });
+}
+
+// Of its own relations those that the new place leaves open.
+std::vector<Relation> still_wanted(const Object& object, const std::vector<Relation>& asked) {
+  std::vector<Relation> kept;
+  for (const auto& relation : object.relations) {
+    const bool is_said = std::find(asked.begin(), asked.end(), relation) != asked.end();
+    if (!is_said && !is_about_place(relation.kind)) kept.push_back(relation);
+  }
+  return kept;
+}
+
+// Things of the room or parts of it: where the middle of one is, seen from a thing.
+Result<Footprint> target_of(const Draft& draft, const Object& object, const std::string& target) {
+  Object asking = object;
+  asking.relations = {{RelationKind::face_to, target}};
+  if (auto status = check_targets(draft, object.room, asking.relations); !status) return status.error();
+  std::vector<Object> others;
+  for (const auto& other : draft.scene.objects)
+    if (other.room == object.room && other.id != object.id) others.push_back(other);
+  const auto resolved = resolve(asking, room_of(draft.scene, object), others, draft.shop.kinds());
+  if (resolved.empty() || resolved.front().targets.empty()) return cannot("nothing can face \"" + target + "\"");
+  return resolved.front().targets.front();
+}
+
+bool looks_at(const Object& object, double yaw, const Footprint& target) {
+  return ray_hit(target, object.position.head<2>(), front_direction(yaw)) >= 0.0;
+}
+
+// Square to a wall if that looks at the target too, else straight at its middle; the least turn first.
+double yaw_towards(Draft& draft, const Cluster& cluster, const Footprint& target) {
+  const Object& object = cluster.root;
+  std::vector<double> square;
+  for (const double yaw : draft.layout_without(cluster).wall_yaws())
+    if (looks_at(object, yaw, target)) square.push_back(yaw);
+  const auto turn = [&](double yaw) { return std::abs(wrap_angle(yaw - object.yaw)); };
+  std::sort(square.begin(), square.end(), [&](double a, double b) { return turn(a) < turn(b); });
+  if (!square.empty()) return square.front();
+  return yaw_facing(target.center() - Vec2(object.position.head<2>()));
+}
+
+Status turn_to(Draft& draft, const Object& object, double yaw) {
+  const Cluster cluster = cluster_of(draft.scene, object);
+  Pose pose = pose_of(object);
+  pose.yaw = wrap_angle(yaw);
+  auto turned = there_or_near(draft, cluster, pose, slack_of_turn);
+  if (!turned) return turned.error();
+  turned->root.relations = object.relations;
+  draft.put(*turned);
+  if (object.traits.flat) settle_heights(draft, object.room);
+  return {};
+}
+
+// How far of the way it could go, in steps; 0 if not at all.
+double possible_share(Draft& draft, const Cluster& cluster, const Vec2& by) {
+  for (double left = by.norm() - shift_step; left > 0.0; left -= shift_step) {
+    Pose pose = pose_of(cluster.root);
+    pose.position += by * (left / by.norm());
+    if (exactly_at(draft, cluster, pose)) return left;
+  }
+  return 0.0;
+}
+
+// At another one's place: what stands on other things goes onto what carried that one.
+Result<Cluster> in_place_of(Draft& draft, Layout& layout, const Cluster& cluster, const Object& other) {
+  Cluster going = cluster;
+  going.root.on = other.on;
+  Pose pose = pose_of(other);
+  if (going.root.mount != Mount::surface) {
+    pose.bottom = going.root.mount == Mount::floor ? 0.0 : going.root.position.z();
+    if (auto there = settled(draft, layout, moved_to(going, pose))) return there;
+  }
+  Aim aim;
+  aim.near_to = pose;
+  aim.most_off = slack_of_swap;
+  aim.turns_freely = !cluster.root.traits.front;
+  return find_place(draft, layout, going, aim);
+}
+
+}  // namespace
+
+Status carry_out(Draft& draft, const edit::Move& move) {
+  const auto object = object_to_change(draft, move.object);
+  if (!object) return object.error();
+  if (auto status = check_targets(draft, object->room, move.relations); !status) return status;
+  for (const auto& relation : move.relations)
+    if (relation.target == object->id) return cannot(object->id + " cannot stand beside itself");
+  if (says_support(move.relations) && object->mount != Mount::surface)
+    return cannot(object->id + " does not stand on other things");
+  Cluster cluster = cluster_of(draft.scene, *object);
+  Aim aim;
+  aim.asked = move.relations;
+  aim.kept = still_wanted(*object, move.relations);
+  aim.usual = true;
+  if (auto status = place_or_make_way(draft, cluster, aim); !status) return status;
+  wish_relations(draft, *object, move.relations);
+  if (object->traits.flat) settle_heights(draft, object->room);
+  return {};
+}
+
+Status carry_out(Draft& draft, const edit::Put& put) {
+  const auto object = object_to_change(draft, put.object);
+  if (!object) return object.error();
+  Cluster cluster = cluster_of(draft.scene, *object);
+  Pose pose{put.position, object->position.z(), put.yaw.value_or(object->yaw)};
+  if (object->mount == Mount::surface) {
+    if (!put.on.empty()) {
+      if (auto carrier = object_named(draft, put.on); !carrier) return carrier.error();
+      cluster.root.on = put.on;
+    }
+    Aim aim;
+    aim.near_to = pose;
+    aim.most_off = same_spot;
+    auto there = find_place(draft, draft.layout_without(cluster), cluster, aim);
+    if (!there) return there.error();
+    there->root.relations = object->relations;
+    return draft.put(*there), Status();
+  }
+  const auto there = exactly_at(draft, cluster, pose);
+  if (!there) return there.error();
+  draft.put(*there);
+  if (object->traits.flat) settle_heights(draft, object->room);
+  return {};
+}
+
+Status carry_out(Draft& draft, const edit::Shift& shift) {
+  const auto object = object_to_change(draft, shift.object);
+  if (!object) return object.error();
+  edit::Put put{object->id, Vec2(object->position.head<2>()) + shift.by, object->yaw, object->on};
+  auto status = carry_out(draft, put);
+  if (status || object->mount == Mount::surface) return status;
+  const double possible = possible_share(draft, cluster_of(draft.scene, *object), shift.by);
+  return cannot(status.error().message +
+                (possible > 0.0 ? "; " + format_number(possible, 2) + " m that way would be possible" : ""));
+}
+
+Status carry_out(Draft& draft, const edit::Turn& turn) {
+  const auto object = object_to_change(draft, turn.object);
+  if (!object) return object.error();
+  return turn_to(draft, *object, object->yaw + turn.by);
+}
+
+Status carry_out(Draft& draft, const edit::Face& face) {
+  const auto object = object_to_change(draft, face.object);
+  if (!object) return object.error();
+  if (!object->traits.front) return cannot(object->id + " has no front that could face anything");
+  if (object->mount == Mount::wall) return cannot(object->id + " hangs on a wall and cannot be turned");
+  const auto target = target_of(draft, *object, face.target);
+  if (!target) return target.error();
+  if (auto status = turn_to(draft, *object, yaw_towards(draft, cluster_of(draft.scene, *object), *target)); !status)
+    return status;
+  const std::vector<Relation> asked = {{RelationKind::face_to, face.target}};
+  if (!lost_relations(*find_object(draft.scene, object->id), asked, draft.scene, draft.shop.kinds()).empty())
+    return cannot("where there is room for it, " + object->id + " does not face " + face.target);
+  wish_relations(draft, *object, asked);
+  return {};
+}
+
+Status carry_out(Draft& draft, const edit::Swap& swap) {
+  const auto first = object_to_change(draft, swap.first);
+  if (!first) return first.error();
+  const auto second = object_to_change(draft, swap.second);
+  if (!second) return second.error();
+  if (first->id == second->id) return cannot("swapping takes two things");
+  if (first->room != second->room) return cannot(first->id + " and " + second->id + " are in different rooms");
+  if (first->mount != second->mount)
+    return cannot(first->id + " and " + second->id + " are not put up the same way");
+  const Cluster one = cluster_of(draft.scene, *first), other = cluster_of(draft.scene, *second);
+  auto away = one.ids();
+  if (away.count(second->id) || other.ids().count(first->id)) return cannot("one of them stands on the other");
+  away.merge(other.ids());
+  Layout& layout = draft.shop.layout(draft.scene, first->room, away);
+  // The larger one has the fewer choices.
+  const bool first_leads = footprint(*first).area() >= footprint(*second).area();
+  const Cluster &leader = first_leads ? one : other, &follower = first_leads ? other : one;
+  auto led = in_place_of(draft, layout, leader, follower.root);
+  if (!led) return led.error();
+  layout.add(led->root);
+  for (const auto& object : led->carried) layout.add(object);
+  auto followed = in_place_of(draft, layout, follower, leader.root);
+  if (!followed) return followed.error();
+  draft.put(*led);
+  draft.put(*followed);
+  return {};
+}
+
+}  // namespace roomgen

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "draft.h"
+#include "roomgen/scene/problem.h"
+
+namespace roomgen {
+
+/// Where a thing is wanted.
+struct Aim {
+  std::vector<Relation> asked;     ///< all must hold in the end
+  std::vector<Relation> kept;      ///< that it has already; may be lost
+  std::optional<Pose> near_to;     ///< stays within `most_off` of it
+  double most_off = 0.5;           ///< metres
+  bool turns_freely = false;       ///< else it keeps the yaw of `near_to`
+  bool usual = false;              ///< where things of its kind stand, as far as all this leaves it open
+};
+
+/// May the cluster stand as it is (docs/constraints.md, "Valid")? It is not in the layout. Comes back at the
+/// height of the rug that it stands on.
+Result<Cluster> settled(const Draft& draft, Layout& layout, Cluster cluster);
+/// At this pose, exactly.
+Result<Cluster> exactly_at(Draft& draft, const Cluster& cluster, const Pose& pose);
+enum class Effort {
+  brief,    ///< the solver's usual search
+  thorough  ///< and then all points of the floor 5 cm apart
+};
+/// At the best of the poses that there are.
+Result<Cluster> find_place(Draft& draft, Layout& layout, const Cluster& cluster, const Aim& aim,
+                           Effort effort = Effort::thorough);
+/// Exactly there, or else as near as there is room.
+Result<Cluster> there_or_near(Draft& draft, const Cluster& cluster, const Pose& pose, double most_off);
+
+/// Those of the relations that do not hold for the object as it stands.
+std::vector<Relation> lost_relations(const Object& object, const std::vector<Relation>& relations, const Scene& scene,
+                                     const KindTable& kinds);
+/// Sets what stands on the floor of a room to the height of the rugs that lie there now.
+void settle_heights(Draft& draft, const std::string& room);
+
+}  // namespace roomgen

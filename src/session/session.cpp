@@ -1,0 +1,161 @@
+#include "roomgen/session/session.h"
+
+#include <nlohmann/json.hpp>
+#include <set>
+#include <utility>
+
+#include "edit_scene.h"
+#include "edit_words.h"
+#include "history.h"
+#include "roomgen/base/text.h"
+
+namespace roomgen {
+
+namespace {
+
+Json operations_json(std::span<const edit::Operation> operations) {
+  Json json = Json::array();
+  for (const auto& operation : operations) json.push_back(edit::to_json(operation));
+  return json;
+}
+
+Result<Scene> scene_of(const SceneState& state) {
+  return scene_from_json(state.document, "state " + std::to_string(state.sequence));
+}
+
+}  // namespace
+
+struct Session::Impl {
+  Impl(History the_history, Scene the_scene, const AssetLibrary& library, const KindTable& kinds,
+       SessionOptions the_options)
+      : history(std::move(the_history)), scene(std::move(the_scene)), options(std::move(the_options)),
+        shop(library, kinds, options.spare_models, options.log) {}
+
+  // After the history went to another state.
+  Status follow() {
+    auto now = scene_of(history.state());
+    if (!now) return now.error();
+    scene = *std::move(now);
+    return {};
+  }
+
+  Result<Scene> scene_at(std::size_t state) const {
+    const auto found = history.state(state);
+    if (!found) return found.error();
+    return scene_of(*found);
+  }
+
+  History history;
+  Scene scene;
+  SessionOptions options;
+  Workshop shop;
+};
+
+Session::Session(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+Session::Session(Session&&) noexcept = default;
+Session& Session::operator=(Session&&) noexcept = default;
+Session::~Session() = default;
+
+Result<Session> Session::open(const std::filesystem::path& scene_file, const AssetLibrary& library,
+                              const KindTable& kinds, SessionOptions options) {
+  const SceneAccess access = options.look_only ? SceneAccess::look : SceneAccess::edit;
+  auto files = open_scene_files(scene_file, access);
+  if (!files) return files.error();
+  auto history = History::open(*std::move(files), access);
+  if (!history) return history.error();
+  auto scene = scene_of(history->state());
+  if (!scene) return scene.error();
+  return Session(
+      std::make_unique<Impl>(*std::move(history), *std::move(scene), library, kinds, std::move(options)));
+}
+
+const Scene& Session::scene() const { return impl_->scene; }
+const std::string& Session::text() const { return impl_->history.state().text; }
+const std::vector<std::string>& Session::notices() const { return impl_->history.notices(); }
+bool Session::is_saved() const { return impl_->history.is_saved(); }
+Status Session::save() { return impl_->history.save(); }
+void Session::mark_saved() { impl_->history.mark_saved(); }
+
+const ModelTable& Session::models() {
+  impl_->shop.fetch_models(impl_->scene);
+  return impl_->shop.models();
+}
+
+Result<std::vector<edit::Operation>> Session::understand(std::string_view sentence) const {
+  return read_edit(sentence, impl_->scene, impl_->shop.kinds());
+}
+
+Result<EditReport> Session::apply(std::span<const edit::Operation> operations, const Asker& asker) {
+  if (operations.empty()) return Error{Error::Kind::invalid_input, "there is nothing to do"};
+  impl_->shop.fetch_models(impl_->scene);
+  auto edited = edit_scene(impl_->shop, impl_->scene, operations, impl_->options.repair);
+  if (!edited) return edited.error();
+  const Deed deed{asker.asked, asker.by, operations_json(operations)};
+  if (auto status = impl_->history.commit(edited->scene, deed); !status) return status.error();
+  // As it will be read again: numbers are rounded in files.
+  if (auto status = impl_->follow(); !status) return status.error();
+  edited->report.state = impl_->history.state().sequence;
+  return std::move(edited->report);
+}
+
+Result<Preview> Session::preview(std::string_view object, const WantedPose& pose) {
+  impl_->shop.fetch_models(impl_->scene);
+  return preview_pose(impl_->shop, impl_->scene, object, pose);
+}
+
+Result<std::size_t> Session::undo(std::size_t steps, const std::string& by) {
+  auto taken = impl_->history.undo(steps, by);
+  if (taken && *taken > 0)
+    if (auto status = impl_->follow(); !status) return status.error();
+  return taken;
+}
+
+Result<std::size_t> Session::redo(std::size_t steps, const std::string& by) {
+  auto taken = impl_->history.redo(steps, by);
+  if (taken && *taken > 0)
+    if (auto status = impl_->follow(); !status) return status.error();
+  return taken;
+}
+
+Status Session::branch(const std::string& name, std::optional<std::size_t> at, const std::string& by) {
+  if (auto status = impl_->history.branch(name, at, by); !status) return status;
+  return impl_->follow();
+}
+
+const std::string& Session::current_branch() const { return impl_->history.timeline().branch(); }
+
+std::vector<std::string> Session::branches() const {
+  std::vector<std::string> names;
+  for (const auto& [name, branch] : impl_->history.timeline().branches()) names.push_back(name);
+  return names;
+}
+
+std::vector<HistoryItem> Session::history() const {
+  const Timeline& timeline = impl_->history.timeline();
+  std::set<std::size_t> on_the_way;
+  for (std::optional<std::size_t> at = timeline.head(); at; at = timeline.before(*at)) on_the_way.insert(*at);
+  std::vector<HistoryItem> items;
+  for (const auto& [sequence, entry] : timeline.entries()) {
+    if (entry.kind == JournalEntry::Kind::snapshot) continue;
+    const bool is_state = entry.kind != JournalEntry::Kind::head;
+    HistoryItem item{is_state ? sequence : 0, entry.parent, entry.branch, entry.by, entry.asked};
+    item.is_current = is_state && sequence == timeline.head();
+    item.is_undone = is_state && !on_the_way.count(sequence);
+    items.push_back(std::move(item));
+  }
+  return items;
+}
+
+Result<std::vector<std::string>> Session::diff(std::optional<std::size_t> from, std::optional<std::size_t> to) const {
+  const Timeline& timeline = impl_->history.timeline();
+  const std::size_t later = to.value_or(timeline.head());
+  const auto earlier = from ? from : timeline.before(later);
+  if (!earlier) return std::vector<std::string>{};
+  const auto before = impl_->scene_at(*earlier);
+  if (!before) return before.error();
+  const auto after = impl_->scene_at(later);
+  if (!after) return after.error();
+  return differences(*before, *after);
+}
+
+}  // namespace roomgen
