@@ -46,6 +46,13 @@ inline constexpr const char* said_length = "length";
 struct SaidLength {
   std::string side;  ///< width, depth, height, diameter; longer side where it is not said which
   double metres = 0.0;
+  language::Measure::Limit limit = language::Measure::Limit::exact;
+};
+
+/// Things that stand in rows, one behind the other; 0: not said how many there are, or how many in each.
+struct Formation {
+  int rows = 1;
+  int columns = 0;
 };
 
 /// Things of one kind that the prompt names.
@@ -58,6 +65,7 @@ struct Mention {
   int quantity = 1;
   bool counted = false;      ///< the prompt gives the number
   bool at_least = false;     ///< "at least five": more are as good
+  bool at_most = false;      ///< "no more than two"
   bool open = false;         ///< a plural without a number
   bool varied = false;       ///< they shall differ
   bool contradicts = false;  ///< another number of the same things was asked for before: not planned
@@ -69,6 +77,8 @@ struct Mention {
   int sentence = 0;  ///< of the prompt in which it is named first
   std::vector<std::string> parts;  ///< what it has: "drawers", "a glass top"
   std::vector<SaidLength> lengths;
+  std::optional<Formation> formation = {};
+  std::size_t formation_heard = HeardWords::none;  ///< of Brief::heard
   Requirement::Source source = Requirement::Source::prompt;
   std::string reason;  ///< who or what needs it, where the prompt does not name it itself
   std::vector<std::size_t> heard;  ///< of Brief::heard: what names, counts and describes it

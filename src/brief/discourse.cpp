@@ -87,11 +87,24 @@ void Discourse::multiply(std::size_t mention, int factor) {
   if (factor > 1 && factor <= most_for_each) quantity *= factor;
 }
 
+void Discourse::set_count(std::size_t mention, int count) {
+  brief_.mentions[mention].quantity = count;
+  brief_.mentions[mention].counted = true;
+}
+
+void Discourse::describe(std::size_t mention, const std::string& look) {
+  Mention& thing = brief_.mentions[mention];
+  if (std::find(thing.looks.begin(), thing.looks.end(), look) != thing.looks.end()) return;
+  thing.looks.push_back(look);
+  thing.description = look + " " + thing.description;
+}
+
 Mention Discourse::new_mention(const ThingPhrase& phrase, int sentence) const {
   Mention mention;
   mention.quantity = phrase.count;
   mention.counted = phrase.counted;
   mention.at_least = phrase.at_least;
+  mention.at_most = phrase.at_most;
   mention.looks = phrase.modifiers;
   mention.sentence = sentence;
   std::vector<std::string> description = phrase.modifiers;

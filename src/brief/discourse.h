@@ -40,6 +40,10 @@ class Discourse {
   /// That, if the phrase is definite, else a new mention; none when there are too many.
   std::optional<std::size_t> refer(const ThingPhrase& phrase, int sentence);
   void multiply(std::size_t mention, int factor);
+  /// How many there are, said behind them.
+  void set_count(std::size_t mention, int count);
+  /// Another word of what it is like.
+  void describe(std::size_t mention, const std::string& look);
 
   /// What "it" means: the last floor thing that is none of the subjects.
   std::optional<std::size_t> antecedent(const std::vector<std::size_t>& subjects) const;

@@ -47,7 +47,19 @@ void Hearing::absence(std::int32_t number, const std::string& category) {
 }
 
 void Hearing::number(std::int32_t number, std::size_t mention) {
-  note(mention, {phrase(number).tokens.begin, phrase(number).head + 1}, Heard::As::count);
+  this->number({phrase(number).tokens.begin, phrase(number).head + 1}, mention);
+}
+
+void Hearing::number(const Run& tokens, std::size_t mention) {
+  note(mention, tokens, Heard::As::count);
+}
+
+void Hearing::length(const Run& tokens, std::size_t mention) {
+  note(mention, tokens, Heard::As::attribute, said_length);
+}
+
+void Hearing::look(const Run& tokens, std::size_t mention, const std::string& word) {
+  note(mention, tokens, Heard::As::attribute, word);
 }
 
 void Hearing::stand_in(std::int32_t number, std::size_t mention) {

@@ -18,8 +18,12 @@ class Hearing {
   /// What a thing has: "with drawers".
   void part(std::int32_t phrase, std::size_t owner);
   void absence(std::int32_t phrase, const std::string& category);
-  /// How many there are of a thing, in words of their own: "three rows" of seats.
+  /// How many there are of a thing, in words of their own: "three rows" of seats, "chairs: ten".
   void number(std::int32_t phrase, std::size_t mention);
+  void number(const language::Run& tokens, std::size_t mention);
+  /// Words behind a thing that say how long it is, what it is like.
+  void length(const language::Run& tokens, std::size_t mention);
+  void look(const language::Run& tokens, std::size_t mention, const std::string& word);
   /// Words that stand for a thing: "its top", "one".
   void stand_in(std::int32_t phrase, std::size_t mention);
   /// The words of a place, with its verb; `place` is a phrase that is no thing, or none.

@@ -165,6 +165,11 @@ std::size_t count_up_to(const std::vector<Token>& tokens, std::size_t at, std::s
   return count;
 }
 
+// "a 3 by 3 grid" of things.
+bool is_grid(const std::vector<Token>& tokens, std::size_t at, const Vocabulary& words) {
+  return at < tokens.size() && words.rows.count(tokens[at].text) > 0;
+}
+
 std::optional<int> number_at(const std::vector<Token>& tokens, std::size_t at,
                              const Vocabulary& words) {
   if (at >= tokens.size()) return std::nullopt;
@@ -217,7 +222,7 @@ void read_measures(std::vector<Token>& tokens, const std::vector<language::Token
     const auto measure = language::measure_at(prompt, begin);
     if (!measure) continue;
     const std::size_t count = count_up_to(tokens, i, begin + measure->length);
-    if (count == 0) continue;
+    if (count == 0 || is_grid(tokens, i + count, words)) continue;
     switch (measure->kind) {
       case Measure::Kind::area:
         if (set_area(measure->values[0], brief))

@@ -29,41 +29,23 @@ double told(double length) {
   return std::clamp(length, 0.05, 10.0);
 }
 
+// A side that is told: at most so long, at least so long, or exactly.
+void set_side(Mention& mention, int axis, const char* side, const language::Measure& measure,
+              int value = 0) {
+  using Limit = language::Measure::Limit;
+  const double length = told(measure.values[value]);
+  double& planned = mention.size[axis];
+  planned = measure.limit == Limit::most    ? std::min(planned, length)
+            : measure.limit == Limit::least ? std::max(planned, length)
+                                            : length;
+  mention.lengths.push_back({side, length, measure.limit});
+}
+
 // Width and depth, and perhaps height.
 void set_sides(Mention& mention, const language::Measure& measure) {
   static constexpr const char* names[] = {"width", "depth", "height"};
   mention.lengths.clear();
-  for (int i = 0; i < measure.count; ++i) {
-    mention.size[i] = told(measure.values[i]);
-    mention.lengths.push_back({names[i], mention.size[i]});
-  }
-}
-
-// One length is the longer side, two are width and depth, unless it is said which.
-void set_length(Mention& mention, const language::Measure& measure) {
-  using Measure = language::Measure;
-  if (measure.kind == Measure::Kind::area || measure.side == Measure::Side::distance) return;
-  switch (measure.side) {
-    case Measure::Side::height:
-    case Measure::Side::thickness:
-      mention.size.z() = told(measure.values[0]);
-      mention.lengths.push_back({"height", mention.size.z()});
-      break;
-    case Measure::Side::depth:
-      mention.size.y() = told(measure.values[0]);
-      mention.lengths.push_back({"depth", mention.size.y()});
-      break;
-    case Measure::Side::diameter:
-      mention.size.x() = mention.size.y() = told(measure.values[0]);
-      mention.lengths.push_back({"diameter", mention.size.x()});
-      break;
-    default:
-      mention.size.x() = told(measure.values[0]);
-      mention.lengths.push_back({measure.side == Measure::Side::width ? "width" : "longer side",
-                                 mention.size.x()});
-  }
-  if (measure.kind == Measure::Kind::sides) set_sides(mention, measure);
-  mention.sized = true;
+  for (int i = 0; i < measure.count; ++i) set_side(mention, i, names[i], measure, i);
 }
 
 bool is_round(const ThingPhrase& phrase) {
@@ -73,6 +55,29 @@ bool is_round(const ThingPhrase& phrase) {
 }
 
 }  // namespace
+
+// One length is the longer side, two are width and depth, unless it is said which.
+void set_length(Mention& mention, const language::Measure& measure) {
+  using Measure = language::Measure;
+  if (measure.kind == Measure::Kind::area || measure.side == Measure::Side::distance) return;
+  mention.sized = true;
+  if (measure.kind == Measure::Kind::sides) return set_sides(mention, measure);
+  switch (measure.side) {
+    case Measure::Side::height:
+    case Measure::Side::thickness:
+      return set_side(mention, 2, "height", measure);
+    case Measure::Side::depth:
+      return set_side(mention, 1, "depth", measure);
+    case Measure::Side::diameter:
+      set_side(mention, 0, "diameter", measure);
+      mention.size.y() = mention.size.x();
+      return;
+    case Measure::Side::width:
+      return set_side(mention, 0, "width", measure);
+    default:
+      return set_side(mention, 0, "longer side", measure);
+  }
+}
 
 void shape(Mention& mention, const ThingPhrase& phrase, const Vocabulary& words,
            const KindTable& table) {

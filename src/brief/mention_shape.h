@@ -11,6 +11,9 @@ namespace roomgen::design {
 void shape(Mention& mention, const ThingPhrase& phrase, const Vocabulary& words,
            const KindTable& table);
 
+/// A length or sides that are told of a thing; what is at most or at least so long keeps its own within that.
+void set_length(Mention& mention, const language::Measure& measure);
+
 /// What is smaller, metres, may stand on other things.
 inline constexpr double small_side = 0.7;
 

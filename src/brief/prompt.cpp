@@ -4,11 +4,14 @@
 
 #include "finishes.h"
 #include "measures.h"
+#include "prompt_additions.h"
+#include "prompt_formations.h"
 #include "prompt_headings.h"
 #include "prompt_occupants.h"
 #include "prompt_openings.h"
 #include "prompt_places.h"
 #include "prompt_reading.h"
+#include "prompt_remarks.h"
 #include "prompt_things.h"
 #include "room_type.h"
 #include "settle.h"
@@ -79,6 +82,8 @@ Brief read_prompt(std::string_view prompt, const RoomKinds& kinds, const KindTab
   read_openings(reading);
   // What the prompt names itself comes before what people need.
   for (const auto phrase : read_things(reading)) read_occupants(reading, phrase);
+  read_additions(reading);
+  read_formations(reading);
   read_places(reading);
   read_headings(reading);
   read_bare(reading);
@@ -86,6 +91,7 @@ Brief read_prompt(std::string_view prompt, const RoomKinds& kinds, const KindTab
   read_styles(reading);
   brief.understood = !brief.heard.empty();
   reading.hearing.plain_verbs(reading.mentions);
+  read_remarks(reading);
   settle(brief, table);
   if (brief.type.empty()) {
     brief.type = guess_room_type(brief, kinds, table);

@@ -76,7 +76,7 @@ Result<Vocabulary> parse_vocabulary(std::string_view text, const std::string& so
                    "only",          "measured",       "stops",    "parts",        "no things",
                    "materials",     "sizes",          "people",   "people words", "room words",
                    "generic rooms", "parts of rooms", "walls",    "placements",   "pairs",
-                   "verbs",         "tops",           "portions", "built in", "asking",     "further",  "shares", "groups"});
+                   "verbs",         "tops",           "portions", "built in", "asking",     "further",  "shares", "groups", "rows"});
   Vocabulary words;
   words.numbers = read_integers(root["numbers"]);
   words.people = read_integers(root["people"]);
@@ -109,7 +109,8 @@ Result<Vocabulary> parse_vocabulary(std::string_view text, const std::string& so
                                                    {"built in", &words.built_in},
                                                    {"asking", &words.asking},
                                                    {"further", &words.further},
-                                                   {"groups", &words.groups}};
+                                                   {"groups", &words.groups},
+                                                   {"rows", &words.rows}};
   for (const auto& [key, set] : sets) *set = read_set(root[key]);
   if (problems.first()) return *problems.first();
   return words;

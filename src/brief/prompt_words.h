@@ -40,6 +40,7 @@ struct Vocabulary {
   WordSet tops;      ///< "the countertop": of what was spoken of
   WordSet portions;  ///< "the edge of the bathtub", "the sofa cushion": stand for the whole
   WordSet groups;    ///< "two rows of desks": how often as many
+  WordSet rows;      ///< of the groups those that are lines: how things stand
   WordSet further;   ///< "extra towels": besides those spoken of
   WordSet asking;    ///< "create", "add": verbs that only ask for something
   WordSet built_in;  ///< what is so is no thing of its own

@@ -158,15 +158,19 @@ class ThingPhraseReader {
   void qualifier() {
     static const WordSet words = {"least", "exactly", "only",  "more",   "most",
                                   "just",  "than",    "fewer", "precisely"};
-    const auto begin = said_.tokens.begin;
-    for (std::uint32_t n = 1; n <= 3 && n <= begin && words.count(word(begin - n)); ++n) {
-      phrase_.at_least = phrase_.at_least || word(begin - n) == "least";
-      phrase_.count_tokens.push_back(begin - n);
-    }
-    for (auto i = begin; i < start_ && (words.count(word(i)) || word(i) == "at"); ++i) {
-      phrase_.at_least = phrase_.at_least || word(i) == "least";
-      phrase_.count_tokens.push_back(i);
-    }
+    auto first = said_.tokens.begin, end = first;
+    while (said_.tokens.begin - first < 3 && first > 0 && words.count(word(first - 1))) --first;
+    while (end < start_ && (words.count(word(end)) || word(end) == "at")) ++end;
+    for (auto i = first; i < end; ++i) phrase_.count_tokens.push_back(i);
+    if (first < end) limit(first);
+  }
+  // "at", "no" may stand before the words that qualify.
+  void limit(std::uint32_t first) {
+    using Limit = language::Measure::Limit;
+    auto bound = language::bound_at(parse_.tokens, first);
+    if (bound.length == 0 && first > 0) bound = language::bound_at(parse_.tokens, first - 1);
+    phrase_.at_least = bound.limit == Limit::least;
+    phrase_.at_most = bound.limit == Limit::most;
   }
 
   void count_word(std::uint32_t token) {
@@ -267,10 +271,12 @@ class ThingPhraseReader {
              (text_.plain[at].kind == Token::Kind::comma || text_.plain[at].is_word("and") ||
               text_.plain[at].is_word("about")))
         ++at;
-      const auto measure = language::measure_at(parse_.tokens, at);
-      if (!measure || !measure->has_unit || is_of_other(at)) return;
+      const auto measure = language::bounded_measure_at(parse_.tokens, at);
+      if (!measure || !measure->has_unit) return;
+      const auto end = at + static_cast<std::uint32_t>(measure->length);
+      if (is_of_other(end - 1)) return;
       add_measure_in({at, at + 1});
-      at += static_cast<std::uint32_t>(measure->length);
+      at = end;
     }
   }
   bool is_of_other(std::uint32_t token) const {
@@ -282,7 +288,7 @@ class ThingPhraseReader {
   // The first that begins there.
   void add_measure_in(const Run& run) {
     for (auto i = run.begin; i < std::min<std::size_t>(run.end, parse_.tokens.size()); ++i) {
-      const auto measure = language::measure_at(parse_.tokens, i);
+      const auto measure = language::bounded_measure_at(parse_.tokens, i);
       if (!measure) continue;
       phrase_.measures.push_back(*measure);
       phrase_.measure_tokens.push_back({i, i + static_cast<std::uint32_t>(measure->length)});

@@ -16,7 +16,7 @@ namespace roomgen::design {
 struct ThingPhrase {
   int count = 1;
   bool counted = false;   ///< an exact number was given
-  bool at_least = false;
+  bool at_least = false, at_most = false;  ///< of the count
   bool article = false;   ///< "a", a number, "some": introduces something
   bool definite = false;  ///< "the", "its": something known
   bool another = false;

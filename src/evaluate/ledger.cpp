@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "finding.h"
+#include "formation_clause.h"
 #include "roomgen/base/text.h"
 #include "room_clause.h"
 #include "scene/judgement.h"
@@ -28,6 +29,7 @@ class Checker {
       case Requirement::Kind::attribute:
         if (const std::string* material = material_of(requirement.category))
           return by_fault(*material == requirement.attribute ? "" : "it is \"" + *material + "\"");
+        if (requirement.attribute == in_rows) return judge_rows(requirement);
         return each(requirement,
                     [&](const Object& object) { return judge_attribute(requirement, object); });
       case Requirement::Kind::relation:
@@ -78,6 +80,16 @@ class Checker {
     return by_fault(verdict.held ? "" : "is not known to be " + asked + ": " + verdict.reason);
   }
 
+  // Of all its things together.
+  Finding judge_rows(const Requirement& requirement) const {
+    std::vector<const Object*> things;
+    for (const auto& id : requirement.subjects) {
+      things.push_back(find_object(scene_, id));
+      if (!things.back()) return by_fault(missing(id));
+    }
+    return by_fault(rows_fault(things, requirement.count));
+  }
+
   static std::string length_fault(const Requirement& requirement, const Object& object) {
     const Vec3& size = object.size;
     const std::string& side = requirement.attribute;
@@ -86,7 +98,10 @@ class Checker {
                          : side == "width" ? size.x()
                                            : std::max(size.x(), size.y());
     const double tolerance = std::max(least_tolerance, length_tolerance * requirement.amount);
-    if (std::abs(there - requirement.amount) <= tolerance) return "";
+    const double over = there - requirement.amount;
+    if (std::abs(over) <= tolerance || (requirement.at_least && over > 0.0) ||
+        (requirement.at_most && over < 0.0))
+      return "";
     return "its " + side + " is " + format_number(there, 2) + " m";
   }
 
@@ -127,6 +142,7 @@ class Checker {
     }
     const int there = number_of(requirement.category, &requirement);
     const bool enough = there >= requirement.count;
+    if (requirement.at_most && there <= requirement.count) return "";
     if (enough && (requirement.at_least || there == requirement.count)) return "";
     return "there are " + std::to_string(there) + " instead of " + std::to_string(requirement.count);
   }

@@ -164,4 +164,27 @@ std::optional<Measure> measure_at(std::span<const Token> tokens, std::size_t at)
   return measure;
 }
 
+Bound bound_at(std::span<const Token> tokens, std::size_t at) {
+  using Limit = Measure::Limit;
+  const SmallWords& words = small_words();
+  if (const auto most = longest_run(words.upper_limits, tokens, at)) return {Limit::most, {}, most};
+  if (const auto least = longest_run(words.lower_limits, tokens, at)) return {Limit::least, {}, least};
+  const bool is_denied = is_word(tokens, at, "no") || is_word(tokens, at, "not");
+  const std::size_t word = at + (is_denied ? 1 : 0);
+  if (word >= tokens.size() || !is_word(tokens, word + 1, "than")) return {};
+  const auto comparative = words.comparatives.find(tokens[word].text);
+  if (comparative == words.comparatives.end()) return {};
+  return {is_denied ? Limit::most : Limit::least, comparative->second, word + 2 - at};
+}
+
+std::optional<Measure> bounded_measure_at(std::span<const Token> tokens, std::size_t at) {
+  const Bound bound = bound_at(tokens, at);
+  auto measure = measure_at(tokens, at + bound.length);
+  if (!measure || bound.length == 0) return measure;
+  measure->limit = bound.limit;
+  measure->length += bound.length;
+  if (measure->side == Measure::Side::unsaid) measure->side = bound.side;
+  return measure;
+}
+
 }  // namespace roomgen::language

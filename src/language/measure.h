@@ -24,7 +24,11 @@ struct Measure {
     distance
   };
 
+  /// "at least 2 m", "no taller than 2 m"
+  enum class Limit : std::uint8_t { exact, least, most };
+
   Kind kind = Kind::length;
+  Limit limit = Limit::exact;
   Side side = Side::unsaid;
   int count = 1;                 ///< of values
   double values[3] = {0, 0, 0};  ///< metres or square metres; of a range the least and the most
@@ -37,5 +41,16 @@ struct Measure {
 /// said of ("1.8 m wide", "2-metre-long"). Sides without units of their own have that of the last;
 /// sides without any are measures too, single numbers are none.
 std::optional<Measure> measure_at(std::span<const Token> tokens, std::size_t at);
+
+/// Words that bound what is measured or counted behind them: "at least", "no taller than".
+struct Bound {
+  Measure::Limit limit = Measure::Limit::exact;
+  Measure::Side side = Measure::Side::unsaid;
+  std::size_t length = 0;  ///< tokens; 0: there are none
+};
+Bound bound_at(std::span<const Token> tokens, std::size_t at);
+
+/// A measure with what bounds it: "at least 80 cm", "up to 2 m long", "no taller than 2 m".
+std::optional<Measure> bounded_measure_at(std::span<const Token> tokens, std::size_t at);
 
 }  // namespace roomgen::language

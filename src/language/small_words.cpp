@@ -57,6 +57,8 @@ SmallWords read(const JsonReader& root) {
   read(root["counted quantities"], words.counted_quantities);
   for (const auto& [word, side] : root["dimensions"].members())
     words.sides[word] = named(side_names, side);
+  for (const auto& [word, side] : root["comparatives"].members())
+    words.comparatives[word] = named(side_names, side);
   for (const auto& [word, kind] : root["determiners"].members())
     words.determiners[word] = named(determiner_names, kind);
   for (const auto& [clitic, word] : root["contractions"].members())
@@ -79,6 +81,8 @@ SmallWords read(const JsonReader& root) {
   read(root["quantities"], words.quantities);
   read(root["plurals"], words.plurals);
   read(root["exceptions"], words.exceptions);
+  read(root["upper limits"], words.upper_limits);
+  read(root["lower limits"], words.lower_limits);
   return words;
 }
 

@@ -18,12 +18,13 @@ using Words = std::set<std::string, std::less<>>;
 struct SmallWords {
   std::map<std::string, double, std::less<>> numbers, scales, fractions, ordinals, lengths, areas,
       counted_quantities;
-  std::map<std::string, Measure::Side, std::less<>> sides;
+  std::map<std::string, Measure::Side, std::less<>> sides, comparatives;
   std::map<std::string, Determiner, std::less<>> determiners;
   std::map<std::string, std::string, std::less<>> contractions;
   Words vague_numbers, pronouns, standing_alone, negative_pronouns, relatives, conjunctions,
       subordinators, negations, be, auxiliaries, verbs_of_denial, verbs_of_having, prepositions,
-      denying_prepositions, adverbs, quantities, plurals, exceptions;
+      denying_prepositions, adverbs, quantities, plurals, exceptions,
+      upper_limits, lower_limits;
 };
 
 const SmallWords& small_words();

@@ -260,6 +260,7 @@ std::vector<Draft> asked_items(const Brief& brief, const KindTable& table) {
     Draft draft;
     draft.mention = i;
     draft.demands = mention.demands;
+    draft.formation = mention.formation;
     draft.item.category = mention.category;
     draft.item.description = mention.description;
     draft.item.size = mention.size;

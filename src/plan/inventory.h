@@ -17,6 +17,7 @@ struct Draft {
   PlanItem item;
   std::size_t mention = Demand::none;  ///< index into Brief::mentions, none for what was added
   std::vector<Demand> demands;
+  std::optional<Formation> formation;  ///< of its things
   bool core = false;  ///< the room is hardly one of its kind without it
 };
 

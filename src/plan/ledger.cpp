@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "brief/prompt_remarks.h"
 #include "coverage.h"
 #include "floor_plan.h"
 #include "roomgen/base/text.h"
@@ -31,6 +32,7 @@ class Ledger {
       for (const auto& part : mention.parts) attribute(i, mention, part);
       for (const auto& length : mention.lengths) this->length(i, mention, length);
       mount(i, mention);
+      formation(i, mention);
       for (const auto& demand : mention.demands) relation(i, mention, demand);
     }
     for (const auto& category : brief_.excluded) absence(category, "");
@@ -89,6 +91,7 @@ class Ledger {
     Requirement requirement = about(index, mention, Requirement::Kind::count);
     requirement.count = mention.quantity;
     requirement.at_least = !mention.counted || mention.at_least;
+    requirement.at_most = mention.at_most;
     requirement.clause = (mention.quantity == 1 ? "a" : std::to_string(mention.quantity)) + " " +
                          mention.description;
     if (!mention.reason.empty()) requirement.clause += ", for " + mention.reason;
@@ -110,8 +113,14 @@ class Ledger {
     Requirement requirement = about(index, mention, Requirement::Kind::attribute);
     requirement.attribute = length.side;
     requirement.amount = length.metres;
-    requirement.clause =
-        mention.category + ", " + length.side + " " + format_number(length.metres, 2) + " m";
+    using Limit = language::Measure::Limit;
+    requirement.at_least = length.limit == Limit::least;
+    requirement.at_most = length.limit == Limit::most;
+    requirement.clause = mention.category + ", " + length.side +
+                         (requirement.at_least  ? " at least"
+                          : requirement.at_most ? " at most"
+                                                : "") +
+                         " " + format_number(length.metres, 2) + " m";
     add(std::move(requirement), words_of(mention, Heard::As::attribute, said_length));
   }
 
@@ -121,6 +130,19 @@ class Ledger {
     requirement.attribute = "mount " + std::string(name(mention.mount));
     requirement.clause = mention.category + " on the " + std::string(name(mention.mount));
     add(std::move(requirement), {mention.mount_heard});
+  }
+
+  // "in two rows of four"
+  void formation(std::size_t index, const Mention& mention) {
+    if (!mention.formation) return;
+    Requirement requirement = about(index, mention, Requirement::Kind::attribute);
+    requirement.attribute = in_rows;
+    requirement.count = mention.formation->rows;
+    requirement.clause = mention.category + (requirement.count == 1 ? " in a row"
+                                             : requirement.count > 1
+                                                 ? " in " + std::to_string(requirement.count) + " rows"
+                                                 : " in rows");
+    add(std::move(requirement), {mention.formation_heard});
   }
 
   void relation(std::size_t index, const Mention& mention, const Demand& demand) {
@@ -217,6 +239,21 @@ class Ledger {
       of_room("proportion", "", ratio, "a long room", words_of(Heard::As::room, "proportion"), true);
     }
     openings();
+    remarks();
+  }
+
+  // What nothing in a room can show, each in its own words.
+  void remarks() {
+    for (std::size_t i = 0; i < brief_.heard.size(); ++i) {
+      const HeardWords& words = brief_.heard[i];
+      if (words.word != said_remark) continue;
+      const std::string text = text_of(words.tokens);
+      of_room(words.as == Heard::As::activity ? "activity" : "character", text, 0.0, text, {i});
+    }
+  }
+  std::string text_of(const language::Run& tokens) const {
+    const auto begin = brief_.tokens[tokens.begin].span.begin, end = brief_.tokens[tokens.end - 1].span.end;
+    return prompt_.substr(begin, end - begin);
   }
 
   void openings() {

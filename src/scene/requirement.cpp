@@ -80,6 +80,7 @@ Requirement read_members(const JsonReader& json) {
   requirement.subjects = read_ids(json["subjects"]);
   requirement.count = static_cast<int>(json["count"].integer_or(1, 0, max_count));
   requirement.at_least = json["at_least"].boolean_or(false);
+  requirement.at_most = json["at_most"].boolean_or(false);
   requirement.attribute = json["attribute"].text_or("", 200);
   requirement.amount = json["amount"].number_or(0.0, 0.0, 1e6);
   if (requirement.kind == Requirement::Kind::relation)
@@ -103,6 +104,15 @@ std::string_view name(Compliance compliance) {
   return name_in<Compliance>(compliances, compliance);
 }
 
+namespace {
+
+void write_limits(const Requirement& requirement, Json& json) {
+  if (requirement.at_least) json["at_least"] = true;
+  if (requirement.at_most) json["at_most"] = true;
+}
+
+}  // namespace
+
 Json to_json(const Requirement& requirement) {
   Json json;
   if (!requirement.id.empty()) json["id"] = requirement.id;
@@ -113,11 +123,13 @@ Json to_json(const Requirement& requirement) {
   switch (requirement.kind) {
     case Requirement::Kind::count:
       json["count"] = requirement.count;
-      if (requirement.at_least) json["at_least"] = true;
+      write_limits(requirement, json);
       break;
     case Requirement::Kind::attribute:
       json["attribute"] = requirement.attribute;
+      if (requirement.count != 1) json["count"] = requirement.count;
       if (requirement.amount > 0.0) json["amount"] = rounded(requirement.amount);
+      write_limits(requirement, json);
       break;
     case Requirement::Kind::relation:
       json["relation"] = name(requirement.relation);
@@ -126,7 +138,7 @@ Json to_json(const Requirement& requirement) {
     case Requirement::Kind::room:
       json["attribute"] = requirement.attribute;
       json["amount"] = rounded(requirement.amount);
-      if (requirement.at_least) json["at_least"] = true;
+      write_limits(requirement, json);
       break;
     case Requirement::Kind::absence:
       if (!requirement.attribute.empty()) json["attribute"] = requirement.attribute;
@@ -147,13 +159,13 @@ Json to_json(const RequirementVerdict& verdict) {
 
 Requirement read_requirement(const JsonReader& json) {
   json.allow_only({"id", "clause", "kind", "source", "category", "subjects", "count",
-                   "at_least", "attribute", "amount", "relation", "targets", "room"});
+                   "at_least", "at_most", "attribute", "amount", "relation", "targets", "room"});
   return read_members(json);
 }
 
 RequirementVerdict read_verdict(const JsonReader& json) {
   json.allow_only({"id", "clause", "kind", "source", "category", "subjects", "count",
-                   "at_least", "attribute", "amount", "relation", "targets", "room", "verdict", "met",
+                   "at_least", "at_most", "attribute", "amount", "relation", "targets", "room", "verdict", "met",
                    "reason"});
   RequirementVerdict verdict;
   verdict.requirement = read_members(json);

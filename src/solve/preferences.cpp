@@ -198,7 +198,7 @@ double out_of_sight_lines(const Surroundings& around, const Footprint& own) {
              : 0.0;
 }
 
-double in_rows(const Surroundings& around, const Footprint& own) {
+double in_line_with_like(const Surroundings& around, const Footprint& own) {
   constexpr double straight = 0.05, in_line = 0.06;
   double best = 0.0;
   for (const auto& one : around.neighbours) {
@@ -261,7 +261,7 @@ double degree(const Surroundings& around, const Footprint& own, double bottom,
     case Preference::screen_free:
       return out_of_sight_lines(around, own);
     case Preference::rows:
-      return in_rows(around, own);
+      return in_line_with_like(around, own);
   }
   return 0.0;
 }

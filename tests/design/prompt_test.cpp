@@ -503,3 +503,53 @@ TEST_CASE("on each side comes before what each carries") {
   CHECK(things(read("A nightstand stands on each side of the bed, each carrying a lamp.")) ==
         "2 nightstand, 1 bed, 2 table lamp");
 }
+
+TEST_CASE("what is added behind a thing between marks is said of it") {
+  const auto racks = read("Racks, 2 m tall, anthracite, along the wall and a desk (blue).").mentions;
+  REQUIRE(racks.size() == 2);
+  REQUIRE(racks[0].lengths.size() == 1);
+  CHECK(racks[0].lengths[0].side == "height");
+  CHECK(racks[0].lengths[0].metres == Catch::Detail::Approx(2.0));
+  CHECK(racks[0].looks == std::vector<std::string>{"anthracite"});
+  CHECK(racks[1].looks == std::vector<std::string>{"blue"});
+  CHECK(things(read("Office chairs: ten, black.")) == "10 office chair");
+  CHECK(things(read("Filing cabinets, four in number, and a desk")) == "4 filing cabinet, 1 desk");
+  // What is no addition as a whole is none.
+  CHECK(read("A desk, white lies told on Sundays.").mentions[0].looks.empty());
+  CHECK(things(read("A desk. Ten.")) == "1 desk");
+}
+
+TEST_CASE("lengths and numbers may be bounded") {
+  using Limit = language::Measure::Limit;
+  const auto wardrobe = read("a bedroom with a wardrobe no taller than 1.8 m").mentions.at(0);
+  REQUIRE(wardrobe.lengths.size() == 1);
+  CHECK(wardrobe.lengths[0].side == "height");
+  CHECK(wardrobe.lengths[0].limit == Limit::most);
+  CHECK(wardrobe.size.z() == Catch::Detail::Approx(1.8));
+  const auto table = read("a table at least 2 m long").mentions.at(0);
+  REQUIRE(table.lengths.size() == 1);
+  CHECK(table.lengths[0].limit == Limit::least);
+  CHECK(table.size.x() >= 2.0);
+  CHECK(read("no more than three chairs and a table").mentions.at(0).at_most);
+  CHECK(read("at least three chairs and a table").mentions.at(0).at_least);
+}
+
+TEST_CASE("several things may stand in rows") {
+  const auto formation = [](const std::string& prompt) {
+    const Brief brief = read(prompt);
+    for (const auto& mention : brief.mentions)
+      if (mention.formation)
+        return std::to_string(mention.quantity) + " " + mention.category + " " +
+               std::to_string(mention.formation->rows) + "x" +
+               std::to_string(mention.formation->columns);
+    return std::string("none");
+  };
+  CHECK(formation("Eight desks in two rows of four and a blackboard") == "8 desk 2x4");
+  CHECK(formation("three rows of five chairs facing a screen") == "15 chair 3x5");
+  CHECK(formation("lockers in a row along the wall, a bench") == "2 locker 1x0");
+  CHECK(formation("Yoga mats: twenty-four, four rows of six") == "24 yoga mat 4x6");
+  CHECK(formation("nine stools in a 3 by 3 grid") == "9 stool 3x3");
+  // Small things, and one alone, are not put in rows.
+  CHECK(formation("a desk with a row of books") == "none");
+  CHECK(formation("a wardrobe in line with the door") == "none");
+}

@@ -115,3 +115,22 @@ TEST_CASE("Measures are read with their units and sides") {
     CHECK(measured(text) == expected);
   }
 }
+
+TEST_CASE("Words that bound a measure belong to it") {
+  const auto bounded = [](std::string_view text) {
+    const auto tokens = tokenize(text);
+    const auto measure = bounded_measure_at(tokens, 0);
+    if (!measure || measure->length != tokens.size()) return std::string("none");
+    const char* const limits[] = {"exactly", "at least", "at most"};
+    return std::string(limits[static_cast<int>(measure->limit)]) + " " +
+           std::to_string(static_cast<int>(std::round(measure->values[0] * 100))) +
+           (measure->side == Measure::Side::height ? " high" : "");
+  };
+  CHECK(bounded("2 m") == "exactly 200");
+  CHECK(bounded("at least 80 cm") == "at least 80");
+  CHECK(bounded("no taller than 2 m") == "at most 200 high");
+  CHECK(bounded("taller than 2 m") == "at least 200 high");
+  CHECK(bounded("no more than 1.5 m high") == "at most 150 high");
+  CHECK(bounded("up to 90 cm") == "at most 90");
+  CHECK(bounded("no taller than a man") == "none");
+}

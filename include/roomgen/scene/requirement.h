@@ -31,9 +31,11 @@ struct Requirement {
   std::vector<std::string> subjects;  ///< their ids, as the plan has them
   int count = 1;                      ///< of Kind::count
   bool at_least = false;              ///< more are as good
+  bool at_most = false;               ///< fewer or less are as good
   std::string attribute;              ///< of Kind::attribute, a word; of Kind::room what of it, as
                                       ///< docs/requirements.md lists them
-  double amount = 0.0;                ///< of Kind::room: metres, square metres, a number
+  double amount = 0.0;                ///< of Kind::room: metres, square metres, a number; of a
+                                      ///< length of things: metres
   RelationKind relation = RelationKind::near;
   std::vector<std::string> targets;   ///< ids or parts of the room, of which one will do; none for
                                       ///< edge and middle
@@ -41,6 +43,9 @@ struct Requirement {
 
   bool operator==(const Requirement&) const = default;
 };
+
+/// The attribute of things that stand in `count` rows; 0: however many.
+inline constexpr std::string_view in_rows = "in rows";
 
 /// What becomes of a requirement.
 enum class Compliance {

@@ -1,0 +1,135 @@
+#include "prompt_formations.h"
+
+#include <algorithm>
+
+#include "language/number.h"
+
+namespace roomgen::design {
+
+namespace {
+
+using language::none;
+using language::Run;
+
+/// "two rows of four": the words, and what they say.
+struct SaidFormation {
+  Formation formation;
+  Run tokens;
+  bool in_front = false;  ///< "two rows of desks", said before the things
+};
+
+class FormationReader {
+ public:
+  explicit FormationReader(PromptReading& reading) : reading_(reading) {}
+
+  void run() {
+    for (std::uint32_t i = 0; i < reading_.text.plain.size(); ++i) {
+      if (reading_.taken[i] != Taken::no || !reading_.words.rows.count(reading_.word(i))) continue;
+      const SaidFormation said = formation_at(i);
+      if (const auto mention = said.in_front ? things_behind(said) : things_before(said))
+        form(*mention, said);
+    }
+  }
+
+ private:
+  static constexpr int most_rows = 40;
+
+  // The number that ends right before a token, and how many tokens it has.
+  std::pair<int, std::uint32_t> number_before(std::uint32_t token) const {
+    for (std::uint32_t n = 3; n > 0; --n) {
+      if (n > token) continue;
+      const auto number = language::number_at(reading_.parse.tokens, token - n);
+      if (number && number->length == n && number->value >= 1.0 && number->value <= most_rows)
+        return {static_cast<int>(number->value), n};
+    }
+    return {0, 0};
+  }
+
+  SaidFormation formation_at(std::uint32_t at) const {
+    SaidFormation said;
+    const bool is_plural = reading_.word(at).ends_with('s');
+    const auto [number, length] = number_before(at);
+    said.tokens = {at - length, at + 1};
+    if (const auto first = said.tokens.begin; length > 0 && first > 1 &&
+        (reading_.is_word(first - 1, "by") || reading_.is_word(first - 1, "x"))) {
+      // "a 3 by 4 grid"
+      const auto [rows, rows_length] = number_before(first - 1);
+      said.formation = {std::max(1, rows), number};
+      said.tokens.begin = first - 1 - rows_length;
+    } else {
+      said.formation.rows = is_plural ? number : 1;
+    }
+    if (reading_.is_word(said.tokens.begin - (said.tokens.begin > 0 ? 1 : 0), "a") ||
+        reading_.is_word(said.tokens.begin - (said.tokens.begin > 0 ? 1 : 0), "one"))
+      --said.tokens.begin;
+    if (reading_.is_word(at + 1, "of")) read_size(at + 2, said);
+    if (said.tokens.begin > 0 && reading_.is_word(said.tokens.begin - 1, "in")) --said.tokens.begin;
+    return said;
+  }
+  // "of four", which may go on: "of four desks".
+  void read_size(std::uint32_t at, SaidFormation& said) const {
+    const auto number = language::number_at(reading_.parse.tokens, at);
+    const auto end = at + static_cast<std::uint32_t>(number ? number->length : 0);
+    if (number && number->value >= 1.0 && number->value <= most_rows) {
+      said.formation.columns = static_cast<int>(number->value);
+      said.tokens.end = end;
+    }
+    said.in_front = phrase_over(end).has_value();
+  }
+  // The phrase that names things and goes on over a token.
+  std::optional<std::size_t> phrase_over(std::uint32_t token) const {
+    for (std::size_t i = 0; i < reading_.parse.phrases.size(); ++i) {
+      const auto& phrase = reading_.parse.phrases[i];
+      if (phrase.tokens.begin <= token && token <= phrase.head && reading_.mentions[i]) return i;
+    }
+    return std::nullopt;
+  }
+  std::optional<std::size_t> things_behind(const SaidFormation& said) const {
+    const auto phrase = phrase_over(said.tokens.end + (said.formation.columns > 0 ? 0 : 1));
+    return phrase ? reading_.mentions[*phrase] : std::nullopt;
+  }
+  // The last ones before it that may be several, in the same sentence or before its colon; else
+  // those that it is said before: "In a row stand three stools".
+  std::optional<std::size_t> things_before(const SaidFormation& said) const {
+    std::optional<std::size_t> before, behind;
+    const int sentence = reading_.sentence_of(said.tokens.begin);
+    for (std::size_t i = 0; i < reading_.parse.phrases.size(); ++i) {
+      const auto mention = reading_.mentions[i];
+      const auto head = reading_.parse.phrases[i].head;
+      if (!mention || !may_stand_in_rows(*mention, said.formation)) continue;
+      const int own = reading_.sentence_of(head);
+      const bool announced = own + 1 == sentence && ends_with_colon(own);
+      if (head < said.tokens.begin && (own == sentence || announced)) before = mention;
+      if (head >= said.tokens.end && own == sentence && !behind) behind = mention;
+    }
+    return before ? before : behind;
+  }
+  bool ends_with_colon(int sentence) const {
+    const Run& said = reading_.parse.sentences[static_cast<std::size_t>(sentence)];
+    return !said.empty() && reading_.parse.tokens[said.end - 1].text == ":";
+  }
+  bool may_stand_in_rows(std::size_t mention, const Formation& formation) const {
+    const Mention& things = reading_.talk.mention(mention);
+    return !reading_.talk.is_small(mention) && things.mount != Mount::surface &&
+           (things.quantity != 1 || (!things.counted && formation.rows * formation.columns > 1));
+  }
+
+  void form(std::size_t index, const SaidFormation& said) {
+    Mention& mention = reading_.brief.mentions[index];
+    if (!may_stand_in_rows(index, said.formation) || mention.formation) return;
+    const int all = said.formation.rows * said.formation.columns;
+    // "three rows of five seats": five are said, fifteen meant.
+    if (all > 0 && (!mention.counted || mention.quantity == said.formation.columns))
+      reading_.talk.set_count(index, all);
+    mention.formation = said.formation;
+    mention.formation_heard = hear(reading_.brief, said.tokens, Heard::As::relation);
+  }
+
+  PromptReading& reading_;
+};
+
+}  // namespace
+
+void read_formations(PromptReading& reading) { FormationReader(reading).run(); }
+
+}  // namespace roomgen::design
