@@ -133,6 +133,8 @@ class RoomSides {
   bool read(const Measure& measure, const language::Run& tokens, Brief& brief) {
     switch (measure.side) {
       case Measure::Side::height:
+        // A height alone is rather that of something whose name nobody knows.
+        if (!brief.size && !brief.area) return false;
         if (measure.values[0] < least_ceiling || measure.values[0] > greatest_ceiling) return false;
         brief.height = measure.values[0];
         hear(brief, tokens, Heard::As::room, "height");

@@ -26,13 +26,12 @@ struct Addition {
   std::vector<Run> measure_tokens;
   int count = 0;
   Run count_tokens;
-
-  bool empty() const { return looks.empty() && parts.empty() && measures.empty() && count == 0; }
 };
 
 class AdditionReader {
  public:
-  explicit AdditionReader(PromptReading& reading) : reading_(reading), tokens_(reading.parse.tokens) {}
+  explicit AdditionReader(PromptReading& reading)
+      : reading_(reading), tokens_(reading.parse.tokens), heard_(reading.heard_tokens()) {}
 
   void run() {
     std::uint32_t begin = 0;
@@ -70,8 +69,9 @@ class AdditionReader {
   std::optional<std::size_t> thing_in(const Run& segment) const {
     std::optional<std::size_t> last;
     for (std::size_t i = 0; i < reading_.parse.phrases.size(); ++i) {
-      const auto head = reading_.parse.phrases[i].head;
-      if (head >= segment.begin && head < segment.end && reading_.mentions[i])
+      const auto& phrase = reading_.parse.phrases[i];
+      if (phrase.head >= segment.begin && phrase.head < segment.end && !phrase.is_pronoun &&
+          reading_.mentions[i])
         last = reading_.mentions[i];
     }
     return last;
@@ -86,13 +86,14 @@ class AdditionReader {
       if (next == i || next > segment.end) return std::nullopt;
       i = next;
     }
-    return addition.empty() ? std::nullopt : std::optional(std::move(addition));
+    return addition;
   }
   // The token behind what is read there; the same one if nothing is.
   std::uint32_t read_piece(std::uint32_t at, const Run& segment, Addition& addition) const {
     if (reading_.taken[at] != Taken::no) return at;
     if (const auto measure = language::bounded_measure_at(tokens_, at)) {
       const auto end = at + static_cast<std::uint32_t>(measure->length);
+      if (heard_[at]) return end;
       addition.measures.push_back(*measure);
       addition.measure_tokens.push_back({at, end});
       return end;
@@ -140,8 +141,8 @@ class AdditionReader {
     const std::string& word = reading_.word(at);
     const auto& english = language::lexicon();
     if (tokens_[at].kind != Kind::word || language::is_function_word(tokens_[at])) return false;
-    if (reading_.words.materials.count(word) || english.is(word, language::WordClass::color)) return true;
-    if (reading_.words.sizes.count(word)) return true;
+    if (reading_.words.materials.count(word) || reading_.words.sizes.count(word) || may_be_stuff(word))
+      return true;
     if (const auto verb = language::verb(word);
         verb && (verb->form == language::VerbForm::past || verb->form == language::VerbForm::past_participle))
       return !reading_.words.verbs.count(word);
@@ -171,6 +172,7 @@ class AdditionReader {
 
   PromptReading& reading_;
   const std::vector<language::Token>& tokens_;
+  const std::vector<bool> heard_;  ///< by token: said of the thing already
   std::optional<std::size_t> target_;  ///< the mention to which the next segment would add
 };
 

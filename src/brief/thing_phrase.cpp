@@ -167,8 +167,8 @@ class ThingPhraseReader {
   // "at", "no" may stand before the words that qualify.
   void limit(std::uint32_t first) {
     using Limit = language::Measure::Limit;
-    auto bound = language::bound_at(parse_.tokens, first);
-    if (bound.length == 0 && first > 0) bound = language::bound_at(parse_.tokens, first - 1);
+    auto bound = first > 0 ? language::bound_at(parse_.tokens, first - 1) : language::Bound{};
+    if (bound.length == 0) bound = language::bound_at(parse_.tokens, first);
     phrase_.at_least = bound.limit == Limit::least;
     phrase_.at_most = bound.limit == Limit::most;
   }

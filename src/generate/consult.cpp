@@ -112,7 +112,7 @@ Status follow(const Work& work, const PlaceAdvice& advice, const PlannedObject& 
   task.location = advice.location;
   task.facing = advice.yaw;
   task.usual = advice.usual;
-  task.binding = !advice.usual && (advice.location || advice.yaw);
+  task.binding = advice.location || advice.yaw;
   task.anywhere = item.asked || refused > 0;
   task.of_its_kind = quantity_of(work.place.plan, item.category);
   if (task.usual && object.mount == Mount::surface)

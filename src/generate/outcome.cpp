@@ -82,11 +82,14 @@ const Step* step_of(const BuildState& state, const std::string& id) {
   return nullptr;
 }
 
+// A place that a model, a person or an edit gave; what stands in rows has one by the plan.
+bool is_of_somebody(const PlacementTask& task) { return task.binding && !task.usual; }
+
 // Whatever of a designer's word is not so in the end.
 void tell_what_was_not_followed(const BuildState& state, Generation& result) {
   for (const auto& task : state.tasks) {
     const std::string& id = task.object.id;
-    const Step* step = task.binding ? step_of(state, id) : nullptr;
+    const Step* step = is_of_somebody(task) ? step_of(state, id) : nullptr;
     if (!step || !find_object(state, id)) continue;
     for (const auto& attempt : step->attempts)
       if (attempt.refused.empty() && !attempt.objections.empty())
@@ -97,7 +100,7 @@ void tell_what_was_not_followed(const BuildState& state, Generation& result) {
   add_moves(state.moved, moves);
   for (const auto& move : moves)
     for (const auto& task : state.tasks)
-      if (task.binding && task.object.id == move.object)
+      if (is_of_somebody(task) && task.object.id == move.object)
         result.notes.push_back(move.object + " was moved by " + format_number(move.distance(), 2) +
                                " m after it was placed, for what was asked for");
 }
@@ -117,7 +120,7 @@ std::vector<RequirementVerdict> verdicts(const Workplace& place, const Generatio
 // How far an object ended from where it was suggested.
 void count_suggestions(const PlacementTask& task, const Object& placed, const Step* step,
                        SuggestionFigures& figures) {
-  if (!task.binding) return;
+  if (!is_of_somebody(task)) return;
   if (task.location) {
     const Vec2 ended = placed.position.head<2>();
     const Vec2 first = step && step->pose ? step->pose->position : ended;

@@ -6,6 +6,7 @@
 #include "brief/prompt_remarks.h"
 #include "coverage.h"
 #include "floor_plan.h"
+#include "formations.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen::design {
@@ -155,11 +156,23 @@ class Ledger {
     if (demand.mention != Demand::none) {
       requirement.targets = ids_[demand.mention];
       requirement.clause += " " + brief_.mentions[demand.mention].category;
+      // Rows face what is before their middle.
+      if (mention.formation && demand.kind == RelationKind::face_to)
+        requirement.subjects = middle_of_rows(requirement.subjects, *mention.formation);
     } else if (!demand.part.empty()) {
       requirement.targets = {part_of(room_, demand.part)};
       requirement.clause += " " + demand.part;
     }
     add(std::move(requirement), {demand.heard});
+  }
+
+  static std::vector<std::string> middle_of_rows(const std::vector<std::string>& ids,
+                                                 const Formation& formation) {
+    const std::size_t columns = columns_of(formation, ids.size());
+    std::vector<std::string> middle;
+    for (std::size_t i = 0; i < ids.size(); ++i)
+      if (i % columns == columns / 2) middle.push_back(ids[i]);
+    return middle.empty() ? ids : middle;
   }
 
   // One clause of all that it is said of.

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "floor_plan.h"
+#include "formations.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen::design {
@@ -26,8 +27,9 @@ double floor_of(const Draft& draft) {
   return draft.item.size ? draft.item.size->x() * draft.item.size->y() : 0.0;
 }
 
-// The stage of its kind; who is told to be in a corner or at a window comes before others take it.
+// The stage of its kind; what stands in rows comes before what needs less room; who is told to be in a corner or at a window comes before others take it.
 int own_stage(const Draft& draft, const KindTable& table, const Arrangements& arrangements) {
+  if (draft.formation && draft.item.mount == Mount::floor) return 0;
   const int usual = arrangements.get(table, draft.item.category, draft.item.mount).stage;
   const bool tied =
       std::any_of(draft.demands.begin(), draft.demands.end(), [](const Demand& demand) {
@@ -219,11 +221,6 @@ class Resolver {
       for (const auto kind : {RelationKind::right_of, RelationKind::aligned, RelationKind::near})
         add(relations, {kind, neighbour});
     add(relations, {RelationKind::face_same_as, neighbour});
-  }
-  static std::size_t columns_of(const Formation& formation, std::size_t count) {
-    if (formation.columns > 0) return static_cast<std::size_t>(formation.columns);
-    const auto rows = static_cast<std::size_t>(std::max(1, formation.rows));
-    return std::max<std::size_t>(1, (count + rows - 1) / rows);
   }
   // "between the beds": said once of several.
   static bool is_only_between(const Draft& draft, const Demand& demand) {

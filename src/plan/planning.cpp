@@ -6,6 +6,7 @@
 #include "base/random.h"
 #include "brief/room_type.h"
 #include "floor_plan.h"
+#include "formations.h"
 #include "inventory.h"
 #include "ledger.h"
 #include "looks.h"
@@ -147,6 +148,7 @@ class Planner {
     const Vec2 usable(box.x(), area(plan.room.polygon) / box.x());
     complete(drafts, brief_, kinds_, kind_, usable, table_, looks, random.fork("contents"));
     result.drafts = order_items(std::move(drafts), table_, arrangements_, plan);
+    lay_out_formations(result.drafts, table_, arrangements_, plan);
     judge(result);
     return result;
   }
@@ -178,6 +180,7 @@ class Planner {
     attempt.plan.items.clear();
     attempt.drafts =
         order_items(std::move(attempt.drafts), table_, arrangements_, attempt.plan);
+    lay_out_formations(attempt.drafts, table_, arrangements_, attempt.plan);
   }
 
   const PlanRequest& request_;

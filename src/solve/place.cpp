@@ -303,7 +303,7 @@ Status PlaceOptions::validate() const {
 Result<Placement> place(Layout& layout, const PlacementTask& task,
                         std::span<const PlacementTask> later, const PlaceOptions& options,
                         Random& random) {
-  if (task.usual && task.object.mount != Mount::surface)
+  if (task.usual && !task.location && task.object.mount != Mount::surface)
     if (const Arrangement* arrangement = layout.arrangement_of(task.object))
       return place_usually(layout, task, *arrangement, options, random);
   return Placing(layout, task, later, options, random).run();

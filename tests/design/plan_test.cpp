@@ -198,3 +198,26 @@ TEST_CASE("a floor plan that is given is kept, and gets a door if it has none") 
   CHECK(plan->room.openings.size() == 1);
   CHECK(check(plan->room).ok());
 }
+
+TEST_CASE("things in rows have their places, all inside the room and clear of each other") {
+  for (std::uint64_t seed = 0; seed < 5; ++seed)
+    for (const char* prompt : {"eighteen chairs in three rows of six facing a lectern",
+                               "a classroom with twelve desks in rows of four",
+                               "nine plinths in a 3 by 3 grid"}) {
+      const Plan plan = plan_of(prompt, seed);
+      std::vector<const PlanItem*> placed;
+      for (const auto& item : plan.items)
+        if (item.asked && item.location && item.category != "lectern") placed.push_back(&item);
+      INFO(prompt << ", seed " << seed);
+      REQUIRE(placed.size() >= 9);
+      std::set<long> lines[2];
+      for (std::size_t i = 0; i < placed.size(); ++i) {
+        CHECK(contains(plan.room.polygon, *placed[i]->location));
+        for (int axis : {0, 1}) lines[axis].insert(std::lround((*placed[i]->location)[axis] * 100));
+        for (std::size_t j = 0; j < i; ++j)
+          CHECK((*placed[i]->location - *placed[j]->location).cwiseAbs().maxCoeff() >=
+                placed[i]->size->head<2>().minCoeff());
+      }
+      CHECK(lines[0].size() * lines[1].size() == placed.size());
+    }
+}

@@ -546,7 +546,7 @@ TEST_CASE("several things may stand in rows") {
   };
   CHECK(formation("Eight desks in two rows of four and a blackboard") == "8 desk 2x4");
   CHECK(formation("three rows of five chairs facing a screen") == "15 chair 3x5");
-  CHECK(formation("lockers in a row along the wall, a bench") == "2 locker 1x0");
+  CHECK(formation("six lockers in a row along the wall, a bench") == "6 locker 1x0");
   CHECK(formation("Yoga mats: twenty-four, four rows of six") == "24 yoga mat 4x6");
   CHECK(formation("nine stools in a 3 by 3 grid") == "9 stool 3x3");
   // Small things, and one alone, are not put in rows.

@@ -1,0 +1,187 @@
+#include "formations.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "scene/room_part.h"
+
+namespace roomgen::design {
+
+namespace {
+
+constexpr double least_behind = 0.5, least_beside = 0.1;  ///< metres between things
+constexpr double before_audience = 1.2;                   ///< metres for what is looked at
+constexpr double margin = 0.45;                           ///< metres to the walls
+constexpr double closenesses[] = {1.0, 0.75, 0.5, 0.25};  ///< of the floor between things
+
+/// Rows of equal things: all lengths in metres.
+struct RowBlock {
+  std::size_t count = 0, rows = 0, columns = 0;
+  double width = 0.0, depth = 0.0;    ///< of a thing
+  double beside = 0.0, behind = 0.0;  ///< floor between them
+  double before = 0.0;                ///< floor before the first row
+  double across() const { return columns * (width + beside) - beside; }
+  double along() const { return rows * (depth + behind) - behind + before; }
+};
+
+/// Where a block stands: the wall that its front rows are nearest to, and how close its things are.
+struct Site {
+  std::size_t wall = 0;
+  Vec2 forward = Vec2::Zero(), center = Vec2::Zero();
+  double closeness = 1.0;
+};
+
+class Formations {
+ public:
+  Formations(const std::vector<Draft>& drafts, const KindTable& table, const Arrangements& arrangements,
+             Plan& plan)
+      : drafts_(drafts), table_(table), arrangements_(arrangements), plan_(plan) {}
+
+  void run() {
+    std::map<std::size_t, std::vector<std::size_t>> members;  // items by mention
+    for (std::size_t i = 0; i < drafts_.size(); ++i)
+      if (drafts_[i].formation && drafts_[i].item.mount == Mount::floor &&
+          drafts_[i].item.quantity == 1 && drafts_[i].item.size)
+        members[drafts_[i].mention].push_back(i);
+    for (const auto& [mention, items] : members) lay_out(items);
+  }
+
+ private:
+  void lay_out(const std::vector<std::size_t>& items) {
+    const Draft& first = drafts_[items.front()];
+    const RowBlock block = block_of(first, items.size());
+    if (block.rows < 2) return;
+    const auto site = site_for(block, first);
+    if (!site) return;
+    for (std::size_t n = 0; n < items.size(); ++n) stand(plan_.items[items[n]], block, *site, n);
+    turn_to_audience(first, *site);
+  }
+
+  RowBlock block_of(const Draft& draft, std::size_t count) const {
+    const PlanItem& item = draft.item;
+    const auto& reserve = arrangements_.get(table_, item.category, item.mount).reserve;
+    const auto open = [&](roomgen::Side side) { return reserve[static_cast<std::size_t>(side)]; };
+    RowBlock block;
+    block.count = count;
+    block.columns = columns_of(*draft.formation, count);
+    block.rows = (count + block.columns - 1) / block.columns;
+    block.width = item.size->x();
+    block.depth = item.size->y();
+    block.behind = std::max(least_behind, open(roomgen::Side::front) + open(roomgen::Side::back));
+    block.before = faces_something(draft) ? before_audience : 0.0;
+    block.beside = std::max(least_beside, open(roomgen::Side::left) + open(roomgen::Side::right));
+    return block;
+  }
+
+  // The part of the floor that is told, else all of it.
+  Bounds2 floor_of(const Draft& draft) const {
+    for (const auto& demand : draft.demands)
+      if (demand.kind == RelationKind::in_part)
+        if (const auto region = region_of_room(plan_.room, demand.part)) return region->bounds();
+    return bounds(plan_.room.polygon);
+  }
+
+  // Of the walls that the rows may face the one that was told, or one without a door or windows; the loosest
+  // that there is room for.
+  std::optional<Site> site_for(const RowBlock& block, const Draft& draft) const {
+    const Bounds2 floor = floor_of(draft);
+    for (const double closeness : closenesses) {
+      RowBlock closer = block;
+      closer.behind *= closeness;
+      closer.beside *= closeness;
+      std::optional<Site> best;
+      double least = 0.0;
+      for (std::size_t wall = 0; wall < plan_.room.polygon.size(); ++wall) {
+        const Vec2 forward = -plan_.room.polygon.inward(wall);
+        if (is_flat(draft) && forward.sum() > 0.0) continue;
+        const bool is_along_x = std::abs(forward.x()) > std::abs(forward.y());
+        const Vec2 need = is_along_x ? Vec2(closer.along(), closer.across())
+                                     : Vec2(closer.across(), closer.along());
+        if (((floor.size() - need).array() < 2.0 * margin).any()) continue;
+        const double cost = cost_of(wall, draft);
+        if (best && cost >= least) continue;
+        best = Site{wall, forward, 0.5 * (floor.low + floor.high - closer.before * forward), closeness};
+        least = cost;
+      }
+      if (best) return best;
+    }
+    return std::nullopt;
+  }
+  static bool faces_something(const Draft& draft) {
+    return std::any_of(draft.demands.begin(), draft.demands.end(),
+                       [](const Demand& demand) { return demand.kind == RelationKind::face_to; });
+  }
+  // Mats and rugs lie one way or across, never turned about.
+  bool is_flat(const Draft& draft) const { return table_.get(draft.item.category).traits.flat; }
+  double cost_of(std::size_t wall, const Draft& draft) const {
+    double cost = 0.0;
+    for (const auto& opening : plan_.room.openings)
+      if (opening.wall == wall) cost += opening.is_entrance() ? 2.0 : 1.0;
+    for (const auto& demand : draft.demands)
+      if (demand.part == "wall-" + std::to_string(wall)) cost -= 10.0;
+    return cost;
+  }
+
+  // Who sits at a desk looks over it: its back is where the rows look.
+  bool looks_backwards(const std::string& category) const { return table_.is_a(category, "table"); }
+
+  void stand(PlanItem& item, RowBlock block, const Site& site, std::size_t number) const {
+    block.behind *= site.closeness;
+    block.beside *= site.closeness;
+    const bool backwards = looks_backwards(item.category);
+    const Vec2 front = backwards ? Vec2(-site.forward) : site.forward;
+    const Vec2 right(front.y(), -front.x());
+    const double row = static_cast<double>(number / block.columns) - 0.5 * (block.rows - 1.0);
+    const double column = static_cast<double>(number % block.columns) - 0.5 * (block.columns - 1.0);
+    item.location = site.center + column * (block.width + block.beside) * right -
+                    row * (block.depth + block.behind) * front;
+    // As a whole the rows look there: only who sits in the middle does so straight.
+    std::erase_if(item.relations, [](const Relation& one) { return one.kind == RelationKind::face_to; });
+    if (number > 0) return;
+    const std::string wall = "wall-" + std::to_string(site.wall);
+    const auto facing = backwards ? RelationKind::face_same_as : RelationKind::face_opposite_to;
+    item.relations.push_back({facing, wall});
+  }
+
+  // What the rows look at stands before the middle of the wall that they face, unless it was told where.
+  void turn_to_audience(const Draft& audience, const Site& site) {
+    const auto wall = part_of_room(plan_.room, "wall-" + std::to_string(site.wall));
+    for (const auto& demand : audience.demands) {
+      if (demand.kind != RelationKind::face_to || demand.mention == Demand::none || !wall) continue;
+      for (std::size_t i = 0; i < drafts_.size(); ++i) {
+        if (drafts_[i].mention != demand.mention || !drafts_[i].demands.empty()) continue;
+        PlanItem& item = plan_.items[i];
+        const double depth = item.size ? item.size->y() : 0.0;
+        const double to_wall = (wall->center() - site.center).dot(site.forward);
+        item.location = site.center + (to_wall - 0.5 * depth - (item.mount == Mount::floor ? margin : 0.0)) * site.forward;
+        item.relations.push_back({RelationKind::near, "wall-" + std::to_string(site.wall)});
+        item.relations.push_back({RelationKind::face_same_as, "wall-" + std::to_string(site.wall)});
+      }
+    }
+  }
+
+  const std::vector<Draft>& drafts_;
+  const KindTable& table_;
+  const Arrangements& arrangements_;
+  Plan& plan_;
+};
+
+}  // namespace
+
+void lay_out_formations(const std::vector<Draft>& drafts, const KindTable& table,
+                        const Arrangements& arrangements, Plan& plan) {
+  Formations(drafts, table, arrangements, plan).run();
+}
+
+std::size_t columns_of(const Formation& formation, std::size_t count) {
+  constexpr double breadth = 1.5;  ///< a block whose rows were not counted is somewhat wider than deep
+  if (formation.columns > 0) return static_cast<std::size_t>(formation.columns);
+  const std::size_t rows =
+      formation.rows > 0 ? static_cast<std::size_t>(formation.rows)
+                         : std::max<std::size_t>(2, static_cast<std::size_t>(std::sqrt(static_cast<double>(count) / breadth)));
+  return std::max<std::size_t>(1, (count + rows - 1) / rows);
+}
+
+}  // namespace roomgen::design
