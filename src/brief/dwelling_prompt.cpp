@@ -2,6 +2,7 @@
 
 #include "dwelling_clauses.h"
 #include "measures.h"
+#include "style_phrase.h"
 
 namespace roomgen::design {
 
@@ -22,11 +23,14 @@ std::optional<double> total_area(const DwellingText& text, const NamedRoom& whol
 std::string read_styles(const DwellingText& text, const NamedRoom& whole, const RoomKinds& kinds,
                         std::vector<HeardWords>& heard) {
   std::string styles;
-  for (std::size_t i = whole.noun; i-- > 0 && whole.noun - i <= 2 * longest_phrase;) {
-    if (text.tokens[i].kind == Token::Kind::stop) break;
-    if (!kinds.style(text.tokens[i].text)) continue;
-    styles += text.tokens[i].text + " ";
-    heard.push_back({text.tokens[i].source, Heard::As::style, ""});
+  std::size_t i = whole.noun;
+  while (i > 0 && whole.noun - i < 2 * longest_phrase && text.tokens[i - 1].kind != Token::Kind::stop) --i;
+  for (; i < whole.noun; ++i) {
+    const auto style = style_at({text.tokens.data(), whole.noun}, i, kinds);
+    if (!style) continue;
+    styles += style->name + " ";
+    heard.push_back({source_of(text.tokens, i, style->length), Heard::As::style, ""});
+    i += style->length - 1;
   }
   return styles;
 }
@@ -125,8 +129,8 @@ void hear_names(const DwellingText& text, const std::vector<NamedRoom>& names,
           token.kind == Token::Kind::number || text.words.numbers.count(token.text) > 0;
       if (counts || text.words.sizes.count(token.text))
         heard.push_back({token.source, Heard::As::room, name.type});
-      else if (kinds.style(token.text))
-        heard.push_back({token.source, Heard::As::style, ""});
+      else if (const auto style = style_at({text.tokens.data(), name.noun}, i, kinds))
+        heard.push_back({source_of(text.tokens, i, style->length), Heard::As::style, ""});
     }
   }
 }

@@ -16,6 +16,7 @@
 #include "room_type.h"
 #include "settle.h"
 #include "shape_words.h"
+#include "style_phrase.h"
 
 namespace roomgen::design {
 
@@ -33,23 +34,20 @@ void read_bare(PromptReading& reading) {
         (i > 0 && reading.words.only.count(reading.word(i)) && holders.count(reading.word(i - 1))))
       reading.brief.bare = true;
 }
-// "Little" and "open" are words of style only where they are said of a room.
-bool names_look(const RoomKinds& kinds, const std::string& word) {
-  const Style* style = kinds.style(word);
-  return style && (!style->adjective.empty() || !style->more.empty());
-}
-
 // "Rustic but bright.", "a cosy one": words of style that are said of no thing are the room's.
+// "Little" and "open" are words of style only where they stand before a room.
 void read_styles(PromptReading& reading) {
   const std::vector<bool> used = reading.heard_tokens();
   for (std::uint32_t i = 0; i < used.size(); ++i) {
-    if (used[i] || reading.taken[i] == Taken::yes || !names_look(reading.kinds, reading.word(i)) ||
-        reading.is_denied(i))
-      continue;
-    hear(reading.brief, {i, i + 1}, Heard::As::style);
-    if (std::find(reading.brief.styles.begin(), reading.brief.styles.end(), reading.word(i)) ==
-        reading.brief.styles.end())
-      reading.brief.styles.push_back(reading.word(i));
+    if (used[i] || reading.taken[i] == Taken::yes || reading.is_denied(i)) continue;
+    const auto style = style_at(reading.text.plain, i, reading.kinds);
+    if (!style || !style->is_look) continue;
+    const auto end = i + static_cast<std::uint32_t>(style->length);
+    if (std::find(used.begin() + i, used.begin() + end, true) != used.begin() + end) continue;
+    hear(reading.brief, {i, end}, Heard::As::style);
+    auto& styles = reading.brief.styles;
+    if (std::find(styles.begin(), styles.end(), style->name) == styles.end()) styles.push_back(style->name);
+    i = end - 1;
   }
 }
 

@@ -7,6 +7,8 @@
 #include "language/lexicon.h"
 #include "language/number.h"
 #include "mention_shape.h"
+#include "scene/finish_words.h"
+#include "style_phrase.h"
 
 namespace roomgen::design {
 
@@ -62,6 +64,7 @@ class AdditionReader {
     if (!target || !is_joined(segment.begin - 1)) return;
     if (const auto addition = addition_in(segment)) {
       add(*target, *addition);
+      stand_for(*target, segment);
       target_ = target;  // "2 m tall, anthracite"
     }
   }
@@ -141,17 +144,28 @@ class AdditionReader {
     const std::string& word = reading_.word(at);
     const auto& english = language::lexicon();
     if (tokens_[at].kind != Kind::word || language::is_function_word(tokens_[at])) return false;
-    if (reading_.words.materials.count(word) || reading_.words.sizes.count(word) || may_be_stuff(word))
+    if (reading_.words.materials.count(word) || reading_.words.sizes.count(word) ||
+        may_be_stuff(word) || finish_words().describes(word))
       return true;
     if (const auto verb = language::verb(word);
         verb && (verb->form == language::VerbForm::past || verb->form == language::VerbForm::past_participle))
       return !reading_.words.verbs.count(word);
     return english.tagged(word, PartOfSpeech::adjective) >= english.tagged(word, PartOfSpeech::noun) &&
-           english.has(word, PartOfSpeech::adjective) && !names_look(word);
+           english.has(word, PartOfSpeech::adjective) && !names_style(at);
   }
   // "rustic" behind a thing may be said of the room.
-  bool names_look(const std::string& word) const { return reading_.kinds.style(word) != nullptr; }
+  bool names_style(std::uint32_t at) const {
+    return style_at(reading_.text.plain, at, reading_.kinds).has_value();
+  }
 
+  // "anthracite, along the wall": what is said of the addition is said of the thing.
+  void stand_for(std::size_t mention, const Run& segment) {
+    for (std::size_t i = 0; i < reading_.parse.phrases.size(); ++i) {
+      const auto head = reading_.parse.phrases[i].head;
+      if (head >= segment.begin && head < segment.end && !reading_.mentions[i])
+        reading_.mentions[i] = mention;
+    }
+  }
   void add(std::size_t mention, const Addition& addition) {
     for (std::size_t i = 0; i < addition.measures.size(); ++i) {
       set_length(reading_.brief.mentions[mention], addition.measures[i]);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "roomgen/base/text.h"
+#include "style_phrase.h"
 
 namespace roomgen::design {
 
@@ -18,19 +19,29 @@ const WordSet& style_heads() {
   return heads;
 }
 
+// Of a run of words that stands before a token, each further one farther back: where it begins.
+std::size_t begin_of_words(const std::vector<Token>& tokens, std::size_t before, const RoomKinds& kinds,
+                           const Vocabulary& words) {
+  std::size_t begin = before;
+  for (; begin > 0 && before - begin < back; --begin) {
+    const Token& token = tokens[begin - 1];
+    if (token.kind == Token::Kind::comma || token.is_word("and") || token.is_word("but")) continue;
+    if (token.kind != Token::Kind::word) break;
+    if (words.stops.count(token.text) && !style_at(tokens, begin - 1, kinds)) break;
+  }
+  return begin;
+}
+
 void collect_styles(const std::vector<Token>& tokens, std::size_t before, const RoomKinds& kinds,
                     const Vocabulary& words, Brief& brief) {
-  for (std::size_t n = 1; n <= back && n <= before; ++n) {
-    const Token& token = tokens[before - n];
-    if (token.kind == Token::Kind::comma || token.is_word("and") || token.is_word("but")) continue;
-    if (token.kind != Token::Kind::word) return;
-    if (kinds.style(token.text)) {
-      hear(brief, token.source, Heard::As::style);
-      if (std::find(brief.styles.begin(), brief.styles.end(), token.text) == brief.styles.end())
-        brief.styles.push_back(token.text);
-    } else if (words.stops.count(token.text)) {
-      return;
+  for (std::size_t i = begin_of_words(tokens, before, kinds, words); i < before;) {
+    const auto style = style_at({tokens.data(), before}, i, kinds);
+    if (style) {
+      hear(brief, source_of(tokens, i, style->length), Heard::As::style);
+      if (std::find(brief.styles.begin(), brief.styles.end(), style->name) == brief.styles.end())
+        brief.styles.push_back(style->name);
     }
+    i += style ? style->length : 1;
   }
 }
 
@@ -59,7 +70,7 @@ void read_compound_rooms(std::vector<Token>& tokens, const Vocabulary& words,
   for (std::size_t i = 1; i < tokens.size(); ++i) {
     if (tokens[i].kind != Token::Kind::word || !words.room_words.count(tokens[i].text)) continue;
     const Token& first = tokens[i - 1];
-    if (!is_plain_word(first, words) || kinds.style(first.text) || words.sizes.count(first.text))
+    if (!is_plain_word(first, words) || style_at({tokens.data(), i}, i - 1, kinds) || words.sizes.count(first.text))
       continue;
     if (words.generic_rooms.count(tokens[i].text) && tokens[i].text != "room" &&
         tokens[i].text != "house")
@@ -92,7 +103,7 @@ void read_leading_noun(std::vector<Token>& tokens, const Vocabulary& words, cons
   const bool article =
       tokens[0].is_word("a") || tokens[0].is_word("an") || tokens[0].is_word("the");
   const std::string& noun = tokens[end - 1].text;
-  if (!article || words.generic_rooms.count(noun) || words.numbers.count(noun) || kinds.style(noun))
+  if (!article || words.generic_rooms.count(noun) || words.numbers.count(noun) || style_at({tokens.data(), end}, end - 1, kinds))
     return;
   for (std::size_t i = 0; i < end; ++i)
     if (mention_at(table, tokens, i).length > 0) return;

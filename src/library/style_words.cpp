@@ -13,7 +13,7 @@ namespace roomgen {
 namespace {
 
 constexpr const char* styles_path = "data/styles.json";
-constexpr std::size_t longest_style = 2;  // words
+constexpr std::size_t longest_style = 3;  // words
 
 std::vector<std::string> read_names(const JsonReader& json) {
   std::vector<std::string> names;

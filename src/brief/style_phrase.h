@@ -1,0 +1,22 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+
+#include "room_kinds.h"
+#include "tokens.h"
+
+namespace roomgen::design {
+
+/// Words of style or mood: "rustic", "organic modern", "little".
+struct StylePhrase {
+  std::string name;        ///< as they are written
+  std::size_t length = 0;  ///< tokens
+  bool is_look = false;    ///< things look so; "little" says only how large a room is
+};
+
+/// The longest that begins at a token: a name of data/styles.json, or a word of data/rooms.json.
+std::optional<StylePhrase> style_at(std::span<const Token> tokens, std::size_t at, const RoomKinds& kinds);
+
+}  // namespace roomgen::design
