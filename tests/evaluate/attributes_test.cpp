@@ -126,11 +126,11 @@ TEST_CASE("A material is believed of surfaces and labels where the colour agrees
 
 TEST_CASE("What is in no table can only be read on a label") {
   KnownLooks chair = plain("chair", {0.5, 0.5, 0.9});
-  const auto verdict = judge_attribute(chair, "enchanted");
+  const auto verdict = judge_attribute(chair, "beloved");
   CHECK_FALSE(verdict.held);
   CHECK_FALSE(verdict.judged);
-  chair.identity.words.insert("enchanted");
-  CHECK(has(chair, "enchanted"));
+  chair.identity.words.insert("beloved");
+  CHECK(has(chair, "beloved"));
 }
 
 TEST_CASE("Velvet is rough, a name alone does not make it") {
@@ -225,5 +225,5 @@ TEST_CASE("Attributes count the things that have all of them") {
   const auto missing = score("eq,1,sofa,red").attributes.front();
   CHECK_FALSE(missing.satisfied);
   CHECK(missing.missing == "sofa");
-  CHECK(score("eq,1,desk,enchanted").attributes.front().unjudged == std::vector<std::string>{"enchanted"});
+  CHECK(score("eq,1,desk,beloved").attributes.front().unjudged == std::vector<std::string>{"beloved"});
 }
