@@ -4,6 +4,9 @@
 #include <fcl/math/bv/OBB.h>
 #include <fcl/narrowphase/collision.h>
 
+#include <array>
+#include <cmath>
+#include <cstdint>
 #include <map>
 #include <string>
 
@@ -20,6 +23,10 @@ constexpr std::size_t max_triangles = 20000;
 constexpr double retreat = 0.005;
 constexpr std::size_t max_contacts = 100000;  // more than meshes of that size have
 constexpr double box_tolerance = 1e-4;
+// Of what is remembered: far below what files hold of a pose.
+constexpr double length_step = 1e-6;  // metres
+constexpr double turn_step = 1e-7;    // radians
+constexpr std::size_t most_remembered = 200000;
 
 using CollisionTree = fcl::BVHModel<fcl::OBBd>;  // OBB trees take half the memory of OBBRSS ones
 using Pose3 = fcl::Transform3d;
@@ -59,6 +66,26 @@ class Body {
   std::unique_ptr<MeshTree> surfaces_;  // made when first asked for
 };
 
+// How one thing stands to another, in steps: x, y, z and turn in the frame of the other.
+using Stance = std::array<std::int64_t, 4>;
+
+Stance stance(const Object& of, const Object& to) {
+  const Vec3 apart = of.position - to.position;
+  const Vec2 local = rotated(Vec2(apart.head<2>()), -to.yaw);
+  return {std::llround(local.x() / length_step), std::llround(local.y() / length_step),
+          std::llround(apart.z() / length_step),
+          std::llround(wrap_angle(of.yaw - to.yaw) / turn_step)};
+}
+
+Pose3 pose_of(const Stance& stance) {
+  Pose3 pose = Pose3::Identity();
+  pose.linear() = Eigen::AngleAxisd(turn_step * static_cast<double>(stance[3]), Vec3::UnitZ())
+                      .toRotationMatrix();
+  for (int axis = 0; axis < 3; ++axis)
+    pose.translation()[axis] = length_step * static_cast<double>(stance[static_cast<std::size_t>(axis)]);
+  return pose;
+}
+
 struct PlacedBody {
   Body& body;
   Pose3 pose;
@@ -92,28 +119,50 @@ Vec3 mean_contact(const fcl::CollisionResultd& result) {
   return sum / static_cast<double>(result.numContacts());
 }
 
+bool share_space(const PlacedBody& a, const PlacedBody& b) {
+  const auto contacts = contacts_of(a, b, max_contacts);
+  if (!contacts.isCollision()) return contains(a, b) || contains(b, a);
+  const Vec3 mean = mean_contact(contacts);
+  return collide(retreated(a, mean), b) && collide(a, retreated(b, mean));
+}
+
 }  // namespace
 
 struct Solids::Impl {
-  const ModelTable& models;
-  std::map<std::string, Body> bodies;
+  using Bodies = std::map<std::string, Body>;
+  struct Meeting {
+    const std::string *first, *second;  ///< keys of bodies
+    Stance stance;                      ///< of the second to the first
+    auto operator<=>(const Meeting&) const = default;
+  };
 
-  PlacedBody placed(const Object& object) {
-    Pose3 pose = Pose3::Identity();
-    pose.linear() = Eigen::AngleAxisd(object.yaw, Vec3::UnitZ()).toRotationMatrix();
-    pose.translation() = object.position;
-    return {body(object), pose};
+  const ModelTable& models;
+  Bodies bodies;
+  std::map<Meeting, bool> verdicts;
+
+  Bodies::value_type& body(const Object& object) {
+    std::string key = detail::sized_key(object, models);
+    if (const auto known = bodies.find(key); known != bodies.end()) return *known;
+    Mesh mesh = decimated(detail::sized_mesh(object, models), max_triangles);
+    return *bodies.try_emplace(std::move(key), std::move(mesh)).first;
   }
 
-  Body& body(const Object& object) {
-    std::string key = detail::sized_key(object, models);
-    if (const auto known = bodies.find(key); known != bodies.end()) return known->second;
-    Mesh mesh = decimated(detail::sized_mesh(object, models), max_triangles);
-    return bodies.try_emplace(std::move(key), std::move(mesh)).first->second;
+  // Things in rows and around tables meet in the same way again and again.
+  bool meet(const Object& a, const Object& b) {
+    auto &first = body(a), &second = body(b);
+    // Sums of contacts are not the same to the last digit when the two change places.
+    if (second.first < first.first) return meet(b, a);
+    Stance how = stance(b, a);
+    if (&first == &second) how = std::min(how, stance(a, b));
+    const Meeting meeting{&first.first, &second.first, how};
+    if (const auto known = verdicts.find(meeting); known != verdicts.end()) return known->second;
+    if (verdicts.size() >= most_remembered) verdicts.clear();
+    const bool verdict = share_space({first.second, Pose3::Identity()}, {second.second, pose_of(how)});
+    return verdicts[meeting] = verdict;
   }
 };
 
-Solids::Solids(const ModelTable& models) : impl_(std::make_unique<Impl>(Impl{models, {}})) {}
+Solids::Solids(const ModelTable& models) : impl_(std::make_unique<Impl>(Impl{models, {}, {}})) {}
 Solids::~Solids() = default;
 
 bool Solids::overlap(const Object& a, const Object& b) {
@@ -122,13 +171,7 @@ bool Solids::overlap(const Object& a, const Object& b) {
 
 bool Solids::intersect(const Object& a, const Object& b) {
   if (!boxes_overlap(a, b)) return false;
-  // Sums of contacts are not the same to the last digit when the two change places.
-  if (b.id < a.id) return intersect(b, a);
-  const PlacedBody first = impl_->placed(a), second = impl_->placed(b);
-  const auto contacts = contacts_of(first, second, max_contacts);
-  if (!contacts.isCollision()) return contains(first, second) || contains(second, first);
-  const Vec3 mean = mean_contact(contacts);
-  return collide(retreated(first, mean), second) && collide(first, retreated(second, mean));
+  return impl_->meet(a, b);
 }
 
 bool boxes_overlap(const Object& a, const Object& b) {
