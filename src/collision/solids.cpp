@@ -26,7 +26,7 @@ constexpr double box_tolerance = 1e-4;
 // Of what is remembered: far below what files hold of a pose.
 constexpr double length_step = 1e-6;  // metres
 constexpr double turn_step = 1e-7;    // radians
-constexpr std::size_t most_remembered = 200000;
+constexpr std::size_t most_meetings = 200000;
 
 using CollisionTree = fcl::BVHModel<fcl::OBBd>;  // OBB trees take half the memory of OBBRSS ones
 using Pose3 = fcl::Transform3d;
@@ -156,7 +156,7 @@ struct Solids::Impl {
     if (&first == &second) how = std::min(how, stance(a, b));
     const Meeting meeting{&first.first, &second.first, how};
     if (const auto known = verdicts.find(meeting); known != verdicts.end()) return known->second;
-    if (verdicts.size() >= most_remembered) verdicts.clear();
+    if (verdicts.size() >= most_meetings) verdicts.clear();
     const bool verdict = share_space({first.second, Pose3::Identity()}, {second.second, pose_of(how)});
     return verdicts[meeting] = verdict;
   }

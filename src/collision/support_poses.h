@@ -1,7 +1,7 @@
 #pragma once
 
 #include <memory>
-#include <optional>
+#include <span>
 #include <vector>
 
 #include "roomgen/scene/model_table.h"
@@ -35,10 +35,15 @@ class SupportPoses {
   /// else stands there does not count.
   const std::vector<SupportPose>& everywhere(const Object& object, const Object& support) const;
 
-  /// At one place of one surface, if the object rests there: enough height, the centre of mass over
-  /// the points of contact.
-  std::optional<SupportPose> at(const Object& object, const Object& support, std::size_t surface,
-                          const Vec2& position, double yaw) const;
+  /// In the frame of the support.
+  struct Place {
+    Vec2 position = Vec2::Zero();
+    double yaw = 0.0;
+  };
+  /// On whichever surfaces the object rests at the places: enough height, the centre of mass over the
+  /// points of contact. One place after the other, the largest surface first.
+  std::vector<SupportPose> at(const Object& object, const Object& support,
+                              std::span<const Place> places) const;
 
  private:
   struct Impl;

@@ -36,12 +36,11 @@ std::optional<RestingPlace> find_rest(const Layout& layout, const Object& object
     if (!wanted.on.empty() && support.id != wanted.on) continue;
     const Footprint below = footprint(support);
     if (!contains(below, wanted.position)) continue;
-    const Vec2 local = rotated(Vec2(wanted.position - below.center()), -support.yaw);
-    for (std::size_t k = 0; k < layout.support_poses().surfaces(support).size(); ++k) {
-      const auto support_pose =
-          layout.support_poses().at(object, support, k, local, wrap_angle(wanted.yaw - support.yaw));
-      if (!support_pose) continue;
-      const Pose pose = pose_of(*support_pose, support);
+    const SupportPoses::Place place{
+        rotated(Vec2(wanted.position - below.center()), -support.yaw),
+        wrap_angle(wanted.yaw - support.yaw)};
+    for (const auto& rest : layout.support_poses().at(object, support, {&place, 1})) {
+      const Pose pose = pose_of(rest, support);
       const auto far = [&](const Pose& one) {
         return wanted.bottom ? std::abs(one.bottom - *wanted.bottom) : -one.bottom;
       };

@@ -450,13 +450,12 @@ void propose_on_surface(const ProposalContext& context, const Object& support,
   propose_for_relations(context, wished);
   propose_next_to_others(context, support, wished);
   const Footprint area = footprint(support);
-  for (const auto& pose : wished) {
-    if (!contains(area, pose.position)) continue;
-    for (std::size_t k = 0; k < rests.surfaces(support).size(); ++k)
-      if (const auto rest = rests.at(object, support, k, area.to_local(pose.position),
-                                      wrap_angle(pose.yaw - support.yaw)))
-        poses.push_back(pose_of(*rest, support));
-  }
+  std::vector<SupportPoses::Place> places;
+  for (const auto& pose : wished)
+    if (contains(area, pose.position))
+      places.push_back({area.to_local(pose.position), wrap_angle(pose.yaw - support.yaw)});
+  for (const auto& rest : rests.at(object, support, places))
+    poses.push_back(pose_of(rest, support));
 }
 
 Company company_around(const ProposalContext& context, const Relation& relation,
