@@ -1,6 +1,7 @@
 #include "planning.h"
 
 #include <algorithm>
+#include <limits>
 #include <string>
 
 #include "base/random.h"
@@ -48,10 +49,10 @@ class Planner {
   }
 
   Plan plan() const {
-    Attempt best = attempt(0);
+    Attempt best = attempt(0, std::numeric_limits<double>::infinity());
     for (int n = 1; n < max_attempts && best.fault > 0 && !request_.cancel.cancelled(); ++n) {
       if (n >= usual_attempts && best.heeds_prompt) break;
-      Attempt next = attempt(n);
+      Attempt next = attempt(n, best.fault);
       if (next.fault < best.fault) best = std::move(next);
     }
     if (!best.missed.empty()) leave_out(best);
@@ -126,7 +127,8 @@ class Planner {
     return room;
   }
 
-  Attempt attempt(int n) const {
+  // Tried no further than it takes to see that its fault is not below `bar`.
+  Attempt attempt(int n, double bar) const {
     const Random random = n == 0 ? random_ : random_.fork("attempt " + std::to_string(n));
     Attempt result;
     Plan& plan = result.plan;
@@ -149,27 +151,38 @@ class Planner {
     complete(drafts, brief_, kinds_, kind_, usable, table_, looks, random.fork("contents"));
     result.drafts = order_items(std::move(drafts), table_, arrangements_, plan);
     lay_out_formations(result.drafts, table_, arrangements_, plan);
-    judge(result);
+    judge(result, bar);
     return result;
   }
 
-  void judge(Attempt& attempt) const {
+  void judge(Attempt& attempt, double bar) const {
     const auto planned = planned_objects(attempt.plan);
     if (planned.size() > most_tried) return;
-    DryRun run = dry_run(attempt.plan, table_, arrangements_);
+    const auto on_floor = std::count_if(planned.begin(), planned.end(), [&](const auto& object) {
+      return attempt.plan.items[object.item].mount == Mount::floor;
+    });
+    const auto fault = [&](const DryRun& run) {
+      return fault_of(attempt, static_cast<int>(on_floor), run);
+    };
+    DryRun run = dry_run(attempt.plan, table_, arrangements_,
+                         [&](const DryRun& so_far) { return fault(so_far) >= bar; });
+    attempt.fault = fault(run);
+    attempt.heeds_prompt =
+        run.broken == 0 && std::none_of(run.missed.begin(), run.missed.end(), [&](const auto& object) {
+          return attempt.plan.items[object.item].asked;
+        });
     attempt.missed = std::move(run.missed);
-    attempt.fault = 2.0 * run.broken;
-    attempt.heeds_prompt = run.broken == 0;
-    int on_floor = 0;
-    for (const auto& object : planned)
-      on_floor += attempt.plan.items[object.item].mount == Mount::floor;
-    for (const auto& object : attempt.missed) {
-      const bool asked = attempt.plan.items[object.item].asked;
-      on_floor -= attempt.plan.items[object.item].mount == Mount::floor;
-      attempt.fault += asked ? 20.0 : attempt.drafts[object.item].core ? 5.0 : 1.0;
-      attempt.heeds_prompt = attempt.heeds_prompt && !asked;
+  }
+
+  // Grows with everything that goes wrong.
+  double fault_of(const Attempt& attempt, int on_floor, const DryRun& run) const {
+    double fault = 2.0 * run.broken;
+    for (const auto& object : run.missed) {
+      const PlanItem& item = attempt.plan.items[object.item];
+      on_floor -= item.mount == Mount::floor;
+      fault += item.asked ? 20.0 : attempt.drafts[object.item].core ? 5.0 : 1.0;
     }
-    if (!brief_.bare) attempt.fault += 3.0 * std::max(0, fewest - on_floor);
+    return brief_.bare ? fault : fault + 3.0 * std::max(0, fewest - on_floor);
   }
 
   // Drops what found no place and was not asked for.

@@ -82,7 +82,8 @@ std::optional<Object> place_as_box(Layout& layout, const PlanItem& item, Placeme
 }  // namespace
 
 DryRun dry_run(const Plan& plan, const KindTable& categories,
-               const Arrangements& arrangements) {
+               const Arrangements& arrangements,
+               const std::function<bool(const DryRun&)>& is_hopeless) {
   const ModelTable boxes;
   Layout layout(plan.room, categories, boxes, &arrangements);
   DryRun result;
@@ -90,12 +91,13 @@ DryRun dry_run(const Plan& plan, const KindTable& categories,
     const PlanItem& item = plan.items[planned.item];
     if (categories.get(item.category).covers_window) continue;  // it hangs where the windows are
     auto placed = place_as_box(layout, item, task_for(plan, planned, layout));
-    if (placed) {
-      result.broken += count_broken(layout, *placed, item);
+    const int broken = placed ? count_broken(layout, *placed, item) : 0;
+    result.broken += broken;
+    if (placed)
       layout.add(*std::move(placed));
-    } else {
+    else
       result.missed.push_back(planned);
-    }
+    if ((broken > 0 || !placed) && is_hopeless && is_hopeless(result)) break;
   }
   return result;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "arrangement.h"
@@ -15,7 +16,9 @@ struct DryRun {
 };
 
 /// Places the things of a plan one after the other, as the step loop does for a designer that names no
-/// places, but as boxes and without repair: nearly always what fits here fits with meshes.
-DryRun dry_run(const Plan& plan, const KindTable& categories, const Arrangements& arrangements);
+/// places, but as boxes and without repair: nearly always what fits here fits with meshes. Ends with what it
+/// has as soon as `is_hopeless` says so of that; it is asked whenever something went wrong.
+DryRun dry_run(const Plan& plan, const KindTable& categories, const Arrangements& arrangements,
+               const std::function<bool(const DryRun&)>& is_hopeless = {});
 
 }  // namespace roomgen
