@@ -68,7 +68,7 @@ Brief read_prompt(std::string_view prompt, const RoomKinds& kinds, const KindTab
   read_measures(tokens, parse.tokens, *words, table, brief);
   read_people(tokens, *words, table, brief);
   read_floor_shape(tokens, *words, table, kinds, brief);
-  read_room_type(tokens, *words, table, kinds, brief);
+  read_room_type(tokens, parse, *words, table, kinds, brief);
   read_finishes(tokens, *words, table, finish_words(), brief);
   auto taken = taken_from(parse.tokens.size(), tokens);
   auto plain = plain_tokens(parse.tokens);

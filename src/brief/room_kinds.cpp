@@ -48,7 +48,7 @@ std::vector<Piece> read_pieces(const JsonReader& json);
 
 Piece read_piece(const JsonReader& json) {
   json.allow_only({"kind", "any", "of", "size", "count", "people", "chance", "weight", "area",
-                   "each", "needs", "for", "unless", "then"});
+                   "each", "shared", "needs", "for", "unless", "then"});
   Piece piece;
   piece.any = read_weighted(json["any"]);
   if (const auto kind = json["kind"]; kind.exists()) piece.any = {{kind.text(), 1.0}};
@@ -61,6 +61,7 @@ Piece read_piece(const JsonReader& json) {
   piece.weight = json["weight"].number_or(1.0, 0, 1000);
   piece.area = json["area"].number_or(0.0, 0, 1000);
   piece.each = json["each"].text_or("");
+  piece.shared = json["shared"].boolean_or(false);
   piece.needs = json["needs"].text_or("");
   piece.serves = json["for"].text_or("");
   piece.unless = read_texts(json["unless"]);
@@ -94,12 +95,14 @@ WindowHabit read_windows(const JsonReader& json) {
 }
 
 RoomKind read_room_kind(const JsonReader& json, const std::string& type) {
-  json.allow_only({"names", "width", "depth", "height", "smallest", "share", "objects", "windows",
-                   "door", "door_on", "swing", "floors", "walls", "means", "core", "extras",
-                   "details"});
+  json.allow_only({"names", "leading", "known_by", "width", "depth", "height", "smallest", "share",
+                   "objects", "windows", "door", "door_on", "swing", "floors", "walls", "means",
+                   "core", "extras", "details"});
   RoomKind kind;
   kind.type = type;
   kind.names = read_texts(json["names"]);
+  kind.leading = read_texts(json["leading"]);
+  if (json["known_by"].exists()) kind.known_by = read_texts(json["known_by"]);
   kind.width = read_range(json["width"], {4.0, 5.0}, 20.0);
   kind.depth = read_range(json["depth"], {3.5, 4.5}, 20.0);
   kind.height = json["height"].number_or(kind.height, 1.0, 10.0);

@@ -32,6 +32,7 @@ struct Piece {
   double weight = 1.0;              ///< among the extras
   double area = 0.0;                ///< only in rooms of at least so many square metres
   std::string each;                 ///< so many for each thing of this category
+  bool shared = false;              ///< neighbours share: of several, each has one
   std::string needs;                ///< only with such a thing
   std::string serves;               ///< pointless when this category is excluded ("for")
   std::vector<std::string> unless;  ///< not beside any of these
@@ -49,6 +50,10 @@ struct WindowHabit {
 struct RoomKind {
   std::string type;
   std::vector<std::string> names;  ///< others than its type
+  /// Names that mean the room only where the prompt begins with them: "a bar" may be a thing.
+  std::vector<std::string> leading;
+  /// What tells that a room of no name is of this kind; the first piece of its core unless told.
+  std::optional<std::vector<std::string>> known_by;
   Range width, depth;
   double height = default_room_height;
   double smallest = 3.0;                   ///< least side of a room whose size is chosen

@@ -10,6 +10,7 @@ namespace roomgen::design {
 namespace {
 
 constexpr double first_weight = 1.5;
+constexpr double exactly = 0.1;  ///< less than anything else tells
 constexpr std::size_t back = 6;  ///< words of style before a name are looked for so far
 
 const WordSet& style_heads() {
@@ -113,34 +114,103 @@ void read_leading_noun(std::vector<Token>& tokens, const Vocabulary& words, cons
   make_room_token(tokens, end - 1, 1);
 }
 
-}  // namespace
+using RoomNames = std::map<std::string, std::string, std::less<>>;
 
-std::map<std::string, std::string, std::less<>> room_names(const RoomKinds& kinds) {
-  std::map<std::string, std::string, std::less<>> names;
-  for (const auto& [type, kind] : kinds.types) {
-    names[type] = type;
-    for (const auto& other : kind.names) names.try_emplace(join(words(other), " "), type);
+/// A name of a kind of room.
+struct NamedRoom {
+  std::size_t at = 0, length = 0;  ///< tokens
+  std::string type;
+  bool is_head = false;  ///< of its noun phrase: a theatre poster names no theatre
+};
+
+bool is_head(const Token& token, const language::Parse& parse) {
+  return std::any_of(parse.phrases.begin(), parse.phrases.end(), [&](const auto& phrase) {
+    return phrase.head + 1 == token.source.end;
+  });
+}
+
+std::vector<NamedRoom> named_rooms(const std::vector<Token>& tokens, const language::Parse& parse,
+                                   const KindTable& table, const RoomNames& names) {
+  std::vector<NamedRoom> rooms;
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    if (tokens[i].kind != Token::Kind::word) continue;
+    const auto room = longest(names, tokens, i, 3);
+    // "bathroom cabinet", "kitchen sink" and "hall table" name things.
+    if (!room || mention_at(table, tokens, i).length > room.length) continue;
+    rooms.push_back({i, room.length, *room.value, is_head(tokens[i + room.length - 1], parse)});
+    i += room.length - 1;
   }
+  return rooms;
+}
+
+// "A cosy bar with …": what the prompt speaks of first, unless it is one of a list.
+void keep_leading(std::vector<NamedRoom>& rooms, const std::vector<Token>& tokens,
+                  const language::Parse& parse) {
+  const auto first = std::find_if(parse.phrases.begin(), parse.phrases.end(),
+                                  [](const auto& phrase) { return !phrase.is_pronoun; });
+  std::erase_if(rooms, [&](const NamedRoom& room) {
+    return first == parse.phrases.end() || first->list != language::none || first->is_plural ||
+           tokens[room.at + room.length - 1].source.end != first->head + 1;
+  });
+}
+
+// One that is a head is what the prompt is about; other kinds are only named where they are heads.
+std::string choose_type(std::vector<NamedRoom>& rooms) {
+  if (rooms.empty()) return "";
+  const auto head =
+      std::find_if(rooms.begin(), rooms.end(), [](const auto& room) { return room.is_head; });
+  const std::string type = (head == rooms.end() ? rooms.begin() : head)->type;
+  std::erase_if(rooms, [&](const auto& room) { return !room.is_head && room.type != type; });
+  return type;
+}
+
+void make_room_tokens(std::vector<Token>& tokens, std::vector<NamedRoom>& rooms) {
+  std::size_t removed = 0;
+  for (auto& room : rooms) {
+    room.at -= removed;
+    make_room_token(tokens, room.at, room.length);
+    removed += room.length - 1;
+  }
+}
+
+RoomNames names_by(const RoomKinds& kinds, std::vector<std::string> RoomKind::*list) {
+  RoomNames names;
+  for (const auto& [type, kind] : kinds.types)
+    for (const auto& other : kind.*list) names.try_emplace(join(words(other), " "), type);
   return names;
 }
 
-void read_room_type(std::vector<Token>& tokens, const Vocabulary& words, const KindTable& table,
-                    const RoomKinds& kinds, Brief& brief) {
-  const auto rooms = room_names(kinds);
+}  // namespace
+
+std::map<std::string, std::string, std::less<>> room_names(const RoomKinds& kinds) {
+  RoomNames names = names_by(kinds, &RoomKind::names);
+  for (const auto& [type, kind] : kinds.types)
+    if (std::find(kind.leading.begin(), kind.leading.end(), type) == kind.leading.end())
+      names[type] = type;
+  return names;
+}
+
+void read_room_type(std::vector<Token>& tokens, const language::Parse& parse,
+                    const Vocabulary& words, const KindTable& table, const RoomKinds& kinds,
+                    Brief& brief) {
+  auto rooms = named_rooms(tokens, parse, table, room_names(kinds));
+  if (rooms.empty()) {
+    rooms = named_rooms(tokens, parse, table, names_by(kinds, &RoomKind::leading));
+    keep_leading(rooms, tokens, parse);
+  }
+  const std::string type = choose_type(rooms);
+  make_room_tokens(tokens, rooms);
+  auto room = rooms.begin();
   for (std::size_t i = 0; i < tokens.size(); ++i) {
-    if (tokens[i].kind != Token::Kind::word) continue;
-    if (style_heads().count(tokens[i].text)) read_styles_at_head(tokens, i, kinds, words, brief);
-    const auto room = longest(rooms, tokens, i, 3);
-    // "bathroom cabinet", "kitchen sink" and "hall table" name things.
-    if (!room || mention_at(table, tokens, i).length > room.length) continue;
-    make_room_token(tokens, i, room.length);
-    if (!brief.type_known || brief.type == *room.value)
-      hear(brief, tokens[i].source, Heard::As::room, "kind");
-    if (!brief.type_known) {
-      brief.type = *room.value;
-      brief.type_known = true;
-      collect_styles(tokens, i, kinds, words, brief);
-    }
+    if (tokens[i].kind == Token::Kind::word && style_heads().count(tokens[i].text))
+      read_styles_at_head(tokens, i, kinds, words, brief);
+    if (room == rooms.end() || room->at != i) continue;
+    if ((room++)->type != type) continue;
+    hear(brief, tokens[i].source, Heard::As::room, "kind");
+    if (brief.type_known) continue;
+    brief.type = type;
+    brief.type_known = true;
+    collect_styles(tokens, i, kinds, words, brief);
   }
   if (!brief.type_known) read_compound_rooms(tokens, words, table, kinds, brief);
   if (brief.type.empty()) read_leading_noun(tokens, words, table, kinds, brief);
@@ -149,33 +219,48 @@ void read_room_type(std::vector<Token>& tokens, const Vocabulary& words, const K
       collect_styles(tokens, i, kinds, words, brief);
 }
 
-std::string guess_room_type(const Brief& brief, const RoomKinds& kinds,
-                            const KindTable& table) {
+namespace {
+
+// How much a thing tells of a kind of room: what the room is for most, and most of all when it is
+// just that kind of thing.
+double vote_of(const RoomKind& kind, const std::string& category, const KindTable& table) {
+  double vote = 0.0;
+  const auto hear_kind = [&](const std::string& known, double weight) {
+    if (category == known) weight += exactly;
+    if (table.is_a(category, known)) vote = std::max(vote, weight);
+  };
+  const auto hear_pieces = [&](const std::vector<Piece>& pieces, double weight) {
+    for (const auto& piece : pieces)
+      for (const auto& [known, chance] : piece.any) hear_kind(known, weight);
+  };
+  if (kind.known_by)
+    for (const auto& known : *kind.known_by) hear_kind(known, first_weight);
+  else if (!kind.core.empty())
+    hear_pieces({kind.core.front()}, first_weight);
+  hear_pieces(kind.core, 1.0);
+  hear_pieces(kind.extras, 0.3);
+  return vote;
+}
+
+}  // namespace
+
+std::string guess_room_type(const Brief& brief, const RoomKinds& kinds, const KindTable& table) {
   std::string best;
   double most = 0.0;
   for (const auto& [type, kind] : kinds.types) {
     double votes = 0.0;
     bool is_meant = false;  // what the room is for is there
     for (const auto& mention : brief.mentions) {
-      double vote = 0.0;
-      const auto hears = [&, &heard = kind](const std::vector<Piece>& pieces, double weight) {
-        for (const auto& piece : pieces)
-          // What comes first in a room's core is what it is for.
-          for (const auto& [category, chance] : piece.any)
-            if (table.is_a(mention.category, category))
-              vote = std::max(vote, &piece == &heard.core.front() ? first_weight : weight);
-      };
-      hears(kind.core, 1.0);
-      hears(kind.extras, 0.3);
+      const double vote = vote_of(kind, mention.category, table);
       votes += vote;
-      is_meant = is_meant || vote == first_weight;
+      is_meant = is_meant || vote >= first_weight;
     }
     if (is_meant && votes > most) {
       most = votes;
       best = type;
     }
   }
-  return most >= 1.0 ? best : "";
+  return best;
 }
 
 }  // namespace roomgen::design

@@ -16,13 +16,16 @@ inline constexpr const char* default_room_type = "living room";
 /// The kinds of rooms by all their names, in words parted by single spaces.
 std::map<std::string, std::string, std::less<>> room_names(const RoomKinds& kinds);
 
-/// Finds what room the prompt speaks of: a known kind by any of its names, or else words such as
-/// "tea house" or "a bakery with …". Every name of a room becomes one token; the words of style
-/// before it, and before "style" and its like, go into the brief.
-void read_room_type(std::vector<Token>& tokens, const Vocabulary& words, const KindTable& table,
-                    const RoomKinds& kinds, Brief& brief);
+/// Finds what room the prompt speaks of: a known kind by any of its names, rather one that is the
+/// head of its noun phrase ("a theatre poster in the bedroom"), or else words such as "boat house"
+/// or "a brewery with …". Every name of the room, and of others that are heads, becomes one token;
+/// the words of style before it, and before "style" and its like, go into the brief.
+void read_room_type(std::vector<Token>& tokens, const language::Parse& parse,
+                    const Vocabulary& words, const KindTable& table, const RoomKinds& kinds,
+                    Brief& brief);
 
-/// The known kind of room that usually holds most of what is mentioned; empty if nothing tells.
+/// The known kind of room that usually holds most of what is mentioned, and what it is known by;
+/// empty if nothing tells.
 std::string guess_room_type(const Brief& brief, const RoomKinds& kinds, const KindTable& table);
 
 }  // namespace roomgen::design

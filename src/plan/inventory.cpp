@@ -14,7 +14,7 @@ namespace {
 constexpr int fewest = 8;             ///< things that a room holds where they fit
 constexpr double fullest = 0.45;      ///< share of the floor beyond which nothing is added
 constexpr double core_excess = 1.15;  ///< the core may take a little more than the usual share
-constexpr int max_added = 12;         ///< of one kind
+constexpr int max_added = 12;         ///< of one kind, unless the kind of room says more
 constexpr double widest = 0.75;       ///< of the room's longer side that one thing may take
 
 /// The state of a completion.
@@ -147,9 +147,9 @@ class Completion {
     if (piece.people && brief_.people > 0) count = brief_.people;
     if (!piece.each.empty()) {
       const int served = count_of(piece.each);
-      count = served <= 1 ? count * served : served;
+      count = piece.shared && served > 1 ? served : count * served;
     }
-    return std::min(count, max_added);
+    return std::min(count, std::max(max_added, piece.high));
   }
 
   Vec3 size_of(const Piece& piece, const std::string& category, const std::string& variant) const {

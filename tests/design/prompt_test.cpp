@@ -61,9 +61,9 @@ TEST_CASE("the kind of room is found by any of its names") {
       {"a sunny terrace", "balcony"},
       {"a kid's room", "kids room"},
       {"a home office", "study"},
-      {"a tea house", "tea house"},
+      {"a boat house", "boat house"},
       {"a music room with a piano", "music room"},
-      {"a bakery with six small tables", "bakery"},
+      {"a brewery with six small tables", "brewery"},
       {"a room with a bed and a wardrobe", "bedroom"},
       {"a room with a bathroom cabinet and a toilet", "bathroom"},
       {"a kitchen table and a sofa in the living room", "living room"},
@@ -72,6 +72,35 @@ TEST_CASE("the kind of room is found by any of its names") {
     INFO(one.prompt);
     CHECK(read(one.prompt).type == one.type);
   }
+}
+
+TEST_CASE("a room's name that only says what a thing is like names no room") {
+  CHECK(read("a theatre poster above the sofa in the living room").type == "living room");
+  CHECK(read("a gym bag lies on the bench in the hallway").type == "hallway");
+  CHECK(read("a kitchen garden on the balcony").type == "balcony");
+  CHECK(read("a doctor's office waiting room").type == "waiting room");
+  CHECK(read("a cafe table and two chairs on the balcony").type == "balcony");
+}
+
+TEST_CASE("names that mean things as well mean rooms where the prompt begins with them") {
+  CHECK(read("a cosy bar with four stools").type == "bar");
+  CHECK(read("Design a sauna.").type == "sauna");
+  CHECK(read("a pantry").type == "pantry room");
+  CHECK(read("a living room with a bar").type == "living room");
+  CHECK(read("a kitchen with a pantry").type == "kitchen");
+  CHECK(read("a bar, two stools and a lamp").type != "bar");
+  CHECK(read("a bar stool and a lamp").type != "bar");
+}
+
+TEST_CASE("a room of no name is known by what tells of it") {
+  CHECK(read("a bed and a wardrobe").type == "bedroom");
+  CHECK(read("two single beds").type == "bedroom");
+  CHECK(read("a bunk bed and a wardrobe").type == "kids room");
+  CHECK(read("a hospital bed and an iv stand").type == "hospital ward");
+  CHECK(read("a crib and a changing table").type == "nursery");
+  CHECK(read("a desk and a bookshelf").type == "study");
+  CHECK(read("a dental chair and a cabinet").type == "dental surgery");
+  CHECK(read("a pew and an altar").type == "chapel");
 }
 
 TEST_CASE("sizes are read in metres, feet and areas") {
