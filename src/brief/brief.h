@@ -101,6 +101,7 @@ struct Brief {
   bool bare = false;                  ///< nothing but what is mentioned
   std::vector<std::string> excluded;  ///< categories
   std::vector<std::pair<std::string, std::string>> excluded_looks;  ///< categories that are so: table, glass
+  std::vector<std::string> palette;   ///< colours and stuffs that are said of no thing
   std::vector<std::string> styles;    ///< words of style, as data/rooms.json knows them
   std::vector<std::string> notes;     ///< what was not understood or was bounded
   std::vector<HeardWords> heard;      ///< in no order

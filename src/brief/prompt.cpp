@@ -9,6 +9,7 @@
 #include "prompt_headings.h"
 #include "prompt_occupants.h"
 #include "prompt_openings.h"
+#include "prompt_palette.h"
 #include "prompt_places.h"
 #include "prompt_reading.h"
 #include "prompt_remarks.h"
@@ -89,6 +90,7 @@ Brief read_prompt(std::string_view prompt, const RoomKinds& kinds, const KindTab
   read_styles(reading);
   brief.understood = !brief.heard.empty();
   reading.hearing.plain_verbs(reading.mentions);
+  read_palette(reading);
   read_remarks(reading);
   settle(brief, table);
   if (brief.type.empty()) {

@@ -68,16 +68,21 @@ class AdditionReader {
       target_ = target;  // "2 m tall, anthracite"
     }
   }
-  // The thing that a segment names last: what comes behind is added to it.
+  // The thing that a segment names last: what comes behind is added to it. What people or what they do bring is
+  // not named.
   std::optional<std::size_t> thing_in(const Run& segment) const {
     std::optional<std::size_t> last;
     for (std::size_t i = 0; i < reading_.parse.phrases.size(); ++i) {
       const auto& phrase = reading_.parse.phrases[i];
       if (phrase.head >= segment.begin && phrase.head < segment.end && !phrase.is_pronoun &&
-          reading_.mentions[i])
+          reading_.mentions[i] && is_named(*reading_.mentions[i]))
         last = reading_.mentions[i];
     }
     return last;
+  }
+
+  bool is_named(std::size_t mention) const {
+    return reading_.talk.mention(mention).source == Requirement::Source::prompt;
   }
 
   // Every word of it is needed.

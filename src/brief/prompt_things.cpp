@@ -5,6 +5,7 @@
 #include "language/inflection.h"
 #include "language/lexicon.h"
 #include "roomgen/base/text.h"
+#include "scene/finish_words.h"
 
 namespace roomgen::design {
 
@@ -104,11 +105,18 @@ class ThingReader {
   // "a stack of books": what comes behind is part of the name.
   bool names_thing(std::int32_t id, const ThingPhrase& thing) const {
     const NounPhrase& said = reading_.phrase(id);
-    if (said.tokens.begin < skip_to_) return false;
+    if (said.tokens.begin < skip_to_ || names_tone(said, thing)) return false;
     if (thing.kind.length == 0)
       return is_new_thing(id, thing) || (thing.definite && reading_.talk.known(thing));
     if (thing.kind.length == 1 && (is_bare_material(thing) || is_light(said, thing))) return false;
     return !is_of_owner(id, thing) && !is_inside(id) && !tells_what_it_is_of(id, thing);
+  }
+  // "bottle green", "oatmeal", without an article: what something looks like.
+  bool names_tone(const NounPhrase& said, const ThingPhrase& thing) const {
+    if (thing.article || thing.definite || thing.kind.plural || said.is_plural) return false;
+    for (auto i = said.tokens.begin; i <= said.head; ++i)
+      if (!finish_words().describes(reading_.word(i))) return false;
+    return true;
   }
   // "glass" alone, without an article, is what something is made of.
   bool is_bare_material(const ThingPhrase& thing) const {

@@ -49,8 +49,13 @@ Result<StyleWords> StyleWords::parse(std::string_view text, const std::string& s
   if (!json) return json.error();
   JsonReader::Problems problems(source);
   const JsonReader root(*json, problems);
-  root.allow_only({"about", "styles"});
+  root.allow_only({"about", "styles", "palette"});
   StyleWords result;
+  root["palette"].allow_only({"colors", "woods"});
+  for (const auto& kinds : root["palette"]["colors"].elements_or_none(20))
+    result.worn_by_colors_.push_back(read_names(kinds));
+  for (const auto& kinds : root["palette"]["woods"].elements_or_none(20))
+    result.worn_by_woods_.push_back(read_names(kinds));
   for (const auto& [name, entry] : root["styles"].members()) {
     result.styles_[name] = read_style_meaning(name, entry);
     result.names_[spelled(name)] = name;

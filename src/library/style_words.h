@@ -33,9 +33,13 @@ class StyleWords {
   /// The first style that a text names; null if none.
   const StyleMeaning* named_in(std::string_view text) const;
   const std::map<std::string, StyleMeaning, std::less<>>& all() const { return styles_; }
+  /// Groups of kinds that go together and wear the colours, or the woods, of a room.
+  const std::vector<std::vector<std::string>>& worn_by_colors() const { return worn_by_colors_; }
+  const std::vector<std::vector<std::string>>& worn_by_woods() const { return worn_by_woods_; }
 
  private:
   std::map<std::string, StyleMeaning, std::less<>> styles_;
+  std::vector<std::vector<std::string>> worn_by_colors_, worn_by_woods_;
   std::map<std::string, std::string, std::less<>> names_;  ///< words parted by blanks, to the style's name
 };
 

@@ -15,16 +15,17 @@ const StyleMeaning* style_named(const RoomKinds& kinds, const std::vector<std::s
 }
 
 Looks::Looks(const RoomKinds& kinds, const KindTable& table,
-             const std::vector<std::string>& styles, Random random)
+             const std::vector<std::string>& styles, const StyleMeaning& palette, Random random)
     : table_(&table) {
+  for (const auto& look : palette.looks) finishes_.emplace_back(look.kinds, random.pick(look.words));
   for (const auto& word : styles)
     if (const Style* style = kinds.style(word); style && adjective_.empty())
       adjective_ = style->adjective;
   if (const StyleMeaning* style = style_named(kinds, styles)) {
     adjective_ = style->name;
     for (const auto& look : style->looks) finishes_.emplace_back(look.kinds, random.pick(look.words));
-    of_style_ = finishes_.size();
   }
+  of_style_ = finishes_.size();
   for (const auto& finish : kinds.finishes)
     if (!finish.words.empty()) finishes_.emplace_back(finish.kinds, random.pick(finish.words));
 }
@@ -42,7 +43,8 @@ std::string Looks::in_style(const std::string& category, const std::string& desc
   const WantedLooks said = wanted_looks(roomgen::words(description));
   if (!said.colors.empty() || !said.materials.empty()) return description;
   const auto* finish = finish_of(category, of_style_);
-  return finish ? adjective_ + " " + *finish + " " + description : description;
+  if (!finish) return description;
+  return (adjective_.empty() ? "" : adjective_ + " ") + *finish + " " + description;
 }
 
 const std::string* Looks::finish_of(const std::string& category, std::size_t among) const {

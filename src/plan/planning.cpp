@@ -13,6 +13,7 @@
 #include "looks.h"
 #include "opening_plan.h"
 #include "order.h"
+#include "palette.h"
 #include "solve/dry_run.h"
 
 namespace roomgen::design {
@@ -136,13 +137,15 @@ class Planner {
     plan.seed = request_.seed;
     plan.excluded = brief_.excluded;
     plan.notes = brief_.notes;
-    const Looks looks(kinds_, table_, brief_.styles, random_.fork("looks"));
+    const StyleMeaning palette = style_of_palette(brief_.palette);
+    const Looks looks(kinds_, table_, brief_.styles, palette, random_.fork("looks"));
     auto drafts = asked_items(brief_, table_);
     for (auto& draft : drafts)
       draft.item.description = looks.in_style(draft.item.category, draft.item.description);
     plan.room = make_the_room(floor_area(drafts, table_), random, n, plan);
     if (const auto* style = style_named(kinds_, brief_.styles); style && !request_.room)
       put_on(plan.room, *style, random_.fork("style"));
+    if (!request_.room) put_on(plan.room, palette, random_.fork("palette"));
     put_on(plan.room, brief_.materials);
     one_for_each_window(drafts, brief_, plan.room, table_);
     const Vec2 box = bounds(plan.room.polygon).size();

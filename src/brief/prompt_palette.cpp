@@ -1,0 +1,65 @@
+#include "prompt_palette.h"
+
+#include <algorithm>
+
+#include "language/function_word.h"
+#include "scene/finish_words.h"
+
+namespace roomgen::design {
+
+namespace {
+
+using language::Run;
+
+class PaletteReader {
+ public:
+  explicit PaletteReader(PromptReading& reading) : reading_(reading), used_(reading.heard_tokens()) {}
+
+  void run() {
+    std::uint32_t begin = 0;
+    const auto count = static_cast<std::uint32_t>(used_.size());
+    for (std::uint32_t i = 0; i <= count; ++i) {
+      const bool goes_on = i < count && reading_.text.plain[i].kind == Token::Kind::word &&
+                           !reading_.is_word(i, "and");
+      if (goes_on) continue;
+      read_segment({begin, i});
+      begin = i + 1;
+    }
+  }
+
+ private:
+  // "in shades of clay", "with brass accents": words around those of the palette.
+  static bool is_frame(const std::string& word) {
+    static const WordSet words = {"accent", "accents", "touch", "touches", "hint",  "hints",   "palette", "colour",
+                                  "colours", "color",  "colors", "tone",   "tones", "shade",   "shades",  "note",
+                                  "notes",   "detail", "details", "all",   "raw",   "bare",    "lots"};
+    return words.count(word) > 0;
+  }
+  // Nothing in it is heard, all is a word of the palette or frames one.
+  void read_segment(const Run& segment) {
+    std::vector<std::string> said;
+    for (auto i = segment.begin; i < segment.end; ++i) {
+      const std::string& word = reading_.word(i);
+      if (used_[i] || reading_.taken[i] != Taken::no || reading_.is_denied(i)) return;
+      const bool describes = finish_words().describes(word) || finish_words().surface_names.count(word);
+      if (!describes && !is_frame(word) && !finish_words().fillers.count(word) &&
+          !language::is_function_word(reading_.parse.tokens[i]))
+        return;
+      if (describes) said.push_back(word);
+    }
+    if (said.empty()) return;
+    std::string words;
+    for (const auto& word : said) words += (words.empty() ? "" : " ") + word;
+    hear(reading_.brief, segment, Heard::As::style);
+    reading_.brief.palette.push_back(std::move(words));
+  }
+
+  PromptReading& reading_;
+  const std::vector<bool> used_;
+};
+
+}  // namespace
+
+void read_palette(PromptReading& reading) { PaletteReader(reading).run(); }
+
+}  // namespace roomgen::design
