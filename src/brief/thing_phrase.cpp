@@ -320,6 +320,7 @@ class ThingPhraseReader {
     if (!text_.words.pairs.count(word(said_.head))) return;
     phrase_.kind.plural = false;
     if (phrase_.set || !phrase_.counted) phrase_.count = 1;
+    if (said_.head >= 2 && word(said_.head - 2) == "pairs") phrase_.count = std::max(1, phrase_.count / 2);
     phrase_.article = true;
   }
 

@@ -24,6 +24,12 @@ bool Attacher::is_clause_without_verb(std::int32_t id) {
   return has_verb() && relative_ == none && is_known && is_new(at(id)) && has_place;
 }
 
+// "plates sit on the table, each plate beside a cup": what was spoken of, one by one.
+bool Attacher::takes_up_each(std::int32_t id) {
+  return at(id).determiner == Determiner::each && !at(id).is_pronoun && has_comma_ &&
+         before_ != Tag::conjunction;
+}
+
 // "avoid glass tables, a living room with a sofa": what has something is wanted.
 bool Attacher::is_described() const {
   return ahead() == Tag::preposition && is_with(chunks_[at_ + 1].piece->base);
@@ -43,7 +49,7 @@ void Attacher::phrase(std::uint32_t number) {
     under_preposition(id);
   } else if (pending_ != none) {
     under_verb(id);
-  } else if (is_joined_ && !open_.empty() && is_clause_without_verb(id)) {
+  } else if (is_joined_ && !open_.empty() && (is_clause_without_verb(id) || takes_up_each(id))) {
     end_clause();
     begin_main(id);
   } else if (is_joined_ && !open_.empty()) {

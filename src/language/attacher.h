@@ -85,6 +85,7 @@ class Attacher {
   // Noun phrases.
   bool is_floating(std::int32_t id);
   bool is_clause_without_verb(std::int32_t id);
+  bool takes_up_each(std::int32_t id);
   bool is_described() const;
   void phrase(std::uint32_t number);
   void begin_main(std::int32_t id);
