@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "language/function_word.h"
+#include "library/style_words.h"
 #include "scene/finish_words.h"
 
 namespace roomgen::design {
@@ -41,7 +42,8 @@ class PaletteReader {
     for (auto i = segment.begin; i < segment.end; ++i) {
       const std::string& word = reading_.word(i);
       if (used_[i] || reading_.taken[i] != Taken::no || reading_.is_denied(i)) return;
-      const bool describes = finish_words().describes(word) || finish_words().surface_names.count(word);
+      const bool describes = finish_words().describes(word) || finish_words().surface_names.count(word) ||
+                             StyleWords::built_in().worn_by_stuff(word);
       if (!describes && !is_frame(word) && !finish_words().fillers.count(word) &&
           !language::is_function_word(reading_.parse.tokens[i]))
         return;

@@ -285,9 +285,17 @@ class ThingPhraseReader {
              other.head >= token;
     });
   }
+  // "a no taller than 1.5 m wardrobe": the words that bound may stand before the phrase.
+  std::uint32_t with_bound(std::uint32_t measure) const {
+    constexpr std::uint32_t longest = 4;
+    for (std::uint32_t n = longest; n > 0; --n)
+      if (n <= measure && language::bound_at(parse_.tokens, measure - n).length == n) return measure - n;
+    return measure;
+  }
   // The first that begins there.
   void add_measure_in(const Run& run) {
-    for (auto i = run.begin; i < std::min<std::size_t>(run.end, parse_.tokens.size()); ++i) {
+    for (auto first = run.begin; first < std::min<std::size_t>(run.end, parse_.tokens.size()); ++first) {
+      const auto i = with_bound(first);
       const auto measure = language::bounded_measure_at(parse_.tokens, i);
       if (!measure) continue;
       phrase_.measures.push_back(*measure);

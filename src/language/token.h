@@ -48,7 +48,7 @@ inline constexpr std::size_t max_tokens = 50'000;
 /// Splits a text; the spans are in order and cover all but white space and hyphens that join words.
 /// Hyphens part words ("bean-bag" gives bean, bag), as do changes between letters and figures
 /// ("4x5m" gives 4, x, 5, m; but "m2" and "1970s" are words). A foot or inch mark behind a number
-/// is the word ft or in; & and + are the word and. Any bytes may be given: what is no UTF-8 is
+/// is the word ft or in; & and + are the word and, w/ is with. Any bytes may be given: what is no UTF-8 is
 /// taken for letters.
 std::vector<Token> tokenize(std::string_view text, std::size_t most = max_tokens);
 

@@ -236,6 +236,11 @@ class Splitter {
       text += '2';
       at_ += here().length;
     }
+    // "w/ chair"
+    if (text == "w" && this->text(at_) == '/') {
+      text = "with";
+      ++at_;
+    }
     std::string clitic = clitic_behind(text);
     if (is_abbreviated(text)) ++at_;
     add(Token::Kind::word, begin, std::move(text)).clitic = std::move(clitic);

@@ -21,6 +21,12 @@ std::vector<std::string> read_names(const JsonReader& json) {
   return names;
 }
 
+StyleWords::Groups read_groups(const JsonReader& json) {
+  StyleWords::Groups groups;
+  for (const auto& kinds : json.elements_or_none(20)) groups.push_back(read_names(kinds));
+  return groups;
+}
+
 StyleMeaning read_style_meaning(const std::string& name, const JsonReader& json) {
   json.allow_only({"names", "walls", "floors", "accents", "looks", "more", "fewer", "colors", "materials"});
   StyleMeaning style;
@@ -51,11 +57,12 @@ Result<StyleWords> StyleWords::parse(std::string_view text, const std::string& s
   const JsonReader root(*json, problems);
   root.allow_only({"about", "styles", "palette"});
   StyleWords result;
-  root["palette"].allow_only({"colors", "woods"});
-  for (const auto& kinds : root["palette"]["colors"].elements_or_none(20))
-    result.worn_by_colors_.push_back(read_names(kinds));
-  for (const auto& kinds : root["palette"]["woods"].elements_or_none(20))
-    result.worn_by_woods_.push_back(read_names(kinds));
+  root["palette"].allow_only({"colors", "woods", "stuffs"});
+  result.worn_by_colors_ = read_groups(root["palette"]["colors"]);
+  result.worn_by_woods_ = read_groups(root["palette"]["woods"]);
+  for (const auto& stuff : root["palette"]["stuffs"].elements_or_none(20))
+    for (const auto& word : read_names(stuff["words"]))
+      result.worn_by_stuffs_[word] = read_groups(stuff["kinds"]);
   for (const auto& [name, entry] : root["styles"].members()) {
     result.styles_[name] = read_style_meaning(name, entry);
     result.names_[spelled(name)] = name;
@@ -78,6 +85,11 @@ const StyleWords& StyleWords::built_in() {
 const StyleMeaning* StyleWords::find(std::string_view word) const {
   const auto name = names_.find(spelled(word));
   return name == names_.end() ? nullptr : &styles_.at(name->second);
+}
+
+const StyleWords::Groups* StyleWords::worn_by_stuff(std::string_view word) const {
+  const auto found = worn_by_stuffs_.find(word);
+  return found == worn_by_stuffs_.end() ? nullptr : &found->second;
 }
 
 const StyleMeaning* StyleWords::named_in(std::string_view text) const {

@@ -33,13 +33,17 @@ class StyleWords {
   /// The first style that a text names; null if none.
   const StyleMeaning* named_in(std::string_view text) const;
   const std::map<std::string, StyleMeaning, std::less<>>& all() const { return styles_; }
-  /// Groups of kinds that go together and wear the colours, or the woods, of a room.
-  const std::vector<std::vector<std::string>>& worn_by_colors() const { return worn_by_colors_; }
-  const std::vector<std::vector<std::string>>& worn_by_woods() const { return worn_by_woods_; }
+  /// Groups of kinds that go together and wear the colours, the woods, or another stuff of a room.
+  using Groups = std::vector<std::vector<std::string>>;
+  const Groups& worn_by_colors() const { return worn_by_colors_; }
+  const Groups& worn_by_woods() const { return worn_by_woods_; }
+  /// Null for what is no stuff that things wear so.
+  const Groups* worn_by_stuff(std::string_view word) const;
 
  private:
   std::map<std::string, StyleMeaning, std::less<>> styles_;
-  std::vector<std::vector<std::string>> worn_by_colors_, worn_by_woods_;
+  Groups worn_by_colors_, worn_by_woods_;
+  std::map<std::string, Groups, std::less<>> worn_by_stuffs_;
   std::map<std::string, std::string, std::less<>> names_;  ///< words parted by blanks, to the style's name
 };
 

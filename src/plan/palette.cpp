@@ -1,6 +1,6 @@
 #include "palette.h"
 
-#include <algorithm>
+#include <map>
 
 #include "roomgen/base/text.h"
 #include "scene/finish_words.h"
@@ -9,41 +9,46 @@ namespace roomgen::design {
 
 namespace {
 
-enum class Stuff { color, wood, wall };
+using Groups = StyleWords::Groups;
 
-// By the last word that tells: "salt-bleached wood" is wood, "raw brick" a wall.
-Stuff stuff_of(const std::string& said) {
+// By the last word that tells: "salt-bleached wood" is worn by furniture, "black leather" by seats, colours by what is
+// soft or small; null: by a wall.
+const Groups* worn_by(const std::string& said) {
   const FinishWords& finishes = finish_words();
+  const StyleWords& styles = StyleWords::built_in();
+  const auto of_surface = [&](const std::string& surface) {
+    return surface == "boards" ? &styles.worn_by_woods() : nullptr;
+  };
   const auto all = words(said);
   for (auto word = all.rbegin(); word != all.rend(); ++word) {
+    if (const Groups* groups = styles.worn_by_stuff(*word)) return groups;
     if (const auto named = finishes.substances.find(*word); named != finishes.substances.end())
-      return named->second.surface == "boards" ? Stuff::wood : Stuff::wall;
+      return of_surface(named->second.surface);
     if (const auto named = finishes.surface_names.find(*word); named != finishes.surface_names.end())
-      return named->second == "boards" ? Stuff::wood : Stuff::wall;
+      return of_surface(named->second);
   }
-  return Stuff::color;
+  return &styles.worn_by_colors();
 }
 
 }  // namespace
 
 StyleMeaning style_of_palette(const std::vector<std::string>& palette) {
-  const StyleWords& styles = StyleWords::built_in();
   StyleMeaning style;
-  std::vector<std::string> colors, woods;
-  for (const auto& said : palette) switch (stuff_of(said)) {
-      case Stuff::color:
-        colors.push_back(said);
-        break;
-      case Stuff::wood:
-        woods.push_back(said);
-        break;
-      case Stuff::wall:
-        style.accents.push_back(said + " wall");
-    }
-  if (!colors.empty())
-    for (const auto& kinds : styles.worn_by_colors()) style.looks.push_back({kinds, colors});
-  if (!woods.empty())
-    for (const auto& kinds : styles.worn_by_woods()) style.looks.push_back({kinds, woods});
+  std::map<const Groups*, std::vector<std::string>> words;
+  for (const auto& said : palette) {
+    if (const Groups* groups = worn_by(said))
+      words[groups].push_back(said);
+    else
+      style.accents.push_back(said + " wall");
+  }
+  // Those of a stuff come before the colours: leather sofas, green rugs.
+  const Groups* colors = &StyleWords::built_in().worn_by_colors();
+  const auto wear = [&](const Groups& groups, const std::vector<std::string>& said) {
+    for (const auto& kinds : groups) style.looks.push_back({kinds, said});
+  };
+  for (const auto& said : palette)
+    if (const Groups* groups = worn_by(said); groups && groups != colors) wear(*groups, words[groups]);
+  if (words.count(colors)) wear(*colors, words[colors]);
   return style;
 }
 

@@ -8,7 +8,8 @@
 namespace roomgen::design {
 
 /// The look of a room whose prompt names colours and stuffs without the things that have them: colours are worn by what
-/// is soft or small, woods by furniture (data/styles.json says by which kinds), brick, plaster and stone by a wall.
+/// is soft or small, woods by furniture, metals by lamps (data/styles.json says by which kinds), brick, plaster and
+/// stone by a wall.
 StyleMeaning style_of_palette(const std::vector<std::string>& palette);
 
 }  // namespace roomgen::design
