@@ -150,9 +150,17 @@ class Ledger {
     // Of those that share the long sides half are behind the target.
     if (demand.flank && demand.kind == RelationKind::in_front_of) return;
     if (demand.kind == RelationKind::between) return between(index, mention, demand);
+    relation_of_kind(index, mention, demand, demand.kind);
+    // What is on each side of a thing is not behind it, however close.
+    if (demand.flank && demand.kind == RelationKind::next_to)
+      relation_of_kind(index, mention, demand, RelationKind::side_of);
+  }
+
+  void relation_of_kind(std::size_t index, const Mention& mention, const Demand& demand,
+                        RelationKind kind) {
     Requirement requirement = about(index, mention, Requirement::Kind::relation);
-    requirement.relation = demand.kind;
-    requirement.clause = mention.category + " " + std::string(name(demand.kind));
+    requirement.relation = kind;
+    requirement.clause = mention.category + " " + std::string(name(kind));
     if (demand.mention != Demand::none) {
       requirement.targets = ids_[demand.mention];
       requirement.clause += " " + brief_.mentions[demand.mention].category;
