@@ -180,3 +180,21 @@ TEST_CASE("Everything but the cancel token makes another question") {
   others[5].temperature = 0.1;
   for (const auto& other : others) CHECK(key(other) != key(base));
 }
+
+TEST_CASE("A recording keeps each picture once, under the name that its lines have for it") {
+  const TemporaryFolder folder;
+  ChatRequest question = asking("where?");
+  question.messages.back().images = {"\x89PNG one", "\xff\xd8 two", "\x89PNG one"};
+  record(folder / "r", {question, question}, {reply_saying("here"), reply_saying("there")});
+  std::size_t count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder / "r.pictures")) {
+    ++count;
+    const auto bytes = read_file(entry.path());
+    REQUIRE(bytes);
+    CHECK(entry.path().stem() == sha256_hex(*bytes));
+    CHECK(read_file(folder / "r")->find(entry.path().stem().string()) != std::string::npos);
+  }
+  CHECK(count == 2);
+  record(folder / "plain", {asking("where?")}, {reply_saying("here")});
+  CHECK_FALSE(std::filesystem::exists(folder / "plain.pictures"));
+}

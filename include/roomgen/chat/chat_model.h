@@ -100,7 +100,9 @@ class PriceTable {
 
 /// Appends every question with its answer, or with the error it met, to a file of JSON lines. A
 /// line is written whole, and before the answer is returned; a call whose line cannot be written
-/// fails with io. Cancelled calls leave no line. Fails if the file cannot be opened.
+/// fails with io. Cancelled calls leave no line. Fails if the file cannot be opened. The pictures of the
+/// questions are kept beside it, in the folder `file`.pictures, each once, named by the SHA-256 that
+/// the line has for it: with the answers they are data to train on.
 Result<std::unique_ptr<ChatModel>> make_recording_model(std::unique_ptr<ChatModel> inner,
                                                         const std::filesystem::path& file);
 
