@@ -56,7 +56,7 @@ bool Attacher::is_within_list() const {
 }
 
 bool Attacher::is_bare(std::int32_t id) {
-  return at(id).determiner == Determiner::absent && at(id).count == 0.0;
+  return at(id).determiner == Determiner::absent && at(id).count == 0.0 && !at(id).is_vague;
 }
 
 // "full of boxes"

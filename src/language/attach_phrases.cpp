@@ -9,6 +9,17 @@ bool Attacher::is_floating(std::int32_t id) {
          last_ != none;
 }
 
+// Of several that the clause is about, else of several to which what was said last belongs: "a bakery with
+// three tables by the window, each with two chairs".
+std::int32_t Attacher::each_of() {
+  if (main_ != none && at(main_).is_plural) return main_;
+  std::int32_t several = last_;
+  for (auto one = parse_.attachments.rbegin(); one != parse_.attachments.rend(); ++one)
+    if (!at(several).is_plural && one->to == several && one->from != none) several = one->from;
+  if (at(several).is_plural) return several;
+  return main_ != none ? main_ : last_;
+}
+
 // "A rack stands by the door, a safe inside the wardrobe": something new with a place of its own is
 // no member of a list that what is known began.
 bool Attacher::is_clause_without_verb(std::int32_t id) {
@@ -39,7 +50,7 @@ void Attacher::phrase(std::uint32_t number) {
   const auto id = static_cast<std::int32_t>(number);
   each_ = none;
   if (is_floating(id)) {
-    each_ = main_ != none && (at(main_).is_plural || !at(last_).is_plural) ? main_ : last_;
+    each_ = each_of();
     is_joined_ = has_comma_ = false;
     return;
   }

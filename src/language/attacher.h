@@ -84,6 +84,7 @@ class Attacher {
 
   // Noun phrases.
   bool is_floating(std::int32_t id);
+  std::int32_t each_of();
   bool is_clause_without_verb(std::int32_t id);
   bool takes_up_each(std::int32_t id);
   bool is_described() const;

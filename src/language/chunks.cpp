@@ -113,15 +113,19 @@ class Chunker {
     return !found.has_noun && found.end == at_ + 1 && tag_at(at_) == Tag::measure;
   }
 
+  bool names_quantity(std::size_t i) const {
+    return tag_at(i) != Tag::stop && tag_at(i + 1) == Tag::preposition && pieces_[i + 1].base == "of" &&
+           small_words().quantities.count(parse_.tokens[pieces_[i].tokens.end - 1].text) > 0;
+  }
+
   // "a pair of", "lots of", "a set of": says how many, the thing comes behind.
   bool quantity() {
     std::size_t i = at_;
-    while (i < at_ + longest_phrase && (tag_at(i) == Tag::determiner || tag_at(i) == Tag::number))
+    while (i < at_ + longest_phrase && !names_quantity(i) &&
+           (tag_at(i) == Tag::determiner || tag_at(i) == Tag::number))
       ++i;
-    if (tag_at(i + 1) != Tag::preposition || pieces_[i + 1].base != "of" || tag_at(i) == Tag::stop)
-      return false;
+    if (!names_quantity(i)) return false;
     const std::string& word = parse_.tokens[pieces_[i].tokens.end - 1].text;
-    if (!small_words().quantities.count(word)) return false;
     quantity_ = {pieces_[at_].tokens.begin, 0.0, true};
     const auto counted = small_words().counted_quantities.find(word);
     if (counted != small_words().counted_quantities.end()) {

@@ -72,6 +72,8 @@ class Tagger {
       return conjunction(length), length;
     if (const auto length = run_of(words.adverbs, 2); length > 1)
       return add(Tag::adverb, length), length;
+    // "left of" is no verb.
+    if (run_of(words.prepositions, 2) > 1) return preposition();
     if (is_in(words.negations, at_)) return negation(), 1;
     if (is_in(words.vague_numbers, at_) && tags_[at_] == WordTag::adjective) return determiner(), 1;
     if (is_reciprocal()) return add(Tag::pronoun, 2), 2;
