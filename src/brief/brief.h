@@ -62,6 +62,7 @@ struct Mention {
   std::string noun;         ///< the name that it has there: "desk"
   std::string description;  ///< "white wooden desk"
   std::vector<std::string> looks;  ///< of it: "white", "wooden"
+  std::vector<std::string> naming;  ///< of the looks those that say what sort of thing it is: "coffee" of a grinder
   int quantity = 1;
   bool counted = false;      ///< the prompt gives the number
   bool at_least = false;     ///< "at least five": more are as good

@@ -106,6 +106,7 @@ Mention Discourse::new_mention(const ThingPhrase& phrase, int sentence) const {
   mention.at_least = phrase.at_least;
   mention.at_most = phrase.at_most;
   mention.looks = phrase.modifiers;
+  mention.naming = phrase.naming;
   mention.sentence = sentence;
   std::vector<std::string> description = phrase.modifiers;
   if (phrase.kind.length > 0) {
@@ -218,7 +219,7 @@ void Discourse::locate(const std::vector<std::size_t>& subjects, const Placement
     case Place::wall:
       return locate_at_wall(subjects, first, place);
     case Place::ceiling:
-      return mount(subjects, Mount::ceiling);
+      return hang_at_ceiling(subjects, first);
     case Place::room:
       if (placement.centered) say(RelationKind::middle, "");
       return;
@@ -227,6 +228,16 @@ void Discourse::locate(const std::vector<std::size_t>& subjects, const Placement
       if (first == RelationKind::on) mount(subjects, Mount::floor);
       return;
   }
+}
+
+// "A lamp on the ceiling", but not "shelves up to the ceiling"; a table never hangs.
+void Discourse::hang_at_ceiling(const std::vector<std::size_t>& subjects, RelationKind relation) {
+  if (relation == RelationKind::near) return;
+  std::vector<std::size_t> hanging;
+  for (const std::size_t subject : subjects)
+    if (!lexicon_.table.is_any_of(mention(subject).category, {"seat", "table", "storage", "bed"}))
+      hanging.push_back(subject);
+  mount(hanging, Mount::ceiling);
 }
 
 void Discourse::hang_from_ceiling(const std::vector<std::size_t>& subjects) {

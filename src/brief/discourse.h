@@ -84,6 +84,7 @@ class Discourse {
   void locate_at_wall(const std::vector<std::size_t>& subjects, RelationKind first,
                       const PlacePhrase& place);
   void mount(const std::vector<std::size_t>& subjects, Mount where);
+  void hang_at_ceiling(const std::vector<std::size_t>& subjects, RelationKind relation);
 
   Lexicon lexicon_;
   /// The mentions that were made before what is being read.

@@ -96,22 +96,27 @@ class FormationReader {
     for (std::size_t i = 0; i < reading_.parse.phrases.size(); ++i) {
       const auto mention = reading_.mentions[i];
       const auto head = reading_.parse.phrases[i].head;
-      if (!mention || !may_stand_in_rows(*mention, said.formation)) continue;
+      if (!mention || !are_several(*mention, said.formation)) continue;
       const int own = reading_.sentence_of(head);
       const bool announced = own + 1 == sentence && ends_with_colon(own);
       if (head < said.tokens.begin && (own == sentence || announced)) before = mention;
       if (head >= said.tokens.end && own == sentence && !behind) behind = mention;
     }
-    return before ? before : behind;
+    const auto nearest = before ? before : behind;
+    return nearest && may_stand_in_rows(*nearest, said.formation) ? nearest : std::nullopt;
   }
   bool ends_with_colon(int sentence) const {
     const Run& said = reading_.parse.sentences[static_cast<std::size_t>(sentence)];
     return !said.empty() && reading_.parse.tokens[said.end - 1].text == ":";
   }
-  bool may_stand_in_rows(std::size_t mention, const Formation& formation) const {
+  bool are_several(std::size_t mention, const Formation& formation) const {
     const Mention& things = reading_.talk.mention(mention);
-    return !reading_.talk.is_small(mention) && things.mount != Mount::surface &&
-           (things.quantity != 1 || (!things.counted && formation.rows * formation.columns > 1));
+    return things.quantity != 1 || (!things.counted && formation.rows * formation.columns > 1);
+  }
+  // Small things on others, and pictures on a wall, have no places of their own on the floor.
+  bool may_stand_in_rows(std::size_t mention, const Formation& formation) const {
+    return are_several(mention, formation) && !reading_.talk.is_small(mention) &&
+           reading_.talk.mention(mention).mount == Mount::floor;
   }
 
   void form(std::size_t index, const SaidFormation& said) {

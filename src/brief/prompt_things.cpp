@@ -105,11 +105,18 @@ class ThingReader {
   // "a stack of books": what comes behind is part of the name.
   bool names_thing(std::int32_t id, const ThingPhrase& thing) const {
     const NounPhrase& said = reading_.phrase(id);
-    if (said.tokens.begin < skip_to_ || names_tone(said, thing)) return false;
+    if (said.tokens.begin < skip_to_ || names_tone(said, thing) || is_talked_about(id)) return false;
     if (thing.kind.length == 0)
       return is_new_thing(id, thing) || (thing.definite && reading_.talk.known(thing));
     if (thing.kind.length == 1 && (is_bare_material(thing) || is_light(said, thing))) return false;
     return !is_of_owner(id, thing) && !is_inside(id) && !tells_what_it_is_of(id, thing);
+  }
+  // "relatives who argue about football", "light strips like a racing grid"
+  bool is_talked_about(std::int32_t id) const {
+    return std::any_of(reading_.parse.attachments.begin(), reading_.parse.attachments.end(),
+                       [&](const Attachment& one) {
+                         return one.to == id && (one.relation == "about" || one.relation == "like");
+                       });
   }
   // "bottle green", "oatmeal", without an article: what something looks like.
   bool names_tone(const NounPhrase& said, const ThingPhrase& thing) const {

@@ -221,8 +221,26 @@ class ThingPhraseReader {
   }
 
   void modifiers() {
-    for (auto i = said_.modifiers.begin; i < said_.modifiers.end; ++i)
-      add_words(parse_.modifiers[i].tokens, start_);
+    for (auto i = said_.modifiers.begin; i < said_.modifiers.end; ++i) {
+      const auto& modifier = parse_.modifiers[i];
+      add_words(modifier.tokens, start_);
+      if (modifier.kind == language::Modifier::Kind::noun && modifier.tokens.end <= start_ &&
+          !tells_look(modifier))
+        for (auto token = modifier.tokens.begin; token < modifier.tokens.end; ++token)
+          phrase_.naming.push_back(word(token));
+    }
+  }
+  // "oak", "corner", "kitchen": of what it is, or where.
+  bool tells_look(const language::Modifier& modifier) const {
+    for (auto token = modifier.tokens.begin; token < modifier.tokens.end; ++token) {
+      const std::string& noun = word(token);
+      if (text_.words.materials.count(noun) || text_.words.sizes.count(noun) || text_.words.parts.count(noun) ||
+          text_.words.room_parts.count(noun) || text_.words.room_words.count(noun) || may_be_stuff(noun) ||
+          language::lexicon().is(noun, WordClass::room) || language::lexicon().is(noun, WordClass::shape) ||
+          language::lexicon().is(noun, WordClass::person) || text_.plain[token].kind != Token::Kind::word)
+        return true;
+    }
+    return false;
   }
   void add_words(const Run& run, std::size_t before) {
     for (std::uint32_t i = run.begin; i < std::min<std::size_t>(run.end, before); ++i) {

@@ -24,6 +24,7 @@ struct ThingPhrase {
   KindMention kind;  ///< length 0: the thing is not known
   std::string noun;  ///< of an unknown thing
   std::vector<std::string> modifiers;
+  std::vector<std::string> naming;  ///< of the modifiers the nouns that say what sort of thing it is
   std::vector<language::Run> modifier_tokens;  ///< one for each
   std::vector<std::uint32_t> count_tokens;
   language::Run name_tokens;

@@ -154,7 +154,18 @@ class Checker {
     for (const auto& object : scene_.objects)
       if (object.stand_in && categories_.is_a(object.category, requirement.category))
         return {Compliance::not_judged, object.id + " is a plain stand-in"};
+    if (!requirement.attribute.empty()) return judge_sort(requirement);
     return finding;
+  }
+
+  // A coffee grinder is no grinder of another sort: what nothing shows to be one, may be none.
+  Finding judge_sort(const Requirement& requirement) const {
+    for (const auto& id : requirement.subjects) {
+      const auto verdict = has_attribute_(*find_object(scene_, id), requirement.attribute);
+      if (!verdict.judged || !verdict.held)
+        return {Compliance::not_judged, id + ": nothing shows that it is of the sort \"" + requirement.attribute + "\""};
+    }
+    return {};
   }
 
   std::string missing(const std::string& id) const {

@@ -93,6 +93,7 @@ class Ledger {
     requirement.count = mention.quantity;
     requirement.at_least = !mention.counted || mention.at_least;
     requirement.at_most = mention.at_most;
+    requirement.attribute = join(mention.naming, " ");
     requirement.clause = (mention.quantity == 1 ? "a" : std::to_string(mention.quantity)) + " " +
                          mention.description;
     if (!mention.reason.empty()) requirement.clause += ", for " + mention.reason;

@@ -300,11 +300,9 @@ AlignAxis align_axis(const Object& object, const std::string& target) {
   return AlignAxis::either;
 }
 
-// What is near a thing and not at a side of it leaves a gap: who means "beside" says so. What is near a door, a
-// window or a wall is at it.
+// What is near a thing and not at a side of it leaves a gap: who means "beside" says so.
 constexpr double near_gap_low = 0.25;
 constexpr double near_gap_high = 0.7;
-constexpr double at_gap_high = 0.3;
 
 bool is_merely_near(const Object& object, const Relation& relation) {
   if (relation.kind != RelationKind::near) return false;
@@ -361,9 +359,8 @@ std::vector<ResolvedRelation> resolve(const Object& object, const Room& room,
     resolved.target_top = room.height;
     resolved.axis = align_axis(object, relation.target);
     if (is_merely_near(object, relation)) {
-      const bool is_of_room = part_of_room(room, relation.target).has_value();
-      resolved.gap_low = is_of_room ? 0.0 : near_gap_low;
-      resolved.gap_high = is_of_room ? at_gap_high : near_gap_high;
+      resolved.gap_low = near_gap_low;
+      resolved.gap_high = near_gap_high;
     }
     resolved.targets = targets_of(relation, room, placed);
     if (relation.kind == RelationKind::between)

@@ -123,6 +123,7 @@ Json to_json(const Requirement& requirement) {
   switch (requirement.kind) {
     case Requirement::Kind::count:
       json["count"] = requirement.count;
+      if (!requirement.attribute.empty()) json["attribute"] = requirement.attribute;
       write_limits(requirement, json);
       break;
     case Requirement::Kind::attribute:
