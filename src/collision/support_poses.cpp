@@ -89,10 +89,28 @@ class RestingPair {
     if (everywhere_) return *everywhere_;
     everywhere_.emplace();
     for (double share : {1.0, least_share}) {
-      for (std::size_t k = 0; k < lower_.surfaces().size(); ++k) find_on(k, share, *everywhere_);
+      visit_all(share, [&](const SupportPose& pose) {
+        everywhere_->push_back(pose);
+        return true;
+      });
       if (!everywhere_->empty()) break;
     }
     return *everywhere_;
+  }
+
+  bool is_anywhere(double highest_bottom) {
+    const auto is_low = [&](const SupportPose& pose) { return pose.bottom <= highest_bottom; };
+    if (everywhere_) return std::any_of(everywhere_->begin(), everywhere_->end(), is_low);
+    bool any = false, found = false;
+    for (double share : {1.0, least_share}) {
+      visit_all(share, [&](const SupportPose& pose) {
+        any = true;
+        found = is_low(pose);
+        return !found;
+      });
+      if (any) break;
+    }
+    return found;
   }
 
   /// Searches ask for the same places beside the same things again and again.
@@ -151,7 +169,15 @@ class RestingPair {
     return pose;
   }
 
-  void find_on(std::size_t index, double share, std::vector<SupportPose>& found) {
+  template <typename Visit>
+  void visit_all(double share, const Visit& visit) {
+    for (std::size_t k = 0; k < lower_.surfaces().size(); ++k)
+      if (!visit_on(k, share, visit)) return;
+  }
+
+  // Whether `visit` wants to see more.
+  template <typename Visit>
+  bool visit_on(std::size_t index, double share, const Visit& visit) {
     const SupportSurface& surface = lower_.surfaces()[index];
     const bool square = std::abs(size_.x() - size_.y()) < 1e-6;
     std::vector<double> turns = {0.0, pi / 2, pi, -pi / 2};
@@ -171,10 +197,11 @@ class RestingPair {
       for (int j = -ny; j <= ny; ++j)
         for (int i = -nx; i <= nx; ++i) {
           const Vec2 at(nx ? room.x() * i / nx : 0.0, ny ? room.y() * j / ny : 0.0);
-          if (const auto pose = rest(index, {middle + at, yaw}, share))
-            found.push_back(*pose);
+          const auto pose = rest(index, {middle + at, yaw}, share);
+          if (pose && !visit(*pose)) return false;
         }
     }
+    return true;
   }
 
   Vec3 size_;
@@ -221,6 +248,11 @@ const std::vector<SupportSurface>& SupportPoses::surfaces(const Object& support)
 const std::vector<SupportPose>& SupportPoses::everywhere(const Object& object,
                                                          const Object& support) const {
   return impl_->pair(object, support).everywhere();
+}
+
+bool SupportPoses::carries(const Object& object, const Object& support,
+                           double highest_bottom) const {
+  return impl_->pair(object, support).is_anywhere(highest_bottom);
 }
 
 std::vector<SupportPose> SupportPoses::at(const Object& object, const Object& support,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -34,6 +35,10 @@ class SupportPoses {
   /// surface, and only if there is no such place on any, where up to a tenth of it is not. What
   /// else stands there does not count.
   const std::vector<SupportPose>& everywhere(const Object& object, const Object& support) const;
+
+  /// Is any of these places such that the bottom is at most so high? Found out faster than all.
+  bool carries(const Object& object, const Object& support,
+               double highest_bottom = std::numeric_limits<double>::infinity()) const;
 
   /// In the frame of the support.
   struct Place {

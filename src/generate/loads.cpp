@@ -1,6 +1,7 @@
 #include "loads.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace roomgen {
 
@@ -33,10 +34,9 @@ std::vector<Load> loads_on(const std::string& id, const Plan& plan,
 
 bool can_carry(const Object& carrier, std::span<const Load> loads, const SupportPoses& poses) {
   return std::all_of(loads.begin(), loads.end(), [&](const Load& load) {
-    const auto& places = poses.everywhere(load.object, carrier);
-    return std::any_of(places.begin(), places.end(), [&](const SupportPose& pose) {
-      return !load.inside || pose.bottom + 0.5 * load.object.size.z() <= carrier.size.z();
-    });
+    const double highest = load.inside ? carrier.size.z() - 0.5 * load.object.size.z()
+                                       : std::numeric_limits<double>::infinity();
+    return poses.carries(load.object, carrier, highest);
   });
 }
 

@@ -65,7 +65,7 @@ Error refusal_on(const Layout& layout, const Object& object) {
                                    [&](const Object& other) { return other.on == support->id; });
   if (surfaces.empty()) {
     why += "it has no level surface";
-  } else if (layout.support_poses().everywhere(object, *support).empty()) {
+  } else if (!layout.support_poses().carries(object, *support)) {
     const Vec2 most = surfaces.front().box().size();
     why += "none of its surfaces is large and high enough; the largest is " +
            format_number(most.x(), 2) + " x " + format_number(most.y(), 2) + " m";
