@@ -4,7 +4,6 @@
 #include <ctime>
 #include <cstdio>
 #include <fstream>
-#include <map>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -14,31 +13,11 @@
 #include "roomgen/design/designer.h"
 #include "roomgen/generate/generate.h"
 #include "roomgen/library/library.h"
+#include "warm_library.h"
 
 namespace {
 
 using namespace roomgen;
-
-/// Keeps what it has loaded.
-class Warm final : public AssetLibrary {
- public:
-  explicit Warm(const AssetLibrary& library) : library_(library) {}
-
-  Result<std::vector<AssetMatch>> search(const AssetQuery& query) const override {
-    return library_.search(query);
-  }
-  Result<std::shared_ptr<const Model>> load(const AssetRef& ref) const override {
-    auto& kept = models_[asset_key(ref)];
-    if (kept) return kept;
-    auto model = library_.load(ref);
-    if (model) kept = *model;
-    return model;
-  }
-
- private:
-  const AssetLibrary& library_;
-  mutable std::map<std::string, std::shared_ptr<const Model>> models_;
-};
 
 double milliseconds_since(std::clock_t start) {
   return 1000.0 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
@@ -56,7 +35,7 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-void measure(const char* name, const std::string& prompt, std::uint64_t seed, const Warm& library) {
+void measure(const char* name, const std::string& prompt, std::uint64_t seed, const bench::WarmLibrary& library) {
   constexpr int runs = 7;
   std::vector<double> planning, placing;
   std::size_t objects = 0;
@@ -91,7 +70,7 @@ int main() {
   auto catalogue = assets::open_catalogue({});
   if (!catalogue) return std::puts("(no furniture)"), 0;
   const auto library = make_first_of({*std::move(catalogue), create::make_created_library()});
-  const Warm warm(*library);
+  const bench::WarmLibrary warm(*library);
   std::puts("| room | objects | constraints held | planning, ms | placing, ms |");
   std::puts("|---|---|---|---|---|");
   for (const char* kind : {"living room", "bedroom", "kitchen", "bathroom", "dining room", "office"})

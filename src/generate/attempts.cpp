@@ -7,6 +7,7 @@
 #include "prepare.h"
 #include "solve/improve.h"
 #include "solve/make_room.h"
+#include "solve/place.h"
 
 namespace roomgen {
 

@@ -17,7 +17,7 @@ Workplace::Workplace(Plan the_plan, Designer& the_designer, const AssetLibrary& 
       options(std::move(the_options)),
       room(plan.room),
       layout(room, categories, models,
-             built_in_arrangements() ? &*built_in_arrangements() : nullptr) {}
+             built_in_arrangements() ? &*built_in_arrangements() : nullptr, options.place.weights) {}
 
 Result<std::unique_ptr<Workplace>> open_workplace(Plan plan, Designer& designer,
                                                   const AssetLibrary& library,

@@ -320,7 +320,9 @@ class LayoutSearch {
     for (auto& choice : choices) {
       const double noise = noise_ > 0.0 ? noise_ * random_.uniform() : 0.0;
       choice.degree =
-          total_degree(score(context, footprint_at(choice.pose), choice.pose.bottom)) + noise;
+          total_degree(score(context, footprint_at(choice.pose), choice.pose.bottom),
+                       layout_.weights()) +
+          noise;
     }
     std::stable_sort(choices.begin(), choices.end(),
                      [](const Option& a, const Option& b) { return a.degree > b.degree; });

@@ -1,13 +1,14 @@
 #include "improve.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <set>
-#include <tuple>
 
 #include "arrange.h"
+#include "place.h"
+#include "polish.h"
 #include "propose.h"
+#include "quality.h"
 #include "scene/judgement.h"
 #include "score.h"
 #include "words.h"
@@ -16,7 +17,6 @@ namespace roomgen {
 
 namespace {
 
-constexpr double degree_gain = 1e-6;
 constexpr double eject_pitch = 0.3;
 // Rounds without gain before a new start.
 constexpr int patience = 12;
@@ -33,24 +33,9 @@ int constraint_count(const std::vector<PlacementTask>& tasks) {
   return count;
 }
 
-int count_held(std::span<const ResolvedRelation> relations, const Object& object,
-               const Room& room) {
-  const Subject subject{footprint(object), bottom(object), top(object)};
-  return static_cast<int>(
-      std::count_if(relations.begin(), relations.end(), [&](const ResolvedRelation& relation) {
-        return judge(relation, subject, room).held;
-      }));
-}
-
 int held_by(const Layout& layout, const Object& object) {
   return count_held(resolve(object, layout.room(), layout.objects(), layout.categories()), object,
                     layout.room());
-}
-
-int wishes_held(const ProposalContext& context, const Object& object) {
-  const auto wishes = std::min(static_cast<std::size_t>(context.task.wishes),
-                               context.relations.size());
-  return count_held(std::span(context.relations).first(wishes), object, context.layout.room());
 }
 
 // Its wishes alone, without what its kind usually likes.
@@ -384,71 +369,7 @@ class Search {
   int lost_allowed_ = 0;  ///< a round that loses more constraints is given up
 };
 
-// A tenth of a metre more or less of what was moved is no difference between rough layouts.
-std::tuple<int, int, int, double, int> counts(const LayoutQuality& quality) {
-  return {quality.asked, quality.wishes, quality.placed, -std::round(10.0 * quality.displaced),
-          quality.held};
-}
-
-// The task and those that depend on it.
-std::vector<PlacementTask> with_dependants(const PlacementTask& task,
-                                           const std::vector<PlacementTask>& tasks) {
-  std::vector<PlacementTask> result = {task};
-  for (const auto& other : tasks)
-    if (depends_on(other.object, task.object.id)) result.push_back(other);
-  return result;
-}
-
 }  // namespace
-
-bool LayoutQuality::as_good_as(const LayoutQuality& other) const {
-  return counts(*this) >= counts(other);
-}
-
-bool LayoutQuality::better_than(const LayoutQuality& other) const {
-  if (counts(*this) != counts(other)) return counts(*this) > counts(other);
-  return degree > other.degree + degree_gain;
-}
-
-LayoutQuality quality(const Layout& layout, const std::vector<PlacementTask>& tasks) {
-  LayoutQuality result;
-  for (const auto& task : tasks) {
-    const Object* object = layout.find(task.object.id);
-    if (!object) continue;
-    const auto context = make_context(
-        layout, task, resolve(*object, layout.room(), layout.objects(), layout.categories()),
-        count_around(task.object, layout.objects()));
-    const auto terms = score(context, footprint(*object), bottom(*object));
-    result.asked += task.asked ? 1 : 0;
-    result.wishes += wishes_held(context, *object);
-    ++result.placed;
-    result.held += terms.held;
-    result.degree += total_degree(terms);
-  }
-  return result;
-}
-
-void polish(Layout& layout, const std::vector<PlacementTask>& tasks, PlaceOptions options,
-            const CancelToken& cancel, Random& random) {
-  options.grid = GridUse::never;
-  options.max_exact_tests = 12;
-  options.cancel = cancel;
-  for (const auto& task : tasks) {
-    if (cancel.cancelled()) return;
-    const Object* placed = layout.find(task.object.id);
-    if (!placed || placed->locked || task.binding) continue;
-    if (layout.carries_something(task.object.id)) continue;  // it would leave its things in the air
-    const Object before = *placed;
-    const auto affected = with_dependants(task, tasks);
-    const LayoutQuality quality_before = quality(layout, affected);
-    layout.remove(before.id);
-    const auto again = place(layout, task, {}, options, random);
-    if (again) layout.add(again->object);
-    if (again && quality(layout, affected).better_than(quality_before)) continue;
-    layout.remove(before.id);
-    layout.add(before);
-  }
-}
 
 int improve(Layout& layout, const std::vector<PlacementTask>& tasks,
             std::map<std::string, std::string>& reasons, const ImproveOptions& options,

@@ -65,11 +65,12 @@ Footprint FootprintAt::operator()(const Pose& pose) const {
 }
 
 Layout::Layout(const Room& room, const KindTable& categories, const ModelTable& models,
-               const Arrangements* arrangements)
+               const Arrangements* arrangements, const Weights& weights)
     : room_(room),
       categories_(categories),
       models_(models),
       arrangements_(arrangements),
+      weights_(weights),
       solids_(models),
       support_poses_(models),
       wall_yaws_(yaws_of_walls(room)),

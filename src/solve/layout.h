@@ -37,10 +37,11 @@ class Layout {
   /// All arguments must outlive the layout. Without arrangements only constraints count, and no kind
   /// prefers one place to another.
   Layout(const Room& room, const KindTable& categories, const ModelTable& models,
-         const Arrangements* arrangements = nullptr);
+         const Arrangements* arrangements = nullptr, const Weights& weights = {});
 
   const Room& room() const { return room_; }
   const KindTable& categories() const { return categories_; }
+  const Weights& weights() const { return weights_; }
   std::span<const Object> objects() const { return objects_; }
   std::span<const FloorThing> things() const { return things_; }
   /// How things of its kind are arranged; null without arrangements.
@@ -113,6 +114,7 @@ class Layout {
   const KindTable& categories_;
   const ModelTable& models_;
   const Arrangements* arrangements_;
+  Weights weights_;
   Solids solids_;
   SupportPoses support_poses_;
   std::vector<double> wall_yaws_;

@@ -62,7 +62,7 @@ std::vector<std::size_t> rank(const ProposalContext& context, std::vector<Scored
   ranked.reserve(scored.size());
   for (const auto& s : scored) {
     const double noise = options.noise > 0.0 ? options.noise * random.uniform() : 0.0;
-    ranked.push_back({s.pose.position, s.terms.lost, total_degree(s.terms) + noise});
+    ranked.push_back({s.pose.position, s.terms.lost, total_degree(s.terms, context.layout.weights()) + noise});
   }
   fuse(ranked, location, options.fusion);
   for (std::size_t i = 0; i < scored.size(); ++i) {
@@ -96,7 +96,7 @@ bool place_roughly(Layout& layout, const PlacementTask& task,
     const Footprint area = footprint_at(pose);
     if (!layout.fits(candidate, area, pose.bottom)) continue;
     if (!holds_all(context, area, pose.bottom)) continue;
-    const double degree = total_degree(score(context, area, pose.bottom));
+    const double degree = total_degree(score(context, area, pose.bottom), layout.weights());
     if (!best || degree > best_degree) best = pose, best_degree = degree;
   }
   if (best) layout.add(at_pose(task.object, *best));

@@ -11,7 +11,6 @@
 #include "refusal.h"
 #include "score.h"
 #include "ways.h"
-#include "weights.h"
 
 namespace roomgen {
 
@@ -23,9 +22,9 @@ constexpr double most_across = 30.0;
 // A difference in preference that is worth another look at what was put off.
 constexpr double clearly_better = 0.5;
 
-double habit_weight(std::size_t i) {
-  return weights::first_habit -
-         weights::habit_step * static_cast<double>(std::min(i, weights::most_steps));
+double habit_weight(const Weights& weights, std::size_t i) {
+  return weights.first_habit -
+         weights.habit_step * std::min(static_cast<double>(i), weights.most_steps);
 }
 
 /// One way with its targets named: what is asked and the habits that do not contradict it.
@@ -75,9 +74,9 @@ class UsualPlacing {
     return ways;
   }
 
-  static bool is_better(const Placement& a, const Placement& b) {
+  bool is_better(const Placement& a, const Placement& b) const {
     if (a.terms.lost != b.terms.lost) return a.terms.lost < b.terms.lost;
-    return total_degree(a.terms) > total_degree(b.terms);
+    return total_degree(a.terms, layout_.weights()) > total_degree(b.terms, layout_.weights());
   }
 
   // The best place for one way, whichever things its targets are, and whether its leading habit holds.
@@ -162,14 +161,14 @@ class UsualPlacing {
       if (judgement.held) {
         ++one.terms.held;
         one.terms.relations += judgement.degree;
-        if (is_habit) one.terms.arrangement += habit_weight(i - choice.asked);
+        if (is_habit) one.terms.arrangement += habit_weight(layout_.weights(), i - choice.asked);
         if (i == choice.asked) origin.leads = true;
       } else if (!is_habit) {
         ++one.terms.lost;
       }
     }
     one.terms.relations /= static_cast<double>(std::max(1, one.terms.held + one.terms.lost));
-    one.terms.arrangement -= weights::burden * choice.burden;
+    one.terms.arrangement -= layout_.weights().burden * choice.burden;
     scored_.push_back(one);
     origins_.push_back(std::move(origin));
   }
@@ -183,10 +182,10 @@ class UsualPlacing {
       if (one.terms.lost == least) most = std::max(most, one.terms.arrangement);
     for (std::size_t i = first; i < scored_.size(); ++i) {
       auto& terms = scored_[i].terms;
-      if (terms.lost > least || terms.arrangement < most - weights::most_preference) continue;
+      if (terms.lost > least || terms.arrangement < most - layout_.weights().most_preference) continue;
       add_general_terms(context, footprint_at(scored_[i].pose), scored_[i].pose.bottom, terms);
       if (task_.location)
-        terms.arrangement += weights::plan_location /
+        terms.arrangement += layout_.weights().plan_location /
                              (1.0 + (*task_.location - scored_[i].pose.position).norm());
     }
   }
@@ -196,7 +195,7 @@ class UsualPlacing {
     std::vector<Ranked> ranked;
     for (auto& one : scored_) {
       const double noise = options_.noise > 0.0 ? options_.noise * random_.uniform() : 0.0;
-      one.merit = total_degree(one.terms) + noise;
+      one.merit = total_degree(one.terms, layout_.weights()) + noise;
       ranked.push_back({one.pose.position, one.terms.lost, one.merit});
     }
     fuse(ranked, std::nullopt, options_.fusion);

@@ -2,7 +2,6 @@
 #include <cmath>
 
 #include "surroundings.h"
-#include "weights.h"
 
 namespace roomgen {
 
@@ -38,17 +37,17 @@ double wish_degree(const Surroundings& around, const Surroundings::Wish& wish,
     case RelationKind::near:
     case RelationKind::next_to:
     case RelationKind::around:
-      return (wish.asked ? weights::asked_pair_gap : weights::pair_gap) *
+      return (wish.asked ? around.weights.asked_pair_gap : around.weights.pair_gap) *
              pair_gap_degree(wish.relation, own);
     case RelationKind::middle:
-      return wish.asked ? weights::asked_middle * degree(around, own, 0.0, Preference::center) : 0.0;
+      return wish.asked ? around.weights.asked_middle * degree(around, own, 0.0, Preference::center) : 0.0;
     case RelationKind::far:
       return wish.asked && !targets.empty()
-                 ? -weights::beyond_opposite *
+                 ? -around.weights.beyond_opposite *
                        std::max(0.0, gap(own, targets.front()) - opposite)
                  : 0.0;
     case RelationKind::face_to:
-      return wish.asked && !targets.empty() ? -weights::askew * angle_to(own, targets.front()) : 0.0;
+      return wish.asked && !targets.empty() ? -around.weights.askew * angle_to(own, targets.front()) : 0.0;
     default:
       return 0.0;
   }
@@ -72,16 +71,16 @@ bool is_at_seat(const Surroundings& around, const Footprint& own) {
 }  // namespace
 
 double preference(const Surroundings& around, const Footprint& own, double bottom) {
-  double sum = weights::reserve_open * reserve_open(around, own);
+  double sum = around.weights.reserve_open * reserve_open(around, own);
   for (const auto& one : around.arrangement.preferences)
     sum += one.weight * degree(around, own, bottom, one.what);
   if (!around.object.traits.flat && around.object.mount == Mount::floor) {
-    sum -= weights::reserve_taken * reserves_taken(around, own);
-    if (!around.arrangement.seats && is_on_crowded_side(around, own)) sum -= weights::crowded;
+    sum -= around.weights.reserve_taken * reserves_taken(around, own);
+    if (!around.arrangement.seats && is_on_crowded_side(around, own)) sum -= around.weights.crowded;
   }
   for (const auto& wish : around.wishes) sum += wish_degree(around, wish, own);
-  if (!around.beneath.empty()) sum += weights::over_place * beneath_degree(around, own);
-  if (is_at_seat(around, own)) sum += weights::seat_place;
+  if (!around.beneath.empty()) sum += around.weights.over_place * beneath_degree(around, own);
+  if (is_at_seat(around, own)) sum += around.weights.seat_place;
   return sum;
 }
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "weights.h"
 
 namespace roomgen {
 
@@ -52,7 +51,7 @@ double closeness_degree(const ProposalContext& context, const Footprint& footpri
   double degree = 0.0;
   if (wanted.location)
     degree = 1.0 - std::min((footprint.center() - *wanted.location).norm() / location_comfort, 1.0);
-  if (wanted.facing) degree += weights::facing * std::cos(footprint.yaw() - *wanted.facing);
+  if (wanted.facing) degree += context.layout.weights().facing * std::cos(footprint.yaw() - *wanted.facing);
   return degree;
 }
 
@@ -61,7 +60,7 @@ double metres_off(const ProposalContext& context, const Footprint& footprint) {
   if (!wanted.binds) return 0.0;
   double off = wanted.location ? (footprint.center() - *wanted.location).norm() : 0.0;
   if (wanted.facing)
-    off += weights::metres_a_radian *
+    off += context.layout.weights().metres_a_radian *
            turn_between(context.task.object, footprint.yaw(), *wanted.facing);
   return off;
 }
@@ -124,11 +123,11 @@ PlacementTerms score(const ProposalContext& context, const Footprint& footprint,
   return terms;
 }
 
-double total_degree(const PlacementTerms& terms) {
-  return weights::relations * terms.relations + weights::rest * terms.rest +
-         weights::walkway * terms.walkway + weights::spread * terms.spread +
-         weights::evenness * terms.evenness + weights::closeness * terms.closeness -
-         weights::off * terms.off + terms.arrangement;
+double total_degree(const PlacementTerms& terms, const Weights& weights) {
+  return weights.relations * terms.relations + weights.rest * terms.rest +
+         weights.walkway * terms.walkway + weights.spread * terms.spread +
+         weights.evenness * terms.evenness + weights.closeness * terms.closeness -
+         weights.off * terms.off + terms.arrangement;
 }
 
 }  // namespace roomgen

@@ -18,7 +18,7 @@ void add_general_terms(const ProposalContext& context, const Footprint& footprin
                        PlacementTerms& terms);
 
 /// The terms as one number: what decides between candidates that the fusion ranks alike.
-double total_degree(const PlacementTerms& terms);
+double total_degree(const PlacementTerms& terms, const Weights& weights);
 
 /// Which constraints are looked at: those with the room alone, those with a target, or both.
 enum class Asked { all, room, things };

@@ -4,6 +4,8 @@
 
 #include "arrange.h"
 #include "improve.h"
+#include "place.h"
+#include "polish.h"
 #include "scene/judgement.h"
 
 namespace roomgen {
@@ -79,11 +81,11 @@ Result<Solution> solve(const Problem& problem, const ModelTable& models,
   std::vector<PlacementTask> tasks;
   for (std::size_t i : *order) tasks.push_back(problem.tasks[i]);
 
-  Layout layout(problem.room, categories, models);
+  Layout layout(problem.room, categories, models, nullptr, options.place.weights);
   Random random(options.seed);
   std::map<std::string, std::string> reasons;
   Solution solution;
-  if (!place_all_at_once(layout, tasks, options, random))
+  if (!options.layout_search || !place_all_at_once(layout, tasks, options, random))
     solution.rounds = place_one_by_one(layout, tasks, reasons, options, random);
   solution.scene = scene_of(problem, layout, tasks, reasons, options);
   for (const auto& task : tasks)

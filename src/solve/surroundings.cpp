@@ -93,7 +93,10 @@ Vec2 middle_beneath(const Arrangement& rug, const Kind& kind, const Footprint& t
 
 Surroundings::Surroundings(const Layout& layout, const PlacementTask& task,
                            const Arrangement& kind_arrangement, int company)
-    : room(layout.room()), object(task.object), arrangement(kind_arrangement) {
+    : room(layout.room()),
+      object(task.object),
+      arrangement(kind_arrangement),
+      weights(layout.weights()) {
   const Bounds2 box = bounds(room.polygon);
   middle = 0.5 * (box.low + box.high);
   span = box.size().norm();

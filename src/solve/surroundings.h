@@ -40,6 +40,7 @@ struct Surroundings {
   const Room& room;
   const Object& object;
   const Arrangement& arrangement;
+  const Weights& weights;
   Vec2 middle = Vec2::Zero();  ///< of the room's box
   double span = 0.0;           ///< its diagonal
   std::vector<Footprint> doors, windows;
@@ -57,7 +58,7 @@ struct Surroundings {
 double degree(const Surroundings& around, const Footprint& footprint, double bottom,
               Preference preference);
 
-/// All that the kind's arrangement says of the place, each by its weight (weights.h).
+/// All that the kind's arrangement says of the place, each by its weight (Weights).
 double preference(const Surroundings& around, const Footprint& footprint, double bottom);
 
 /// Share in [0, 1] of the floor around a thing that its use will want and that is still open.

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <set>
 
-#include "weights.h"
 
 namespace roomgen {
 

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "scene/judgement.h"
-#include "weights.h"
 
 namespace roomgen {
 
@@ -75,7 +74,7 @@ double Words::displaced(const Layout& layout) const {
     const Object* now = layout.find(stood.id);
     if (!now) continue;
     sum += weight * ((now->position - stood.position).norm() +
-                     weights::metres_a_radian * std::abs(wrap_angle(now->yaw - stood.yaw)));
+                     layout.weights().metres_a_radian * std::abs(wrap_angle(now->yaw - stood.yaw)));
   }
   return sum;
 }

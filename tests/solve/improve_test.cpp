@@ -1,4 +1,7 @@
 #include "solve/improve.h"
+#include "solve/place.h"
+#include "solve/polish.h"
+#include "solve/quality.h"
 
 #include "support/random_problem.h"
 #include "support/solved.h"

@@ -33,6 +33,45 @@ struct FusionOptions {
   bool ordinal_ranks = false;
 };
 
+/// What counts how much between candidates that lose equally many constraints. Degrees are in [0, 1] unless
+/// said otherwise. docs/benchmarks.md ("The weights") says what half and twice of each changes.
+struct Weights {
+  // Of a thing that is not at a usual place of its kind (data/arrangements.json).
+  double relations = 1.0;
+  double rest = 0.8;
+  double walkway = 0.15;
+  double spread = 0.15;
+  double evenness = 0.3;
+  double closeness = 0.5;
+  double facing = 0.5;  ///< of the suggested yaw against the suggested centre
+
+  /// Of a metre off a designer's word: two centimetres outweigh any other degree of the poses about it.
+  double off = 100.0;
+  /// Ten degrees off what was said are as bad as 0.1 m.
+  double metres_a_radian = 0.573;
+
+  // The soft constraints of a way: the first counts most, so that one more outweighs preferences.
+  double first_habit = 6.0;
+  double habit_step = 0.5;
+  double most_steps = 6.0;
+  double burden = 4.0;  ///< a partner that has all the company it wants already
+  /// Preferences are dear to tell and never make up for more than this.
+  double most_preference = 8.0;
+
+  // Besides the preferences of its kind, which bring weights of their own.
+  double reserve_open = 2.4;   ///< the floor that its use will want is open
+  double reserve_taken = 1.2;  ///< of another's, for each
+  double crowded = 1.5;        ///< at the same side of the target as its like
+  double pair_gap = 0.6;       ///< as far from a partner as the pair prefers
+  double asked_pair_gap = 8.0;
+  double asked_middle = 4.0;     ///< what is to be in the middle is so by degrees
+  double askew = 8.0;            ///< a radian between the front and what it is to face
+  double beyond_opposite = 1.0;  ///< a metre farther than what is opposite
+  double seat_place = 2.0;       ///< at one of the places that a table has for so many
+  double over_place = 2.0;       ///< a rug lies as its group wants it
+  double plan_location = 3.0;    ///< where the plan wants it
+};
+
 enum class GridUse {
   near_suggestions,  ///< always when a location is suggested, else as a last resort
   last_resort,       ///< when no pose with a meaning will do
@@ -42,6 +81,7 @@ enum class GridUse {
 
 struct PlaceOptions {
   FusionOptions fusion;
+  Weights weights;
   double pitch = 0.10;  ///< of the grid, metres
   double least_near = 0.0;  ///< metres, the gap from which `near` holds here
   /// Candidates whose meshes and reachability are tested before giving up.
@@ -97,6 +137,8 @@ struct Placement {
 
 struct SolveOptions {
   PlaceOptions place;
+  /// Is a layout that holds every constraint searched for first?
+  bool layout_search = true;
   /// Rounds of improvement when not everything could be had at once; counted, not timed, so that
   /// equal input gives equal output on any machine.
   int rounds = 300;

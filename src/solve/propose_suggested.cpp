@@ -1,0 +1,55 @@
+#include "proposals.h"
+
+#include <cmath>
+
+namespace roomgen {
+
+namespace {
+
+// Straight at each thing that it shall look at.
+void add_yaws_to_targets(const ProposalContext& context, const Vec2& from,
+                         std::vector<double>& yaws) {
+  for (const auto& relation : context.relations) {
+    if (relation.kind != RelationKind::face_to && relation.kind != RelationKind::around) continue;
+    for (const auto& target : relation.targets)
+      if ((target.center() - from).norm() > 1e-6)
+        yaws.push_back(yaw_facing(target.center() - from));
+  }
+}
+
+}  // namespace
+
+std::vector<Vec2> offsets_about_suggestion(double reach) {
+  constexpr double step = 0.03;
+  std::vector<Vec2> offsets;
+  const int most = static_cast<int>(reach / step);
+  for (int j = -most; j <= most; ++j)
+    for (int i = -most; i <= most; ++i)
+      if (const Vec2 offset = step * Vec2(i, j); offset.norm() < reach) offsets.push_back(offset);
+  return offsets;
+}
+
+std::vector<double> suggested_yaws(const ProposalContext& context, const Vec2& at,
+                                   std::vector<double> usual) {
+  std::vector<double> yaws;
+  if (context.suggestion.facing)
+    yaws.push_back(*context.suggestion.facing);
+  else
+    yaws = std::move(usual);
+  add_yaws_to_targets(context, at, yaws);
+  return yaws;
+}
+
+void propose_suggested(const ProposalContext& context, std::vector<Pose>& poses) {
+  if (!context.suggestion.location) return;
+  const Vec2& location = *context.suggestion.location;
+  const double height = mounting_height(context);
+  const auto usual = useful_yaws(context);
+  for (double yaw : usual) poses.push_back({location, height, yaw});
+  if (!context.suggestion.binds) return;
+  for (const Vec2& offset : offsets_about_suggestion(0.10))
+    for (double yaw : suggested_yaws(context, location + offset, usual))
+      poses.push_back({location + offset, height, yaw});
+}
+
+}  // namespace roomgen
