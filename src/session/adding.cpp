@@ -19,15 +19,6 @@ bool wants(const std::vector<Relation>& relations, RelationKind kind) {
   return std::any_of(relations.begin(), relations.end(), [&](const Relation& one) { return one.kind == kind; });
 }
 
-// A lamp on a table is a table lamp.
-const Kind& kind_for(const KindTable& kinds, const edit::Add& add) {
-  const Kind& kind = kinds.get(add.category);
-  const bool rests = wants(add.relations, RelationKind::on) || wants(add.relations, RelationKind::inside);
-  if (rests && kind.mount != Mount::surface && !kind.forms.small.empty())
-    if (const Kind* small = kinds.by_name(kind.forms.small)) return kinds.planned(*small);
-  return kind;
-}
-
 Result<Mount> mount_for(const Kind& kind, const edit::Add& add) {
   const auto may = [&](Mount mount) {
     return kind.mount == mount || std::find(kind.also.begin(), kind.also.end(), mount) != kind.also.end();
@@ -125,8 +116,16 @@ Status bring(Draft& draft, const Newcomer& newcomer, Favourites& favourites) {
 
 }  // namespace
 
+const Kind& kind_to_add(const KindTable& kinds, const edit::Add& add) {
+  const Kind& kind = kinds.get(add.category);
+  const bool rests = wants(add.relations, RelationKind::on) || wants(add.relations, RelationKind::inside);
+  if (rests && kind.mount != Mount::surface && !kind.forms.small.empty())
+    if (const Kind* small = kinds.by_name(kind.forms.small)) return kinds.planned(*small);
+  return kind;
+}
+
 Status carry_out(Draft& draft, const edit::Add& add) {
-  const Kind& kind = kind_for(draft.shop.kinds(), add);
+  const Kind& kind = kind_to_add(draft.shop.kinds(), add);
   if (draft.scene.objects.size() + static_cast<std::size_t>(add.count) > most_things)
     return cannot("a scene holds " + std::to_string(most_things) + " things at most");
   const auto mount = mount_for(kind, add);

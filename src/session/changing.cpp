@@ -59,10 +59,9 @@ Status put_changed(Draft& draft, const Cluster& before, Object changed) {
   auto away = before.ids();
   Layout& layout = draft.shop.layout(draft.scene, changed.room, away);
   Result<Cluster> place = cannot("");
-  for (const auto& pose : poses_for_size(before.root, changed.size)) {
-    place = settled(draft, layout, moved_to(Cluster{changed, {}}, pose));
-    if (place) break;
-  }
+  for (const auto edges : {RugEdges::kept_free, RugEdges::stood_on})
+    for (const auto& pose : poses_for_size(before.root, changed.size))
+      if (!place) place = settled(draft, layout, moved_to(Cluster{changed, {}}, pose), edges);
   if (!place) {
     Aim aim;
     aim.near_to = pose_of(before.root);
@@ -219,6 +218,12 @@ Status carry_out(Draft& draft, const edit::Lock& lock) {
     object->locked = lock.locked;
     draft.put(Cluster{*object, {}});
   }
+  return {};
+}
+
+Status carry_out(Draft& draft, const edit::Revert&) {
+  if (!draft.earlier) return cannot("there is no edit before that could be taken back");
+  draft.scene = *draft.earlier;
   return {};
 }
 

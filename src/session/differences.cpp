@@ -64,8 +64,7 @@ std::vector<std::string> changes_of(const Object& before, const Object& after, c
   if (before.size != after.size) words.push_back("is now " + size_text(after.size) + " m, not " + size_text(before.size));
   add_asset_words(before, after, words);
   if (before.locked != after.locked) words.push_back(after.locked ? "is locked" : "is no longer locked");
-  if (words.empty() && (before.relations != after.relations || before.description != after.description))
-    words.push_back("is described otherwise");
+  if (words.empty() && before.description != after.description) words.push_back("is described otherwise");
   return words;
 }
 

@@ -32,6 +32,7 @@ struct Draft {
 
   Workshop& shop;
   Scene scene;
+  const Scene* earlier = nullptr;  ///< before the last edit; null if there was none
   bool repair = true;
   Random random;
   std::set<std::string> named;  ///< objects that the edit is about, whatever became of them

@@ -49,15 +49,17 @@ double nearest_to(const Scene& scene, const Cluster& cluster) {
 
 }  // namespace
 
-Result<EditedScene> edit_scene(Workshop& shop, const Scene& scene, std::span<const edit::Operation> operations,
-                               bool repair) {
+Result<EditedScene> edit_scene(Workshop& shop, const Scene& scene, const Scene* earlier,
+                               std::span<const edit::Operation> operations, bool repair) {
   Draft draft(shop, scene, repair);
+  draft.earlier = earlier;
   for (const auto& operation : operations)
     if (auto status = carry_out(draft, operation); !status) return status.error();
   shop.fetch_models(draft.scene);
   if (auto status = check_new_faults(scene, draft); !status) return status.error();
   EditedScene edited;
   edited.report.broken = update_ledger(draft, scene);
+  for (auto& edge : new_rug_edges(scene, draft)) edited.report.broken.push_back(std::move(edge));
   if (auto status = check(draft.scene); !status) return status.error();
   edited.report.added = std::move(draft.added);
   edited.report.repairs = std::move(draft.repairs);

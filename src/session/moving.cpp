@@ -88,12 +88,26 @@ Status turn_to(Draft& draft, const Object& object, double yaw) {
 
 // How far of the way it could go, in steps; 0 if not at all.
 double possible_share(Draft& draft, const Cluster& cluster, const Vec2& by) {
-  for (double left = by.norm() - shift_step; left > 0.0; left -= shift_step) {
+  for (double left = by.norm() - shift_step; left > 0.5 * shift_step; left -= shift_step) {
     Pose pose = pose_of(cluster.root);
     pose.position += by * (left / by.norm());
-    if (exactly_at(draft, cluster, pose)) return left;
+    if (exactly_at(draft, cluster, pose, RugEdges::stood_on)) return left;
   }
   return 0.0;
+}
+
+// Only what hangs may be higher or lower.
+Status raise(Draft& draft, const Object& object, const Vec3& by) {
+  if (object.mount != Mount::wall && object.mount != Mount::ceiling)
+    return cannot(object.id + " stands on something and cannot hang in the air");
+  Pose pose = pose_of(object);
+  pose.position += by.head<2>();
+  pose.bottom += by.z();
+  if (pose.bottom < 0.0) return cannot(object.id + " would be below the floor");
+  const auto there = exactly_at(draft, cluster_of(draft.scene, object), pose);
+  if (!there) return there.error();
+  draft.put(*there);
+  return {};
 }
 
 // At another one's place: what stands on other things goes onto what carried that one.
@@ -104,6 +118,7 @@ Result<Cluster> in_place_of(Draft& draft, Layout& layout, const Cluster& cluster
   if (going.root.mount != Mount::surface) {
     pose.bottom = going.root.mount == Mount::floor ? 0.0 : going.root.position.z();
     if (auto there = settled(draft, layout, moved_to(going, pose))) return there;
+    if (auto there = settled(draft, layout, moved_to(going, pose), RugEdges::stood_on)) return there;
   }
   Aim aim;
   aim.near_to = pose;
@@ -151,7 +166,8 @@ Status carry_out(Draft& draft, const edit::Put& put) {
     there->root.relations = object->relations;
     return draft.put(*there), Status();
   }
-  const auto there = exactly_at(draft, cluster, pose);
+  auto there = exactly_at(draft, cluster, pose);
+  if (!there) there = exactly_at(draft, cluster, pose, RugEdges::stood_on);
   if (!there) return there.error();
   draft.put(*there);
   if (object->traits.flat) settle_heights(draft, object->room);
@@ -161,10 +177,12 @@ Status carry_out(Draft& draft, const edit::Put& put) {
 Status carry_out(Draft& draft, const edit::Shift& shift) {
   const auto object = object_to_change(draft, shift.object);
   if (!object) return object.error();
-  edit::Put put{object->id, Vec2(object->position.head<2>()) + shift.by, object->yaw, object->on};
+  const Vec2 by = shift.by.head<2>();
+  if (shift.by.z() != 0.0) return raise(draft, *object, shift.by);
+  edit::Put put{object->id, Vec2(object->position.head<2>()) + by, object->yaw, object->on};
   auto status = carry_out(draft, put);
   if (status || object->mount == Mount::surface) return status;
-  const double possible = possible_share(draft, cluster_of(draft.scene, *object), shift.by);
+  const double possible = possible_share(draft, cluster_of(draft.scene, *object), by);
   return cannot(status.error().message +
                 (possible > 0.0 ? "; " + format_number(possible, 2) + " m that way would be possible" : ""));
 }

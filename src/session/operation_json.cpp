@@ -83,11 +83,17 @@ struct Writer {
     add_text(json, "room", cover.room);
     return json;
   }
+  Json operator()(const Revert&) const { return {{"do", "revert"}}; }
 };
 
 Vec2 vec2_of(const JsonReader& json) {
   const auto v = json.numbers(2, -furthest, furthest);
   return {v[0], v[1]};
+}
+
+Vec3 vec3_of(const JsonReader& json) {
+  const auto v = json.numbers(3, -furthest, furthest);
+  return {v[0], v[1], v[2]};
 }
 
 Vec3 size_of(const JsonReader& json) {
@@ -146,7 +152,7 @@ Operation read_put(const JsonReader& json) {
 
 Operation read_shift(const JsonReader& json) {
   json.allow_only({"do", "object", "by"});
-  return Shift{json["object"].text(200), vec2_of(json["by"])};
+  return Shift{json["object"].text(200), vec3_of(json["by"])};
 }
 
 Operation read_turn(const JsonReader& json) {
@@ -189,11 +195,16 @@ Operation read_cover(const JsonReader& json) {
   return Cover{json["part"].text(50), json["looks"].text(500), json["room"].text_or("", 200)};
 }
 
+Operation read_revert(const JsonReader& json) {
+  json.allow_only({"do"});
+  return Revert{};
+}
+
 struct OperationKind {
   std::string_view name;
   Operation (*read)(const JsonReader& json);
 };
-constexpr std::array<OperationKind, 13> operation_kinds = {{{"add", read_add},
+constexpr std::array<OperationKind, 14> operation_kinds = {{{"add", read_add},
                                                             {"remove", read_remove},
                                                             {"move", read_move},
                                                             {"put", read_put},
@@ -205,7 +216,8 @@ constexpr std::array<OperationKind, 13> operation_kinds = {{{"add", read_add},
                                                             {"resize", read_resize},
                                                             {"recolor", read_recolor},
                                                             {"lock", read_lock},
-                                                            {"cover", read_cover}}};
+                                                            {"cover", read_cover},
+                                                            {"revert", read_revert}}};
 
 Operation read_operation(const JsonReader& json) {
   const std::string what = json["do"].text(50);

@@ -23,7 +23,11 @@ Status carry_out(Draft& draft, const edit::Resize& resize);
 Status carry_out(Draft& draft, const edit::Recolor& recolor);
 Status carry_out(Draft& draft, const edit::Lock& lock);
 Status carry_out(Draft& draft, const edit::Cover& cover);
+Status carry_out(Draft& draft, const edit::Revert& revert);
 
+/// The kind that is brought: what goes onto other things may be another sort of it, a lamp on a table a table
+/// lamp.
+const Kind& kind_to_add(const KindTable& kinds, const edit::Add& add);
 /// The id that the next new thing of a category gets in this scene, after `further` others.
 std::string next_id(const Scene& scene, const std::string& category, int further = 0);
 

@@ -48,8 +48,9 @@ std::string on_edge_of(const Object& rug, const Object* before, std::span<const 
   return "";
 }
 
-Status settle_root(const Draft& draft, const Layout& layout, Cluster& cluster) {
+Status settle_root(const Draft& draft, const Layout& layout, RugEdges edges, Cluster& cluster) {
   if (lies_on_floor(cluster.root)) {
+    if (edges == RugEdges::stood_on) return {};
     const auto id = on_edge_of(cluster.root, find_object(draft.scene, cluster.root.id), layout.objects(),
                                draft.shop.models());
     return id.empty() ? Status() : cannot(cluster.root.id + " cannot lie there: " + id + " would stand on its edge");
@@ -58,9 +59,10 @@ Status settle_root(const Draft& draft, const Layout& layout, Cluster& cluster) {
   Object on_floor = cluster.root;
   on_floor.position.z() = 0.0;
   const auto height = height_on_rugs(on_floor, layout.objects(), draft.shop.models());
-  if (!height) return cannot(cluster.root.id + " cannot stand there: it would be on the edge of a rug");
+  if (!height && edges == RugEdges::kept_free)
+    return cannot(cluster.root.id + " cannot stand there: it would be on the edge of a rug");
   Pose pose = pose_of(on_floor);
-  pose.bottom = *height;
+  pose.bottom = height.value_or(0.0);
   if (pose.bottom != cluster.root.position.z()) cluster = moved_to(cluster, pose);
   return {};
 }
@@ -183,8 +185,8 @@ class PlaceSearch {
 
 }  // namespace
 
-Result<Cluster> settled(const Draft& draft, Layout& layout, Cluster cluster) {
-  if (auto status = settle_root(draft, layout, cluster); !status) return status.error();
+Result<Cluster> settled(const Draft& draft, Layout& layout, Cluster cluster, RugEdges edges) {
+  if (auto status = settle_root(draft, layout, edges, cluster); !status) return status.error();
   if (auto status = fits_as_it_is(layout, cluster.root); !status) return status.error();
   layout.add(cluster.root);
   std::size_t added = 0;
@@ -199,8 +201,8 @@ Result<Cluster> settled(const Draft& draft, Layout& layout, Cluster cluster) {
   return cluster;
 }
 
-Result<Cluster> exactly_at(Draft& draft, const Cluster& cluster, const Pose& pose) {
-  return settled(draft, draft.layout_without(cluster), moved_to(cluster, pose));
+Result<Cluster> exactly_at(Draft& draft, const Cluster& cluster, const Pose& pose, RugEdges edges) {
+  return settled(draft, draft.layout_without(cluster), moved_to(cluster, pose), edges);
 }
 
 Result<Cluster> find_place(Draft& draft, Layout& layout, const Cluster& cluster, const Aim& aim,
@@ -216,7 +218,9 @@ Result<Cluster> there_or_near(Draft& draft, const Cluster& cluster, const Pose& 
   aim.most_off = most_off;
   aim.kept = cluster.root.relations;
   auto near = find_place(draft, draft.layout_without(cluster), cluster, aim);
-  return near ? near : there;
+  if (near) return near;
+  auto on_edge = exactly_at(draft, cluster, pose, RugEdges::stood_on);
+  return on_edge ? on_edge : there;
 }
 
 std::vector<Relation> lost_relations(const Object& object, const std::vector<Relation>& relations, const Scene& scene,
@@ -235,6 +239,21 @@ std::vector<Relation> lost_relations(const Object& object, const std::vector<Rel
       lost.push_back(relations[i]);
   }
   return lost;
+}
+
+std::vector<std::string> new_rug_edges(const Scene& before, const Draft& draft) {
+  const auto stands_on_edge = [&](const Object* thing, const Object* rug) {
+    return thing && rug && may_meet(*thing, *rug) && stand_to_rug(*thing, *rug, draft.shop.models()) == RugStand::partly;
+  };
+  std::vector<std::string> edges;
+  for (const auto& rug : draft.scene.objects) {
+    if (!lies_on_floor(rug)) continue;
+    for (const auto& thing : draft.scene.objects)
+      if (stands_on_floor(thing) && thing.room == rug.room && stands_on_edge(&thing, &rug) &&
+          !stands_on_edge(find_object(before, thing.id), find_object(before, rug.id)))
+        edges.push_back(thing.id + " stands on the edge of " + rug.id);
+  }
+  return edges;
 }
 
 void settle_heights(Draft& draft, const std::string& room) {

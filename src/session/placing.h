@@ -18,11 +18,16 @@ struct Aim {
   bool usual = false;              ///< where things of its kind stand, as far as all this leaves it open
 };
 
+/// Things stand on rugs with all their feet or none. Where that cannot be, what somebody wants exactly so may
+/// stand on a rug's edge, and then stands on the floor.
+enum class RugEdges { kept_free, stood_on };
+
 /// May the cluster stand as it is (docs/constraints.md, "Valid")? It is not in the layout. Comes back at the
 /// height of the rug that it stands on.
-Result<Cluster> settled(const Draft& draft, Layout& layout, Cluster cluster);
+Result<Cluster> settled(const Draft& draft, Layout& layout, Cluster cluster, RugEdges edges = RugEdges::kept_free);
 /// At this pose, exactly.
-Result<Cluster> exactly_at(Draft& draft, const Cluster& cluster, const Pose& pose);
+Result<Cluster> exactly_at(Draft& draft, const Cluster& cluster, const Pose& pose,
+                           RugEdges edges = RugEdges::kept_free);
 enum class Effort {
   brief,    ///< the solver's usual search
   thorough  ///< and then all points of the floor 5 cm apart
@@ -30,12 +35,14 @@ enum class Effort {
 /// At the best of the poses that there are.
 Result<Cluster> find_place(Draft& draft, Layout& layout, const Cluster& cluster, const Aim& aim,
                            Effort effort = Effort::thorough);
-/// Exactly there, or else as near as there is room.
+/// Exactly there, or else as near as there is room, or else there on the edge of a rug.
 Result<Cluster> there_or_near(Draft& draft, const Cluster& cluster, const Pose& pose, double most_off);
 
 /// Those of the relations that do not hold for the object as it stands.
 std::vector<Relation> lost_relations(const Object& object, const std::vector<Relation>& relations, const Scene& scene,
                                      const KindTable& kinds);
+/// "sofa-0 stands on the edge of rug-0", for all that did not do so before.
+std::vector<std::string> new_rug_edges(const Scene& before, const Draft& draft);
 /// Sets what stands on the floor of a room to the height of the rugs that lie there now.
 void settle_heights(Draft& draft, const std::string& room);
 

@@ -45,6 +45,30 @@ struct Session::Impl {
     return scene_of(*found);
   }
 
+  // Before the last edit; nothing if there was none.
+  std::optional<Scene> earlier() const {
+    const auto before = history.timeline().before(history.state().sequence);
+    if (!before) return std::nullopt;
+    auto scene_then = scene_at(*before);
+    if (!scene_then) return std::nullopt;
+    return *std::move(scene_then);
+  }
+
+  // What the last edit was about.
+  Recall recall() const {
+    Recall recall;
+    const auto before = earlier();
+    if (!before) return recall;
+    for (const auto& object : scene.objects) {
+      const Object* old = find_object(*before, object.id);
+      if (!old) recall.added.push_back(object.id);
+      const bool is_other = old && (old->position != object.position || old->relations != object.relations || old->yaw != object.yaw || old->size != object.size ||
+                                    old->asset != object.asset || old->locked != object.locked);
+      if (is_other) recall.touched.push_back(object.id);
+    }
+    return recall;
+  }
+
   History history;
   Scene scene;
   SessionOptions options;
@@ -82,13 +106,14 @@ const ModelTable& Session::models() {
 }
 
 Result<std::vector<edit::Operation>> Session::understand(std::string_view sentence) const {
-  return read_edit(sentence, impl_->scene, impl_->shop.kinds());
+  return read_edit(sentence, impl_->scene, impl_->shop.kinds(), impl_->recall());
 }
 
 Result<EditReport> Session::apply(std::span<const edit::Operation> operations, const Asker& asker) {
   if (operations.empty()) return Error{Error::Kind::invalid_input, "there is nothing to do"};
   impl_->shop.fetch_models(impl_->scene);
-  auto edited = edit_scene(impl_->shop, impl_->scene, operations, impl_->options.repair);
+  const auto earlier = impl_->earlier();
+  auto edited = edit_scene(impl_->shop, impl_->scene, earlier ? &*earlier : nullptr, operations, impl_->options.repair);
   if (!edited) return edited.error();
   const Deed deed{asker.asked, asker.by, operations_json(operations)};
   if (auto status = impl_->history.commit(edited->scene, deed); !status) return status.error();

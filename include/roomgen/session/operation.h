@@ -53,10 +53,10 @@ struct Put {
   bool operator==(const Put&) const = default;
 };
 
-/// By so much, in the scene's frame.
+/// By so much, in the scene's frame; up and down only what hangs.
 struct Shift {
   std::string object;
-  Vec2 by = Vec2::Zero();
+  Vec3 by = Vec3::Zero();
 
   bool operator==(const Shift&) const = default;
 };
@@ -124,8 +124,13 @@ struct Cover {
   bool operator==(const Cover&) const = default;
 };
 
+/// Everything is as it was before the last edit.
+struct Revert {
+  bool operator==(const Revert&) const = default;
+};
+
 using Operation =
-    std::variant<Add, Remove, Move, Put, Shift, Turn, Face, Swap, Replace, Resize, Recolor, Lock, Cover>;
+    std::variant<Add, Remove, Move, Put, Shift, Turn, Face, Swap, Replace, Resize, Recolor, Lock, Cover, Revert>;
 
 /// {"do": "move", "object": "lamp-0", "relations": ["next to, bed-0"]}
 Json to_json(const Operation& operation);

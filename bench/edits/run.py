@@ -1,0 +1,132 @@
+#!/usr/bin/env python3
+"""How many of the edit sentences are understood as meant.
+
+    run.py ROOMGEN open|kept [--rooms FOLDER] [--show]
+
+For each sentence the room of its scene is made (once, in FOLDER), what comes `before` is carried out, and
+`roomgen edit --dry-run` says which operations it takes the sentence for. What should be done counts when these
+are the operations meant, on the kinds of things meant; what should be asked back, when it exits with 2; what
+should be refused, when the edit itself exits with 1 or 2 and scene.json stays as it was. --show lists what went
+wrong, for open.jsonl alone.
+"""
+import argparse
+import json
+import pathlib
+import re
+import shutil
+import subprocess
+import tempfile
+
+HERE = pathlib.Path(__file__).resolve().parent
+SAME_DEED = {"put": "move", "shift": "move", "turn": "rotate", "face": "rotate", "recolor": "recolour",
+             "cover": "recolour"}
+# What the sentences call things, and what scenes may call them.
+SAME_THING = [{"bin", "trash", "basket", "wastebasket"}, {"fridge", "refrigerator"}, {"tv", "television"},
+              {"painting", "picture", "poster", "map", "art"}, {"wall", "walls"}, {"crib", "cot"},
+              {"tub", "bathtub"}, {"basin", "washbasin", "sink", "vanity"}, {"chaise", "longue"},
+              {"stove", "range", "oven", "cooker"}, {"screen", "divider"}, {"stool", "stools"},
+              {"plant", "plants"}, {"counter", "bar"}, {"mat", "rug"}, {"cabinet", "sideboard", "cupboard"},
+              {"hamper", "basket"}, {"bookshelf", "bookcase", "shelf"}, {"couch", "sofa"}, {"toy", "toys"}]
+
+
+def words_of(text):
+    return {w[:-1] if w.endswith("s") and len(w) > 3 else w for w in re.findall(r"[a-z]+", (text or "").lower())}
+
+
+def alike(meant, found):
+    a, b = words_of(meant), words_of(found)
+    if a & b:
+        return True
+    return any((group & a) and (group & b) for group in ({w.rstrip("s") if len(w) > 3 else w for w in g} | g for g in SAME_THING))
+
+
+def run(program, *arguments):
+    return subprocess.run([program, *map(str, arguments)], capture_output=True, text=True)
+
+
+def things_of(operation, objects):
+    """(deed, what it is done to, towards what) for each thing."""
+    deed = SAME_DEED.get(operation["do"], operation["do"])
+    if deed == "lock" and not operation.get("locked", True):
+        deed = "unlock"
+    name = lambda i: objects.get(i, re.sub(r"-\d+$", "", i))
+    target = " ".join([name(r.split(",", 1)[1].strip()) if "," in r else r for r in operation.get("relations", [])])
+    target = target or name(operation.get("target", ""))
+    if deed == "swap":
+        return [(deed, name(operation["first"]) + " " + name(operation["second"]), "")]
+    if deed == "add":
+        return [(deed, operation["category"] + " " + operation.get("description", ""), target)]
+    if "part" in operation:
+        return [(deed, operation["part"], target)]
+    return [(deed, name(i), target) for i in operation.get("objects", [operation.get("object", "")])]
+
+
+def is_meant(operations, meaning, objects):
+    # To stand around something, or in a line, is to be moved there.
+    meaning = [{**m, "op": "move" if m["op"] == "rearrange" and m.get("relation") else m["op"]} for m in meaning]
+    said = [thing for operation in operations for thing in things_of(operation, objects)]
+    if any(operation["do"] == "revert" for operation in operations):
+        return any("former place" in str(m.get("relation")) for m in meaning)
+    everything = [m for m in meaning if m.get("kind") in (None, "everything")]
+    for m in meaning:
+        mine = [s for s in said if s[0] == m["op"] and (m in everything or alike(m["kind"], s[1]))]
+        if not mine:
+            return False
+        if m["op"] == "swap" and not alike(m["target"], mine[0][1]):
+            return False
+        if m["op"] in ("move", "add", "rotate") and m.get("target") and m["target"] not in ("room", "wall") and \
+                not str(m.get("amount") or "").strip() and not all(alike(m["target"], s[2]) for s in mine):
+            return False
+    return all(any(s[0] == m["op"] and (m in everything or alike(m["kind"], s[1])) for m in meaning) for s in said)
+
+
+def outcome(program, folder, case):
+    scene = folder / "scene.json"
+    for sentence in case.get("before", []):
+        run(program, "edit", scene, sentence, "--no-pictures", "--quiet")
+    document = json.loads(scene.read_text())
+    objects = {o["id"]: o["category"] + " " + o["description"] for o in document["objects"]}
+    dry = run(program, "edit", scene, case["sentence"], "--dry-run", "--quiet")
+    said = dry.stdout if dry.returncode == 0 else dry.stderr
+    if case["outcome"] == "ambiguous":
+        return ("as meant" if dry.returncode == 2 else "wrong"), said
+    if case["outcome"] == "refused":
+        before = scene.read_bytes()
+        done = run(program, "edit", scene, case["sentence"], "--no-pictures", "--quiet")
+        same = scene.read_bytes() == before
+        return ("as meant" if done.returncode in (1, 2) and same else "wrong"), said + done.stderr
+    if dry.returncode != 0:
+        return "not understood", said
+    return ("as meant" if is_meant(json.loads(dry.stdout), case["meaning"], objects) else "wrong"), said
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("program")
+    parser.add_argument("part", choices=["open", "kept"])
+    parser.add_argument("--rooms", type=pathlib.Path, default=pathlib.Path(tempfile.gettempdir()) / "roomgen-edit-rooms")
+    parser.add_argument("--show", action="store_true")
+    options = parser.parse_args()
+    scenes = {s["id"]: s for s in map(json.loads, (HERE / "scenes.jsonl").read_text().splitlines())}
+    counts = {"as meant": 0, "not understood": 0, "wrong": 0}
+    cases = list(map(json.loads, (HERE / f"{options.part}.jsonl").read_text().splitlines()))
+    for case in cases:
+        room = options.rooms / case["scene"]
+        if not (room / "scene.json").exists():
+            scene = scenes[case["scene"]]
+            run(options.program, "generate", scene["prompt"], "--seed", scene["seed"], "-o", room, "--no-pictures", "--quiet")
+        with tempfile.TemporaryDirectory() as folder:
+            copy = pathlib.Path(folder) / "room"
+            copy.mkdir()
+            shutil.copy(room / "scene.json", copy)
+            verdict, said = outcome(options.program, copy, case)
+        counts[verdict] += 1
+        if options.show and options.part == "open" and verdict != "as meant":
+            print(f"{case['id']} {verdict}: {case['sentence']}\n    {' '.join(said.split())[:400]}")
+    share = 100.0 * counts["as meant"] / len(cases)
+    print(f"{options.part}: {counts['as meant']} of {len(cases)} as meant ({share:.0f} %), "
+          f"{counts['not understood']} not understood, {counts['wrong']} wrong")
+
+
+if __name__ == "__main__":
+    main()

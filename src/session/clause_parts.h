@@ -1,0 +1,49 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "destinations.h"
+#include "edit_text.h"
+#include "references.h"
+#include "roomgen/session/operation.h"
+
+namespace roomgen {
+
+/// What was read, and the token behind it.
+template <typename T>
+struct Read {
+  T value;
+  std::size_t end = 0;
+};
+template <typename T>
+using MayRead = std::optional<Result<Read<T>>>;  ///< nothing: the words say no such thing
+
+using Ids = std::vector<std::string>;
+
+/// "the vase on the coffee table", "the printer and both plants", "everything on the desk except the lamp".
+/// With `with_places` words of place that follow a thing tell which is meant.
+MayRead<Ids> things_at(const EditText& text, std::size_t at, bool with_places);
+
+/// "dark oak", "in bottle-green leather": up to the end of the clause, if it means a look. `of_room`: of floors
+/// and walls.
+MayRead<std::string> looks_at(const EditText& text, std::size_t at, bool of_room);
+
+/// "20 cm longer", "twice as wide", "30 cm deep", "bigger": the size that a thing gets by it.
+struct NewSize {
+  std::string side;
+  double factor = 0.0;               ///< of the side; 0: not said
+  std::optional<double> more, exact; ///< metres
+};
+MayRead<NewSize> size_at(const EditText& text, std::size_t at);
+Vec3 resized(const Vec3& size, const NewSize& change);
+
+/// "a small round table", "taller ones with backs", as the library is asked for it instead of a thing.
+struct Substitute {
+  std::string category;  ///< empty: another of the same kind
+  std::string description;
+};
+MayRead<Substitute> substitute_at(const EditText& text, std::size_t at);
+
+}  // namespace roomgen

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "brief/tokens.h"
+#include "edit_vocabulary.h"
+#include "language/token.h"
+#include "roomgen/kinds/kind_table.h"
+#include "roomgen/scene/scene.h"
+
+namespace roomgen {
+
+/// What the edit before was about: what "it" may mean.
+struct Recall {
+  std::vector<std::string> touched;  ///< ids, that are still there
+  std::vector<std::string> added;
+};
+
+/// A sentence with all that is needed to read it. `mentioned` grows while it is read.
+struct EditText {
+  using Token = design::Token;
+
+  const Scene& scene;
+  const KindTable& kinds;
+  const EditVocabulary& edits;
+  const design::Vocabulary& words;
+  std::vector<language::Token> raw;
+  std::vector<Token> tokens;             ///< one for each of `raw`
+  std::vector<std::string> mentioned;    ///< ids spoken of so far, the last one last
+  std::vector<std::string> latest;       ///< those of the last clause: "it", "them"
+  std::vector<Object> coming;            ///< things that earlier clauses add, without a place
+  Recall recall;
+
+  bool is_word(std::size_t at, std::string_view word) const { return at < tokens.size() && tokens[at].is_word(word); }
+  /// Ends here what belongs together: a mark, "and", "then", or the end.
+  bool ends(std::size_t at) const;
+  /// As written.
+  std::string words_from(std::size_t begin, std::size_t end) const;
+  const Object* object(std::string_view id) const;
+};
+
+/// not_understood, for people.
+Error not_understood(const std::string& what);
+
+}  // namespace roomgen

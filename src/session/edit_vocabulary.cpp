@@ -1,0 +1,100 @@
+#include "edit_vocabulary.h"
+
+#include <nlohmann/json.hpp>
+
+#include "base/json_reader.h"
+#include "base/resource.h"
+#include "roomgen/base/json.h"
+
+namespace roomgen {
+
+namespace {
+
+constexpr std::size_t longest_phrase = 7;  // words
+constexpr double most = 1e4;
+
+EditVocabulary::Set set_of(const JsonReader& json) {
+  EditVocabulary::Set set;
+  for (const auto& element : json.elements(1000)) set.insert(element.text(100));
+  return set;
+}
+
+template <typename T, typename Read>
+EditVocabulary::Map<T> map_of(const JsonReader& json, Read read) {
+  EditVocabulary::Map<T> map;
+  for (const auto& [phrase, value] : json.members()) map[phrase] = read(value);
+  return map;
+}
+
+double number_of(const JsonReader& json) { return json.number(-most, most); }
+std::string text_of(const JsonReader& json) { return json.text(100); }
+
+Vec2 direction_of(const JsonReader& json) {
+  const auto v = json.numbers(2, -1.0, 1.0);
+  return {v[0], v[1]};
+}
+
+Growth growth_of(const JsonReader& json) {
+  const auto parts = json.elements(2);
+  if (parts.size() != 2) return json.report("expected a side and a factor"), Growth();
+  return {parts[0].text(20), parts[1].number(0.1, 10.0)};
+}
+
+EditVocabulary::Map<std::string> verbs_of(const JsonReader& json) {
+  EditVocabulary::Map<std::string> verbs;
+  for (const auto& [meaning, phrases] : json.members())
+    for (const auto& phrase : phrases.elements(200)) verbs[phrase.text(100)] = meaning;
+  return verbs;
+}
+
+Result<EditVocabulary> read_edit_vocabulary() {
+  const auto json = parse_json(resource("data/edits.json").value_or("{}"), "data/edits.json");
+  if (!json) return json.error();
+  JsonReader::Problems problems("data/edits.json");
+  const JsonReader root(*json, problems);
+  EditVocabulary words;
+  words.verbs = verbs_of(root["verbs"]);
+  const std::pair<const char*, EditVocabulary::Set*> sets[] = {
+      {"openers", &words.openers}, {"closers", &words.closers}, {"explanations", &words.explanations},
+      {"pronouns", &words.pronouns}, {"just added", &words.just_added}, {"all", &words.all},
+      {"everything", &words.everything}, {"except", &words.except}, {"more", &words.more},
+      {"nearest", &words.nearest}, {"away", &words.away}, {"closer", &words.closer}, {"to", &words.to},
+      {"so that it faces", &words.faces}, {"where they are", &words.where_they_are}, {"back", &words.back},
+      {"words of looks", &words.words_of_looks}, {"stays", &words.stays}, {"emphasis", &words.emphasis},
+      {"hedges", &words.hedges}, {"refused", &words.refused}};
+  for (const auto& [key, set] : sets) *set = set_of(root[key]);
+  words.sides = map_of<Vec2>(root["sides"], direction_of);
+  words.directions = map_of<Vec2>(root["directions"], direction_of);
+  words.sizes = map_of<double>(root["sizes of things"], number_of);
+  words.heights = map_of<double>(root["heights"], number_of);
+  words.amounts = map_of<double>(root["amounts"], number_of);
+  words.turns = map_of<double>(root["turns"], number_of);
+  words.turn_directions = map_of<double>(root["turn directions"], number_of);
+  words.growth = map_of<Growth>(root["growth"], growth_of);
+  words.verbs_of_size = map_of<Growth>(root["verbs of size"], growth_of);
+  words.measured = map_of<std::string>(root["measured"], text_of);
+  words.room_parts = map_of<std::string>(root["room parts"], text_of);
+  if (problems.first()) return *problems.first();
+  return words;
+}
+
+}  // namespace
+
+const Result<EditVocabulary>& edit_vocabulary() {
+  static const auto words = read_edit_vocabulary();
+  return words;
+}
+
+std::size_t longest_in(const design::WordSet& phrases, std::span<const design::Token> tokens, std::size_t at) {
+  std::size_t best = 0;
+  std::string phrase;
+  for (std::size_t n = 0; n < longest_phrase && at + n < tokens.size(); ++n) {
+    const auto& token = tokens[at + n];
+    if (token.kind != design::Token::Kind::word && token.kind != design::Token::Kind::number) break;
+    phrase += (n ? " " : "") + token.text;
+    if (phrases.count(phrase)) best = n + 1;
+  }
+  return best;
+}
+
+}  // namespace roomgen

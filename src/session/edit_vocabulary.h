@@ -1,0 +1,45 @@
+#pragma once
+
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "brief/prompt_words.h"
+#include "roomgen/base/result.h"
+#include "roomgen/geometry/vec.h"
+
+namespace roomgen {
+
+/// "twice as wide": which sides of a thing change, and how much.
+struct Growth {
+  std::string side;  ///< all, long (the longer of width and depth), width, depth, height
+  double factor = 1.0;
+};
+
+/// The words of data/edits.json; docs/editing.md explains the lists.
+struct EditVocabulary {
+  template <typename T>
+  using Map = std::map<std::string, T, std::less<>>;
+  using Set = design::WordSet;
+
+  Map<std::string> verbs;  ///< "get rid of": "remove"
+  Set openers, closers, explanations, pronouns, just_added, all, everything, except, more, nearest, away, closer, to,
+      faces, where_they_are, back, words_of_looks, stays, emphasis, hedges, refused;
+  Map<Vec2> sides, directions;   ///< in the scene's frame, as pictures from above show it
+  Map<double> sizes;             ///< "taller": the axis from 1, 2 for width, 3 for height; below 0: the least
+  Map<double> heights;           ///< 1 up
+  Map<double> amounts;           ///< metres
+  Map<double> turns;             ///< degrees
+  Map<double> turn_directions;   ///< 1 counter-clockwise
+  Map<Growth> growth, verbs_of_size;
+  Map<std::string> measured;     ///< "deep": the side that it measures
+  Map<std::string> room_parts;   ///< "floors": "floor"
+};
+
+const Result<EditVocabulary>& edit_vocabulary();
+
+/// How many tokens from `at` on are the longest phrase of the set; 0 if none is.
+std::size_t longest_in(const design::WordSet& phrases, std::span<const design::Token> tokens, std::size_t at);
+
+}  // namespace roomgen

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "brief/kind_mention.h"
+#include "edit_text.h"
+
+namespace roomgen {
+
+/// Words that name things: "the left chair", "both armchairs", "it", "two more stools", "everything".
+struct NamedThing {
+  enum class Which {
+    definite,    ///< the, my, no article at all
+    indefinite,  ///< a, another, two more: may bring something new
+    all,         ///< all, every, both
+    pronoun,
+    everything
+  };
+
+  Which which = Which::definite;
+  bool bare = false;     ///< no article: "bin by the door"
+  bool further = false;  ///< "another", "two more", "a second"
+  bool plural = false;
+  int count = 0;  ///< 0: not said
+  design::KindMention kind;
+  std::vector<std::string> looks;  ///< adjectives as said: "brass"
+  std::optional<int> number;       ///< of an id: "chair-2"
+  std::optional<Vec2> side;        ///< "left"
+  double size = 0.0;               ///< EditVocabulary::sizes
+  std::size_t begin = 0, end = 0;  ///< tokens
+
+  /// "tall brass floor lamp"
+  std::string description() const;
+};
+
+std::optional<NamedThing> named_thing_at(const EditText& text, std::size_t at);
+
+/// The things of the scene that the words mean, one or several as they say. not_understood, with the choices,
+/// where they may mean others as well; `among` narrows them down (null: all that the room has).
+Result<std::vector<std::string>> meant(const EditText& text, const NamedThing& thing,
+                                       const std::vector<std::string>* among = nullptr);
+/// All that the name fits, whatever the number.
+std::vector<std::string> fitting(const EditText& text, const NamedThing& thing);
+
+}  // namespace roomgen

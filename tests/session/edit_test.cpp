@@ -1,0 +1,291 @@
+// Edits of furnished rooms: what nobody named stays, nothing invalid comes in, undo gives everything back.
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "base/random.h"
+#include "catch.h"
+#include "roomgen/base/file.h"
+#include "roomgen/create/create.h"
+#include "roomgen/design/designer.h"
+#include "roomgen/evaluate/report.h"
+#include "roomgen/generate/generate.h"
+#include "roomgen/session/session.h"
+#include "support/rooms.h"
+#include "support/temporary_folder.h"
+
+using namespace roomgen;
+
+namespace {
+
+const AssetLibrary& things_from_words() {
+  static const auto library = create::make_finishing_library(create::make_created_library());
+  return *library;
+}
+
+std::string furnished(const std::string& prompt, std::uint64_t seed) {
+  const auto designer = make_rule_designer();
+  PlanRequest request;
+  request.prompt = prompt;
+  request.seed = seed;
+  const auto plan = designer->plan(request);
+  REQUIRE(plan);
+  const auto room = generate(*plan, *designer, things_from_words(), KindTable::built_in());
+  REQUIRE(room);
+  return dump_json(to_json(room->scene));
+}
+
+Session open(const std::filesystem::path& file) {
+  auto session = Session::open(file, things_from_words(), KindTable::built_in());
+  INFO((session ? "" : session.error().message));
+  REQUIRE(session);
+  return *std::move(session);
+}
+
+Session open_with(const TemporaryFolder& folder, const std::string& text) {
+  REQUIRE(write_file(folder / "scene.json", text));
+  return open(folder / "scene.json");
+}
+
+edit::Operation random_operation(const Scene& scene, Random& random) {
+  const auto& one = random.pick(scene.objects);
+  const auto& other = random.pick(scene.objects);
+  const char* kinds[] = {"armchair", "floor lamp", "plant", "stool", "side table", "bookshelf", "basket"};
+  const RelationKind places[] = {RelationKind::near, RelationKind::next_to, RelationKind::left_of, RelationKind::in_front_of};
+  const Relation place{places[random.integer(0, 3)], other.id};
+  switch (random.integer(0, 10)) {
+    case 0: return edit::Add{kinds[random.integer(0, 6)], ""};
+    case 1: return edit::Add{kinds[random.integer(0, 6)], "", {}, 1, {place}};
+    case 2: return edit::Remove{{one.id}};
+    case 3: return edit::Move{one.id, {place}};
+    case 4: return edit::Move{one.id, {{RelationKind::edge, ""}}};
+    case 5: return edit::Shift{one.id, {random.uniform(-1, 1), random.uniform(-1, 1), 0.0}};
+    case 6: return edit::Turn{one.id, 0.5 * pi * random.integer(1, 3)};
+    case 7: return edit::Face{one.id, other.id};
+    case 8: return edit::Swap{one.id, other.id};
+    case 9: return edit::Resize{one.id, one.size * random.uniform(0.8, 1.2)};
+    default: return edit::Replace{one.id};
+  }
+}
+
+std::set<std::string> named_in(const edit::Operation& operation) {
+  std::set<std::string> ids;
+  std::visit(
+      [&](const auto& one) {
+        using T = std::decay_t<decltype(one)>;
+        if constexpr (requires { one.object; }) ids.insert(one.object);
+        if constexpr (std::is_same_v<T, edit::Remove>) ids.insert(one.objects.begin(), one.objects.end());
+        if constexpr (std::is_same_v<T, edit::Swap>) ids = {one.first, one.second};
+      },
+      operation);
+  return ids;
+}
+
+// With all that stands on them.
+std::set<std::string> with_loads(const Scene& scene, std::set<std::string> ids) {
+  for (std::size_t before = 0; before != ids.size();) {
+    before = ids.size();
+    for (const auto& object : scene.objects)
+      if (ids.count(object.on)) ids.insert(object.id);
+  }
+  return ids;
+}
+
+bool has_rug(const Scene& scene, const std::set<std::string>& ids) {
+  return std::any_of(ids.begin(), ids.end(), [&](const std::string& id) {
+    const Object* object = find_object(scene, id);
+    return object && object->traits.flat;
+  });
+}
+
+std::set<std::string> faults(const Scene& scene, const ModelTable& models) {
+  std::set<std::string> all;
+  for (const auto& violation : examine(scene, models, KindTable::built_in()).violations)
+    all.insert(std::string(name(violation.fault)) + " " + violation.object + " " + violation.other);
+  return all;
+}
+
+void check_untouched(const Scene& before, const Scene& after, const edit::Operation& operation, const EditReport& report) {
+  auto touched = named_in(operation);
+  for (const auto& move : report.repairs) touched.insert(move.object);
+  touched = with_loads(before, touched);
+  // What stands on a rug keeps its place, but not its height.
+  const bool may_rise = has_rug(before, touched);
+  for (const auto& object : before.objects) {
+    if (touched.count(object.id)) continue;
+    INFO(object.id);
+    const Object* now = find_object(after, object.id);
+    REQUIRE(now);
+    CHECK(now->position.x() == object.position.x());
+    CHECK(now->position.y() == object.position.y());
+    CHECK((may_rise || now->position.z() == object.position.z()));
+    CHECK(now->yaw == object.yaw);
+    CHECK(now->size == object.size);
+    CHECK(now->asset == object.asset);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("200 edits of furnished rooms leave everything else alone and valid, and undo gives the first bytes") {
+  const char* prompts[] = {"a bedroom with a desk, two nightstands and a rug", "a living room with a sofa, two armchairs and a coffee table",
+                           "a dining room with a table and six chairs", "a study with a desk, a bookshelf and an armchair"};
+  int done = 0, refused = 0;
+  for (int room = 0; room < 4; ++room) {
+    const TemporaryFolder folder;
+    const std::string first = furnished(prompts[room], 3);
+    auto session = open_with(folder, first);
+    Random random(static_cast<std::uint64_t>(room));
+    for (int step = 0; step < 50; ++step) {
+      const Scene before = session.scene();
+      const auto fault_before = faults(before, session.models());
+      const edit::Operation operation = random_operation(before, random);
+      INFO(edit::to_json(operation).dump());
+      const auto report = session.apply({&operation, 1});
+      if (!report) {
+        ++refused;
+        CHECK(!report.error().message.empty());
+        CHECK(dump_json(to_json(session.scene())) == dump_json(to_json(before)));
+        continue;
+      }
+      ++done;
+      check_untouched(before, session.scene(), operation, *report);
+      for (const auto& fault : faults(session.scene(), session.models())) {
+        INFO(fault);
+        CHECK(fault_before.count(fault) == 1);
+      }
+    }
+    REQUIRE(session.undo(1000));
+    CHECK(session.text() == first);
+    REQUIRE(session.save());
+    CHECK(*read_file(folder / "scene.json") == first);
+    REQUIRE(session.redo(1000));
+  }
+  INFO(done << " done, " << refused << " refused");
+  CHECK(done >= 100);
+}
+
+TEST_CASE("What stands on a thing moves with it, and goes with it") {
+  const TemporaryFolder folder;
+  auto session = open_with(folder, furnished("a bedroom with a bed and a desk with a lamp on it", 1));
+  const auto lamp_on = [&]() -> const Object* {
+    for (const auto& object : session.scene().objects)
+      if (object.on == "desk-0") return &object;
+    return nullptr;
+  };
+  REQUIRE(lamp_on());
+  const std::string lamp = lamp_on()->id;
+  const Vec3 gap = lamp_on()->position - find_object(session.scene(), "desk-0")->position;
+  const edit::Operation lock = edit::Lock{{lamp}}, move = edit::Move{"desk-0", {{RelationKind::middle, ""}}};
+  REQUIRE(session.apply({&move, 1}));
+  const Object& desk = *find_object(session.scene(), "desk-0");
+  const Vec3 now = find_object(session.scene(), lamp)->position - desk.position;
+  CHECK(now.norm() == Approx(gap.norm()).margin(1e-3));
+  const edit::Operation remove = edit::Remove{{"desk-0"}};
+  REQUIRE(session.apply({&lock, 1}));
+  CHECK(!session.apply({&remove, 1}));
+  const edit::Operation unlock = edit::Lock{{lamp}, false};
+  REQUIRE(session.apply({&unlock, 1}));
+  REQUIRE(session.apply({&remove, 1}));
+  CHECK(!find_object(session.scene(), lamp));
+  for (const auto& verdict : session.scene().requirements)
+    if (verdict.requirement.category == "desk") CHECK(verdict.compliance == Compliance::withdrawn);
+}
+
+TEST_CASE("Neighbours make way where there is no room, and only if they may") {
+  // A box in the middle of each wall: nothing 1.6 m long stands at a wall unless one of them moves.
+  Room room = rooms::box(3.2, 3.2);
+  room.openings = {rooms::door("door-0", 0, 0.1, 0.9)};
+  Scene scene = rooms::scene(room, {rooms::thing("storage box-0", "storage box", {0.4, 0.4, 0.4}, {1.6, 0.2}),
+                                    rooms::thing("storage box-1", "storage box", {0.4, 0.4, 0.4}, {3.0, 1.6}),
+                                    rooms::thing("storage box-2", "storage box", {0.4, 0.4, 0.4}, {1.6, 3.0}),
+                                    rooms::thing("storage box-3", "storage box", {0.4, 0.4, 0.4}, {0.2, 1.6})});
+  const std::string text = dump_json(to_json(scene));
+  const edit::Operation add = edit::Add{"sideboard", "sideboard", Vec3(1.6, 0.45, 0.8), 1, {{RelationKind::edge, ""}}};
+  const TemporaryFolder folder;
+  {
+    auto session = open_with(folder, text);
+    const auto report = session.apply({&add, 1});
+    INFO((report ? "" : report.error().message));
+    REQUIRE(report);
+    CHECK(report->repairs.size() == 1);
+    CHECK(faults(session.scene(), session.models()).empty());
+  }
+  const TemporaryFolder other;
+  REQUIRE(write_file(other / "scene.json", text));
+  SessionOptions options;
+  options.repair = false;
+  auto session = Session::open(other / "scene.json", things_from_words(), KindTable::built_in(), options);
+  REQUIRE(session);
+  const auto refused = session->apply({&add, 1});
+  REQUIRE(!refused);
+  CHECK(refused.error().message.find("removing storage box-") != std::string::npos);
+  CHECK(session->text() == text);
+}
+
+TEST_CASE("The ledger follows an edit") {
+  const TemporaryFolder folder;
+  auto session = open_with(folder, furnished("a living room with a sofa, two armchairs and no television", 2));
+  const auto compliance_of = [&](const std::string& clause) {
+    for (const auto& verdict : session.scene().requirements)
+      if (verdict.requirement.clause.find(clause) != std::string::npos) return verdict.compliance;
+    return Compliance::not_judged;
+  };
+  REQUIRE(compliance_of("armchair") == Compliance::met);
+  const edit::Operation remove = edit::Remove{{"armchair-0"}};
+  REQUIRE(session.apply({&remove, 1}));
+  CHECK(compliance_of("2 armchair") == Compliance::withdrawn);
+  CHECK(compliance_of("1 armchair") == Compliance::met);
+  const edit::Operation add = edit::Add{"plant", "plant", {}, 1, {{RelationKind::near, "sofa-0"}}};
+  REQUIRE(session.apply({&add, 1}));
+  const auto& last = session.scene().requirements.back();
+  CHECK(last.requirement.source == Requirement::Source::edit);
+  CHECK(last.met());
+}
+
+TEST_CASE("A preview says what a pose would mean and changes nothing") {
+  const TemporaryFolder folder;
+  auto session = open_with(folder, furnished("a bedroom with a bed and a desk", 1));
+  const std::string text = session.text();
+  const Object bed = *find_object(session.scene(), session.scene().objects.front().id);
+  const auto there = session.preview(bed.id, {bed.position.head<2>(), bed.yaw});
+  REQUIRE(there);
+  CHECK(there->feasible);
+  CHECK(there->broken.empty());
+  const auto outside = session.preview(bed.id, {{100.0, 100.0}, 0.0});
+  REQUIRE(outside);
+  CHECK(!outside->feasible);
+  CHECK(!outside->reason.empty());
+  CHECK(!session.preview("nothing-7", {}));
+  CHECK(session.text() == text);
+  CHECK(session.history().size() == 1);
+}
+
+TEST_CASE("A second program gets a clear error, and may look") {
+  const TemporaryFolder folder;
+  auto session = open_with(folder, furnished("a bedroom with a bed", 1));
+  const auto second = Session::open(folder / "scene.json", things_from_words(), KindTable::built_in());
+  REQUIRE(!second);
+  CHECK(second.error().message.find("another program") != std::string::npos);
+  SessionOptions look;
+  look.look_only = true;
+  CHECK(Session::open(folder / "scene.json", things_from_words(), KindTable::built_in(), look));
+}
+
+TEST_CASE("Operations survive JSON, and what is none is told with its place") {
+  Random random(6);
+  Scene scene = *scene_from_json(*parse_json(furnished("a bedroom with a bed and two chairs", 1), "scene"), "scene");
+  for (int i = 0; i < 200; ++i) {
+    const auto operation = random_operation(scene, random);
+    const auto again = edit::operation_from_json(edit::to_json(operation), "op");
+    REQUIRE(again);
+    CHECK(edit::to_json(*again) == edit::to_json(operation));
+  }
+  for (const char* text : {R"({"do": "fly"})", R"({"do": "move", "object": 7, "relations": []})", R"([])", R"(3)",
+                           R"({"do": "resize", "object": "a", "size": [1, -1, 1]})",
+                           R"({"do": "add", "category": "chair", "count": 100000})", R"({"do": "lock", "objects": []})",
+                           R"({"do": "move", "object": "a", "relations": ["flying, b"]})", R"({"do": "turn", "object": "a"})"}) {
+    const auto bad = edit::operations_from_json(*parse_json(text, "op"), "op");
+    REQUIRE(!bad);
+    CHECK(bad.error().message.find("op") == 0);
+  }
+}
