@@ -45,7 +45,7 @@ MayRead<Ids> nearest_of(const EditText& text, const Ids& ids, std::size_t at) {
 // "off the desk", "from the desk": what is cleared was on it.
 std::optional<Result<Whereabouts>> place_of_reference(const EditText& text, std::size_t at, const NamedThing& thing,
                                                       const Ids& ids) {
-  if (thing.which == Which::everything && (text.is_word(at, "off") || text.is_word(at, "from"))) {
+  if (text.is_word(at, "off") || text.is_word(at, "from")) {
     const auto target = target_at(text, at + 1, {});
     if (!target) return std::nullopt;
     if (!*target) return target->error();

@@ -18,16 +18,6 @@ constexpr std::size_t most_places = 3;  // said of one thing
 
 const Room& room_of_text(const EditText& text) { return rooms_of(text.scene).front(); }
 
-// "right next to", "back against": words that may stand before a place.
-std::size_t skip_emphasis(const EditText& text, std::size_t at) {
-  while (at + 1 < text.tokens.size()) {
-    const auto length = longest_in(text.edits.emphasis, text.tokens, at);
-    if (length == 0 || longest(text.words.placements, text.tokens, at).length > length) return at;
-    at += length;
-  }
-  return at;
-}
-
 // The wall that lies to a side, as the vocabulary counts them: south, east, north, west.
 std::optional<std::size_t> wall_to(const Room& room, int side) {
   const Vec2 outward[] = {{0, -1}, {1, 0}, {0, 1}, {-1, 0}};
@@ -119,7 +109,9 @@ std::optional<Result<Whereabouts>> between_two(const EditText& text, std::size_t
 // The place that `length` tokens say, and what it is relative to.
 std::optional<Result<Whereabouts>> place_by(const EditText& text, std::size_t at, std::size_t length,
                                             const std::vector<std::string>& subjects) {
-  const auto said = text.words.placements.find(text.words_from(at, at + length));
+  const std::string phrase = text.words_from(at, at + length);
+  const auto other = text.edits.places.find(phrase);
+  const auto said = text.words.placements.find(other == text.edits.places.end() ? phrase : other->second);
   if (said == text.words.placements.end()) return std::nullopt;
   const design::Placement& placement = said->second;
   if (placement.pronoun || placement.inverse || placement.mutual || placement.relations.empty()) return std::nullopt;
@@ -139,12 +131,24 @@ std::optional<Result<Whereabouts>> place_by(const EditText& text, std::size_t at
 }
 
 // "on the left nightstand" begins with "on the left", but means no more than "on".
-std::optional<Result<Whereabouts>> one_place_at(const EditText& text, std::size_t at,
-                                                const std::vector<std::string>& subjects) {
-  at = skip_emphasis(text, at);
-  for (std::size_t length = longest(text.words.placements, text.tokens, at).length; length > 0; --length)
+std::optional<Result<Whereabouts>> plain_place_at(const EditText& text, std::size_t at,
+                                                  const std::vector<std::string>& subjects) {
+  const auto most = std::max(longest(text.words.placements, text.tokens, at).length,
+                             longest(text.edits.places, text.tokens, at).length);
+  for (std::size_t length = most; length > 0; --length)
     if (auto place = place_by(text, at, length, subjects)) return place;
   return std::nullopt;
+}
+
+// "right next to", "back against": words may stand before a place that say nothing more.
+std::optional<Result<Whereabouts>> one_place_at(const EditText& text, std::size_t at,
+                                                const std::vector<std::string>& subjects) {
+  for (;;) {
+    if (auto place = plain_place_at(text, at, subjects)) return place;
+    const auto length = longest_in(text.edits.emphasis, text.tokens, at);
+    if (length == 0) return std::nullopt;
+    at += length;
+  }
 }
 
 std::optional<double> amount_at(const EditText& text, std::size_t& at) {

@@ -61,7 +61,8 @@ Result<EditVocabulary> read_edit_vocabulary() {
       {"nearest", &words.nearest}, {"away", &words.away}, {"closer", &words.closer}, {"to", &words.to},
       {"so that it faces", &words.faces}, {"where they are", &words.where_they_are}, {"back", &words.back},
       {"words of looks", &words.words_of_looks}, {"stays", &words.stays}, {"emphasis", &words.emphasis},
-      {"hedges", &words.hedges}, {"refused", &words.refused}};
+      {"hedges", &words.hedges}, {"modals", &words.modals}, {"goes away", &words.goes_away},
+      {"properties", &words.properties}, {"refused", &words.refused}};
   for (const auto& [key, set] : sets) *set = set_of(root[key]);
   words.sides = map_of<Vec2>(root["sides"], direction_of);
   words.directions = map_of<Vec2>(root["directions"], direction_of);
@@ -73,6 +74,7 @@ Result<EditVocabulary> read_edit_vocabulary() {
   words.growth = map_of<Growth>(root["growth"], growth_of);
   words.verbs_of_size = map_of<Growth>(root["verbs of size"], growth_of);
   words.measured = map_of<std::string>(root["measured"], text_of);
+  words.places = map_of<std::string>(root["places"], text_of);
   words.room_parts = map_of<std::string>(root["room parts"], text_of);
   if (problems.first()) return *problems.first();
   return words;

@@ -25,7 +25,7 @@ struct EditVocabulary {
 
   Map<std::string> verbs;  ///< "get rid of": "remove"
   Set openers, closers, explanations, pronouns, just_added, all, everything, except, more, nearest, away, closer, to,
-      faces, where_they_are, back, words_of_looks, stays, emphasis, hedges, refused;
+      faces, where_they_are, back, words_of_looks, stays, emphasis, hedges, modals, goes_away, properties, refused;
   Map<Vec2> sides, directions;   ///< in the scene's frame, as pictures from above show it
   Map<double> sizes;             ///< "taller": the axis from 1, 2 for width, 3 for height; below 0: the least
   Map<double> heights;           ///< 1 up
@@ -34,6 +34,7 @@ struct EditVocabulary {
   Map<double> turn_directions;   ///< 1 counter-clockwise
   Map<Growth> growth, verbs_of_size;
   Map<std::string> measured;     ///< "deep": the side that it measures
+  Map<std::string> places;       ///< other words for those of data/words.json
   Map<std::string> room_parts;   ///< "floors": "floor"
 };
 

@@ -36,7 +36,10 @@ Error what_at(const EditText& text, std::size_t at, const std::string& what) {
 // ---- What things there are to be said of -------------------------------------------------------
 
 Result<Read<Ids>> things(const EditText& text, std::size_t at, bool with_places) {
-  const auto found = things_at(text, at, with_places);
+  auto found = things_at(text, at, with_places);
+  // What follows may be no place at all: "have both armchairs face the TV".
+  if (with_places && found && !*found)
+    if (const auto plain = things_at(text, at, false); plain && *plain) found = plain;
   if (!found) return what_at(text, at, "it is not clear what is meant");
   return *found;
 }
@@ -226,9 +229,17 @@ std::size_t read_facing(const EditText& text, std::size_t at, Clause& clause) {
   return (*target)->end;
 }
 
-ReadClause put_there(const EditText& text, const Read<Ids>& what) {
-  if (longest_in(text.edits.refused, text.tokens, what.end) > 0)
+ReadClause put_there(const EditText& text, Read<Ids> what) {
+  if (const auto length = longest_in(text.edits.goes_away, text.tokens, what.end); length > 0 && text.ends(what.end + length))
+    return Clause{{edit::Remove{what.value, false}}, {}, {}, what.end + length};
+  what.end += longest_in(text.edits.modals, text.tokens, what.end);
+  if (const auto length = longest_in(text.edits.refused, text.tokens, what.end); length > 0 && text.ends(what.end + length))
     return what_at(text, what.end, "that names no place");
+  if (longest_in(text.edits.faces, text.tokens, what.end) > 0) {
+    Clause facing{{}, what.value, {}, what.end};
+    facing.end = read_facing(text, what.end, facing);
+    if (facing.end > what.end) return facing;
+  }
   if (const auto shifting = shifting_at(text, what.end, what.value)) {
     if (!*shifting) return shifting->error();
     if (text.ends((*shifting)->end) || longest_in(text.edits.closers, text.tokens, (*shifting)->end) > 0)
@@ -262,8 +273,6 @@ ReadClause read_put(const EditText& text, std::size_t at, bool may_add) {
   const auto placed = things(text, at, true);
   if (placed && (!plain || placed->end != plain->end)) {
     if (auto second = put_there(text, *placed); goes_to_its_end(text, second)) return second;
-    if (longest_in(text.words.verbs, text.tokens, placed->end) == 1 || text.is_word(placed->end, "goes"))
-      if (auto second = put_there(text, {placed->value, placed->end + 1}); goes_to_its_end(text, second)) return second;
   }
   return first;
 }
@@ -448,6 +457,10 @@ ReadClause read_resize(const EditText& text, std::size_t at, const std::string& 
   if (known == text.edits.verbs_of_size.end()) return read_size(text, *what, what->end);
   NewSize change{known->second.side, known->second.factor, {}, {}};
   std::size_t end = what->end;
+  if (const auto vague = longest(text.edits.amounts, text.tokens, end)) {
+    change.factor = std::sqrt(change.factor);
+    end += vague.length;
+  }
   if (text.is_word(end, "by") || text.is_word(end, "to")) {
     const auto measure = language::measure_at(text.raw, end + 1);
     if (!measure || measure->kind != language::Measure::Kind::length || change.side == "all")
@@ -489,6 +502,7 @@ ReadClause read_revert(const EditText& text, std::size_t at) {
 }
 
 ReadClause read_verb(const EditText& text, const std::string& meaning, const std::string& verb, std::size_t at) {
+  if (meaning == "unwanted") return read_remove(text, at);
   if (meaning == "remove" || meaning == "clear") {
     auto gone = read_remove(text, at);
     // "clear the desk": what is on it, not the desk.

@@ -23,6 +23,7 @@ bool is_new(const std::string& word) { return word == "a" || word == "an" || wor
 // "all six of the", "the two", "another", "two more": up to the adjectives.
 std::size_t read_determiners(const EditText& text, std::size_t at, NamedThing& thing) {
   thing.bare = true;
+  at += longest_in(text.edits.properties, text.tokens, at);
   for (bool more = true; more && at < text.tokens.size();) {
     more = false;
     const auto& token = text.tokens[at];
@@ -48,6 +49,9 @@ std::size_t read_determiners(const EditText& text, std::size_t at, NamedThing& t
       thing.count = static_cast<int>(number->value);
       if (thing.bare) thing.which = Which::indefinite;
       at += number->length, more = true;
+      // "one of the armchairs"
+      thing.any = text.is_word(at, "of") && at + 1 < text.tokens.size() && text.words.definite.count(text.tokens[at + 1].text);
+      if (thing.any) ++at;
     }
     if (more) thing.bare = false;
   }
@@ -184,10 +188,12 @@ Result<std::vector<std::string>> meant_by_pronoun(const EditText& text, const Na
 Result<std::vector<std::string>> by_number(const EditText& text, const NamedThing& thing, std::vector<std::string> ids) {
   const std::string words = text.words_from(thing.begin, thing.end);
   const auto wanted = static_cast<std::size_t>(thing.count);
-  if (thing.which == Which::all || (thing.plural && thing.which == Which::definite)) {
+  using Ids = std::vector<std::string>;
+  if (!thing.any && (thing.which == Which::all || (thing.plural && thing.which == Which::definite))) {
     if (thing.count == 0 || wanted == ids.size()) return ids;
     return not_understood("\"" + words + "\": there are " + std::to_string(ids.size()) + ": " + joined_ids(ids));
   }
+  if (thing.any && wanted <= ids.size()) return Ids(ids.end() - static_cast<std::ptrdiff_t>(wanted), ids.end());
   if (ids.size() == 1) return ids;
   std::vector<std::string> spoken_of;
   for (const auto& id : ids)

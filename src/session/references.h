@@ -22,6 +22,7 @@ struct NamedThing {
   Which which = Which::definite;
   bool bare = false;     ///< no article: "bin by the door"
   bool further = false;  ///< "another", "two more", "a second"
+  bool any = false;      ///< "one of the armchairs": whichever
   bool plural = false;
   int count = 0;  ///< 0: not said
   design::KindMention kind;

@@ -61,6 +61,12 @@ TEST_CASE("Sentences become operations") {
       {"make the desk 20 cm wider", R"({"do":"resize","object":"desk-0","size":[1.4,0.6,0.75]})"},
       {"walls sage green", R"({"do":"cover","part":"walls","looks":"sage green"})"},
       {"bed under the window", R"({"do":"move","object":"double bed-0","relations":["under, window-0"]})"},
+      {"move the lamp off the desk onto the bed", R"({"do":"move","object":"table lamp-0","relations":["on, double bed-0"]})"},
+      {"the bed should face the window", R"({"do":"face","object":"double bed-0","target":"window-0"})"},
+      {"the rug has to go", R"({"do":"remove","objects":["rug-0"]})"},
+      {"get rid of one of the chairs", R"({"do":"remove","objects":["chair-1"]})"},
+      {"hang a picture over the bed",
+       R"({"do":"add","category":"picture","description":"picture","relations":["above, double bed-0"]})"},
       {"undo that", R"({"do":"revert"})"},
       {"replace the bed with a single bed",
        R"({"do":"replace","object":"double bed-0","category":"single bed","description":"single bed"})"}};
