@@ -17,13 +17,24 @@ struct Heading {
   Run body;
 };
 
+/// "On the desk:", "Beside the bed:"
+struct ThingHeading {
+  const Placement* placement = nullptr;
+  std::size_t target = 0;  ///< mention
+  Run tokens;
+  Run body;
+};
+
 class HeadingReader {
  public:
   explicit HeadingReader(PromptReading& reading) : reading_(reading) {}
 
   void run() {
     for (std::size_t i = 0; i + 1 < reading_.parse.sentences.size(); ++i)
-      if (const auto heading = heading_at(i)) apply(*heading);
+      if (const auto heading = heading_at(i))
+        apply(*heading);
+      else if (const auto of_thing = thing_heading_at(i))
+        apply(*of_thing);
   }
 
  private:
@@ -42,6 +53,21 @@ class HeadingReader {
       return Heading{*place,
                      {said.begin, i + static_cast<std::uint32_t>(place->length)},
                      {said.end, end_of_body(number + 1)}};
+    }
+    return std::nullopt;
+  }
+  // A preposition and a thing that was spoken of, and no more.
+  std::optional<ThingHeading> thing_heading_at(std::size_t number) const {
+    const Run& said = reading_.parse.sentences[number];
+    if (said.empty() || !is_mark(said.end - 1, ":")) return std::nullopt;
+    const auto match = longest(reading_.words.placements, reading_.text.plain, said.begin);
+    if (!match || match.value->inverse || match.value->pronoun) return std::nullopt;
+    const auto begin = said.begin + static_cast<std::uint32_t>(match.length);
+    for (std::size_t i = 0; i < reading_.parse.phrases.size(); ++i) {
+      const auto& phrase = reading_.parse.phrases[i];
+      if (phrase.tokens.begin == begin && phrase.head + 2 == said.end && reading_.mentions[i])
+        return ThingHeading{match.value, *reading_.mentions[i], {said.begin, phrase.head + 1},
+                            {said.end, end_of_body(number + 1)}};
     }
     return std::nullopt;
   }
@@ -85,6 +111,20 @@ class HeadingReader {
     static const Placement there{{RelationKind::near}};
     reading_.talk.told_by(hear(reading_.brief, heading.tokens, Heard::As::relation));
     reading_.talk.locate(things, there, heading.place);
+  }
+
+  // Of what is on it the small things; what has a place of its own keeps it.
+  void apply(const ThingHeading& heading) {
+    const bool carries = heading.placement->relations.front() == RelationKind::on;
+    std::vector<std::size_t> things;
+    for (const std::size_t mention : new_things(heading.body))
+      if (mention != heading.target && reading_.talk.mention(mention).demands.empty() &&
+          (!carries || reading_.talk.is_small(mention)))
+        things.push_back(mention);
+    if (things.empty()) return;
+    reading_.talk.told_by(hear(reading_.brief, heading.tokens, Heard::As::relation));
+    for (const auto kind : heading.placement->relations)
+      reading_.talk.demand(things, {kind, heading.target, "", heading.placement->flank});
   }
 
   PromptReading& reading_;

@@ -582,3 +582,15 @@ TEST_CASE("several things may stand in rows") {
   CHECK(formation("a desk with a row of books") == "none");
   CHECK(formation("a wardrobe in line with the door") == "none");
 }
+
+TEST_CASE("a heading may name a thing on which, or beside which, what follows is") {
+  const Brief brief = read("A study with a desk and a plant. On the desk: a monitor, a keyboard and a lamp. A sofa.");
+  REQUIRE(things(brief) == "1 desk, 1 plant, 1 monitor, 1 keyboard, 1 table lamp, 1 sofa");
+  for (const std::size_t thing : {2u, 3u, 4u}) CHECK(places(brief, thing) == "on, desk");
+  CHECK(places(brief, 5).empty());
+}
+
+TEST_CASE("what each has ends where a thing has a place of its own") {
+  CHECK(things(read("two desks, each with a chair, a rug in the middle, a hamper by the door")) ==
+        "2 desk, 2 chair, 1 rug, 1 laundry basket");
+}
