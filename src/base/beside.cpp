@@ -1,13 +1,9 @@
 #include "beside.h"
 
-#include <fcntl.h>
-
 #include <cstdint>
 #include <cstdio>
 #include <random>
 #include <string>
-
-#include "descriptor.h"
 
 namespace roomgen::detail {
 
@@ -34,12 +30,6 @@ bool is_beside(const fs::path& path, const fs::path& name) {
   const std::string text = name.filename().string(), start = beginning(path);
   return text.size() == start.size() + digits + std::string_view(ending).size() &&
          text.starts_with(start) && text.ends_with(ending);
-}
-
-void keep_on_disk(const fs::path& file_or_folder) {
-  const fs::path& path = file_or_folder.empty() ? fs::path(".") : file_or_folder;
-  const Descriptor descriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW));
-  if (descriptor) (void)::fsync(descriptor.number());
 }
 
 }  // namespace roomgen::detail

@@ -11,8 +11,4 @@ std::filesystem::path name_beside(const std::filesystem::path& path);
 /// Could name_beside(path) have given this name?
 bool is_beside(const std::filesystem::path& path, const std::filesystem::path& name);
 
-/// What is written to a file or a folder's list of names survives a crash from here on. Best effort: some
-/// file systems know no such thing.
-void keep_on_disk(const std::filesystem::path& file_or_folder);
-
 }  // namespace roomgen::detail

@@ -1,14 +1,13 @@
 #pragma once
 
-#include <unistd.h>
-
-#include <cerrno>
+#include <filesystem>
 #include <string_view>
 #include <utility>
 
 namespace roomgen::detail {
 
-/// An open file of the operating system, closed with its owner.
+/// An open file or folder of the operating system, closed with its owner. errno says why something
+/// failed. (descriptor_posix.cpp, descriptor_windows.cpp)
 class Descriptor {
  public:
   Descriptor() = default;
@@ -20,25 +19,20 @@ class Descriptor {
   }
   ~Descriptor() { (void)close(); }
 
+  /// A new file to be written; empty if anything has that name, be it a link that leads nowhere.
+  static Descriptor create(const std::filesystem::path& path);
+  /// A file that all is written to the end of, made if it is not there; empty for links and folders.
+  static Descriptor open_to_append(const std::filesystem::path& path);
+
   explicit operator bool() const { return number_ >= 0; }
   int number() const { return number_; }
 
-  /// False, and errno says why, if not all was taken.
-  bool write(std::string_view bytes) const {
-    while (!bytes.empty()) {
-      const auto count = ::write(number_, bytes.data(), bytes.size());
-      if (count < 0 && errno == EINTR) continue;
-      if (count <= 0) return false;
-      bytes.remove_prefix(static_cast<std::size_t>(count));
-    }
-    return true;
-  }
-
+  /// False if not all was taken.
+  bool write(std::string_view bytes) const;
+  /// What was written survives a crash from here on, where the file system knows such a thing.
+  bool sync() const;
   /// False when what was written before is lost after all.
-  bool close() {
-    const int number = std::exchange(number_, -1);
-    return number < 0 || ::close(number) == 0;
-  }
+  bool close();
 
  private:
   int number_ = -1;

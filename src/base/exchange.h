@@ -6,6 +6,8 @@
 
 namespace roomgen::detail {
 
+// What folders need of the operating system. (exchange_posix.cpp, exchange_windows.cpp)
+
 /// Lets two folders change places in one step; false where the system cannot.
 bool exchange(const std::filesystem::path& a, const std::filesystem::path& b);
 
@@ -22,5 +24,9 @@ bool link_file(const std::filesystem::path& file, const std::filesystem::path& n
 
 /// Holds the folder until closed, or until the process is no more; empty if another one holds it.
 Descriptor lock_folder(const std::filesystem::path& folder);
+
+/// What is written to a file or a folder's list of names survives a crash from here on. Best effort: some
+/// file systems know no such thing.
+void keep_on_disk(const std::filesystem::path& file_or_folder);
 
 }  // namespace roomgen::detail

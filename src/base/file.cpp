@@ -1,16 +1,13 @@
 #include "roomgen/base/file.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <utility>
 
 #include "beside.h"
 #include "descriptor.h"
+#include "exchange.h"
 
 namespace roomgen {
 
@@ -19,8 +16,6 @@ namespace fs = std::filesystem;
 namespace {
 
 using detail::Descriptor;
-
-constexpr ::mode_t usual_mode = 0666;  // less what the user's umask takes away
 
 Error io_error(const fs::path& path, const std::string& what) {
   return {Error::Kind::io, path.string() + ": " + what};
@@ -47,13 +42,15 @@ class FileAside {
   explicit FileAside(const fs::path& target)
       : target_(target),
         path_(detail::name_beside(target)),
-        descriptor_(::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC,
-                           usual_mode)),
+        descriptor_(Descriptor::create(path_)),
         is_there_(descriptor_) {}
   FileAside(const FileAside&) = delete;
   FileAside& operator=(const FileAside&) = delete;
   ~FileAside() {
-    if (is_there_) ::unlink(path_.c_str());
+    std::error_code code;
+    if (!is_there_) return;
+    (void)descriptor_.close();  // Windows keeps what is open
+    fs::remove(path_, code);
   }
 
   bool is_there() const { return is_there_; }
@@ -61,8 +58,13 @@ class FileAside {
   bool write(std::string_view bytes) const { return descriptor_.write(bytes); }
 
   bool take_its_place() {
-    if (::fsync(descriptor_.number()) != 0 && errno != EINVAL && errno != EROFS) return false;
-    if (!descriptor_.close() || std::rename(path_.c_str(), target_.c_str()) != 0) return false;
+    if (!descriptor_.sync() || !descriptor_.close()) return false;
+    std::error_code code;
+    fs::rename(path_, target_, code);
+    if (code) {
+      errno = code.default_error_condition().value();
+      return false;
+    }
     is_there_ = false;
     detail::keep_on_disk(target_.parent_path());
     return true;
@@ -130,8 +132,7 @@ AppendedFile::~AppendedFile() = default;
 
 Result<AppendedFile> AppendedFile::open(const fs::path& path) {
   if (auto status = may_be_replaced(path); !status) return status.error();
-  Descriptor descriptor(::open(
-      path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, usual_mode));
+  Descriptor descriptor = Descriptor::open_to_append(path);
   if (!descriptor) return write_error(path);
   return AppendedFile(std::make_unique<Impl>(Impl{path, std::move(descriptor)}));
 }

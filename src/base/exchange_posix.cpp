@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <cstdio>
 #include <system_error>
@@ -60,6 +61,12 @@ Descriptor lock_folder(const fs::path& folder) {
       ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
   if (descriptor && ::flock(descriptor.number(), LOCK_EX | LOCK_NB) != 0) return Descriptor();
   return descriptor;
+}
+
+void keep_on_disk(const fs::path& file_or_folder) {
+  const fs::path& path = file_or_folder.empty() ? fs::path(".") : file_or_folder;
+  const Descriptor descriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW));
+  if (descriptor) (void)::fsync(descriptor.number());
 }
 
 }  // namespace roomgen::detail
