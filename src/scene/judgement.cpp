@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "scene/room_part.h"
-
 namespace roomgen {
 
 namespace {
@@ -274,116 +272,7 @@ Judgement judge_against(const ResolvedRelation& relation, const Subject& subject
   return {};
 }
 
-std::vector<Footprint> corners(const Room& room) {
-  std::vector<Footprint> result;
-  for (std::size_t k = 0; k < room.polygon.size(); ++k)
-    if (room.polygon.is_convex_corner(k))
-      result.emplace_back(room.polygon.points[k], Vec2(part_depth, part_depth), 0.0);
-  return result;
-}
-
-AlignAxis align_axis(const Object& object, const std::string& target) {
-  for (const auto& relation : object.relations) {
-    if (relation.target != target) continue;
-    switch (relation.kind) {
-      case RelationKind::in_front_of:
-      case RelationKind::behind:
-        return AlignAxis::lateral;
-      case RelationKind::left_of:
-      case RelationKind::right_of:
-      case RelationKind::side_of:
-        return AlignAxis::longitudinal;
-      default:
-        break;
-    }
-  }
-  return AlignAxis::either;
-}
-
-// What is near a thing and not at a side of it leaves a gap: who means "beside" says so.
-constexpr double near_gap_low = 0.25;
-constexpr double near_gap_high = 0.7;
-
-bool is_merely_near(const Object& object, const Relation& relation) {
-  if (relation.kind != RelationKind::near) return false;
-  return std::none_of(object.relations.begin(), object.relations.end(), [&](const Relation& other) {
-    return other.target == relation.target && other.kind != RelationKind::near &&
-           other.kind != RelationKind::face_to;
-  });
-}
-
-std::vector<Footprint> targets_of(const Relation& relation, const Room& room,
-                                  std::span<const Object> placed) {
-  if (!takes_target(relation.kind)) return {Footprint()};
-  if (relation.target == "corner") return corners(room);
-  if (const auto part = part_of_room(room, relation.target)) return {*part};
-  if (const auto region = region_of_room(room, relation.target)) return {*region};
-  if (const Object* target = find_object(placed, relation.target)) return {footprint(*target)};
-  return {};
-}
-
-// Of what is between two: that with which the relation is said the other time.
-std::optional<Footprint> other_end(const Object& object, const Relation& relation,
-                                   const Room& room, std::span<const Object> placed) {
-  for (const auto& other : object.relations) {
-    if (other.kind != RelationKind::between || other.target == relation.target) continue;
-    const auto targets = targets_of(other, room, placed);
-    if (!targets.empty()) return targets.front();
-  }
-  return std::nullopt;
-}
-
-// The range that either of the two prefers for the other.
-void set_preferred_gap(ResolvedRelation& resolved, const Kind& own, const Kind& other) {
-  for (const auto* pair : {&own, &other}) {
-    const Kind& partner = pair == &own ? other : own;
-    for (const auto& preferred : pair->gaps)
-      if (is_of(partner, preferred.partner)) {
-        resolved.gap_low = preferred.low;
-        resolved.gap_high = preferred.high;
-        return;
-      }
-  }
-}
-
 }  // namespace
-
-std::vector<ResolvedRelation> resolve(const Object& object, const Room& room,
-                                      std::span<const Object> placed,
-                                      const KindTable& categories) {
-  std::vector<ResolvedRelation> result;
-  const Kind& own = categories.get(object.category);
-  for (const auto& relation : object.relations) {
-    ResolvedRelation resolved;
-    resolved.kind = relation.kind;
-    resolved.target_top = room.height;
-    resolved.axis = align_axis(object, relation.target);
-    if (is_merely_near(object, relation)) {
-      resolved.gap_low = near_gap_low;
-      resolved.gap_high = near_gap_high;
-    }
-    resolved.targets = targets_of(relation, room, placed);
-    if (relation.kind == RelationKind::between)
-      resolved.other = other_end(object, relation, room, placed);
-    if (const Object* target = find_object(placed, relation.target)) {
-      resolved.target_bottom = bottom(*target);
-      resolved.target_top = top(*target);
-      set_preferred_gap(resolved, own, categories.get(target->category));
-    }
-    result.push_back(std::move(resolved));
-  }
-  return result;
-}
-
-std::vector<Relation> known_relations(const std::vector<Relation>& relations, const Room& room,
-                                      std::span<const Object> placed) {
-  std::vector<Relation> known;
-  for (const auto& relation : relations)
-    if (relation.target.empty() || is_part_of_room(room, relation.target) ||
-        find_object(placed, relation.target))
-      known.push_back(relation);
-  return known;
-}
 
 Judgement judge(const ResolvedRelation& relation, const Subject& subject, const Room& room) {
   Judgement best;

@@ -1,42 +1,11 @@
 #pragma once
 
-#include <optional>
-#include <span>
-#include <string>
-#include <string_view>
 #include <vector>
 
-#include "roomgen/kinds/kind_table.h"
+#include "resolved_relation.h"
 #include "roomgen/scene/scene.h"
 
 namespace roomgen {
-
-/// Which offset "aligned" means, from the other relations with the same target.
-enum class AlignAxis { either, lateral, longitudinal };
-
-/// A relation whose target has been looked up, ready to judge many poses of one object.
-struct ResolvedRelation {
-  RelationKind kind = RelationKind::edge;
-  std::vector<Footprint> targets;  ///< one; several for "corner", of which the best counts; none
-                                   ///< when the target is not there: then no pose can hold it
-  double target_bottom = 0.0;      ///< vertical range of the target, metres above the floor
-  double target_top = 0.0;
-  double gap_low = 0.0;  ///< preferred range of the gap
-  double gap_high = 0.5;
-  AlignAxis axis = AlignAxis::either;
-  std::optional<Footprint> other;  ///< of `between`: the second of the two
-  double least_gap = 0.0;  ///< from which `near` holds
-};
-
-/// Looks up the targets of an object's relations among the placed objects and the parts of the
-/// room, in the order of the relations.
-std::vector<ResolvedRelation> resolve(const Object& object, const Room& room,
-                                      std::span<const Object> placed,
-                                      const KindTable& categories);
-
-/// Those of the relations whose targets are there.
-std::vector<Relation> known_relations(const std::vector<Relation>& relations, const Room& room,
-                                      std::span<const Object> placed);
 
 /// A pose of the object to be judged.
 struct Subject {
