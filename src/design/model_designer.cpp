@@ -3,97 +3,22 @@
 #include <algorithm>
 #include <map>
 
-#include "base/json_literal.h"
 #include "base/sha256.h"
 #include "brief/prompt.h"
+#include "model_questions.h"
 #include "place_reply.h"
 #include "plan/claim.h"
 #include "plan_reply.h"
 #include "roomgen/base/text.h"
-#include "scene_text.h"
 
 namespace roomgen {
 
 namespace {
 
-using design::SceneText;
-
-// Kinds still to come are named up to here: enough to leave room for them.
-constexpr std::size_t most_named_later = 12;
-constexpr std::size_t most_together = 8;    // things on one carrier that one answer places
-constexpr std::size_t most_offered = 30;    // ids among which the model chooses the next
 constexpr double second_temperature = 0.5;  // weak models repeat a bad answer word for word
 constexpr std::size_t most_quoted = 4000;   // bytes of an answer that cannot be used
 // Calls that fail one after the other before the model is given up: each may take all its time.
 constexpr int most_failures = 3;
-
-// The names of the prompts of a mode, without "-system" and "-user".
-std::string_view place_prompt(ModelMode mode) {
-  switch (mode) {
-    case ModelMode::constraints:
-      return "place-constraints";
-    case ModelMode::image:
-      return "place-image";
-    case ModelMode::fused:
-      break;
-  }
-  return "place";
-}
-
-// Long lists are bounded when they are read: grammar samplers grow slow with such bounds.
-const Json& plan_schema() {
-  static const Json schema = [] {
-    const Json thing = json_literal(R"({"type": "object", "additionalProperties": false,
-      "properties": {"name": {"type": "string"}, "description": {"type": "string"},
-        "size_cm": {"type": "array", "items": {"type": "number"}, "minItems": 3, "maxItems": 3},
-        "quantity": {"type": "integer"}, "variance": {"type": "string", "enum": ["same", "varied"]},
-        "place": {"type": "string"}},
-      "required": ["name", "description", "size_cm", "quantity", "variance", "place"]})");
-    Json carrier = thing;
-    carrier["properties"]["on_top"] = {{"type", "array"}, {"items", thing}};
-    carrier["required"].push_back("on_top");
-    Json result = json_literal(R"({"type": "object", "additionalProperties": false,
-      "properties": {"room": {"type": "object", "additionalProperties": false,
-        "properties": {"type": {"type": "string"},
-          "size_m": {"type": "array", "items": {"type": "number"}, "minItems": 2, "maxItems": 2},
-          "polygon_m": {"anyOf": [{"type": "null"}, {"type": "array",
-            "items": {"type": "array", "items": {"type": "number"}, "minItems": 2, "maxItems": 2}}]},
-          "height_m": {"type": "number"}},
-        "required": ["type", "size_m", "polygon_m", "height_m"]},
-        "excluded": {"type": "array", "items": {"type": "string"}}},
-      "required": ["room", "objects", "excluded"]})");
-    result["properties"]["objects"] = {{"type", "array"}, {"items", carrier}};
-    return result;
-  }();
-  return schema;
-}
-
-Json place_schema(const ModelDesignerOptions& options) {
-  Json schema = json_literal(R"({"type": "object", "additionalProperties": false,
-    "properties": {"reasoning": {"type": "string"}, "constraints": {"type": "string"}},
-    "required": ["reasoning", "constraints"]})");
-  const auto require = [&](const char* key, const char* form) {
-    schema["properties"][key] = json_literal(form);
-    schema["required"].push_back(key);
-  };
-  if (options.mode == ModelMode::fused) {
-    require("location", R"({"type": "array", "items": {"type": "number"}})");
-    require("facing", R"({"anyOf": [{"type": "string"}, {"type": "number"}, {"type": "null"}]})");
-  }
-  if (options.chooses_order) require("next", R"({"type": "string"})");
-  return schema;
-}
-
-// For several things at once: a list of the same, each with its id.
-void add_others(Json& schema) {
-  Json one = schema;
-  one["properties"].erase("next");
-  one["properties"]["id"] = {{"type", "string"}};
-  one["required"] = Json::array();
-  for (const auto& [key, value] : one["properties"].items()) one["required"].push_back(key);
-  schema["properties"]["others"] = {{"type", "array"}, {"items", one}};
-  schema["required"].push_back("others");
-}
 
 class ModelDesigner : public Designer {
  public:
@@ -101,12 +26,12 @@ class ModelDesigner : public Designer {
                 const KindTable& categories, ModelDesignerOptions options)
       : model_(model),
         fallback_(std::move(fallback)),
-        prompts_(std::move(prompts)),
         categories_(categories),
-        options_(std::move(options)) {}
+        options_(std::move(options)),
+        questions_(std::move(prompts), options_) {}
 
   Result<Plan> plan(const PlanRequest& request) override {
-    auto question = plan_question(request);
+    auto question = questions_.to_plan(request);
     if (!question) return question.error();
     planning_ = {};
     planning_.prompt_sha256 = sha256_hex(question->messages.back().text);
@@ -183,34 +108,6 @@ class ModelDesigner : public Designer {
 
   bool is_spent() const { return options_.budget_is_spent && options_.budget_is_spent(); }
 
-  Result<ChatRequest> make_question(std::string_view name, const Prompts::Slots& system,
-                                    const Prompts::Slots& user) const {
-    auto introduction = prompts_.render(std::string(name) + "-system", system);
-    if (!introduction) return introduction.error();
-    auto task = prompts_.render(std::string(name) + "-user", user);
-    if (!task) return task.error();
-    ChatRequest question;
-    question.messages = {{ChatMessage::Role::system, *std::move(introduction), {}},
-                         {ChatMessage::Role::user, *std::move(task), {}}};
-    return question;
-  }
-
-  Result<ChatRequest> plan_question(const PlanRequest& request) const {
-    std::string room;
-    if (request.room)
-      room = "The room is given: " + SceneText(*request.room, false).room() + ".";
-    else if (request.size)
-      room = "The room is given: " + format_number(request.size->x(), 2) + " x " +
-             format_number(request.size->y(), 2) + " m.";
-    auto question = make_question("plan", {}, {{"prompt", request.prompt}, {"room", room}});
-    if (!question) return question;
-    question->schema = plan_schema();
-    question->schema_name = "plan";
-    question->max_tokens = options_.plan_tokens;
-    question->cancel = request.cancel;
-    return question;
-  }
-
   design::PlaceReplyContext context_of(const PlaceRequest& request) const {
     return {request.scene, request.object, options_.paper_frame,
             options_.chooses_order ? request.later : std::vector<std::string>()};
@@ -242,36 +139,6 @@ class ModelDesigner : public Designer {
     });
   }
 
-  // Those still to come that shall stand on the same thing.
-  static std::vector<PlannedObject> companions(const PlaceRequest& request) {
-    const PlanItem& own = request.plan.items[request.planned.item];
-    std::vector<PlannedObject> found;
-    if (own.mount != Mount::surface || own.on.empty()) return found;
-    for (auto& planned : planned_objects(request.plan)) {
-      const PlanItem& item = request.plan.items[planned.item];
-      const bool waits = std::find(request.later.begin(), request.later.end(), planned.id) !=
-                         request.later.end();
-      if (waits && planned.id != request.object.id && item.mount == Mount::surface &&
-          item.on == own.on && found.size() < most_together)
-        found.push_back(std::move(planned));
-    }
-    return found;
-  }
-
-  static std::string together(const PlaceRequest& request) {
-    const auto others = companions(request);
-    if (others.empty()) return "";
-    std::string text =
-        "\nGive also \"others\", a list with the same members and \"id\" for each of these, which stand on "
-        "the same thing:";
-    for (const auto& other : others) {
-      const PlanItem& item = request.plan.items[other.item];
-      const Vec3 size = item.size.value_or(KindTable::built_in().get(item.category).size);
-      text += "\n" + other.id + ": " + item.description + ", about " + design::size_text(size) + " m";
-    }
-    return text;
-  }
-
   void keep_others(const PlaceRequest& request, design::PlaceReply& reply,
                    const Consultation& consultation) {
     if (reply.others.empty()) return;
@@ -281,7 +148,7 @@ class ModelDesigner : public Designer {
   }
 
   Result<PlaceAdvice> ask(const PlaceRequest& request, Consultation& consultation) {
-    auto question = place_question(request);
+    auto question = questions_.to_place(request);
     if (!question) return question.error();
     consultation.prompt_sha256 = sha256_hex(question->messages.back().text);
     if (auto status = show_picture(request, *question, consultation); !status)
@@ -299,38 +166,6 @@ class ModelDesigner : public Designer {
     return std::move(reply->advice);
   }
 
-  Result<Prompts::Slots> system_slots(const SceneText& text) const {
-    auto vocabulary = prompts_.render("place-words", {});
-    if (!vocabulary) return vocabulary.error();
-    return Prompts::Slots{{"frame", text.frame()}, {"words", *std::move(vocabulary)}};
-  }
-
-  Result<ChatRequest> place_question(const PlaceRequest& request) const {
-    const SceneText text(request.scene.room, options_.paper_frame);
-    const bool sees_places = options_.mode != ModelMode::constraints;
-    const auto system = system_slots(text);
-    if (!system) return system.error();
-    auto question = make_question(place_prompt(options_.mode), *system,
-                                  {{"prompt", request.plan.prompt},
-                                   {"room", text.room()},
-                                   {"parts", text.parts()},
-                                   {"placed", text.placed(request.scene.objects, sees_places)},
-                                   {"later", later(request)},
-                                   {"id", request.object.id},
-                                   {"description", request.object.description},
-                                   {"size", design::size_text(request.object.size)},
-                                   {"mount", where(request)},
-                                   {"refusals", refusals(request, text)},
-                                   {"order", order(request) + together(request)}});
-    if (!question) return question;
-    question->schema = place_schema(options_);
-    if (!companions(request).empty()) add_others(question->schema);
-    question->schema_name = "placement";
-    question->max_tokens = options_.place_tokens;
-    question->cancel = request.cancel;
-    return question;
-  }
-
   Status show_picture(const PlaceRequest& request, ChatRequest& question,
                       Consultation& consultation) const {
     if (options_.mode == ModelMode::constraints || !request.marks || !options_.encode_picture)
@@ -346,68 +181,6 @@ class ModelDesigner : public Designer {
     }
     consultation.image_sha256 = sha256_hex(all);
     return {};
-  }
-
-  static std::string where(const PlaceRequest& request) {
-    const PlanItem& item = request.plan.items[request.planned.item];
-    switch (item.mount) {
-      case Mount::floor:
-        return "on the floor";
-      case Mount::wall:
-        return "on a wall";
-      case Mount::ceiling:
-        return "under the ceiling";
-      case Mount::surface:
-        return item.on.empty() ? "on a table or cabinet" : "on " + item.on;
-    }
-    return "";
-  }
-
-  // Kinds with their numbers: enough to leave room for them.
-  static std::string later(const PlaceRequest& request) {
-    std::vector<std::pair<std::string, int>> kinds;
-    for (const auto& id : request.later) {
-      const std::string kind = id.substr(0, id.rfind('-'));
-      const auto known = std::find_if(kinds.begin(), kinds.end(),
-                                      [&](const auto& other) { return other.first == kind; });
-      if (known != kinds.end())
-        ++known->second;
-      else if (kinds.size() < most_named_later)
-        kinds.push_back({kind, 1});
-    }
-    std::vector<std::string> names;
-    for (const auto& [kind, count] : kinds)
-      names.push_back(count > 1 ? std::to_string(count) + " " + kind : kind);
-    return names.empty() ? "nothing" : join(names, ", ");
-  }
-
-  std::string refusals(const PlaceRequest& request, const SceneText& text) const {
-    const bool sees_places = options_.mode != ModelMode::constraints;
-    std::string lines;
-    for (std::size_t i = 0; i < request.refusals.size(); ++i) {
-      lines += "An earlier answer did not work";
-      if (i < request.earlier.size()) lines += " (" + text.answer(request.earlier[i]) + ")";
-      lines += ": " + request.refusals[i] + "\n";
-    }
-    if (!request.objections.empty() && !request.earlier.empty() && request.standing_at)
-      lines += "Your last answer (" + text.answer(request.earlier.back()) + ") puts it at " +
-               (sees_places ? text.point(*request.standing_at) : "a place of its own") +
-               ". Not all is as you said: " +
-               join(request.objections, "; ") +
-               ". Answer once more: change what should change, or repeat the answer if that will do.\n";
-    if (!request.refusals.empty() && sees_places)
-      lines +=
-          "Free floor (shaded green in the picture): " + text.free_floor(request.free_floor) + "\n";
-    return lines;
-  }
-
-  std::string order(const PlaceRequest& request) const {
-    if (!options_.chooses_order || request.later.empty()) return "";
-    std::vector<std::string> ids = request.later;
-    if (ids.size() > most_offered) ids.resize(most_offered);
-    return "Give also \"next\": which one shall be placed after this. Large things and those that "
-           "others refer to come first. Of: " +
-           join(ids, ", ") + ".";
   }
 
   // Asks, and asks again with what was wrong, until `read` can use an answer.
@@ -433,7 +206,7 @@ class ModelDesigner : public Designer {
       if (!ending.empty()) error += "; " + ending;
       if (answer >= options_.answers) return Error{Error::Kind::invalid_input, error};
       consultation.notes.push_back("asked again: " + error);
-      auto again = prompts_.render("again-user", {{"error", error}});
+      auto again = questions_.again(error);
       if (!again) return again.error();
       question.messages.push_back(
           {ChatMessage::Role::assistant, shortened(reply->text, most_quoted), {}});
@@ -452,9 +225,9 @@ class ModelDesigner : public Designer {
 
   ChatModel& model_;
   std::unique_ptr<Designer> fallback_;
-  Prompts prompts_;
   const KindTable& categories_;
-  ModelDesignerOptions options_;
+  const ModelDesignerOptions options_;
+  const design::ModelQuestions questions_;
   Consultation planning_;
   std::map<std::string, std::string> others_;  ///< answers for things whose turn comes
   std::string others_prompt_;                  ///< hash of the question

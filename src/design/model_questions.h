@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "roomgen/chat/prompts.h"
+#include "roomgen/design/model_designer.h"
+#include "scene_text.h"
+
+namespace roomgen::design {
+
+/// What a model is asked, in the words of the prompt templates: for the plan of a room, and for the
+/// place of one thing (with that of others on the same carrier). Replies are read in plan_reply.h
+/// and place_reply.h.
+class ModelQuestions {
+ public:
+  /// `options` must outlive it.
+  ModelQuestions(Prompts prompts, const ModelDesignerOptions& options)
+      : prompts_(std::move(prompts)), options_(options) {}
+
+  Result<ChatRequest> to_plan(const PlanRequest& request) const;
+  /// Without pictures.
+  Result<ChatRequest> to_place(const PlaceRequest& request) const;
+  /// What follows an answer that could not be used.
+  Result<std::string> again(const std::string& error) const;
+
+ private:
+  Result<ChatRequest> make_question(std::string_view name, const Prompts::Slots& system,
+                                    const Prompts::Slots& user) const;
+  Result<Prompts::Slots> system_slots(const SceneText& text) const;
+  std::string refusals(const PlaceRequest& request, const SceneText& text) const;
+  std::string order(const PlaceRequest& request) const;
+
+  Prompts prompts_;
+  const ModelDesignerOptions& options_;
+};
+
+}  // namespace roomgen::design
