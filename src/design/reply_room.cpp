@@ -10,6 +10,7 @@
 #include "chat/loose_json.h"
 #include "plan/floor_plan.h"
 #include "plan/opening_plan.h"
+#include "plan/usual_openings.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 

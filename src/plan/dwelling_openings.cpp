@@ -5,25 +5,16 @@
 #include <optional>
 #include <string>
 
-#include "opening_measures.h"
 #include "scene/dwelling.h"
+#include "usual_openings.h"
 
 namespace roomgen::design {
 
 namespace {
 
-constexpr double window_offset = 0.35;
-constexpr double least_window = 0.5;
+constexpr double between_openings = 0.1;  // of wall
 constexpr double widest_passage = 1.5, least_passage = 0.9, passage_head = 2.2;
-constexpr double entrance_width = 0.95;
-
-/// A free part of a wall.
-struct Free {
-  std::size_t wall = 0;
-  double from = 0.0, to = 0.0;
-
-  double length() const { return to - from; }
-};
+constexpr double entrance_width = 0.95, least_entrance = 0.7;
 
 class Opener {
  public:
@@ -74,17 +65,15 @@ class Opener {
     if (is_open(room, parent) && add_passage(room, parent)) return;
     const auto stretch = longest_shared(room, parent);
     if (!stretch) return;
-    const double length = stretch->to - stretch->from;
-    const double width = std::min(kind(room).door, length - 0.1);
     // Beside a wall of the room, else in the middle; where other ways in are least disturbed.
-    const double low = stretch->from + std::min(corner_offset, 0.5 * (length - width));
-    const double high = stretch->to - std::min(corner_offset, 0.5 * (length - width)) - width;
+    const WallStretch free{stretch->wall, stretch->from, stretch->to};
+    Opening door = usual_door(kind(room), free, rooms_[room].height, true);
+    const auto [low, high] = ends_for(free, door.width());
     std::optional<Opening> best;
     int fewest = 0;
-    for (const double from : {low, high, 0.5 * (low + high), 0.25 * low + 0.75 * high, 0.75 * low + 0.25 * high}) {
-      Opening door = opening(OpeningType::door, stretch->wall, from, width, default_door_head);
-      door.hinge_at_from = from <= 0.5 * (low + high);
-      door.swing = kind(room).swing;
+    for (const double part : {0.0, 1.0, 0.5, 0.75, 0.25}) {
+      move_to(door, (1.0 - part) * low + part * high);
+      door.hinge_at_from = part <= 0.5;
       const int conflicts = conflicts_of(room, door) + conflicts_of(parent, mirrored(room, door, parent));
       if (!best || conflicts < fewest) best = door, fewest = conflicts;
     }
@@ -97,23 +86,12 @@ class Opener {
     const double length = stretch->to - stretch->from;
     const double width = std::min(widest_passage, length - 2.0 * corner_offset);
     if (width < least_passage) return false;
-    Opening passage = opening(OpeningType::passage, stretch->wall,
-                              stretch->from + 0.5 * (length - width), width, passage_head);
+    Opening passage = opening_at(OpeningType::passage, stretch->wall,
+                                 stretch->from + 0.5 * (length - width), width, passage_head);
     if (conflicts_of(room, passage) + conflicts_of(other, mirrored(room, passage, other)) > 0)
       return false;
     join(room, passage, other);
     return true;
-  }
-
-  static Opening opening(OpeningType type, std::size_t wall, double from, double width,
-                         double head) {
-    Opening made;
-    made.type = type;
-    made.wall = wall;
-    made.from = from;
-    made.to = from + width;
-    made.head = head;
-    return made;
   }
 
   // The same hole as the other room has it: its wall runs the other way.
@@ -149,7 +127,8 @@ class Opener {
   int conflicts_of(std::size_t room, const Opening& made) const {
     int conflicts = 0;
     for (const auto& other : rooms_[room].openings) {
-      if (other.wall == made.wall && made.from < other.to + 0.1 && other.from < made.to + 0.1)
+      if (other.wall == made.wall && made.from < other.to + between_openings &&
+          other.from < made.to + between_openings)
         conflicts += 10;
       else if (other.is_entrance() && overlaps(door_clearance(rooms_[room], made),
                                                door_clearance(rooms_[room], other)))
@@ -161,29 +140,19 @@ class Opener {
   // --- Outwards -------------------------------------------------------------------------------
 
   // Parts of walls behind which nobody lives and which have no opening yet.
-  std::vector<Free> outer_walls(std::size_t room) const {
-    std::vector<Free> free;
+  std::vector<WallStretch> outer_walls(std::size_t room) const {
+    std::vector<WallStretch> free;
     const auto shared = shared_stretches(rooms_, room);
     for (std::size_t k = 0; k < rooms_[room].polygon.size(); ++k) {
-      std::vector<Free> parts = {{k, 0.0, rooms_[room].polygon.edge(k).length()}};
+      std::vector<WallStretch> parts = {whole_wall(rooms_[room], k)};
       for (const auto& stretch : shared)
         if (stretch.wall == k)
           cut(parts, stretch.from - wall_thickness, stretch.to + wall_thickness);
       for (const auto& other : rooms_[room].openings)
-        if (other.wall == k) cut(parts, other.from - 0.1, other.to + 0.1);
+        if (other.wall == k) cut(parts, other.from - between_openings, other.to + between_openings);
       free.insert(free.end(), parts.begin(), parts.end());
     }
     return free;
-  }
-
-  static void cut(std::vector<Free>& parts, double from, double to) {
-    std::vector<Free> rest;
-    for (const auto& part : parts) {
-      if (from > part.from) rest.push_back({part.wall, part.from, std::min(part.to, from)});
-      if (to < part.to) rest.push_back({part.wall, std::max(part.from, to), part.to});
-    }
-    std::erase_if(rest, [](const Free& part) { return part.length() < 1e-6; });
-    parts = std::move(rest);
   }
 
   // Into the hub; a hall is entered at its end.
@@ -194,11 +163,11 @@ class Opener {
     std::optional<Opening> best;
     double least = 1e300;
     for (const auto& part : outer_walls(hub)) {
-      const double width = std::min(entrance_width, part.length() - 0.1);
-      if (width < 0.7) continue;
-      const double low = part.from + std::min(corner_offset, 0.5 * (part.length() - width));
-      for (const double from : {low, part.to - (low - part.from) - width}) {
-        Opening door = opening(OpeningType::door, part.wall, from, width, default_door_head);
+      const double width = door_width(entrance_width, part);
+      if (width < least_entrance) continue;
+      const auto [low, high] = ends_for(part, width);
+      for (const double from : {low, high}) {
+        Opening door = opening_at(OpeningType::door, part.wall, from, width, default_door_head);
         door.hinge_at_from = from <= 0.5 * (part.from + part.to);
         // Long walls are for windows and furniture.
         const double cost = 10.0 * conflicts_of(hub, door) + part.length();
@@ -214,17 +183,16 @@ class Opener {
     int count = random.integer(known.windows.low, known.windows.high);
     auto free = outer_walls(room);
     std::stable_sort(free.begin(), free.end(),
-                     [](const Free& a, const Free& b) { return a.length() > b.length() + 1e-6; });
+                     [](const WallStretch& a, const WallStretch& b) { return a.length() > b.length() + 1e-6; });
     std::vector<std::size_t> used;
     for (const auto& part : free) {
       if (count <= 0) return;
-      double width = random.uniform(known.windows.width.low, known.windows.width.high);
-      width = std::min(width, part.length() - 2.0 * window_offset);
-      if (width < least_window || std::find(used.begin(), used.end(), part.wall) != used.end()) continue;
-      Opening window = opening(OpeningType::window, part.wall,
-                               0.5 * (part.from + part.to - width), width,
-                               std::min(known.windows.head, rooms_[room].height - under_ceiling));
-      window.sill = std::min(known.windows.sill, window.head - 0.3);
+      const double width = std::min(usual_window_width(known, false, random),
+                                    part.length() - 2.0 * window_margin);
+      if (width < least_window || std::find(used.begin(), used.end(), part.wall) != used.end())
+        continue;
+      const Opening window = usual_window(known, part.wall, middle_for(part, width), width,
+                                          rooms_[room].height);
       rooms_[room].openings.push_back(window);
       used.push_back(part.wall);
       --count;

@@ -5,24 +5,24 @@
 #include <cmath>
 #include <set>
 
-#include "opening_measures.h"
 #include "roomgen/base/text.h"
 #include "scene/opening_kind.h"
+#include "usual_openings.h"
+#include "wall_sides.h"
 
 namespace roomgen::design {
 
 namespace {
 
 constexpr double least_gap = 0.15;      // between openings, and to the corners
-constexpr double least_height = 0.3;
+constexpr double least_door = 0.6;
 constexpr double wide_door = 1.2;    // a wider one goes to the middle of its wall
 constexpr double enlarged = 1.5;     // a large window against a usual one
-constexpr double side_cosine = 0.7;  // a wall looks to the left up to 45 degrees off
 
 // An opening that looks for its place.
 struct Item {
   Opening opening;
-  double least = 0.4;              ///< width, metres
+  double least = least_window;     ///< width, metres
   std::vector<std::size_t> walls;  ///< told, by preference; empty: any
   std::optional<OpeningType> opposite, beside;
   bool kept = false;  ///< was there before
@@ -34,11 +34,6 @@ struct Wall {
 
 bool is_window(OpeningType type) {
   return type == OpeningType::window;
-}
-
-const Vec2& direction_of_side(int side) {
-  static const std::array<Vec2, 4> directions = {Vec2(0, -1), Vec2(1, 0), Vec2(0, 1), Vec2(-1, 0)};
-  return directions[static_cast<std::size_t>(side) % 4];
 }
 
 class OpeningPlanner {
@@ -70,7 +65,7 @@ class OpeningPlanner {
       if (opening.is_entrance() && !entrances) continue;
       Item item;
       item.opening = opening;
-      item.least = std::min(opening.width(), opening.is_entrance() ? 0.6 : 0.4);
+      item.least = std::min(opening.width(), opening.is_entrance() ? least_door : least_window);
       item.walls = {opening.wall};
       item.kept = true;
       items_.push_back(std::move(item));
@@ -88,7 +83,7 @@ class OpeningPlanner {
       item.opening = opening;
       item.least = std::min(item.opening.width(), kind->least_width);
       if (!sides.empty())
-        item.walls = walls_at(sides[static_cast<std::size_t>(i) % sides.size()]);
+        item.walls = walls_on_side(room_.polygon, sides[static_cast<std::size_t>(i) % sides.size()]);
       else if (wish.walls > 0)
         item.walls = spread(wish, i);
       item.opposite = wish.opposite;
@@ -112,9 +107,8 @@ class OpeningPlanner {
 
   double width_of(const OpeningWish& wish, const OpeningKind& kind) {
     if (wish.width) return *wish.width;
-    const auto& usual = kind_.windows.width;
     const double width = kind.width             ? *kind.width
-                         : is_window(kind.type) ? random_.uniform(usual.low, usual.high)
+                         : is_window(kind.type) ? usual_window_width(kind_, false, random_)
                                                 : kind_.door;
     const bool large_window = is_window(kind.type) && wish.wide > 1.0;
     return std::max(kind.least_width, width * (large_window ? enlarged : wish.wide));
@@ -140,20 +134,6 @@ class OpeningPlanner {
   // --- Which wall -------------------------------------------------------------------------------
 
   double length(std::size_t wall) const { return room_.polygon.edge(wall).length(); }
-
-  // The walls that look out to one side, the longest first.
-  std::vector<std::size_t> walls_at(int side) const {
-    return walls_towards(direction_of_side(side));
-  }
-
-  std::vector<std::size_t> walls_towards(const Vec2& direction) const {
-    std::vector<std::size_t> found;
-    for (std::size_t k = 0; k < walls_.size(); ++k)
-      if (-room_.polygon.inward(k).dot(direction) > side_cosine) found.push_back(k);
-    std::stable_sort(found.begin(), found.end(),
-                     [&](std::size_t a, std::size_t b) { return length(a) > length(b) + 1e-9; });
-    return found;
-  }
 
   // "windows on two walls": the i-th on the wall that is its turn.
   std::vector<std::size_t> spread(const OpeningWish& wish, int i) const {
@@ -211,7 +191,7 @@ class OpeningPlanner {
     if (!item.walls.empty()) return item.walls;
     if (const auto wall = item.beside ? wall_of(*item.beside) : std::nullopt) return {*wall};
     if (const auto wall = item.opposite ? wall_of(*item.opposite) : std::nullopt)
-      return walls_towards(room_.polygon.inward(*wall));
+      return walls_towards(room_.polygon, room_.polygon.inward(*wall));
     return {};
   }
 

@@ -15,6 +15,7 @@
 #include "order.h"
 #include "palette.h"
 #include "solve/dry_run.h"
+#include "usual_openings.h"
 
 namespace roomgen::design {
 
