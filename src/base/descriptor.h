@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string_view>
 #include <utility>
@@ -27,6 +28,12 @@ class Descriptor {
   explicit operator bool() const { return number_ >= 0; }
   int number() const { return number_; }
 
+  /// A regular file, and no device or pipe.
+  bool is_file() const;
+  /// Holds the file until closed, or until the process is no more; false if another one holds it.
+  bool lock() const;
+  /// Shortens the file to so many bytes.
+  bool cut(std::size_t size) const;
   /// False if not all was taken.
   bool write(std::string_view bytes) const;
   /// What was written survives a crash from here on, where the file system knows such a thing.

@@ -1,4 +1,5 @@
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -23,6 +24,19 @@ Descriptor Descriptor::open_to_append(const std::filesystem::path& path) {
   return Descriptor(::open(path.c_str(),
                            O_WRONLY | O_CREAT | O_APPEND | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC,
                            usual_mode));
+}
+
+bool Descriptor::is_file() const {
+  struct ::stat status{};
+  return ::fstat(number_, &status) == 0 && S_ISREG(status.st_mode);
+}
+
+bool Descriptor::lock() const {
+  return ::flock(number_, LOCK_EX | LOCK_NB) == 0;
+}
+
+bool Descriptor::cut(std::size_t size) const {
+  return ::ftruncate(number_, static_cast<::off_t>(size)) == 0;
 }
 
 bool Descriptor::write(std::string_view bytes) const {

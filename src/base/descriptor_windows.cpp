@@ -1,3 +1,7 @@
+#define WIN32_LEAN_AND_MEAN
+#define NOMINMAX
+#include <windows.h>
+
 #include <fcntl.h>
 #include <io.h>
 #include <sys/stat.h>
@@ -22,6 +26,22 @@ Descriptor Descriptor::create(const std::filesystem::path& path) {
 
 Descriptor Descriptor::open_to_append(const std::filesystem::path& path) {
   return Descriptor(::_wopen(path.c_str(), writing | _O_APPEND, usual_mode));
+}
+
+bool Descriptor::is_file() const {
+  return ::GetFileType(reinterpret_cast<HANDLE>(::_get_osfhandle(number_))) == FILE_TYPE_DISK;
+}
+
+// A byte far behind the end: Windows lets nobody read what is locked, not even the holder's other handles.
+bool Descriptor::lock() const {
+  OVERLAPPED place{};
+  place.OffsetHigh = 0x40000000;
+  return ::LockFileEx(reinterpret_cast<HANDLE>(::_get_osfhandle(number_)),
+                      LOCKFILE_EXCLUSIVE_LOCK | LOCKFILE_FAIL_IMMEDIATELY, 0, 1, 0, &place) != 0;
+}
+
+bool Descriptor::cut(std::size_t size) const {
+  return ::_chsize_s(number_, static_cast<long long>(size)) == 0;
 }
 
 bool Descriptor::write(std::string_view bytes) const {

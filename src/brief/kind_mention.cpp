@@ -1,5 +1,9 @@
 #include "kind_mention.h"
 
+#include <utility>
+
+#include "language/inflection.h"
+
 namespace roomgen::design {
 
 namespace {
@@ -8,17 +12,8 @@ constexpr std::size_t longest_name = 5;
 
 std::vector<std::string> singulars(const std::string& word) {
   std::vector<std::string> forms{word};
-  const auto ends = [&](std::string_view ending) {
-    return word.size() > ending.size() + 1 && word.ends_with(ending);
-  };
-  const auto without = [&](std::size_t count) { return word.substr(0, word.size() - count); };
-  if (ends("ves")) {
-    forms.push_back(without(3) + "f");
-    forms.push_back(without(3) + "fe");
-  }
-  if (ends("ies")) forms.push_back(without(3) + "y");
-  if (ends("es")) forms.push_back(without(2));
-  if (ends("s") && !ends("ss")) forms.push_back(without(1));
+  for (auto& form : language::singulars(word))
+    if (form != word) forms.push_back(std::move(form));
   return forms;
 }
 

@@ -6,6 +6,7 @@
 #include "base/json_reader.h"
 #include "base/resource.h"
 #include "roomgen/base/json.h"
+#include "scene/document_parts.h"
 
 namespace roomgen::design {
 
@@ -14,22 +15,13 @@ namespace {
 constexpr const char* path = "data/occupants.json";
 constexpr int most = 20;
 
-std::optional<RelationKind> read_relation(const JsonReader& json) {
-  if (!json.exists()) return std::nullopt;
-  const std::string text = json.text(50);
-  for (const auto& spelling : relation_spellings())
-    if (spelling.text == text) return spelling.kind;
-  json.report("\"" + text + "\" is no relation");
-  return std::nullopt;
-}
-
 Occupant::Thing read_thing(const JsonReader& json) {
   json.allow_only({"kind", "count", "each", "relation", "to", "needs"});
   Occupant::Thing thing;
   thing.kind = json["kind"].text(100);
   thing.count = static_cast<int>(json["count"].integer_or(0, 0, most));
   thing.each = json["each"].boolean_or(false);
-  thing.relation = read_relation(json["relation"]);
+  if (json["relation"].exists()) thing.relation = read_relation(json["relation"]);
   thing.to = json["to"].text_or("", 100);
   thing.always = json["needs"].text_or("always", 100) == "always";
   return thing;

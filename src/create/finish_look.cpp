@@ -46,11 +46,6 @@ std::vector<LookPhrase> look_phrases(std::string_view text, const FinishTable& t
   return result;
 }
 
-Tone in_shades(Tone tone, const std::vector<Shade>& shades) {
-  for (const auto& shade : shades) tone += static_cast<float>(shade.by) * (shade.towards - tone);
-  return tone;
-}
-
 // "wooden oak": the more special one counts.
 bool is_more_special(const shape::Surface& substance, const std::string& stuff, const PartLook& than) {
   return !than.substance || (than.substance->name.starts_with(stuff) && substance.name != than.substance->name);
@@ -112,6 +107,11 @@ class FinishReading {
 };
 
 }  // namespace
+
+Tone in_shades(Tone tone, const std::vector<Shade>& shades) {
+  for (const auto& shade : shades) tone += static_cast<float>(shade.by) * (shade.towards - tone);
+  return tone;
+}
 
 std::optional<Tone> PartLook::tone() const {
   if (!tones.empty()) return tones.front();

@@ -24,6 +24,8 @@ struct PartLook {
   std::optional<Tone> tone() const;
 };
 
+Tone in_shades(Tone tone, const std::vector<Shade>& shades);
+
 /// Words that nobody knows change nothing.
 PartLook read_look(std::string_view text, const FinishTable& table = finish_table());
 

@@ -67,26 +67,13 @@ class FinishTableReader {
     std::vector<std::pair<std::string, JsonReader>> same;
     for (const auto& [word, entry] : root_["substances"].members()) {
       if (entry.is_string()) same.emplace_back(word, entry);
-      else table_.substances[word] = read_surface_look(word, entry);
+      else table_.substances[word] = read_substance(word, entry);
     }
     for (const auto& [word, entry] : same) {
       const auto other = table_.substances.find(entry.text());
       if (other == table_.substances.end()) entry.report("no substance \"" + entry.text() + "\"");
       else table_.substances[word] = shape::Surface(other->second);
     }
-  }
-
-  static shape::Surface read_surface_look(const std::string& name, const JsonReader& json) {
-    json.allow_only({"color", "roughness", "metalness", "opacity", "pattern", "scale"});
-    shape::Surface surface;
-    surface.name = name;
-    surface.color = json["color"].text();
-    surface.roughness = json["roughness"].number_or(0.7, 0.0, 1.0);
-    surface.metalness = json["metalness"].number_or(0.0, 0.0, 1.0);
-    surface.opacity = json["opacity"].number_or(1.0, 0.05, 1.0);
-    surface.pattern = json["pattern"].text_or("none");
-    surface.scale = json["scale"].number_or(1.0, 0.05, 20.0);
-    return surface;
   }
 
   void read_stuff(const std::string& stuff, const JsonReader& json) {

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "geometry/texture.h"
-#include "roomgen/shape/program.h"
 #include "shape/pattern.h"
 
 namespace roomgen::create {
@@ -21,13 +20,6 @@ int rounded_part(float component) { return static_cast<int>(std::lround(componen
 
 auto pair_of(const Tone& a, const Tone& b) {
   return std::make_tuple(rounded_part(a[0]), rounded_part(a[1]), rounded_part(a[2]), rounded_part(b[0]), rounded_part(b[1]), rounded_part(b[2]));
-}
-
-// Of the pattern's name; none of shape's if it is one of geometry's.
-shape::Pattern shape_pattern(const std::string& name) {
-  const auto names = shape::pattern_names();  // in the order of the enumeration
-  const auto found = std::find(names.begin(), names.end(), name);
-  return found == names.end() ? shape::Pattern::none : static_cast<shape::Pattern>(found - names.begin());
 }
 
 Image retoned(const Image& image, const Tone& tone) {
@@ -54,7 +46,7 @@ Tone mean_of(const Image& image) {
 
 PaintBox::Drawing PaintBox::drawing(const std::string& name, double scale, const Tone& first, const Tone& second) {
   const auto texture = parse_texture_pattern(name);
-  const auto pattern = shape_pattern(name);
+  const auto pattern = shape::pattern_named(name);
   const bool is_shape = pattern != shape::Pattern::none || !texture;
   auto& image = drawings_[{name, pair_of(first, second)}];
   if (!image)

@@ -11,7 +11,8 @@ namespace roomgen::create {
 
 namespace {
 
-constexpr float second_half = 0.68f;               // of a tone: what a pattern's second tone is unless named
+constexpr float second_half = 0.68f;  // of a tone: what a pattern's second tone is unless named
+
 int longest_axis(const Mesh& mesh) {
   int axis = 0;
   bounds(mesh).size().maxCoeff(&axis);
@@ -74,9 +75,7 @@ Tone mean_tone(const Material& material) {
 
 void paint_part(ModelPart& part, Material& material, const PartLook& look, bool is_same_stuff,
                 PaintBox& paints) {
-  Tone tone = mean_tone(material);
-  for (const auto& shade : look.shades) tone += static_cast<float>(shade.by) * (shade.towards - tone);
-  tone = look.tone().value_or(tone);
+  const Tone tone = look.tone().value_or(in_shades(mean_tone(material), look.shades));
   const bool has_drawing = material.texture && !part.mesh.uvs.empty();
   const bool keeps_drawing = has_drawing && (is_same_stuff || !look.substance);
   if (look.substance) take_substance(material, *look.substance);

@@ -1,6 +1,8 @@
 #include "repaint.h"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include "finish_look.h"
 #include "library/shown_colors.h"
@@ -102,9 +104,14 @@ class Repainter {
 // Materials that no part has any more would be written into files.
 void drop_unused_materials(Model& model) {
   std::vector<Material> kept;
+  std::vector<std::optional<int>> places(model.materials.size());
   for (auto& part : model.parts) {
-    kept.push_back(model.materials[static_cast<std::size_t>(part.material)]);
-    part.material = static_cast<int>(kept.size()) - 1;
+    auto& place = places[static_cast<std::size_t>(part.material)];
+    if (!place) {
+      place = static_cast<int>(kept.size());
+      kept.push_back(std::move(model.materials[static_cast<std::size_t>(part.material)]));
+    }
+    part.material = *place;
   }
   model.materials = std::move(kept);
 }

@@ -37,18 +37,6 @@ WordMap<Vec3> read_factors(const JsonReader& json) {
   return result;
 }
 
-shape::Surface read_material(const std::string& name, const JsonReader& json) {
-  json.allow_only({"color", "roughness", "metalness", "opacity", "pattern"});
-  shape::Surface surface;
-  surface.name = name;
-  surface.color = json["color"].text();
-  surface.roughness = json["roughness"].number_or(0.7, 0, 1);
-  surface.metalness = json["metalness"].number_or(0, 0, 1);
-  surface.opacity = json["opacity"].number_or(1, 0.05, 1);
-  surface.pattern = json["pattern"].text_or("none");
-  return surface;
-}
-
 std::optional<Place> read_place(const JsonReader& json) {
   if (!json.exists()) return std::nullopt;
   const auto place = place_named(json.text());
@@ -95,7 +83,7 @@ Result<Words> read() {
   words.scales = read_factors(root["scales"]);
   words.comparatives = read_factors(root["comparatives"]);
   for (const auto& [word, value] : root["materials"].members())
-    words.materials[word] = read_material(word, value);
+    words.materials[word] = read_substance(word, value);
   words.directions = read_list(root["directions"]);
   words.far_things = read_list(root["vehicles and nature"]);
   words.beings = read_list(root["living beings"]);
@@ -127,6 +115,19 @@ Result<Words> read() {
 }
 
 }  // namespace
+
+shape::Surface read_substance(const std::string& name, const JsonReader& json) {
+  json.allow_only({"color", "roughness", "metalness", "opacity", "pattern", "scale"});
+  shape::Surface surface;
+  surface.name = name;
+  surface.color = json["color"].text();
+  surface.roughness = json["roughness"].number_or(0.7, 0.0, 1.0);
+  surface.metalness = json["metalness"].number_or(0.0, 0.0, 1.0);
+  surface.opacity = json["opacity"].number_or(1.0, 0.05, 1.0);
+  surface.pattern = json["pattern"].text_or("none");
+  surface.scale = json["scale"].number_or(1.0, 0.05, 20.0);
+  return surface;
+}
 
 const Result<Words>& built_in_words() {
   static const Result<Words> words = read();

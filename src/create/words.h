@@ -12,6 +12,10 @@
 #include "roomgen/create/maker.h"
 #include "roomgen/shape/program.h"
 
+namespace roomgen {
+class JsonReader;
+}
+
 namespace roomgen::create {
 
 template <typename T>
@@ -58,5 +62,8 @@ struct Words {
 };
 
 const Result<Words>& built_in_words();
+
+/// How a substance looks, as data/create/words.json and data/finishes.json write it.
+shape::Surface read_substance(const std::string& name, const JsonReader& json);
 
 }  // namespace roomgen::create

@@ -8,13 +8,13 @@
 #include "roomgen/base/text.h"
 #include "room_clause.h"
 #include "scene/judgement.h"
+#include "scene/mount_attribute.h"
 
 namespace roomgen {
 
 namespace {
 
 constexpr double length_tolerance = 0.05, least_tolerance = 0.02;  // share, metres
-constexpr std::string_view mount_prefix = "mount ";
 
 class Checker {
  public:
@@ -71,8 +71,8 @@ class Checker {
   Finding judge_attribute(const Requirement& requirement, const Object& object) const {
     const std::string& asked = requirement.attribute;
     if (requirement.amount > 0.0) return by_fault(length_fault(requirement, object));
-    if (asked.starts_with(mount_prefix))
-      return by_fault(asked.substr(mount_prefix.size()) == name(object.mount)
+    if (asked.starts_with(mount_attribute))
+      return by_fault(asked.substr(mount_attribute.size()) == name(object.mount)
                           ? ""
                           : "its mount is " + std::string(name(object.mount)));
     const auto verdict = has_attribute_(object, asked);

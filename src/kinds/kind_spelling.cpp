@@ -16,23 +16,6 @@ constexpr std::size_t least_length = 4;  // shorter words are too near to many o
 constexpr std::size_t long_word = 8;     // may be wrong in two letters
 constexpr std::size_t most_difference = 5;  // of a noun and a name: two letters, and those of the plural
 
-// Letters that are missing, too many, wrong, or swapped with the next one (optimal string alignment).
-std::size_t edits(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> earlier, before(b.size() + 1), now(b.size() + 1);
-  for (std::size_t k = 0; k <= b.size(); ++k) before[k] = k;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    now[0] = i;
-    for (std::size_t k = 1; k <= b.size(); ++k) {
-      now[k] = std::min({before[k] + 1, now[k - 1] + 1, before[k - 1] + (a[i - 1] != b[k - 1])});
-      const bool swapped = i > 1 && k > 1 && a[i - 1] == b[k - 2] && a[i - 2] == b[k - 1];
-      if (swapped) now[k] = std::min(now[k], earlier[k - 2] + 1);
-    }
-    earlier = before;
-    before = now;
-  }
-  return before[b.size()];
-}
-
 bool is_english(const std::string& word) {
   const auto& english = language::lexicon();
   return english.has(word) || english.has(language::singular(word));
@@ -57,7 +40,7 @@ std::optional<std::size_t> edits_of_words(const std::vector<std::string>& said, 
     const auto [shorter, longer] = std::minmax(said[i].size(), name[i].size());
     if (longer - shorter > most_edits(said[i]) || said[i].size() < least_length || is_english(said[i]))
       return std::nullopt;
-    const std::size_t wrong = edits(said[i], name[i]);
+    const std::size_t wrong = edit_distance(said[i], name[i]);
     if (wrong > most_edits(said[i])) return std::nullopt;
     sum += wrong;
   }

@@ -8,6 +8,7 @@
 #include "floor_plan.h"
 #include "formations.h"
 #include "roomgen/base/text.h"
+#include "scene/mount_attribute.h"
 
 namespace roomgen::design {
 
@@ -129,7 +130,7 @@ class Ledger {
   void mount(std::size_t index, const Mention& mention) {
     if (mention.mount_heard == HeardWords::none) return;
     Requirement requirement = about(index, mention, Requirement::Kind::attribute);
-    requirement.attribute = "mount " + std::string(name(mention.mount));
+    requirement.attribute = std::string(mount_attribute).append(name(mention.mount));
     requirement.clause = mention.category + " on the " + std::string(name(mention.mount));
     add(std::move(requirement), {mention.mount_heard});
   }

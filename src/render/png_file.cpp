@@ -1,7 +1,6 @@
 #include <png.h>
 
 #include <csetjmp>
-#include <cstring>
 
 #include "roomgen/base/file.h"
 #include "roomgen/render/pictures.h"
@@ -51,23 +50,6 @@ Result<std::string> encode_png(const Image& image, int effort) {
   return out;
 }
 
-Result<Image> decode_png(std::string_view bytes) {
-  png_image header;
-  std::memset(&header, 0, sizeof header);
-  header.version = PNG_IMAGE_VERSION;
-  if (!png_image_begin_read_from_memory(&header, bytes.data(), bytes.size()))
-    return png_error_of(header.message);
-  if (static_cast<std::size_t>(header.width) * header.height > max_image_pixels) {
-    png_image_free(&header);
-    return Error{Error::Kind::limit, "PNG: the picture is too large"};
-  }
-  header.format = PNG_FORMAT_RGBA;
-  Image image(static_cast<int>(header.width), static_cast<int>(header.height));
-  if (!png_image_finish_read(&header, nullptr, image.pixels.data(), 0, nullptr))
-    return png_error_of(header.message);
-  return image;
-}
-
 Status write_png(const std::filesystem::path& path, const Image& image) {
   const auto bytes = encode_png(image);
   if (!bytes) return bytes.error();
@@ -78,14 +60,6 @@ Status write_png(const OutputFolder& folder, const std::filesystem::path& name,
                  const Image& image) {
   const auto place = folder.place_for(name);
   return place ? write_png(*place, image) : Status(place.error());
-}
-
-Result<Image> read_png(const std::filesystem::path& path) {
-  const auto bytes = read_file(path, std::size_t{256} << 20);
-  if (!bytes) return bytes.error();
-  auto image = decode_png(*bytes);
-  if (!image) return with_context(image.error(), path.string());
-  return image;
 }
 
 }  // namespace roomgen

@@ -9,6 +9,8 @@ namespace roomgen {
 
 /// "asset"; empty if there is none.
 AssetRef read_asset(const JsonReader& json);
+/// One that files may use; nothing, and reported, if it is none.
+std::optional<RelationKind> read_relation(const JsonReader& json);
 /// "room".
 Room read_room(const JsonReader& json);
 Requirement read_requirement(const JsonReader& json);

@@ -1,8 +1,7 @@
-#include "roomgen/scene/relation.h"
+#include "relation_named.h"
 
 #include <algorithm>
 #include <array>
-#include <optional>
 
 #include "roomgen/base/text.h"
 
@@ -71,17 +70,17 @@ std::string with_single_spaces(std::string_view text) {
   return result;
 }
 
-std::optional<RelationKind> find_kind(std::string_view text) {
-  const auto found = std::find_if(vocabulary.begin(), vocabulary.end(),
-                                  [&](const RelationSpelling& word) { return word.text == text; });
-  if (found == vocabulary.end()) return std::nullopt;
-  return found->kind;
-}
-
 }  // namespace
 
 std::span<const RelationSpelling> relation_spellings() {
   return vocabulary;
+}
+
+std::optional<RelationKind> relation_named(std::string_view text) {
+  const auto found = std::find_if(vocabulary.begin(), vocabulary.end(),
+                                  [&](const RelationSpelling& word) { return word.text == text; });
+  if (found == vocabulary.end()) return std::nullopt;
+  return found->kind;
 }
 
 std::string_view name(RelationKind kind) {
@@ -112,7 +111,7 @@ Result<Relation> parse_relation(std::string_view text) {
   const std::string word = with_single_spaces(low.substr(0, comma));
   const std::string target(comma == std::string::npos ? "" : trim(low.substr(comma + 1)));
 
-  const auto kind = find_kind(word);
+  const auto kind = relation_named(word);
   if (!kind) {
     std::vector<std::string> known;
     for (const auto& entry : vocabulary) known.emplace_back(entry.text);

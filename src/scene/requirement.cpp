@@ -7,6 +7,7 @@
 
 #include "base/json_reader.h"
 #include "document_parts.h"
+#include "relation_named.h"
 #include "roomgen/base/json.h"
 
 namespace roomgen {
@@ -61,14 +62,6 @@ std::vector<std::string> read_ids(const JsonReader& json) {
   return ids;
 }
 
-RelationKind read_relation(const JsonReader& json) {
-  const std::string text = json.text(100);
-  for (const auto& spelling : relation_spellings())
-    if (spelling.text == text) return spelling.kind;
-  json.report("\"" + text + "\" is no relation");
-  return RelationKind::near;
-}
-
 Requirement read_members(const JsonReader& json) {
   Requirement requirement;
   requirement.id = json["id"].text_or("", 200);
@@ -84,13 +77,20 @@ Requirement read_members(const JsonReader& json) {
   requirement.attribute = json["attribute"].text_or("", 200);
   requirement.amount = json["amount"].number_or(0.0, 0.0, 1e6);
   if (requirement.kind == Requirement::Kind::relation)
-    requirement.relation = read_relation(json["relation"]);
+    requirement.relation = read_relation(json["relation"]).value_or(RelationKind::near);
   requirement.targets = read_ids(json["targets"]);
   requirement.room = json["room"].text_or("", 200);
   return requirement;
 }
 
 }  // namespace
+
+std::optional<RelationKind> read_relation(const JsonReader& json) {
+  const std::string text = json.text(100);
+  const auto kind = relation_named(text);
+  if (!kind) json.report("\"" + text + "\" is no relation");
+  return kind;
+}
 
 std::string_view name(Requirement::Kind kind) {
   return name_in<Requirement::Kind>(kinds, kind);

@@ -1,15 +1,11 @@
 #include "scene_files.h"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <sys/stat.h>
-
 #include <cerrno>
 #include <cstring>
 #include <memory>
 
-#include "base/beside.h"
 #include "base/descriptor.h"
+#include "base/exchange.h"
 #include "roomgen/base/file.h"
 
 namespace roomgen {
@@ -17,8 +13,6 @@ namespace roomgen {
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr ::mode_t journal_mode = 0666;  // less what the user's umask takes away
 
 Error journal_error(const fs::path& path, const std::string& what) {
   return {Error::Kind::io, path.string() + ": " + what};
@@ -34,15 +28,12 @@ class LockedJournal {
   static Result<std::shared_ptr<LockedJournal>> open(const fs::path& path) {
     std::error_code code;
     const bool is_new = !fs::exists(fs::symlink_status(path, code));
-    detail::Descriptor file(::open(path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC,
-                                   journal_mode));
+    detail::Descriptor file = detail::Descriptor::open_to_append(path);
     if (!file && errno == ELOOP)
       return journal_error(path, "is a link; name the scene beside the file that it leads to");
     if (!file) return system_error(path, "open");
-    struct ::stat status {};
-    if (::fstat(file.number(), &status) != 0 || !S_ISREG(status.st_mode))
-      return journal_error(path, "is no regular file");
-    if (::flock(file.number(), LOCK_EX | LOCK_NB) != 0)
+    if (!file.is_file()) return journal_error(path, "is no regular file");
+    if (!file.lock())
       return journal_error(path, "another program is editing this scene; try again when it is done");
     if (is_new) detail::keep_on_disk(path.parent_path().empty() ? fs::path(".") : path.parent_path());
     return std::make_shared<LockedJournal>(path, std::move(file));
@@ -54,10 +45,10 @@ class LockedJournal {
     return file_.write(bytes) ? Status() : system_error(path_, "write");
   }
   Status sync() const {
-    return ::fsync(file_.number()) == 0 ? Status() : system_error(path_, "keep on disk");
+    return file_.sync() ? Status() : system_error(path_, "keep on disk");
   }
   Status cut(std::size_t size) const {
-    return ::ftruncate(file_.number(), static_cast<::off_t>(size)) == 0 ? Status() : system_error(path_, "cut");
+    return file_.cut(size) ? Status() : system_error(path_, "cut");
   }
 
  private:

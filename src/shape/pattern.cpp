@@ -6,6 +6,7 @@
 #include "base/random.h"
 #include "noise.h"
 #include "roomgen/geometry/vec.h"
+#include "roomgen/shape/program.h"
 
 namespace roomgen::shape {
 
@@ -210,6 +211,12 @@ Image tiles(const Colors& c, std::uint64_t seed) {
 }
 
 }  // namespace
+
+Pattern pattern_named(std::string_view name) {
+  const auto names = pattern_names();  // in the order of the enumeration
+  const auto found = std::find(names.begin(), names.end(), name);
+  return found == names.end() ? Pattern::none : static_cast<Pattern>(found - names.begin());
+}
 
 double pattern_extent(Pattern pattern) {
   switch (pattern) {

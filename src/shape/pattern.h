@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <string_view>
 
 #include "roomgen/geometry/model.h"
 
@@ -22,6 +23,9 @@ enum class Pattern {
   rug,      ///< an ornament in a grid of diamonds
   tiles,
 };
+
+/// The pattern of one of pattern_names(); none if there is no such one.
+Pattern pattern_named(std::string_view name);
 
 /// Metres that one image covers in both directions.
 double pattern_extent(Pattern pattern);

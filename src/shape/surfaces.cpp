@@ -17,12 +17,6 @@ Eigen::Vector3f floats(const Rgb& color) {
   return {static_cast<float>(color[0]), static_cast<float>(color[1]), static_cast<float>(color[2])};
 }
 
-Pattern pattern_of(const std::string& name) {
-  const auto names = pattern_names();  // in the order of the enumeration
-  const auto found = std::find(names.begin(), names.end(), name);
-  return found == names.end() ? Pattern::none : static_cast<Pattern>(found - names.begin());
-}
-
 Theme theme_of(const std::string& name) {
   const auto names = picture_themes();
   const auto found = std::find(names.begin(), names.end(), name);
@@ -46,7 +40,7 @@ Painted plain(const Surface& surface) {
   result.material.metallic = static_cast<float>(surface.metalness);
   result.first = parse_color(surface.color).value_or(Rgb{204, 204, 204});
   result.material.base_color = linear(result.first, surface.opacity);
-  result.pattern = pattern_of(surface.pattern);
+  result.pattern = pattern_named(surface.pattern);
   if (result.pattern == Pattern::none) return result;
   result.second = parse_color(surface.second).value_or(darker(result.first));
   result.extent = pattern_extent(result.pattern) * surface.scale;
