@@ -32,10 +32,6 @@ bool Attacher::takes(const OpenList& list, std::int32_t id) {
   if (list.by == Opened::with && has_comma_ && ended_by_conjunction_ && list.first == list.last &&
       is_within_list())
     return false;
-  // "desks, each with a chair, a rug in the middle": what has a place of its own is of the outer list.
-  if (list.by == Opened::with && has_comma_ && !ended_by_conjunction_ && open_.size() > 1 &&
-      ahead() == Tag::preposition && !is_described() && chunks_[at_ + 1].piece->base != "of")
-    return false;
   // "holds a vase filled with flowers and a bowl"
   if (list.by == Opened::with && is_bare(list.last) && !is_bare(id) && open_.size() > 1 &&
       resembles(open_[open_.size() - 2], id))

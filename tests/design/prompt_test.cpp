@@ -589,8 +589,3 @@ TEST_CASE("a heading may name a thing on which, or beside which, what follows is
   for (const std::size_t thing : {2u, 3u, 4u}) CHECK(places(brief, thing) == "on, desk");
   CHECK(places(brief, 5).empty());
 }
-
-TEST_CASE("what each has ends where a thing has a place of its own") {
-  CHECK(things(read("two desks, each with a chair, a rug in the middle, a hamper by the door")) ==
-        "2 desk, 2 chair, 1 rug, 1 laundry basket");
-}
