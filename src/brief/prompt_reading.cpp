@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "language/inflection.h"
+#include "language/lexicon.h"
+
 namespace roomgen::design {
 
 using language::Attachment;
@@ -39,6 +42,13 @@ PromptReading::PromptReading(const PromptText& said, std::vector<Token> untaken,
     for (std::uint32_t i = 0; i < text.plain.size(); ++i)
       occupants.push_back(occupant_at(text, *known, i));
   occupants.resize(text.plain.size());
+}
+
+bool PromptReading::is_somebody(const language::NounPhrase& phrase) const {
+  using language::WordClass;
+  const std::string noun = language::singular(word(phrase.head));
+  const auto& english = language::lexicon();
+  return english.is(noun, WordClass::person) || english.is(noun, WordClass::animal);
 }
 
 int PromptReading::sentence_of(std::size_t token) const {

@@ -51,6 +51,8 @@ struct PromptReading {
   bool is_room(const language::NounPhrase& phrase) const {
     return taken[phrase.head] == Taken::room || words.generic_rooms.count(word(phrase.head));
   }
+  /// "my uncle", "two cats"
+  bool is_somebody(const language::NounPhrase& phrase) const;
   int sentence_of(std::size_t token) const;
   /// "not too modern", "nothing rustic"
   bool is_denied(std::size_t token) const;

@@ -3,8 +3,6 @@
 #include <algorithm>
 
 #include "language/function_word.h"
-#include "language/inflection.h"
-#include "language/lexicon.h"
 
 namespace roomgen::design {
 
@@ -48,12 +46,9 @@ class RemarkReader {
   }
 
   bool is_somebody(const NounPhrase& said) const {
-    using language::WordClass;
     static const WordSet pronouns = {"i", "we", "you", "he", "she", "who", "somebody", "someone", "everybody", "everyone"};
     if (said.is_pronoun) return pronouns.count(reading_.word(said.head)) > 0;
-    const std::string noun = language::singular(reading_.word(said.head));
-    const auto& english = language::lexicon();
-    return english.is(noun, WordClass::person) || english.is(noun, WordClass::animal);
+    return reading_.is_somebody(said);
   }
   // "argue about a boundary": with what it is about, where that is no thing.
   void remark_on_deed(const language::VerbPhrase& verb) {

@@ -42,7 +42,7 @@ class ThingReader {
       return;
     }
     const ThingPhrase& thing = reading_.things[number];
-    if (thing.kind.length == 0 && is_somebody(said))
+    if (thing.kind.length == 0 && reading_.is_somebody(said))
       hear(reading_.brief, {said.tokens.begin, said.head + 1}, Heard::As::person);
     if (said.is_denied) return exclude(id, thing);
     if ((thing.kind.length == 0 || thing.kind.is_inferred()) && names_occupants(said)) {
@@ -68,13 +68,6 @@ class ThingReader {
       reading_.hearing.thing(thing, *reading_.mentions[number]);
     }
     skip_to_ = std::max(skip_to_, thing.end);
-  }
-  // "my uncle": who needs nothing that we know of.
-  bool is_somebody(const NounPhrase& said) const {
-    using language::WordClass;
-    const std::string noun = language::singular(reading_.word(said.head));
-    const auto& lexicon = language::lexicon();
-    return lexicon.is(noun, WordClass::person) || lexicon.is(noun, WordClass::animal);
   }
   // "three rows of five seats"
   void read_rows(std::int32_t id, std::size_t mention) {
