@@ -7,6 +7,21 @@ namespace roomgen::language {
 
 namespace {
 
+// "a bird mobile hanging above it": what no noun phrase is called by, behind a noun and before a preposition, is
+// what the thing does, whatever nouns there are of that form ("a wall hanging above it" is one).
+std::vector<WordTag> with_gerunds_behind_nouns(std::vector<WordTag> tags, const std::vector<UnitFacts>& facts,
+                                               const IsName& is_name) {
+  if (!is_name) return tags;
+  for (std::size_t i = 1; i + 1 < tags.size(); ++i) {
+    const auto& verb = facts[i].may_be.verb;
+    const bool is_between = tags[i] == WordTag::noun && tags[i - 1] == WordTag::noun && tags[i + 1] == WordTag::preposition;
+    if (is_between && verb && verb->form == VerbForm::gerund && !is_name(facts[i].word) &&
+        !is_name(facts[i - 1].word + " " + facts[i].word))
+      tags[i] = WordTag::gerund;
+  }
+  return tags;
+}
+
 /// Makes pieces of units: joins the words of a preposition, parts contractions, and says what the
 /// steps behind want to know of a word.
 class Tagger {
@@ -15,7 +30,7 @@ class Tagger {
       : tokens_(tokens),
         units_(units(tokens)),
         facts_(facts_of(tokens, units_, is_name)),
-        tags_(tag_words(units_, facts_, tag_model())) {}
+        tags_(with_gerunds_behind_nouns(tag_words(units_, facts_, tag_model()), facts_, is_name)) {}
 
   std::vector<Piece> run() {
     while (at_ < units_.size()) {

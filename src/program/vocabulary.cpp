@@ -1,0 +1,64 @@
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "base/json_reader.h"
+#include "base/resource.h"
+#include "roomgen/program/program.h"
+
+namespace roomgen {
+
+namespace {
+
+constexpr std::string_view vocabulary_file = "data/program/vocabulary.json";
+
+using Words = std::map<std::string, std::vector<std::string>, std::less<>>;
+
+Words read_words(const JsonReader& json) {
+  Words words;
+  for (const auto& [word, kinds] : json.members())
+    for (const auto& kind : kinds.elements()) words[word].push_back(kind.text());
+  return words;
+}
+
+// Of a kind and its ancestors the nearest one that is listed decides.
+bool covers(const std::vector<std::string>& listed, const Kind& kind) {
+  const auto lists = [&](const std::string& name) {
+    return std::find(listed.begin(), listed.end(), name) != listed.end();
+  };
+  for (const auto& name : kind.lineage) {
+    if (lists(name)) return true;
+    if (lists("-" + name)) return false;
+  }
+  return false;
+}
+
+}  // namespace
+
+const ProgramVocabulary& ProgramVocabulary::built_in() {
+  static const ProgramVocabulary vocabulary = [] {
+    const std::string source(vocabulary_file);
+    const auto json = parse_json(resource(source).value_or(""), source);
+    if (!json) return ProgramVocabulary{};
+    JsonReader::Problems problems(source);
+    const JsonReader root(*json, problems);
+    return ProgramVocabulary{read_words(root["tags"]), read_words(root["factories"])};
+  }();
+  return vocabulary;
+}
+
+bool has_tag(const ProgramVocabulary& vocabulary, const Kind& kind, std::string_view tag) {
+  const auto found = vocabulary.tags.find(tag);
+  return found != vocabulary.tags.end() && covers(found->second, kind);
+}
+
+bool is_made_by(const ProgramVocabulary& vocabulary, const KindTable& kinds, const Kind& kind,
+                std::string_view factory) {
+  const auto found = vocabulary.factories.find(factory);
+  if (found != vocabulary.factories.end()) return covers(found->second, kind);
+  std::string name(factory);
+  std::replace(name.begin(), name.end(), '_', ' ');
+  const Kind* made = kinds.by_name(name);
+  return made && is_of(kind, made->name);
+}
+
+}  // namespace roomgen
