@@ -1,0 +1,180 @@
+#include "roomgen/optimise/optimise.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "command.h"
+#include "libraries.h"
+#include "options.h"
+#include "print.h"
+#include "room_files.h"
+#include "roomgen/base/file.h"
+#include "roomgen/base/json.h"
+#include "roomgen/base/text.h"
+#include "roomgen/generate/generate.h"
+
+namespace roomgen::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct OptimiseCommand {
+  std::string program, output, room;
+  double seconds = 0.0;
+  std::size_t assets = 3;
+  int pixels = 1024;
+  bool force = false, strict = false, no_pictures = false, no_clusters = false;
+  bool seeded = false;
+  OptimiseOptions options;
+  LibraryOptions libraries;
+};
+
+Json constraint_json(const ConstraintVerdict& verdict) {
+  return {{"name", verdict.name},
+          {"held", verdict.held},
+          {"amount", rounded(verdict.amount)},
+          {"constraint", verdict.text},
+          {"objects", verdict.objects}};
+}
+
+// How the room came about, without a clock: the same for equal input.
+Json report_json(const Optimisation& result) {
+  Json json;
+  json["violation"] = rounded(result.violation);
+  json["loss"] = rounded(result.loss);
+  json["occupancy"] = rounded(result.occupancy);
+  json["constraints"] = Json::array();
+  for (const auto& verdict : result.constraints) json["constraints"].push_back(constraint_json(verdict));
+  for (const auto& [name, value] : result.scores) json["scores"][name] = rounded(value);
+  json["moves"] = {{"tried", result.moves}, {"accepted", result.accepted}};
+  for (std::size_t i = 0; i < result.tried_by_kind.size(); ++i)
+    json["moves"][optimise_move_names()[i]] = {result.tried_by_kind[i], result.accepted_by_kind[i]};
+  json["curve"] = Json::array();
+  for (const auto& point : result.curve)
+    json["curve"].push_back({point.step, rounded(point.violation), rounded(point.loss)});
+  return json;
+}
+
+Status write_all(const OptimiseCommand& command, OutputFolder& folder, const ConstraintProgram& program,
+                 const Optimisation& result, const ModelTable& models) {
+  if (auto status = folder.write("program.json", dump_json(to_json(program))); !status) return status;
+  if (auto status = folder.write("scene.json", dump_json(to_json(result.scene))); !status) return status;
+  if (auto status = folder.write("optimise.json", dump_json(report_json(result))); !status) return status;
+  if (auto status = write_model_files(folder, result.scene, models); !status) return status;
+  if (!command.no_pictures) {
+    PictureDrawer drawer;
+    const auto renderer = drawer.renderer();
+    if (!renderer) return renderer.error();
+    if (auto status = write_pictures(folder, result.scene, models, **renderer, command.pixels); !status) return status;
+  }
+  return folder.commit();
+}
+
+void print_summary(const Context& context, const fs::path& folder, const Optimisation& result,
+                   const std::vector<std::string>& notes, double seconds) {
+  const auto held = std::ranges::count_if(result.constraints, &ConstraintVerdict::held);
+  if (context.json) {
+    Json json = report_json(result);
+    json.erase("curve");
+    json["output"] = folder.string();
+    json["objects"] = result.scene.objects.size();
+    json["held"] = held;
+    json["notes"] = notes;
+    json["seconds"] = rounded(seconds, 3);
+    std::fputs(dump_json(json).c_str(), stdout);
+    return;
+  }
+  print_lines(notes);
+  std::printf("%s: %zu things, %td of %zu constraints held, %.0f %% of the floor covered (%lld moves, %.1f s)\n",
+              folder.string().c_str(), result.scene.objects.size(), held, result.constraints.size(),
+              100.0 * result.occupancy, result.moves, seconds);
+  for (const auto& verdict : result.constraints)
+    if (!verdict.held)
+      std::printf("  %s is missed by %s: %s\n", verdict.name.c_str(), format_number(verdict.amount, 2).c_str(),
+                  verdict.text.c_str());
+}
+
+Result<Room> wanted_room(const OptimiseCommand& command, const ConstraintProgram& program,
+                         std::vector<std::string>& notes) {
+  if (command.room.empty()) return room_of(program, command.options.seed, notes);
+  auto room = read_room_file(command.room);
+  if (room && room->type.empty()) room->type = program.room.type;
+  return room;
+}
+
+Result<int> run(const Context& context, OptimiseCommand& command) {
+  const auto start = std::chrono::steady_clock::now();
+  auto program = read_program(command.program);
+  if (!program) return program.error();
+  const KindTable& kinds = KindTable::built_in();
+  if (!command.seeded) command.options.seed = program->seed;
+  std::vector<std::string> notes;
+  for (const auto& finding : check(*program, kinds))
+    notes.push_back(command.program + ": " + finding.at + ": " + finding.message);
+  auto room = wanted_room(command, *program, notes);
+  if (!room) return room.error();
+  const fs::path folder = command.output.empty() ? fs::path("out") / fs::path(command.program).stem() : fs::path(command.output);
+  auto output = open_room_folder(folder, command.force);
+  if (!output) return output.error();
+  auto library = open_all_libraries(command.libraries, context);
+  if (!library) return library.error();
+  auto stock = load_stock(kinds_to_stock(*program, kinds, command.options.seed), **library, kinds, command.assets);
+  if (!stock) return stock.error();
+
+  command.options.cancel = command.seconds > 0 ? context.cancel.within(std::chrono::duration<double>(command.seconds))
+                                               : context.cancel;
+  const bool shown = !context.quiet && ::isatty(STDERR_FILENO);
+  if (shown)
+    command.options.on_progress = [&](const OptimiseProgress& progress) {
+      std::fprintf(stderr, "\r\033[K%d of %d steps: %d things, constraints missed by %.2f", progress.step,
+                   command.options.steps, progress.things, progress.violation);
+    };
+  auto result = optimise(*program, *room, *stock, kinds, command.options);
+  if (shown) std::fputs("\r\033[K", stderr);
+  if (!result) return result.error();
+  if (context.cancel.cancelled() && holds_whole_scene(folder / "scene.json")) return older_stays(folder);
+  if (auto status = write_all(command, *output, *program, *result, stock->models); !status) return status.error();
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  print_summary(context, folder, *result, notes, elapsed.count());
+  if (context.cancel.cancelled()) return exit_interrupted;
+  return command.strict && result->violation > 0.0 ? exit_failure : exit_ok;
+}
+
+}  // namespace
+
+void add_optimise_command(CLI::App& app, Context& context) {
+  auto command = std::make_shared<OptimiseCommand>();
+  auto* sub = app.add_subcommand("optimise", "Furnish a room as a constraint program says, by simulated annealing");
+  sub->add_option("program", command->program, "program.json (docs/programs.md)")->required();
+  sub->add_option("-o,--output", command->output, "Folder to write (default: out/ and the program's name)");
+  auto* seed = sub->add_option("--seed", command->options.seed, "Seed of room and search (default: the program's)")
+                   ->check(CLI::Range(std::uint64_t{0}, max_seed));
+  sub->add_option("--steps", command->options.steps, "Moves tried in each chain")
+      ->check(CLI::Range(1, 100000000))->capture_default_str();
+  sub->add_option("--chains", command->options.chains, "Restarts, of which the best counts")
+      ->check(CLI::Range(1, 1000))->capture_default_str();
+  sub->add_option("--seconds", command->seconds, "Stop after so long with the best room so far (default: when all steps are done)")
+      ->check(CLI::PositiveNumber);
+  sub->add_option("--room", command->room, "Room to furnish (room.json) instead of the program's");
+  sub->add_option("--assets", command->assets, "Meshes of each kind to choose from")
+      ->check(CLI::Range(1, 50))->capture_default_str();
+  sub->add_flag("--no-clusters", command->no_clusters, "Move things singly only, for comparisons");
+  sub->add_flag("--force", command->force, "Write into a folder that holds other files");
+  sub->add_flag("--strict", command->strict, "Exit with 1 if a constraint does not hold");
+  sub->add_flag("--no-pictures", command->no_pictures, "Leave out the pictures");
+  sub->add_option("--pixels", command->pixels, "Length of the pictures' longer side")->capture_default_str();
+  add_library_options(*sub, command->libraries);
+  sub->callback([command, seed, &context] {
+    command->seeded = seed->count() > 0;
+    command->options.cluster_moves = !command->no_clusters;
+    context.run = [command, &context] { return run(context, *command); };
+  });
+}
+
+}  // namespace roomgen::cli
