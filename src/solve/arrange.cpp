@@ -78,7 +78,7 @@ class LayoutSearch {
   bool run() {
     const int unit = 20 + 3 * static_cast<int>(members_.size());
     for (int k = 0; k < options_.tries && !options_.cancel.cancelled(); ++k) {
-      noise_ = k == 0 ? 0.0 : options_.noise;
+      noise_ = k == 0 && options_.first_without_noise ? 0.0 : options_.noise;
       const Outcome outcome = search(unit * luby(k + 1));
       if (outcome != Outcome::gave_up) return outcome == Outcome::done;
     }

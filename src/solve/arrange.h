@@ -11,9 +11,10 @@ namespace roomgen {
 
 struct ArrangeOptions {
   double pitch = 0.20;  ///< of the grid, for things that need not stand at a wall
-  int tries = 15;       ///< searches from the start, the first without chance
+  int tries = 15;       ///< searches from the start
   int choices = 12;     ///< poses tried for one thing in one situation
   double noise = 0.3;   ///< added to degrees, uniform in [0, noise): makes the tries differ
+  bool first_without_noise = true;
   CancelToken cancel;
 };
 

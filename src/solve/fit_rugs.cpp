@@ -22,8 +22,6 @@ bool stands_on_floor(const Object& object) {
   return object.mount == Mount::floor && !object.traits.flat;
 }
 
-double height_over(const Object& rug) { return rug.size.z() + over_rug; }
-
 /// The room's things while its rugs are fitted.
 class RugFitting {
  public:
@@ -71,7 +69,7 @@ class RugFitting {
         continue;
       LowThing thing{&other, {footprint(other)}, false};
       if (!is_rug(other)) {
-        thing.parts = parts_of(other, height_over(rug));
+        thing.parts = parts_of(other, low_over(rug));
         thing.may_be_lifted = stands_on_floor(other) && !barred_.count({other.id, rug.id});
       }
       things.push_back(std::move(thing));
@@ -101,7 +99,7 @@ class RugFitting {
   }
 
   RugStand stand(const Object& thing, const Object& rug) {
-    return stand_of(parts_of(thing, height_over(rug)), footprint(rug));
+    return stand_of(parts_of(thing, low_over(rug)), footprint(rug));
   }
 
   // What carries a thing in the end: itself where it stands on the floor.
@@ -185,6 +183,8 @@ class RugFitting {
 };
 
 }  // namespace
+
+double low_over(const Object& rug) { return rug.size.z() + over_rug; }
 
 RugStand stand_to_rug(const Object& thing, const Object& rug, const ModelTable& models) {
   Object on_floor = thing;

@@ -27,6 +27,8 @@ struct RugFit {
 
 /// How a thing stands to a rug: all of it that comes down to the floor is on the rug, or nothing is.
 enum class RugStand { beside, on, partly };
+/// What is lower than this, metres above the floor, meets the rug.
+double low_over(const Object& rug);
 RugStand stand_to_rug(const Object& thing, const Object& rug, const ModelTable& models);
 
 /// Ends a furnished room: cuts and moves the rugs, as little as can be, so that all that stands on the floor

@@ -7,9 +7,6 @@ namespace roomgen {
 
 namespace {
 
-// Half of what a finished scene may cross: files round poses and rooms.
-constexpr double inside_tolerance = 5e-4;
-constexpr double touch_tolerance = 1e-4;
 constexpr int most_levels = 8;  // of things on each other
 
 std::vector<double> yaws_of_walls(const Room& room) {
@@ -26,11 +23,6 @@ std::vector<double> yaws_of_walls(const Room& room) {
   for (auto& yaw : yaws) yaw = radians(std::round(degrees(yaw) * 1e6) / 1e6);
   std::sort(yaws.begin(), yaws.end());
   return yaws;
-}
-
-bool is_axis_aligned_rectangle(const Room& room) {
-  return room.polygon.size() == 4 &&
-         std::abs(area(room.polygon) - bounds(room.polygon).size().prod()) < 1e-9;
 }
 
 }  // namespace
@@ -74,24 +66,8 @@ Layout::Layout(const Room& room, const KindTable& categories, const ModelTable& 
       solids_(models),
       support_poses_(models),
       wall_yaws_(yaws_of_walls(room)),
-      is_box_(is_axis_aligned_rectangle(room)),
-      bounds_(bounds(room.polygon)),
-      occupancy_(room) {
-  for (const auto& opening : room.openings) {
-    if (opening.is_entrance()) door_areas_.push_back(door_clearance(room, opening));
-    for (const auto& area : clearances(room, opening))
-      clearances_.push_back({area, opening.is_entrance() ? 0.0 : opening.sill + window_overlap,
-                             opening.head, !opening.is_entrance()});
-  }
-}
-
-std::vector<Footprint> Layout::areas_before_windows(const Object& object) const {
-  std::vector<Footprint> areas;
-  if (object.mount != Mount::floor || object.traits.flat) return areas;
-  for (const auto& clearance : clearances_)
-    if (clearance.of_window && object.size.z() > clearance.from) areas.push_back(clearance.area);
-  return areas;
-}
+      limits_(room),
+      occupancy_(room) {}
 
 const Object* Layout::find(std::string_view id) const {
   const auto found = std::find_if(objects_.begin(), objects_.end(),
@@ -148,6 +124,10 @@ void Layout::remove(std::string_view id) {
   refresh_things();
 }
 
+void Layout::clear() {
+  while (!objects_.empty()) remove(objects_.back().id);
+}
+
 void Layout::bring_occupancy_up_to_date() {
   for (std::size_t i = 0; i < objects_.size(); ++i)  // things_ may hold a newcomer more
     if (!in_occupancy_[i] && blocks_floor(objects_[i], *things_[i].category)) {
@@ -161,7 +141,7 @@ Layout::Candidate Layout::candidate(const Object& object) const {
 }
 
 bool Layout::may_tuck(const Kind& a, const Kind& b) const {
-  return !models_.empty() && (is_any_of(a, b.tucks_under) || is_any_of(b, a.tucks_under));
+  return !models_.empty() && tucks(a, b);
 }
 
 // Also by way of what stands between: books on a tray on a table.
@@ -182,43 +162,18 @@ bool Layout::may_sit_over(const Object& object, const Kind& other) const {
 
 bool Layout::fits_room(const Candidate& candidate, const Footprint& footprint,
                        double bottom) const {
-  const Object& object = candidate.object;
-  const double top = bottom + object.size.z();
-  if (top > room_.height + inside_tolerance) return false;
-  const Bounds2& box = footprint.bounds();
-  if (is_box_) {
-    if ((box.low - bounds_.low).minCoeff() < -inside_tolerance ||
-        (bounds_.high - box.high).minCoeff() < -inside_tolerance)
-      return false;
-  } else if (!contains(room_.polygon, footprint, inside_tolerance)) {
-    return false;
-  }
-  if (object.traits.flat || object.mount == Mount::surface) return true;
-  return std::none_of(clearances_.begin(), clearances_.end(), [&](const Clearance& clearance) {
-    if (clearance.of_window && candidate.category->covers_window) return false;
-    // What stands before a window may hide a little of it; what hangs keeps clear of it.
-    const bool hangs = clearance.of_window && object.mount == Mount::wall;
-    return top > clearance.from - (hangs ? window_overlap : 0.0) && bottom < clearance.to &&
-           overlaps(footprint, clearance.area, inside_tolerance);
-  });
+  return limits_.admit(candidate.object, *candidate.category, footprint, bottom);
 }
 
 bool Layout::collides(const Candidate& candidate, const Footprint& footprint, double bottom,
                       const FloorThing& other) const {
-  if (!footprint.bounds().overlaps(other.footprint.bounds(), -touch_tolerance)) return false;
   const Object& object = candidate.object;
-  // Rugs may lie under everything but not over each other.
-  if (!both_solid(object, *other.object))
-    return object.traits.flat && other.object->traits.flat &&
-           overlaps(footprint, other.footprint, touch_tolerance);
+  if (!boxes_clash(object, footprint, bottom, *other.object, other.footprint)) return false;
+  if (!both_solid(object, *other.object)) return true;
   // What stands on a thing may sink below the top of its box: the meshes decide.
-  if (rests_on(object, *other.object) || rests_on(*other.object, object)) return false;
-  if (bottom >= top(*other.object) - touch_tolerance ||
-      roomgen::bottom(*other.object) >= bottom + object.size.z() - touch_tolerance)
-    return false;
-  return overlaps(footprint, other.footprint, touch_tolerance) &&
+  return !rests_on(object, *other.object) && !rests_on(*other.object, object) &&
          !may_tuck(*candidate.category, *other.category) &&
-         !(may_sit_over(object, *other.category) || may_sit_over(*other.object, *candidate.category));
+         !may_sit_over(object, *other.category) && !may_sit_over(*other.object, *candidate.category);
 }
 
 bool Layout::fits(const Candidate& candidate, const Footprint& footprint, double bottom) const {

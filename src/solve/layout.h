@@ -13,6 +13,7 @@
 #include "roomgen/kinds/kind_table.h"
 #include "roomgen/scene/scene.h"
 #include "roomgen/solve/solve.h"
+#include "room_limits.h"
 
 namespace roomgen {
 
@@ -49,6 +50,8 @@ class Layout {
   /// The same of things()[i].
   const Arrangement* arrangement_of(std::size_t i) const { return arranged_[i]; }
   const Object* find(std::string_view id) const;
+  /// Which keep what they have seen of meshes.
+  Solids& solids() { return solids_; }
   /// Where things can rest on others.
   const SupportPoses& support_poses() const { return support_poses_; }
   /// Everywhere on the support, as it stands, where the object fits beside what is there.
@@ -59,12 +62,15 @@ class Layout {
   std::span<const double> wall_yaws() const { return wall_yaws_; }
 
   /// The clearances of doors and passages.
-  std::span<const Footprint> door_areas() const { return door_areas_; }
+  std::span<const Footprint> door_areas() const { return limits_.door_areas(); }
   /// The strips before windows where the object, from the floor up, is too high to stand.
-  std::vector<Footprint> areas_before_windows(const Object& object) const;
+  std::vector<Footprint> areas_before_windows(const Object& object) const {
+    return limits_.areas_before_windows(object);
+  }
 
   void add(Object object);
   void remove(std::string_view id);
+  void clear();
 
   /// What can be said of a thing before its pose is known, for many calls of fits().
   struct Candidate {
@@ -96,12 +102,6 @@ class Layout {
   bool may_tuck(const Kind& a, const Kind& b) const;
 
  private:
-  struct Clearance {
-    Footprint area;
-    double from;  ///< things that reach above `from` and start below `to` must keep off
-    double to;
-    bool of_window;  ///< where curtains and blinds belong
-  };
   bool rests_on(const Object& upper, const Object& lower) const;
   bool may_sit_over(const Object& object, const Kind& other) const;
   void refresh_things();
@@ -118,10 +118,7 @@ class Layout {
   Solids solids_;
   SupportPoses support_poses_;
   std::vector<double> wall_yaws_;
-  std::vector<Clearance> clearances_;
-  std::vector<Footprint> door_areas_;
-  bool is_box_ = false;  ///< the room is an axis-aligned rectangle
-  Bounds2 bounds_;
+  RoomLimits limits_;
   std::vector<Object> objects_;
   std::vector<FloorThing> things_;
   std::vector<const Arrangement*> arranged_;  ///< parallel to objects_

@@ -30,6 +30,7 @@ void score_feasible(const ProposalContext& context, const Layout::Candidate& can
     if (is_excepted(context.task.object, pose, options)) continue;
     const Footprint footprint = footprint_at(pose);
     if (!context.layout.fits(candidate, footprint, pose.bottom)) continue;
+    if (options.accepts && !options.accepts(pose)) continue;
     const auto terms = score_relations(context, footprint, pose.bottom, most_lost);
     if (!terms) continue;
     scored.push_back({pose, *terms, 0.0});

@@ -121,7 +121,9 @@ class UsualPlacing {
       if (options_.cancel.cancelled()) return;
       if (is_excepted(task_.object, pose, options_)) continue;
       const Footprint footprint = footprint_at(pose);
-      if (layout_.fits(candidate_, footprint, pose.bottom)) judge_all(context, index, pose, footprint);
+      if (!layout_.fits(candidate_, footprint, pose.bottom)) continue;
+      if (options_.accepts && !options_.accepts(pose)) continue;
+      judge_all(context, index, pose, footprint);
     }
     add_preferences(context, footprint_at, first);
   }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <initializer_list>
 
+#include "scene/relation_table.h"
+
 namespace roomgen {
 
 namespace {
@@ -182,25 +184,6 @@ void propose_standing_on(const ProposalContext& context, const Footprint& target
                          mounting_height(context), wrap_angle(target.yaw() + turn * pi / 2)});
 }
 
-bool places_beside(RelationKind kind) {
-  switch (kind) {
-    case RelationKind::near:
-    case RelationKind::next_to:
-    case RelationKind::in_front_of:
-    case RelationKind::behind:
-    case RelationKind::left_of:
-    case RelationKind::right_of:
-    case RelationKind::side_of:
-    case RelationKind::center_aligned:
-    case RelationKind::aligned:
-    case RelationKind::face_same_as:
-    case RelationKind::face_opposite_to:
-      return true;
-    default:
-      return false;
-  }
-}
-
 void propose_for_relation(const ProposalContext& context, const ResolvedRelation& relation,
                           const Footprint& target, std::vector<Pose>& poses) {
   switch (relation.kind) {
@@ -234,7 +217,7 @@ void propose_for_relations(const ProposalContext& context, std::vector<Pose>& po
     if (!takes_target(relation.kind)) continue;
     for (const auto& target : relation.targets) {
       propose_for_relation(context, relation, target, poses);
-      if (!places_beside(relation.kind) ||
+      if (!definition(relation.kind).has(RelationDefinition::beside) ||
           std::find(seen.begin(), seen.end(), target.center()) != seen.end())
         continue;
       seen.push_back(target.center());

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -34,7 +35,8 @@ struct FusionOptions {
 };
 
 /// What counts how much between candidates that lose equally many constraints. Degrees are in [0, 1] unless
-/// said otherwise. docs/benchmarks.md ("The weights") says what half and twice of each changes.
+/// said otherwise. docs/benchmarks.md ("The weights") says what half and twice of them changes, as far as it was
+/// measured.
 struct Weights {
   // Of a thing that is not at a usual place of its kind (data/arrangements.json).
   double relations = 1.0;
@@ -95,6 +97,8 @@ struct PlaceOptions {
   double noise = 0.0;
   /// What is like one of these is left out: for the second best, and so on.
   std::vector<Pose> except = {};
+  /// Other poses are left out, if it is set; asked of those that pass the cheap tests.
+  std::function<bool(const Pose&)> accepts = {};
   /// Ends the search with Error::Kind::cancelled.
   CancelToken cancel = {};
 
