@@ -70,8 +70,8 @@ class TimedMaker final : public create::Maker {
   std::unique_ptr<create::Maker> rules_ = create::make_rule_maker();
 };
 
-GlbOptions glb_options() {
-  GlbOptions options;
+ExportOptions glb_options() {
+  ExportOptions options;
 #ifdef ROOMGEN_HAS_RENDER
   options.encode_image = encode_texture;
 #endif

@@ -28,7 +28,7 @@ set(CPACK_DEBIAN_PACKAGE_RECOMMENDS sweethome3d-furniture)
 
 # Libraries that the program opens by name are no dependencies that dpkg-shlibdeps could see.
 set(packages "")
-foreach(library IN LISTS OSMesa_LIBRARY OpenCVImgproc_LIBRARY)
+foreach(library IN LISTS LibEdit_LIBRARY OSMesa_LIBRARY OpenCVImgproc_LIBRARY)
   file(REAL_PATH "${library}" file)
   execute_process(COMMAND dpkg-query -S "${file}" OUTPUT_VARIABLE owner ERROR_QUIET RESULT_VARIABLE failed)
   if(failed EQUAL 0 AND owner MATCHES "^([^:]+):")

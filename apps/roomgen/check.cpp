@@ -3,13 +3,18 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "check_program.h"
+#include "check_report.h"
 #include "command.h"
 #include "models.h"
+#include "print.h"
+#include "samples.h"
 #include "roomgen/base/file.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "roomgen/evaluate/report.h"
 #include "roomgen/import/import.h"
+#include "roomgen/program/program.h"
 #include "roomgen/scene/plan.h"
 #include "roomgen/scene/problem.h"
 #include "roomgen/shape/evaluate.h"
@@ -21,45 +26,19 @@ namespace {
 
 struct CheckCommand {
   std::string file;
+  std::string varied;  ///< what layouts were drawn from
   ModelOptions models;
 };
-
-Json violation_json(const Violation& violation) {
-  return {
-      {"fault", name(violation.fault)}, {"object", violation.object}, {"other", violation.other}};
-}
-
-void print_report(const SceneReport& report) {
-  for (const auto& violation : report.violations)
-    std::printf("  %s: %s%s%s\n", std::string(name(violation.fault)).c_str(),
-                violation.object.c_str(), violation.other.empty() ? "" : " and ",
-                violation.other.c_str());
-  for (const auto& verdict : report.relations)
-    if (!verdict.judgement.held)
-      std::printf("  not held: %s | %s\n", verdict.object.c_str(),
-                  to_text(verdict.relation).c_str());
-}
 
 Result<int> check_scene(const Context& context, const CheckCommand& command, const Scene& scene) {
   auto models = models_of(scene, command.file, command.models, context);
   if (!models) return models.error();
   const auto report = examine(scene, *models, KindTable::built_in());
   if (context.json) {
-    Json json;
-    json["format"] = "roomgen-scene";
-    json["objects"] = scene.objects.size();
-    json["unplaced"] = scene.unplaced.size();
-    json["constraints"] = report.relations.size();
-    json["held"] = report.relations_held();
-    json["violations"] = Json::array();
-    for (const auto& violation : report.violations)
-      json["violations"].push_back(violation_json(violation));
-    std::fputs(dump_json(json).c_str(), stdout);
+    std::fputs(dump_json(check_json(scene, report)).c_str(), stdout);
   } else {
-    std::printf("%s: scene of %zu objects, %zu unplaced; %d of %zu constraints held; %zu faults\n",
-                command.file.c_str(), scene.objects.size(), scene.unplaced.size(),
-                report.relations_held(), report.relations.size(), report.violations.size());
-    print_report(report);
+    std::printf("%s: %s\n", command.file.c_str(), check_headline(scene, report).c_str());
+    print_lines(check_lines(report));
   }
   return report.violations.empty() ? exit_ok : exit_failure;
 }
@@ -126,6 +105,9 @@ bool is_drawing(const std::filesystem::path& path) {
   return ending == ".svg" || ending == ".dxf";
 }
 
+// One a line.
+bool are_layouts(const std::filesystem::path& path) { return lower(path.extension().string()) == ".jsonl"; }
+
 Result<int> check_drawing(const Context& context, const CheckCommand& command) {
   const auto room = read_floor_plan(command.file);
   if (!room) return room.error();
@@ -135,6 +117,7 @@ Result<int> check_drawing(const Context& context, const CheckCommand& command) {
 
 Result<int> run(const Context& context, const CheckCommand& command) {
   if (is_drawing(command.file)) return check_drawing(context, command);
+  if (are_layouts(command.file)) return check_samples(context, command.file, command.varied, command.models);
   auto text = read_file(command.file);
   if (!text) return text.error();
   auto json = parse_json(*text, command.file);
@@ -144,6 +127,7 @@ Result<int> run(const Context& context, const CheckCommand& command) {
     if (!scene) return scene.error();
     return check_scene(context, command, *scene);
   }
+  if (is_program(*json)) return check_program(context, command.file, *json);
   return check_other(context, command, *json);
 }
 
@@ -153,9 +137,10 @@ void add_check_command(CLI::App& app, Context& context) {
   auto command = std::make_shared<CheckCommand>();
   auto* sub = app.add_subcommand(
       "check",
-      "Check a scene, plan, problem, room or shape file, or a drawing of a floor plan; exit 1 if a "
-      "scene breaks a rule");
-  sub->add_option("file", command->file, "JSON, SVG or DXF file")->required();
+      "Check a scene, plan, problem, room, shape or program file, a drawing of a floor plan, or layouts; exit 1 if "
+      "a scene or layout breaks a rule or a program has errors");
+  sub->add_option("file", command->file, "JSON, SVG or DXF file, or layouts in a .jsonl file")->required();
+  sub->add_option("--of", command->varied, "The problem or scene that layouts were drawn from");
   add_model_options(*sub, command->models);
   sub->callback([command, &context] {
     context.run = [command, &context] { return run(context, *command); };

@@ -28,14 +28,20 @@ inline Error older_stays(const std::filesystem::path& path) {
 // One function a command, each in a file of its name.
 void add_solve_command(CLI::App& app, Context& context);
 void add_assets_command(CLI::App& app, Context& context);
+void add_export_command(CLI::App& app, Context& context);
 void add_render_command(CLI::App& app, Context& context);
 void add_check_command(CLI::App& app, Context& context);
 void add_evaluate_command(CLI::App& app, Context& context);
 void add_plan_command(CLI::App& app, Context& context);
 void add_create_command(CLI::App& app, Context& context);
 void add_generate_command(CLI::App& app, Context& context);
+void add_optimise_command(CLI::App& app, Context& context);
 /// edit, undo, redo, history, branch and diff.
 void add_edit_commands(CLI::App& app, Context& context);
+/// import: poses changed in another program.
+void add_import_command(CLI::App& app, Context& context);
+void add_repl_command(CLI::App& app, Context& context);
+void add_mcp_command(CLI::App& app, Context& context);
 void add_experiment_command(CLI::App& app, Context& context);
 
 }  // namespace roomgen::cli

@@ -11,6 +11,7 @@
 #include "made.h"
 #include "makers.h"
 #include "options.h"
+#include "room_files.h"
 #include "roomgen/base/file.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
@@ -166,7 +167,7 @@ Status write_all(const Context& context, const CreateOptions& options, const sha
   const std::string name =
       program.name.empty() ? fs::path(options.program).stem().string() : program.name;
   if (!options.output.empty()) {
-    const auto glb = make_glb(name, model, glb_options());
+    const auto glb = make_glb(name, model, export_options());
     if (!glb) return glb.error();
     if (context.cancel.cancelled()) return cancelled();
     if (auto status = write_file(options.output, *glb); !status) return status;

@@ -96,7 +96,7 @@ Result<std::string> encode_small_jpeg(const Image& image) {
 // Keeps what is shown.
 Result<std::string> encode_shown(const DesignerOptions& options, const Image& image,
                                  std::vector<std::string>& shown) {
-  auto encoded = options.picture == "jpeg" ? encode_small_jpeg(image) : encode_png(image);
+  auto encoded = encode_for(options, image);
   if (encoded) shown.push_back(*encoded);
   return encoded;
 }
@@ -108,73 +108,76 @@ ModelMode DesignerOptions::model_mode() const {
   return mode == "image" ? ModelMode::image : ModelMode::fused;
 }
 
-void add_designer_options(CLI::App& command, DesignerOptions& options) {
-  const std::string group = "Designer";
-  const auto add = [&](const char* name, std::string& value, const char* help) {
-    return command.add_option(name, value, help)->group(group);
-  };
-  add("--designer", options.designer, "rules: works offline; model: asks a language model")
+namespace {
+
+constexpr const char* designer_group = "Designer";
+
+CLI::Option* add_text(CLI::App& command, const char* name, std::string& value, const char* help) {
+  return command.add_option(name, value, help)->group(designer_group);
+}
+
+}  // namespace
+
+void add_chat_options(CLI::App& command, DesignerOptions& options) {
+  add_text(command, "--designer", options.designer, "rules: works offline; model: asks a language model")
       ->check(CLI::IsMember({"rules", "model"}))
       ->capture_default_str();
-  add("--model", options.model, "Name of the model at its endpoint");
-  add("--base-url", options.base_url,
-      "Endpoint, as in http://localhost:8080/v1 (default: OpenAI's). The key comes from "
-      "ROOMGEN_API_KEY, "
-      "OPENAI_API_KEY or ANTHROPIC_API_KEY");
-  add("--protocol", options.protocol, "openai or anthropic (default: by the host)")
+  add_text(command, "--model", options.model, "Name of the model at its endpoint");
+  add_text(command, "--base-url", options.base_url,
+           "Endpoint, as in http://localhost:8080/v1 (default: OpenAI's). The key comes from "
+           "ROOMGEN_API_KEY, OPENAI_API_KEY or ANTHROPIC_API_KEY");
+  add_text(command, "--protocol", options.protocol, "openai or anthropic (default: by the host)")
       ->check(CLI::IsMember({"openai", "anthropic"}));
-  add("--key-file", options.key_file, "A file of mode 600 that holds the key");
-  add("--mode", options.mode, "What the model sees and says: constraints (text only), image, fused")
-      ->check(CLI::IsMember({"constraints", "image", "fused"}))
-      ->capture_default_str();
-  add("--frame", options.frame,
-      "Coordinates of the marks: plan (x right, y up) or paper (x down, y left)")
-      ->check(CLI::IsMember({"plan", "paper"}))
-      ->capture_default_str();
-  add("--fusion", options.fusion, "How rankings are made: scaled, or ordinal as in the paper")
-      ->check(CLI::IsMember({"scaled", "paper"}))
-      ->capture_default_str();
-  command
-      .add_option("--lost-step", options.lost_step,
-                  "Ranks that one lost constraint costs, with --fusion scaled")
-      ->group(group)
-      ->check(CLI::Range(1.0, 1e9))
-      ->capture_default_str();
-  add("--order", options.order, "Which object comes next: as planned, or as the model says")
-      ->check(CLI::IsMember({"plan", "model"}))
-      ->capture_default_str();
-  add("--prompts", options.prompts, "Folder with prompts of your own (names as in prompts/)");
-  add("--record", options.record, "Append all questions and answers to this file");
-  add("--replay", options.replay, "Take the answers from a recording; no network");
-  add("--picture", options.picture, "How pictures are sent: jpeg (small) or png")
+  add_text(command, "--key-file", options.key_file, "A file of mode 600 that holds the key");
+  add_text(command, "--prompts", options.prompts, "Folder with prompts of your own (names as in prompts/)");
+  add_text(command, "--record", options.record, "Append all questions and answers to this file");
+  add_text(command, "--replay", options.replay, "Take the answers from a recording; no network");
+  add_text(command, "--picture", options.picture, "How pictures are sent: jpeg (small) or png")
       ->check(CLI::IsMember({"jpeg", "png"}))
       ->capture_default_str();
   command
-      .add_flag("--cache-answers", options.cache_answers,
-                "Ask no question twice (the user's cache folder)")
-      ->group(group);
-  command.add_option("--max-calls", options.max_calls, "Calls of the model for one room")
-      ->group(group);
-  command.add_option("--max-tokens", options.max_tokens, "Tokens for one room, in and out")
-      ->group(group);
+      .add_flag("--cache-answers", options.cache_answers, "Ask no question twice (the user's cache folder)")
+      ->group(designer_group);
+  command.add_option("--max-calls", options.max_calls, "Calls of the model for one room")->group(designer_group);
+  command.add_option("--max-tokens", options.max_tokens, "Tokens for one room, in and out")->group(designer_group);
+  command.add_option("--max-dollars", options.max_dollars, "Money for one room (data/prices.json)")->group(designer_group);
+  add_text(command, "--prices", options.prices, "A price table of your own, in the form of data/prices.json");
+  command
+      .add_option("--call-seconds", options.seconds_per_call, "Longest time for one question, retries included")
+      ->group(designer_group)
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+}
+
+void add_designer_options(CLI::App& command, DesignerOptions& options) {
+  add_chat_options(command, options);
+  add_text(command, "--mode", options.mode, "What the model sees and says: constraints (text only), image, fused")
+      ->check(CLI::IsMember({"constraints", "image", "fused"}))
+      ->capture_default_str();
+  add_text(command, "--frame", options.frame,
+           "Coordinates of the marks: plan (x right, y up) or paper (x down, y left)")
+      ->check(CLI::IsMember({"plan", "paper"}))
+      ->capture_default_str();
+  add_text(command, "--fusion", options.fusion, "How rankings are made: scaled, or ordinal as in the paper")
+      ->check(CLI::IsMember({"scaled", "paper"}))
+      ->capture_default_str();
+  command
+      .add_option("--lost-step", options.lost_step, "Ranks that one lost constraint costs, with --fusion scaled")
+      ->group(designer_group)
+      ->check(CLI::Range(1.0, 1e9))
+      ->capture_default_str();
+  add_text(command, "--order", options.order, "Which object comes next: as planned, or as the model says")
+      ->check(CLI::IsMember({"plan", "model"}))
+      ->capture_default_str();
   command
       .add_option("--plan-tokens", options.plan_tokens,
                   "Longest plan, in tokens; what a model thinks before it answers counts too")
-      ->group(group)
+      ->group(designer_group)
       ->check(CLI::Range(100, 1'000'000))
       ->capture_default_str();
   command.add_option("--place-tokens", options.place_tokens, "Longest answer about one place")
-      ->group(group)
+      ->group(designer_group)
       ->check(CLI::Range(50, 1'000'000))
-      ->capture_default_str();
-  command.add_option("--max-dollars", options.max_dollars, "Money for one room (data/prices.json)")
-      ->group(group);
-  add("--prices", options.prices, "A price table of your own, in the form of data/prices.json");
-  command
-      .add_option("--call-seconds", options.seconds_per_call,
-                  "Longest time for one question, retries included")
-      ->group(group)
-      ->check(CLI::PositiveNumber)
       ->capture_default_str();
 }
 
@@ -219,6 +222,10 @@ void apply(const DesignerOptions& options, BuildOptions& build) {
   fusion.ordinal_ranks = options.fusion == "paper";
   fusion.lost_step = options.lost_step;
   if (options.designer == "model" && options.model_mode() != ModelMode::fused) fusion.alpha = 1.0;
+}
+
+Result<std::string> encode_for(const DesignerOptions& options, const Image& picture) {
+  return options.picture == "jpeg" ? encode_small_jpeg(picture) : encode_png(picture);
 }
 
 Result<ComposedModel> compose_model(const DesignerOptions& options, const Context& context,

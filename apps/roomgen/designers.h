@@ -34,7 +34,9 @@ struct DesignerOptions {
   bool paper_frame() const { return frame == "paper"; }
 };
 
-/// Adds --designer and what belongs to a language model.
+/// Adds --designer and how a language model is reached.
+void add_chat_options(CLI::App& command, DesignerOptions& options);
+/// These, and what a model is asked while it designs a room.
 void add_designer_options(CLI::App& command, DesignerOptions& options);
 
 /// --improve, --repair and --preset: what a preset fixes is told where it contradicts.
@@ -55,6 +57,9 @@ struct ComposedDesigner {
 /// it. `cache_folder` is where answers are kept.
 Result<ComposedDesigner> compose_designer(const DesignerOptions& options, const Context& context,
                                           const std::string& cache_folder);
+
+/// A picture as the options want it sent.
+Result<std::string> encode_for(const DesignerOptions& options, const Image& picture);
 
 /// The model alone, for commands that ask it other things. Null for rules.
 struct ComposedModel {

@@ -1,118 +1,73 @@
 #include <cstdio>
-#include <filesystem>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
 #include "command.h"
+#include "designers.h"
 #include "libraries.h"
-#include "models.h"
-#include "room_files.h"
+#include "print.h"
 #include "roomgen/base/json.h"
-#include "roomgen/base/text.h"
-#include "roomgen/render/pictures.h"
 #include "roomgen/session/session.h"
+#include "room_options.h"
+#include "room_session.h"
+#include "views.h"
 
 namespace roomgen::cli {
 
 namespace {
 
-namespace fs = std::filesystem;
-
-struct EditCommand {
-  std::string scene, sentence, operation, repair = "on", by = "person";
-  std::string branch;
+struct EditCommand : RoomOptions {
+  std::string sentence, operation, branch;
   std::size_t steps = 1;
   std::optional<std::size_t> from, to;
-  bool no_pictures = false, dry_run = false;
-  int pixels = 1024;
-  LibraryOptions libraries;
-};
-
-void warn(const std::string& text) { std::fprintf(stderr, "roomgen: %s\n", text.c_str()); }
-
-/// A library that is opened when it is first asked: undo and history need none.
-class LaterLibrary final : public AssetLibrary {
- public:
-  LaterLibrary(const LibraryOptions& options, const Context& context) : options_(options), context_(context) {}
-
-  Result<std::vector<AssetMatch>> search(const AssetQuery& query) const override {
-    const auto& library = opened();
-    if (!library) return library.error();
-    return (*library)->search(query);
-  }
-  Result<std::shared_ptr<const Model>> load(const AssetRef& ref) const override {
-    const auto& library = opened();
-    if (!library) return library.error();
-    return (*library)->load(ref);
-  }
-
- private:
-  const Result<std::unique_ptr<AssetLibrary>>& opened() const {
-    if (!library_) library_.emplace(open_all_libraries(options_, context_));
-    return *library_;
-  }
-
-  const LibraryOptions& options_;
-  const Context& context_;
-  mutable std::optional<Result<std::unique_ptr<AssetLibrary>>> library_;
+  bool dry_run = false;
+  DesignerOptions designer;
 };
 
 Result<Session> open_session(const EditCommand& command, const AssetLibrary& library, bool look_only) {
-  SessionOptions options;
-  options.look_only = look_only;
-  options.repair = command.repair != "off";
-  options.spare_models = written_models(command.scene);
-  options.log = [](LogLevel, std::string_view message) { warn(std::string(message) + "; taken as a box"); };
-  auto session = Session::open(command.scene, library, KindTable::built_in(), std::move(options));
-  if (session)
-    for (const auto& notice : session->notices()) warn(notice);
-  return session;
+  return open_room(command.scene, library, {.look_only = look_only, .repair = command.may_repair(), .tell = warn});
 }
 
-bool is_followed_by(const fs::path& scene_file, const char* name) {
-  std::error_code code;
-  return fs::exists(scene_file.parent_path() / name, code);
-}
-
-// Those of a room's files that follow scene.json: they go unless they are written anew.
-bool shows_the_room(const fs::path& relative) {
-  const std::string name = relative.generic_string();
-  return name == "scene.glb" || name == "ATTRIBUTION.md" || name == "top.png" || name == "iso.png" || name == "eye.png";
-}
-
-// scene.json, and what lies beside it of the room's other files. Pictures that are not drawn anew go: they
-// would show the room as it was.
-Status write_room(const EditCommand& command, Session& session) {
-  const fs::path file = fs::absolute(command.scene);
-  const bool has_models = is_followed_by(file, "scene.glb"), has_pictures = is_followed_by(file, "top.png");
-  if (file.filename() != "scene.json" || (!has_models && !has_pictures)) return session.save();
-  auto folder = OutputFolder::open(file.parent_path(), shows_the_room);
-  if (!folder) return folder.error();
-  if (auto status = folder->write("scene.json", session.text()); !status) return status;
-  if (auto status = write_model_files(*folder, session.scene(), session.models()); !status) return status;
-  if (has_pictures && !command.no_pictures) {
-    auto renderer = make_osmesa_renderer();
-    if (!renderer) return renderer.error();
-    if (auto status = write_pictures(*folder, session.scene(), session.models(), **renderer, command.pixels); !status)
-      return status;
-  }
-  if (auto status = folder->commit(); !status) return status;
-  session.mark_saved();
-  return {};
-}
-
-// What was acknowledged stands in the journal, whatever becomes of the files that follow it.
 Status write_followers(const EditCommand& command, Session& session) {
-  if (auto status = write_room(command, session); !status) {
-    warn(status.error().message + "; the change is kept in the journal, and scene.json follows with the next command");
-    return session.save();
-  }
-  return {};
+  PictureDrawer drawer;
+  return write_room(command.scene, session, command.no_pictures ? nullptr : &drawer, command.pixels, warn);
 }
 
-Result<std::vector<edit::Operation>> operations_of(const EditCommand& command, const Session& session) {
-  if (command.operation.empty()) return session.understand(command.sentence);
+// The rooms from above, with marks.
+Result<std::vector<std::string>> pictures_for_model(const EditCommand& command, Session& session) {
+  std::vector<std::string> pictures;
+  PictureDrawer drawer;
+  for (const auto& part : parts_of(session.scene())) {
+    const auto renderer = drawer.renderer();
+    if (!renderer) return renderer.error();
+    const auto picture = (*renderer)->render(part, session.models(), view_named("marks", command.pixels));
+    if (!picture) return picture.error();
+    auto encoded = encode_for(command.designer, *picture);
+    if (!encoded) return encoded.error();
+    pictures.push_back(*std::move(encoded));
+  }
+  return pictures;
+}
+
+Result<Understanding> understand(const Context& context, const EditCommand& command, Session& session) {
+  if (command.designer.designer != "model") return session.understand(command.sentence);
+  const auto composed = compose_model(command.designer, context, cache_folder(command.libraries));
+  if (!composed) return composed.error();
+  auto pictures = pictures_for_model(command, session);
+  if (!pictures) return pictures.error();
+  return session.understand(command.sentence,
+                            {.model = *composed->model, .prompts = composed->prompts, .pictures = *std::move(pictures), .cancel = context.cancel});
+}
+
+Result<std::vector<edit::Operation>> operations_of(const Context& context, const EditCommand& command, Session& session) {
+  if (command.operation.empty()) {
+    auto understood = understand(context, command, session);
+    if (!understood) return understood.error();
+    for (const auto& remark : understood->remarks) warn(remark_line(remark));
+    return std::move(understood->operations);
+  }
   const auto json = parse_json(command.operation, "--op");
   if (!json) return Error{Error::Kind::not_understood, json.error().message};
   auto operations = edit::operations_from_json(*json, "--op");
@@ -120,35 +75,16 @@ Result<std::vector<edit::Operation>> operations_of(const EditCommand& command, c
   return operations;
 }
 
-void print_lines(const std::vector<std::string>& lines, const char* before = "") {
-  for (const auto& line : lines) std::printf("%s%s\n", before, line.c_str());
-}
-
 void print_report(const Context& context, const EditReport& report) {
-  if (context.json) {
-    Json json = {{"state", report.state}, {"changes", report.changes}, {"added", report.added},
-                 {"repairs", Json::array()}, {"broken", report.broken}};
-    for (const auto& move : report.repairs) json["repairs"].push_back(to_json(move));
-    std::fputs(dump_json(json).c_str(), stdout);
-    return;
-  }
-  print_lines(report.changes);
-  for (const auto& move : report.repairs)
-    std::printf("%s made way by %s m\n", move.object.c_str(), format_number(move.distance(), 2).c_str());
-  print_lines(report.broken);
-}
-
-Json operations_json(const std::vector<edit::Operation>& operations) {
-  Json json = Json::array();
-  for (const auto& operation : operations) json.push_back(edit::to_json(operation));
-  return json;
+  if (context.json) std::fputs(dump_json(report_json(report)).c_str(), stdout);
+  else print_lines(report_lines(report));
 }
 
 Result<int> run_edit(const Context& context, const EditCommand& command) {
-  const LaterLibrary library(command.libraries, context);
-  auto session = open_session(command, library, command.dry_run);
+  const auto library = make_later_library(command.libraries, context);
+  auto session = open_session(command, *library, command.dry_run);
   if (!session) return session.error();
-  const auto operations = operations_of(command, *session);
+  const auto operations = operations_of(context, command, *session);
   if (!operations) return operations.error();
   if (command.dry_run) {
     std::fputs(dump_json(operations_json(*operations)).c_str(), stdout);
@@ -165,8 +101,8 @@ Result<int> run_edit(const Context& context, const EditCommand& command) {
 // Undo and redo.
 template <typename Step>
 Result<int> run_steps(const Context& context, const EditCommand& command, const char* end, Step step) {
-  const LaterLibrary library(command.libraries, context);
-  auto session = open_session(command, library, false);
+  const auto library = make_later_library(command.libraries, context);
+  auto session = open_session(command, *library, false);
   if (!session) return session.error();
   const Scene before = session->scene();
   const auto taken = step(*session);
@@ -183,37 +119,18 @@ Result<int> run_steps(const Context& context, const EditCommand& command, const 
   return exit_ok;
 }
 
-Json item_json(const HistoryItem& item) {
-  Json json = {{"branch", item.branch}, {"by", item.by}, {"asked", item.asked}};
-  if (item.state == 0) return json;
-  json["state"] = item.state;
-  json["parent"] = item.parent;
-  json["current"] = item.is_current;
-  json["undone"] = item.is_undone;
-  return json;
-}
-
 Result<int> run_history(const Context& context, const EditCommand& command) {
-  const LaterLibrary library(command.libraries, context);
-  const auto session = open_session(command, library, true);
+  const auto library = make_later_library(command.libraries, context);
+  const auto session = open_session(command, *library, true);
   if (!session) return session.error();
-  Json all = Json::array();
-  for (const auto& item : session->history()) {
-    if (context.json) {
-      all.push_back(item_json(item));
-      continue;
-    }
-    const std::string number = item.state > 0 ? std::to_string(item.state) : "";
-    std::printf("%c %4s  %s  %s: %s\n", item.is_current ? '*' : item.is_undone ? '-' : ' ', number.c_str(),
-                item.branch.c_str(), item.by.c_str(), item.asked.c_str());
-  }
-  if (context.json) std::fputs(dump_json(all).c_str(), stdout);
+  if (context.json) std::fputs(dump_json(history_json(*session)).c_str(), stdout);
+  else print_lines(history_lines(*session));
   return exit_ok;
 }
 
 Result<int> run_branch(const Context& context, const EditCommand& command) {
-  const LaterLibrary library(command.libraries, context);
-  auto session = open_session(command, library, command.branch.empty());
+  const auto library = make_later_library(command.libraries, context);
+  auto session = open_session(command, *library, command.branch.empty());
   if (!session) return session.error();
   if (command.branch.empty()) {
     for (const auto& name : session->branches())
@@ -228,8 +145,8 @@ Result<int> run_branch(const Context& context, const EditCommand& command) {
 }
 
 Result<int> run_diff(const Context& context, const EditCommand& command) {
-  const LaterLibrary library(command.libraries, context);
-  const auto session = open_session(command, library, true);
+  const auto library = make_later_library(command.libraries, context);
+  const auto session = open_session(command, *library, true);
   if (!session) return session.error();
   const auto lines = session->diff(command.from, command.to);
   if (!lines) return lines.error();
@@ -242,15 +159,8 @@ using Command = std::shared_ptr<EditCommand>;
 
 CLI::App* add_scene_command(CLI::App& app, const char* name, const char* what, const Command& command) {
   auto* sub = app.add_subcommand(name, what);
-  sub->add_option("scene", command->scene, "scene.json; its journal is the .journal file beside it")->required();
+  add_scene(*sub, *command);
   return sub;
-}
-
-void add_file_options(CLI::App& sub, EditCommand& command) {
-  sub.add_option("--by", command.by, "Who asks, for the history")->capture_default_str();
-  sub.add_flag("--no-pictures", command.no_pictures, "Draw no pictures; older ones go");
-  sub.add_option("--pixels", command.pixels, "Length of the pictures' longer side")->capture_default_str();
-  add_library_options(sub, command.libraries);
 }
 
 template <typename Run>
@@ -264,11 +174,10 @@ void add_edit_command(CLI::App& app, Context& context) {
       app, "edit", "Change a room: exit 0 done, 1 not possible, 2 not understood; in 1 and 2 nothing changes", command);
   auto* sentence = sub->add_option("sentence", command->sentence, "What to change, in English");
   sub->add_option("--op", command->operation, "What to change, as JSON (docs/operation.schema.json)")->excludes(sentence);
-  sub->add_option("--repair", command->repair, "May unlocked neighbours make way?")
-      ->check(CLI::IsMember({"on", "off"}))
-      ->capture_default_str();
+  add_repair_option(*sub, *command);
   sub->add_flag("--dry-run", command->dry_run, "Only print the operations that the sentence means");
   add_file_options(*sub, *command);
+  add_chat_options(*sub, command->designer);
   sub->callback([command, &context] {
     if (command->sentence.empty() && command->operation.empty())
       throw CLI::ValidationError("sentence", "say what to change, or give --op");

@@ -1,4 +1,4 @@
-#include "roomgen/evaluate/score.h"
+#include "roomgen/evaluate/report.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -10,9 +10,11 @@
 #include <vector>
 
 #include "command.h"
+#include "insertions.h"
 #include "made.h"
 #include "makers.h"
 #include "options.h"
+#include "room_files.h"
 #include "roomgen/base/file.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
@@ -29,7 +31,7 @@ constexpr const char* summary_name = "results.json";
 constexpr const char* report_name = "report.md";
 
 struct ExperimentOptions {
-  std::string suite, output, cache;
+  std::string suite, insertions, output, cache;
   std::vector<std::string> variants = {"full"};
   std::vector<int> only;
   std::uint64_t seed = 1;
@@ -206,7 +208,7 @@ class Experiment {
 
   Status write(const Task& task, const MadeAll& all) const {
     const auto& program = all.objects.front().program;
-    const auto glb = make_glb(program.name, all.model, glb_options());
+    const auto glb = make_glb(program.name, all.model, export_options());
     if (!glb) return glb.error();
     if (auto status = make_folder(file(task, "").parent_path()); !status) return status;
     if (auto status = write_file(file(task, ".glb"), *glb); !status) return status;
@@ -337,6 +339,8 @@ Result<int> experiment(const Context& context, const ExperimentOptions& options)
 }
 
 void check_experiment_usage(const ExperimentOptions& options) {
+  if (options.suite.empty() && options.insertions.empty())
+    throw CLI::RequiredError("--create or --insertions");
   for (const auto& variant : options.variants)
     if (variant == "direct" && options.maker.designer.designer != "model")
       throw CLI::ValidationError("--variants", "direct needs --designer model");
@@ -347,10 +351,13 @@ void check_experiment_usage(const ExperimentOptions& options) {
 void add_experiment_command(CLI::App& app, Context& context) {
   auto options = std::make_shared<ExperimentOptions>();
   auto* sub = app.add_subcommand(
-      "experiment", "Make a suite of things in several variants and score them (docs/objects.md)");
-  sub->add_option("--create", options->suite,
-                  "Sentences with what can be checked, as bench/create/prompts.json")
-      ->required();
+      "experiment", "Make a suite of things in several variants and score them (docs/objects.md), or change rooms step by step");
+  auto* create = sub->add_option("--create", options->suite,
+                                 "Sentences with what can be checked, as bench/create/prompts.json");
+  auto* insertions = sub->add_option("--insertions", options->insertions,
+                                     "Rooms and sentences that change them, as bench/edits/insertions.json: a "
+                                     "picture of each step (docs/editing.md)");
+  create->excludes(insertions);
   sub->add_option("--variants", options->variants,
                   "full, no-validation, no-decomposition, direct; several with commas")
       ->delimiter(',')
@@ -372,6 +379,12 @@ void add_experiment_command(CLI::App& app, Context& context) {
   add_maker_options(*sub, options->maker);
   sub->callback([options, &context] {
     check_experiment_usage(*options);
+    if (!options->insertions.empty()) {
+      context.run = [options, &context] {
+        return run_insertions(context, {options->insertions, options->output, options->force, {}});
+      };
+      return;
+    }
     context.run = [options, &context] { return experiment(context, *options); };
   });
 }

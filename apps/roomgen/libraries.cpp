@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <optional>
 
 #include "roomgen/create/create.h"
 #include "roomgen/library/library.h"
@@ -16,6 +17,32 @@ void print_progress(const assets::IndexProgress& progress) {
                progress.library.data(), progress.done, progress.total);
   if (progress.done == progress.total) std::fputs("\n", stderr);
 }
+
+class LaterLibrary final : public AssetLibrary {
+ public:
+  LaterLibrary(const LibraryOptions& options, const Context& context) : options_(options), context_(context) {}
+
+  Result<std::vector<AssetMatch>> search(const AssetQuery& query) const override {
+    const auto& library = opened();
+    if (!library) return library.error();
+    return (*library)->search(query);
+  }
+  Result<std::shared_ptr<const Model>> load(const AssetRef& ref) const override {
+    const auto& library = opened();
+    if (!library) return library.error();
+    return (*library)->load(ref);
+  }
+
+ private:
+  const Result<std::unique_ptr<AssetLibrary>>& opened() const {
+    if (!library_) library_.emplace(open_all_libraries(options_, context_));
+    return *library_;
+  }
+
+  const LibraryOptions& options_;
+  const Context& context_;
+  mutable std::optional<Result<std::unique_ptr<AssetLibrary>>> library_;
+};
 
 }  // namespace
 
@@ -48,6 +75,10 @@ Result<std::unique_ptr<assets::Catalogue>> open_libraries(const LibraryOptions& 
   return assets::open_catalogue(catalogue);
 }
 
+std::filesystem::path cache_folder(const LibraryOptions& options) {
+  return options.cache.empty() ? assets::default_cache_dir() : std::filesystem::path(options.cache);
+}
+
 std::filesystem::path kept_folder(const std::string& cache) {
   return (cache.empty() ? assets::default_cache_dir() : std::filesystem::path(cache)) / "created";
 }
@@ -65,6 +96,10 @@ Result<std::unique_ptr<AssetLibrary>> open_all_libraries(const LibraryOptions& o
                  catalogue.error().message.c_str());
   libraries.push_back(create::make_finishing_library(create::make_created_library()));
   return make_first_of(std::move(libraries));
+}
+
+std::unique_ptr<AssetLibrary> make_later_library(const LibraryOptions& options, const Context& context) {
+  return std::make_unique<LaterLibrary>(options, context);
 }
 
 }  // namespace roomgen::cli

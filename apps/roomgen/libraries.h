@@ -27,6 +27,9 @@ void add_library_options(CLI::App& command, LibraryOptions& options);
 Result<std::unique_ptr<assets::Catalogue>> open_libraries(const LibraryOptions& options,
                                                           const Context& context);
 
+/// The folder that the options name, or else the user's.
+std::filesystem::path cache_folder(const LibraryOptions& options);
+
 /// Where `create --add` keeps programs, below the cache folder (empty: the user's).
 std::filesystem::path kept_folder(const std::string& cache);
 
@@ -34,5 +37,8 @@ std::filesystem::path kept_folder(const std::string& cache);
 /// warning.
 Result<std::unique_ptr<AssetLibrary>> open_all_libraries(const LibraryOptions& options,
                                                          const Context& context);
+
+/// The same, opened when it is first asked: undo and history need none. Both arguments must outlive it.
+std::unique_ptr<AssetLibrary> make_later_library(const LibraryOptions& options, const Context& context);
 
 }  // namespace roomgen::cli

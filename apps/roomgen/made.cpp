@@ -56,12 +56,6 @@ Result<MadeAll> made_of(create::Creation creation, std::uint64_t seed) {
   return result;
 }
 
-GlbOptions glb_options() {
-  GlbOptions options;
-  options.encode_image = encode_texture;
-  return options;
-}
-
 Json object_json(const Made& made) {
   const Vec3 size = shape::bounds(made.shape).size();
   Json json;

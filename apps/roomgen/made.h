@@ -33,8 +33,6 @@ struct MadeAll {
 Result<MadeAll> made_of(create::Creation creation, std::uint64_t seed);
 Made made_of(create::CreatedObject object);
 
-GlbOptions glb_options();
-
 /// What --json prints of an object.
 Json object_json(const Made& made);
 /// The same of all.

@@ -44,12 +44,17 @@ int main(int argc, char** argv) {
   add_assets_command(app, context);
 #endif
 #ifdef ROOMGEN_HAS_RENDER
+  add_export_command(app, context);
   add_render_command(app, context);
 #endif
 #if defined(ROOMGEN_HAS_ASSETS) && defined(ROOMGEN_HAS_RENDER)
   add_create_command(app, context);
   add_generate_command(app, context);
+  add_optimise_command(app, context);
   add_edit_commands(app, context);
+  add_import_command(app, context);
+  add_repl_command(app, context);
+  add_mcp_command(app, context);
   add_experiment_command(app, context);
 #endif
 

@@ -8,6 +8,7 @@
 #include "roomgen/base/json.h"
 #include "roomgen/render/pictures.h"
 #include "roomgen/scene/scene.h"
+#include "views.h"
 
 namespace roomgen::cli {
 
@@ -38,11 +39,7 @@ Result<int> render(const Context& context, const RenderOptions& options) {
   const auto renderer = make_osmesa_renderer();
   if (!renderer) return renderer.error();
 
-  View view;
-  view.kind = options.view == "iso"   ? View::Kind::isometric
-              : options.view == "eye" ? View::Kind::eye
-                                      : View::Kind::top;
-  view.pixels = options.pixels;
+  View view = view_named(options.view, options.pixels);
   view.marks = options.marks;
   view.paper_frame = options.frame == "paper";
   const auto image = (*renderer)->render(*scene, *models, view);

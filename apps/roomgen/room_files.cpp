@@ -2,17 +2,31 @@
 
 #include <utility>
 
-#include "made.h"
-#include "roomgen/export/exporter.h"
+#include "roomgen/generate/generate.h"
 #include "roomgen/render/pictures.h"
 
 namespace roomgen::cli {
+
+Result<Renderer*> PictureDrawer::renderer() {
+  if (!renderer_) {
+    auto made = make_osmesa_renderer();
+    if (!made) return made.error();
+    renderer_ = *std::move(made);
+  }
+  return renderer_.get();
+}
+
+ExportOptions export_options() {
+  ExportOptions options;
+  options.encode_image = encode_texture;
+  return options;
+}
 
 Status write_model_files(const OutputFolder& folder, const Scene& scene, const ModelTable& models) {
   if (auto status = folder.write("ATTRIBUTION.md", attribution_markdown(scene)); !status) return status;
   const auto place = folder.place_for("scene.glb");
   if (!place) return place.error();
-  return GlbExporter(glb_options()).write(scene, models, *place);
+  return GlbExporter(export_options()).write(scene, models, *place);
 }
 
 Status write_pictures(const OutputFolder& folder, const Scene& scene, const ModelTable& models, Renderer& renderer,
@@ -29,6 +43,16 @@ Status write_pictures(const OutputFolder& folder, const Scene& scene, const Mode
     if (auto status = write_png(folder, name, *image); !status) return status;
   }
   return {};
+}
+
+Status write_new_room(const OutputFolder& folder, const Json& plan, const Generation& generation,
+                      PictureDrawer* drawer, int pixels) {
+  if (auto status = write_documents(folder, plan, generation); !status) return status;
+  if (auto status = write_model_files(folder, generation.scene, generation.models); !status) return status;
+  if (!drawer) return {};
+  const auto renderer = drawer->renderer();
+  if (!renderer) return renderer.error();
+  return write_pictures(folder, generation.scene, generation.models, **renderer, pixels);
 }
 
 }  // namespace roomgen::cli

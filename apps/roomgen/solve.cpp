@@ -5,9 +5,10 @@
 
 #include "command.h"
 #include "options.h"
+#include "samples.h"
 #include "roomgen/base/file.h"
 #include "roomgen/base/json.h"
-#include "roomgen/generate/output.h"
+#include "roomgen/generate/generate.h"
 #include "roomgen/solve/solve.h"
 
 namespace roomgen::cli {
@@ -16,9 +17,12 @@ namespace {
 
 struct SolveCommand {
   std::string problem;
-  std::string output = "scene.json";
+  std::string output;
   SolveOptions options;
   bool strict = false;
+  std::size_t samples = 0;  ///< 0: one solution
+  unsigned threads = 0;
+  ModelOptions models;
 };
 
 void print_summary(const Context& context, const SolveCommand& command, const Solution& solution,
@@ -43,7 +47,18 @@ void print_summary(const Context& context, const SolveCommand& command, const So
   for (const auto& missing : scene.unplaced) std::printf("  %s\n", missing.reason.c_str());
 }
 
+Result<int> run_samples(const Context& context, const SolveCommand& command) {
+  SampleWish wish{command.problem, command.output, {}, command.models, command.strict};
+  wish.options.count = command.samples;
+  wish.options.threads = command.threads;
+  wish.options.solve = command.options;
+  wish.options.solve.cancel = context.cancel;
+  return write_samples(context, wish);
+}
+
 Result<int> run(const Context& context, SolveCommand& command) {
+  if (command.samples > 0) return run_samples(context, command);
+  if (command.output.empty()) command.output = "scene.json";
   auto problem = read_problem(command.problem);
   if (!problem) return problem.error();
   command.options.cancel = context.cancel;
@@ -60,13 +75,25 @@ Result<int> run(const Context& context, SolveCommand& command) {
   return command.strict && !solution->scene.unplaced.empty() ? exit_failure : exit_ok;
 }
 
+void add_sample_options(CLI::App& sub, SolveCommand& command) {
+  constexpr std::size_t most_samples = 1000000;
+  auto* samples = sub.add_option("--samples", command.samples, "Draw so many distinct layouts, one JSON object a line")
+                      ->check(CLI::Range(std::size_t{1}, most_samples));
+  sub.add_option("--threads", command.threads, "Threads that draw layouts; as many as the machine has unless said")
+      ->check(CLI::Range(1u, 256u))
+      ->needs(samples);
+  add_model_options(sub, command.models);
+}
+
 }  // namespace
 
 void add_solve_command(CLI::App& app, Context& context) {
   auto command = std::make_shared<SolveCommand>();
   auto* sub = app.add_subcommand("solve", "Place the objects of a problem file, without a designer");
-  sub->add_option("problem", command->problem, "problem.json (docs/problem.schema.json)")->required();
-  sub->add_option("-o,--output", command->output, "Scene file to write")->capture_default_str();
+  sub->add_option("problem", command->problem, "problem.json (docs/problem.schema.json), or with --samples scene.json")
+      ->required();
+  sub->add_option("-o,--output", command->output,
+                  "Scene file to write (scene.json unless said), or file of layouts (stdout unless said)");
   sub->add_option("--seed", command->options.seed, "Seed of the search")
       ->check(CLI::Range(std::uint64_t{0}, max_seed))
       ->capture_default_str();
@@ -74,7 +101,8 @@ void add_solve_command(CLI::App& app, Context& context) {
       ->capture_default_str();
   sub->add_option("--pitch", command->options.place.pitch, "Grid pitch in metres")
       ->capture_default_str();
-  sub->add_flag("--strict", command->strict, "Exit with 1 if something found no place");
+  sub->add_flag("--strict", command->strict, "Exit with 1 if something found no place, or not all layouts were found");
+  add_sample_options(*sub, *command);
   sub->callback([command, &context] {
     context.run = [command, &context] { return run(context, *command); };
   });

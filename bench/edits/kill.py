@@ -2,6 +2,8 @@
 """Kills `roomgen edit` at random moments; the session must open every time and nothing acknowledged be missing.
 
     kill.py ROOMGEN SCENE.json [--times 300] [--seed 1]
+
+With scene.glb beside SCENE.json each edit writes that too, and exchanges the whole folder.
 """
 import argparse
 import json
@@ -32,6 +34,8 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         scene = pathlib.Path(folder) / "scene.json"
         shutil.copy(options.scene, scene)
+        if (models := options.scene.with_name("scene.glb")).exists():
+            shutil.copy(models, folder)
         ids = [o["id"] for o in json.loads(scene.read_text())["objects"]]
         start = time.monotonic()
         is_locked = lambda i: next(o for o in json.loads(scene.read_text())["objects"] if o["id"] == i)["locked"]
@@ -53,10 +57,11 @@ def main():
                 process.kill()
                 process.wait()
                 killed += 1
+                # Who opens it next writes scene.json if it is a step behind: else the next edit may ask for what is so.
+                subprocess.run([options.program, "redo", scene, "--quiet"], capture_output=True)
             if process.returncode == 0:
                 acknowledged.append(asked)
             by = [item["by"] for item in history(options.program, scene)]
-            # One that was killed when scene.json was a step behind may have changed nothing, and left no entry.
             missing = [a for a in acknowledged if by.count(a) != 1]
             if missing:
                 sys.exit(f"after {asked}: {missing} missing")

@@ -19,7 +19,8 @@ import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
 SAME_DEED = {"put": "move", "shift": "move", "turn": "rotate", "face": "rotate", "recolor": "recolour",
-             "cover": "recolour"}
+             "cover": "recolour", "reform": "edit form", "open": "room", "close": "room", "refit": "room",
+             "reshape": "room"}
 # What the sentences call things, and what scenes may call them.
 SAME_THING = [{"bin", "trash", "basket", "wastebasket"}, {"fridge", "refrigerator"}, {"tv", "television"},
               {"painting", "picture", "poster", "map", "art"}, {"wall", "walls"}, {"crib", "cot"},
@@ -44,7 +45,15 @@ def run(program, *arguments):
     return subprocess.run([program, *map(str, arguments)], capture_output=True, text=True)
 
 
-def things_of(operation, objects):
+def place_of(operation, document, objects):
+    """What stands where a thing is put, and what is below it there."""
+    x, y = operation["position"]
+    there = [o for o in document["objects"]
+             if abs(o["position"][0] - x) < 0.02 and abs(o["position"][1] - y) < 0.02 and o["id"] != operation["object"]]
+    return " ".join([objects.get(operation.get("on"), "")] + [objects[o["id"]] for o in there])
+
+
+def things_of(operation, objects, document):
     """(deed, what it is done to, towards what) for each thing."""
     deed = SAME_DEED.get(operation["do"], operation["do"])
     if deed == "lock" and not operation.get("locked", True):
@@ -52,19 +61,29 @@ def things_of(operation, objects):
     name = lambda i: objects.get(i, re.sub(r"-\d+$", "", i))
     target = " ".join([name(r.split(",", 1)[1].strip()) if "," in r else r for r in operation.get("relations", [])])
     target = target or name(operation.get("target", ""))
+    if operation["do"] == "put":
+        target = place_of(operation, document, objects)
     if deed == "swap":
         return [(deed, name(operation["first"]) + " " + name(operation["second"]), "")]
     if deed == "add":
         return [(deed, operation["category"] + " " + operation.get("description", ""), target)]
     if "part" in operation:
         return [(deed, operation["part"], target)]
+    if deed == "room":
+        what = operation.get("openings", [operation.get("opening") or operation.get("kind") or operation.get("wall")])
+        return [(deed, re.sub(r"-\d+", "", i or "ceiling"), target) for i in what]
     return [(deed, name(i), target) for i in operation.get("objects", [operation.get("object", "")])]
 
 
-def is_meant(operations, meaning, objects):
+def is_meant(operations, meaning, objects, document):
     # To stand around something, or in a line, is to be moved there.
     meaning = [{**m, "op": "move" if m["op"] == "rearrange" and m.get("relation") else m["op"]} for m in meaning]
-    said = [thing for operation in operations for thing in things_of(operation, objects)]
+    said = [thing for operation in operations for thing in things_of(operation, objects, document)]
+    # With a group go the chairs around it.
+    for operation in operations:
+        if operation.get("group"):
+            said += [(operation["do"], "chairs stools", "around " + said[0][1])]
+            meaning = [{**m, "target": None} if m["op"] == "move" else m for m in meaning]
     if any(operation["do"] == "revert" for operation in operations):
         return any("former place" in str(m.get("relation")) for m in meaning)
     everything = [m for m in meaning if m.get("kind") in (None, "everything")]
@@ -72,6 +91,7 @@ def is_meant(operations, meaning, objects):
         mine = [s for s in said if s[0] == m["op"] and (m in everything or alike(m["kind"], s[1]))]
         if not mine:
             return False
+        mine = [s for s in mine if words_of(m["kind"]) <= words_of(s[1])] or mine
         if m["op"] == "swap" and not alike(m["target"], mine[0][1]):
             return False
         if m["op"] in ("move", "add", "rotate") and m.get("target") and m["target"] not in ("room", "wall") and \
@@ -97,7 +117,7 @@ def outcome(program, folder, case):
         return ("as meant" if done.returncode in (1, 2) and same else "wrong"), said + done.stderr
     if dry.returncode != 0:
         return "not understood", said
-    return ("as meant" if is_meant(json.loads(dry.stdout), case["meaning"], objects) else "wrong"), said
+    return ("as meant" if is_meant(json.loads(dry.stdout), case["meaning"], objects, document) else "wrong"), said
 
 
 def main():

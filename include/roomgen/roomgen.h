@@ -4,9 +4,8 @@
 // also be included alone. Namespace roomgen; metres, radians, Z up, fronts towards -Y.
 
 // Furnish a room.
-#include "roomgen/generate/generate.h"      // from a plan to a furnished room or dwelling, at one go
+#include "roomgen/generate/generate.h"      // from a plan to a furnished room or dwelling, at one go; its folder of files
 #include "roomgen/generate/room_builder.h"  // the same one step at a time: propose, place, refuse, undo
-#include "roomgen/generate/output.h"        // the folder with a room's files
 
 // Change a furnished room.
 #include "roomgen/session/session.h"    // a room and its history: edits, undo, branches, differences
@@ -29,12 +28,16 @@
 #include "roomgen/import/import.h"      // floor plans from SVG and DXF; the meshes of a scene.glb
 
 // Judge a room.
-#include "roomgen/evaluate/report.h"  // what is wrong with it, which relations hold
-#include "roomgen/evaluate/score.h"   // how it meets written requirements, after SceneEval
+#include "roomgen/evaluate/report.h"  // what is wrong with it, which relations hold; how it meets written requirements
 
 // Place things without a designer.
 #include "roomgen/scene/problem.h"    // a room and things with constraints; problem.json
+#include "roomgen/solve/sample.h"     // many layouts of one room
 #include "roomgen/solve/solve.h"      // how one pose is chosen, and the poses of all of them
+
+// Describe a room by constraints and scores.
+#include "roomgen/program/program.h"    // the language: its document, checker and words; program.json
+#include "roomgen/optimise/optimise.h"  // rooms that are as a program says, by annealing
 
 // Bring meshes and kinds of things.
 #include "roomgen/kinds/kind_table.h"  // what kinds of things there are: sizes, mounts, use zones
@@ -51,8 +54,7 @@
 #include "roomgen/shape/evaluate.h"      // a program's meshes
 
 // Ask language models.
-#include "roomgen/chat/chat_model.h"  // what a model is; recording, replay, cache, limits, prices
-#include "roomgen/chat/prompts.h"     // what models are told
+#include "roomgen/chat/chat_model.h"  // what a model is; recording, replay, cache, limits, prices; what models are told
 
 // Words that all of them use.
 #include "roomgen/base/cancel.h"       // stopping long work

@@ -62,6 +62,8 @@ class JsonReader {
   std::vector<double> numbers(std::size_t count, double low, double high) const;
 
   void report(const std::string& what) const { problems_->add(pointer_, what); }
+  /// The JSON pointer of the value.
+  const std::string& pointer() const { return pointer_; }
 
  private:
   JsonReader(const Json* value, Problems& problems, std::string pointer)

@@ -27,9 +27,9 @@ bool is_among(const std::vector<std::size_t>& indices, std::size_t index) {
 }  // namespace
 
 std::string Discourse::category_name(const KindMention& kind) const {
-  if (kind.is_stand_in()) return kind.name;
   const auto meant = lexicon_.kind.means.find(kind.name);
-  return meant == lexicon_.kind.means.end() ? kind.category->name : meant->second;
+  if (meant != lexicon_.kind.means.end()) return meant->second;
+  return kind.is_stand_in() ? kind.name : kind.category->name;
 }
 
 // "the console" is the media console that was spoken of.
@@ -112,7 +112,7 @@ Mention Discourse::new_mention(const ThingPhrase& phrase, int sentence) const {
   if (phrase.kind.length > 0) {
     mention.category = category_name(phrase.kind);
     mention.noun = phrase.kind.name;
-    mention.known = !phrase.kind.is_stand_in();
+    mention.known = !phrase.kind.is_stand_in() || mention.category != phrase.kind.name;
     description.push_back(phrase.kind.name);
     const bool at_windows = lexicon_.table.get(mention.category).covers_window;
     // "Curtains" are a name of their own, in the plural.
@@ -327,6 +327,13 @@ std::optional<std::size_t> Discourse::last_of(const KindMention& kind) const {
     if (mention(i).known && (lexicon_.table.is_a(mention(i).category, name) ||
                              lexicon_.table.is_a(name, mention(i).category)))
       return i;
+  return std::nullopt;
+}
+
+std::optional<std::size_t> Discourse::last_of_category(const std::string& category,
+                                                       const std::vector<std::size_t>& subjects) const {
+  for (std::size_t i = made(); i-- > 0;)
+    if (!is_among(subjects, i) && lexicon_.table.is_a(mention(i).category, category)) return i;
   return std::nullopt;
 }
 

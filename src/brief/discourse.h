@@ -54,6 +54,8 @@ class Discourse {
   std::optional<std::size_t> last_of_several() const;
   /// The thing of that kind that was spoken of last.
   std::optional<std::size_t> last_of(const KindMention& kind) const;
+  /// The last thing of a kind that is none of the subjects.
+  std::optional<std::size_t> last_of_category(const std::string& category, const std::vector<std::size_t>& subjects) const;
   /// What was spoken of last of what things stand on; "tabletop" is a table's.
   std::optional<std::size_t> last_carrier(std::string_view top = "") const;
 

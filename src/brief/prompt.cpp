@@ -45,9 +45,7 @@ void read_styles(PromptReading& reading) {
     if (!style || !style->is_look) continue;
     const auto end = i + static_cast<std::uint32_t>(style->length);
     if (std::find(used.begin() + i, used.begin() + end, true) != used.begin() + end) continue;
-    hear(reading.brief, {i, end}, Heard::As::style);
-    auto& styles = reading.brief.styles;
-    if (std::find(styles.begin(), styles.end(), style->name) == styles.end()) styles.push_back(style->name);
+    hear_style(reading.brief, *style, {i, end});
     i = end - 1;
   }
 }

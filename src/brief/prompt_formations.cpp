@@ -8,7 +8,6 @@ namespace roomgen::design {
 
 namespace {
 
-using language::none;
 using language::Run;
 
 /// "two rows of four": the words, and what they say.
@@ -59,12 +58,13 @@ class FormationReader {
     } else {
       said.formation.rows = is_plural ? number : 1;
     }
-    if (reading_.is_word(said.tokens.begin - (said.tokens.begin > 0 ? 1 : 0), "a") ||
-        reading_.is_word(said.tokens.begin - (said.tokens.begin > 0 ? 1 : 0), "one"))
-      --said.tokens.begin;
+    take_word_before(said, {"a", "one"});
     if (reading_.is_word(at + 1, "of")) read_size(at + 2, said);
-    if (said.tokens.begin > 0 && reading_.is_word(said.tokens.begin - 1, "in")) --said.tokens.begin;
+    take_word_before(said, {"in"});
     return said;
+  }
+  void take_word_before(SaidFormation& said, const WordSet& words) const {
+    if (said.tokens.begin > 0 && words.count(reading_.word(said.tokens.begin - 1))) --said.tokens.begin;
   }
   // "of four", which may go on: "of four desks".
   void read_size(std::uint32_t at, SaidFormation& said) const {
@@ -98,16 +98,14 @@ class FormationReader {
       const auto head = reading_.parse.phrases[i].head;
       if (!mention || !are_several(*mention, said.formation)) continue;
       const int own = reading_.sentence_of(head);
-      const bool announced = own + 1 == sentence && ends_with_colon(own);
+      const bool announced =
+          own + 1 == sentence &&
+          reading_.announces(reading_.parse.sentences[static_cast<std::size_t>(own)]);
       if (head < said.tokens.begin && (own == sentence || announced)) before = mention;
       if (head >= said.tokens.end && own == sentence && !behind) behind = mention;
     }
     const auto nearest = before ? before : behind;
     return nearest && may_stand_in_rows(*nearest, said.formation) ? nearest : std::nullopt;
-  }
-  bool ends_with_colon(int sentence) const {
-    const Run& said = reading_.parse.sentences[static_cast<std::size_t>(sentence)];
-    return !said.empty() && reading_.parse.tokens[said.end - 1].text == ":";
   }
   bool are_several(std::size_t mention, const Formation& formation) const {
     const Mention& things = reading_.talk.mention(mention);

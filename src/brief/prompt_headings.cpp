@@ -45,8 +45,7 @@ class HeadingReader {
 
   std::optional<Heading> heading_at(std::size_t number) const {
     const Run& said = reading_.parse.sentences[number];
-    if (said.empty() || !is_mark(said.end - 1, ":") || !new_things(said).empty())
-      return std::nullopt;
+    if (!reading_.announces(said) || !new_things(said).empty()) return std::nullopt;
     for (auto i = said.begin; i < std::min(said.end, said.begin + words_before); ++i) {
       const auto place = read_place(reading_.text.plain, i, reading_.words);
       if (!place || place->place == Place::room) continue;
@@ -59,7 +58,7 @@ class HeadingReader {
   // A preposition and a thing that was spoken of, and no more.
   std::optional<ThingHeading> thing_heading_at(std::size_t number) const {
     const Run& said = reading_.parse.sentences[number];
-    if (said.empty() || !is_mark(said.end - 1, ":")) return std::nullopt;
+    if (!reading_.announces(said)) return std::nullopt;
     const auto match = longest(reading_.words.placements, reading_.text.plain, said.begin);
     if (!match || match.value->inverse || match.value->pronoun) return std::nullopt;
     const auto begin = said.begin + static_cast<std::uint32_t>(match.length);

@@ -29,13 +29,6 @@ class PaletteReader {
   }
 
  private:
-  // "in shades of clay", "with brass accents": words around those of the palette.
-  static bool is_frame(const std::string& word) {
-    static const WordSet words = {"accent", "accents", "touch", "touches", "hint",  "hints",   "palette", "colour",
-                                  "colours", "color",  "colors", "tone",   "tones", "shade",   "shades",  "note",
-                                  "notes",   "detail", "details", "all",   "raw",   "bare",    "lots"};
-    return words.count(word) > 0;
-  }
   // Nothing in it is heard, all is a word of the palette or frames one.
   void read_segment(const Run& segment) {
     std::vector<std::string> said;
@@ -44,7 +37,7 @@ class PaletteReader {
       if (used_[i] || reading_.taken[i] != Taken::no || reading_.is_denied(i)) return;
       const bool describes = finish_words().describes(word) || finish_words().surface_names.count(word) ||
                              StyleWords::built_in().worn_by_stuff(word);
-      if (!describes && !is_frame(word) && !finish_words().fillers.count(word) &&
+      if (!describes && !reading_.words.palette_frames.count(word) && !finish_words().fillers.count(word) &&
           !language::is_function_word(reading_.parse.tokens[i]))
         return;
       if (describes) said.push_back(word);

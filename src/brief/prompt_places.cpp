@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
+#include <utility>
 
 namespace roomgen::design {
 
@@ -30,6 +32,9 @@ class PlaceReader {
   }
 
  private:
+  static bool is_among(const Indices& subjects, std::size_t mention) {
+    return std::find(subjects.begin(), subjects.end(), mention) != subjects.end();
+  }
   // "one holds …, the other …": which of several is meant.
   int nth_of(std::int32_t id) const {
     if (id == none || !reading_.phrase(id).is_pronoun) return -1;
@@ -71,8 +76,41 @@ class PlaceReader {
            (attachment.relation == "for" &&
             reading_.phrase(attachment.to).determiner == Determiner::each);
   }
+  // "left", "right end": the side that a phrase names, as the placement "left of" has it.
+  const Placement* side_named(const NounPhrase& phrase) const {
+    for (std::uint32_t i = phrase.tokens.begin; i <= phrase.head; ++i) {
+      const bool is_side = i == phrase.head || reading_.words.portions.count(reading_.word(phrase.head)) > 0;
+      const auto found = reading_.words.placements.find(reading_.word(i) + " of");
+      if (is_side && found != reading_.words.placements.end() && is_beside(found->second)) return &found->second;
+    }
+    return nullptr;
+  }
+  static bool is_beside(const Placement& placement) {
+    return placement.relations.size() == 1 && (placement.relations.front() == RelationKind::left_of ||
+                                               placement.relations.front() == RelationKind::right_of);
+  }
+  // "the crib's left", "its right end": beside what owns the side.
+  bool stand_beside_owner(const NounPhrase& phrase, const Indices& subjects) {
+    const Placement* side = side_named(phrase);
+    if (!side) return false;
+    if (phrase.determiner == Determiner::possessive) return relate_to_implied(subjects, *side), true;
+    const auto owner = owner_named(phrase);
+    if (!owner || is_among(subjects, *owner)) return false;
+    say(subjects, {side, none, false}, *owner);
+    return true;
+  }
+  // "the crib's": the thing spoken of before that the words mean.
+  std::optional<std::size_t> owner_named(const NounPhrase& phrase) const {
+    for (auto i = phrase.modifiers.begin; i < phrase.modifiers.end; ++i) {
+      const auto& modifier = reading_.parse.modifiers[i];
+      if (modifier.kind == language::Modifier::Kind::owner)
+        return reading_.talk.last_of(mention_at(reading_.text.table, reading_.text.plain, modifier.tokens.begin));
+    }
+    return std::nullopt;
+  }
   void read_target(const Attachment& attachment, const SaidPlacement& said,
                    const Indices& subjects) {
+    if (stand_beside_owner(reading_.phrase(attachment.to), subjects)) return;
     const NounPhrase& target = reading_.phrase(said.target);
     if (const auto thing = reading_.mention_of(said.target)) {
       if (target.determiner == Determiner::each &&
@@ -81,7 +119,7 @@ class PlaceReader {
       return say(subjects, said, *thing);
     }
     if (is_way_in(target, *said.placement))
-      return reading_.talk.locate(subjects, *said.placement, PlacePhrase{Place::door});
+      return reading_.talk.locate(subjects, *said.placement, PlacePhrase{.place = Place::door});
     if (reading_.is_room(target)) {
       if (said.placement->centered) reading_.talk.locate(subjects, *said.placement, PlacePhrase{});
       return;
@@ -115,7 +153,8 @@ class PlaceReader {
   // "the middle of the table" is on the table.
   void locate_in_middle(const Attachment& attachment, const Indices& subjects,
                         const Placement& placement, const PlacePhrase& place) {
-    const NounPhrase& middle = reading_.phrase(attachment.to);
+    if (const auto owner = owner_named(reading_.phrase(attachment.to)))
+      return reading_.talk.demand(subjects, {RelationKind::on, *owner, "", false});
     for (const Attachment& of : reading_.parse.attachments)
       if (of.from == attachment.to && of.relation == "of")
         if (const auto thing = reading_.mention_of(of.to))
@@ -131,6 +170,7 @@ class PlaceReader {
     if (lies_on_part) return reading_.talk.demand(subjects, {RelationKind::on, target, "", false});
     for (auto kind : said.placement->relations)
       reading_.talk.demand(subjects, {kind, target, "", said.placement->flank});
+    if (is_beside(*said.placement)) last_side_ = {said.placement->relations.front(), target};
   }
   // "a lamp on each nightstand", "desks, each with two drawers": as many for each of the owners as
   // were said of one.
@@ -177,10 +217,22 @@ class PlaceReader {
   void relate_to_implied(const Indices& subjects, const Placement& placement) {
     const RelationKind first = placement.relations.front();
     auto target = reading_.talk.antecedent(first, subjects);
+    if (placement.owner.empty()) {
+      if (const auto other = other_side_of(placement, subjects)) target = other;
+    } else if (const auto owner = reading_.talk.last_of_category(placement.owner, subjects)) {
+      target = owner;
+    }
     // "a board with a knife on top", "a bed with a nightstand on one side"
     if (const auto owner = owner_of_.find(subjects.front()); owner != owner_of_.end())
       target = owner->second;
     if (target) say(subjects, {&placement, none, false}, *target);
+  }
+  // "Left of the sofa a lamp, to its right a plant": both stand beside one thing.
+  std::optional<std::size_t> other_side_of(const Placement& placement, const Indices& subjects) const {
+    if (!is_beside(placement) || !last_side_ || last_side_->first == placement.relations.front() ||
+        is_among(subjects, last_side_->second))
+      return std::nullopt;
+    return last_side_->second;
   }
   // Words that no phrase has and no attachment.
   static std::vector<bool> words_left(const language::Parse& parse) {
@@ -203,11 +255,11 @@ class PlaceReader {
         continue;
       const Indices subjects = subjects_at(i);
       const auto first = static_cast<std::uint32_t>(i);
-      reading_.talk.told_by(hear(reading_.brief,
-                                 {first, first + static_cast<std::uint32_t>(match.length)},
-                                 Heard::As::relation));
+      const auto heard = hear(reading_.brief, {first, first + static_cast<std::uint32_t>(match.length)},
+                              Heard::As::relation);
+      reading_.talk.told_by(heard);
       if (!subjects.empty() && match.value->mutual)
-        relate_listed(i, *match.value);
+        relate_listed(i, *match.value, heard);
       else if (!subjects.empty())
         relate_to_implied(subjects, *match.value);
       next_adverb_ += match.length - 1;
@@ -233,14 +285,22 @@ class PlaceReader {
     if (!before) before = after;
     return before ? Indices{*before} : Indices{};
   }
-  // "a desk and a shelf side by side"
-  void relate_listed(std::size_t token, const Placement& placement) {
+  // "a desk and a shelf side by side"; "two desks side by side" are a row.
+  void relate_listed(std::size_t token, const Placement& placement, std::size_t heard) {
     Indices things;
     for (std::size_t i = 0; i < reading_.parse.phrases.size(); ++i)
       if (reading_.parse.phrases[i].head < token && reading_.mentions[i] &&
           reading_.sentence_of(reading_.parse.phrases[i].head) == reading_.sentence_of(token))
         things.push_back(*reading_.mentions[i]);
+    if (!things.empty() && stand_in_row(things.back(), heard)) return;
     relate_mutually(things, placement);
+  }
+  bool stand_in_row(std::size_t things, std::size_t heard) {
+    Mention& mention = reading_.brief.mentions[things];
+    if (mention.quantity < 2 || mention.mount != Mount::floor || mention.formation) return false;
+    mention.formation = Formation{.rows = 1};
+    mention.formation_heard = heard;
+    return true;
   }
   // The last two of a list.
   void relate_mutually(const Indices& things, const Placement& placement) {
@@ -253,6 +313,7 @@ class PlaceReader {
   const std::vector<bool> left_;                 ///< by token
   std::size_t next_adverb_ = 0;                  ///< token
   std::map<std::size_t, std::size_t> owner_of_;  ///< "a tray with cups": mentions
+  std::optional<std::pair<RelationKind, std::size_t>> last_side_;  ///< left or right of which mention
   std::set<std::size_t> given_;                  ///< mentions that each of others has
 };
 

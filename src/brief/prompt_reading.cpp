@@ -52,12 +52,16 @@ bool PromptReading::is_somebody(const language::NounPhrase& phrase) const {
 }
 
 int PromptReading::sentence_of(std::size_t token) const {
-  int number = 0;
-  for (const Run& sentence : parse.sentences) {
-    if (token < sentence.end) return number;
-    ++number;
-  }
-  return number;
+  const auto sentence =
+      std::upper_bound(parse.sentences.begin(), parse.sentences.end(), token,
+                       [](std::size_t one, const Run& said) { return one < said.end; });
+  return static_cast<int>(sentence - parse.sentences.begin());
+}
+
+bool PromptReading::announces(const Run& sentence) const {
+  if (sentence.empty()) return false;
+  const auto& last = parse.tokens[sentence.end - 1];
+  return last.kind == language::Token::Kind::stop && last.text == ":";
 }
 
 bool PromptReading::is_denied(std::size_t token) const {

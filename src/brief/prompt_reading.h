@@ -54,6 +54,8 @@ struct PromptReading {
   /// "my uncle", "two cats"
   bool is_somebody(const language::NounPhrase& phrase) const;
   int sentence_of(std::size_t token) const;
+  /// "On the desk:", "Chairs:": what comes behind is announced.
+  bool announces(const language::Run& sentence) const;
   /// "not too modern", "nothing rustic"
   bool is_denied(std::size_t token) const;
   /// By token: whether it was heard as something.

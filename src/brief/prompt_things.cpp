@@ -302,8 +302,22 @@ class ThingReader {
   // "a table with four chairs around it and a lamp above it": what a thing is with is "it".
   std::optional<std::size_t> owner_of(std::int32_t id) const {
     for (const Attachment& attachment : reading_.parse.attachments)
-      if (id != none && attachment.to == id && attachment.relation == "with")
+      if (id != none && attachment.to == id && attachment.relation == "with") {
+        if (const auto subject = subject_before(attachment)) return subject;
         return reading_.mention_of(attachment.from);
+      }
+    return std::nullopt;
+  }
+  // "A dresser faces the bed from the wall, with a mirror above it": it is the dresser's mirror.
+  std::optional<std::size_t> subject_before(const Attachment& with) const {
+    for (const auto& verb : reading_.parse.verbs) {
+      const bool is_around = verb.subject != none && verb.tokens.end <= with.tokens.begin &&
+                             verb.kind == language::VerbPhrase::Kind::finite &&
+                             reading_.sentence_of(verb.tokens.begin) == reading_.sentence_of(with.tokens.begin);
+      const bool is_behind_object = with.from != verb.subject &&
+                                    (with.from == verb.object || !reading_.mention_of(with.from));
+      if (is_around && is_behind_object && reading_.mention_of(verb.subject)) return reading_.mention_of(verb.subject);
+    }
     return std::nullopt;
   }
   // What the clauses before were about.

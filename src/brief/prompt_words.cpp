@@ -5,7 +5,7 @@
 #include "base/json_reader.h"
 #include "base/resource.h"
 #include "roomgen/base/json.h"
-#include "roomgen/scene/relation.h"
+#include "scene/relation_table.h"
 
 namespace roomgen::design {
 
@@ -56,6 +56,10 @@ Placement read_placement(const JsonReader& json) {
       placement.flank = true;
       continue;
     }
+    if (word.starts_with("of ")) {
+      placement.owner = word.substr(3);
+      continue;
+    }
     auto relation = parse_relation(word + ", target");
     if (relation)
       placement.relations.push_back(relation->kind);
@@ -76,7 +80,7 @@ Result<Vocabulary> parse_vocabulary(std::string_view text, const std::string& so
                    "only",          "measured",       "stops",    "parts",        "no things",
                    "materials",     "sizes",          "people",   "people words", "room words",
                    "generic rooms", "parts of rooms", "walls",    "placements",   "pairs",
-                   "verbs",         "tops",           "portions", "built in", "asking",     "further",  "shares", "groups", "rows"});
+                   "verbs",         "tops",           "portions", "built in", "asking",     "further",  "shares", "groups", "rows", "palette frames"});
   Vocabulary words;
   words.numbers = read_integers(root["numbers"]);
   words.people = read_integers(root["people"]);
@@ -88,6 +92,8 @@ Result<Vocabulary> parse_vocabulary(std::string_view text, const std::string& so
   for (const auto& [word, part] : root["parts of rooms"].members())
     words.room_parts[word] = part.text();
   for (const auto& [word, share] : root["shares"].members()) words.shares[word] = share.text();
+  for (const auto& relation : relation_definitions())
+    if (relation.has(RelationDefinition::in_prompts)) words.placements[std::string(relation.name())].relations = {relation.kind};
   for (const auto& [phrase, relations] : root["placements"].members())
     words.placements[phrase] = read_placement(relations);
   const std::pair<const char*, WordSet*> sets[] = {{"vague", &words.vague},
@@ -110,7 +116,8 @@ Result<Vocabulary> parse_vocabulary(std::string_view text, const std::string& so
                                                    {"asking", &words.asking},
                                                    {"further", &words.further},
                                                    {"groups", &words.groups},
-                                                   {"rows", &words.rows}};
+                                                   {"rows", &words.rows},
+                                                   {"palette frames", &words.palette_frames}};
   for (const auto& [key, set] : sets) *set = read_set(root[key]);
   if (problems.first()) return *problems.first();
   return words;

@@ -26,6 +26,7 @@ struct Placement {
   bool centered = false;  ///< of a room: in its middle
   bool hanging = false;   ///< of lamps: from the ceiling
   bool mutual = false;    ///< of things to each other: "side by side"
+  std::string owner;      ///< what alone has such a part: "at the foot" is a bed's
   bool inverse = false;   ///< said of the target: "a sofa flanked by two lamps"
 };
 
@@ -41,6 +42,7 @@ struct Vocabulary {
   WordSet portions;  ///< "the edge of the bathtub", "the sofa cushion": stand for the whole
   WordSet groups;    ///< "two rows of desks": how often as many
   WordSet rows;      ///< of the groups those that are lines: how things stand
+  WordSet palette_frames;  ///< around colours that are said of no thing: "accents", "shades"
   WordSet further;   ///< "extra towels": besides those spoken of
   WordSet asking;    ///< "create", "add": verbs that only ask for something
   WordSet built_in;  ///< what is so is no thing of its own

@@ -37,11 +37,7 @@ void collect_styles(const std::vector<Token>& tokens, std::size_t before, const 
                     const Vocabulary& words, Brief& brief) {
   for (std::size_t i = begin_of_words(tokens, before, kinds, words); i < before;) {
     const auto style = style_at({tokens.data(), before}, i, kinds);
-    if (style) {
-      hear(brief, source_of(tokens, i, style->length), Heard::As::style);
-      if (std::find(brief.styles.begin(), brief.styles.end(), style->name) == brief.styles.end())
-        brief.styles.push_back(style->name);
-    }
+    if (style) hear_style(brief, *style, source_of(tokens, i, style->length));
     i += style ? style->length : 1;
   }
 }

@@ -26,4 +26,10 @@ std::optional<StylePhrase> style_at(std::span<const Token> tokens, std::size_t a
   return best;
 }
 
+void hear_style(Brief& brief, const StylePhrase& style, const language::Run& tokens) {
+  hear(brief, tokens, Heard::As::style);
+  if (std::find(brief.styles.begin(), brief.styles.end(), style.name) == brief.styles.end())
+    brief.styles.push_back(style.name);
+}
+
 }  // namespace roomgen::design

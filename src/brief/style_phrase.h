@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 
+#include "brief.h"
 #include "room_kinds.h"
 #include "tokens.h"
 
@@ -18,5 +19,8 @@ struct StylePhrase {
 
 /// The longest that begins at a token: a name of data/styles.json, or a word of data/rooms.json.
 std::optional<StylePhrase> style_at(std::span<const Token> tokens, std::size_t at, const RoomKinds& kinds);
+
+/// Adds it to what was heard, and to the styles of the room unless it is one of them already.
+void hear_style(Brief& brief, const StylePhrase& style, const language::Run& tokens);
 
 }  // namespace roomgen::design

@@ -1,4 +1,4 @@
-#include "roomgen/chat/prompts.h"
+#include "roomgen/chat/chat_model.h"
 
 #include <set>
 

@@ -75,11 +75,16 @@ void OccupancyGrid::stamp(const Footprint& footprint, int change) {
   const Vec2 reach = Vec2::Constant(person_radius);
   const Vec2 low = footprint.bounds().low - reach, high = footprint.bounds().high + reach;
   const double limit = person_radius - slack;
+  const double inner = footprint.half().minCoeff() - slack, outer = 1.01 * footprint.half().maxCoeff();
   const int first = column(low.x()), last = column(high.x());
   for (int r = row(low.y()); r <= row(high.y()); ++r) {
     if (footprint.round()) {
-      for (int c = first; c <= last; ++c)
-        if (gap(footprint, center(c, r)) < limit) change_count(c, r, change);
+      for (int c = first; c <= last; ++c) {
+        // Its outline lies between two circles: only what is between both is measured.
+        const double away = (center(c, r) - footprint.center()).norm();
+        if (away >= outer + limit) continue;
+        if (away < inner + limit || gap(footprint, center(c, r)) < limit) change_count(c, r, change);
+      }
       continue;
     }
     // The local coordinates change by a constant from cell to cell.

@@ -220,6 +220,18 @@ bool boxes_overlap(const Object& a, const Object& b) {
   return overlaps(rectangle(a), rectangle(b), box_tolerance);
 }
 
+bool boxes_clash(const Object& object, const Footprint& footprint, double bottom, const Object& other,
+                 const Footprint& footprint_of_other) {
+  constexpr double touch = 1e-4;
+  if (!footprint.bounds().overlaps(footprint_of_other.bounds(), -touch)) return false;
+  if (!both_solid(object, other)) {
+    if (!object.traits.flat || !other.traits.flat) return false;
+  } else if (bottom >= top(other) - touch || roomgen::bottom(other) >= bottom + object.size.z() - touch) {
+    return false;
+  }
+  return overlaps(footprint, footprint_of_other, touch);
+}
+
 bool both_solid(const Object& a, const Object& b) {
   return !a.traits.flat && !b.traits.flat;
 }

@@ -31,6 +31,10 @@ class Solids {
 
 /// Do the boxes share space? Touching is no overlap.
 bool boxes_overlap(const Object& a, const Object& b);
+/// Would `object`, were it there, share space with the other's box where that is not allowed in general? Rugs
+/// may lie under everything but not over each other.
+bool boxes_clash(const Object& object, const Footprint& footprint, double bottom, const Object& other,
+                 const Footprint& footprint_of_other);
 /// Both solid: rugs share the floor with what stands on them.
 bool both_solid(const Object& a, const Object& b);
 

@@ -30,6 +30,10 @@ std::vector<FloorThing> floor_things(std::span<const Object> objects,
   return things;
 }
 
+bool tucks(const Kind& a, const Kind& b) {
+  return is_any_of(a, b.tucks_under) || is_any_of(b, a.tucks_under);
+}
+
 bool blocks_zone(const FloorThing& other, const FloorThing& owner, const UseZone& zone,
                  const Footprint& area) {
   return other.object != owner.object && blocks_floor(*other.object, *other.category) &&
@@ -46,14 +50,10 @@ bool zone_is_free(const Room& room, std::span<const FloorThing> things, const Fl
   });
 }
 
-namespace {
-
 bool needs_no_zone(const FloorThing& thing) {
   return thing.category->zones.empty() || thing.object->traits.flat ||
          thing.object->mount != Mount::floor;
 }
-
-}  // namespace
 
 bool has_free_zone(const Room& room, std::span<const FloorThing> things, const FloorThing& thing) {
   const auto& zones = thing.category->zones;

@@ -23,6 +23,9 @@ std::vector<FloorThing> floor_things(std::span<const Object> objects,
 /// the ceiling, pictures on the wall and curtains, which give way.
 bool blocks_floor(const Object& object, const Kind& category);
 
+/// May one slide under the other (a chair, a table) when their meshes allow it?
+bool tucks(const Kind& a, const Kind& b);
+
 /// Does the other thing stand in `area`, the zone's footprint, where it must not?
 bool blocks_zone(const FloorThing& other, const FloorThing& owner, const UseZone& zone,
                  const Footprint& area);
@@ -30,6 +33,9 @@ bool blocks_zone(const FloorThing& other, const FloorThing& owner, const UseZone
 /// Is the zone inside the room and free of others than the object itself and the zone's partners?
 bool zone_is_free(const Room& room, std::span<const FloorThing> things, const FloorThing& owner,
                   const UseZone& zone);
+
+/// Has its kind no use zones, or does it hang, lie flat or stand on others?
+bool needs_no_zone(const FloorThing& thing);
 
 /// Has the thing a free zone, reachable or not? True for things without zones.
 bool has_free_zone(const Room& room, std::span<const FloorThing> things, const FloorThing& thing);

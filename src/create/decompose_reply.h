@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "interview.h"
+#include "chat/interview.h"
 #include "roomgen/create/maker.h"
 
 namespace roomgen::create {

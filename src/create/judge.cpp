@@ -5,7 +5,7 @@
 
 #include "brief/reply_measure.h"
 #include "chat/loose_json.h"
-#include "interview.h"
+#include "chat/interview.h"
 #include "reply_schema.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"

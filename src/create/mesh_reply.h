@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "interview.h"
+#include "chat/interview.h"
 #include "roomgen/shape/evaluate.h"
 
 namespace roomgen::create {

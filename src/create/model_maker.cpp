@@ -2,7 +2,7 @@
 
 #include "decompose_reply.h"
 #include "description_words.h"
-#include "interview.h"
+#include "chat/interview.h"
 #include "kinds.h"
 #include "mesh_reply.h"
 #include "program_reply.h"

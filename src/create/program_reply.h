@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "interview.h"
+#include "chat/interview.h"
 #include "roomgen/create/maker.h"
 #include "roomgen/shape/program.h"
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "interview.h"
+#include "chat/interview.h"
 #include "roomgen/create/maker.h"
 
 namespace roomgen::create {

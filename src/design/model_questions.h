@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "roomgen/chat/prompts.h"
+#include "roomgen/chat/chat_model.h"
 #include "roomgen/design/model_designer.h"
 #include "scene_text.h"
 

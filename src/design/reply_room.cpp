@@ -9,8 +9,7 @@
 #include "brief/reply_measure.h"
 #include "chat/loose_json.h"
 #include "plan/floor_plan.h"
-#include "plan/opening_plan.h"
-#include "plan/usual_openings.h"
+#include "plan/room_openings.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 
@@ -126,22 +125,22 @@ double read_height(const Json& room, double usual, std::vector<std::string>& rep
   return bounded;
 }
 
-int window_count(const Json& room, const RoomKind& kind, const Brief& brief, Random random) {
+RoomOpenings openings_of(const Json& room, const RoomKind& kind, const Brief& brief, Random random) {
   const int usual = random.integer(kind.windows.low, kind.windows.high);
   const Json* value = member(room, window_keys);
-  const auto said = value && value->is_array() ? std::optional(static_cast<int>(value->size()))
-                    : value                    ? count_in(*value)
-                                               : std::nullopt;
-  return std::clamp(brief.windows.value_or(said.value_or(usual)), 0, max_windows);
+  const auto answered = value && value->is_array() ? std::optional(static_cast<int>(value->size()))
+                        : value                    ? count_in(*value)
+                                                   : std::nullopt;
+  const auto said = brief.windows ? brief.windows : answered;
+  const int windows = std::clamp(said.value_or(usual), 0, max_windows);
+  return {windows, said.has_value(), brief.wide_windows, brief.openings};
 }
 
 Room given_room(const PlanRequest& request, const RoomKind& kind,
                 std::vector<std::string>& repairs) {
   Room room = *request.room;
   if (room.type.empty()) room.type = kind.type;
-  if (ensure_door(room, kind))
-    repairs.push_back("the floor plan has no door; one was put into wall " +
-                      std::to_string(room.openings.back().wall));
+  ensure_door(room, kind, repairs);
   return room;
 }
 
@@ -172,35 +171,26 @@ Room read_reply_room(const Json& json, const PlanRequest& request, const RoomKin
   const Json& part = room_part(json);
   RoomKind own = kind;
   own.height = read_height(part, kind.height, repairs);
-  const int windows = window_count(part, kind, brief, random.fork("windows"));
+  const RoomOpenings openings = openings_of(part, kind, brief, random.fork("windows"));
   const Floor floor = request.size ? Floor{std::nullopt, request.size} : read_floor(part, repairs);
   if (!floor.polygon && !floor.size)
     repairs.emplace_back("the answer gives no size of the room; one was chosen");
   const Vec2 size = floor.polygon ? Vec2(bounds(*floor.polygon).size())
                     : floor.size  ? *floor.size
                                   : choose_size(kind, brief, 1.0, furniture, random.fork("size"));
+  const auto make = [&](const Outline& outline) {
+    return make_room(own, outline, openings, random.fork("openings"), repairs);
+  };
+  if (floor.polygon) {
+    const Room room = make({*floor.polygon, {}, {}});
+    const bool has_entrance = !room.openings.empty() && room.openings.front().is_entrance();
+    if (check(room) && has_entrance) return room;
+    repairs.emplace_back("the outline of the room takes no door; its bounding rectangle is taken");
+    return make(rectangle_of(size));
+  }
   // Without an outline of its own, the answer is taken to mean the prompt's.
   const bool is_box = floor.size || brief.size;
-  const Outline outline = floor.polygon
-                              ? rectangle_of(size)
-                              : choose_outline(brief, size, is_box, repairs, random.fork("outline"));
-  Room room = make_room(own, outline, windows, brief.wide_windows, random.fork("openings"));
-  const Random told = random.fork("told openings");
-  if (!floor.polygon) {
-    plan_openings(room, own, brief.openings, told, repairs);
-    return room;
-  }
-  Room shaped = room;
-  shaped.polygon = *floor.polygon;
-  shaped.openings.clear();
-  ensure_door(shaped, own);
-  add_windows(shaped, own, windows, brief.wide_windows, random.fork("openings"));
-  if (check(shaped)) {
-    plan_openings(shaped, own, brief.openings, told, repairs);
-    return shaped;
-  }
-  repairs.emplace_back("the outline of the room takes no door; its bounding rectangle is taken");
-  return room;
+  return make(choose_outline(brief, size, is_box, repairs, random.fork("outline")));
 }
 
 }  // namespace roomgen::design

@@ -128,7 +128,7 @@ class Judge {
   }
 
   // A name alone is not enough where the stuff is rough or smooth by nature.
-  bool is_surface(const std::string& name, const std::optional<Range>& roughness) const {
+  bool is_surface(const std::string& name, const std::optional<Interval>& roughness) const {
     auto found = looks_.surfaces.find(name);
     if (found == looks_.surfaces.end()) found = looks_.surfaces.find(singular(name));
     return found != looks_.surfaces.end() && (!roughness || roughness->contains(found->second));
@@ -167,7 +167,7 @@ class Judge {
     return yes("as measured");
   }
 
-  bool is_sized(const std::map<SizeMeasure, Range>& ranges) const {
+  bool is_sized(const std::map<SizeMeasure, Interval>& ranges) const {
     return std::all_of(ranges.begin(), ranges.end(), [&](const auto& entry) {
       return entry.second.contains(value_of(entry.first));
     });

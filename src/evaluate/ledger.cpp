@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "finding.h"
 #include "formation_clause.h"
+#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "room_clause.h"
 #include "scene/judgement.h"
@@ -15,6 +17,13 @@ namespace roomgen {
 namespace {
 
 constexpr double length_tolerance = 0.05, least_tolerance = 0.02;  // share, metres
+
+// Put together from words that nobody knows (create.h): it may be anything.
+bool is_approximate(const AssetRef& asset) {
+  if (!asset.procedural) return false;
+  const auto params = parse_json(asset.procedural->params, "params");
+  return params && params->is_object() && params->value("approximate", false);
+}
 
 class Checker {
  public:
@@ -152,8 +161,8 @@ class Checker {
     Finding finding = by_fault(count_fault(requirement));
     if (finding.compliance != Compliance::met) return finding;
     for (const auto& object : scene_.objects)
-      if (object.stand_in && categories_.is_a(object.category, requirement.category))
-        return {Compliance::not_judged, object.id + " is a plain stand-in"};
+      if ((object.stand_in || is_approximate(object.asset)) && categories_.is_a(object.category, requirement.category))
+        return {Compliance::not_judged, "nothing shows that " + object.id + " is one"};
     if (!requirement.attribute.empty()) return judge_sort(requirement);
     return finding;
   }

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "relation_functions.h"
-#include "roomgen/evaluate/score.h"
+#include "roomgen/evaluate/report.h"
 
 namespace roomgen {
 

@@ -1,10 +1,8 @@
-#include "roomgen/evaluate/report.h"
+#include "violations.h"
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
-#include "collision/solids.h"
 #include "collision/usability.h"
 #include "scene/dwelling.h"
 #include "scene/judgement.h"
@@ -36,8 +34,7 @@ bool keeps_clear(const Object& object, const Kind& category, const Room& room,
   });
 }
 
-void find_overlaps(const Scene& scene, const ModelTable& models, std::vector<Violation>& found) {
-  Solids solids(models);
+void find_overlaps(const Scene& scene, Solids& solids, std::vector<Violation>& found) {
   for (std::size_t i = 0; i < scene.objects.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
       if (solids.overlap(scene.objects[i], scene.objects[j]))
@@ -63,12 +60,6 @@ void find_unusable(const Scene& scene, const KindTable& categories,
       found.push_back({Fault::unusable, thing.object->id, ""});
 }
 
-void add(SceneReport part, SceneReport& report) {
-  std::move(part.violations.begin(), part.violations.end(),
-            std::back_inserter(report.violations));
-  std::move(part.relations.begin(), part.relations.end(), std::back_inserter(report.relations));
-}
-
 }  // namespace
 
 std::string_view name(Fault fault) {
@@ -89,20 +80,28 @@ int SceneReport::relations_held() const {
                                         [](const auto& verdict) { return verdict.judgement.held; }));
 }
 
-SceneReport examine(const Scene& scene, const ModelTable& models, const KindTable& categories) {
-  SceneReport report;
+std::vector<Violation> violations(const Scene& scene, Solids& solids, const KindTable& categories) {
+  std::vector<Violation> found;
   if (!scene.rooms.empty()) {
-    for (const auto& part : parts_of(scene)) add(examine(part, models, categories), report);
-    for (const auto& id : rooms_without_access(scene.rooms))
-      report.violations.push_back({Fault::no_access, "", id});
-    return report;
+    for (const auto& part : parts_of(scene))
+      for (auto& one : violations(part, solids, categories)) found.push_back(std::move(one));
+    for (const auto& id : rooms_without_access(scene.rooms)) found.push_back({Fault::no_access, "", id});
+    return found;
   }
   for (const auto& object : scene.objects)
-    if (!is_inside(object, scene.room)) report.violations.push_back({Fault::outside, object.id, ""});
-  find_overlaps(scene, models, report.violations);
-  find_blocked_openings(scene, categories, report.violations);
-  find_unusable(scene, categories, report.violations);
-  report.relations = judge_scene(scene, categories);
+    if (!is_inside(object, scene.room)) found.push_back({Fault::outside, object.id, ""});
+  find_overlaps(scene, solids, found);
+  find_blocked_openings(scene, categories, found);
+  find_unusable(scene, categories, found);
+  return found;
+}
+
+SceneReport examine(const Scene& scene, const ModelTable& models, const KindTable& categories) {
+  Solids solids(models);
+  SceneReport report;
+  report.violations = violations(scene, solids, categories);
+  for (const auto& part : parts_of(scene))
+    for (auto& verdict : judge_scene(part, categories)) report.relations.push_back(std::move(verdict));
   return report;
 }
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "relation_score.h"
-#include "roomgen/evaluate/score.h"
+#include "roomgen/evaluate/report.h"
 
 namespace roomgen {
 

@@ -48,7 +48,7 @@ Mesh sound(const Mesh& mesh) {
 
 class GlbWriter {
  public:
-  explicit GlbWriter(const GlbOptions& options)
+  explicit GlbWriter(const ExportOptions& options)
       : options_(options), materials_(options_.encode_image, buffer_) {}
 
   Status add_rooms(std::span<const Room> rooms, const ModelTable& models) {
@@ -206,7 +206,7 @@ class GlbWriter {
     return json;
   }
 
-  const GlbOptions& options_;
+  const ExportOptions& options_;
   GlbBuffer buffer_;
   GlbMaterials materials_;
   detail::GlbLights lights_;
@@ -217,7 +217,7 @@ class GlbWriter {
 }  // namespace
 
 Result<std::string> make_glb(const Scene& scene, const ModelTable& models,
-                             const GlbOptions& options) {
+                             const ExportOptions& options) {
   GlbWriter writer(options);
   if (auto status = writer.add_rooms(rooms_of(scene), models); !status) return status.error();
   for (const auto& object : scene.objects)
@@ -228,7 +228,7 @@ Result<std::string> make_glb(const Scene& scene, const ModelTable& models,
 }
 
 Result<std::string> make_glb(const std::string& name, const Model& model,
-                             const GlbOptions& options) {
+                             const ExportOptions& options) {
   GlbWriter writer(options);
   if (auto status = writer.add_model(name, model); !status) return status.error();
   return writer.finish(name, "");

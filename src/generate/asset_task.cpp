@@ -1,5 +1,6 @@
 #include "asset_task.h"
 
+#include "library/asset_object.h"
 #include "sizing.h"
 #include "solve/layout.h"
 
@@ -9,15 +10,10 @@ PlacementTask task_of_asset(const std::string& id, const PlanItem& item, const K
                             const AssetInfo& asset, const Model* model, const Room& room) {
   PlacementTask task;
   Object& object = task.object;
+  object = object_of_asset(asset, category, fitted_size(asset, item, category), model);
   object.id = id;
   object.category = item.category;
   object.description = item.description.empty() ? asset.name : item.description;
-  object.asset = asset.ref;
-  object.stand_in = asset.stand_in;
-  object.traits = category.traits;
-  object.traits.front = category.traits.front && asset.has_front;
-  object.size = fitted_size(asset, item, category);
-  object.traits.round = asset.round && (!model || keeps_to_ellipse(*model, object.size));
   object.mount = item.mount;
   object.relations = item.relations;
   const double elevation = category.elevation > 0 ? category.elevation : asset.elevation;

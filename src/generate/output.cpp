@@ -1,4 +1,4 @@
-#include "roomgen/generate/output.h"
+#include "roomgen/generate/generate.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>

@@ -11,50 +11,17 @@
 
 #include "base/json_reader.h"
 #include "geometry/conventions.h"
-#include "roomgen/base/file.h"
-#include "roomgen/base/json.h"
+#include "glb_file.h"
 
 namespace roomgen {
 
 namespace {
-
-static_assert(std::endian::native == std::endian::little, "GLB is little-endian");
 
 constexpr long long component_float = 5126, component_uint16 = 5123, component_uint32 = 5125;
 constexpr long long most = 1ll << 40;  // of any offset or count
 constexpr std::size_t most_elements = 1'000'000;
 constexpr std::size_t longest_name = 1 << 20;  // the key of a thing made from words
 constexpr double widest = 1e6;  // of a factor or colour that is believed
-
-std::uint32_t word_at(std::string_view bytes, std::size_t at) {
-  std::uint32_t word = 0;
-  std::memcpy(&word, bytes.data() + at, sizeof word);
-  return word;
-}
-
-// glTF 2.0, section 4.4: a header of 12 bytes, the JSON chunk, the binary chunk.
-struct Chunks {
-  std::string_view json, binary;
-};
-
-std::optional<Chunks> chunks_of(std::string_view bytes) {
-  constexpr std::size_t header = 12, chunk_header = 8;
-  if (bytes.size() < header + chunk_header || bytes.substr(0, 4) != "glTF") return std::nullopt;
-  Chunks chunks;
-  std::size_t at = header;
-  const auto take = [&](std::string_view kind) -> std::string_view {
-    if (bytes.size() - at < chunk_header) return {};
-    const std::size_t length = word_at(bytes, at);
-    if (bytes.substr(at + 4, 4) != kind || length > bytes.size() - at - chunk_header) return {};
-    const auto content = bytes.substr(at + chunk_header, length);
-    at += chunk_header + length;
-    return content;
-  };
-  chunks.json = take("JSON");
-  chunks.binary = take(std::string_view("BIN\0", 4));
-  if (chunks.json.empty()) return std::nullopt;
-  return chunks;
-}
 
 class GlbReader {
  public:
@@ -221,14 +188,10 @@ class GlbReader {
 }  // namespace
 
 Result<ModelTable> read_glb_models(const std::filesystem::path& path, const ImageDecoder& decode) {
-  const auto bytes = read_file(path);
-  if (!bytes) return bytes.error();
-  const auto chunks = chunks_of(*bytes);
-  if (!chunks) return Error{Error::Kind::invalid_input, path.string() + ": is no GLB file"};
-  const auto gltf = parse_json(chunks->json, path.string());
-  if (!gltf) return gltf.error();
+  const auto file = detail::read_glb_file(path);
+  if (!file) return file.error();
   JsonReader::Problems problems(path.string());
-  ModelTable models = GlbReader(*gltf, chunks->binary, decode, problems).read();
+  ModelTable models = GlbReader(file->json, file->binary(), decode, problems).read();
   if (const auto& problem = problems.first()) return *problem;
   return models;
 }

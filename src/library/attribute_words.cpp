@@ -31,9 +31,9 @@ constexpr double most = 1000.0;
 constexpr std::size_t longest_phrase = 4;
 
 // [low, high]; null is no limit.
-Range read_range(const JsonReader& json) {
+Interval read_range(const JsonReader& json) {
   const auto ends = json.elements(2);
-  Range range;
+  Interval range;
   if (ends.size() != 2) {
     json.report("expected [low, high], null for no limit");
     return range;
@@ -49,8 +49,8 @@ std::vector<std::string> read_words(const JsonReader& json) {
   return result;
 }
 
-std::map<SizeMeasure, Range> read_size(const JsonReader& json) {
-  std::map<SizeMeasure, Range> size;
+std::map<SizeMeasure, Interval> read_size(const JsonReader& json) {
+  std::map<SizeMeasure, Interval> size;
   for (const auto& [name, range] : json.members()) {
     if (const auto measure = parse_size_measure(name)) size[*measure] = read_range(range);
     else range.report("no measure \"" + name + "\"");

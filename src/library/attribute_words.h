@@ -13,7 +13,7 @@
 namespace roomgen {
 
 /// A closed interval.
-struct Range {
+struct Interval {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
 
@@ -35,13 +35,13 @@ struct AttributeMeaning {
   /// Names of shown_colors.h, of which one must be shown; with `materials`, those that the material can
   /// have by nature.
   std::vector<std::string> colors;
-  std::optional<Range> lightness;      ///< of the shown colour, in [0, 1]
+  std::optional<Interval> lightness;      ///< of the shown colour, in [0, 1]
   std::optional<int> least_colors;     ///< so many must be shown
   std::vector<std::string> materials;  ///< words that name this material
   std::string family;                  ///< of an oak: "wood"
   std::vector<std::string> outlines;   ///< round, oval, square, rectangular, l-shaped
-  std::vector<std::map<SizeMeasure, Range>> sizes;  ///< alternatives; of one all must hold
-  std::optional<Range> roughness;      ///< of the surface (with `materials`: of that one), in [0, 1]
+  std::vector<std::map<SizeMeasure, Interval>> sizes;  ///< alternatives; of one all must hold
+  std::optional<Interval> roughness;      ///< of the surface (with `materials`: of that one), in [0, 1]
   std::vector<std::string> drawings;   ///< names of this pattern
   std::optional<Mount> mount;
   std::vector<std::string> kinds;      ///< that are so by nature: a pillow is soft

@@ -5,14 +5,13 @@
 #include <optional>
 #include <string>
 
+#include "opening_plan.h"
 #include "scene/dwelling.h"
-#include "usual_openings.h"
 
 namespace roomgen::design {
 
 namespace {
 
-constexpr double between_openings = 0.1;  // of wall
 constexpr double widest_passage = 1.5, least_passage = 0.9, passage_head = 2.2;
 constexpr double entrance_width = 0.95, least_entrance = 0.7;
 
@@ -30,7 +29,7 @@ class Opener {
         if (is_open(i, k) && !are_joined(i, k)) add_passage(i, k);
     add_entrance();
     for (std::size_t i = 0; i < rooms_.size(); ++i) add_windows(i);
-    number();
+    for (auto& room : rooms_) name_openings(room);
   }
 
  private:
@@ -51,11 +50,12 @@ class Opener {
                        [&](const Opening& o) { return o.leads_to == rooms_[b].id; });
   }
 
-  std::optional<SharedStretch> longest_shared(std::size_t a, std::size_t b) const {
-    std::optional<SharedStretch> best;
+  // Where the two have most wall in common.
+  std::optional<WallStretch> longest_shared(std::size_t a, std::size_t b) const {
+    std::optional<WallStretch> best;
     for (const auto& stretch : shared_stretches(rooms_, a))
-      if (stretch.room == b && (!best || stretch.to - stretch.from > best->to - best->from))
-        best = stretch;
+      if (stretch.room == b && (!best || stretch.to - stretch.from > best->length()))
+        best = {stretch.wall, stretch.from, stretch.to};
     return best;
   }
 
@@ -65,33 +65,36 @@ class Opener {
     if (is_open(room, parent) && add_passage(room, parent)) return;
     const auto stretch = longest_shared(room, parent);
     if (!stretch) return;
+    OpeningNeed door = usual_door(kind(room), rooms_[room].height);
+    squeeze(door, {&*stretch, 1});
     // Beside a wall of the room, else in the middle; where other ways in are least disturbed.
-    const WallStretch free{stretch->wall, stretch->from, stretch->to};
-    Opening door = usual_door(kind(room), free, rooms_[room].height, true);
-    const auto [low, high] = ends_for(free, door.width());
-    std::optional<Opening> best;
-    int fewest = 0;
-    for (const double part : {0.0, 1.0, 0.5, 0.75, 0.25}) {
-      move_to(door, (1.0 - part) * low + part * high);
-      door.hinge_at_from = part <= 0.5;
-      const int conflicts = conflicts_of(room, door) + conflicts_of(parent, mirrored(room, door, parent));
-      if (!best || conflicts < fewest) best = door, fewest = conflicts;
-    }
-    join(room, *best, parent);
+    door.middles = {0.0, 1.0, 0.5, 0.75, 0.25};
+    join(room, placed_between(room, door, *stretch, parent), parent);
   }
 
+  // Nothing of what is there gives way to a passage.
   bool add_passage(std::size_t room, std::size_t other) {
     const auto stretch = longest_shared(room, other);
-    if (!stretch) return false;
-    const double length = stretch->to - stretch->from;
-    const double width = std::min(widest_passage, length - 2.0 * corner_offset);
-    if (width < least_passage) return false;
-    Opening passage = opening_at(OpeningType::passage, stretch->wall,
-                                 stretch->from + 0.5 * (length - width), width, passage_head);
-    if (conflicts_of(room, passage) + conflicts_of(other, mirrored(room, passage, other)) > 0)
+    if (!stretch || stretch->length() < least_passage + 2.0 * corner_offset) return false;
+    OpeningNeed passage;
+    passage.opening.type = OpeningType::passage;
+    passage.opening.to = widest_passage;
+    passage.opening.head = passage_head;
+    passage.least = least_passage;
+    passage.clear = corner_offset;
+    passage.middles = {0.5};
+    const Opening placed = placed_between(room, passage, *stretch, other);
+    if (conflicts(rooms_[room], placed) + conflicts(rooms_[other], mirrored(room, placed, other)) > 0)
       return false;
-    join(room, passage, other);
+    join(room, placed, other);
     return true;
+  }
+
+  Opening placed_between(std::size_t room, const OpeningNeed& need, const WallStretch& stretch,
+                         std::size_t other) const {
+    return placed_alone(rooms_[room], need, stretch, [&](const Opening& opening) {
+      return conflicts(rooms_[other], mirrored(room, opening, other));
+    });
   }
 
   // The same hole as the other room has it: its wall runs the other way.
@@ -124,35 +127,21 @@ class Opener {
     rooms_[other].openings.push_back(std::move(seen));
   }
 
-  int conflicts_of(std::size_t room, const Opening& made) const {
-    int conflicts = 0;
-    for (const auto& other : rooms_[room].openings) {
-      if (other.wall == made.wall && made.from < other.to + between_openings &&
-          other.from < made.to + between_openings)
-        conflicts += 10;
-      else if (other.is_entrance() && overlaps(door_clearance(rooms_[room], made),
-                                               door_clearance(rooms_[room], other)))
-        ++conflicts;
-    }
-    return conflicts;
-  }
-
   // --- Outwards -------------------------------------------------------------------------------
 
   // Parts of walls behind which nobody lives and which have no opening yet.
   std::vector<WallStretch> outer_walls(std::size_t room) const {
-    std::vector<WallStretch> free;
-    const auto shared = shared_stretches(rooms_, room);
-    for (std::size_t k = 0; k < rooms_[room].polygon.size(); ++k) {
-      std::vector<WallStretch> parts = {whole_wall(rooms_[room], k)};
-      for (const auto& stretch : shared)
-        if (stretch.wall == k)
-          cut(parts, stretch.from - wall_thickness, stretch.to + wall_thickness);
-      for (const auto& other : rooms_[room].openings)
-        if (other.wall == k) cut(parts, other.from - between_openings, other.to + between_openings);
-      free.insert(free.end(), parts.begin(), parts.end());
-    }
+    auto free = bare_walls(rooms_[room]);
+    for (const auto& stretch : shared_stretches(rooms_, room))
+      cut(free, stretch.wall, stretch.from - wall_thickness, stretch.to + wall_thickness);
     return free;
+  }
+
+  void place_outwards(std::size_t room, std::vector<OpeningNeed> needs) {
+    std::vector<std::string> notes;  // nobody asked for them
+    const auto placed = place_openings(rooms_[room], {outer_walls(room), nullptr}, std::move(needs),
+                                       random_, notes);
+    rooms_[room].openings.insert(rooms_[room].openings.end(), placed.begin(), placed.end());
   }
 
   // Into the hub; a hall is entered at its end.
@@ -160,55 +149,20 @@ class Opener {
     std::size_t hub = 0;
     for (std::size_t i = 0; i < laid_.size(); ++i)
       if (laid_[i].parent == LaidRoom::none) hub = i;
-    std::optional<Opening> best;
-    double least = 1e300;
-    for (const auto& part : outer_walls(hub)) {
-      const double width = door_width(entrance_width, part);
-      if (width < least_entrance) continue;
-      const auto [low, high] = ends_for(part, width);
-      for (const double from : {low, high}) {
-        Opening door = opening_at(OpeningType::door, part.wall, from, width, default_door_head);
-        door.hinge_at_from = from <= 0.5 * (part.from + part.to);
-        // Long walls are for windows and furniture.
-        const double cost = 10.0 * conflicts_of(hub, door) + part.length();
-        if (cost < least - 1e-9) best = door, least = cost;
-      }
-    }
-    if (best) rooms_[hub].openings.push_back(*best);
+    OpeningNeed door = plain_door(entrance_width, least_entrance, rooms_[hub].height);
+    door.middles = {0.0, 1.0};
+    // Long walls are for windows and furniture.
+    door.likes_length = -1.0;
+    place_outwards(hub, {door});
   }
 
   void add_windows(std::size_t room) {
     const RoomKind& known = kind(room);
     Random random = random_.fork("windows of " + rooms_[room].id);
-    int count = random.integer(known.windows.low, known.windows.high);
-    auto free = outer_walls(room);
-    std::stable_sort(free.begin(), free.end(),
-                     [](const WallStretch& a, const WallStretch& b) { return a.length() > b.length() + 1e-6; });
-    std::vector<std::size_t> used;
-    for (const auto& part : free) {
-      if (count <= 0) return;
-      const double width = std::min(usual_window_width(known, false, random),
-                                    part.length() - 2.0 * window_margin);
-      if (width < least_window || std::find(used.begin(), used.end(), part.wall) != used.end())
-        continue;
-      const Opening window = usual_window(known, part.wall, middle_for(part, width), width,
-                                          rooms_[room].height);
-      rooms_[room].openings.push_back(window);
-      used.push_back(part.wall);
-      --count;
-    }
-  }
-
-  void number() {
-    for (auto& room : rooms_) {
-      std::size_t doors = 0, windows = 0, passages = 0;
-      for (auto& made : room.openings) {
-        std::size_t& next = made.type == OpeningType::door     ? doors
-                            : made.type == OpeningType::window ? windows
-                                                               : passages;
-        made.id = std::string(name(made.type)) + "-" + std::to_string(next++);
-      }
-    }
+    std::vector<OpeningNeed> windows;
+    for (int left = random.integer(known.windows.low, known.windows.high); left > 0; --left)
+      windows.push_back(usual_window(known, false, rooms_[room].height, random));
+    place_outwards(room, std::move(windows));
   }
 
   std::vector<Room>& rooms_;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "usual_openings.h"
 #include "wall_sides.h"
 
 namespace roomgen::design {
@@ -67,13 +66,13 @@ Outline choose_outline(const Brief& brief, const Vec2& chosen, bool is_box,
   return outline;
 }
 
-Room make_room(const RoomKind& kind, const Outline& outline, int windows, bool wide_windows,
-               Random random) {
+Room make_room(const RoomKind& kind, const Outline& outline, const RoomOpenings& openings,
+               Random random, std::vector<std::string>& notes) {
   Room room;
   room.type = kind.type;
   room.height = kind.height;
   room.polygon = outline.polygon;
-  add_usual_openings(room, kind, outline.glazed, windows, wide_windows, random);
+  plan_openings(room, kind, outline.glazed, openings, random, notes);
   if (!kind.floors.empty()) room.materials.floor = random.pick(kind.floors);
   if (!kind.walls.empty()) room.materials.walls = random.pick(kind.walls);
   room.materials.ceiling = "white ceiling";

@@ -7,6 +7,7 @@
 #include "brief/outline.h"
 #include "brief/room_kinds.h"
 #include "library/style_words.h"
+#include "room_openings.h"
 #include "roomgen/scene/room.h"
 
 namespace roomgen::design {
@@ -24,9 +25,9 @@ Vec2 choose_size(const RoomKind& kind, const Brief& brief, double scale, double 
 Outline choose_outline(const Brief& brief, const Vec2& chosen, bool is_box,
                        std::vector<std::string>& notes, Random random);
 
-/// A room of that floor with its usual doors and windows (usual_openings.h).
-Room make_room(const RoomKind& kind, const Outline& outline, int windows, bool wide_windows,
-               Random random);
+/// A room of that floor with its doors and windows. Fills `notes` with what has no place as it is wished for.
+Room make_room(const RoomKind& kind, const Outline& outline, const RoomOpenings& openings,
+               Random random, std::vector<std::string>& notes);
 
 /// Walls and floor of a style; floors that get wet keep their tiles.
 void put_on(Room& room, const StyleMeaning& style, Random random);

@@ -18,12 +18,19 @@ constexpr double closenesses[] = {1.0, 0.75, 0.5, 0.25};  ///< of the floor betw
 
 /// Rows of equal things: all lengths in metres.
 struct RowBlock {
-  std::size_t count = 0, rows = 0, columns = 0;
+  std::size_t rows = 0, columns = 0;
   double width = 0.0, depth = 0.0;    ///< of a thing
   double beside = 0.0, behind = 0.0;  ///< floor between them
   double before = 0.0;                ///< floor before the first row
-  double across() const { return columns * (width + beside) - beside; }
-  double along() const { return rows * (depth + behind) - behind + before; }
+  double across() const { return static_cast<double>(columns) * (width + beside) - beside; }
+  double along() const { return static_cast<double>(rows) * (depth + behind) - behind + before; }
+  /// With that share of the floor between its things.
+  RowBlock closer(double share) const {
+    RowBlock block = *this;
+    block.behind *= share;
+    block.beside *= share;
+    return block;
+  }
 };
 
 /// Where a block stands: the wall that its front rows are nearest to, and how close its things are.
@@ -51,10 +58,11 @@ class Formations {
  private:
   void lay_out(const std::vector<std::size_t>& items) {
     const Draft& first = drafts_[items.front()];
-    const RowBlock block = block_of(first, items.size());
-    if (block.rows < 2) return;
-    const auto site = site_for(block, first);
+    const RowBlock wanted = block_of(first, items.size());
+    if (wanted.rows < 2) return;
+    const auto site = site_for(wanted, first);
     if (!site) return;
+    const RowBlock block = wanted.closer(site->closeness);
     for (std::size_t n = 0; n < items.size(); ++n) stand(plan_.items[items[n]], block, *site, n);
     turn_to_audience(first, *site);
   }
@@ -64,7 +72,6 @@ class Formations {
     const auto& reserve = arrangements_.get(table_, item.category, item.mount).reserve;
     const auto open = [&](roomgen::Side side) { return reserve[static_cast<std::size_t>(side)]; };
     RowBlock block;
-    block.count = count;
     block.columns = columns_of(*draft.formation, count);
     block.rows = (count + block.columns - 1) / block.columns;
     block.width = item.size->x();
@@ -88,9 +95,7 @@ class Formations {
   std::optional<Site> site_for(const RowBlock& block, const Draft& draft) const {
     const Bounds2 floor = floor_of(draft);
     for (const double closeness : closenesses) {
-      RowBlock closer = block;
-      closer.behind *= closeness;
-      closer.beside *= closeness;
+      const RowBlock closer = block.closer(closeness);
       std::optional<Site> best;
       double least = 0.0;
       for (std::size_t wall = 0; wall < plan_.room.polygon.size(); ++wall) {
@@ -124,12 +129,12 @@ class Formations {
     return cost;
   }
 
+  static std::string wall_name(const Site& site) { return "wall-" + std::to_string(site.wall); }
+
   // Who sits at a desk looks over it: its back is where the rows look.
   bool looks_backwards(const std::string& category) const { return table_.is_a(category, "table"); }
 
-  void stand(PlanItem& item, RowBlock block, const Site& site, std::size_t number) const {
-    block.behind *= site.closeness;
-    block.beside *= site.closeness;
+  void stand(PlanItem& item, const RowBlock& block, const Site& site, std::size_t number) const {
     const bool backwards = looks_backwards(item.category);
     const Vec2 front = backwards ? Vec2(-site.forward) : site.forward;
     const Vec2 right(front.y(), -front.x());
@@ -140,14 +145,14 @@ class Formations {
     // As a whole the rows look there: only who sits in the middle does so straight.
     std::erase_if(item.relations, [](const Relation& one) { return one.kind == RelationKind::face_to; });
     if (number > 0) return;
-    const std::string wall = "wall-" + std::to_string(site.wall);
+    const std::string wall = wall_name(site);
     const auto facing = backwards ? RelationKind::face_same_as : RelationKind::face_opposite_to;
     item.relations.push_back({facing, wall});
   }
 
   // What the rows look at stands before the middle of the wall that they face, unless it was told where.
   void turn_to_audience(const Draft& audience, const Site& site) {
-    const auto wall = part_of_room(plan_.room, "wall-" + std::to_string(site.wall));
+    const auto wall = part_of_room(plan_.room, wall_name(site));
     for (const auto& demand : audience.demands) {
       if (demand.kind != RelationKind::face_to || demand.mention == Demand::none || !wall) continue;
       for (std::size_t i = 0; i < drafts_.size(); ++i) {
@@ -156,8 +161,8 @@ class Formations {
         const double depth = item.size ? item.size->y() : 0.0;
         const double to_wall = (wall->center() - site.center).dot(site.forward);
         item.location = site.center + (to_wall - 0.5 * depth - (item.mount == Mount::floor ? margin : 0.0)) * site.forward;
-        item.relations.push_back({RelationKind::near, "wall-" + std::to_string(site.wall)});
-        item.relations.push_back({RelationKind::face_same_as, "wall-" + std::to_string(site.wall)});
+        for (const auto kind : {RelationKind::near, RelationKind::face_same_as})
+          item.relations.push_back({kind, wall_name(site)});
       }
     }
   }

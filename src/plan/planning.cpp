@@ -11,11 +11,10 @@
 #include "inventory.h"
 #include "ledger.h"
 #include "looks.h"
-#include "opening_plan.h"
 #include "order.h"
 #include "palette.h"
+#include "room_openings.h"
 #include "solve/dry_run.h"
-#include "usual_openings.h"
 
 namespace roomgen::design {
 
@@ -95,6 +94,10 @@ class Planner {
     return std::clamp(factor, 0.6, 1.6);
   }
 
+  RoomOpenings openings(Random random) const {
+    return {window_count(random), brief_.windows.has_value(), brief_.wide_windows, brief_.openings};
+  }
+
   int window_count(Random random) const {
     if (brief_.windows) return std::min(3, *brief_.windows);
     int count = random.integer(kind_.windows.low, kind_.windows.high);
@@ -108,9 +111,7 @@ class Planner {
     if (room.type.empty()) room.type = brief_.type;
     if (!brief_.openings.empty())
       plan.notes.push_back("the doors and windows of the floor plan were kept");
-    if (ensure_door(room, kind_))
-      plan.notes.push_back("the floor plan has no door; one was put into wall " +
-                           std::to_string(room.openings.back().wall));
+    ensure_door(room, kind_, plan.notes);
     return room;
   }
 
@@ -123,10 +124,7 @@ class Planner {
                           : choose_size(kind_, brief_, scale, furniture, random.fork("size"));
     const Outline outline =
         choose_outline(brief_, size, request_.size || brief_.size, plan.notes, random.fork("outline"));
-    Room room = make_room(kind_, outline, window_count(random.fork("windows")), brief_.wide_windows,
-                          random.fork("openings"));
-    plan_openings(room, kind_, brief_.openings, random.fork("told openings"), plan.notes);
-    return room;
+    return make_room(kind_, outline, openings(random.fork("windows")), random.fork("openings"), plan.notes);
   }
 
   // Tried no further than it takes to see that its fault is not below `bar`.

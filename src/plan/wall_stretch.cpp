@@ -5,53 +5,45 @@
 
 namespace roomgen::design {
 
-namespace {
-
-constexpr double narrowest_door = 0.3;
-
-}  // namespace
-
-WallStretch whole_wall(const Room& room, std::size_t wall) {
-  return {wall, 0.0, room.polygon.edge(wall).length()};
+std::vector<WallStretch> whole_walls(const Room& room) {
+  std::vector<WallStretch> walls;
+  for (std::size_t k = 0; k < room.polygon.size(); ++k)
+    walls.push_back({k, 0.0, room.polygon.edge(k).length()});
+  return walls;
 }
 
-void cut(std::vector<WallStretch>& stretches, double from, double to) {
+std::vector<WallStretch> bare_walls(const Room& room) {
+  auto bare = whole_walls(room);
+  for (const auto& opening : room.openings)
+    cut(bare, opening.wall, opening.from - between_openings, opening.to + between_openings);
+  return bare;
+}
+
+void cut(std::vector<WallStretch>& stretches, std::size_t wall, double from, double to) {
   std::vector<WallStretch> rest;
   for (const auto& part : stretches) {
-    if (from > part.from) rest.push_back({part.wall, part.from, std::min(part.to, from)});
-    if (to < part.to) rest.push_back({part.wall, std::max(part.from, to), part.to});
+    if (part.wall != wall || from >= part.to || to <= part.from) {
+      rest.push_back(part);
+      continue;
+    }
+    if (from > part.from) rest.push_back({wall, part.from, from});
+    if (to < part.to) rest.push_back({wall, to, part.to});
   }
   std::erase_if(rest, [](const WallStretch& part) { return part.length() < 1e-6; });
   stretches = std::move(rest);
 }
 
-StretchEnds ends_for(const WallStretch& stretch, double width) {
-  const double offset = std::min(corner_offset, std::max(0.0, 0.5 * (stretch.length() - width)));
-  return {stretch.from + offset, stretch.to - offset - width};
-}
-
-double middle_for(const WallStretch& stretch, double width) {
-  return 0.5 * (stretch.from + stretch.to - width);
-}
-
-double door_width(double usual, const WallStretch& stretch) {
-  return std::min(usual, std::max(narrowest_door, stretch.length() - door_margin));
-}
-
-Opening opening_at(OpeningType type, std::size_t wall, double from, double width, double head) {
-  Opening made;
-  made.type = type;
-  made.wall = wall;
-  made.from = from;
-  made.to = from + width;
-  made.head = head;
-  return made;
-}
-
-void move_to(Opening& opening, double from) {
+Opening moved_to(Opening opening, const WallStretch& stretch, double middle, double offset) {
   const double width = opening.width();
-  opening.from = from;
-  opening.to = from + width;
+  const double spare = std::max(0.0, stretch.length() - width);
+  const double off = std::min(offset, 0.5 * spare);
+  const double along = std::clamp(middle * stretch.length() - 0.5 * width, off, spare - off);
+  opening.wall = stretch.wall;
+  opening.from = stretch.from + along;
+  opening.to = opening.from + width;
+  // The leaf opens against the wall that is nearer.
+  if (opening.type == OpeningType::door) opening.hinge_at_from = middle <= 0.5;
+  return opening;
 }
 
 }  // namespace roomgen::design

@@ -4,12 +4,19 @@
 #include <nlohmann/json.hpp>
 
 #include "roomgen/base/json.h"
+#include "rounded_pose.h"
 
 namespace roomgen {
 
+Vec3 rounded_position(const Vec3& position) {
+  return {rounded(position.x()), rounded(position.y()), rounded(position.z())};
+}
+
+double rounded_yaw(double yaw) { return radians(rounded(degrees(wrap_angle(yaw)), 3)); }
+
 Object with_rounded_pose(Object object) {
-  for (int axis = 0; axis < 3; ++axis) object.position[axis] = rounded(object.position[axis]);
-  object.yaw = radians(rounded(degrees(wrap_angle(object.yaw)), 3));
+  object.position = rounded_position(object.position);
+  object.yaw = rounded_yaw(object.yaw);
   return object;
 }
 

@@ -1,60 +1,27 @@
 #include "relation_named.h"
 
 #include <algorithm>
-#include <array>
 
+#include "relation_table.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen {
 
 namespace {
 
-// The first spelling of each kind is its name.
-constexpr std::array vocabulary = {
-    RelationSpelling{"edge", RelationKind::edge},
-    RelationSpelling{"middle", RelationKind::middle},
-    RelationSpelling{"corner", RelationKind::corner},
-    RelationSpelling{"in part", RelationKind::in_part},
-    RelationSpelling{"near", RelationKind::near},
-    RelationSpelling{"next to", RelationKind::next_to},
-    RelationSpelling{"far", RelationKind::far},
-    RelationSpelling{"in front of", RelationKind::in_front_of},
-    RelationSpelling{"behind", RelationKind::behind},
-    RelationSpelling{"left of", RelationKind::left_of},
-    RelationSpelling{"right of", RelationKind::right_of},
-    RelationSpelling{"side of", RelationKind::side_of},
-    RelationSpelling{"around", RelationKind::around},
-    RelationSpelling{"between", RelationKind::between},
-    RelationSpelling{"center aligned", RelationKind::center_aligned},
-    RelationSpelling{"aligned", RelationKind::aligned},
-    RelationSpelling{"face to", RelationKind::face_to},
-    RelationSpelling{"face same as", RelationKind::face_same_as},
-    RelationSpelling{"face opposite to", RelationKind::face_opposite_to},
-    RelationSpelling{"on", RelationKind::on},
-    RelationSpelling{"inside", RelationKind::inside},
-    RelationSpelling{"above", RelationKind::above},
-    RelationSpelling{"under", RelationKind::under},
-    RelationSpelling{"hang from", RelationKind::hang_from},
-    // Other spellings.
-    RelationSpelling{"against wall", RelationKind::edge},
-    RelationSpelling{"center", RelationKind::middle},
-    RelationSpelling{"close to", RelationKind::near},
-    RelationSpelling{"far from", RelationKind::far},
-    RelationSpelling{"to the left of", RelationKind::left_of},
-    RelationSpelling{"to the right of", RelationKind::right_of},
-    RelationSpelling{"beside", RelationKind::side_of},
-    RelationSpelling{"center align with", RelationKind::center_aligned},
-    RelationSpelling{"center aligned with", RelationKind::center_aligned},
-    RelationSpelling{"centre aligned", RelationKind::center_aligned},
-    RelationSpelling{"centre aligned with", RelationKind::center_aligned},
-    RelationSpelling{"centre align with", RelationKind::center_aligned},
-    RelationSpelling{"aligned with", RelationKind::aligned},
-    RelationSpelling{"facing", RelationKind::face_to},
-    RelationSpelling{"face", RelationKind::face_to},
-    RelationSpelling{"on top of", RelationKind::on},
-    RelationSpelling{"within", RelationKind::inside},
-    RelationSpelling{"below", RelationKind::under},
-};
+// The names first, then other spellings.
+const std::vector<RelationSpelling>& vocabulary() {
+  static const std::vector<RelationSpelling> all = [] {
+    std::vector<RelationSpelling> names, others;
+    for (const auto& relation : relation_definitions())
+      for (const auto spelling : relation.spellings)
+        if (!spelling.empty())
+          (spelling == relation.name() ? names : others).push_back({spelling, relation.kind});
+    names.insert(names.end(), others.begin(), others.end());
+    return names;
+  }();
+  return all;
+}
 
 Error relation_error(const std::string& what) {
   return {Error::Kind::invalid_input, what};
@@ -73,25 +40,21 @@ std::string with_single_spaces(std::string_view text) {
 }  // namespace
 
 std::span<const RelationSpelling> relation_spellings() {
-  return vocabulary;
+  return vocabulary();
 }
 
 std::optional<RelationKind> relation_named(std::string_view text) {
-  const auto found = std::find_if(vocabulary.begin(), vocabulary.end(),
-                                  [&](const RelationSpelling& word) { return word.text == text; });
-  if (found == vocabulary.end()) return std::nullopt;
-  return found->kind;
+  for (const auto& word : vocabulary())
+    if (word.text == text) return word.kind;
+  return std::nullopt;
 }
 
 std::string_view name(RelationKind kind) {
-  for (const auto& word : vocabulary)
-    if (word.kind == kind) return word.text;
-  return "";
+  return definition(kind).name();
 }
 
 bool takes_target(RelationKind kind) {
-  return kind != RelationKind::edge && kind != RelationKind::middle &&
-         kind != RelationKind::corner;
+  return definition(kind).has(RelationDefinition::targeted);
 }
 
 std::string to_text(const Relation& relation) {
@@ -114,7 +77,7 @@ Result<Relation> parse_relation(std::string_view text) {
   const auto kind = relation_named(word);
   if (!kind) {
     std::vector<std::string> known;
-    for (const auto& entry : vocabulary) known.emplace_back(entry.text);
+    for (const auto& entry : vocabulary()) known.emplace_back(entry.text);
     const std::string close = closest_name(word, known);
     return relation_error("unknown constraint \"" + word + "\"" +
                           (close.empty() ? "" : "; did you mean \"" + close + "\"?"));

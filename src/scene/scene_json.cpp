@@ -117,6 +117,8 @@ Json to_json(const Scene& scene) {
         {{"id", missing.id}, {"category", missing.category}, {"reason", missing.reason}});
   for (const auto& verdict : scene.requirements) json["requirements"].push_back(to_json(verdict));
   if (!scene.heard.empty()) json["heard"] = to_json(scene.heard);
+  for (const auto& verdict : scene.program)
+    json["program"].push_back({{"name", verdict.name}, {"held", verdict.held}, {"amount", rounded(verdict.amount)}});
   return json;
 }
 
@@ -128,7 +130,7 @@ Result<Scene> scene_from_json(const Json& json, const std::string& source) {
   if (root["version"].integer_or(1, 1, 1000) != 1)
     root["version"].report("this version of roomgen reads version 1 only");
   root.allow_only({"format", "version", "units", "up", "front", "prompt", "seed", "incomplete",
-                   "room", "rooms", "objects", "unplaced", "requirements", "heard"});
+                   "room", "rooms", "objects", "unplaced", "requirements", "heard", "program"});
   Scene scene;
   scene.prompt = root["prompt"].text_or("", 100000);
   scene.seed = static_cast<std::uint64_t>(root["seed"].integer_or(0, 0, max_seed));
@@ -148,6 +150,9 @@ Result<Scene> scene_from_json(const Json& json, const std::string& source) {
   for (const auto& element : root["requirements"].elements_or_none(max_objects))
     scene.requirements.push_back(read_verdict(element));
   scene.heard = read_heard(root["heard"]);
+  for (const auto& element : root["program"].elements_or_none(max_objects))
+    scene.program.push_back({element["name"].text(200), element["held"].boolean_or(false),
+                             element["amount"].number_or(0.0, 0.0, 1e12)});
   if (problems.first()) return *problems.first();
   rename_walls(scene, root);
   if (auto status = check(scene); !status) return with_context(status.error(), source);

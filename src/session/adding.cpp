@@ -56,15 +56,9 @@ struct Newcomer {
   std::string room;
 };
 
-const Room& room_of(const Draft& draft, const std::string& id) {
-  Object object;
-  object.room = id;
-  return roomgen::room_of(draft.scene, object);
-}
-
 // Curtains are made to the measure of a window that has none.
 Status hang_at_window(Draft& draft, const Newcomer& newcomer, const AssetInfo& asset, Object object) {
-  const Room& room = room_of(draft, newcomer.room);
+  const Room& room = room_with_id(draft.scene, newcomer.room);
   Layout& layout = draft.shop.layout(draft.scene, newcomer.room);
   const auto asked = [&](const Opening* window) {
     return newcomer.item.relations.empty() ||
@@ -81,11 +75,14 @@ Status hang_at_window(Draft& draft, const Newcomer& newcomer, const AssetInfo& a
   return cannot("at no window is there room for it");
 }
 
-Status place_newcomer(Draft& draft, const Newcomer& newcomer, const AssetInfo& asset, bool may_make_way) {
+/// How a newcomer may get its place.
+enum class Means { usual_places, all_places, others_make_way };
+
+Status place_newcomer(Draft& draft, const Newcomer& newcomer, const AssetInfo& asset, Means means) {
   const auto model = draft.shop.fetch_model(asset.ref);
   if (!model) return model.error();
   PlacementTask task = task_of_asset(newcomer.planned.id, newcomer.item, newcomer.kind, asset, model->get(),
-                                     room_of(draft, newcomer.room));
+                                     room_with_id(draft.scene, newcomer.room));
   Object& object = task.object;
   object.room = newcomer.room;
   if (newcomer.kind.covers_window) return hang_at_window(draft, newcomer, asset, object);
@@ -93,8 +90,9 @@ Status place_newcomer(Draft& draft, const Newcomer& newcomer, const AssetInfo& a
   aim.asked = newcomer.item.relations;
   aim.usual = true;
   const Cluster cluster{object, {}};
-  if (may_make_way) return place_or_make_way(draft, cluster, aim);
-  auto found = find_place(draft, draft.layout_without(cluster), cluster, aim);
+  if (means == Means::others_make_way) return place_or_make_way(draft, cluster, aim);
+  auto found = find_place(draft, draft.layout_without(cluster), cluster, aim,
+                          means == Means::usual_places ? Effort::brief : Effort::thorough);
   if (!found) return found.error();
   draft.put(*found);
   return {};
@@ -107,11 +105,12 @@ Status bring(Draft& draft, const Newcomer& newcomer, Favourites& favourites) {
   if (!assets) return assets.error();
   if (assets->empty())
     return cannot("no asset is a " + newcomer.item.category + "; the library has none and none can be made of the words");
-  for (const auto& asset : *assets)
-    if (place_newcomer(draft, newcomer, asset, false))
-      return remember(favourites, newcomer.item, asset), Status();
+  for (const auto means : {Means::usual_places, Means::all_places})
+    for (const auto& asset : *assets)
+      if (place_newcomer(draft, newcomer, asset, means))
+        return remember(favourites, newcomer.item, asset), Status();
   remember(favourites, newcomer.item, assets->front());
-  return place_newcomer(draft, newcomer, assets->front(), true);
+  return place_newcomer(draft, newcomer, assets->front(), Means::others_make_way);
 }
 
 }  // namespace

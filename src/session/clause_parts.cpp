@@ -4,7 +4,9 @@
 
 #include "create/finish_look.h"
 #include "language/measure.h"
-#include "placing.h"
+#include "language/number.h"
+#include "new_things.h"
+#include "reference_tails.h"
 #include "roomgen/base/text.h"
 #include "scene/finish_words.h"
 
@@ -14,88 +16,30 @@ namespace {
 
 using Which = NamedThing::Which;
 
-Ids those_where(const EditText& text, Ids ids, const std::vector<Relation>& relations) {
-  std::erase_if(ids, [&](const std::string& id) {
-    const Object* object = find_object(text.scene, id);
-    return !object || !lost_relations(*object, relations, text.scene, text.kinds).empty();
-  });
-  return ids;
-}
-
-double distance_to(const EditText& text, const Object& object, const std::string& target) {
-  if (const Object* other = find_object(text.scene, target)) return gap(footprint(object), footprint(*other));
-  const Room& room = room_of(text.scene, object);
-  if (const Opening* opening = find_opening(room, target)) return gap(footprint(object), segment(room, *opening));
-  return 1e9;
-}
-
-// "nearest the door": the one of them.
-MayRead<Ids> nearest_of(const EditText& text, const Ids& ids, std::size_t at) {
-  if (!text.is_word(at, "nearest") && !text.is_word(at, "closest")) return std::nullopt;
-  const auto target = target_at(text, at + longest_in(text.edits.nearest, text.tokens, at), ids);
-  if (!target) return std::nullopt;
-  if (!*target) return target->error();
-  const auto nearest = std::min_element(ids.begin(), ids.end(), [&](const std::string& a, const std::string& b) {
-    return distance_to(text, *text.object(a), (*target)->id) < distance_to(text, *text.object(b), (*target)->id);
-  });
-  if (nearest == ids.end()) return std::nullopt;
-  return Read<Ids>{{*nearest}, (*target)->end};
-}
-
-// "off the desk", "from the desk": what is cleared was on it.
-std::optional<Result<Whereabouts>> place_of_reference(const EditText& text, std::size_t at, const NamedThing& thing,
-                                                      const Ids& ids) {
-  if (text.is_word(at, "off") || text.is_word(at, "from")) {
-    const auto target = target_at(text, at + 1, {});
-    if (!target) return std::nullopt;
-    if (!*target) return target->error();
-    return Whereabouts{{{RelationKind::on, (*target)->id}}, (*target)->end};
-  }
-  const auto place = destination_at(text, at, thing.which == Which::everything ? Ids() : ids);
-  return place;
-}
+constexpr double below_ceiling = 0.01;  // metres left above what reaches up to it
 
 MayRead<Ids> all_but(const EditText& text, Read<Ids> all) {
-  const auto length = longest_in(text.edits.except, text.tokens, all.end);
+  const bool is_comma = text.is_comma(all.end);
+  const std::size_t begin = text.behind_comma(all.end);
+  const auto length = longest_in(is_comma ? text.edits.besides : text.edits.except, text.tokens, begin);
   if (length == 0) return all;
-  const auto others = things_at(text, all.end + length, true);
+  const auto others = things_at(text, begin + length, true);
   if (!others) return all;
   if (!*others) return others->error();
   std::erase_if(all.value, [&](const std::string& id) {
     return std::count((*others)->value.begin(), (*others)->value.end(), id) > 0;
   });
   all.end = (*others)->end;
+  if (is_comma && text.ends(all.end) && all.end < text.tokens.size() && !text.is_word(all.end, "and")) ++all.end;
   return all;
-}
-
-MayRead<Ids> just_added(const EditText& text, const NamedThing& thing) {
-  const auto length = longest_in(text.edits.just_added, text.tokens, thing.end);
-  if (length == 0) return std::nullopt;
-  Ids ids = fitting(text, thing);
-  std::erase_if(ids, [&](const std::string& id) {
-    return std::find(text.recall.added.begin(), text.recall.added.end(), id) == text.recall.added.end();
-  });
-  if (ids.empty()) return not_understood("no \"" + thing.kind.name + "\" was added just now");
-  return Read<Ids>{ids, thing.end + length};
 }
 
 MayRead<Ids> one_reference_at(const EditText& text, std::size_t at, bool with_places) {
   const auto thing = named_thing_at(text, at);
   if (!thing) return std::nullopt;
   if (thing->which == Which::indefinite && thing->further) return std::nullopt;
-  if (auto added = just_added(text, *thing)) return added;
-  if (thing->which != Which::pronoun && with_places) {
-    const Ids all = fitting(text, *thing);
-    if (auto nearest = nearest_of(text, all, thing->end)) return nearest;
-    const auto place = place_of_reference(text, thing->end, *thing, all);
-    if (place && !*place) return place->error();
-    if (place) {
-      const Ids among = those_where(text, all, (*place)->relations);
-      const auto ids = meant(text, *thing, &among);
-      if (!ids) return ids.error();
-      return all_but(text, {*ids, (*place)->end});
-    }
-  }
+  if (with_places)
+    if (auto told = told_by_tail(text, *thing)) return *told ? all_but(text, **told) : MayRead<Ids>(told->error());
   const auto ids = meant(text, *thing);
   if (!ids) return ids.error();
   return all_but(text, {*ids, thing->end});
@@ -123,7 +67,7 @@ double& side_of_size(Vec3& size, const std::string& side) {
   if (side == "height") return size.z();
   if (side == "depth") return size.y();
   if (side == "width") return size.x();
-  if (side == "shorter" && size.z() > std::max(size.x(), size.y())) return size.z();
+  if ((side == "shorter" || side == "longest") && size.z() > std::max(size.x(), size.y())) return size.z();
   return size.x() >= size.y() ? size.x() : size.y();
 }
 
@@ -154,9 +98,51 @@ std::optional<Read<NewSize>> measured_size(const EditText& text, std::size_t at)
   return Read<NewSize>{size, end};
 }
 
+// "20 %", "a quarter", "three quarters": a share of one.
+std::optional<Read<double>> share_at(const EditText& text, std::size_t at) {
+  if (const auto named = longest(text.edits.shares, text.tokens, at)) return Read<double>{*named.value, at + named.length};
+  const auto number = language::number_at(text.raw, at);
+  if (!number) return std::nullopt;
+  const std::size_t end = at + number->length;
+  for (const char* percent : {"%", "percent", "pct"})
+    if (text.is_word(end, percent)) return Read<double>{number->value / 100.0, end + 1};
+  return std::nullopt;
+}
+
+// "20 % bigger", "smaller by a quarter", "three quarters of its length"
+std::optional<Read<NewSize>> shared_size(const EditText& text, std::size_t at) {
+  if (const auto share = share_at(text, at)) {
+    if (const auto growth = longest(text.edits.growth, text.tokens, share->end))
+      return Read<NewSize>{{growth.value->side, growth.value->factor > 1.0 ? 1.0 + share->value : 1.0 - share->value, {}, {}},
+                           share->end + growth.length};
+    if (!text.is_word(share->end, "of")) return std::nullopt;
+    std::size_t side = share->end + 1;
+    if (text.is_word(side, "its") || text.is_word(side, "their") || text.is_word(side, "the")) ++side;
+    const auto measured = longest(text.edits.measured, text.tokens, side);
+    if (!measured) return std::nullopt;
+    return Read<NewSize>{{*measured.value, share->value, {}, {}}, side + measured.length};
+  }
+  const auto growth = longest(text.edits.growth, text.tokens, at);
+  if (!growth || !text.is_word(at + growth.length, "by")) return std::nullopt;
+  const auto share = share_at(text, at + growth.length + 1);
+  if (!share) return std::nullopt;
+  return Read<NewSize>{{growth.value->side, growth.value->factor > 1.0 ? 1.0 + share->value : 1.0 - share->value, {}, {}}, share->end};
+}
+
+// "taller by 20 cm"
+std::optional<Read<NewSize>> grown_by_length(const EditText& text, std::size_t at) {
+  const auto growth = longest(text.edits.growth, text.tokens, at);
+  if (!growth || !text.is_word(at + growth.length, "by") || growth.value->side == "all") return std::nullopt;
+  const auto measure = language::measure_at(text.raw, at + growth.length + 1);
+  if (!measure || measure->kind != language::Measure::Kind::length || !measure->has_unit) return std::nullopt;
+  NewSize size{growth.value->side, 0.0, {}, {}};
+  size.more = growth.value->factor > 1.0 ? measure->values[0] : -measure->values[0];
+  return Read<NewSize>{size, at + growth.length + 1 + measure->length};
+}
+
 // "narrower, say 30 cm deep"
 std::size_t behind_say(const EditText& text, std::size_t at) {
-  if (at < text.tokens.size() && text.tokens[at].kind == EditText::Token::Kind::comma) ++at;
+  at = text.behind_comma(at);
   return at + longest_in(text.edits.hedges, text.tokens, at);
 }
 
@@ -166,7 +152,7 @@ MayRead<Ids> things_at(const EditText& text, std::size_t at, bool with_places) {
   auto all = one_reference_at(text, at, with_places);
   if (!all || !*all) return all;
   while ((*all)->end < text.tokens.size() &&
-         (text.is_word((*all)->end, "and") || text.tokens[(*all)->end].kind == EditText::Token::Kind::comma)) {
+         (text.is_word((*all)->end, "and") || text.is_comma((*all)->end))) {
     std::size_t next = (*all)->end + 1;
     if (text.is_word(next, "and")) ++next;
     if (begins_clause(text, next)) break;
@@ -179,12 +165,17 @@ MayRead<Ids> things_at(const EditText& text, std::size_t at, bool with_places) {
   return all;
 }
 
+bool describes_looks(const std::string& words) { return describes(words, false) || describes(words, true); }
+
 MayRead<std::string> looks_at(const EditText& text, std::size_t at, bool of_room) {
   while (is_filler(text, at)) ++at;
   std::size_t end = at;
   while (!text.ends(end) || goes_on_with_look(text, end, of_room)) ++end;
   while (end > at && longest_in(text.edits.closers, text.tokens, end - 1) == 1) --end;
   if (end == at) return std::nullopt;
+  // "stand at its head" is no look, whatever else stands there.
+  for (std::size_t i = at; i < end; ++i)
+    if (text.words.stops.count(text.tokens[i].text) && !is_filler(text, i)) return std::nullopt;
   std::string words;
   for (std::size_t i = at; i < end; ++i)
     if (text.tokens[i].kind == EditText::Token::Kind::word) words += (words.empty() ? "" : " ") + text.tokens[i].text;
@@ -192,8 +183,36 @@ MayRead<std::string> looks_at(const EditText& text, std::size_t at, bool of_room
   return Read<std::string>{words, end};
 }
 
+namespace {
+
+// "as wide as the dresser", "as tall as the ceiling"
+std::optional<Read<NewSize>> size_of_other(const EditText& text, std::size_t at) {
+  const auto length = longest_in(text.edits.up_to_ceiling, text.tokens, at);
+  if (length > 0) {
+    NewSize size{"height", 0.0, {}, {}};
+    size.exact = rooms_of(text.scene).front().height - below_ceiling;
+    return Read<NewSize>{size, at + length};
+  }
+  if (!text.is_word(at, "as")) return std::nullopt;
+  const auto side = longest(text.edits.measured, text.tokens, at + 1, 1);
+  if (!side || !text.is_word(at + 2, "as")) return std::nullopt;
+  const auto other = things_at(text, at + 3, false);
+  if (!other || !*other || (*other)->value.size() != 1) return std::nullopt;
+  const Object* object = find_object(text.scene, (*other)->value.front());
+  if (!object) return std::nullopt;
+  Vec3 theirs = object->size;
+  NewSize size{*side.value, 0.0, {}, {}};
+  size.exact = side_of_size(theirs, *side.value);
+  return Read<NewSize>{size, (*other)->end};
+}
+
+}  // namespace
+
 MayRead<NewSize> size_at(const EditText& text, std::size_t at) {
-  if (auto measured = measured_size(text, at)) return *measured;
+  at += longest_in(text.edits.hedges, text.tokens, at);
+  if (const auto other = size_of_other(text, at)) return *other;
+  for (const auto& read : {shared_size(text, at), grown_by_length(text, at), measured_size(text, at)})
+    if (read) return *read;
   const auto growth = longest(text.edits.growth, text.tokens, at);
   if (!growth) return std::nullopt;
   const std::size_t end = at + growth.length;
@@ -211,21 +230,42 @@ Vec3 resized(const Vec3& size, const NewSize& change) {
   return now;
 }
 
+namespace {
+
+constexpr std::size_t most_adjectives = 5;
+
+// "a light blue one", "taller ones with backs", "a three-seater in mustard", "something in brown leather": of the same kind.
+std::optional<Read<Substitute>> another_of_kind(const EditText& text, std::size_t at) {
+  std::size_t end = at + (text.is_word(at, "a") || text.is_word(at, "an") ? 1 : 0);
+  const std::size_t begin = end;
+  const bool is_vague = longest_in(text.edits.something, text.tokens, begin) > 0;
+  while (!is_vague && !text.ends(end) && !text.is_word(end, "one") && !text.is_word(end, "ones") && !text.is_word(end, "seater") &&
+         !text.words.stops.count(text.tokens[end].text))
+    ++end;
+  const bool is_seater = text.is_word(end, "seater");
+  if (end >= text.tokens.size() || end - begin > most_adjectives || (!is_vague && !is_seater && !text.is_word(end, "one") && !text.is_word(end, "ones")))
+    return std::nullopt;
+  const auto behind = description_behind(text, end + 1);
+  std::size_t last = behind.end;
+  // "something softer"
+  if (is_vague && last == end + 1)
+    while (!text.ends(last) && !text.words.stops.count(text.tokens[last].text)) ++last;
+  std::string description = text.words_from(begin, is_seater ? end + 1 : is_vague ? begin : end);
+  const std::string tail = text.words_from(end + 1, last);
+  if (!tail.empty()) description += (description.empty() ? "" : " ") + tail;
+  if (description.empty()) return std::nullopt;
+  return Read<Substitute>{{"", description}, last};
+}
+
+}  // namespace
+
 MayRead<Substitute> substitute_at(const EditText& text, std::size_t at) {
-  const auto thing = named_thing_at(text, at);
-  if (thing && thing->which != Which::pronoun && thing->kind.category &&
-      (thing->which == Which::indefinite || thing->bare))
-    return Read<Substitute>{{thing->kind.category->name, thing->description()}, thing->end};
-  // "a smaller one", "taller ones with backs"
-  std::size_t end = at;
-  std::string description;
-  if (text.is_word(end, "a") || text.is_word(end, "an")) ++end;
-  for (; !text.ends(end) && !text.is_word(end, "one") && !text.is_word(end, "ones"); ++end)
-    description += (description.empty() ? "" : " ") + text.tokens[end].text;
-  if (text.ends(end) || end - at > 5) return std::nullopt;
-  ++end;
-  for (; !text.ends(end); ++end) description += " " + text.tokens[end].text;
-  return Read<Substitute>{{"", description}, end};
+  if (const auto same = another_of_kind(text, at)) return *same;
+  const auto thing = new_thing_at(text, at);
+  if (thing) return Read<Substitute>{{thing->kind.category->name, thing->description()}, thing->end};
+  const auto bare = named_thing_at(text, at);
+  if (!bare || !bare->bare || bare->which == Which::pronoun || !bare->kind.category) return std::nullopt;
+  return Read<Substitute>{{bare->kind.category->name, bare->description()}, bare->end};
 }
 
 }  // namespace roomgen

@@ -28,6 +28,7 @@ MayRead<Ids> things_at(const EditText& text, std::size_t at, bool with_places);
 
 /// "dark oak", "in bottle-green leather": up to the end of the clause, if it means a look. `of_room`: of floors
 /// and walls.
+bool describes_looks(const std::string& words);
 MayRead<std::string> looks_at(const EditText& text, std::size_t at, bool of_room);
 
 /// "20 cm longer", "twice as wide", "30 cm deep", "bigger": the size that a thing gets by it.

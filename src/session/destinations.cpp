@@ -5,7 +5,10 @@
 
 #include "brief/placement_phrase.h"
 #include "language/measure.h"
+#include "room_names.h"
 #include "roomgen/base/text.h"
+#include "walls.h"
+#include "spots.h"
 
 namespace roomgen {
 
@@ -16,22 +19,9 @@ using design::PlacePhrase;
 
 constexpr std::size_t most_places = 3;  // said of one thing
 
-const Room& room_of_text(const EditText& text) { return rooms_of(text.scene).front(); }
-
-// The wall that lies to a side, as the vocabulary counts them: south, east, north, west.
-std::optional<std::size_t> wall_to(const Room& room, int side) {
-  const Vec2 outward[] = {{0, -1}, {1, 0}, {0, 1}, {-1, 0}};
-  std::optional<std::size_t> best;
-  for (std::size_t k = 0; k < room.polygon.size(); ++k)
-    if (-room.polygon.inward(k).dot(outward[side]) > 0.9 &&
-        (!best || room.polygon.edge(k).length() > room.polygon.edge(*best).length()))
-      best = k;
-  return best;
-}
-
 // The one window or door that is meant.
 Result<std::string> opening_meant(const EditText& text, const PlacePhrase& place) {
-  const Room& room = room_of_text(text);
+  const Room& room = text.room();
   const std::string what = place.place == Place::window ? "window" : "door";
   std::vector<std::string> ids;
   const auto wall = place.wall >= 0 ? wall_to(room, place.wall) : std::nullopt;
@@ -63,9 +53,9 @@ Result<std::vector<Relation>> relations_to_place(const EditText& text, const Pla
       relations.push_back({RelationKind::edge, ""});
       if (place.opposite) return not_understood("it is not clear which wall is opposite");
       if (place.wall < 0) return relations;
-      const auto wall = wall_to(room_of_text(text), place.wall);
+      const auto wall = wall_to(text.room(), place.wall);
       if (!wall) return not_understood("the room has no wall on that side");
-      relations.push_back({RelationKind::next_to, "wall-" + std::to_string(*wall)});
+      relations.push_back({RelationKind::next_to, wall_name(*wall)});
       return relations;
     }
     case Place::middle:
@@ -89,8 +79,10 @@ Result<std::vector<Relation>> relations_to_things(const EditText& text, const Na
     return not_understood("\"" + text.words_from(thing.begin, thing.end) + "\" is " + join(*targets, ", ") +
                           "; say which one");
   std::vector<Relation> relations;
-  for (const auto& target : *targets)
+  for (const auto& target : *targets) {
+    if (std::count(subjects.begin(), subjects.end(), target)) return not_understood(target + " cannot stand to itself");
     for (const auto kind : placement.relations) relations.push_back({kind, target});
+  }
   return relations;
 }
 
@@ -103,7 +95,7 @@ std::optional<Result<Whereabouts>> between_two(const EditText& text, std::size_t
   const auto second = target_at(text, (*first)->end + 1, subjects);
   if (!second) return std::nullopt;
   if (!*second) return second->error();
-  return Whereabouts{{{RelationKind::between, (*first)->id}, {RelationKind::between, (*second)->id}}, (*second)->end};
+  return Whereabouts{{{RelationKind::between, (*first)->id}, {RelationKind::between, (*second)->id}}, {}, (*second)->end};
 }
 
 // The place that `length` tokens say, and what it is relative to.
@@ -122,12 +114,12 @@ std::optional<Result<Whereabouts>> place_by(const EditText& text, std::size_t at
   if (place && (!thing || target + place->length >= thing->end)) {
     auto relations = relations_to_place(text, *place, placement.relations);
     if (!relations) return relations.error();
-    return Whereabouts{*std::move(relations), target + place->length};
+    return Whereabouts{*std::move(relations), {}, target + place->length};
   }
   if (!thing) return std::nullopt;
   auto relations = relations_to_things(text, *thing, placement, subjects);
   if (!relations) return relations.error();
-  return Whereabouts{*std::move(relations), thing->end};
+  return Whereabouts{*std::move(relations), {}, text.end_of_most(thing->end)};
 }
 
 // "on the left nightstand" begins with "on the left", but means no more than "on".
@@ -151,6 +143,8 @@ std::optional<Result<Whereabouts>> one_place_at(const EditText& text, std::size_
   }
 }
 
+}  // namespace
+
 std::optional<double> amount_at(const EditText& text, std::size_t& at) {
   std::size_t from = at;
   if (text.is_word(from, "by") || text.is_word(from, "about") || text.is_word(from, "maybe")) ++from;
@@ -166,7 +160,15 @@ std::optional<double> amount_at(const EditText& text, std::size_t& at) {
   return std::nullopt;
 }
 
-}  // namespace
+std::optional<std::size_t> wall_to(const Room& room, int side) {
+  const Vec2 outward[] = {{0, -1}, {1, 0}, {0, 1}, {-1, 0}};
+  std::optional<std::size_t> best;
+  for (std::size_t k = 0; k < room.polygon.size(); ++k)
+    if (-room.polygon.inward(k).dot(outward[side]) > 0.9 &&
+        (!best || room.polygon.edge(k).length() > room.polygon.edge(*best).length()))
+      best = k;
+  return best;
+}
 
 std::string nearest_wall(const EditText& text, const Object& object) {
   const Polygon& walls = room_of(text.scene, object).polygon;
@@ -174,11 +176,27 @@ std::string nearest_wall(const EditText& text, const Object& object) {
   const auto away = [&](std::size_t k) { return distance(walls.edge(k), Vec2(object.position.head<2>())); };
   for (std::size_t k = 1; k < walls.size(); ++k)
     if (away(k) < away(nearest)) nearest = k;
-  return "wall-" + std::to_string(nearest);
+  return wall_name(nearest);
 }
+
+namespace {
+
+// "window-0" comes as two tokens.
+std::optional<Target> opening_by_id(const EditText& text, std::size_t at) {
+  while (at < text.tokens.size() && text.words.definite.count(text.tokens[at].text)) ++at;
+  if (at + 1 >= text.raw.size() || text.raw[at + 1].kind != language::Token::Kind::number ||
+      text.raw[at + 1].joint != language::Token::Joint::hyphen)
+    return std::nullopt;
+  const std::string id = text.tokens[at].text + "-" + text.raw[at + 1].text;
+  if (!find_opening(text.room(), id)) return std::nullopt;
+  return Target{id, at + 2};
+}
+
+}  // namespace
 
 std::optional<Result<Target>> target_at(const EditText& text, std::size_t at,
                                         const std::vector<std::string>& subjects) {
+  if (const auto opening = opening_by_id(text, at)) return *opening;
   const auto thing = named_thing_at(text, at);
   const auto place = design::read_place({text.tokens.data(), text.tokens.size()}, at, text.words);
   if (place && (!thing || at + place->length >= thing->end)) {
@@ -189,8 +207,8 @@ std::optional<Result<Target>> target_at(const EditText& text, std::size_t at,
       return Target{*id, end};
     }
     if (place->place == Place::wall && place->wall >= 0)
-      if (const auto wall = wall_to(room_of_text(text), place->wall))
-        return Target{"wall-" + std::to_string(*wall), end};
+      if (const auto wall = wall_to(text.room(), place->wall))
+        return Target{wall_name(*wall), end};
     return not_understood("\"" + text.words_from(at, end) + "\": say which one");
   }
   if (!thing) return std::nullopt;
@@ -206,6 +224,13 @@ std::optional<Result<Whereabouts>> destination_at(const EditText& text, std::siz
                                                   const std::vector<std::string>& subjects) {
   Whereabouts all;
   for (std::size_t n = 0; n < most_places; ++n) {
+    if (n == 0)
+      if (const auto room = in_room_at(text, at)) {
+        if (!*room) return room->error();
+        return Whereabouts{{}, {}, (*room)->end, (*room)->value};
+      }
+    if (n == 0)
+      if (auto spot = spot_at(text, at, subjects)) return spot;
     const auto one = one_place_at(text, at, subjects);
     if (!one) break;
     if (!*one) return one->error();

@@ -10,10 +10,20 @@
 
 namespace roomgen {
 
+/// A point on the floor or on a thing.
+struct Spot {
+  Vec2 position = Vec2::Zero();
+  std::string on;         ///< id of what is below, for things that stand on others
+  std::string of;         ///< id of the thing by which it is told
+  bool is_place = false;  ///< where that thing stands now
+};
+
 /// Where words say that something is or shall go.
 struct Whereabouts {
   std::vector<Relation> relations;  ///< "next to the bed"
+  std::optional<Spot> spot;         ///< instead: "where the lamp is now", "on the left edge of the desk"
   std::size_t end = 0;              ///< token behind it
+  std::string room = {};            ///< of a dwelling: "in the bedroom"
 };
 
 /// "next to the bed", "against the wall under the window", "in the corner", from `at` on; nothing if no place
@@ -24,12 +34,18 @@ std::optional<Result<Whereabouts>> destination_at(const EditText& text, std::siz
 /// The wall that is nearest to a thing: "wall-2".
 std::string nearest_wall(const EditText& text, const Object& object);
 
+/// The wall that lies to a side as the vocabulary counts them: south, east, north, west.
+std::optional<std::size_t> wall_to(const Room& room, int side);
+
 /// A single target of a relation: the id of a thing or a part of the room.
 struct Target {
   std::string id;
   std::size_t end = 0;
 };
 std::optional<Result<Target>> target_at(const EditText& text, std::size_t at, const std::vector<std::string>& subjects);
+
+/// "by 20 cm", "a bit": metres, and `at` behind them.
+std::optional<double> amount_at(const EditText& text, std::size_t& at);
 
 /// "30 cm to the left", "a bit away from the window by 0.2 m", of each of the subjects.
 struct Shifting {

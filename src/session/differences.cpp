@@ -84,6 +84,37 @@ void add_object_words(const Scene& before, const Scene& after, std::vector<std::
   }
 }
 
+std::string opening_words(const Opening& opening) {
+  return opening.id + " in wall-" + std::to_string(opening.wall) + ", " + format_number(opening.width(), 2) + " m wide";
+}
+
+bool is_same(const Opening& a, const Opening& b) {
+  return a.wall == b.wall && a.from == b.from && a.to == b.to && a.sill == b.sill && a.head == b.head;
+}
+
+// A wall beside one that moved is longer; what is in it has not moved.
+bool is_where_it_was(const Room& before, const Opening& was, const Room& after, const Opening& is) {
+  return (segment(before, was).middle() - segment(after, is).middle()).norm() < told_move && was.sill == is.sill &&
+         was.head == is.head && std::abs(was.width() - is.width()) < told_move;
+}
+
+void add_shape_words(const Room& before, const Room& after, const std::string& room, std::vector<std::string>& lines) {
+  for (const auto& opening : before.openings)
+    if (!find_opening(after, opening.id)) lines.push_back(room + opening.id + " is walled up");
+  for (const auto& opening : after.openings) {
+    const Opening* old = find_opening(before, opening.id);
+    if (!old) lines.push_back(room + "new: " + opening_words(opening));
+    else if (!is_same(*old, opening) && !is_where_it_was(before, *old, after, opening))
+      lines.push_back(room + "changed: " + opening_words(opening));
+  }
+  if (before.height != after.height)
+    lines.push_back(room + "the ceiling is at " + metres(after.height) + ", not " + metres(before.height));
+  if (before.polygon.points == after.polygon.points) return;
+  const Vec2 was = bounds(before.polygon).size(), is = bounds(after.polygon).size();
+  lines.push_back(room + "the room is " + format_number(is.x(), 2) + " x " + metres(is.y()) + ", not " +
+                  format_number(was.x(), 2) + " x " + metres(was.y()));
+}
+
 void add_room_words(const Scene& before, const Scene& after, std::vector<std::string>& lines) {
   const auto old_rooms = rooms_of(before), new_rooms = rooms_of(after);
   if (old_rooms.size() != new_rooms.size()) return lines.push_back("there are other rooms");
@@ -94,9 +125,7 @@ void add_room_words(const Scene& before, const Scene& after, std::vector<std::st
                                         std::tuple("ceiling", old.ceiling, now.ceiling),
                                         std::tuple("accent wall", old.accent, now.accent)})
       if (was != is) lines.push_back(room + part + ": " + (is.empty() ? "none" : is) + ", not " + (was.empty() ? "none" : was));
-    Room same = old_rooms[i];
-    same.materials = now;
-    if (to_json(same) != to_json(new_rooms[i])) lines.push_back(room + "the room itself is another");
+    add_shape_words(old_rooms[i], new_rooms[i], room, lines);
   }
 }
 

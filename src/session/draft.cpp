@@ -1,8 +1,10 @@
 #include "draft.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "roomgen/base/text.h"
+#include "scene/dwelling.h"
 
 namespace roomgen {
 
@@ -54,6 +56,33 @@ void Draft::put(const Cluster& cluster) {
 
 void Draft::take_out(const std::set<std::string>& ids) {
   std::erase_if(scene.objects, [&](const Object& object) { return ids.count(object.id) > 0; });
+}
+
+void Draft::take_over(Draft&& trial) {
+  scene = std::move(trial.scene);
+  named = std::move(trial.named);
+  added = std::move(trial.added);
+  repairs = std::move(trial.repairs);
+  wishes = std::move(trial.wishes);
+  new_categories = std::move(trial.new_categories);
+  new_measures = std::move(trial.new_measures);
+}
+
+const Room& room_with_id(const Scene& scene, const std::string& id) {
+  const Room* room = find_room(scene.rooms, id);
+  return room ? *room : scene.room;
+}
+
+Room& room_with_id(Scene& scene, const std::string& id) {
+  return const_cast<Room&>(room_with_id(std::as_const(scene), id));
+}
+
+void restore_order(const std::vector<Object>& before, std::vector<Object>& objects) {
+  const auto rank = [&](const Object& object) {
+    const auto found = std::find_if(before.begin(), before.end(), [&](const Object& one) { return one.id == object.id; });
+    return found - before.begin();
+  };
+  std::stable_sort(objects.begin(), objects.end(), [&](const Object& a, const Object& b) { return rank(a) < rank(b); });
 }
 
 Error cannot(const std::string& what) { return {Error::Kind::not_found, what}; }

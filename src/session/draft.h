@@ -40,10 +40,13 @@ struct Draft {
   std::vector<Move> repairs;
   std::vector<Requirement> wishes;       ///< that the edit adds, without ids
   std::set<std::string> new_categories;  ///< of which it brought or took something
+  std::set<std::string> new_measures;    ///< of the room: Requirement::attribute
 
   /// Writes the poses into the scene; new things come to its end.
   void put(const Cluster& cluster);
   void take_out(const std::set<std::string>& ids);
+  /// All that a copy of this draft came to; the random numbers go on as they were.
+  void take_over(Draft&& trial);
   /// What stands in the room, but for a cluster.
   Layout& layout_without(const Cluster& cluster) { return shop.layout(scene, cluster.root.room, cluster.ids()); }
 };
@@ -54,6 +57,13 @@ Result<Object> object_named(const Draft& draft, std::string_view id);
 Result<Object> object_to_change(Draft& draft, std::string_view id);
 /// The room of this id, or the only one.
 Result<std::string> room_named(const Draft& draft, const std::string& id);
+
+/// The room of this id; empty: the only one.
+const Room& room_with_id(const Scene& scene, const std::string& id);
+Room& room_with_id(Scene& scene, const std::string& id);
+
+/// Puts things back into the order that they had: what was taken out for a while came to the end.
+void restore_order(const std::vector<Object>& before, std::vector<Object>& objects);
 
 Error cannot(const std::string& what);
 

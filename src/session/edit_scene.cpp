@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "edited_ledger.h"
+#include "evaluate/violations.h"
 #include "operations.h"
 #include "placing.h"
 #include "roomgen/base/text.h"
-#include "roomgen/evaluate/report.h"
 
 namespace roomgen {
 
@@ -24,9 +24,10 @@ std::string words_of(const Violation& violation) {
 
 // The edits of this module let nothing invalid in; what they do together is looked at once more as a whole.
 Status check_new_faults(const Scene& before, const Draft& draft) {
-  const auto now = examine(draft.scene, draft.shop.models(), draft.shop.kinds()).violations;
+  Solids& solids = draft.shop.solids();
+  const auto now = violations(draft.scene, solids, draft.shop.kinds());
   if (now.empty()) return {};
-  const auto was = examine(before, draft.shop.models(), draft.shop.kinds()).violations;
+  const auto was = violations(before, solids, draft.shop.kinds());
   for (const auto& violation : now)
     if (std::none_of(was.begin(), was.end(), [&](const Violation& old) { return is_same(old, violation); }))
       return cannot("the room would not be valid any more: " + words_of(violation));

@@ -2,11 +2,23 @@
 
 namespace roomgen {
 
+// "it is so dark here": no new clause begins.
+bool EditText::says_how_much(std::size_t at) const {
+  if (at == 0) return false;
+  for (const char* be : {"is", "are", "was", "were", "looks", "look", "feels", "seems", "not", "its"})
+    if (is_word(at - 1, be)) return true;
+  return false;
+}
+
 bool EditText::ends(std::size_t at) const {
-  if (at >= tokens.size()) return true;
-  const auto kind = tokens[at].kind;
-  return kind == Token::Kind::comma || kind == Token::Kind::stop || is_word(at, "and") || is_word(at, "then") ||
-         is_word(at, "but");
+  return is_mark(at) || is_word(at, "and") || is_word(at, "then") ||
+         is_word(at, "but") || (is_word(at, "so") && !says_how_much(at));
+}
+
+std::size_t EditText::end_of_most(std::size_t at) const {
+  const std::size_t begin = behind_comma(at);
+  const auto length = longest_in(edits.possible, tokens, begin);
+  return length > 0 ? begin + length : at;
 }
 
 std::string EditText::words_from(std::size_t begin, std::size_t end) const {

@@ -33,11 +33,23 @@ struct EditText {
   std::vector<std::string> mentioned;    ///< ids spoken of so far, the last one last
   std::vector<std::string> latest;       ///< those of the last clause: "it", "them"
   std::vector<Object> coming;            ///< things that earlier clauses add, without a place
+  std::vector<std::string> gone;         ///< ids of what the last clause that removed something removed
   Recall recall;
 
+  /// The room, or the first one of a dwelling.
+  const Room& room() const { return rooms_of(scene).front(); }
+  bool is_comma(std::size_t at) const { return at < tokens.size() && tokens[at].kind == Token::Kind::comma; }
+  /// A comma, or the end of a sentence or of all.
+  bool is_mark(std::size_t at) const { return at >= tokens.size() || is_comma(at) || tokens[at].kind == Token::Kind::stop; }
+  /// A comma that may stand there is passed over.
+  std::size_t behind_comma(std::size_t at) const { return is_comma(at) ? at + 1 : at; }
   bool is_word(std::size_t at, std::string_view word) const { return at < tokens.size() && tokens[at].is_word(word); }
   /// Ends here what belongs together: a mark, "and", "then", or the end.
   bool ends(std::size_t at) const;
+  /// Is the "so" there one of degree?
+  bool says_how_much(std::size_t at) const;
+  /// Behind "as possible", "as you can", where that follows.
+  std::size_t end_of_most(std::size_t at) const;
   /// As written.
   std::string words_from(std::size_t begin, std::size_t end) const;
   const Object* object(std::string_view id) const;

@@ -62,13 +62,32 @@ Result<EditVocabulary> read_edit_vocabulary() {
       {"so that it faces", &words.faces}, {"where they are", &words.where_they_are}, {"back", &words.back},
       {"words of looks", &words.words_of_looks}, {"stays", &words.stays}, {"emphasis", &words.emphasis},
       {"hedges", &words.hedges}, {"modals", &words.modals}, {"goes away", &words.goes_away},
-      {"properties", &words.properties}, {"refused", &words.refused}};
+      {"properties", &words.properties}, {"refused", &words.refused},
+      {"auxiliaries", &words.auxiliaries}, {"requests", &words.requests}, {"reasons", &words.reasons},
+      {"substitutes", &words.substitutes}, {"whole room", &words.whole_room},
+      {"along with it", &words.along}, {"farthest", &words.farthest}, {"being", &words.being},
+      {"not being", &words.not_being}, {"presently", &words.presently}, {"place of", &words.place_of},
+      {"there", &words.there}, {"at parts", &words.at_parts}, {"space", &words.space},
+      {"around space", &words.around_space}, {"gap to", &words.gap_to}, {"one each", &words.one_each},
+      {"each corner", &words.each_corner}, {"as possible", &words.possible}, {"middles", &words.middles},
+      {"besides", &words.besides}, {"each other", &words.each_other}, {"side by side", &words.side_by_side},
+      {"corrections", &words.corrections}, {"questions", &words.questions}, {"welcome", &words.welcome},
+      {"own", &words.own}, {"suffices", &words.suffices}, {"only these", &words.only_these}, {"like it", &words.like_it},
+      {"something", &words.something}, {"existing", &words.existing}, {"likewise", &words.likewise}, {"shapes", &words.shapes}, {"vice versa", &words.vice_versa}, {"particles", &words.particles},
+      {"made of", &words.made_of}, {"unneeded", &words.unneeded}, {"facing away", &words.facing_away},
+      {"up to the ceiling", &words.up_to_ceiling}};
   for (const auto& [key, set] : sets) *set = set_of(root[key]);
   words.sides = map_of<Vec2>(root["sides"], direction_of);
   words.directions = map_of<Vec2>(root["directions"], direction_of);
+  words.side_tails = map_of<Vec2>(root["behind a noun"], direction_of);
+  words.sides_of_things = map_of<Vec2>(root["sides of things"], direction_of);
+  words.parts_of_things = map_of<Vec2>(root["parts of things"], direction_of);
+  words.lifts = map_of<double>(root["lifts"], number_of);
   words.sizes = map_of<double>(root["sizes of things"], number_of);
   words.heights = map_of<double>(root["heights"], number_of);
   words.amounts = map_of<double>(root["amounts"], number_of);
+  words.wall_ways = map_of<double>(root["ways of walls"], number_of);
+  words.shares = map_of<double>(root["shares"], number_of);
   words.turns = map_of<double>(root["turns"], number_of);
   words.turn_directions = map_of<double>(root["turn directions"], number_of);
   words.growth = map_of<Growth>(root["growth"], growth_of);

@@ -25,11 +25,20 @@ struct EditVocabulary {
 
   Map<std::string> verbs;  ///< "get rid of": "remove"
   Set openers, closers, explanations, pronouns, just_added, all, everything, except, more, nearest, away, closer, to,
-      faces, where_they_are, back, words_of_looks, stays, emphasis, hedges, modals, goes_away, properties, refused;
+      faces, where_they_are, back, words_of_looks, stays, emphasis, hedges, modals, goes_away, properties, refused,
+      auxiliaries, requests, reasons, substitutes, whole_room, along, farthest, being, not_being, presently, place_of,
+      there, at_parts, space, around_space, gap_to, one_each, each_corner, possible, middles, besides, each_other,
+      side_by_side, corrections, questions, welcome, own, suffices, only_these, likewise, shapes, like_it, existing, something, vice_versa, particles,
+      made_of, unneeded, facing_away, up_to_ceiling;
   Map<Vec2> sides, directions;   ///< in the scene's frame, as pictures from above show it
+  Map<Vec2> side_tails;          ///< behind a noun: "on the left"
+  Map<Vec2> sides_of_things, parts_of_things;  ///< in a thing's frame, left as one sees it from in front of it
+  Map<double> lifts;             ///< verbs that say which way: 1 up
   Map<double> sizes;             ///< "taller": the axis from 1, 2 for width, 3 for height; below 0: the least
   Map<double> heights;           ///< 1 up
   Map<double> amounts;           ///< metres
+  Map<double> wall_ways;         ///< 1 outwards
+  Map<double> shares;            ///< of one: "a quarter"
   Map<double> turns;             ///< degrees
   Map<double> turn_directions;   ///< 1 counter-clockwise
   Map<Growth> growth, verbs_of_size;

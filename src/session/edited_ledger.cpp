@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <span>
 
 #include "evaluate/attributes.h"
 #include "evaluate/ledger.h"
@@ -20,31 +22,11 @@ bool has_any(const std::vector<std::string>& ids, const std::set<std::string>& s
   return std::any_of(ids.begin(), ids.end(), [&](const std::string& id) { return set.count(id) > 0; });
 }
 
-// One room of a dwelling, or all of it.
+// One room of a dwelling.
 Scene scene_about(const Scene& scene, const std::string& room) {
-  if (room.empty() || scene.rooms.empty()) return scene;
   for (auto& part : parts_of(scene))
     if (part.room.id == room) return part;
   return scene;
-}
-
-RequirementVerdict check_one(const Requirement& requirement, const Verdicts& all, const Draft& draft) {
-  std::vector<Requirement> asked = {requirement};
-  for (const auto& other : all)
-    if (other.requirement.kind == Requirement::Kind::count && other.compliance != Compliance::withdrawn &&
-        other.requirement.id != requirement.id && other.requirement.room == requirement.room)
-      asked.push_back(other.requirement);
-  const ModelTable& models = draft.shop.models();
-  return check_requirements(
-             asked, scene_about(draft.scene, requirement.room), draft.shop.kinds(),
-             [&](const Object& object, const std::string& word) {
-               return judge_attribute(known_looks(object, models), word);
-             },
-             [&](const Object& object) {
-               const auto model = models.find(asset_key(object.asset));
-               return model ? std::cbrt(object.size.prod() / bounds(*model).size().cwiseMax(1e-4).prod()) : 1.0;
-             })
-      .front();
 }
 
 // Looks are dear to judge, and change with their things alone.
@@ -53,17 +35,45 @@ bool keeps_verdict(const Requirement& requirement, const Draft& draft) {
          !has_any(requirement.subjects, draft.named);
 }
 
+bool is_to_check(const RequirementVerdict& verdict, const Draft& draft) {
+  return verdict.compliance != Compliance::withdrawn && !keeps_verdict(verdict.requirement, draft);
+}
+
+Verdicts check_together(std::span<const Requirement> requirements, const Scene& scene, const Draft& draft) {
+  Workshop& shop = draft.shop;
+  return check_requirements(
+      requirements, scene, shop.kinds(),
+      [&](const Object& object, const std::string& word) {
+        return judge_attribute(known_looks(object, shop.models()), word);
+      },
+      [&](const Object& object) {
+        const auto own = shop.mesh_size(object.asset);
+        return own ? std::cbrt(object.size.prod() / own->cwiseMax(1e-4).prod()) : 1.0;
+      });
+}
+
+// Those of one room with each other: counts do not count what another count speaks of.
 Verdicts checked(const Verdicts& verdicts, const Draft& draft) {
-  Verdicts result;
+  std::map<std::string, std::vector<Requirement>> by_room;
   for (const auto& verdict : verdicts)
-    result.push_back(verdict.compliance == Compliance::withdrawn || keeps_verdict(verdict.requirement, draft)
-                         ? verdict
-                         : check_one(verdict.requirement, verdicts, draft));
+    if (is_to_check(verdict, draft)) by_room[verdict.requirement.room].push_back(verdict.requirement);
+  std::map<std::string, Verdicts> found;
+  for (const auto& [room, requirements] : by_room) {
+    const bool is_part = !room.empty() && !draft.scene.rooms.empty();
+    found[room] = check_together(requirements, is_part ? scene_about(draft.scene, room) : draft.scene, draft);
+  }
+  Verdicts result;
+  std::map<std::string, std::size_t> next;
+  for (const auto& verdict : verdicts) {
+    const std::string& room = verdict.requirement.room;
+    result.push_back(is_to_check(verdict, draft) ? found[room][next[room]++] : verdict);
+  }
   return result;
 }
 
 // Is it about what the edit itself changed? Then it is the word that came later that counts.
 bool is_overruled(const Requirement& requirement, const Draft& draft) {
+  if (requirement.kind == Requirement::Kind::room) return draft.new_measures.count(requirement.attribute) > 0;
   if (requirement.kind == Requirement::Kind::count || requirement.kind == Requirement::Kind::absence)
     return std::any_of(draft.new_categories.begin(), draft.new_categories.end(), [&](const std::string& category) {
       return draft.shop.kinds().is_a(category, requirement.category);
@@ -82,6 +92,11 @@ std::set<std::string> gone_ids(const Scene& before, const Scene& after) {
   std::set<std::string> gone;
   for (const auto& object : before.objects)
     if (!find_object(after, object.id)) gone.insert(object.id);
+  const auto now = rooms_of(after);
+  for (const auto& room : rooms_of(before))
+    for (const auto& opening : room.openings)
+      if (std::none_of(now.begin(), now.end(), [&](const Room& one) { return find_opening(one, opening.id); }))
+        gone.insert(opening.id);
   return gone;
 }
 

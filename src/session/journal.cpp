@@ -1,5 +1,6 @@
 #include "journal.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "journal_line.h"
@@ -15,12 +16,12 @@ std::string header_line() {
   return journal_line(header.dump());
 }
 
-// Whether the bytes may be what is left of a journal whose very beginning a crash cut off: nothing, the
-// beginning of a header, or a gap that was never filled.
+// Whether the bytes may be what is left of a journal whose very beginning a crash cut off: nothing, or the
+// beginning of a header up to the end or to a gap that was never filled.
 bool may_be_unbegun(std::string_view bytes) {
   const std::string header = header_line();
-  const auto length = std::min(bytes.size(), header.size());
-  return bytes.empty() || bytes.front() == '\0' || bytes.substr(0, length) == header.substr(0, length);
+  const auto other = std::mismatch(bytes.begin(), bytes.end(), header.begin(), header.end());
+  return other.first == bytes.end() || other.second == header.end() || *other.first == '\0';
 }
 
 Status check_header(std::string_view body, const std::string& name) {

@@ -12,24 +12,14 @@ namespace {
 
 constexpr std::size_t most_neighbours = 9, most_at_once = 3;
 constexpr int most_trials = 90;
-constexpr double furthest_way = 4.0;       // metres that a neighbour may be moved
 constexpr double least_way = 5e-4;         // metres, less than a file tells apart
 constexpr double shrink_steps[] = {0.9, 0.8, 0.7, 0.6};
 
 using Neighbours = std::vector<Cluster>;
 
-// Of what it is to be near to; the room's middle if that is not said.
-Vec2 middle_of_aim(const Draft& draft, const Layout& layout, const Aim& aim) {
-  if (aim.near_to) return aim.near_to->position;
-  for (const auto& relation : aim.asked)
-    if (const Object* target = find_object(draft.scene, relation.target)) return target->position.head<2>();
-  const Bounds2 box = bounds(layout.room().polygon);
-  return 0.5 * (box.low + box.high);
-}
-
 // What may make way, the nearest first: what stands on the floor, or on the same carrier.
 Neighbours neighbours_of(const Draft& draft, const Layout& layout, const Cluster& cluster, const Aim& aim) {
-  const Vec2 middle = middle_of_aim(draft, layout, aim);
+  const Vec2 middle = middle_of(draft, layout, aim);
   const auto own = cluster.ids();
   std::vector<std::pair<double, const Object*>> near;
   for (const auto& object : draft.scene.objects) {
@@ -111,9 +101,7 @@ class WayMaker {
   // Its relations hold as before.
   bool move_aside(Layout& layout, const Cluster& neighbour, Way& way) {
     Aim aim;
-    const auto lost = lost_relations(neighbour.root, neighbour.root.relations, draft_.scene, draft_.shop.kinds());
-    for (const auto& relation : neighbour.root.relations)
-      if (std::find(lost.begin(), lost.end(), relation) == lost.end()) aim.asked.push_back(relation);
+    aim.asked = held_relations(neighbour.root, neighbour.root.relations, draft_.scene, draft_.shop.kinds());
     aim.near_to = pose_of(neighbour.root);
     aim.most_off = furthest_way;
     aim.turns_freely = true;
@@ -128,7 +116,10 @@ class WayMaker {
   bool keeps_requirements(const Way& way) {
     Draft trial = draft_;
     for (const auto& cluster : way.placed) trial.put(cluster);
-    return broken_requirements(held_, trial).empty();
+    // What made way may be what it was to stand to.
+    const Object& placed = way.placed.front().root;
+    return lost_relations(placed, aim_.asked, trial.scene, trial.shop.kinds()).empty() &&
+           broken_requirements(held_, trial).empty();
   }
 
   Draft& draft_;

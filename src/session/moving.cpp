@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "grouping.h"
 #include "make_way.h"
 #include "operations.h"
 #include "roomgen/base/text.h"
@@ -11,6 +12,7 @@ namespace roomgen {
 namespace {
 
 constexpr double slack_of_turn = 0.5;   // metres that a thing may give way when it turns
+constexpr double slack_of_group = 0.6;  // and when it comes along with what it stands around
 constexpr double slack_of_swap = 0.8;   // and when it takes another one's place
 constexpr double shift_step = 0.05;     // metres, in which it is found how far a shift could go
 constexpr double same_spot = 0.05;      // metres; where things stand on others, places are 2 cm apart
@@ -62,16 +64,16 @@ bool looks_at(const Object& object, double yaw, const Footprint& target) {
   return ray_hit(target, object.position.head<2>(), front_direction(yaw)) >= 0.0;
 }
 
-// Square to a wall if that looks at the target too, else straight at its middle; the least turn first.
-double yaw_towards(Draft& draft, const Cluster& cluster, const Footprint& target) {
+// Square to a wall where that looks at the target too, the least turn first; else straight at its middle.
+std::vector<double> yaws_towards(Draft& draft, const Cluster& cluster, const Footprint& target) {
   const Object& object = cluster.root;
-  std::vector<double> square;
+  std::vector<double> yaws;
   for (const double yaw : draft.layout_without(cluster).wall_yaws())
-    if (looks_at(object, yaw, target)) square.push_back(yaw);
+    if (looks_at(object, yaw, target)) yaws.push_back(yaw);
   const auto turn = [&](double yaw) { return std::abs(wrap_angle(yaw - object.yaw)); };
-  std::sort(square.begin(), square.end(), [&](double a, double b) { return turn(a) < turn(b); });
-  if (!square.empty()) return square.front();
-  return yaw_facing(target.center() - Vec2(object.position.head<2>()));
+  std::sort(yaws.begin(), yaws.end(), [&](double a, double b) { return turn(a) < turn(b); });
+  yaws.push_back(yaw_facing(target.center() - Vec2(object.position.head<2>())));
+  return yaws;
 }
 
 Status turn_to(Draft& draft, const Object& object, double yaw) {
@@ -127,24 +129,95 @@ Result<Cluster> in_place_of(Draft& draft, Layout& layout, const Cluster& cluster
   return find_place(draft, layout, going, aim);
 }
 
+// The room that is said, or the one of what it is to stand to.
+Result<std::string> room_to_go_to(const Draft& draft, const edit::Move& move, const Object& object) {
+  if (!move.room.empty()) return room_named(draft, move.room);
+  for (const auto& relation : move.relations)
+    if (const Object* target = find_object(draft.scene, relation.target)) return target->room;
+  return object.room;
+}
+
+Cluster in_room(Cluster cluster, const std::string& room) {
+  cluster.root.room = room;
+  for (auto& object : cluster.carried) object.room = room;
+  return cluster;
+}
+
+Status check_move(const Draft& draft, const Object& object, const std::string& room,
+                  const std::vector<Relation>& relations) {
+  if (auto status = check_targets(draft, room, relations); !status) return status;
+  for (const auto& relation : relations)
+    if (relation.target == object.id) return cannot(object.id + " cannot stand beside itself");
+  if (says_support(relations) && object.mount != Mount::surface)
+    return cannot(object.id + " does not stand on other things");
+  return {};
+}
+
+// What stands around a thing, as it stood to it; or else where its relations hold.
+Status take_group_along(Draft& draft, Draft& moved, const std::vector<Cluster>& group, const Object& leader) {
+  const auto wanted = moved_to(group, pose_of(leader));
+  for (std::size_t i = 1; i < group.size(); ++i) {
+    const Cluster there = in_room(wanted[i], leader.room);
+    if (there.root.locked) return cannot(there.root.id + " would come along, and is locked; unlock it first");
+    auto place = there_or_near(moved, there, pose_of(there.root), slack_of_group);
+    if (!place) {
+      Aim aim;
+      aim.asked = group[i].root.relations;
+      place = find_place(moved, moved.layout_without(there), there, aim);
+    }
+    if (!place) return cannot(there.root.id + " cannot come along: " + place.error().message);
+    place->root.relations = group[i].root.relations;
+    moved.put(*place);
+    moved.named.insert(there.root.id);
+  }
+  restore_order(draft.scene.objects, moved.scene.objects);
+  draft.take_over(std::move(moved));
+  return {};
+}
+
+// A thing with what stands around it, all by the same way.
+Status shift_group(Draft& draft, const Object& object, const Vec2& by) {
+  const auto group = group_of(draft.scene, object);
+  Pose pose = pose_of(object);
+  pose.position += by;
+  const auto moved = moved_to(group, pose);
+  Layout& layout = draft.shop.layout(draft.scene, object.room, ids_of(group));
+  for (const auto& cluster : moved) {
+    if (cluster.root.locked) return cannot(cluster.root.id + " would come along, and is locked; unlock it first");
+    auto there = settled(draft, layout, cluster);
+    if (!there) there = settled(draft, layout, cluster, RugEdges::stood_on);
+    if (!there) return there.error();
+    layout.add(there->root);
+    for (const auto& carried : there->carried) layout.add(carried);
+    draft.put(*there);
+    draft.named.insert(cluster.root.id);
+  }
+  return {};
+}
+
 }  // namespace
 
 Status carry_out(Draft& draft, const edit::Move& move) {
-  const auto object = object_to_change(draft, move.object);
+  auto object = object_to_change(draft, move.object);
   if (!object) return object.error();
-  if (auto status = check_targets(draft, object->room, move.relations); !status) return status;
-  for (const auto& relation : move.relations)
-    if (relation.target == object->id) return cannot(object->id + " cannot stand beside itself");
-  if (says_support(move.relations) && object->mount != Mount::surface)
-    return cannot(object->id + " does not stand on other things");
-  Cluster cluster = cluster_of(draft.scene, *object);
+  const auto group = move.group ? group_of(draft.scene, *object) : std::vector<Cluster>();
+  const auto room = room_to_go_to(draft, move, *object);
+  if (!room) return room.error();
+  if (auto status = check_move(draft, *object, *room, move.relations); !status) return status;
+  Cluster cluster = in_room(cluster_of(draft.scene, *object), *room);
   Aim aim;
   aim.asked = move.relations;
-  aim.kept = still_wanted(*object, move.relations);
+  if (*room == object->room) aim.kept = still_wanted(*object, move.relations);
+  else cluster.root.relations.clear();
   aim.usual = true;
-  if (auto status = place_or_make_way(draft, cluster, aim); !status) return status;
-  wish_relations(draft, *object, move.relations);
-  if (object->traits.flat) settle_heights(draft, object->room);
+  Draft alone = draft;
+  alone.take_out(ids_of(group));
+  if (auto status = place_or_make_way(move.group ? alone : draft, cluster, aim); !status) return status;
+  if (move.group)
+    if (auto status = take_group_along(draft, alone, group, *find_object(alone.scene, object->id)); !status) return status;
+  wish_relations(draft, cluster.root, move.relations);
+  for (const auto& changed : {object->room, *room})
+    if (object->traits.flat) settle_heights(draft, changed);
   return {};
 }
 
@@ -179,6 +252,7 @@ Status carry_out(Draft& draft, const edit::Shift& shift) {
   if (!object) return object.error();
   const Vec2 by = shift.by.head<2>();
   if (shift.by.z() != 0.0) return raise(draft, *object, shift.by);
+  if (shift.group) return shift_group(draft, *object, by);
   edit::Put put{object->id, Vec2(object->position.head<2>()) + by, object->yaw, object->on};
   auto status = carry_out(draft, put);
   if (status || object->mount == Mount::surface) return status;
@@ -200,13 +274,21 @@ Status carry_out(Draft& draft, const edit::Face& face) {
   if (object->mount == Mount::wall) return cannot(object->id + " hangs on a wall and cannot be turned");
   const auto target = target_of(draft, *object, face.target);
   if (!target) return target.error();
-  if (auto status = turn_to(draft, *object, yaw_towards(draft, cluster_of(draft.scene, *object), *target)); !status)
-    return status;
   const std::vector<Relation> asked = {{RelationKind::face_to, face.target}};
-  if (!lost_relations(*find_object(draft.scene, object->id), asked, draft.scene, draft.shop.kinds()).empty())
-    return cannot("where there is room for it, " + object->id + " does not face " + face.target);
-  wish_relations(draft, *object, asked);
-  return {};
+  Status why;
+  for (const double yaw : yaws_towards(draft, cluster_of(draft.scene, *object), *target)) {
+    Draft trial = draft;
+    auto status = turn_to(trial, *object, yaw);
+    if (status && !lost_relations(*find_object(trial.scene, object->id), asked, trial.scene, draft.shop.kinds()).empty())
+      status = cannot("where there is room for it, " + object->id + " does not face " + face.target);
+    if (status) {
+      draft.take_over(std::move(trial));
+      wish_relations(draft, *object, asked);
+      return {};
+    }
+    if (why) why = status;
+  }
+  return why;
 }
 
 Status carry_out(Draft& draft, const edit::Swap& swap) {

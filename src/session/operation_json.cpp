@@ -27,6 +27,20 @@ void add_text(Json& json, const char* key, const std::string& text) {
   if (!text.empty()) json[key] = text;
 }
 
+void add_number(Json& json, const char* key, const std::optional<double>& number) {
+  if (number) json[key] = rounded(*number);
+}
+
+// Where an opening is, and how large.
+template <typename Opening>
+void add_measures(Json& json, const Opening& opening) {
+  add_text(json, "wall", opening.wall);
+  add_number(json, "at", opening.at);
+  add_number(json, "width", opening.width);
+  add_number(json, "height", opening.height);
+  add_number(json, "sill", opening.sill);
+}
+
 struct Writer {
   Json operator()(const Add& add) const {
     Json json = {{"do", "add"}, {"category", add.category}};
@@ -43,7 +57,10 @@ struct Writer {
     return json;
   }
   Json operator()(const Move& move) const {
-    return {{"do", "move"}, {"object", move.object}, {"relations", texts_of(move.relations)}};
+    Json json = {{"do", "move"}, {"object", move.object}, {"relations", texts_of(move.relations)}};
+    if (move.group) json["group"] = true;
+    add_text(json, "room", move.room);
+    return json;
   }
   Json operator()(const Put& put) const {
     Json json = {{"do", "put"}, {"object", put.object}, {"position", numbers_of(put.position)}};
@@ -52,7 +69,9 @@ struct Writer {
     return json;
   }
   Json operator()(const Shift& shift) const {
-    return {{"do", "shift"}, {"object", shift.object}, {"by", numbers_of(shift.by)}};
+    Json json = {{"do", "shift"}, {"object", shift.object}, {"by", numbers_of(shift.by)}};
+    if (shift.group) json["group"] = true;
+    return json;
   }
   Json operator()(const Turn& turn) const {
     return {{"do", "turn"}, {"object", turn.object}, {"by_deg", degrees_of(turn.by)}};
@@ -83,6 +102,38 @@ struct Writer {
     add_text(json, "room", cover.room);
     return json;
   }
+  Json operator()(const Rearrange& rearrange) const {
+    return {{"do", "rearrange"}, {"objects", rearrange.objects}};
+  }
+  Json operator()(const Arrange& arrange) const {
+    Json spots = Json::array();
+    for (const auto& spot : arrange.spots) {
+      spots.push_back({{"object", spot.object}, {"position", numbers_of(spot.position)}, {"yaw_deg", degrees_of(spot.yaw)}});
+      if (spot.size) spots.back()["size"] = numbers_of(*spot.size);
+    }
+    return {{"do", "arrange"}, {"spots", std::move(spots)}};
+  }
+  Json operator()(const Reform& reform) const {
+    return {{"do", "reform"}, {"object", reform.object}, {"words", reform.words}};
+  }
+  Json operator()(const Reshape& reshape) const {
+    Json json = {{"do", "reshape"}};
+    if (!reshape.wall.empty()) json.update({{"wall", reshape.wall}, {"by", rounded(reshape.by)}});
+    add_number(json, "height", reshape.height);
+    return json;
+  }
+  Json operator()(const Open& open) const {
+    Json json = {{"do", "open"}, {"kind", open.kind}};
+    add_measures(json, open);
+    add_text(json, "room", open.room);
+    return json;
+  }
+  Json operator()(const Refit& refit) const {
+    Json json = {{"do", "refit"}, {"opening", refit.opening}};
+    add_measures(json, refit);
+    return json;
+  }
+  Json operator()(const Close& close) const { return {{"do", "close"}, {"openings", close.openings}}; }
   Json operator()(const Revert&) const { return {{"do", "revert"}}; }
 };
 
@@ -136,9 +187,11 @@ Operation read_remove(const JsonReader& json) {
 }
 
 Operation read_move(const JsonReader& json) {
-  json.allow_only({"do", "object", "relations"});
-  Move move{json["object"].text(200), relations_of(json["relations"])};
-  if (move.relations.empty()) json.report("\"relations\" says where to, such as [\"next to, bed-0\"]");
+  json.allow_only({"do", "object", "relations", "group", "room"});
+  Move move{json["object"].text(200), relations_of(json["relations"]), json["group"].boolean_or(false),
+            json["room"].text_or("", 200)};
+  if (move.relations.empty() && move.room.empty())
+    json.report("\"relations\" says where to, such as [\"next to, bed-0\"]");
   return move;
 }
 
@@ -151,8 +204,8 @@ Operation read_put(const JsonReader& json) {
 }
 
 Operation read_shift(const JsonReader& json) {
-  json.allow_only({"do", "object", "by"});
-  return Shift{json["object"].text(200), vec3_of(json["by"])};
+  json.allow_only({"do", "object", "by", "group"});
+  return Shift{json["object"].text(200), vec3_of(json["by"]), json["group"].boolean_or(false)};
 }
 
 Operation read_turn(const JsonReader& json) {
@@ -195,6 +248,73 @@ Operation read_cover(const JsonReader& json) {
   return Cover{json["part"].text(50), json["looks"].text(500), json["room"].text_or("", 200)};
 }
 
+Operation read_rearrange(const JsonReader& json) {
+  json.allow_only({"do", "objects"});
+  return Rearrange{ids_of(json["objects"])};
+}
+
+Operation read_arrange(const JsonReader& json) {
+  json.allow_only({"do", "spots"});
+  Arrange arrange;
+  for (const auto& element : json["spots"].elements(most_named)) {
+    element.allow_only({"object", "position", "yaw_deg", "size"});
+    Arrange::Spot spot{element["object"].text(200), vec3_of(element["position"]), angle_of(element["yaw_deg"])};
+    if (element["size"].exists()) spot.size = size_of(element["size"]);
+    arrange.spots.push_back(std::move(spot));
+  }
+  if (arrange.spots.empty()) json.report("\"spots\" says what goes where");
+  return arrange;
+}
+
+Operation read_reform(const JsonReader& json) {
+  json.allow_only({"do", "object", "words"});
+  return Reform{json["object"].text(200), json["words"].text(500)};
+}
+
+std::optional<double> number_at(const JsonReader& json, double least, double most) {
+  if (!json.exists()) return std::nullopt;
+  return json.number(least, most);
+}
+
+Operation read_reshape(const JsonReader& json) {
+  json.allow_only({"do", "wall", "by", "height"});
+  Reshape reshape{json["wall"].text_or("", 200), json["by"].number_or(0.0, -furthest, furthest),
+                  number_at(json["height"], 0.0, largest)};
+  if (reshape.wall.empty() && !reshape.height) json.report("\"wall\" and \"by\", or \"height\", say what changes");
+  return reshape;
+}
+
+template <typename Opening>
+void read_measures(const JsonReader& json, Opening& opening) {
+  opening.wall = json["wall"].text_or("", 200);
+  opening.at = number_at(json["at"], 0.0, furthest);
+  opening.width = number_at(json["width"], 0.0, largest);
+  opening.height = number_at(json["height"], 0.0, largest);
+  opening.sill = number_at(json["sill"], 0.0, largest);
+}
+
+Operation read_open(const JsonReader& json) {
+  json.allow_only({"do", "kind", "wall", "at", "width", "height", "sill", "room"});
+  Open open;
+  open.kind = json["kind"].text(200);
+  open.room = json["room"].text_or("", 200);
+  read_measures(json, open);
+  return open;
+}
+
+Operation read_refit(const JsonReader& json) {
+  json.allow_only({"do", "opening", "wall", "at", "width", "height", "sill"});
+  Refit refit;
+  refit.opening = json["opening"].text(200);
+  read_measures(json, refit);
+  return refit;
+}
+
+Operation read_close(const JsonReader& json) {
+  json.allow_only({"do", "openings"});
+  return Close{ids_of(json["openings"])};
+}
+
 Operation read_revert(const JsonReader& json) {
   json.allow_only({"do"});
   return Revert{};
@@ -204,7 +324,7 @@ struct OperationKind {
   std::string_view name;
   Operation (*read)(const JsonReader& json);
 };
-constexpr std::array<OperationKind, 14> operation_kinds = {{{"add", read_add},
+constexpr std::array<OperationKind, 21> operation_kinds = {{{"add", read_add},
                                                             {"remove", read_remove},
                                                             {"move", read_move},
                                                             {"put", read_put},
@@ -217,6 +337,13 @@ constexpr std::array<OperationKind, 14> operation_kinds = {{{"add", read_add},
                                                             {"recolor", read_recolor},
                                                             {"lock", read_lock},
                                                             {"cover", read_cover},
+                                                            {"rearrange", read_rearrange},
+                                                            {"arrange", read_arrange},
+                                                            {"reform", read_reform},
+                                                            {"reshape", read_reshape},
+                                                            {"open", read_open},
+                                                            {"refit", read_refit},
+                                                            {"close", read_close},
                                                             {"revert", read_revert}}};
 
 Operation read_operation(const JsonReader& json) {

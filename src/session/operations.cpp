@@ -69,9 +69,7 @@ Status check_targets(const Draft& draft, const std::string& room_id, const std::
   std::vector<Object> there;
   for (const auto& object : draft.scene.objects)
     if (object.room == room_id) there.push_back(object);
-  Object in_room;
-  in_room.room = room_id;
-  const Room& room = room_of(draft.scene, in_room);
+  const Room& room = room_with_id(draft.scene, room_id);
   const auto known = known_relations(relations, room, there);
   for (const auto& relation : relations)
     if (takes_target(relation.kind) && std::find(known.begin(), known.end(), relation) == known.end())

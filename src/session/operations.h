@@ -23,6 +23,13 @@ Status carry_out(Draft& draft, const edit::Resize& resize);
 Status carry_out(Draft& draft, const edit::Recolor& recolor);
 Status carry_out(Draft& draft, const edit::Lock& lock);
 Status carry_out(Draft& draft, const edit::Cover& cover);
+Status carry_out(Draft& draft, const edit::Rearrange& rearrange);
+Status carry_out(Draft& draft, const edit::Arrange& arrange);
+Status carry_out(Draft& draft, const edit::Reform& reform);
+Status carry_out(Draft& draft, const edit::Reshape& reshape);
+Status carry_out(Draft& draft, const edit::Open& open);
+Status carry_out(Draft& draft, const edit::Refit& refit);
+Status carry_out(Draft& draft, const edit::Close& close);
 Status carry_out(Draft& draft, const edit::Revert& revert);
 
 /// The kind that is brought: what goes onto other things may be another sort of it, a lamp on a table a table

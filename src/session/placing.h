@@ -15,6 +15,7 @@ struct Aim {
   std::optional<Pose> near_to;     ///< stays within `most_off` of it
   double most_off = 0.5;           ///< metres
   bool turns_freely = false;       ///< else it keeps the yaw of `near_to`
+  std::vector<Pose> except = {};   ///< none that is like one of these
   bool usual = false;              ///< where things of its kind stand, as far as all this leaves it open
 };
 
@@ -28,6 +29,8 @@ Result<Cluster> settled(const Draft& draft, Layout& layout, Cluster cluster, Rug
 /// At this pose, exactly.
 Result<Cluster> exactly_at(Draft& draft, const Cluster& cluster, const Pose& pose,
                            RugEdges edges = RugEdges::kept_free);
+inline constexpr double furthest_way = 4.0;  ///< metres that a thing may be moved for others, a wall or a door
+
 enum class Effort {
   brief,    ///< the solver's usual search
   thorough  ///< and then all points of the floor 5 cm apart
@@ -41,6 +44,11 @@ Result<Cluster> there_or_near(Draft& draft, const Cluster& cluster, const Pose& 
 /// Those of the relations that do not hold for the object as it stands.
 std::vector<Relation> lost_relations(const Object& object, const std::vector<Relation>& relations, const Scene& scene,
                                      const KindTable& kinds);
+/// The others.
+std::vector<Relation> held_relations(const Object& object, const std::vector<Relation>& relations, const Scene& scene,
+                                     const KindTable& kinds);
+/// Near what an aim is: the place itself, or what it is to stand to, or the middle of the room.
+Vec2 middle_of(const Draft& draft, const Layout& layout, const Aim& aim);
 /// "sofa-0 stands on the edge of rug-0", for all that did not do so before.
 std::vector<std::string> new_rug_edges(const Scene& before, const Draft& draft);
 /// Sets what stands on the floor of a room to the height of the rugs that lie there now.

@@ -4,120 +4,17 @@
 #include <cmath>
 #include <functional>
 
-#include "language/number.h"
 #include "roomgen/base/text.h"
+#include "scene_nouns.h"
 
 namespace roomgen {
 
 namespace {
 
-using design::KindMention;
 using Which = NamedThing::Which;
 
-constexpr std::size_t most_adjectives = 5;
 constexpr double clearly_apart = 0.15;   // metres by which one is farther to a side than the others
 constexpr double clearly_larger = 1.03;  // factor
-
-bool is_new(const std::string& word) { return word == "a" || word == "an" || word == "another"; }
-
-// "all six of the", "the two", "another", "two more": up to the adjectives.
-std::size_t read_determiners(const EditText& text, std::size_t at, NamedThing& thing) {
-  thing.bare = true;
-  at += longest_in(text.edits.properties, text.tokens, at);
-  for (bool more = true; more && at < text.tokens.size();) {
-    more = false;
-    const auto& token = text.tokens[at];
-    if (const auto length = longest_in(text.edits.all, text.tokens, at)) {
-      thing.which = Which::all;
-      if (token.is_word("both")) thing.count = 2;
-      at += length, more = true;
-    } else if (token.kind == EditText::Token::Kind::word && is_new(token.text)) {
-      thing.which = Which::indefinite;
-      thing.further = thing.further || token.is_word("another");
-      thing.count = 1;
-      at += 1, more = true;
-    } else if (text.words.definite.count(token.text) && token.kind == EditText::Token::Kind::word) {
-      if (thing.which != Which::all) thing.which = Which::definite;
-      at += 1, more = true;
-    } else if (token.kind == EditText::Token::Kind::word && text.words.vague.count(token.text)) {
-      thing.which = Which::indefinite;
-      const auto few = text.words.numbers.find(token.text);
-      thing.count = few == text.words.numbers.end() ? 0 : few->second;
-      at += 1, more = true;
-    } else if (const auto number = language::number_at(text.raw, at);
-               number && number->value >= 1 && number->value <= 50 && number->value == std::floor(number->value)) {
-      thing.count = static_cast<int>(number->value);
-      if (thing.bare) thing.which = Which::indefinite;
-      at += number->length, more = true;
-      // "one of the armchairs"
-      thing.any = text.is_word(at, "of") && at + 1 < text.tokens.size() && text.words.definite.count(text.tokens[at + 1].text);
-      if (thing.any) ++at;
-    }
-    if (more) thing.bare = false;
-  }
-  return at;
-}
-
-bool may_be_adjective(const EditText& text, std::size_t at) {
-  const auto& token = text.tokens[at];
-  return token.kind == EditText::Token::Kind::word && !text.words.stops.count(token.text) &&
-         !text.edits.verbs.count(token.text) && !text.words.numbers.count(token.text) &&
-         !text.words.definite.count(token.text) && !text.words.room_parts.count(token.text);
-}
-
-std::optional<std::size_t> read_adjective(const EditText& text, std::size_t at, NamedThing& thing) {
-  if (const auto side = design::longest(text.edits.sides, text.tokens, at, 2)) {
-    thing.side = *side.value;
-    return at + side.length;
-  }
-  if (text.edits.sizes.count(text.tokens[at].text)) {
-    thing.size = text.edits.sizes.at(text.tokens[at].text);
-    thing.looks.push_back(text.tokens[at].text);
-    // "the smaller of the two tables"
-    if (text.is_word(at + 1, "of")) {
-      NamedThing others;
-      const auto next = read_determiners(text, at + 2, others);
-      if (next > at + 2) return next;
-    }
-    return at + 1;
-  }
-  if (text.edits.more.count(text.tokens[at].text)) {
-    thing.further = true;
-    return at + 1;
-  }
-  if (!may_be_adjective(text, at)) return std::nullopt;
-  thing.looks.push_back(text.tokens[at].text);
-  return at + 1;
-}
-
-// The name of a kind that ends its phrase: of "glass table" the glass is an adjective.
-KindMention head_at(const EditText& text, std::size_t at) {
-  KindMention mention = design::mention_at(text.kinds, text.tokens, at);
-  if (mention.length == 0) return mention;
-  const std::size_t next = at + mention.length;
-  if (!mention.plural && next < text.tokens.size() && !text.words.stops.count(text.tokens[next].text) &&
-      !text.edits.verbs.count(text.tokens[next].text) && design::mention_at(text.kinds, text.tokens, next).length > 0)
-    return {};
-  return mention;
-}
-
-std::optional<NamedThing> pronoun_at(const EditText& text, std::size_t at) {
-  NamedThing thing;
-  thing.begin = at;
-  if (const auto length = longest_in(text.edits.pronouns, text.tokens, at)) {
-    thing.which = Which::pronoun;
-    thing.plural = text.is_word(at, "them") || text.is_word(at, "these") || text.is_word(at, "those");
-    thing.end = at + length;
-    return thing;
-  }
-  if (const auto length = longest_in(text.edits.everything, text.tokens, at)) {
-    thing.which = Which::everything;
-    thing.plural = true;
-    thing.end = at + length;
-    return thing;
-  }
-  return std::nullopt;
-}
 
 std::string joined_ids(const std::vector<std::string>& ids) { return join(ids, ", "); }
 
@@ -141,18 +38,91 @@ Result<std::vector<std::string>> farthest(const EditText& text, std::vector<std:
   return ids;
 }
 
+double along(const EditText& text, const std::string& id, const Vec2& way) {
+  return Vec2(text.object(id)->position.head<2>()).dot(way);
+}
+
+double spread(const EditText& text, const std::vector<std::string>& ids, const Vec2& way) {
+  double least = 1e9, most = -1e9;
+  for (const auto& id : ids) least = std::min(least, along(text, id, way)), most = std::max(most, along(text, id, way));
+  return most - least;
+}
+
+// What stands in a line that runs up the picture is seen from in front of it, or of the desk that it stands on.
+Vec2 way_to_side(const EditText& text, const std::vector<std::string>& ids, const Vec2& side) {
+  const std::string& host = text.object(ids.front())->on;
+  const bool is_shared = std::all_of(ids.begin(), ids.end(), [&](const std::string& id) { return text.object(id)->on == host; });
+  const Object* under = is_shared && !host.empty() ? text.object(host) : nullptr;
+  if (spread(text, ids, side) >= clearly_apart) return side;
+  const double yaw = text.object(ids.front())->yaw;
+  const bool look_alike = std::all_of(ids.begin(), ids.end(), [&](const std::string& id) {
+    return text.object(id)->traits.front && std::abs(std::remainder(text.object(id)->yaw - yaw, 2.0 * pi)) < 0.2;
+  });
+  if (!under && !look_alike) return side;
+  const Footprint area = footprint(under ? *under : *text.object(ids.front()));
+  return -side.x() * area.x_axis() + side.y() * area.y_axis();
+}
+
+// The `count` farthest that way; below 0 the one of that place, counted from there.
+Result<std::vector<std::string>> at_side(const EditText& text, std::vector<std::string> ids, int count,
+                                         const std::string& words, const Vec2& way) {
+  const auto measure = [&](const Object& object) { return Vec2(object.position.head<2>()).dot(way); };
+  const auto clearly = [](double first, double second) { return first - second >= clearly_apart; };
+  if (count >= 0) return farthest(text, std::move(ids), static_cast<std::size_t>(count), words, measure, clearly);
+  const auto nth = static_cast<std::size_t>(-count);
+  if (nth > ids.size()) return not_understood("\"" + words + "\": there are " + std::to_string(ids.size()));
+  auto first = farthest(text, ids, nth, words, measure, clearly);
+  if (!first) return first;
+  return std::vector<std::string>{first->back()};
+}
+
+// "the chairs on the left": those before the widest gap between them.
+Result<std::vector<std::string>> half_at_side(const EditText& text, std::vector<std::string> ids, const std::string& words,
+                                              const Vec2& way) {
+  std::sort(ids.begin(), ids.end(), [&](const std::string& a, const std::string& b) { return along(text, a, way) > along(text, b, way); });
+  std::size_t widest = 1;
+  const auto gap_before = [&](std::size_t i) { return along(text, ids[i - 1], way) - along(text, ids[i], way); };
+  for (std::size_t i = 2; i < ids.size(); ++i)
+    if (gap_before(i) > gap_before(widest) + 1e-6) widest = i;
+  if (gap_before(widest) < clearly_apart || 2 * gap_before(widest) < spread(text, ids, way))
+    return not_understood("it is not clear which of " + joined_ids(ids) + " are \"" + words + "\"");
+  ids.resize(widest);
+  return ids;
+}
+
+// Of three in a row the second.
+Result<std::vector<std::string>> middle_of(const EditText& text, std::vector<std::string> ids, const std::string& words) {
+  const Vec2 way = spread(text, ids, Vec2(1, 0)) >= spread(text, ids, Vec2(0, 1)) ? Vec2(1, 0) : Vec2(0, 1);
+  std::sort(ids.begin(), ids.end(), [&](const std::string& a, const std::string& b) { return along(text, a, way) < along(text, b, way); });
+  const std::size_t half = ids.size() / 2;
+  const bool is_clear = ids.size() % 2 == 1 && along(text, ids[half], way) - along(text, ids[half - 1], way) >= clearly_apart &&
+                        along(text, ids[half + 1], way) - along(text, ids[half], way) >= clearly_apart;
+  if (!is_clear) return not_understood("\"" + words + "\" may be " + joined_ids(ids) + ", none of which is clearly in the middle");
+  return std::vector<std::string>{ids[half]};
+}
+
 Result<std::vector<std::string>> narrowed(const EditText& text, const NamedThing& thing, std::vector<std::string> ids) {
   const std::string words = text.words_from(thing.begin, thing.end);
   const std::size_t count = thing.count > 0 ? static_cast<std::size_t>(thing.count) : 1;
-  if (thing.side && ids.size() > 1)
-    return farthest(text, std::move(ids), count, words,
-                    [&](const Object& object) { return Vec2(object.position.head<2>()).dot(*thing.side); },
-                    [](double first, double second) { return first - second >= clearly_apart; });
+  if (thing.place) {
+    const auto n = static_cast<std::size_t>(*thing.place);
+    if (n > ids.size()) return not_understood("\"" + words + "\": there are " + std::to_string(ids.size()));
+    return std::vector<std::string>{ids[n - 1]};
+  }
+  if (thing.middle && ids.size() > 1) return middle_of(text, std::move(ids), words);
+  if (thing.side && ids.size() > 1) {
+    const Vec2 way = way_to_side(text, ids, *thing.side);
+    const bool is_counted = thing.nth && thing.further;
+    const bool is_half = thing.plural && thing.count == 0 && !is_counted;
+    if (is_half) return half_at_side(text, ids, words, way);
+    return at_side(text, std::move(ids), is_counted ? -*thing.nth : static_cast<int>(count), words, way);
+  }
   if (thing.size != 0.0 && ids.size() > 1)
     return farthest(text, std::move(ids), count, words,
                     [&](const Object& object) {
                       const double axis = std::abs(thing.size);
-                      const double size = axis == 3 ? object.size.z() : axis == 2 ? object.size.x() : object.size.prod();
+                      const bool hangs = object.mount == Mount::wall || object.mount == Mount::ceiling;
+                      const double size = axis == 3 ? (hangs ? bottom(object) : object.size.z()) : axis == 2 ? object.size.x() : object.size.prod();
                       return thing.size > 0 ? size : 1.0 / size;
                     },
                     [](double first, double second) { return first >= clearly_larger * second; });
@@ -202,54 +172,12 @@ Result<std::vector<std::string>> by_number(const EditText& text, const NamedThin
   return not_understood("\"" + words + "\" may be " + joined_ids(ids) + "; say which one, by its id or its place");
 }
 
-// "chair-2" comes as two tokens.
-void read_number_of_id(const EditText& text, NamedThing& thing) {
-  if (thing.end >= text.raw.size()) return;
-  const auto& token = text.raw[thing.end];
-  if (token.kind != language::Token::Kind::number || token.joint != language::Token::Joint::hyphen) return;
-  thing.number = static_cast<int>(token.value);
-  ++thing.end;
-}
-
-std::optional<NamedThing> noun_phrase_at(const EditText& text, std::size_t at) {
-  NamedThing thing;
-  thing.begin = at;
-  at = read_determiners(text, at, thing);
-  for (std::size_t n = 0; n <= most_adjectives && at < text.tokens.size(); ++n) {
-    thing.kind = head_at(text, at);
-    if (thing.kind.length > 0) {
-      thing.plural = thing.kind.plural || thing.count > 1;
-      thing.end = at + thing.kind.length;
-      read_number_of_id(text, thing);
-      if (thing.further && thing.which == Which::definite && !thing.bare) thing.further = false;
-      return thing;
-    }
-    const auto next = read_adjective(text, at, thing);
-    if (!next) return std::nullopt;
-    at = *next;
-  }
-  return std::nullopt;
-}
-
 }  // namespace
-
-std::string NamedThing::description() const {
-  std::vector<std::string> all = looks;
-  all.push_back(kind.name);
-  return join(all, " ");
-}
-
-std::optional<NamedThing> named_thing_at(const EditText& text, std::size_t at) {
-  if (at >= text.tokens.size()) return std::nullopt;
-  auto named = noun_phrase_at(text, at);
-  // "that chair", "all six chairs" are no pronouns.
-  const auto pronoun = pronoun_at(text, at);
-  return named || !pronoun ? named : pronoun;
-}
 
 // "the lamp" may be any lamp, whichever kind people mean first by the word.
 std::vector<std::string> fitting(const EditText& text, const NamedThing& thing) {
-  std::vector<std::string> exact, general, by_word;
+  if (thing.by_meaning) return things_by_meaning(text, thing.kind.name);
+  std::vector<std::string> exact, by_end, general, by_word;
   for (const auto& object : all_objects(text)) {
     if (thing.which == Which::everything) {
       exact.push_back(object.id);
@@ -263,11 +191,18 @@ std::vector<std::string> fitting(const EditText& text, const NamedThing& thing) 
       return std::find(all.begin(), all.end(), word) != all.end();
     });
     if (object.category == thing.kind.name) exact.push_back(object.id);
-    else if (ends_so || text.kinds.is_a(object.category, thing.kind.category->name)) general.push_back(object.id);
+    else if (ends_so) by_end.push_back(object.id);
+    else if (text.kinds.is_a(object.category, thing.kind.category->name)) general.push_back(object.id);
     else if (has_words) by_word.push_back(object.id);
   }
-  if (!exact.empty()) return exact;
-  return general.empty() ? by_word : general;
+  // "any seat" is a sofa too, though no kind of seat in the table.
+  if (exact.empty() && by_end.empty() && !general.empty() && !thing.number)
+    for (auto& id : things_by_meaning(text, thing.kind.name))
+      if (std::find(general.begin(), general.end(), id) == general.end()) general.push_back(std::move(id));
+  for (auto* ids : {&exact, &by_end, &general})
+    if (!ids->empty()) return std::move(*ids);
+  if (by_word.empty() && thing.kind.category && !thing.number) return things_by_meaning(text, thing.kind.name);
+  return by_word;
 }
 
 Result<std::vector<std::string>> meant(const EditText& text, const NamedThing& thing,

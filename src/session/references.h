@@ -26,17 +26,24 @@ struct NamedThing {
   bool plural = false;
   int count = 0;  ///< 0: not said
   design::KindMention kind;
+  bool middle = false;   ///< "the middle stool"
+  bool by_meaning = false;  ///< the noun is no name of its kind: "the fire"
   std::vector<std::string> looks;  ///< adjectives as said: "brass"
+  std::string tail;                ///< of new things: "with a gold frame"
   std::optional<int> number;       ///< of an id: "chair-2"
+  std::optional<int> place;        ///< "chair number two": which of them, from 1
+  std::optional<int> nth;          ///< "the second from the left": counted from a side
   std::optional<Vec2> side;        ///< "left"
   double size = 0.0;               ///< EditVocabulary::sizes
   std::size_t begin = 0, end = 0;  ///< tokens
 
-  /// "tall brass floor lamp"
+  /// "tall brass floor lamp with a linen shade"
   std::string description() const;
 };
 
 std::optional<NamedThing> named_thing_at(const EditText& text, std::size_t at);
+/// "all six of the", "another", "two more": the token behind, and what they say.
+std::size_t skip_determiners(const EditText& text, std::size_t at, NamedThing& thing);
 
 /// The things of the scene that the words mean, one or several as they say. not_understood, with the choices,
 /// where they may mean others as well; `among` narrows them down (null: all that the room has).

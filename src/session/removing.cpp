@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "grouping.h"
 #include "operations.h"
 #include "placing.h"
 
@@ -7,20 +8,8 @@ namespace roomgen {
 
 namespace {
 
-// Does it stand around the other one, as chairs around their table?
-bool belongs_to(const Object& object, const std::string& id) {
-  const auto has = [&](RelationKind kind) {
-    return std::find(object.relations.begin(), object.relations.end(), Relation{kind, id}) != object.relations.end();
-  };
-  return has(RelationKind::around) || has(RelationKind::face_to);
-}
-
 std::set<std::string> with_what_goes_along(const Draft& draft, const Object& object, bool group) {
-  auto gone = cluster_of(draft.scene, object).ids();
-  if (!group) return gone;
-  for (const auto& other : draft.scene.objects)
-    if (belongs_to(other, object.id)) gone.merge(cluster_of(draft.scene, other).ids());
-  return gone;
+  return group ? ids_of(group_of(draft.scene, object)) : cluster_of(draft.scene, object).ids();
 }
 
 }  // namespace

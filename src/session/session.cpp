@@ -1,12 +1,15 @@
 #include "roomgen/session/session.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <utility>
 
 #include "edit_scene.h"
 #include "edit_words.h"
+#include "hand_edits.h"
 #include "history.h"
+#include "model_editing.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen {
@@ -54,17 +57,35 @@ struct Session::Impl {
     return *std::move(scene_then);
   }
 
+  // The things that the last edit named; neighbours that made way for them are none.
+  std::set<std::string> named_by_last() const {
+    std::set<std::string> ids;
+    const auto entry = history.timeline().entries().find(history.state().sequence);
+    if (entry == history.timeline().entries().end() || !entry->second.operations.is_array()) return ids;
+    const auto add = [&](const Json& id) {
+      if (id.is_string()) ids.insert(id.get<std::string>());
+    };
+    for (const auto& operation : entry->second.operations) {
+      for (const char* key : {"object", "first", "second"})
+        if (operation.contains(key)) add(operation[key]);
+      if (operation.contains("objects"))
+        for (const auto& id : operation["objects"]) add(id);
+    }
+    return ids;
+  }
+
   // What the last edit was about.
   Recall recall() const {
     Recall recall;
     const auto before = earlier();
     if (!before) return recall;
+    const auto named = named_by_last();
     for (const auto& object : scene.objects) {
       const Object* old = find_object(*before, object.id);
       if (!old) recall.added.push_back(object.id);
       const bool is_other = old && (old->position != object.position || old->relations != object.relations || old->yaw != object.yaw || old->size != object.size ||
                                     old->asset != object.asset || old->locked != object.locked);
-      if (is_other) recall.touched.push_back(object.id);
+      if (is_other && (named.empty() || named.count(object.id))) recall.touched.push_back(object.id);
     }
     return recall;
   }
@@ -105,14 +126,33 @@ const ModelTable& Session::models() {
   return impl_->shop.models();
 }
 
-Result<std::vector<edit::Operation>> Session::understand(std::string_view sentence) const {
+Result<Understanding> Session::understand(std::string_view sentence) const {
   return read_edit(sentence, impl_->scene, impl_->shop.kinds(), impl_->recall());
+}
+
+Result<Understanding> Session::understand(std::string_view sentence, const ModelEditing& editing) {
+  impl_->shop.fetch_models(impl_->scene);
+  const auto earlier = impl_->earlier();
+  const auto attempt = [&](std::span<const edit::Operation> operations) -> Status {
+    const auto edited =
+        edit_scene(impl_->shop, impl_->scene, earlier ? &*earlier : nullptr, operations, impl_->options.repair);
+    return edited ? Status() : Status(edited.error());
+  };
+  return ask_for_edit(editing, sentence, impl_->scene, impl_->recall(), attempt);
+}
+
+Result<HandEdits> Session::compare(std::span<const SceneNode> nodes) {
+  impl_->shop.fetch_models(impl_->scene);
+  return read_hand_edits(impl_->scene, impl_->shop.models(), nodes);
 }
 
 Result<EditReport> Session::apply(std::span<const edit::Operation> operations, const Asker& asker) {
   if (operations.empty()) return Error{Error::Kind::invalid_input, "there is nothing to do"};
   impl_->shop.fetch_models(impl_->scene);
-  const auto earlier = impl_->earlier();
+  const bool may_revert = std::any_of(operations.begin(), operations.end(), [](const edit::Operation& one) {
+    return std::holds_alternative<edit::Revert>(one);
+  });
+  const auto earlier = may_revert ? impl_->earlier() : std::nullopt;
   auto edited = edit_scene(impl_->shop, impl_->scene, earlier ? &*earlier : nullptr, operations, impl_->options.repair);
   if (!edited) return edited.error();
   const Deed deed{asker.asked, asker.by, operations_json(operations)};

@@ -56,6 +56,13 @@ Result<std::shared_ptr<const Model>> Workshop::fetch_model(const AssetRef& asset
   return model;
 }
 
+std::optional<Vec3> Workshop::mesh_size(const AssetRef& asset) {
+  const auto model = models_.find(asset_key(asset));
+  if (!model) return std::nullopt;
+  const auto known = mesh_sizes_.find(model.get());
+  return known != mesh_sizes_.end() ? known->second : mesh_sizes_[model.get()] = bounds(*model).size();
+}
+
 Layout& Workshop::layout(const Scene& scene, const std::string& room_id, const std::set<std::string>& without) {
   auto& place = rooms_[room_id];
   const auto rooms = rooms_of(scene);

@@ -2,10 +2,12 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
 
+#include "collision/solids.h"
 #include "roomgen/library/library.h"
 #include "roomgen/scene/scene.h"
 #include "solve/layout.h"
@@ -17,7 +19,7 @@ namespace roomgen {
 class Workshop {
  public:
   Workshop(const AssetLibrary& library, const KindTable& kinds, SpareModels spare, LogSink log)
-      : library_(library), kinds_(kinds), spare_(std::move(spare)), log_(std::move(log)) {}
+      : library_(library), kinds_(kinds), spare_(std::move(spare)), log_(std::move(log)), solids_(models_) {}
   Workshop(const Workshop&) = delete;
   Workshop& operator=(const Workshop&) = delete;
 
@@ -29,6 +31,11 @@ class Workshop {
   void fetch_models(const Scene& scene);
   /// The mesh of one asset; null for a plain box.
   Result<std::shared_ptr<const Model>> fetch_model(const AssetRef& asset);
+
+  /// Width, depth and height of a mesh as it is; nothing of a plain box.
+  std::optional<Vec3> mesh_size(const AssetRef& asset);
+  /// What shares space with what, remembered from one edit to the next.
+  Solids& solids() { return solids_; }
 
   /// The room of this id (empty: the only one) with its objects in the scene's order, but for some.
   Layout& layout(const Scene& scene, const std::string& room, const std::set<std::string>& without = {});
@@ -46,6 +53,8 @@ class Workshop {
   LogSink log_;
   ModelTable models_;
   std::map<std::string, std::unique_ptr<FurnishedRoom>> rooms_;
+  Solids solids_;
+  std::map<const Model*, Vec3> mesh_sizes_;
   std::set<std::string> missing_;  ///< assets that nobody has: their objects stay boxes
 };
 

@@ -1,4 +1,4 @@
-#include "roomgen/chat/prompts.h"
+#include "roomgen/chat/chat_model.h"
 
 #include <fstream>
 
@@ -35,6 +35,8 @@ TEST_CASE("Every prompt is rendered whole when its slots are filled, and not oth
       {"place-constraints-user", place},
       {"place-words", {}},
       {"again-user", {{"error", "no JSON"}}},
+      {"edit-system", {{"frame", "metres"}, {"words", "edge"}}},
+      {"edit-user", {{"room", "r"}, {"parts", "p"}, {"placed", "s"}, {"recent", "nothing"}, {"sentence", "add a chair"}}},
       {"create-classify-system", {}},
       {"create-classify-user", {{"prompt", "a stool"}}},
       {"create-decompose-system", {}},

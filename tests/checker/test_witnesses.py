@@ -7,6 +7,7 @@ from roomgen_checker import files, report, schemas
 
 DATA = Path(__file__).resolve().parent.parent / "data"
 ROOMS = DATA / "rooms"
+PROGRAMS = Path(__file__).resolve().parents[2] / "examples" / "programs"
 
 
 class Witnesses(unittest.TestCase):
@@ -45,6 +46,29 @@ class Schemas(unittest.TestCase):
             self.assertEqual(schemas.errors(files.read_json(path), "problem"), [], path.name)
         for path in sorted((ROOMS / "witness").glob("*.scene.json")):
             self.assertEqual(schemas.errors(files.read_json(path)), [], path.name)
+        programs = sorted((DATA / "programs").glob("*.json")) + sorted(PROGRAMS.glob("*.json"))
+        self.assertGreaterEqual(len(programs), 12)
+        for path in programs:
+            self.assertEqual(schemas.errors(files.read_json(path)), [], path.name)
+
+    def test_wrong_programs_do_not(self):
+        program = files.read_json(DATA / "programs" / "dining.json")
+        for change in (
+            {"version": 2},
+            {"colour": 1},
+            {"room": {}},
+            {"sets": {"a": {"tag": ["bed"]}}},
+            {"sets": {"a": {"rel": [["on"]]}}},
+            {"params": {"p": {"uniform": [1]}}},
+            {"constraints": {"a": ["cuont", "table"]}},
+            {"constraints": {"a": ["in", ["count", "table"], 1]}},
+            {"constraints": {"a": ["count", "table"]}},
+            {"scores": {"a": ["all", "t", "table", ["==", 1, 1]]}},
+            {"scores": {"a": ["dist", "table", "room", "walls"]}},
+            {"scores": {"a": ["access", "table", "room", {"deep": 1}]}},
+            {"relations": {"r": {"type": "touching", "child": ["top"], "parent": ["top"]}}},
+        ):
+            self.assertNotEqual(schemas.errors({**program, **change}), [], change)
 
     def test_wrong_files_do_not(self):
         room = {"polygon": [[0, 0], [1, 0], [1, 1]]}

@@ -37,3 +37,26 @@ TEST_CASE("A scene without its furniture library is checked by the meshes beside
   REQUIRE(GlbExporter().write(scene, models, folder / "scene.glb"));
   CHECK_FALSE(overlaps());
 }
+
+TEST_CASE("A program is checked, and said in words") {
+  const TemporaryFolder folder;
+  const std::string program = ROOMGEN_SOURCE_DIR "/examples/programs/kitchen.json";
+  const auto sound = run({"check", program});
+  CHECK(sound.code == 0);
+  CHECK(sound.out.find("sound program of 9 sets, 4 constraints and 3 scores") != std::string::npos);
+  CHECK(sound.out.find("eating: the number of table is from 0 to 1 and (for every t in table:") != std::string::npos);
+
+  // Without a format, and with a tag that nobody knows.
+  const auto wrong = (folder / "wrong.json").string();
+  REQUIRE(write_file(wrong, R"({"room": {"type": "kitchen"}, "sets": {"a": {"tags": ["storige"]}},
+    "constraints": {"n": ["in", ["count", "a"], 1, 2]}})"));
+  const auto refused = run({"check", wrong});
+  CHECK(refused.code == 1);
+  CHECK(refused.out.find("error: /sets/a: \"storige\" is no tag; did you mean \"storage\"?") != std::string::npos);
+  const auto json = parse_json(run({"--json", "check", wrong}).out, "output");
+  REQUIRE(json);
+  CHECK((*json)["errors"] == 1);
+  CHECK((*json)["findings"][0]["at"] == "/sets/a");
+  REQUIRE(write_file(wrong, R"({"room": {"type": "kitchen"}, "sets": {}, "constraints": {"n": ["in", 1]}})"));
+  CHECK(failed_in_one_line(run({"check", wrong}), 1));
+}

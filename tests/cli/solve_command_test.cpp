@@ -1,6 +1,10 @@
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
 #include "catch.h"
 #include "process.h"
 #include "roomgen/base/file.h"
+#include "roomgen/base/json.h"
 #include "support/contains.h"
 
 namespace {
@@ -54,4 +58,64 @@ TEST_CASE("A scene that breaks a rule fails the check, which says what and who")
   CHECK(ended.code == 1);
   CHECK(contains_text(ended.out, "outside: box-0"));
   CHECK(contains_text(ended.out, "overlap: box-2 and box-1"));
+}
+
+TEST_CASE("Layouts are drawn one a line, the same for any number of threads, and pass the check") {
+  const TemporaryFolder folder;
+  const std::string problem = data + "/solver-scenes/living_room.json";
+  const auto drawn =
+      run({"solve", problem, "--samples", "40", "--seed", "5", "-o", folder / "a.jsonl", "--threads", "1"});
+  INFO(drawn.err);
+  REQUIRE(drawn.code == 0);
+  CHECK(contains_text(drawn.out, "40 of 40 distinct layouts were found"));
+  const std::string lines = *roomgen::read_file(folder / "a.jsonl");
+  CHECK(std::count(lines.begin(), lines.end(), '\n') == 40);
+  const auto other = run({"solve", problem, "--samples", "40", "--seed", "5", "--threads", "2"});
+  CHECK(other.out == lines);
+  CHECK(contains_text(other.err, "40 of 40"));
+  const auto checked = run({"check", folder / "a.jsonl", "--of", problem});
+  CHECK(checked.code == 0);
+  CHECK(contains_text(checked.out, "40 layouts, 0 with faults; 36 to 36 constraints held"));
+}
+
+TEST_CASE("More layouts than there are end with a clear statement") {
+  const TemporaryFolder folder;
+  const std::string problem = data + "/rooms/92-only-the-door.json";
+  const auto drawn = run({"--json", "solve", problem, "--samples", "1000", "-o", folder / "a.jsonl"});
+  CHECK(drawn.code == 0);
+  const auto summary = roomgen::Json::parse(drawn.out);
+  CHECK(summary["wanted"] == 1000);
+  CHECK(summary["layouts"].get<int>() > 0);
+  CHECK(summary["layouts"].get<int>() < 100);
+  CHECK(summary["distinct"].get<double>() < 0.5);
+  const auto strict = run({"solve", problem, "--samples", "1000", "--strict"});
+  CHECK(strict.code == 1);
+  CHECK(contains_text(strict.err, " of 1000 distinct layouts were found"));
+}
+
+TEST_CASE("What is no number of layouts is refused") {
+  const std::string problem = data + "/solver-scenes/balcony.json";
+  for (const char* number : {"0", "-3", "1000001", "many"})
+    CHECK(failed_in_one_line(run({"solve", problem, "--samples", number}), 2));
+  CHECK(failed_in_one_line(run({"solve", problem, "--threads", "2"}), 2));
+}
+
+TEST_CASE("The check of layouts says which line is wrong") {
+  const TemporaryFolder folder;
+  const std::string problem = data + "/solver-scenes/balcony.json";
+  REQUIRE(run({"solve", problem, "--samples", "3", "-o", folder / "a.jsonl"}).code == 0);
+  CHECK(failed_in_one_line(run({"check", folder / "a.jsonl"}), 1));
+  const std::string lines = *roomgen::read_file(folder / "a.jsonl");
+  auto bad = roomgen::Json::parse(lines.substr(0, lines.find('\n')));
+  bad["held"] = 99;
+  REQUIRE(roomgen::write_file(folder / "held.jsonl", lines + bad.dump() + "\n"));
+  const auto held = run({"check", folder / "held.jsonl", "--of", problem});
+  CHECK(failed_in_one_line(held, 1));
+  CHECK(contains_text(held.err, "held.jsonl:4"));
+  bad.erase("held");
+  bad["objects"][0]["position"] = {50.0, 0.0, 0.0};
+  REQUIRE(roomgen::write_file(folder / "outside.jsonl", bad.dump() + "\n"));
+  const auto outside = run({"check", folder / "outside.jsonl", "--of", problem});
+  CHECK(outside.code == 1);
+  CHECK(contains_text(outside.out, "outside.jsonl:1: outside"));
 }

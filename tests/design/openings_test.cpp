@@ -5,7 +5,7 @@
 #include "brief/brief.h"
 #include "brief/prompt.h"
 #include "catch.h"
-#include "plan/opening_plan.h"
+#include "plan/room_openings.h"
 #include "plans.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
@@ -207,14 +207,16 @@ TEST_CASE("Whatever is asked for, the room is sound, and equal questions have eq
     if (!make_polygon(room.polygon.points)) continue;
     const Room bare = room;
     std::vector<std::string> notes;
-    plan_openings(room, kind, brief.openings, Random(seed), notes);
+    const RoomOpenings openings{random.integer(0, 3), random.chance(0.5), false, brief.openings};
+    Random first(seed), second(seed);
+    plan_openings(room, kind, {}, openings, first, notes);
     INFO(prompt << ": " << join(notes, "; "));
     const auto status = check(room);
     INFO((status ? "" : status.error().message));
     CHECK(status);
     Room again = bare;
     std::vector<std::string> same;
-    plan_openings(again, kind, brief.openings, Random(seed), same);
+    plan_openings(again, kind, {}, openings, second, same);
     CHECK(to_json(again).dump() == to_json(room).dump());
     CHECK(same == notes);
     for (const auto& opening : room.openings) {
@@ -233,4 +235,49 @@ TEST_CASE("Curtains hang at every window, a pair is one, a curtain is one") {
   CHECK(curtains("a bedroom with one window and curtains") == std::pair(1, 1));
   CHECK(curtains("a bedroom with two windows and a curtain") == std::pair(1, 2));
   CHECK(curtains("a bedroom with two windows and a pair of curtains") == std::pair(1, 2));
+}
+
+TEST_CASE("Windows that nobody counted have a wall without another window, and doors do not cross") {
+  Random random(23);
+  for (int round = 0; round < 150; ++round) {
+    Room room;
+    room.polygon = shapes::random_star(random, {0, 0}, 2.0, 5.0, random.integer(3, 9));
+    if (!make_polygon(room.polygon.points)) continue;
+    const RoomKind& kind = built_in_room_kinds()->get(test::room_types[random.integer(0, 5)]);
+    RoomOpenings openings;
+    openings.windows = random.integer(0, 4);
+    std::vector<std::string> notes;
+    plan_openings(room, kind, {}, openings, random, notes);
+    REQUIRE(check(room));
+    CHECK(notes.empty());
+    CHECK(has_entrance(room));
+    CHECK(count(room, OpeningType::window) <= openings.windows);
+    std::set<std::size_t> walls;
+    for (const auto& opening : room.openings) CHECK(walls.insert(opening.wall).second);
+  }
+}
+
+TEST_CASE("A floor plan without a door gets one beside its windows") {
+  Room room;
+  room.polygon.points = {{0, 0}, {4, 0}, {4, 3}, {0, 3}};
+  for (std::size_t wall = 0; wall < 4; ++wall) {
+    Opening window;
+    window.type = OpeningType::window;
+    window.id = "window-" + std::to_string(wall);
+    window.wall = wall;
+    window.from = 0.4;
+    window.to = 1.9;
+    window.sill = 0.9;
+    room.openings.push_back(window);
+  }
+  std::vector<std::string> notes;
+  ensure_door(room, built_in_room_kinds()->any, notes);
+  CHECK(check(room));
+  REQUIRE(find_opening(room, "door-0"));
+  CHECK(room.polygon.edge(find_opening(room, "door-0")->wall).length() == Approx(4.0));
+  CHECK(notes.size() == 1);
+  const Room with_door = room;
+  ensure_door(room, built_in_room_kinds()->any, notes);
+  CHECK(to_json(room) == to_json(with_door));
+  CHECK(notes.size() == 1);
 }

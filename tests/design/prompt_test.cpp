@@ -589,3 +589,51 @@ TEST_CASE("a heading may name a thing on which, or beside which, what follows is
   for (const std::size_t thing : {2u, 3u, 4u}) CHECK(places(brief, thing) == "on, desk");
   CHECK(places(brief, 5).empty());
 }
+
+TEST_CASE("a side may have an owner, and left goes with right") {
+  // The sides of who looks at the thing, as "left of" has them.
+  const auto said = [](const char* prompt, std::size_t mention) { return places(read(prompt), mention); };
+  CHECK(said("A nursery with a crib. To the crib's left, a changing table.", 1) ==
+        said("A nursery with a crib. To the left of the crib, a changing table.", 1));
+  CHECK(said("A study with a desk. A cabinet stands to the desk's right side.", 1) ==
+        said("A study with a desk. A cabinet stands to the right of the desk.", 1));
+  CHECK(said("A bathroom with a bathtub and a stool at its right.", 1) ==
+        said("A bathroom with a bathtub and a stool to the right of the bathtub.", 1));
+  const Brief both = read("A living room with a sofa. Left of the sofa stands an armchair; to its right, a plant.");
+  CHECK(places(both, 1).ends_with("of, sofa"));
+  CHECK(places(both, 2).ends_with("of, sofa"));
+  CHECK(places(both, 1) != places(both, 2));
+}
+
+TEST_CASE("what is above it hangs above what the clause is about") {
+  CHECK(places(read("A bedroom with a bed. A dresser faces the bed with a mirror hung above it."), 2) == "above, dresser");
+  CHECK(places(read("A bedroom with a bed. A bench stands by the wall with a picture over it."), 2).starts_with("above, bench"));
+}
+
+TEST_CASE("what a thing does behind its name is no part of the name") {
+  CHECK(places(read("A nursery with a crib with a mobile hanging above it and a dresser."), 1) == "above, crib");
+  CHECK(places(read("A bedroom with a bed and a blanket lying on it."), 1) == "on, bed");
+  CHECK(things(read("A hallway with a bench and a wall hanging above it.")).find("tapestry") != std::string::npos);
+  CHECK(things(read("A hallway with a painting above the bench.")).find("picture") != std::string::npos);
+}
+
+TEST_CASE("parts that only some kinds have tell what is meant") {
+  const Brief brief = read("A bedroom. A nightstand stands on each side of the bed. At the foot lies a bench.");
+  CHECK(things(brief).find("bench") != std::string::npos);
+  CHECK(places(brief, brief.mentions.size() - 1).find("in front of, bed") != std::string::npos);
+  CHECK(places(read("A meeting room with a table. A phone lies at the table's centre."), 1) == "on, conference table");
+}
+
+TEST_CASE("several things side by side are a row") {
+  const Brief brief = read("A study with a bunk bed and two desks side by side.");
+  REQUIRE(brief.mentions.size() == 2);
+  CHECK(brief.mentions[1].formation);
+  CHECK(brief.mentions[1].demands.empty());
+  CHECK(!read("A study with a desk and a cabinet side by side.").mentions[1].formation);
+}
+
+TEST_CASE("racks are what the room has racks for") {
+  CHECK(things(read("a server room with eight racks")) == "8 server rack");
+  CHECK(things(read("a gym with a rack")) == "1 dumbbell rack");
+  CHECK(things(read("a boutique with two rails")) == "2 clothes rack");
+}

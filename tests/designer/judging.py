@@ -4,13 +4,13 @@
     judging.py ROOMGEN FOLDER
 """
 
-import base64
 import json
 import subprocess
 import sys
 import threading
-from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
+
+from chat_server import chat_server, pictures_of
 
 SCORES = {rubric: {"reason": f"the {rubric}", "points": points} for rubric, points in (("structure", 5), ("realism", 3), ("alignment", 4))}
 SUITE = [
@@ -19,37 +19,19 @@ SUITE = [
 ]
 
 
-class Judge(BaseHTTPRequestHandler):
-    questions = []
-
-    def do_POST(self):  # noqa: N802 - the name is http.server's
-        question = json.loads(self.rfile.read(int(self.headers["Content-Length"])))
-        self.questions.append(question)
-        body = json.dumps(
-            {"model": "judge", "choices": [{"message": {"role": "assistant", "content": json.dumps(SCORES)}, "finish_reason": "stop"}]}
-        ).encode()
-        self.send_response(200)
-        self.send_header("Content-Type", "application/json")
-        self.send_header("Content-Length", str(len(body)))
-        self.end_headers()
-        self.wfile.write(body)
-
-    def log_message(self, *_):
-        pass
+QUESTIONS = []  # as they came
 
 
-def pictures(question):
-    content = question["messages"][-1]["content"]
-    urls = [part["image_url"]["url"] for part in content if part["type"] == "image_url"]
-    return [base64.b64decode(url.split(",", 1)[1]) for url in urls]
+def judge(question):
+    QUESTIONS.append(question)
+    return json.dumps(SCORES)
 
 
 def main():
     roomgen, folder = sys.argv[1], Path(sys.argv[2])
     folder.mkdir(parents=True, exist_ok=True)
-    server = ThreadingHTTPServer(("127.0.0.1", 0), Judge)
+    server, url = chat_server(judge, "judge")
     threading.Thread(target=server.serve_forever, daemon=True).start()
-    url = f"http://127.0.0.1:{server.server_port}/v1"
 
     def run(*arguments):
         done = subprocess.run(
@@ -70,10 +52,10 @@ def main():
         failures.append(f"the experiment says {scores}")
     if "| structure | realism | alignment |" not in (folder / "out" / "report.md").read_text():
         failures.append("the report has no columns of the points")
-    if len(Judge.questions) != 2:
-        failures.append(f"{len(Judge.questions)} questions were asked, not one for each thing that was made")
-    for question, words in zip(Judge.questions, ("a round oak table", "a stool with three legs")):
-        seen = pictures(question)
+    if len(QUESTIONS) != 2:
+        failures.append(f"{len(QUESTIONS)} questions were asked, not one for each thing that was made")
+    for question, words in zip(QUESTIONS, ("a round oak table", "a stool with three legs")):
+        seen = pictures_of(question["messages"][-1])
         if len(set(seen)) != 4 or not all(picture.startswith(b"\x89PNG") for picture in seen):
             failures.append(f"{words}: {len(seen)} pictures of four sides")
         if words not in json.dumps(question["messages"][-1]["content"]):

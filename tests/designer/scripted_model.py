@@ -17,8 +17,9 @@ import argparse
 import json
 import random
 import re
-from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
+
+from chat_server import chat_server, text_of
 
 
 class Script:
@@ -105,11 +106,6 @@ class Script:
         return whole
 
 
-def text_of(message):
-    content = message["content"]
-    return content if isinstance(content, str) else " ".join(p.get("text", "") for p in content)
-
-
 def answer(script, request):
     text = text_of(next(m for m in request["messages"] if m["role"] == "user"))
     found = re.search(r"^Now place ([^:\n]+):", text, re.M)
@@ -117,35 +113,10 @@ def answer(script, request):
     return script.text(script.place_answer(identifier) if identifier else script.plan_answer(), identifier)
 
 
-class Handler(BaseHTTPRequestHandler):
-    protocol_version = "HTTP/1.1"
-
-    def do_POST(self):
-        request = json.loads(self.rfile.read(int(self.headers["Content-Length"])))
-        content = answer(self.server.script, request)
-        asked = sum(len(text_of(m)) for m in request["messages"])
-        body = json.dumps(
-            {
-                "model": "scripted",
-                "choices": [{"message": {"role": "assistant", "content": content}, "finish_reason": "stop"}],
-                "usage": {"prompt_tokens": asked // 4, "completion_tokens": len(content) // 4},
-            }
-        ).encode("utf-8", "replace")
-        self.send_response(200)
-        self.send_header("Content-Type", "application/json")
-        self.send_header("Content-Length", str(len(body)))
-        self.end_headers()
-        self.wfile.write(body)
-
-    def log_message(self, *args):
-        pass
-
-
 def serve(folder, manner="good", seed=0):
     """A server that is ready to run, and its base URL."""
-    server = ThreadingHTTPServer(("127.0.0.1", 0), Handler)
-    server.script = Script(folder, manner, seed)
-    return server, f"http://127.0.0.1:{server.server_port}/v1"
+    script = Script(folder, manner, seed)
+    return chat_server(lambda request: answer(script, request), "scripted")
 
 
 def main():

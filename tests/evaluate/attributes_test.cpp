@@ -3,7 +3,7 @@
 #include "catch.h"
 #include "library/attribute_words.h"
 #include "roomgen/base/file.h"
-#include "roomgen/evaluate/score.h"
+#include "roomgen/evaluate/report.h"
 #include "support/furnished_room.h"
 #include "support/rooms.h"
 

@@ -2,7 +2,7 @@
 
 #include "base/random.h"
 #include "catch.h"
-#include "roomgen/evaluate/score.h"
+#include "roomgen/evaluate/report.h"
 #include "support/rooms.h"
 
 using namespace roomgen;

@@ -119,7 +119,7 @@ TEST_CASE("Of a stand-in nothing shows that it is the thing, but its place can b
   const std::vector<Requirement> asked = {about(Requirement::Kind::count, "tuba", {"tuba-0"}), near_bed};
   const auto verdicts = check_requirements(asked, scene, KindTable::built_in(), judge);
   CHECK(verdicts[0].compliance == Compliance::not_judged);
-  CHECK(verdicts[0].reason == "tuba-0 is a plain stand-in");
+  CHECK(verdicts[0].reason == "nothing shows that tuba-0 is one");
   CHECK(verdicts[1].met());
   CHECK(identified_as(scene.objects, {"tuba"}).at("tuba").empty());
 }

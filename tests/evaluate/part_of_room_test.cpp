@@ -4,7 +4,7 @@
 #include "base/random.h"
 #include "catch.h"
 #include "evaluate/relation_words.h"
-#include "roomgen/evaluate/score.h"
+#include "roomgen/evaluate/report.h"
 #include "support/rooms.h"
 
 using namespace roomgen;

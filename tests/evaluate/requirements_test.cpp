@@ -1,4 +1,4 @@
-#include "roomgen/evaluate/score.h"
+#include "roomgen/evaluate/report.h"
 
 #include "catch.h"
 #include "support/error_of.h"

@@ -1,12 +1,11 @@
 // What scoring finds against what checking finds, and dwellings against their rooms.
-#include "roomgen/evaluate/score.h"
+#include "roomgen/evaluate/report.h"
 
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "catch.h"
 #include "roomgen/base/json.h"
-#include "roomgen/evaluate/report.h"
 #include "support/furnished_room.h"
 #include "support/random_mesh.h"
 #include "support/rooms.h"

@@ -1,7 +1,7 @@
 #include "evaluate/wall_relations.h"
 
 #include "catch.h"
-#include "roomgen/evaluate/score.h"
+#include "roomgen/evaluate/report.h"
 #include "support/rooms.h"
 
 using namespace roomgen;

@@ -70,7 +70,7 @@ Glb parse(const std::string& bytes) {
   return glb;
 }
 
-Glb write_and_parse(const Scene& scene, const ModelTable& models, const GlbOptions& options = {}) {
+Glb write_and_parse(const Scene& scene, const ModelTable& models, const ExportOptions& options = {}) {
   const auto bytes = make_glb(scene, models, options);
   REQUIRE(bytes);
   return parse(*bytes);
@@ -234,7 +234,7 @@ TEST_CASE("lamps and the sun are lights where they are in the room") {
 
 TEST_CASE("lights can be left out, and equal ones are written once") {
   Scene scene = test::furnished_room();
-  GlbOptions dark;
+  ExportOptions dark;
   dark.lights = false;
   const Glb without = write_and_parse(scene, {}, dark);
   CHECK_FALSE(without.json.contains("extensions"));
@@ -265,7 +265,7 @@ TEST_CASE("a texture is embedded once, whoever uses it") {
   test::use_model(scene.objects[0], models, "a", textured_box(false));
   test::use_model(scene.objects[1], models, "b", textured_box(false));
   int calls = 0;
-  GlbOptions options;
+  ExportOptions options;
   options.encode_image = counting_encoder(calls);
   const Glb glb = write_and_parse(scene, models, options);
   CHECK(calls == 3);  // with the floor's
@@ -320,7 +320,7 @@ TEST_CASE("equal scenes give equal bytes") {
 }
 
 TEST_CASE("a failing encoder fails the export and leaves no file") {
-  GlbOptions options;
+  ExportOptions options;
   options.encode_image = [](const Image&) -> Result<EncodedImage> {
     return Error{Error::Kind::io, "no ink"};
   };

@@ -34,7 +34,7 @@ Scene sample(ModelTable& models) {
 }
 
 bool write(const std::string& path, const Scene& scene, const ModelTable& models) {
-  GlbOptions options;
+  ExportOptions options;
 #ifdef ROOMGEN_HAS_RENDER
   options.encode_image = encode_texture;
 #endif

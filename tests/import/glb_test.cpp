@@ -37,7 +37,7 @@ Furnished furnished() {
   return made;
 }
 
-std::string bytes_of(const Furnished& made, GlbOptions options = {}) {
+std::string bytes_of(const Furnished& made, ExportOptions options = {}) {
   const auto bytes = make_glb(made.scene, made.models, options);
   REQUIRE(bytes);
   return *bytes;
@@ -87,7 +87,7 @@ TEST_CASE("Pictures go through the decoder, and are left out without one") {
   Model model = test::colored_box({1, 1, 1}, {255, 255, 255});
   model.materials[0].texture = test::checkerboard(false);
   test::use_model(made.scene.objects[0], made.models, "painted", std::move(model));
-  GlbOptions options;
+  ExportOptions options;
   options.encode_image = [](const Image&) -> Result<EncodedImage> { return EncodedImage{"image/png", "pixels"}; };
   const std::string bytes = bytes_of(made, options), key = asset_key(made.scene.objects[0].asset);
   CHECK_FALSE(read_back(bytes)->find(key)->materials[0].texture);

@@ -3,6 +3,8 @@
 #include <set>
 
 #include "catch.h"
+#include "roomgen/base/file.h"
+#include "scene/relation_table.h"
 #include "support/contains.h"
 
 using namespace roomgen;
@@ -11,8 +13,7 @@ namespace {
 
 std::vector<RelationKind> all_kinds() {
   std::vector<RelationKind> kinds;
-  for (int i = 0; i <= static_cast<int>(RelationKind::hang_from); ++i)
-    kinds.push_back(static_cast<RelationKind>(i));
+  for (const auto& relation : relation_definitions()) kinds.push_back(relation.kind);
   return kinds;
 }
 
@@ -43,8 +44,29 @@ TEST_CASE("Every kind has a name of its own that parses back to it") {
     REQUIRE(parsed);
     CHECK(*parsed == relation);
   }
-  CHECK(names.size() == 24);
+  CHECK(names.size() == relation_definitions().size());
   CHECK(names.count("") == 0);
+}
+
+TEST_CASE("No spelling means two relations") {
+  std::set<std::string_view> seen;
+  for (const auto& spelling : relation_spellings()) {
+    INFO(spelling.text);
+    CHECK(seen.insert(spelling.text).second);
+    CHECK(parse_relation(std::string(spelling.text) + (takes_target(spelling.kind) ? ", x" : ""))->kind ==
+          spelling.kind);
+  }
+}
+
+TEST_CASE("The documentation says when each relation holds") {
+  const auto text = read_file(std::string(ROOMGEN_SOURCE_DIR) + "/docs/constraints.md");
+  REQUIRE(text);
+  // The first column of the table.
+  std::string documented;
+  for (std::size_t row = text->find("\n| `"); row != std::string::npos; row = text->find("\n| `", row + 1))
+    documented += text->substr(row + 2, text->find('|', row + 3) - row - 2);
+  for (const auto& relation : relation_definitions())
+    CHECK(contains_text(documented, "`" + std::string(relation.name()) + "`"));
 }
 
 TEST_CASE("Only edge, middle and corner take no target") {

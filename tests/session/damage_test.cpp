@@ -167,6 +167,21 @@ TEST_CASE("What is behind the last whole line is cut off and told") {
   }
 }
 
+TEST_CASE("A journal of which only a torn beginning was written begins anew") {
+  const std::string whole = journal_of_edits(0);
+  const auto header = whole.find('\n') + 1;
+  for (std::size_t kept = 0; kept < header; kept += 5) {
+    const auto disk = std::make_shared<FragileDisk>();
+    disk->scene = dump_json(to_json(row_of_boxes(2)));
+    disk->journal = whole.substr(0, kept) + std::string(header - kept, '\0') + whole.substr(header + 40);
+    auto history = History::open(FragileDisk::files(disk));
+    INFO(kept << " bytes: " << (history ? "" : history.error().message));
+    REQUIRE(history);
+    CHECK(history->state().text == disk->scene);
+    CHECK(history->commit(row_of_boxes(3), {"goes on"}));
+  }
+}
+
 TEST_CASE("A journal of a newer version, and what is none, are refused and left alone") {
   const std::string newer = journal_line(R"({"format":"roomgen-journal","version":2})") + journal_line(R"({"new":1})");
   for (const std::string& bytes : {newer, std::string("dear diary,\n"), std::string("{\"a\":1}\n{\"b\":2}\n")}) {

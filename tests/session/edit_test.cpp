@@ -52,7 +52,9 @@ edit::Operation random_operation(const Scene& scene, Random& random) {
   const char* kinds[] = {"armchair", "floor lamp", "plant", "stool", "side table", "bookshelf", "basket"};
   const RelationKind places[] = {RelationKind::near, RelationKind::next_to, RelationKind::left_of, RelationKind::in_front_of};
   const Relation place{places[random.integer(0, 3)], other.id};
-  switch (random.integer(0, 10)) {
+  const std::string wall = "wall-" + std::to_string(random.integer(0, static_cast<int>(scene.room.polygon.size()) - 1));
+  const std::string opening = random.pick(scene.room.openings).id;
+  switch (random.integer(0, 17)) {
     case 0: return edit::Add{kinds[random.integer(0, 6)], ""};
     case 1: return edit::Add{kinds[random.integer(0, 6)], "", {}, 1, {place}};
     case 2: return edit::Remove{{one.id}};
@@ -63,17 +65,36 @@ edit::Operation random_operation(const Scene& scene, Random& random) {
     case 7: return edit::Face{one.id, other.id};
     case 8: return edit::Swap{one.id, other.id};
     case 9: return edit::Resize{one.id, one.size * random.uniform(0.8, 1.2)};
+    case 10: return edit::Move{one.id, {place}, true};
+    case 11: return edit::Shift{one.id, {random.uniform(-1, 1), random.uniform(-1, 1), 0.0}, true};
+    case 12: return edit::Rearrange{{one.id}};
+    case 13: return edit::Reshape{wall, random.uniform(-0.8, 0.8)};
+    case 14: return edit::Open{random.chance(0.5) ? "window" : "door", wall};
+    case 15: return edit::Refit{opening, wall};
+    case 16: return scene.room.openings.size() > 1 ? edit::Operation(edit::Close{{opening}}) : edit::Reshape{"", 0.0, 2.9};
     default: return edit::Replace{one.id};
   }
 }
 
-std::set<std::string> named_in(const edit::Operation& operation) {
+// What stands around a thing.
+std::set<std::string> around(const Scene& scene, const std::string& id) {
+  std::set<std::string> ids;
+  for (const auto& object : scene.objects)
+    for (const auto kind : {RelationKind::around, RelationKind::face_to})
+      if (std::count(object.relations.begin(), object.relations.end(), Relation{kind, id})) ids.insert(object.id);
+  return ids;
+}
+
+std::set<std::string> named_in(const Scene& scene, const edit::Operation& operation) {
   std::set<std::string> ids;
   std::visit(
       [&](const auto& one) {
         using T = std::decay_t<decltype(one)>;
         if constexpr (requires { one.object; }) ids.insert(one.object);
-        if constexpr (std::is_same_v<T, edit::Remove>) ids.insert(one.objects.begin(), one.objects.end());
+        if constexpr (requires { one.objects; }) ids.insert(one.objects.begin(), one.objects.end());
+        bool is_group = std::is_same_v<T, edit::Rearrange>;
+        if constexpr (requires { one.group; }) is_group = one.group;
+        if (is_group) ids.merge(around(scene, *ids.begin()));
         if constexpr (std::is_same_v<T, edit::Swap>) ids = {one.first, one.second};
       },
       operation);
@@ -105,13 +126,15 @@ std::set<std::string> faults(const Scene& scene, const ModelTable& models) {
 }
 
 void check_untouched(const Scene& before, const Scene& after, const edit::Operation& operation, const EditReport& report) {
-  auto touched = named_in(operation);
+  auto touched = named_in(before, operation);
   for (const auto& move : report.repairs) touched.insert(move.object);
   touched = with_loads(before, touched);
   // What stands on a rug keeps its place, but not its height.
   const bool may_rise = has_rug(before, touched);
+  const bool closes = std::holds_alternative<edit::Close>(operation);
   for (const auto& object : before.objects) {
-    if (touched.count(object.id)) continue;
+    const bool goes_with_window = closes && KindTable::built_in().get(object.category).covers_window;
+    if (touched.count(object.id) || goes_with_window) continue;
     INFO(object.id);
     const Object* now = find_object(after, object.id);
     REQUIRE(now);
@@ -287,5 +310,21 @@ TEST_CASE("Operations survive JSON, and what is none is told with its place") {
     const auto bad = edit::operations_from_json(*parse_json(text, "op"), "op");
     REQUIRE(!bad);
     CHECK(bad.error().message.find("op") == 0);
+  }
+}
+
+TEST_CASE("A group that moves is asked for where it went, as a thing alone is") {
+  for (const bool group : {false, true}) {
+    const TemporaryFolder folder;
+    auto session = open_with(folder, furnished("a dining room with a table and four chairs", 3));
+    const edit::Operation move = edit::Move{"dining table-0", {{RelationKind::near, "window-0"}}, group};
+    const auto report = session.apply({&move, 1});
+    INFO((report ? "" : report.error().message));
+    REQUIRE(report);
+    const auto& ledger = session.scene().requirements;
+    CHECK(std::count_if(ledger.begin(), ledger.end(), [](const RequirementVerdict& verdict) {
+            return verdict.requirement.source == Requirement::Source::edit && verdict.requirement.relation == RelationKind::near &&
+                   verdict.requirement.targets == std::vector<std::string>{"window-0"};
+          }) == 1);
   }
 }

@@ -10,7 +10,7 @@
 namespace roomgen {
 
 /// Two files on a disk that may lose power: of what was written since the last sync any sectors may be there
-/// or not, in any order. scene.json, which is written aside and renamed, is the old one or the new one.
+/// or not or torn, in any order. scene.json, which is written aside and renamed, is the old one or the new one.
 struct FragileDisk {
   static constexpr std::size_t sector = 512;
 
@@ -36,6 +36,12 @@ struct FragileDisk {
     return !is_off;
   }
 
+  // Of a sector: all, nothing, or with bad luck what was written when the head lost its way.
+  std::size_t bytes_kept(std::size_t length) {
+    if (random.chance(0.1)) return static_cast<std::size_t>(random.integer(0, static_cast<int>(length)));
+    return random.chance(0.5) ? length : 0;
+  }
+
   /// What is found when the power is back.
   void restart() {
     std::string found = kept_journal;
@@ -48,9 +54,9 @@ struct FragileDisk {
       for (std::size_t from = 0; from < one.bytes.size(); from += sector) {
         // Sectors are those of the disk: the first piece ends at the next boundary.
         const std::size_t length = std::min(sector - (one.at + from) % sector, one.bytes.size() - from);
-        if (random.chance(0.5)) {
-          if (found.size() < one.at + from + length) found.resize(one.at + from + length, '\0');
-          found.replace(one.at + from, length, one.bytes, from, length);
+        if (const std::size_t whole = bytes_kept(length); whole > 0) {
+          if (found.size() < one.at + from + whole) found.resize(one.at + from + whole, '\0');
+          found.replace(one.at + from, whole, one.bytes, from, whole);
         }
         from -= sector - length;
       }

@@ -8,7 +8,6 @@
 #include "roomgen/base/cancel.h"
 #include "roomgen/base/result.h"
 #include "roomgen/chat/chat_model.h"
-#include "roomgen/chat/prompts.h"
 #include "roomgen/create/maker.h"
 #include "roomgen/shape/evaluate.h"
 

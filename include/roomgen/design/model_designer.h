@@ -5,7 +5,6 @@
 #include <string>
 
 #include "roomgen/chat/chat_model.h"
-#include "roomgen/chat/prompts.h"
 #include "roomgen/design/designer.h"
 #include "roomgen/kinds/kind_table.h"
 

@@ -2,7 +2,10 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
+#include <span>
 #include <string>
+#include <string_view>
 
 #include "roomgen/base/result.h"
 #include "roomgen/geometry/model.h"
@@ -32,10 +35,21 @@ struct EncodedImage {
 /// one (render/pictures.h).
 using ImageEncoder = std::function<Result<EncodedImage>(const Image&)>;
 
-struct GlbOptions {
+struct ExportOptions {
   ImageEncoder encode_image;  ///< without it textures become their mean colour
   bool lights = true;         ///< with the lamps and the sun
 };
+
+/// A format that scenes can be written in.
+struct ExportFormat {
+  std::string_view name;   ///< and the ending of its files: "glb"
+  std::string_view about;  ///< for users
+  std::unique_ptr<Exporter> (*make)(const ExportOptions& options);
+};
+/// Every format there is. A new one is an Exporter in src/export and a row of its formats.cpp.
+std::span<const ExportFormat> export_formats();
+/// Null if there is none of that name.
+const ExportFormat* find_export_format(std::string_view name);
 
 /// The scene as binary glTF 2.0 (Khronos specification 2.0.1): metres, Y up, fronts towards +Z.
 ///
@@ -47,20 +61,20 @@ struct GlbOptions {
 /// A node "lights" holds the lamps as point or spot lights, in candela, each named by its object, and the
 /// sun that shines in as a directional one, in lux (extension KHR_lights_punctual; docs/materials.md).
 Result<std::string> make_glb(const Scene& scene, const ModelTable& models,
-                             const GlbOptions& options = {});
+                             const ExportOptions& options = {});
 
 /// One model alone: a single node of this name in the model's frame, whose extras hold its size.
 Result<std::string> make_glb(const std::string& name, const Model& model,
-                             const GlbOptions& options = {});
+                             const ExportOptions& options = {});
 
 class GlbExporter final : public Exporter {
  public:
-  explicit GlbExporter(GlbOptions options = {}) : options_(std::move(options)) {}
+  explicit GlbExporter(ExportOptions options = {}) : options_(std::move(options)) {}
   Status write(const Scene& scene, const ModelTable& models,
                const std::filesystem::path& path) const override;
 
  private:
-  GlbOptions options_;
+  ExportOptions options_;
 };
 
 /// ATTRIBUTION.md for a scene: every asset of a library once, with creator, licence and the objects,

@@ -2,12 +2,14 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "roomgen/base/cancel.h"
+#include "roomgen/base/file.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/result.h"
 #include "roomgen/design/designer.h"
@@ -121,8 +123,17 @@ struct BuildEvent {
   const Scene* scene = nullptr;    ///< what stands now
 };
 
+/// How a room's things find their places.
+enum class LayoutSearch {
+  steps,     ///< one after the other, then improvement
+  both,      ///< the same; when something is left out, or lost its relations, all that may move is annealed (roomgen/optimise/optimise.h)
+  optimise,  ///< steps choose the things, and annealing arranges them from the start
+};
+
 struct BuildOptions {
   PlaceOptions place;
+  LayoutSearch layout = LayoutSearch::steps;
+  int pack_steps = 30000;      ///< of annealing
   int assets_per_object = 3;   ///< assets that are tried before the designer is asked again
   int answers_per_object = 3;  ///< times the designer is asked for one object
   bool repair = true;          ///< others make way for an object that found no place
@@ -159,5 +170,20 @@ Result<Generation> set_out(const create::Creation& creation, const KindTable& ca
 
 /// Everything that stands in the scene as one model, the first object's centre at the origin.
 Model merged_model(const Scene& scene, const ModelTable& models);
+
+/// A folder for a room's files. One that is empty or holds an earlier output of ours is taken; anything else
+/// is refused unless `force` is set. An earlier room goes when the new one is committed, what else is in the
+/// folder stays.
+Result<OutputFolder> open_room_folder(const std::filesystem::path& folder, bool force);
+
+/// Does scene.json of this name hold a scene that is not marked as incomplete? A stopped run leaves it there.
+bool holds_whole_scene(const std::filesystem::path& scene_file);
+
+/// A short folder name for a prompt: "a-cosy-bedroom-for-two".
+std::string folder_name(const std::string& prompt);
+
+/// scene.json, plan.json and trace.jsonl of a finished (or interrupted) generation; `plan` is that
+/// of a room or of a dwelling.
+Status write_documents(const OutputFolder& folder, const Json& plan, const Generation& generation);
 
 }  // namespace roomgen

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <filesystem>
 #include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "roomgen/base/result.h"
 #include "roomgen/geometry/model.h"
@@ -35,5 +37,16 @@ using ImageDecoder = std::function<Result<Image>(std::string_view bytes)>;
 /// chunk, and the metallic-roughness surface. Without a decoder textures are left out.
 Result<ModelTable> read_glb_models(const std::filesystem::path& path,
                                    const ImageDecoder& decode = {});
+
+/// A node of a glTF file.
+struct SceneNode {
+  std::string name;
+  /// From the node's own coordinates to those of the room, both as we have them (Z up, metres).
+  Eigen::Matrix4d to_room = Eigen::Matrix4d::Identity();
+};
+
+/// All nodes of a .glb file with a name, whoever wrote it, with the transforms of those above them. Fails when the
+/// file is none, or its nodes go in a circle.
+Result<std::vector<SceneNode>> read_glb_nodes(const std::filesystem::path& path);
 
 }  // namespace roomgen

@@ -21,6 +21,13 @@ struct Unplaced {
   std::string reason;  ///< for people
 };
 
+/// What became of a constraint of the program (roomgen/program/program.h) that a scene was made by.
+struct ProgramVerdict {
+  std::string name;
+  bool held = false;
+  double amount = 0.0;  ///< by which it is missed
+};
+
 /// A furnished room, or a dwelling of several: the one source of truth for every export, picture,
 /// edit and figure. A dwelling has its rooms in `rooms`, in one common frame, and `room` stays
 /// empty; each object names its room. Ids of objects are unique in the whole dwelling, ids of
@@ -34,6 +41,7 @@ struct Scene {
   std::vector<Unplaced> unplaced;
   std::vector<RequirementVerdict> requirements;  ///< what the prompt asked for, met or not
   std::vector<Heard> heard;                      ///< what its words were taken for
+  std::vector<ProgramVerdict> program;           ///< of a scene that a constraint program made
   std::vector<Room> rooms;  ///< of a dwelling
 };
 

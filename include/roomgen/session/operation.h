@@ -35,10 +35,13 @@ struct Remove {
   bool operator==(const Remove&) const = default;
 };
 
-/// To where these relations hold, with all that stands on it.
+/// To where these relations hold, with all that stands on it; without relations, where such things usually stand.
+/// `group`: what stands around it comes along.
 struct Move {
   std::string object;
   std::vector<Relation> relations;
+  bool group = false;
+  std::string room = {};  ///< of a dwelling; else that of the first relation's target, or its own
 
   bool operator==(const Move&) const = default;
 };
@@ -53,10 +56,11 @@ struct Put {
   bool operator==(const Put&) const = default;
 };
 
-/// By so much, in the scene's frame; up and down only what hangs.
+/// By so much, in the scene's frame; up and down only what hangs. `group`: what stands around it comes along.
 struct Shift {
   std::string object;
   Vec3 by = Vec3::Zero();
+  bool group = false;
 
   bool operator==(const Shift&) const = default;
 };
@@ -124,13 +128,83 @@ struct Cover {
   bool operator==(const Cover&) const = default;
 };
 
+/// Things are set out anew among all else, so that the same relations hold: "re-lay the seating corner". One
+/// thing alone stands for its group.
+struct Rearrange {
+  std::vector<std::string> objects;
+
+  bool operator==(const Rearrange&) const = default;
+};
+
+/// Several things at exact poses, all at once, each with what stands on it: what somebody set by hand.
+struct Arrange {
+  struct Spot {
+    std::string object;
+    Vec3 position = Vec3::Zero();  ///< bottom centre
+    double yaw = 0.0;
+    std::optional<Vec3> size = {};
+
+    bool operator==(const Spot&) const = default;
+  };
+  std::vector<Spot> spots;
+
+  bool operator==(const Arrange&) const = default;
+};
+
+/// A thing that was made of words is made anew with another form: "with a taller back".
+struct Reform {
+  std::string object;
+  std::string words;
+
+  bool operator==(const Reform&) const = default;
+};
+
+/// A room of one's own, not of a dwelling, gets another height, or one of its walls is moved outwards (inwards
+/// below 0). What stands at the wall or hangs from it goes along.
+struct Reshape {
+  std::string wall = {};  ///< "wall-2"; empty: no wall moves
+  double by = 0.0;
+  std::optional<double> height = {};
+
+  bool operator==(const Reshape&) const = default;
+};
+
+/// A door, window or passage more.
+struct Open {
+  std::string kind;             ///< of data/openings.json: "window", "double door"
+  std::string wall = {};        ///< empty: where there is most room
+  std::optional<double> at = {};  ///< of its middle, along the wall
+  std::optional<double> width = {}, height = {}, sill = {};
+  std::string room = {};        ///< of a dwelling
+
+  bool operator==(const Open&) const = default;
+};
+
+/// An opening gets another place or another size; what is not said stays.
+struct Refit {
+  std::string opening;
+  std::string wall = {};
+  std::optional<double> at = {};  ///< of its middle, along the wall
+  std::optional<double> width = {}, height = {}, sill = {};
+
+  bool operator==(const Refit&) const = default;
+};
+
+/// Openings are walled up; curtains that hang before them go.
+struct Close {
+  std::vector<std::string> openings;
+
+  bool operator==(const Close&) const = default;
+};
+
 /// Everything is as it was before the last edit.
 struct Revert {
   bool operator==(const Revert&) const = default;
 };
 
 using Operation =
-    std::variant<Add, Remove, Move, Put, Shift, Turn, Face, Swap, Replace, Resize, Recolor, Lock, Cover, Revert>;
+    std::variant<Add, Remove, Move, Put, Shift, Turn, Face, Swap, Replace, Resize, Recolor, Lock, Cover, Rearrange,
+                 Arrange, Reform, Reshape, Open, Refit, Close, Revert>;
 
 /// {"do": "move", "object": "lamp-0", "relations": ["next to, bed-0"]}
 Json to_json(const Operation& operation);

@@ -9,9 +9,12 @@
 #include <string_view>
 #include <vector>
 
+#include "roomgen/base/cancel.h"
 #include "roomgen/base/result.h"
+#include "roomgen/chat/chat_model.h"
 #include "roomgen/generate/generate.h"
 #include "roomgen/generate/room_builder.h"
+#include "roomgen/import/import.h"
 #include "roomgen/kinds/kind_table.h"
 #include "roomgen/library/library.h"
 #include "roomgen/scene/scene.h"
@@ -25,6 +28,29 @@ struct SessionOptions {
   bool repair = true;
   SpareModels spare_models = {};  ///< where meshes come from that the library does not have
   LogSink log = {};
+};
+
+/// What a sentence asks for.
+struct Understanding {
+  std::vector<edit::Operation> operations;
+  std::vector<std::string> remarks;  ///< words that were taken to ask for nothing: "it is draughty there"
+};
+
+/// A language model that is asked what sentences mean.
+struct ModelEditing {
+  ChatModel& model;
+  Prompts prompts = Prompts::built_in();
+  std::vector<std::string> pictures = {};  ///< of the room with coordinate marks: whole PNG or JPEG files
+  int tokens = 2048;                       ///< longest answer
+  int answers = 2;                         ///< how often it is asked while its answers cannot be used
+  CancelToken cancel = {};
+};
+
+/// What was changed in another program.
+struct HandEdits {
+  std::vector<edit::Operation> operations;  ///< none: nothing moved
+  std::vector<std::string> missing;         ///< ids of things that have no node any more
+  std::vector<std::string> notes;           ///< nodes that cannot be followed, and why
 };
 
 /// What an edit did.
@@ -66,7 +92,7 @@ struct Asker {
 ///
 ///     auto session = Session::open("out/room/scene.json", *library, KindTable::built_in());
 ///     auto wishes = session->understand("put a floor lamp beside the sofa");
-///     auto report = session->apply(*wishes, {"put a floor lamp beside the sofa"});
+///     auto report = session->apply(wishes->operations, {"put a floor lamp beside the sofa"});
 ///     session->save();
 ///
 /// A call either does all that it says or changes nothing. What nobody named keeps its pose to the bit, unless
@@ -91,7 +117,13 @@ class Session {
   const std::vector<std::string>& notices() const;
 
   /// What a sentence asks for. not_understood, saying what is not or between what it cannot decide.
-  Result<std::vector<edit::Operation>> understand(std::string_view sentence) const;
+  Result<Understanding> understand(std::string_view sentence) const;
+  /// The same, by asking a model. What it answers can be done: an answer that cannot goes back to it once.
+  /// Fails as the model does (ChatModel::chat) if it gives none.
+  Result<Understanding> understand(std::string_view sentence, const ModelEditing& editing);
+  /// How the nodes of a file differ from the scene: of scene.glb, after another program has moved, turned or
+  /// scaled things in it. Nodes are matched by name.
+  Result<HandEdits> compare(std::span<const SceneNode> nodes);
   /// All of them, in order, as one step of undo. not_found, saying what stands in the way and what would
   /// help, if one cannot be done.
   Result<EditReport> apply(std::span<const edit::Operation> operations, const Asker& asker = {});

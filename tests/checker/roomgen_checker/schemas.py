@@ -5,7 +5,7 @@ from pathlib import Path
 from .files import read_json
 
 DOCS = Path(__file__).resolve().parents[3] / "docs"
-OF_FORMAT = {"roomgen-scene": "scene", "roomgen-plan": "plan", "roomgen-shape": "shape"}
+OF_FORMAT = {"roomgen-scene": "scene", "roomgen-plan": "plan", "roomgen-shape": "shape", "roomgen-program": "program"}
 
 
 def schema_named(name):

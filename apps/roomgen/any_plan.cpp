@@ -1,0 +1,72 @@
+#include "any_plan.h"
+
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "options.h"
+#include "roomgen/base/file.h"
+#include "roomgen/import/import.h"
+
+namespace roomgen::cli {
+
+namespace {
+
+Result<PlanRequest> request_of(const PlanWish& wish, const CancelToken& cancel) {
+  PlanRequest request;
+  request.prompt = wish.prompt;
+  request.seed = wish.seed;
+  request.cancel = cancel;
+  if (!wish.size.empty()) {
+    auto size = parse_size(wish.size);
+    if (!size) return size.error();
+    request.size = *size;
+  }
+  if (!wish.floor_plan.empty()) {
+    auto room = read_floor_plan(wish.floor_plan);
+    if (!room) return room.error();
+    request.room = *std::move(room);
+  }
+  return request;
+}
+
+}  // namespace
+
+Result<AnyPlan> make_plan(const PlanWish& wish, Designer& designer, const CancelToken& cancel) {
+  const auto request = request_of(wish, cancel);
+  if (!request) return request.error();
+  auto dwelling = plan_dwelling(*request, designer);
+  if (!dwelling) return dwelling.error();
+  if (*dwelling) return AnyPlan(**std::move(dwelling));
+  auto plan = designer.plan(*request);
+  if (!plan) return plan.error();
+  return AnyPlan(*std::move(plan));
+}
+
+Result<AnyPlan> read_any_plan(const std::string& file) {
+  const auto text = read_file(file);
+  if (!text) return text.error();
+  const auto json = parse_json(*text, file);
+  if (!json) return json.error();
+  if (is_dwelling_plan(*json)) {
+    auto plan = dwelling_plan_from_json(*json, file);
+    if (!plan) return plan.error();
+    return AnyPlan(*std::move(plan));
+  }
+  auto plan = plan_from_json(*json, file);
+  if (!plan) return plan.error();
+  return AnyPlan(*std::move(plan));
+}
+
+Json plan_json(const AnyPlan& plan) {
+  return std::visit([](const auto& each) { return to_json(each); }, plan);
+}
+
+std::vector<std::string> notes_of(const AnyPlan& plan) {
+  auto notes = std::visit([](const auto& each) { return each.notes; }, plan);
+  if (const auto* dwelling = std::get_if<DwellingPlan>(&plan))
+    for (const auto& room : dwelling->rooms)
+      for (const auto& note : room.notes) notes.push_back(room.room.id + ": " + note);
+  return notes;
+}
+
+}  // namespace roomgen::cli

@@ -1,0 +1,103 @@
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "arguments.h"
+#include "check_report.h"
+#include "room_files.h"
+#include "roomgen/generate/generate.h"
+#include "summary.h"
+#include "tools.h"
+
+namespace roomgen::mcp {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+Result<cli::AnyPlan> wanted_plan(const Workplace& place, const ToolCall& call, Designer& designer) {
+  const bool has_prompt = call.arguments.contains("prompt");
+  if (has_prompt == call.arguments.contains("plan"))
+    return Error{Error::Kind::invalid_input, "generate: give either prompt or plan"};
+  if (!has_prompt) {
+    const auto file = place.root.find(call.arguments["plan"].get<std::string>());
+    if (!file) return with_context(file.error(), "/plan");
+    return cli::read_any_plan(file->string());
+  }
+  const auto wish = plan_wish(place, call.arguments);
+  if (!wish) return wish.error();
+  return cli::make_plan(*wish, designer, call.cancel);
+}
+
+Result<fs::path> wanted_folder(const Workplace& place, const ToolCall& call) {
+  const std::string path = call.arguments["folder"].get<std::string>();
+  auto folder = place.root.find(path);
+  if (!folder) return with_context(folder.error(), "/folder");
+  if (*folder == place.root.path())
+    return Error{Error::Kind::invalid_input, "/folder: name a folder below the root, such as \"bedroom\""};
+  std::error_code code;
+  if (fs::exists(*folder / "scene.json", code) && !call.arguments.value("replace", false))
+    return Error{Error::Kind::invalid_input,
+                 "\"" + path + "\" holds a room already; choose another folder, or set replace to true"};
+  return folder;
+}
+
+Result<Generation> furnish(const Workplace& place, const ToolCall& call, const cli::AnyPlan& plan, Designer& designer) {
+  BuildOptions options;
+  options.seed = std::visit([](const auto& each) { return each.seed; }, plan);
+  options.cancel = call.cancel;
+  options.on_event = [&call](const BuildEvent& event) {
+    call.progress(static_cast<double>(event.done), static_cast<double>(event.total), event.object);
+  };
+  return std::visit(
+      [&](const auto& each) { return generate(each, designer, place.library, KindTable::built_in(), options); }, plan);
+}
+
+Json answer_json(const std::string& name, const Generation& made) {
+  const Scene& scene = made.scene;
+  Json json = {{"room", name},
+               {"objects", scene.objects.size()},
+               {"asked", scene.requirements.size()},
+               {"met", std::count_if(scene.requirements.begin(), scene.requirements.end(),
+                                     [](const RequirementVerdict& verdict) { return verdict.met(); })},
+               {"not_met", cli::unmet(scene)},
+               {"not_understood", Json::array()},
+               {"left_out", Json::array()},
+               {"notes", made.notes},
+               {"incomplete", scene.incomplete}};
+  for (const auto& words : scene.heard)
+    if (words.as == Heard::As::not_understood) json["not_understood"].push_back(words.text);
+  for (const auto& missing : scene.unplaced) json["left_out"].push_back(missing.id + ": " + missing.reason);
+  return json;
+}
+
+Result<ToolAnswer> make_room(Workplace& place, const ToolCall& call) {
+  const auto folder = wanted_folder(place, call);
+  if (!folder) return folder.error();
+  const auto designer = make_rule_designer();
+  const auto plan = wanted_plan(place, call, *designer);
+  if (!plan) return plan.error();
+  auto output = open_room_folder(*folder, false);
+  if (!output) return output.error();
+  const auto made = furnish(place, call, *plan, *designer);
+  if (!made) return made.error();
+  if (call.cancel.cancelled()) return Error{Error::Kind::cancelled, "stopped; nothing was written"};
+  cli::PictureDrawer* drawer = place.keeps_pictures ? &place.drawer : nullptr;
+  if (auto status = cli::write_new_room(*output, cli::plan_json(*plan), *made, drawer, kept_pixels); !status)
+    return status.error();
+  if (auto status = output->commit(); !status) return status.error();
+  const std::string name = place.root.name_of(*folder);
+  std::vector<std::string> lines = {name + ": " + cli::headline(made->scene)};
+  for (const auto& each : {cli::note_lines(*plan, *made), cli::lack_lines(made->scene)})
+    lines.insert(lines.end(), each.begin(), each.end());
+  ToolAnswer answer = text_answer(text_of(lines), answer_json(name, *made));
+  add_wanted_picture(place, made->scene, made->models, call, answer);
+  return answer;
+}
+
+}  // namespace
+
+Tool generate_tool(Workplace& place) {
+  return [&place](const ToolCall& call) { return make_room(place, call); };
+}
+
+}  // namespace roomgen::mcp

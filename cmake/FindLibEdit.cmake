@@ -1,0 +1,15 @@
+# libedit: lines edited at a prompt. Its headers, as LibEdit::LibEdit, and LibEdit_SONAME, the name under which the
+# library is loaded at run time.
+include(RoomgenSoname)
+find_path(LibEdit_INCLUDE_DIR histedit.h)
+find_library(LibEdit_LIBRARY edit)
+include(FindPackageHandleStandardArgs)
+find_package_handle_standard_args(LibEdit REQUIRED_VARS LibEdit_LIBRARY LibEdit_INCLUDE_DIR)
+mark_as_advanced(LibEdit_INCLUDE_DIR LibEdit_LIBRARY)
+if(LibEdit_FOUND)
+  roomgen_soname(LibEdit_SONAME "${LibEdit_LIBRARY}")
+  if(NOT TARGET LibEdit::LibEdit)
+    add_library(LibEdit::LibEdit INTERFACE IMPORTED)
+    target_include_directories(LibEdit::LibEdit SYSTEM INTERFACE "${LibEdit_INCLUDE_DIR}")
+  endif()
+endif()

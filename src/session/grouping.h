@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vector>
+
+#include "draft.h"
+
+namespace roomgen {
+
+/// A thing and what stands around it, as chairs around their table, each with all that stands on it; the thing
+/// itself first.
+std::vector<Cluster> group_of(const Scene& scene, const Object& leader);
+
+/// The group as it stands with its leader at another pose.
+std::vector<Cluster> moved_to(const std::vector<Cluster>& group, const Pose& pose);
+
+std::set<std::string> ids_of(const std::vector<Cluster>& group);
+
+}  // namespace roomgen

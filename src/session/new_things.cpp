@@ -1,0 +1,154 @@
+#include "new_things.h"
+
+#include <algorithm>
+
+#include "clause.h"
+#include "kinds/noun_kind.h"
+#include "language/inflection.h"
+#include "roomgen/base/text.h"
+
+namespace roomgen {
+
+namespace {
+
+using Which = NamedThing::Which;
+
+bool is_article(const EditText& text, std::size_t at) { return text.is_word(at, "a") || text.is_word(at, "an"); }
+
+// Up to a word that begins something else.
+std::size_t end_of_words(const EditText& text, std::size_t at) {
+  const auto begins_other = [&](std::size_t i) {
+    for (const auto* set : {&text.edits.closers, &text.edits.substitutes, &text.edits.welcome, &text.edits.auxiliaries})
+      if (longest_in(*set, text.tokens, i) > 0) return true;
+    return text.words.stops.count(text.tokens[i].text) > 0;
+  };
+  while (!text.ends(at) && !begins_other(at)) ++at;
+  return at;
+}
+
+bool is_known(const EditText& text, std::size_t at) {
+  const auto thing = named_thing_at(text, at);
+  return (thing && thing->which != Which::indefinite && !fitting(text, *thing).empty()) || room_part_at(text, at);
+}
+
+// "in bottle-green leather", "of tulips"
+std::size_t end_of_matter(const EditText& text, std::size_t at) {
+  const auto length = longest_in(text.edits.made_of, text.tokens, at);
+  if (length == 0) return at;
+  const std::size_t begin = at + length + (is_article(text, at + length) ? 1 : 0);
+  const std::size_t end = end_of_words(text, begin);
+  if (end == begin) return at;
+  if (describes_looks(text.words_from(begin, end))) return end;
+  const bool is_content = text.is_word(at, "of") && length == 1 && !is_known(text, begin);
+  return is_content ? end : at;
+}
+
+bool is_part(const EditText& text, const design::KindMention& kind) {
+  return text.words.parts.count(kind.name) > 0 || kind.length == 0;
+}
+
+// "with a gold frame": but a thing of its own stands on it, or at it.
+std::size_t end_of_with(const EditText& text, std::size_t at) {
+  if (!text.is_word(at, "with") && !text.is_word(at, "without")) return at;
+  const auto thing = named_thing_at(text, at + 1);
+  if (thing && !is_part(text, thing->kind)) return at;
+  std::size_t begin = at + 1;
+  if (is_article(text, begin) || (begin < text.tokens.size() && text.words.vague.count(text.tokens[begin].text))) ++begin;
+  const std::size_t end = end_of_words(text, begin);
+  return end > begin ? end : at;
+}
+
+// "that seats six", "for four"
+std::size_t end_of_clause(const EditText& text, std::size_t at) {
+  if (text.is_word(at, "for") && at + 1 < text.tokens.size() && text.words.numbers.count(text.tokens[at + 1].text))
+    return end_of_words(text, at + 2);
+  if (!text.is_word(at, "that") && !text.is_word(at, "which")) return at;
+  if (at + 1 >= text.tokens.size() || !language::verb(text.tokens[at + 1].text)) return at;
+  std::size_t end = at + 2;
+  for (; !text.ends(end); ++end)
+    if (is_known(text, end)) return at;
+  return end;
+}
+
+// "identical to the first", "like the existing one": `like` is what such a thing is described by.
+std::size_t end_of_likeness(const EditText& text, const NamedThing& thing, std::size_t at) {
+  const std::size_t begin = text.behind_comma(at);
+  const auto length = longest_in(text.edits.like_it, text.tokens, begin);
+  if (length == 0) return at;
+  std::size_t end = begin + length;
+  if (const auto other = named_thing_at(text, end); other && other->which == Which::pronoun) return other->end;
+  if (end >= text.tokens.size() || !text.words.definite.count(text.tokens[end].text)) return at;
+  for (++end; !text.ends(end) && text.edits.existing.count(text.tokens[end].text);) ++end;
+  if (text.is_word(end, "one") || text.is_word(end, "ones")) return end + 1;
+  const auto named = named_thing_at(text, end);
+  return named && named->kind.category == thing.kind.category ? named->end : end;
+}
+
+bool has_article(const NamedThing& thing) { return thing.which == Which::indefinite || thing.further; }
+
+// "a webcam", "two tumblers": names that no kind has by itself.
+std::optional<NamedThing> inferred_thing_at(const EditText& text, std::size_t at) {
+  NamedThing thing;
+  thing.begin = at;
+  at = skip_determiners(text, at, thing);
+  if (thing.bare || !has_article(thing)) return std::nullopt;
+  const std::size_t end = end_of_words(text, at);
+  if (end == at || end - at > 4) return std::nullopt;
+  for (std::size_t i = at; i < end; ++i)
+    if (text.tokens[i].kind != design::Token::Kind::word) return std::nullopt;
+  for (std::size_t first = end - std::min<std::size_t>(end - at, 2); first < end; ++first) {
+    const std::string noun = language::singular(text.words_from(first, end));
+    const auto known = inferred_kind(text.kinds, noun);
+    if (!known.kind) continue;
+    thing.kind = {known.kind, end - first, noun != text.words_from(first, end), noun, known.basis, ""};
+    for (std::size_t i = at; i < first; ++i) thing.looks.push_back(text.tokens[i].text);
+    thing.plural = thing.kind.plural || thing.count > 1;
+    thing.end = end;
+    return thing;
+  }
+  return std::nullopt;
+}
+
+bool is_new(const EditText& text, const NamedThing& thing) {
+  return thing.kind.category && (has_article(thing) || (thing.bare && !thing.number && fitting(text, thing).empty()));
+}
+
+}  // namespace
+
+Read<std::string> description_behind(const EditText& text, std::size_t at) {
+  std::size_t end = at;
+  for (bool more = true; more;) {
+    const std::size_t next = std::max({end_of_matter(text, end), end_of_with(text, end), end_of_clause(text, end)});
+    more = next > end;
+    end = next;
+  }
+  return {text.words_from(at, end), end};
+}
+
+std::optional<NamedThing> new_thing_at(const EditText& text, std::size_t at) {
+  const auto own = longest_in(text.edits.own, text.tokens, at);
+  auto thing = named_thing_at(text, at + own);
+  if (own > 0 && thing) thing->which = Which::indefinite;
+  if (!thing || !thing->kind.category) thing = inferred_thing_at(text, at + own);
+  if (!thing || !is_new(text, *thing)) return std::nullopt;
+  auto tail = description_behind(text, thing->end);
+  thing->tail = tail.value;
+  thing->end = end_of_likeness(text, *thing, tail.end);
+  return thing;
+}
+
+std::vector<NamedThing> new_things_at(const EditText& text, std::size_t at) {
+  std::vector<NamedThing> all;
+  for (std::size_t next = at;;) {
+    const auto thing = new_thing_at(text, next);
+    if (!thing) break;
+    all.push_back(*thing);
+    next = thing->end;
+    if (!text.is_word(next, "and") && !text.is_comma(next)) break;
+    ++next;
+    if (text.is_word(next, "and")) ++next;
+  }
+  return all;
+}
+
+}  // namespace roomgen

@@ -1,0 +1,199 @@
+#include "spoken_clause.h"
+
+#include <algorithm>
+
+#include "language/inflection.h"
+#include "language/lexicon.h"
+
+namespace roomgen {
+
+namespace {
+
+using Token = design::Token;
+
+constexpr std::size_t longest_verb = 5;     // tokens
+constexpr std::size_t longest_somebody = 4; // "our noisy new neighbours"
+
+// Where words that name what the clause is about may end: with words of place behind them, or without.
+std::vector<std::size_t> ends_of_subject(const EditText& text, std::size_t at) {
+  std::vector<std::size_t> ends;
+  if (const auto part = room_part_at(text, at)) ends.push_back(part->end);
+  if (const auto thing = named_thing_at(text, at)) ends.push_back(thing->end);
+  for (const bool with_places : {false, true})
+    if (const auto all = things_at(text, at, with_places); all && *all) ends.push_back((*all)->end);
+  std::sort(ends.begin(), ends.end());
+  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+  return ends;
+}
+
+// "the desk needs to be moved" is moved, but "the desk needs a lamp" is given one.
+std::size_t begin_of_verb(const EditText& text, std::size_t subject) {
+  for (std::size_t at = subject;;) {
+    if (const auto verb = verb_at(text, at); verb && verb->meaning == "give" && !text.is_word(at + verb->length, "to")) return at;
+    const auto length = longest_in(text.edits.auxiliaries, text.tokens, at);
+    if (length == 0) return at;
+    at += text.tokens[at].text == "should" || text.tokens[at].text == "must" ? 1 : length;
+  }
+}
+
+// ---- Remarks -----------------------------------------------------------------------------------
+
+// "we need", "I suggest", "please": what is asked for begins here.
+bool is_wish(const EditText& text, std::size_t at) {
+  const auto verb = verb_at(text, at);
+  return (verb && verb->length > 1 && (text.is_word(at, "i") || text.is_word(at, "we"))) || text.is_word(at, "please");
+}
+
+// A mark, or a word with which what is asked for begins behind a reason.
+std::size_t end_of_clause(const EditText& text, std::size_t at) {
+  for (std::size_t i = at; i < text.tokens.size(); ++i)
+    if (text.is_mark(i) || (i > at && ((text.is_word(i, "so") && !text.says_how_much(i)) || text.is_word(i, "because") || is_wish(text, i)))) return i;
+  return text.tokens.size();
+}
+
+bool is_order(const EditText& text, std::size_t begin, std::size_t at) {
+  const auto verb = verb_at(text, at);
+  if (!verb || verb->inflected) return false;
+  return at == begin || text.is_word(at - 1, "to") || text.is_word(at - 1, "and") || text.is_word(at - 1, "then");
+}
+
+bool asks_for_something(const EditText& text, std::size_t begin, std::size_t end) {
+  for (std::size_t i = begin; i < end; ++i) {
+    // "we need the floor" brings nothing.
+    const auto verb = verb_at(text, i);
+    const bool wants_nothing = verb && verb->meaning == "add" && verb->length > 1 && named_thing_at(text, i + verb->length) == std::nullopt &&
+                               room_part_at(text, i + verb->length);
+    if (wants_nothing) {
+      i += verb->length - 1;
+      continue;
+    }
+    if (longest_in(text.edits.requests, text.tokens, i) > 0 || longest_in(text.edits.modals, text.tokens, i) > 1 ||
+        is_order(text, begin, i))
+      return true;
+  }
+  return false;
+}
+
+// "my neighbours", "we", "granny"
+bool begins_with_somebody(const EditText& text, std::size_t begin, std::size_t end) {
+  if (longest_in(text.edits.explanations, text.tokens, begin) > 0) return true;
+  for (std::size_t i = begin; i < std::min(end, begin + longest_somebody); ++i) {
+    const std::string word = language::singular(text.tokens[i].text);
+    if (language::lexicon().is(word, language::WordClass::person)) return true;
+    if (named_thing_at(text, i) || longest_in(text.edits.auxiliaries, text.tokens, i) > 0) return false;
+  }
+  return false;
+}
+
+// "I don't use it in winter anyway": nothing is named that could change.
+bool is_mere_talk(const EditText& text, std::size_t begin, std::size_t end) {
+  if (verb_at(text, begin) || !begins_with_somebody(text, begin, end)) return false;
+  for (std::size_t i = begin; i < end; ++i) {
+    const auto thing = named_thing_at(text, i);
+    const bool is_named = thing && thing->which != NamedThing::Which::pronoun && thing->kind.category && !fitting(text, *thing).empty();
+    const auto verb = verb_at(text, i);
+    if (is_named || (verb && (is_order(text, begin, i) || verb->length > 1)) || room_part_at(text, i) ||
+        text.tokens[i].kind == Token::Kind::number || longest_in(text.edits.modals, text.tokens, i) > 1)
+      return false;
+  }
+  return !text.is_word(begin, "it") && !text.is_word(begin, "they") && !text.is_word(begin, "that") && !text.is_word(begin, "you");
+}
+
+// "not the stove", behind what was asked for
+bool is_contrast(const EditText& text, std::size_t begin, std::size_t end) {
+  if (!text.is_word(begin, "not")) return false;
+  const auto thing = named_thing_at(text, begin + 1);
+  return thing && thing->end == end;
+}
+
+// "I need to tell the test subject's seat from the rest": no verb of editing.
+bool is_other_need(const EditText& text, std::size_t begin) {
+  const auto verb = verb_at(text, begin);
+  if (!verb || verb->length < 2 || !text.is_word(begin + verb->length, "to")) return false;
+  const std::size_t at = begin + verb->length + 1;
+  return at < text.tokens.size() && !verb_at(text, at) && language::verb(text.tokens[at].text) && !text.is_word(at, "be") && !text.is_word(at, "have");
+}
+
+// "is", "looks", "bores"
+bool is_told(const std::string& word) {
+  const auto verb = language::verb(word);
+  return verb && verb->form != language::VerbForm::gerund && verb->form != language::VerbForm::base;
+}
+
+// "this table is ridiculous": the thing does something, or is somehow, and nobody wants anything.
+bool tells_of_thing(const EditText& text, std::size_t begin, std::size_t end) {
+  const auto thing = named_thing_at(text, begin);
+  if (!thing || thing->which == NamedThing::Which::indefinite || thing->end >= end) return false;
+  // "the lamp we bought is too tall"
+  std::size_t at = thing->end;
+  if (longest_in(text.edits.explanations, text.tokens, at) > 0)
+    while (at + 1 < end && !is_told(text.tokens[at].text)) ++at;
+  const bool is_short = text.raw[thing->end - 1].clitic == "'s" && (text.tokens[at].is_word("a") || text.tokens[at].is_word("too") ||
+                                                                    text.tokens[at].is_word("so") || text.tokens[at].is_word("very"));
+  return is_short || is_told(text.tokens[at].text);
+}
+
+bool names_nothing(const EditText& text, std::size_t begin, std::size_t end) {
+  for (std::size_t i = begin; i < end; ++i)
+    if (named_thing_at(text, i) || room_part_at(text, i) || verb_at(text, i) || looks_at(text, i, true) ||
+        text.tokens[i].kind == Token::Kind::number)
+      return false;
+  return true;
+}
+
+}  // namespace
+
+EditText without(const EditText& text, std::size_t begin, std::size_t end) {
+  EditText shorter = text;
+  const auto cut = [&](auto& list) {
+    list.erase(list.begin() + static_cast<std::ptrdiff_t>(begin), list.begin() + static_cast<std::ptrdiff_t>(end));
+  };
+  cut(shorter.raw);
+  cut(shorter.tokens);
+  return shorter;
+}
+
+std::optional<SaidVerb> verb_at(const EditText& text, std::size_t at) {
+  if (at >= text.tokens.size() || text.tokens[at].kind != Token::Kind::word) return std::nullopt;
+  if (const auto said = longest(text.edits.verbs, text.tokens, at))
+    return SaidVerb{*said.value, text.words_from(at, at + said.length), said.length, false};
+  const auto form = language::verb(text.tokens[at].text);
+  if (!form || form->base == text.tokens[at].text) return std::nullopt;
+  std::vector<Token> tokens(text.tokens.begin() + static_cast<std::ptrdiff_t>(at),
+                            text.tokens.begin() + static_cast<std::ptrdiff_t>(std::min(at + longest_verb, text.tokens.size())));
+  tokens.front().text = form->base;
+  const auto said = longest(text.edits.verbs, std::span<const Token>(tokens), 0);
+  if (!said) return std::nullopt;
+  return SaidVerb{*said.value, form->base, said.length, true};
+}
+
+std::optional<ReadClause> clause_with_subject(const EditText& text, std::size_t at, const ReadOrder& read) {
+  std::optional<ReadClause> failed;
+  for (const std::size_t subject : ends_of_subject(text, at)) {
+    const std::size_t begin = begin_of_verb(text, subject);
+    const auto verb = verb_at(text, begin);
+    if (!verb) continue;
+    std::size_t end = begin + verb->length;
+    // "the hamper: lose it"
+    const bool takes_it_up = end < text.tokens.size() && longest_in(text.edits.pronouns, text.tokens, end) == 1;
+    if (begin == subject && takes_it_up) ++end;
+    else if (begin == subject && !verb->inflected && verb->meaning != "give" && !brings_something(text, at)) continue;
+    auto clause = read(without(text, subject, end), *verb, at);
+    if (clause) clause->end += end - subject;
+    if (goes_to_its_end(text, clause)) return clause;
+    failed = std::move(clause);
+  }
+  return failed;
+}
+
+std::size_t end_of_remark(const EditText& text, std::size_t at, bool at_first) {
+  const std::size_t end = end_of_clause(text, at);
+  if (end == at) return at;
+  if (is_mere_talk(text, at, end) || is_other_need(text, at) || (!at_first && is_contrast(text, at, end))) return end;
+  if (asks_for_something(text, at, end)) return at;
+  const bool is_remark = begins_with_somebody(text, at, end) || tells_of_thing(text, at, end) ||
+                         (at_first && names_nothing(text, at, end));
+  return is_remark ? end : at;
+}
+
+}  // namespace roomgen

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "clause.h"
+
+namespace roomgen {
+
+/// A verb of data/edits.json as it is said.
+struct SaidVerb {
+  std::string meaning, words;
+  std::size_t length = 0;
+  bool inflected = false;  ///< "turning", "lacquered"
+};
+std::optional<SaidVerb> verb_at(const EditText& text, std::size_t at);
+
+/// The text without some of its tokens.
+EditText without(const EditText& text, std::size_t begin, std::size_t end);
+
+/// A clause that begins with what it is about: "the armchair should change places with the desk", "both can be
+/// removed". It is read as the order that it means, by `read`; nothing if it has no such verb.
+using ReadOrder = std::function<ReadClause(const EditText&, const SaidVerb&, std::size_t)>;
+std::optional<ReadClause> clause_with_subject(const EditText& text, std::size_t at, const ReadOrder& read);
+
+/// The token behind words that ask for nothing: "our toddler keeps bumping his head on it"; `at` if they may ask
+/// for something. Before anything is asked for (`at_first`) these may be words of which nothing is known.
+std::size_t end_of_remark(const EditText& text, std::size_t at, bool at_first);
+
+}  // namespace roomgen

@@ -1,0 +1,147 @@
+#include "clause.h"
+#include "gaps.h"
+#include "operations.h"
+#include "roomgen/base/text.h"
+
+namespace roomgen {
+
+namespace {
+
+using Which = NamedThing::Which;
+
+ReadClause read_remove(const EditText& text, std::size_t at) {
+  for (const bool with_places : {false, true}) {
+    const auto all = things(text, at, with_places);
+    if (!all) continue;
+    const std::size_t end = text.behind_comma(all->end);
+    if (const auto along = longest_in(text.edits.along, text.tokens, end))
+      return Clause{{edit::Remove{all->value, true}}, {}, {}, end + along, all->value};
+  }
+  const auto what = things(text, at, true);
+  if (!what) return what.error();
+  const auto thing = named_thing_at(text, at);
+  const bool is_all_of_room = thing && thing->which == Which::everything && what->value.size() == text.scene.objects.size();
+  if (is_all_of_room) return not_understood("that would empty the room; name what shall go");
+  return Clause{{edit::Remove{what->value, false}}, {}, {}, what->end, what->value};
+}
+
+ReadClause read_rearrange(const EditText& text, std::size_t at) {
+  const auto what = things(text, at, true);
+  if (!what) return what.error();
+  return Clause{{edit::Rearrange{what->value}}, what->value, {}, what->end};
+}
+
+ReadClause read_revert(const EditText& text, std::size_t at) {
+  const auto length = longest_in(text.edits.back, text.tokens, at);
+  return Clause{{edit::Revert{}}, {}, {}, at + length};
+}
+
+// "have a fourth stool at the island", "have the desk face the window", "make the rug bigger"
+ReadClause read_have(const EditText& text, std::size_t at) {
+  auto made = read_make(text, at);
+  if (goes_to_its_end(text, made)) return made;
+  auto put = read_put(text, at, true);
+  return goes_to_its_end(text, put) ? put : made;
+}
+
+// "leave 70 cm between the bed and the wardrobe", "keep only two chairs", "keep the sofa where it is"
+ReadClause read_keep(const EditText& text, std::size_t at) {
+  if (const auto gap = gap_at(text, at, text.latest)) return *gap ? keep_gap(text, **gap) : ReadClause(gap->error());
+  if (const auto only = longest_in(text.edits.only_these, text.tokens, at)) return read_only_these(text, at + only);
+  return read_lock(text, at, true, true);
+}
+
+// "take the lamp off the nightstand", and nowhere else.
+ReadClause read_take_off(const EditText& text, std::size_t at) {
+  const auto thing = named_thing_at(text, at);
+  if (!thing || !text.is_word(thing->end, "off")) return what_at(text, at, "not understood");
+  const auto what = things(text, at, true);
+  if (!what || what->end <= thing->end + 1) return what_at(text, at, "not understood");
+  return Clause{{edit::Remove{what->value, false}}, what->value, {}, what->end, what->value};
+}
+
+// "the bowl can stay"
+ReadClause read_stay(const EditText& text, std::size_t at) {
+  const auto what = things(text, at, true);
+  if (!what) return what.error();
+  const auto length = longest_in(text.edits.stays, text.tokens, what->end);
+  if (length == 0) return what_at(text, what->end, "not understood");
+  // "… in front of the bookcase": where it is anyway.
+  const std::size_t end = what->end + length;
+  const auto place = destination_at(text, end, what->value);
+  return Clause{{}, what->value, {}, place && *place ? (*place)->end : end};
+}
+
+}  // namespace
+
+ReadClause read_lock(const EditText& text, std::size_t at, bool locked, bool must_say_where) {
+  auto what = things(text, at, false);
+  if (!what) return what.error();
+  std::size_t end = what->end;
+  while (const auto length = longest_in(text.edits.where_they_are, text.tokens, end)) end += length;
+  if (must_say_where && end == what->end) return what_at(text, end, "it is not clear what shall be kept");
+  return Clause{{edit::Lock{what->value, locked}}, what->value, {}, end};
+}
+
+ReadClause read_verb(const EditText& text, const std::string& meaning, const std::string& verb, std::size_t at) {
+  if (auto order = read_room_order(text, meaning, verb, at)) return *std::move(order);
+  if (meaning == "make" || meaning == "want" || meaning == "resize")
+    if (auto form = read_form(text, at); form && goes_to_its_end(text, *form)) return *std::move(form);
+  if (meaning == "unwanted") return read_remove(text, at);
+  if (meaning == "rearrange") return read_rearrange(text, at);
+  if (meaning == "remove" || meaning == "clear") {
+    auto gone = read_remove(text, at);
+    // "clear the desk": what is on it, not the desk.
+    if (meaning == "clear" && gone && !verb.ends_with("out") && named_thing_at(text, at)->which != Which::everything)
+      return not_understood("say what shall go: \"clear everything off …\", or \"remove …\"");
+    return gone;
+  }
+  if (const auto gap = gap_at(text, at, text.latest)) return *gap ? keep_gap(text, **gap) : ReadClause(gap->error());
+  if (meaning == "add") {
+    auto added = read_add(text, at);
+    if (!added)
+      if (auto moved = read_put(text, at, false); goes_to_its_end(text, moved)) return moved;
+    if (added || text.latest.empty()) return added;
+    // "I fancy an arched one": for what was spoken of.
+    const auto other = read_another(text, at);
+    return goes_to_its_end(text, other) ? other : added;
+  }
+  if (meaning == "give") return read_give(text, at);
+  if (verb == "take")
+    if (auto gone = read_take_off(text, at); goes_to_its_end(text, gone)) return gone;
+  if (const auto lift = text.edits.lifts.find(verb); lift != text.edits.lifts.end())
+    if (auto lifted = read_lift(text, at, lift->second); goes_to_its_end(text, lifted)) return lifted;
+  if (meaning == "put" || meaning == "move") return read_put(text, at, meaning == "put");
+  if (meaning == "line") return read_line(text, at);
+  if (meaning == "turn") return read_turn(text, at);
+  if (meaning == "swap") return read_swap(text, at);
+  if (meaning == "replace") return read_replace(text, at);
+  if (meaning == "change") return read_change(text, at);
+  if (meaning == "make") return read_have(text, at);
+  if (meaning == "resize") return read_resize(text, at, verb);
+  if (meaning == "paint") return read_looks(text, at);
+  if (meaning == "want") return read_fragment(text, at);
+  if (meaning == "keep") return read_keep(text, at);
+  if (meaning == "lock") return read_lock(text, at, true, false);
+  if (meaning == "unlock") return read_lock(text, at, false, false);
+  if (meaning == "centre") return read_centre(text, at);
+  return read_revert(text, at);
+}
+
+ReadClause read_fragment(const EditText& text, std::size_t at) {
+  if (auto stay = read_stay(text, at); goes_to_its_end(text, stay)) return stay;
+  if (auto enough = read_enough(text, at); goes_to_its_end(text, enough)) return enough;
+  if (const auto gap = gap_at(text, at, text.latest)) return *gap ? keep_gap(text, **gap) : ReadClause(gap->error());
+  if (const auto only = longest_in(text.edits.only_these, text.tokens, at))
+    if (auto those = read_only_these(text, at + only); goes_to_its_end(text, those)) return those;
+  if (room_part_at(text, at)) return read_looks(text, at);
+  if (auto form = read_form(text, at); form && goes_to_its_end(text, *form)) return *std::move(form);
+  ReadClause put = read_put(text, at, true);
+  if (goes_to_its_end(text, put)) return put;
+  for (const auto& other : {read_make(text, at), read_turn(text, at), read_looks_first(text, at), read_turn_first(text, at),
+                            read_being(text, at), read_ellipsis(text, at)})
+    if (goes_to_its_end(text, other)) return other;
+  return put;
+}
+
+}  // namespace roomgen

@@ -1,0 +1,195 @@
+"""The protocol's official Python client furnishes a room, changes it, looks at it and asks for wrong things.
+
+python_client.py ROOMGEN FOLDER: FOLDER is emptied and used. Each revision of the protocol's two kinds is spoken.
+"""
+
+import asyncio
+import base64
+import json
+import os
+import shutil
+import sys
+from pathlib import Path
+
+import anyio
+from mcp import Client, MCPError, StdioServerParameters
+
+TOOLS = {"plan", "generate", "edit", "preview", "check", "explain", "undo", "redo", "history", "render", "export"}
+
+
+def text_of(result):
+    return "\n".join(part.text for part in result.content if part.type == "text")
+
+
+def picture_of(result):
+    """Width and height of the only picture."""
+    pictures = [part for part in result.content if part.type == "image"]
+    assert len(pictures) == 1 and pictures[0].mime_type == "image/png", result
+    png = base64.b64decode(pictures[0].data)
+    assert png.startswith(b"\x89PNG\r\n\x1a\n")
+    return int.from_bytes(png[16:20], "big"), int.from_bytes(png[20:24], "big")
+
+
+async def done(client, tool, **arguments):
+    result = await client.call_tool(tool, arguments)
+    assert not result.is_error, (tool, text_of(result))
+    return result
+
+
+async def refused(client, tool, part, **arguments):
+    """The tool says what is wrong, for the model to read."""
+    result = await client.call_tool(tool, arguments)
+    assert result.is_error, (tool, arguments, text_of(result))
+    assert part in text_of(result), (part, text_of(result))
+
+
+async def furnish(client):
+    names = {tool.name for tool in (await client.list_tools()).tools}
+    assert names == TOOLS, names
+    planned = await done(client, "plan", prompt="a small study with a desk and a chair", save_to="plans/study.json")
+    assert any(thing["category"] == "desk" for thing in planned.structured_content["rooms"][0]["things"])
+    told = []
+
+    async def progress(amount, total, message):
+        told.append((amount, total, message))
+
+    made = await client.call_tool("generate", {"folder": "study", "plan": "plans/study.json"},
+                                  progress_callback=progress)
+    assert not made.is_error, text_of(made)
+    assert made.structured_content["room"] == "study" and made.structured_content["objects"] >= 2
+    assert max(picture_of(made)) == 512
+    assert told, "no progress was told"
+
+
+async def change(client, root):
+    scene = root / "study" / "scene.json"
+    first = scene.read_bytes()
+    edited = await done(client, "edit", room="study", change="turn the desk chair by 10 degrees")
+    assert edited.structured_content["changes"] and scene.read_bytes() != first
+    picture_of(edited)
+    moved = await done(client, "edit", room="study", picture="none",
+                       operations=[{"do": "lock", "objects": ["desk-0"]}])
+    assert moved.structured_content["state"] == 3
+    meant = await done(client, "edit", room="study", change="remove the desk chair", dry_run=True)
+    assert meant.structured_content["operations"][0]["do"] == "remove"
+    history = (await done(client, "history", room="study")).structured_content
+    assert [entry["by"] for entry in history["entries"]] == ["file", "agent", "agent"]
+    undone = await done(client, "undo", room="study", steps=5)
+    assert undone.structured_content["steps"] == 2 and scene.read_bytes() == first
+    await refused(client, "undo", "nothing to undo", room="study")
+    await done(client, "redo", room="study", picture="iso")
+    assert (await done(client, "history", room="study", **{"from": 1, "to": 2})).structured_content["differences"]
+
+
+async def look(client, root):
+    everything = (await done(client, "explain", room="study")).structured_content
+    desk = next(thing for thing in everything["objects"] if thing["id"] == "desk-0")
+    assert (await done(client, "check", room="study/scene.json")).structured_content["valid"]
+    why = (await done(client, "explain", room="study", object="desk-0")).structured_content
+    assert why["placed"]["object"] == "desk-0"
+    here = await done(client, "preview", room="study", object="desk-0", position=desk["position"][:2])
+    assert here.structured_content["feasible"], text_of(here)
+    outside = await done(client, "preview", room="study", object="desk-0", position=[99, 99])
+    assert not outside.structured_content["feasible"] and outside.structured_content["reason"]
+    drawn = await done(client, "render", room="study", view="eye", pixels=200, file="pictures/eye.png")
+    assert max(picture_of(drawn)) == 200 and (root / "pictures/eye.png").read_bytes().startswith(b"\x89PNG")
+    exported = await done(client, "export", room="study", file="out/study.glb")
+    glb = (root / "out/study.glb").read_bytes()
+    assert glb.startswith(b"glTF") and len(glb) == exported.structured_content["bytes"]
+
+
+async def resources(client, root):
+    listed = {str(each.uri) for each in (await client.list_resources()).resources}
+    assert listed == {"roomgen:///study/scene.json", "roomgen:///study/ledger.json"}, listed
+    scene = await client.read_resource("roomgen:///study/scene.json")
+    assert scene.contents[0].text == (root / "study/scene.json").read_text()
+    ledger = json.loads((await client.read_resource("roomgen:///study/ledger.json")).contents[0].text)
+    assert ledger["requirements"]
+    templates = await client.list_resource_templates()
+    assert len(templates.resource_templates) == 2
+    for uri in ("roomgen:///none/scene.json", "roomgen:///../scene.json", "file:///etc/passwd"):
+        try:
+            await client.read_resource(uri)
+            raise AssertionError(uri + " was read")
+        except MCPError:
+            pass
+
+
+async def wrong_calls(client, root):
+    outside = root.parent / "outside"
+    outside.mkdir(exist_ok=True)
+    shutil.copy(root / "study/scene.json", outside)
+    os.symlink(outside, root / "link")
+    before = (root / "study/scene.json").read_bytes()
+    for path in ("../outside", str(outside), "link", "study/../../outside"):
+        await refused(client, "check", "leads out of the root folder", room=path)
+        await refused(client, "edit", "leads out of the root folder", room=path, change="remove the desk")
+        await refused(client, "generate", "leads out of the root folder", folder=path + "/new", prompt="a study")
+        await refused(client, "export", "leads out of the root folder", room="study", file=path + "/x.glb")
+    assert sorted(each.name for each in outside.iterdir()) == ["scene.json"]
+    await refused(client, "check", "rooms are: study", room="stdy")
+    await refused(client, "check", "expected a text", room=7)
+    await refused(client, "check", "\"room\" is missing")
+    await refused(client, "generate", "holds a room already", folder="study", prompt="a study")
+    await refused(client, "generate", "either prompt or plan", folder="other")
+    await refused(client, "generate", "below the root", folder=".", prompt="a study")
+    await refused(client, "render", "does not end with .png", room="study", file="study/scene.json")
+    await refused(client, "check", "is no scene", room="study/scene.glb")
+    await refused(client, "export", "a room's own file", room="study", file="study/scene.glb")
+    await refused(client, "plan", "a room's own file", prompt="a study", save_to="study/plan.json")
+    (root / "package.json").write_text("{}")
+    await refused(client, "plan", "not of this kind", prompt="a study", save_to="package.json")
+    await done(client, "plan", prompt="a study", save_to="plans/study.json")
+    await refused(client, "plan", "/size", prompt="a study", size="big")
+    await refused(client, "edit", "unknown key \"by\"", room="study",
+                  operations=[{"do": "turn", "object": "desk-0", "by": 9}])
+    await refused(client, "edit", "", room="study", change="sing a song")
+    await refused(client, "edit", "", room="study",
+                  operations=[{"do": "put", "object": "desk-0", "position": [99, 99]}])
+    await refused(client, "explain", "did you mean \"desk-0\"?", room="study", object="desk-1")
+    try:
+        await client.call_tool("fly", {})
+        raise AssertionError("an unknown tool was called")
+    except MCPError as error:
+        assert "preview" in str(error)
+    assert (root / "study/scene.json").read_bytes() == before
+    os.unlink(root / "link")
+
+
+async def give_up(client, root):
+    """A call that is cancelled while it works writes nothing, and the next one is answered."""
+    with anyio.CancelScope() as scope:
+
+        async def progress(*_):
+            scope.cancel()
+
+        await client.call_tool("generate", {"folder": "flat", "prompt": "a flat with two bedrooms and a kitchen"},
+                               progress_callback=progress)
+    assert scope.cancelled_caught
+    assert (await done(client, "check", room="study")).structured_content["valid"]
+    assert not (root / "flat").exists()
+
+
+async def talk(roomgen, root, mode):
+    root.mkdir(parents=True)
+    server = StdioServerParameters(command=roomgen, args=["mcp", "--root", str(root), "--no-default-libraries",
+                                                          "--cache", str(root.parent / "cache")])
+    async with Client(server, mode=mode) as client:
+        await furnish(client)
+        await change(client, root)
+        await look(client, root)
+        await resources(client, root)
+        await wrong_calls(client, root)
+        await give_up(client, root)
+        await done(client, "check", room="study")
+
+
+def main():
+    roomgen, folder = sys.argv[1], Path(sys.argv[2])
+    shutil.rmtree(folder, ignore_errors=True)
+    for mode in ("legacy", "auto"):
+        asyncio.run(talk(roomgen, folder / mode / "root", mode))
+
+
+if __name__ == "__main__":
+    main()
