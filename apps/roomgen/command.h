@@ -36,6 +36,7 @@ void add_plan_command(CLI::App& app, Context& context);
 void add_create_command(CLI::App& app, Context& context);
 void add_generate_command(CLI::App& app, Context& context);
 void add_optimise_command(CLI::App& app, Context& context);
+void add_compose_command(CLI::App& app, Context& context);
 /// edit, undo, redo, history, branch and diff.
 void add_edit_commands(CLI::App& app, Context& context);
 /// import: poses changed in another program.

@@ -9,7 +9,6 @@
 #include "command.h"
 #include "roomgen/chat/chat_model.h"
 #include "roomgen/design/designer.h"
-#include "roomgen/design/model_designer.h"
 #include "roomgen/generate/generate.h"
 
 namespace roomgen::cli {

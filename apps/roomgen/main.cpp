@@ -51,6 +51,7 @@ int main(int argc, char** argv) {
   add_create_command(app, context);
   add_generate_command(app, context);
   add_optimise_command(app, context);
+  add_compose_command(app, context);
   add_edit_commands(app, context);
   add_import_command(app, context);
   add_repl_command(app, context);

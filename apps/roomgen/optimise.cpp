@@ -12,6 +12,7 @@
 #include "libraries.h"
 #include "options.h"
 #include "print.h"
+#include "program_files.h"
 #include "room_files.h"
 #include "roomgen/base/file.h"
 #include "roomgen/base/json.h"
@@ -35,69 +36,23 @@ struct OptimiseCommand {
   LibraryOptions libraries;
 };
 
-Json constraint_json(const ConstraintVerdict& verdict) {
-  return {{"name", verdict.name},
-          {"held", verdict.held},
-          {"amount", rounded(verdict.amount)},
-          {"constraint", verdict.text},
-          {"objects", verdict.objects}};
-}
-
-// How the room came about, without a clock: the same for equal input.
-Json report_json(const Optimisation& result) {
-  Json json;
-  json["violation"] = rounded(result.violation);
-  json["loss"] = rounded(result.loss);
-  json["occupancy"] = rounded(result.occupancy);
-  json["constraints"] = Json::array();
-  for (const auto& verdict : result.constraints) json["constraints"].push_back(constraint_json(verdict));
-  for (const auto& [name, value] : result.scores) json["scores"][name] = rounded(value);
-  json["moves"] = {{"tried", result.moves}, {"accepted", result.accepted}};
-  for (std::size_t i = 0; i < result.tried_by_kind.size(); ++i)
-    json["moves"][optimise_move_names()[i]] = {result.tried_by_kind[i], result.accepted_by_kind[i]};
-  json["curve"] = Json::array();
-  for (const auto& point : result.curve)
-    json["curve"].push_back({point.step, rounded(point.violation), rounded(point.loss)});
-  return json;
-}
-
-Status write_all(const OptimiseCommand& command, OutputFolder& folder, const ConstraintProgram& program,
-                 const Optimisation& result, const ModelTable& models) {
-  if (auto status = folder.write("program.json", dump_json(to_json(program))); !status) return status;
-  if (auto status = folder.write("scene.json", dump_json(to_json(result.scene))); !status) return status;
-  if (auto status = folder.write("optimise.json", dump_json(report_json(result))); !status) return status;
-  if (auto status = write_model_files(folder, result.scene, models); !status) return status;
-  if (!command.no_pictures) {
-    PictureDrawer drawer;
-    const auto renderer = drawer.renderer();
-    if (!renderer) return renderer.error();
-    if (auto status = write_pictures(folder, result.scene, models, **renderer, command.pixels); !status) return status;
-  }
-  return folder.commit();
-}
-
 void print_summary(const Context& context, const fs::path& folder, const Optimisation& result,
                    const std::vector<std::string>& notes, double seconds) {
-  const auto held = std::ranges::count_if(result.constraints, &ConstraintVerdict::held);
   if (context.json) {
-    Json json = report_json(result);
+    Json json = optimisation_json(result);
     json.erase("curve");
     json["output"] = folder.string();
     json["objects"] = result.scene.objects.size();
-    json["held"] = held;
+    json["held"] = std::ranges::count_if(result.constraints, &ConstraintVerdict::held);
     json["notes"] = notes;
     json["seconds"] = rounded(seconds, 3);
     std::fputs(dump_json(json).c_str(), stdout);
     return;
   }
   print_lines(notes);
-  std::printf("%s: %zu things, %td of %zu constraints held, %.0f %% of the floor covered (%lld moves, %.1f s)\n",
-              folder.string().c_str(), result.scene.objects.size(), held, result.constraints.size(),
-              100.0 * result.occupancy, result.moves, seconds);
-  for (const auto& verdict : result.constraints)
-    if (!verdict.held)
-      std::printf("  %s is missed by %s: %s\n", verdict.name.c_str(), format_number(verdict.amount, 2).c_str(),
-                  verdict.text.c_str());
+  std::printf("%s: %s (%lld moves, %.1f s)\n", folder.string().c_str(), optimisation_headline(result).c_str(),
+              result.moves, seconds);
+  for (const auto& line : unmet_lines(result)) std::printf("  %s\n", line.c_str());
 }
 
 Result<Room> wanted_room(const OptimiseCommand& command, const ConstraintProgram& program,
@@ -124,7 +79,7 @@ Result<int> run(const Context& context, OptimiseCommand& command) {
   if (!output) return output.error();
   auto library = open_all_libraries(command.libraries, context);
   if (!library) return library.error();
-  auto stock = load_stock(kinds_to_stock(*program, kinds, command.options.seed), **library, kinds, command.assets);
+  auto stock = load_stock(wishes_for(kinds_to_stock(*program, kinds, command.options.seed)), **library, kinds, command.assets);
   if (!stock) return stock.error();
 
   command.options.cancel = command.seconds > 0 ? context.cancel.within(std::chrono::duration<double>(command.seconds))
@@ -139,7 +94,10 @@ Result<int> run(const Context& context, OptimiseCommand& command) {
   if (shown) std::fputs("\r\033[K", stderr);
   if (!result) return result.error();
   if (context.cancel.cancelled() && holds_whole_scene(folder / "scene.json")) return older_stays(folder);
-  if (auto status = write_all(command, *output, *program, *result, stock->models); !status) return status.error();
+  if (auto status = write_optimised_room(*output, *program, *result, stock->models, command.no_pictures ? 0 : command.pixels);
+      !status)
+    return status.error();
+  if (auto status = output->commit(); !status) return status.error();
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   print_summary(context, folder, *result, notes, elapsed.count());
   if (context.cancel.cancelled()) return exit_interrupted;

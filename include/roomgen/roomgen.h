@@ -12,8 +12,7 @@
 #include "roomgen/session/operation.h"  // what an edit may do, as values
 
 // Decide what it holds: by rules, or by a language model.
-#include "roomgen/design/designer.h"        // what a designer is; the one that follows rules; dwellings
-#include "roomgen/design/model_designer.h"  // the one that asks a language model
+#include "roomgen/design/designer.h"        // what a designer is; by rules, or by asking a language model; dwellings
 #include "roomgen/scene/plan.h"             // what is asked of it, and what it makes of that; plan.json
 
 // Look at a room, keep it, hand it on.
@@ -38,6 +37,7 @@
 // Describe a room by constraints and scores.
 #include "roomgen/program/program.h"    // the language: its document, checker and words; program.json
 #include "roomgen/optimise/optimise.h"  // rooms that are as a program says, by annealing
+#include "roomgen/compose/compose.h"    // programs for sentences, revised until they are met
 
 // Bring meshes and kinds of things.
 #include "roomgen/kinds/kind_table.h"  // what kinds of things there are: sizes, mounts, use zones

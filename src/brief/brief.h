@@ -67,6 +67,7 @@ struct Mention {
   bool counted = false;      ///< the prompt gives the number
   bool at_least = false;     ///< "at least five": more are as good
   bool at_most = false;      ///< "no more than two"
+  int least = 0, most = 0;   ///< "8 to 12", "about a dozen"; 0: no range. The quantity is between both
   bool open = false;         ///< a plural without a number
   bool varied = false;       ///< they shall differ
   bool contradicts = false;  ///< another number of the same things was asked for before: not planned

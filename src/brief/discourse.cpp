@@ -105,6 +105,7 @@ Mention Discourse::new_mention(const ThingPhrase& phrase, int sentence) const {
   mention.counted = phrase.counted;
   mention.at_least = phrase.at_least;
   mention.at_most = phrase.at_most;
+  mention.least = phrase.least, mention.most = phrase.most;
   mention.looks = phrase.modifiers;
   mention.naming = phrase.naming;
   mention.sentence = sentence;

@@ -1,7 +1,10 @@
 #include "thing_phrase.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
+#include "language/amount.h"
 #include "language/inflection.h"
 #include "language/lexicon.h"
 
@@ -148,10 +151,39 @@ class ThingPhraseReader {
     phrase_.article = phrase_.another || said_.determiner == Determiner::indefinite;
     qualifier();
     for (std::uint32_t i = said_.tokens.begin; i < start_; ++i) count_word(i);
+    range();
     if (phrase_.article || said_.count <= 0) return;
     // Numbers of several words.
     const bool part_of_name = is_number(start_) || measured_;
     if (!part_of_name) set_count(static_cast<int>(std::min<double>(said_.count, max_count)), true);
+  }
+
+  // "8 to 12", "two or three", "about a dozen": the number before the noun is the end of a range.
+  void range() {
+    const std::uint32_t number = first_number();
+    constexpr std::uint32_t longest = 5;
+    for (std::uint32_t back = std::min(longest, number); number < start_ && back > 0; --back) {
+      const std::uint32_t first = number - back;
+      const auto amount = language::amount_at(parse_.tokens, first);
+      if (!amount || first + amount->length <= number || amount->is_share) continue;
+      const auto [least, most] = bounds_of(*amount);
+      if (most > max_count || most <= least) return;
+      set_count(static_cast<int>(std::lround(0.5 * (least + most))), true);
+      phrase_.least = static_cast<int>(least), phrase_.most = static_cast<int>(most);
+      for (std::uint32_t i = first; i < number; ++i) phrase_.count_tokens.push_back(i);
+      return;
+    }
+  }
+  std::uint32_t first_number() const {
+    std::uint32_t i = said_.tokens.begin;
+    while (i < start_ && (!is_number(i) || is_measured(i))) ++i;
+    return i;
+  }
+  // About reaches a fifth to either side.
+  static std::pair<double, double> bounds_of(const language::Amount& amount) {
+    constexpr double about = 0.2, rounding = 1e-9;
+    if (!amount.is_about) return {amount.low, amount.high};
+    return {std::ceil(amount.low * (1.0 - about) - rounding), std::floor(amount.high * (1.0 + about) + rounding)};
   }
 
   // "at least five", "exactly two", "no more than one"

@@ -17,6 +17,7 @@ struct ThingPhrase {
   int count = 1;
   bool counted = false;   ///< an exact number was given
   bool at_least = false, at_most = false;  ///< of the count
+  int least = 0, most = 0;  ///< of a range; the count is between both. 0: none
   bool article = false;   ///< "a", a number, "some": introduces something
   bool definite = false;  ///< "the", "its": something known
   bool another = false;

@@ -1,4 +1,4 @@
-#include "roomgen/design/model_designer.h"
+#include "roomgen/design/designer.h"
 
 #include <algorithm>
 #include <map>
@@ -10,6 +10,7 @@
 #include "plan/claim.h"
 #include "plan_reply.h"
 #include "roomgen/base/text.h"
+#include "roomgen/chat/chat_model.h"
 
 namespace roomgen {
 

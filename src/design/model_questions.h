@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "roomgen/chat/chat_model.h"
-#include "roomgen/design/model_designer.h"
+#include "roomgen/design/designer.h"
 #include "scene_text.h"
 
 namespace roomgen::design {

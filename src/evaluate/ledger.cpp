@@ -143,8 +143,10 @@ class Checker {
   }
 
   std::string count_fault(const Requirement& requirement) const {
+    const bool may_be_fewer = requirement.at_most || requirement.most > requirement.count;
     for (const auto& id : requirement.subjects) {
       const Object* object = find_object(scene_, id);
+      if (!object && may_be_fewer) continue;
       if (!object) return missing(id);
       if (const double share = size_share_ ? size_share_(*object) : 1.0; share < least_size_share)
         return id + " was made at " + format_number(100.0 * share, 0) + " % of its size";
@@ -152,7 +154,7 @@ class Checker {
     const int there = number_of(requirement.category, &requirement);
     const bool enough = there >= requirement.count;
     if (requirement.at_most && there <= requirement.count) return "";
-    if (enough && (requirement.at_least || there == requirement.count)) return "";
+    if (enough && (requirement.at_least || there <= std::max(requirement.count, requirement.most))) return "";
     return "there are " + std::to_string(there) + " instead of " + std::to_string(requirement.count);
   }
 

@@ -83,6 +83,13 @@ SmallWords read(const JsonReader& root) {
   read(root["exceptions"], words.exceptions);
   read(root["upper limits"], words.upper_limits);
   read(root["lower limits"], words.lower_limits);
+  read(root["excluded upper limits"], words.excluded_upper_limits);
+  read(root["excluded lower limits"], words.excluded_lower_limits);
+  read(root["upper limits behind"], words.upper_limits_behind);
+  read(root["lower limits behind"], words.lower_limits_behind);
+  read(root["exact"], words.exact);
+  read(root["approximations"], words.approximations);
+  read(root["approximations behind"], words.approximations_behind);
   return words;
 }
 

@@ -24,7 +24,8 @@ struct SmallWords {
   Words vague_numbers, pronouns, standing_alone, negative_pronouns, relatives, conjunctions,
       subordinators, negations, be, auxiliaries, verbs_of_denial, verbs_of_having, prepositions,
       denying_prepositions, adverbs, quantities, plurals, exceptions,
-      upper_limits, lower_limits;
+      upper_limits, lower_limits, excluded_upper_limits, excluded_lower_limits, upper_limits_behind,
+      lower_limits_behind, exact, approximations, approximations_behind;
 };
 
 const SmallWords& small_words();

@@ -174,6 +174,7 @@ double Evaluator::value(const TermNode& node) {
     case ProgramOp::occupancy: return floor_area(members(node.sets[0]), true) / area_;
     case ProgramOp::distance: return distance(node);
     case ProgramOp::gap: return gap(node);
+    case ProgramOp::seats: return seats(node);
     case ProgramOp::access: return access(node);
     case ProgramOp::angle: return angle(node);
     case ProgramOp::focus: return focus(node);

@@ -54,6 +54,7 @@ class Evaluator {
   double focus(const TermNode& node);
   double center(const TermNode& node);
   double gap(const TermNode& node);
+  double seats(const TermNode& node);
   double floor_area(const SlotSet& set, bool on_floor_only);
   double arithmetic(const TermNode& node);
   double over_members(const TermNode& node);

@@ -157,6 +157,14 @@ double Evaluator::gap(const TermNode& node) {
   return least;
 }
 
+double Evaluator::seats(const TermNode& node) {
+  double sum = 0.0;
+  members(node.sets[0]).each([&](Slot slot) {
+    if (slot < most_things) sum += world_.articles()[static_cast<std::size_t>(world_.item(slot).article)].seats;
+  });
+  return sum;
+}
+
 double Evaluator::floor_area(const SlotSet& set, bool on_floor_only) {
   std::array<Slot, most_things> counted;
   std::size_t count = 0;

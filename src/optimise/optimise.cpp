@@ -42,7 +42,7 @@ void number_articles(Task& task) {
     task.articles_of_kind.emplace_back();
     for (const auto& object : objects) {
       task.articles_of_kind.back().push_back(static_cast<int>(task.articles.size()));
-      task.articles.push_back({object, kind, number});
+      task.articles.push_back({object, kind, number, seats_on(ProgramVocabulary::built_in(), *kind, object.size.x())});
     }
   }
 }

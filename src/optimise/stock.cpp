@@ -15,11 +15,12 @@ struct Shelf {
   Status status;
 };
 
-Shelf fill(const Kind& kind, const AssetLibrary& library, std::size_t count) {
+Shelf fill(const StockWish& wish, const Kind& kind, const AssetLibrary& library, std::size_t count) {
   Shelf shelf;
   AssetQuery query;
   query.category = kind.name;
-  query.size = kind.size;
+  query.description = wish.description;
+  query.size = wish.size.value_or(kind.size);
   query.mount = kind.mount;
   query.limit = count;
   const auto matches = library.search(query);
@@ -35,12 +36,13 @@ Shelf fill(const Kind& kind, const AssetLibrary& library, std::size_t count) {
 }
 
 // Meshes are read on all cores.
-std::vector<Shelf> fill_all(const std::vector<std::string>& kinds, const AssetLibrary& library, const KindTable& table,
+std::vector<Shelf> fill_all(const std::vector<StockWish>& wishes, const AssetLibrary& library, const KindTable& table,
                             std::size_t count) {
-  std::vector<Shelf> shelves(kinds.size());
+  std::vector<Shelf> shelves(wishes.size());
   std::atomic<std::size_t> next{0};
   const auto work = [&] {
-    for (std::size_t i = next++; i < kinds.size(); i = next++) shelves[i] = fill(table.get(kinds[i]), library, count);
+    for (std::size_t i = next++; i < wishes.size(); i = next++)
+      shelves[i] = fill(wishes[i], table.get(wishes[i].kind), library, count);
   };
   std::vector<std::thread> others;
   for (unsigned i = 1; i < std::max(1u, std::thread::hardware_concurrency()); ++i) others.emplace_back(work);
@@ -51,19 +53,26 @@ std::vector<Shelf> fill_all(const std::vector<std::string>& kinds, const AssetLi
 
 }  // namespace
 
-Result<Stock> load_stock(const std::vector<std::string>& kinds, const AssetLibrary& library, const KindTable& table,
+std::vector<StockWish> wishes_for(const std::vector<std::string>& kinds) {
+  std::vector<StockWish> wishes;
+  for (const auto& kind : kinds) wishes.push_back({kind});
+  return wishes;
+}
+
+Result<Stock> load_stock(const std::vector<StockWish>& wishes, const AssetLibrary& library, const KindTable& table,
                          std::size_t per_kind) {
   Stock stock;
-  const auto shelves = fill_all(kinds, library, table, per_kind);
-  for (std::size_t i = 0; i < kinds.size(); ++i) {
+  const auto shelves = fill_all(wishes, library, table, per_kind);
+  for (std::size_t i = 0; i < wishes.size(); ++i) {
+    const std::string& kind = wishes[i].kind;
     const Shelf& shelf = shelves[i];
     if (!shelf.status) return shelf.status.error();
     for (std::size_t k = 0; k < shelf.assets.size(); ++k) {
       const AssetInfo& asset = shelf.assets[k];
-      Object object = object_of_asset(asset, table.get(kinds[i]), asset.size, shelf.models[k].get());
-      object.category = kinds[i];
+      Object object = object_of_asset(asset, table.get(kind), asset.size, shelf.models[k].get());
+      object.category = kind;
       object.description = asset.name;
-      stock.articles[kinds[i]].push_back(std::move(object));
+      stock.articles[kind].push_back(std::move(object));
       stock.models.add(asset_key(asset.ref), shelf.models[k]);
       stock.assets.push_back(asset);
     }

@@ -24,6 +24,7 @@ struct Article {
   Object object;              ///< its pose means nothing
   const Kind* kind = nullptr;
   int kind_number = 0;        ///< equal for articles of one kind
+  int seats = 0;              ///< people who can sit on it
 };
 
 inline constexpr std::size_t most_attachments = 4;

@@ -91,12 +91,15 @@ class Ledger {
 
   void count(std::size_t index, const Mention& mention) {
     Requirement requirement = about(index, mention, Requirement::Kind::count);
-    requirement.count = mention.quantity;
+    const bool is_range = mention.most > mention.least;
+    requirement.count = is_range ? mention.least : mention.quantity;
+    requirement.most = is_range ? mention.most : 0;
     requirement.at_least = !mention.counted || mention.at_least;
     requirement.at_most = mention.at_most;
     requirement.attribute = join(mention.naming, " ");
-    requirement.clause = (mention.quantity == 1 ? "a" : std::to_string(mention.quantity)) + " " +
-                         mention.description;
+    requirement.clause = (is_range ? std::to_string(mention.least) + " to " + std::to_string(mention.most)
+                          : mention.quantity == 1 ? "a" : std::to_string(mention.quantity)) +
+                         " " + mention.description;
     if (!mention.reason.empty()) requirement.clause += ", for " + mention.reason;
     std::vector<std::size_t> words;
     for (const auto as :

@@ -15,6 +15,7 @@ const std::vector<ProgramOpForm>& program_op_forms() {
       {Op::area, "area", "S", false, "the area of the room's floor; of things, their footprint; in m2"},
       {Op::occupancy, "occupancy", "S", false,
        "the share of the room's floor that its members cover, without rugs and what does not stand on the floor"},
+      {Op::seats, "seats", "S", false, "how many people can sit on its members"},
       {Op::distance, "dist", "SSs", false,
        "the least distance of a member of the first set from one of the second, or from that face of it, in m"},
       {Op::gap, "gap", "S", false, "the least distance of two of its members from each other, in m"},

@@ -22,13 +22,14 @@ struct Phrase {
   Level operands = sentence;
 };
 
-constexpr std::array<Phrase, 40> phrases = {{
+constexpr std::array<Phrase, 41> phrases = {{
     {ProgramOp::count, "the number of %A"},
     {ProgramOp::footprint, "the footprint of %A"},
     {ProgramOp::volume, "the volume of %A"},
     {ProgramOp::area, "the area of %A"},
     {ProgramOp::occupancy, "the share of the floor under %A"},
     {ProgramOp::distance, "the distance from %A to %f%B"},
+    {ProgramOp::seats, "the number of people who can sit on %A"},
     {ProgramOp::gap, "the least gap among %A"},
     {ProgramOp::access, "how deep %B reach into the %m m %d %A"},
     {ProgramOp::angle, "how far %A are turned from %f%B"},

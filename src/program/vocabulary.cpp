@@ -20,6 +20,15 @@ Words read_words(const JsonReader& json) {
   return words;
 }
 
+using Sitters = ProgramVocabulary::Sitters;
+
+std::map<std::string, Sitters, std::less<>> read_seats(const JsonReader& json) {
+  std::map<std::string, Sitters, std::less<>> seats;
+  for (const auto& [kind, sitters] : json.members())
+    seats[kind] = {static_cast<int>(sitters["people"].integer_or(0, 0, 100)), sitters["metres"].number_or(0.0, 0.0, 10.0)};
+  return seats;
+}
+
 // Of a kind and its ancestors the nearest one that is listed decides.
 bool covers(const std::vector<std::string>& listed, const Kind& kind) {
   const auto lists = [&](const std::string& name) {
@@ -41,9 +50,20 @@ const ProgramVocabulary& ProgramVocabulary::built_in() {
     if (!json) return ProgramVocabulary{};
     JsonReader::Problems problems(source);
     const JsonReader root(*json, problems);
-    return ProgramVocabulary{read_words(root["tags"]), read_words(root["factories"])};
+    return ProgramVocabulary{read_words(root["tags"]), read_words(root["factories"]),
+                             read_seats(root["seats"])};
   }();
   return vocabulary;
+}
+
+int seats_on(const ProgramVocabulary& vocabulary, const Kind& kind, double width) {
+  constexpr double rounding = 1e-6;
+  for (const auto& name : kind.lineage)
+    if (const auto found = vocabulary.seats.find(name); found != vocabulary.seats.end()) {
+      const auto& [people, metres] = found->second;
+      return metres > 0.0 ? std::max(people, static_cast<int>(width / metres + rounding)) : people;
+    }
+  return 0;
 }
 
 bool has_tag(const ProgramVocabulary& vocabulary, const Kind& kind, std::string_view tag) {

@@ -72,6 +72,7 @@ Requirement read_members(const JsonReader& json) {
   requirement.category = json["category"].text_or("", 200);
   requirement.subjects = read_ids(json["subjects"]);
   requirement.count = static_cast<int>(json["count"].integer_or(1, 0, max_count));
+  requirement.most = static_cast<int>(json["most"].integer_or(0, 0, max_count));
   requirement.at_least = json["at_least"].boolean_or(false);
   requirement.at_most = json["at_most"].boolean_or(false);
   requirement.attribute = json["attribute"].text_or("", 200);
@@ -107,6 +108,7 @@ std::string_view name(Compliance compliance) {
 namespace {
 
 void write_limits(const Requirement& requirement, Json& json) {
+  if (requirement.most > 0) json["most"] = requirement.most;
   if (requirement.at_least) json["at_least"] = true;
   if (requirement.at_most) json["at_most"] = true;
 }
@@ -159,13 +161,13 @@ Json to_json(const RequirementVerdict& verdict) {
 }
 
 Requirement read_requirement(const JsonReader& json) {
-  json.allow_only({"id", "clause", "kind", "source", "category", "subjects", "count",
+  json.allow_only({"id", "clause", "kind", "source", "category", "subjects", "count", "most",
                    "at_least", "at_most", "attribute", "amount", "relation", "targets", "room"});
   return read_members(json);
 }
 
 RequirementVerdict read_verdict(const JsonReader& json) {
-  json.allow_only({"id", "clause", "kind", "source", "category", "subjects", "count",
+  json.allow_only({"id", "clause", "kind", "source", "category", "subjects", "count", "most",
                    "at_least", "at_most", "attribute", "amount", "relation", "targets", "room", "verdict", "met",
                    "reason"});
   RequirementVerdict verdict;

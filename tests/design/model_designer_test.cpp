@@ -1,5 +1,3 @@
-#include "roomgen/design/model_designer.h"
-
 #include <algorithm>
 
 #include "catch.h"

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 const std::map<std::string, double> floors = {
     {"base", 0}, {"language", 0.5}, {"geometry", 1}, {"shape", 1.5}, {"kinds", 1.75}, {"scene", 2}, {"program", 2.5},
     {"library", 3},
-    {"collision", 3}, {"export", 3}, {"import", 3}, {"view", 3}, {"chat", 3}, {"brief", 4}, {"plan", 4.25}, {"optimise", 4.5}, {"design", 4.5},
+    {"collision", 3}, {"export", 3}, {"import", 3}, {"view", 3}, {"chat", 3}, {"brief", 4}, {"plan", 4.25}, {"optimise", 4.5}, {"design", 4.5}, {"compose", 4.75},
     {"evaluate", 4}, {"solve", 4}, {"create", 5},
     {"generate", 6}, {"session", 6.5}, {"assets", 7},   {"render", 7}, {"agent", 7},   {"c", 8}};
 

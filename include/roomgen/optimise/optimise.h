@@ -26,9 +26,16 @@ struct Stock {
 /// Names of the kinds that a program may add, in alphabetical order. Of tags that cover many kinds (dishware) some
 /// are chosen by the seed.
 std::vector<std::string> kinds_to_stock(const ConstraintProgram& program, const KindTable& kinds, std::uint64_t seed = 0);
-/// The best `per_kind` assets of a library for each kind, with their meshes. A kind of which the library has nothing
-/// is left out.
-Result<Stock> load_stock(const std::vector<std::string>& kinds, const AssetLibrary& library, const KindTable& table,
+/// A kind to have in stock, and what is preferred of it.
+struct StockWish {
+  std::string kind;
+  std::string description = {};   ///< "a white wooden desk"; empty: any
+  std::optional<Vec3> size = {};  ///< metres; unset: as such things usually are
+};
+std::vector<StockWish> wishes_for(const std::vector<std::string>& kinds);
+/// The best `per_kind` assets of a library for each wish, with their meshes. A kind of which the library has nothing
+/// is left out; of several wishes for one kind all count.
+Result<Stock> load_stock(const std::vector<StockWish>& wishes, const AssetLibrary& library, const KindTable& table,
                          std::size_t per_kind = 3);
 
 /// The empty room of a program: its outline, or one of the size that it asks for (a range is drawn from), or as

@@ -88,7 +88,7 @@ struct ProgramSet {
 enum class ProgramOp {
   // Numbers; "N": a number.
   constant, parameter,
-  count, footprint, volume, area, occupancy,
+  count, footprint, volume, area, occupancy, seats,
   distance, gap, access, angle, focus, center, reflection, rotation, coplanarity,
   add, multiply, subtract, divide, power, absolute, logarithm, least, greatest, clamp, hinge,
   mean, sum, minimize, maximize,
@@ -182,9 +182,17 @@ struct ProgramVocabulary {
   std::map<std::string, std::vector<std::string>, std::less<>> tags;
   /// Kinds that a factory makes, likewise; the names of all kinds are factories too ("dining_table").
   std::map<std::string, std::vector<std::string>, std::less<>> factories;
+  /// How many people sit on things of a kind and its descendants: so many, or one for so many metres of width.
+  struct Sitters {
+    int people = 0;
+    double metres = 0.0;  ///< 0: `people`, whatever the width
+  };
+  std::map<std::string, Sitters, std::less<>> seats;
 
   static const ProgramVocabulary& built_in();
 };
+/// How many people can sit on a thing of this kind and width; of the kind and its ancestors the nearest that is listed decides.
+int seats_on(const ProgramVocabulary& vocabulary, const Kind& kind, double width);
 bool has_tag(const ProgramVocabulary& vocabulary, const Kind& kind, std::string_view tag);
 /// Is the thing's kind one that the factory makes?
 bool is_made_by(const ProgramVocabulary& vocabulary, const KindTable& kinds, const Kind& kind, std::string_view factory);

@@ -30,6 +30,7 @@ struct Requirement {
   std::string category;               ///< of the things that it is about
   std::vector<std::string> subjects;  ///< their ids, as the plan has them
   int count = 1;                      ///< of Kind::count
+  int most = 0;                       ///< of Kind::count: "8 to 12" has 8 and 12; 0: just `count`
   bool at_least = false;              ///< more are as good
   bool at_most = false;               ///< fewer or less are as good
   std::string attribute;              ///< of Kind::attribute, a word; of Kind::room what of it, as

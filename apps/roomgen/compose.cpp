@@ -1,0 +1,208 @@
+#include "roomgen/compose/compose.h"
+
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "command.h"
+#include "designers.h"
+#include "libraries.h"
+#include "options.h"
+#include "print.h"
+#include "program_files.h"
+#include "room_files.h"
+#include "roomgen/base/file.h"
+#include "roomgen/base/json.h"
+#include "roomgen/base/text.h"
+#include "summary.h"
+
+namespace roomgen::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ComposeCommand {
+  ComposeRequest request;
+  std::string output, size, room;
+  std::vector<std::string> measures = std::vector<std::string>(complexity_measures().size());
+  double seconds = 0.0;
+  int pixels = 1024;
+  bool force = false, strict = false, no_pictures = false;
+  ComposeOptions options;
+  LibraryOptions libraries;
+  DesignerOptions designer;
+};
+
+Json round_json(const ComposeRound& round) {
+  Json json = {{"report", to_json(round.report)},
+               {"loss", rounded(round.result.loss)},
+               {"moves", round.result.moves},
+               {"notes", round.written.notes}};
+  if (!round.reason.empty()) json["reason"] = round.reason;
+  if (!round.patch.is_null()) json["patch"] = round.patch;
+  return json;
+}
+
+// How the program came about: the first one whole, then what changed.
+Json rounds_json(const Composition& composition, const std::string& author) {
+  Json json = {{"format", "roomgen-rounds"}, {"version", 1}, {"author", author}, {"chosen", composition.best}};
+  json["program"] = to_json(composition.rounds.front().written.program);
+  for (const auto& round : composition.rounds) json["rounds"].push_back(round_json(round));
+  json["notes"] = composition.notes;
+  return json;
+}
+
+// The files of the room that was chosen, and of each round what its author was shown.
+Status write_all(const ComposeCommand& command, OutputFolder& folder, const Composition& composition,
+                 const std::string& author) {
+  const ComposeRound& chosen = composition.chosen();
+  if (auto status = folder.write("rounds.json", dump_json(rounds_json(composition, author))); !status) return status;
+  for (std::size_t i = 0; i < composition.rounds.size(); ++i)
+    if (const auto& picture = composition.rounds[i].picture; !picture.empty())
+      if (auto status = folder.write("rounds/round-" + std::to_string(i + 1) + ".png", picture); !status) return status;
+  if (auto status = write_optimised_room(folder, chosen.written.program, chosen.result, chosen.models,
+                                         command.no_pictures ? 0 : command.pixels);
+      !status)
+    return status;
+  return folder.commit();
+}
+
+void print_summary(const Context& context, const fs::path& folder, const Composition& composition,
+                   const std::string& author, double seconds) {
+  const ComposeRound& chosen = composition.chosen();
+  if (context.json) {
+    Json json = optimisation_json(chosen.result);
+    json.erase("curve");
+    json["output"] = folder.string();
+    json["objects"] = chosen.result.scene.objects.size();
+    json["report"] = to_json(chosen.report);
+    json["rounds"] = composition.rounds.size();
+    json["chosen"] = composition.best + 1;
+    json["author"] = author;
+    json["notes"] = chosen.written.notes;
+    json["seconds"] = rounded(seconds, 3);
+    std::fputs(dump_json(json).c_str(), stdout);
+    return;
+  }
+  print_lines(chosen.written.notes);
+  print_lines(composition.notes);
+  std::printf("%s: %s (%zu rounds, %.1f s)\n", folder.string().c_str(),
+              optimisation_headline(chosen.result).c_str(), composition.rounds.size(), seconds);
+  std::vector<std::string> lines = unmet_lines(chosen.result);
+  for (const auto& measure : chosen.report.measures)
+    lines.push_back(measure.name + ": " + range_text(measure.asked) + " asked for, " +
+                    format_number(measure.reached, 2) + (measure.missed > 0.0 ? " reached: not met" : " reached"));
+  for (const auto& line : lack_lines(chosen.result.scene)) lines.push_back(line);
+  print_lines(lines);
+}
+
+Status read_wishes(ComposeCommand& command) {
+  for (std::size_t i = 0; i < command.measures.size(); ++i) {
+    if (command.measures[i].empty()) continue;
+    const auto& [name, range] = complexity_measures()[i];
+    auto read = range_from(command.measures[i], std::string("--") + name);
+    if (!read) return read.error();
+    command.request.complexity.*range = *read;
+  }
+  if (!command.size.empty()) {
+    auto size = parse_size(command.size);
+    if (!size) return size.error();
+    command.request.plan.size = *size;
+  }
+  if (command.room.empty()) return {};
+  auto room = read_room_file(command.room);
+  if (!room) return room.error();
+  command.request.plan.room = *std::move(room);
+  return {};
+}
+
+std::vector<KindOffer> offers_of(const AssetLibrary& library, const KindTable& kinds) {
+  std::vector<KindOffer> offers;
+  for (const auto& [name, kind] : kinds.all()) {
+    if (kind.variant || kind.is_stand_in()) continue;
+    const auto found = library.search({.category = name, .size = kind.size, .limit = 1});
+    if (found && !found->empty() && !found->front().asset.stand_in) offers.push_back({name, found->front().asset.size});
+  }
+  return offers;
+}
+
+Result<int> run(const Context& context, ComposeCommand& command) {
+  const auto start = std::chrono::steady_clock::now();
+  if (auto status = read_wishes(command); !status) return status.error();
+  const fs::path folder = command.output.empty() ? fs::path("out") / folder_name(command.request.plan.prompt)
+                                                 : fs::path(command.output);
+  auto output = open_room_folder(folder, command.force);
+  if (!output) return output.error();
+  auto composed = compose_model(command.designer, context, cache_folder(command.libraries).string());
+  if (!composed) return composed.error();
+  auto library = open_all_libraries(command.libraries, context);
+  if (!library) return library.error();
+  const KindTable& kinds = KindTable::built_in();
+  const CancelToken cancel = command.seconds > 0 ? context.cancel.within(std::chrono::duration<double>(command.seconds))
+                                                 : context.cancel;
+  command.options.optimise.cancel = command.request.plan.cancel = cancel;
+  command.options.optimise.seed = command.request.plan.seed;
+  const ProgramAuthor author =
+      composed->model ? model_author(*composed->model, composed->prompts, {.kinds = offers_of(**library, kinds)})
+                      : rule_author();
+  const bool shown = !context.quiet && ::isatty(STDERR_FILENO);
+  int rounds = 0;
+  if (!context.quiet)
+    command.options.on_round = [&](const ComposeRound& round) {
+      if (shown && command.options.rounds > 1)
+        std::fprintf(stderr, "round %d: %s\n", ++rounds, optimisation_headline(round.result).c_str());
+    };
+  auto composition = compose_room(command.request, author, **library, kinds, command.options);
+  if (!composition) return composition.error();
+  if (context.cancel.cancelled() && holds_whole_scene(folder / "scene.json")) return older_stays(folder);
+  if (auto status = write_all(command, *output, *composition, author.name); !status) return status.error();
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  print_summary(context, folder, *composition, author.name, elapsed.count());
+  if (context.cancel.cancelled()) return exit_interrupted;
+  return command.strict && !composition->chosen().report.is_met() ? exit_failure : exit_ok;
+}
+
+}  // namespace
+
+void add_compose_command(CLI::App& app, Context& context) {
+  auto command = std::make_shared<ComposeCommand>();
+  auto* sub = app.add_subcommand("compose", "Furnish a room for a sentence by a constraint program that is revised until it is met");
+  sub->add_option("prompt", command->request.plan.prompt, "What room: \"a reading room with twelve shelves and seating for ten\"")
+      ->required();
+  sub->add_option("-o,--output", command->output, "Folder to write (default: out/ and the prompt)");
+  sub->add_option("--seed", command->request.plan.seed, "Of plan, room and search")->check(CLI::Range(std::uint64_t{0}, max_seed))
+      ->capture_default_str();
+  sub->add_option("--size", command->size, "Of the room, as 4x5: metres");
+  sub->add_option("--room", command->room, "Room to furnish (room.json)");
+  const char* help[] = {"Things in all, as 20..25", "People who can sit, as 8..12", "Pieces with shelves, as 9..",
+                        "Covered share of the floor, as 0.4..0.5"};
+  for (std::size_t i = 0; i < command->measures.size(); ++i)
+    sub->add_option(std::string("--") + complexity_measures()[i].name, command->measures[i], help[i]);
+  sub->add_option("--rounds", command->options.rounds, "Programs at most: 1 is without revisions")
+      ->check(CLI::Range(1, 20))->capture_default_str();
+  sub->add_option("--steps", command->options.optimise.steps, "Moves tried in each chain of a round")
+      ->check(CLI::Range(1, 100000000))->capture_default_str();
+  sub->add_option("--chains", command->options.optimise.chains, "Restarts, of which the best counts")
+      ->check(CLI::Range(1, 1000))->capture_default_str();
+  sub->add_option("--seconds", command->seconds, "Stop after so long with the best room so far")->check(CLI::PositiveNumber);
+  sub->add_option("--assets", command->options.assets_each, "Meshes of each kind to choose from")
+      ->check(CLI::Range(1, 50))->capture_default_str();
+  sub->add_flag_callback("--no-clusters", [command] { command->options.optimise.cluster_moves = false; },
+                         "Move things singly only, for comparisons");
+  sub->add_flag("--force", command->force, "Write into a folder that holds other files");
+  sub->add_flag("--strict", command->strict, "Exit with 1 if anything that is asked for is not met");
+  sub->add_flag("--no-pictures", command->no_pictures, "Leave out the pictures");
+  sub->add_option("--pixels", command->pixels, "Length of the pictures' longer side")->capture_default_str();
+  add_chat_options(*sub, command->designer);
+  add_library_options(*sub, command->libraries);
+  sub->callback([command, &context] { context.run = [command, &context] { return run(context, *command); }; });
+}
+
+}  // namespace roomgen::cli

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "roomgen/base/file.h"
+#include "roomgen/optimise/optimise.h"
+#include "roomgen/program/program.h"
+
+namespace roomgen::cli {
+
+/// How a room came about by its program, without a clock: the same for equal input.
+Json optimisation_json(const Optimisation& result);
+
+/// All files of a room that a program made: program.json, scene.json, optimise.json, scene.glb, ATTRIBUTION.md, and
+/// pictures of so many pixels unless these are 0.
+Status write_optimised_room(const OutputFolder& folder, const ConstraintProgram& program, const Optimisation& result,
+                            const ModelTable& models, int pixels);
+
+/// "12 things, 5 of 5 constraints held, 31 % of the floor covered"
+std::string optimisation_headline(const Optimisation& result);
+/// What does not hold, a line each.
+std::vector<std::string> unmet_lines(const Optimisation& result);
+
+}  // namespace roomgen::cli

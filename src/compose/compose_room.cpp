@@ -1,0 +1,97 @@
+#include <algorithm>
+
+#include "roomgen/compose/compose.h"
+
+namespace roomgen {
+
+namespace {
+
+double missed_in_all(const ErrorReport& report) {
+  double sum = report.violation;
+  for (const auto& measure : report.measures) sum += measure.missed > 1e-9 ? 1.0 : 0.0;
+  return sum;
+}
+
+/// Goes on from round to round.
+class Composer {
+ public:
+  Composer(const ComposeRequest& request, const ProgramAuthor& author, const AssetLibrary& library, const KindTable& kinds,
+           const ComposeOptions& options)
+      : request_(request), author_(author), library_(library), kinds_(kinds), options_(options) {}
+
+  Result<Composition> run() {
+    auto written = author_.write(request_);
+    if (!written) return written.error();
+    ComposeRound first;
+    first.written = *std::move(written);
+    if (auto done = play(std::move(first)); !done) return done.error();
+    while (static_cast<int>(composition_.rounds.size()) < options_.rounds && !last().report.is_met() &&
+           !options_.optimise.cancel.cancelled()) {
+      auto next = author_.revise(composition_.rounds);
+      if (!next) {
+        if (next.error().kind == Error::Kind::cancelled) break;
+        composition_.notes.push_back("no further round: " + next.error().message);
+        break;
+      }
+      if (!*next) break;
+      ComposeRound round;
+      round.written = std::move((*next)->written);
+      round.reason = std::move((*next)->reason);
+      round.patch = std::move((*next)->patch);
+      if (auto done = play(std::move(round)); !done) {
+        composition_.notes.push_back("a revision could not be used: " + done.error().message);
+        break;
+      }
+    }
+    choose();
+    return std::move(composition_);
+  }
+
+ private:
+  const ComposeRound& last() const { return composition_.rounds.back(); }
+
+  Status play(ComposeRound round) {
+    auto stock = load_stock(round.written.stock, library_, kinds_, options_.assets_each);
+    if (!stock) return stock.error();
+    auto result = optimise(round.written.program, round.written.plan.room, *stock, kinds_, options_.optimise);
+    if (!result) return result.error();
+    round.result = *std::move(result);
+    round.models = std::move(stock->models);
+    round.report = error_report(round.result, round.written.asked, round.models, kinds_);
+    if (options_.picture)
+      if (auto picture = options_.picture(round.result.scene, round.models)) round.picture = *std::move(picture);
+    composition_.rounds.push_back(std::move(round));
+    if (options_.on_round) options_.on_round(last());
+    return {};
+  }
+
+  // What is asked for comes before what is liked; of equals the earlier.
+  void choose() {
+    for (std::size_t i = 1; i < composition_.rounds.size(); ++i)
+      if (missed_in_all(composition_.rounds[i].report) < missed_in_all(composition_.rounds[composition_.best].report) - 1e-9)
+        composition_.best = i;
+  }
+
+  const ComposeRequest& request_;
+  const ProgramAuthor& author_;
+  const AssetLibrary& library_;
+  const KindTable& kinds_;
+  const ComposeOptions& options_;
+  Composition composition_;
+};
+
+}  // namespace
+
+ProgramAuthor rule_author() {
+  return {"rules", [](const ComposeRequest& request) { return write_program(request); },
+          [](const std::vector<ComposeRound>& rounds) -> Result<std::optional<Revision>> {
+            return revise(rounds.back().written, rounds.back().report, static_cast<int>(rounds.size()));
+          }};
+}
+
+Result<Composition> compose_room(const ComposeRequest& request, const ProgramAuthor& author, const AssetLibrary& library,
+                                 const KindTable& kinds, const ComposeOptions& options) {
+  return Composer(request, author, library, kinds, options).run();
+}
+
+}  // namespace roomgen

@@ -1,0 +1,112 @@
+#include "inventory.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace roomgen::compose {
+
+namespace {
+
+constexpr double any_number = std::numeric_limits<double>::infinity();
+
+const Requirement* count_clause(const Plan& plan, const std::vector<std::string>& ids) {
+  for (const auto& requirement : plan.requirements)
+    if (requirement.kind == Requirement::Kind::count &&
+        std::ranges::any_of(ids, [&](const auto& id) { return std::ranges::count(requirement.subjects, id) > 0; }))
+      return &requirement;
+  return nullptr;
+}
+
+// How many there may be. A clause that several items share leaves each the number that it is planned with.
+Range count_of(const Plan& plan, const PlanItem& item, const std::vector<std::string>& ids) {
+  const double planned = item.quantity;
+  if (!item.asked) return {0.0, planned};
+  const Requirement* clause = count_clause(plan, ids);
+  if (!clause) return {planned, planned};
+  if (clause->most > clause->count && clause->subjects.size() == ids.size())
+    return {static_cast<double>(clause->count), static_cast<double>(clause->most)};
+  if (clause->at_most) return {0.0, planned};
+  return {planned, clause->at_least ? any_number : planned};
+}
+
+/// Ids of a plan's objects, to the set that they are members of.
+using SetsOfIds = std::map<std::string, std::string, std::less<>>;
+
+std::string free_name(const std::vector<Stand>& stands, const std::string& kind) {
+  std::string name = kind;
+  for (int n = 2; std::ranges::find(stands, name, &Stand::name) != stands.end(); ++n)
+    name = kind + " " + std::to_string(n);
+  return name;
+}
+
+// Ids of things become the sets that they are in; what carries a thing may be said by its kind.
+std::string set_named(const std::string& said, const SetsOfIds& sets, const std::vector<Stand>& stands) {
+  if (const auto found = sets.find(said); found != sets.end()) return found->second;
+  const auto same = std::ranges::find(stands, said, &Stand::kind);
+  return same == stands.end() ? "" : same->name;
+}
+
+Stand stand_of(const Plan& plan, const PlanItem& item, const std::vector<std::string>& ids, const SetsOfIds& sets,
+               const std::vector<Stand>& stands, const KindTable& kinds) {
+  Stand stand;
+  stand.kind = item.category;
+  stand.mount = item.mount;
+  stand.on = set_named(item.on, sets, stands);
+  stand.count = count_of(plan, item, ids);
+  stand.asked = item.asked;
+  stand.size = item.size.value_or(kinds.get(item.category).size);
+  stand.description = item.description;
+  if (item.asked)
+    for (auto relation : item.relations) {
+      if (const auto set = set_named(relation.target, sets, stands); !set.empty()) relation.target = set;
+      stand.wishes.push_back(std::move(relation));
+    }
+  return stand;
+}
+
+bool joins(const Stand& a, const Stand& b) {
+  return a.kind == b.kind && a.mount == b.mount && a.on == b.on && a.wishes == b.wishes && a.asked == b.asked;
+}
+
+}  // namespace
+
+std::vector<Stand> inventory_of(const Plan& plan, const KindTable& kinds) {
+  std::map<std::size_t, std::vector<std::string>> ids;
+  for (const auto& planned : planned_objects(plan)) ids[planned.item].push_back(planned.id);
+  std::vector<Stand> stands;
+  SetsOfIds sets;
+  for (std::size_t i = 0; i < plan.items.size(); ++i) {
+    Stand stand = stand_of(plan, plan.items[i], ids[i], sets, stands, kinds);
+    const auto same = std::ranges::find_if(stands, [&](const Stand& other) { return joins(other, stand); });
+    if (same != stands.end()) {
+      same->count.low += stand.count.low, same->count.high += stand.count.high;
+      stand.name = same->name;
+    } else {
+      stand.name = free_name(stands, stand.kind);
+      stands.push_back(stand);
+    }
+    for (const auto& id : ids[i]) sets[id] = stand.name;
+  }
+  return stands;
+}
+
+double footprint_of(const Stand& stand, const KindTable& kinds) {
+  const bool covers = stand.mount == Mount::floor && !kinds.get(stand.kind).traits.flat;
+  return covers ? stand.size.x() * stand.size.y() : 0.0;
+}
+
+double least_footprint(const std::vector<Stand>& stands, const KindTable& kinds) {
+  double sum = 0.0;
+  for (const auto& stand : stands) sum += stand.count.low * footprint_of(stand, kinds);
+  return sum;
+}
+
+double most_footprint(const std::vector<Stand>& stands, const KindTable& kinds) {
+  double sum = 0.0;
+  for (const auto& stand : stands)
+    sum += (std::isinf(stand.count.high) ? stand.count.low : stand.count.high) * footprint_of(stand, kinds);
+  return sum;
+}
+
+}  // namespace roomgen::compose

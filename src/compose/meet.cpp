@@ -1,0 +1,168 @@
+#include "meet.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "complexity.h"
+
+namespace roomgen::compose {
+
+namespace {
+
+constexpr double headroom = 2.0;        // beyond the least, where nobody said how many at most
+constexpr std::size_t most_fillers = 8; // kinds; each is loaded
+constexpr double most_of_one = 12.0;    // things of a kind that fills the room up
+// A room may hardly be fuller (docs/benchmarks.md), nor does anybody want it emptier.
+constexpr double fullest = 0.55, emptiest = 0.04;
+
+double most_of(const Range& range) { return std::isinf(range.high) ? range.low + headroom : range.high; }
+
+class Opener {
+ public:
+  Opener(const Complexity& asked, const design::RoomKind& room, double area, const std::vector<std::string>& excluded,
+         const KindTable& kinds, std::vector<Stand>& stands, std::vector<std::string>& notes)
+      : asked_(asked), room_(room), area_(area), excluded_(excluded), kinds_(kinds), stands_(stands), notes_(notes) {}
+
+  void run() {
+    const auto& vocabulary = ProgramVocabulary::built_in();
+    if (asked_.seats) open("seats", *asked_.seats, [&](const Stand& stand) { return seats_on(vocabulary, kinds_.get(stand.kind), stand.size.x()); });
+    if (asked_.shelves) open("shelves", *asked_.shelves, [&](const Stand& stand) { return is_shelf(stand.kind) ? 1.0 : 0.0; });
+    if (asked_.objects) fill_with_things(*asked_.objects);
+    if (asked_.occupancy) fill_floor(*asked_.occupancy);
+  }
+
+ private:
+  bool is_shelf(const std::string& kind) const { return has_tag(ProgramVocabulary::built_in(), kinds_.get(kind), "shelf"); }
+  bool is_seat(const std::string& kind) const { return seats_on(ProgramVocabulary::built_in(), kinds_.get(kind), 1.0) > 0.0; }
+
+  // Makes things of one sort come in such numbers that their worth (seats each) may be what is asked for.
+  template <typename Worth>
+  void open(const char* measure, const Range& wanted, Worth worth) {
+    double fixed = 0.0, possible = 0.0;
+    for (auto& stand : stands_) {
+      const double each = worth(stand);
+      if (each == 0.0) continue;
+      if (stand.asked) fixed += each * stand.count.low, possible += each * stand.count.high;
+    }
+    if (fixed > wanted.high)
+      notes_.push_back(std::string(measure) + ": at most " + std::to_string(static_cast<int>(wanted.high)) +
+                       " are asked for, and " + std::to_string(static_cast<int>(fixed)) + " are counted by name");
+    const double missing = std::max(0.0, most_of(wanted) - fixed);
+    for (auto& stand : stands_) {
+      const double each = worth(stand);
+      if (each == 0.0 || stand.asked) continue;
+      stand.count = {0.0, std::floor(missing / each)};
+      possible += each * stand.count.high;
+    }
+    if (possible >= wanted.low) return;
+    for (const auto& kind : complexity_words().made_up_with.at(measure)) {
+      if (kinds_.is_any_of(kind, excluded_) || names_of_asked(kind)) continue;
+      add(kind, std::ceil(missing));
+      return;
+    }
+  }
+
+  // Counted by name, under its own or another one.
+  bool names_of_asked(const std::string& kind) const {
+    return std::ranges::any_of(stands_, [&](const Stand& stand) {
+      return stand.asked && !std::isinf(stand.count.high) && (kinds_.is_a(stand.kind, kind) || kinds_.is_a(kind, stand.kind));
+    });
+  }
+
+  void add(const std::string& kind, double most) {
+    const auto same = std::ranges::find_if(stands_, [&](const Stand& stand) { return stand.kind == kind && !stand.asked; });
+    if (same != stands_.end()) {
+      same->count.high = std::max(same->count.high, most);
+      return;
+    }
+    Stand stand;
+    stand.name = stand.kind = kind;
+    stand.mount = kinds_.get(kind).mount;
+    stand.count = {0.0, most};
+    stand.size = kinds_.get(kind).size;
+    stand.description = kind;
+    stands_.push_back(std::move(stand));
+  }
+
+  // Kinds that may be added in any number: what such rooms hold, then what most rooms may hold.
+  std::vector<std::string> fillers(bool on_floor) const {
+    std::vector<std::string> names;
+    for (const auto& stand : stands_)
+      if (!stand.asked) names.push_back(stand.kind);
+    for (const auto* pieces : {&room_.core, &room_.extras, &room_.details})
+      for (const auto& piece : *pieces) names.push_back(piece.any.front().first);
+    for (const auto& name : complexity_words().made_up_with.at(on_floor ? "floor" : "small")) names.push_back(name);
+    std::vector<std::string> chosen;
+    for (const auto& name : names)
+      if (may_fill(name, on_floor) && std::ranges::find(chosen, name) == chosen.end()) chosen.push_back(name);
+    return chosen;
+  }
+
+  bool may_fill(const std::string& name, bool on_floor) const {
+    const Kind& kind = kinds_.get(name);
+    if (kind.lineage.empty() || kind.covers_window || kind.traits.flat) return false;
+    if (on_floor != (kind.mount == Mount::floor) || names_of_asked(name) || kinds_.is_any_of(name, excluded_)) return false;
+    if (asked_.seats && is_seat(name)) return false;
+    return !((asked_.shelves || any_shelf_is_asked()) && is_shelf(name));
+  }
+
+  bool any_shelf_is_asked() const {
+    return std::ranges::any_of(stands_, [&](const Stand& stand) { return stand.asked && is_shelf(stand.kind); });
+  }
+
+  void fill_with_things(const Range& wanted) {
+    double fixed = 0.0, possible = 0.0;
+    for (const auto& stand : stands_) {
+      if (stand.asked) fixed += stand.count.low;
+      possible += std::isinf(stand.count.high) ? stand.count.low : stand.count.high;
+    }
+    if (fixed > wanted.high)
+      notes_.push_back("objects: at most " + std::to_string(static_cast<int>(wanted.high)) + " are asked for, and " +
+                       std::to_string(static_cast<int>(fixed)) + " are counted by name");
+    std::size_t added = 0;
+    const double missing = std::ceil(wanted.low - possible);
+    if (missing <= 0.0) return;
+    // Small things first: they need no floor.
+    for (const bool on_floor : {false, true})
+      for (const auto& name : fillers(on_floor)) {
+        if (added++ >= most_fillers) return;
+        add(name, std::max(2.0, std::ceil(missing / 3.0)));
+      }
+  }
+
+  void fill_floor(const Range& wanted) {
+    const double middle = std::min(fullest, 0.5 * (wanted.low + std::min(1.0, wanted.high)));
+    double missing = middle * area_ - most_footprint(stands_, kinds_);
+    if (missing <= 0.0) return;
+    std::size_t added = 0;
+    for (const auto& name : fillers(true)) {
+      if (added++ >= most_fillers) return;
+      const Vec3& size = kinds_.get(name).size;
+      add(name, std::clamp(std::ceil(missing / (size.x() * size.y())), 1.0, most_of_one));
+    }
+  }
+
+  const Complexity& asked_;
+  const design::RoomKind& room_;
+  double area_;
+  const std::vector<std::string>& excluded_;
+  const KindTable& kinds_;
+  std::vector<Stand>& stands_;
+  std::vector<std::string>& notes_;
+};
+
+}  // namespace
+
+void meet(const Complexity& asked, const design::RoomKind& room, double area, const std::vector<std::string>& excluded,
+          const KindTable& kinds, std::vector<Stand>& stands, std::vector<std::string>& notes) {
+  Opener(asked, room, area, excluded, kinds, stands, notes).run();
+}
+
+std::optional<double> floor_for(const Complexity& asked, const std::vector<Stand>& stands, const KindTable& kinds) {
+  if (!asked.occupancy) return std::nullopt;
+  const double share = std::clamp(0.5 * (asked.occupancy->low + std::min(1.0, asked.occupancy->high)), emptiest, fullest);
+  const double covered = 0.5 * (least_footprint(stands, kinds) + most_footprint(stands, kinds));
+  return covered / share;
+}
+
+}  // namespace roomgen::compose

@@ -1,0 +1,57 @@
+#include <nlohmann/json.hpp>
+
+#include "chat/loose_json.h"
+#include "model_author.h"
+#include "roomgen/base/text.h"
+
+namespace roomgen::compose {
+
+namespace {
+
+constexpr std::size_t most_findings = 8;
+
+// The patched program. What a patch is about may be missing.
+Result<Json> patched(const Json& before, const Json& patch) {
+  try {
+    return before.patch(patch);
+  } catch (const Json::exception& fault) {
+    return Error{Error::Kind::invalid_input, std::string("the patch does not apply to the program: ") + fault.what()};
+  }
+}
+
+Result<Json> program_json_of(const Json& answer, const Json& before) {
+  if (const Json* program = design::member(answer, {"program"}); program && program->is_object()) return *program;
+  if (const Json* patch = design::member(answer, {"patch", "operations"}); patch && patch->is_array()) {
+    if (before.is_null()) return Error{Error::Kind::invalid_input, "a patch needs a program before it; answer with a whole \"program\""};
+    return patched(before, *patch);
+  }
+  if (answer.contains("constraints") && answer.contains("sets")) return answer;
+  return Error{Error::Kind::invalid_input, "it holds no \"program\" and no \"patch\""};
+}
+
+Status check_for_model(const ConstraintProgram& program, const KindTable& kinds) {
+  std::vector<std::string> faults;
+  for (const auto& finding : check(program, kinds))
+    if (finding.severity == ProgramFinding::Severity::error && faults.size() < most_findings)
+      faults.push_back(finding.at + ": " + finding.message);
+  if (faults.empty()) return {};
+  return Error{Error::Kind::invalid_input, "the program is wrong at " + join(faults, "; ")};
+}
+
+}  // namespace
+
+Result<ProgramAnswer> read_program_answer(const std::string& text, const Json& before, const KindTable& kinds) {
+  const auto found = design::find_json(text, {{"program", "patch", "constraints"}, {"reasoning", "sets", "operations"}});
+  if (!found) return found.error();
+  const auto json = program_json_of(found->json, before);
+  if (!json) return json.error();
+  auto program = program_from_json(*json, "program");
+  if (!program) return program.error();
+  if (auto sound = check_for_model(*program, kinds); !sound) return sound.error();
+  ProgramAnswer answer{*std::move(program), {}, found->repairs};
+  if (const Json* why = design::member(found->json, {"reasoning", "thoughts"}); why && why->is_string())
+    answer.reasoning = why->get<std::string>();
+  return answer;
+}
+
+}  // namespace roomgen::compose

@@ -1,0 +1,196 @@
+#include "program_of.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "put_up.h"
+#include "roomgen/base/text.h"
+
+namespace roomgen::compose {
+
+namespace {
+
+using namespace roomgen::programs;
+
+constexpr double liked = 0.5;  // weight of having what such rooms usually hold
+constexpr double straight = 0.5;
+
+ProgramTerm bound(ProgramTerm value, const Range& range) {
+  if (std::isinf(range.high)) return term(ProgramOp::at_least, {}, {std::move(value), number(range.low)});
+  if (range.low == range.high) return term(ProgramOp::equal, {}, {std::move(value), number(range.low)});
+  return within(std::move(value), range.low, range.high);
+}
+
+class Translator {
+ public:
+  Translator(const std::vector<Stand>& stands, const KindTable& kinds, const Arrangements& arrangements,
+             ConstraintProgram& program, std::vector<std::string>& notes)
+      : stands_(stands), kinds_(kinds), arrangements_(arrangements), program_(program), notes_(notes) {}
+
+  void run() {
+    for (const auto& stand : stands_) translate(stand);
+  }
+
+ private:
+  const Stand* stand_named(const std::string& name) const {
+    const auto found = std::ranges::find(stands_, name, &Stand::name);
+    return found == stands_.end() ? nullptr : &*found;
+  }
+
+  // The sets of a kind that a way of arranging is about; "exactly table" without its descendants.
+  std::optional<TargetSet> sets_of_kind(const std::string& said, const Stand& own) const {
+    constexpr std::string_view exactly = "exactly ";
+    const bool alone = said.starts_with(exactly);
+    const std::string kind = alone ? said.substr(exactly.size()) : said;
+    std::vector<ProgramSet> sets;
+    const Kind* first = nullptr;
+    for (const auto& stand : stands_)
+      if (stand.name != own.name && (alone ? stand.kind == kind : kinds_.is_a(stand.kind, kind))) {
+        sets.push_back(set(stand.name));
+        if (!first) first = &kinds_.get(stand.kind);
+      }
+    if (sets.empty()) return std::nullopt;
+    return TargetSet{sets.size() == 1 ? sets.front() : either(std::move(sets)), first};
+  }
+
+  // What a relation's target means: a set, a kind, or a part of the room.
+  std::optional<TargetSet> target(const std::string& said, const Stand& own) const {
+    if (const Stand* stand = stand_named(said)) return TargetSet{set(stand->name), &kinds_.get(stand->kind)};
+    if (said.starts_with("door")) return TargetSet{doors(), nullptr};
+    if (said.starts_with("window")) return TargetSet{windows(), nullptr};
+    return sets_of_kind(said, own);
+  }
+
+  Habits read(const std::vector<Relation>& relations, const Stand& stand, bool asked) const {
+    return habits_of(relations, {kinds_.get(stand.kind), stand.mount, stand.name},
+                     [&](const std::string& said) { return target(said, stand); }, asked);
+  }
+
+  bool is_possible(const std::vector<Relation>& way, const Stand& stand) const {
+    return std::ranges::all_of(way, [&](const Relation& relation) {
+      return relation.target.empty() || target(relation.target, stand).has_value();
+    });
+  }
+
+  // The first way of arranging such things whose targets are in the room.
+  std::vector<Relation> usual_way(const Stand& stand) const {
+    const auto& arrangement = arrangements_.get(kinds_, stand.kind, stand.mount);
+    for (const auto& way : arrangement.ways)
+      if (is_possible(way, stand)) return way;
+    return {};
+  }
+
+  // Wishes come before habits; what is said of a place silences them.
+  Habits habits(const Stand& stand) {
+    Habits said = read(stand.wishes, stand, true);
+    for (const auto& wish : said.unsaid) notes_.push_back(stand.name + " " + wish + ": programs have no word for this");
+    if (!said.relations.empty() || (!stand.wishes.empty() && !said.truths.empty())) return said;
+    Habits usual = read(usual_way(stand), stand, false);
+    usual.truths = said.truths;
+    std::ranges::move(said.scores, std::back_inserter(usual.scores));
+    return usual;
+  }
+
+  ProgramSet carriers(const Stand& stand) const {
+    if (const Stand* below = stand_named(stand.on)) return set(below->name);
+    std::vector<ProgramSet> sets;
+    for (const auto& other : stands_)
+      if (other.mount == Mount::floor && kinds_.get(other.kind).supports) sets.push_back(set(other.name));
+    return sets.empty() ? things() : sets.size() == 1 ? sets.front() : either(std::move(sets));
+  }
+
+  void translate(const Stand& stand) {
+    Habits found = habits(stand);
+    std::vector<SetRelation> relations;
+    const bool is_carried = std::ranges::any_of(found.relations, [](const auto& relation) { return relation.relation == "on"; });
+    if (!is_carried) relations.push_back(carried_by(stand.mount, carriers(stand)));
+    for (auto& relation : found.relations)
+      if (relations.size() < 3) relations.push_back(std::move(relation));
+    ProgramSet members = of_kind(stand.kind);
+    members.relations = relations;
+    program_.sets.emplace_back(stand.name, members);
+    add_bounds(stand, members);
+    for (auto& truth : found.truths) also(stand.name + " as asked", std::move(truth));
+    for (auto& score : found.scores) add_score(stand.name, std::move(score));
+    if (!stand.asked) add_score(stand.name, maximize(liked, count(set(stand.name))));
+    if (is_in_rows(stand)) add_score(stand.name, minimize(straight, term(ProgramOp::coplanarity, {set(stand.name)})));
+  }
+
+  bool is_in_rows(const Stand& stand) const {
+    const auto& preferences = arrangements_.get(kinds_, stand.kind, stand.mount).preferences;
+    return stand.count.low >= 3.0 && std::ranges::any_of(preferences, [](const auto& preference) {
+      return preference.what == Preference::rows && preference.weight > 0.0;
+    });
+  }
+
+  // Where the numbers divide, each of what they gather at has its share: four chairs a table, not sixteen at one.
+  void add_bounds(const Stand& stand, const ProgramSet& members) {
+    ProgramTerm all = bound(count(set(stand.name)), stand.count);
+    const auto host = std::ranges::find_if(members.relations, [&](const SetRelation& relation) {
+      return relation.target.front().source == ProgramSet::Source::named && stand_named(relation.target.front().name);
+    });
+    if (host != members.relations.end() && stand.count.low == stand.count.high) {
+      const Stand& at = *stand_named(host->target.front().name);
+      const double each = stand.count.low / at.count.low;
+      if (at.count.low == at.count.high && at.count.low > 1.0 && each == std::floor(each)) {
+        ProgramSet own = of_kind(stand.kind);
+        own.relations = members.relations;
+        own.relations[static_cast<std::size_t>(host - members.relations.begin())].target = {variable("h")};
+        all = std::move(all) && for_all("h", set(at.name), bound(count(own), {each, each}));
+      }
+    }
+    program_.constraints.emplace_back(stand.name, std::move(all));
+  }
+
+  void also(const std::string& name, ProgramTerm truth) {
+    for (auto& [known, term] : program_.constraints)
+      if (known == name) {
+        term = std::move(term) && std::move(truth);
+        return;
+      }
+    program_.constraints.emplace_back(name, std::move(truth));
+  }
+
+  void add_score(const std::string& name, ProgramTerm score) {
+    for (auto& [known, term] : program_.scores)
+      if (known == name) {
+        term = std::move(term) + std::move(score);
+        return;
+      }
+    program_.scores.emplace_back(name, std::move(score));
+  }
+
+  const std::vector<Stand>& stands_;
+  const KindTable& kinds_;
+  const Arrangements& arrangements_;
+  ConstraintProgram& program_;
+  std::vector<std::string>& notes_;
+};
+
+void ask_of_whole(const Complexity& asked, ConstraintProgram& program) {
+  const auto ask = [&](const char* name, ProgramTerm value, const std::optional<Range>& range) {
+    if (range) program.constraints.emplace_back(name, bound(std::move(value), *range));
+  };
+  ask("number of objects", count(things()), asked.objects);
+  ask("number of seats", term(ProgramOp::seats, {things()}), asked.seats);
+  ask("number of shelves", count(tagged("shelf")), asked.shelves);
+  ask("share of the floor", term(ProgramOp::occupancy, {things()}), asked.occupancy);
+}
+
+}  // namespace
+
+ConstraintProgram program_of(const std::vector<Stand>& stands, const Complexity& asked, const Plan& plan,
+                             const KindTable& kinds, const Arrangements& arrangements, std::vector<std::string>& notes) {
+  ConstraintProgram program;
+  program.prompt = plan.prompt;
+  program.seed = plan.seed;
+  program.room.type = plan.room.type;
+  program.room.polygon = plan.room.polygon;
+  program.room.height = plan.room.height;
+  program.room.openings = plan.room.openings;
+  Translator(stands, kinds, arrangements, program, notes).run();
+  ask_of_whole(asked, program);
+  return program;
+}
+
+}  // namespace roomgen::compose

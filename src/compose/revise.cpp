@@ -1,0 +1,153 @@
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "roomgen/base/text.h"
+#include "roomgen/compose/compose.h"
+
+namespace roomgen {
+
+namespace {
+
+// A revision changes the floor by at most these factors of its area, a thing's sides by this one, scores by that one.
+constexpr double greatest_growth = 1.6, least_growth = 0.6, usual_growth = 1.2, smaller = 0.85, weaker = 0.4;
+constexpr double least_side = 1.2, greatest_side = 50.0;
+constexpr double more_of_each = 3.0;
+
+const MeasureVerdict* missed(const ErrorReport& report, std::string_view name) {
+  const auto found = std::ranges::find_if(report.measures, [&](const auto& measure) {
+    return measure.name == name && measure.missed > 1e-9;
+  });
+  return found == report.measures.end() ? nullptr : &*found;
+}
+
+bool is_optional(const ProgramTerm& term) {
+  return term.op == ProgramOp::within && term.literals.front() == 0.0 && term.operands.front().op == ProgramOp::count;
+}
+
+/// One try at a revision of a copy.
+class Reviser {
+ public:
+  Reviser(const WrittenProgram& before, const ErrorReport& report) : report_(report), written_(before) {}
+
+  bool counts_are_missed() const {
+    return std::ranges::any_of(report_.unmet, [](const auto& verdict) { return verdict.name != "share of the floor"; });
+  }
+
+  // The floor that would make what stands there cover what is asked for.
+  bool fit_floor() {
+    const auto* occupancy = missed(report_, "occupancy");
+    if (!occupancy || !written_.is_room_free || report_.occupancy <= 0.0) return false;
+    const double wanted = 0.5 * (occupancy->asked.low + std::min(1.0, occupancy->asked.high));
+    return resize(std::clamp(report_.occupancy / wanted, least_growth, greatest_growth),
+                  "the room's floor made to suit what stands on it");
+  }
+
+  bool grow_room() { return written_.is_room_free && resize(usual_growth, "a larger room"); }
+
+  // Nobody asked for these.
+  bool drop_optional() {
+    const auto* occupancy = missed(report_, "occupancy");
+    if (occupancy && report_.occupancy < occupancy->asked.low) return false;
+    std::vector<std::string> dropped;
+    for (auto& [name, term] : written_.program.constraints)
+      if (is_optional(term) && term.literals.back() > 0.0 && !serves_measure(name)) {
+        term.literals.back() = 0.0;
+        dropped.push_back(name);
+      }
+    return say(!dropped.empty(), "without what nobody asked for: " + join(dropped, ", "));
+  }
+
+  bool permit_more() {
+    const bool few = missed(report_, "occupancy") || missed(report_, "objects") || missed(report_, "seats") || missed(report_, "shelves");
+    if (!few) return false;
+    bool changed = false;
+    for (auto& [name, term] : written_.program.constraints)
+      if (is_optional(term)) term.literals.back() += more_of_each, changed = true;
+    return say(changed, "more of what may be added");
+  }
+
+  bool smaller_things() {
+    for (auto& wish : written_.stock) wish.size = Vec3(wish.size->cwiseProduct(Vec3(smaller, smaller, 1.0)));
+    return say(!written_.stock.empty(), "smaller things");
+  }
+
+  bool weaken_scores() {
+    bool changed = false;
+    for (auto& [name, term] : written_.program.scores) changed |= weaken(term);
+    return say(changed, "scores that count less");
+  }
+
+  Revision take(const WrittenProgram& before) {
+    Json patch = Json::diff(to_json(before.program), to_json(written_.program));
+    return {std::move(written_), std::move(reason_), std::move(patch)};
+  }
+
+ private:
+  bool say(bool changed, std::string reason) {
+    if (changed) reason_ = std::move(reason);
+    return changed;
+  }
+
+  // Seats may be what is asked for even where nobody counted chairs.
+  bool serves_measure(const std::string& set) const {
+    if (missed(report_, "objects") && static_cast<double>(report_.things) < missed(report_, "objects")->asked.low) return true;
+    const auto& vocabulary = ProgramVocabulary::built_in();
+    const Kind* kind = nullptr;
+    for (const auto& [name, members] : written_.program.sets)
+      if (name == set) kind = KindTable::built_in().find(members.factory);
+    if (!kind) return false;
+    return (written_.asked.seats && seats_on(vocabulary, *kind, kind->size.x()) > 0.0) ||
+           (written_.asked.shelves && has_tag(vocabulary, *kind, "shelf"));
+  }
+
+  bool resize(double growth, std::string reason) {
+    Room& room = written_.plan.room;
+    const double factor = std::sqrt(growth);
+    const Vec2 sides = factor * bounds(room.polygon).size();
+    if (sides.minCoeff() < least_side || sides.maxCoeff() > greatest_side) return false;
+    for (auto& point : room.polygon.points) point = (point * factor * 100.0).array().round().matrix() / 100.0;
+    for (auto& opening : room.openings) shift(opening, factor);
+    if (!check(room)) return false;
+    written_.program.room.polygon = room.polygon;
+    written_.program.room.openings = room.openings;
+    return say(true, std::move(reason));
+  }
+
+  // Its middle keeps its share of the wall, it keeps its width.
+  static void shift(Opening& opening, double factor) {
+    const double by = std::round(0.5 * (opening.from + opening.to) * (factor - 1.0) * 100.0) / 100.0;
+    opening.from += by, opening.to += by;
+  }
+
+  static bool weaken(ProgramTerm& term) {
+    bool changed = false;
+    if (term.op == ProgramOp::minimize || term.op == ProgramOp::maximize) term.number *= weaker, changed = true;
+    for (auto& operand : term.operands) changed |= weaken(operand);
+    return changed;
+  }
+
+  const ErrorReport& report_;
+  WrittenProgram written_;
+  std::string reason_;
+};
+
+}  // namespace
+
+std::optional<Revision> revise(const WrittenProgram& written, const ErrorReport& report, int round) {
+  using Step = bool (Reviser::*)();
+  static constexpr Step steps[] = {&Reviser::fit_floor,     &Reviser::drop_optional,  &Reviser::permit_more,
+                                   &Reviser::grow_room,     &Reviser::smaller_things, &Reviser::weaken_scores};
+  if (report.is_met()) return std::nullopt;
+  constexpr int count = static_cast<int>(std::size(steps));
+  // Each round goes on where the last one ended: what was no help is not tried first again.
+  for (int k = 0; k < count; ++k) {
+    const Step step = steps[(round - 1 + k) % count];
+    Reviser reviser(written, report);
+    if (step == &Reviser::grow_room && !reviser.counts_are_missed()) continue;
+    if ((reviser.*step)()) return reviser.take(written);
+  }
+  return std::nullopt;
+}
+
+}  // namespace roomgen

@@ -1,0 +1,98 @@
+#include <algorithm>
+#include <cmath>
+
+#include "brief/prompt.h"
+#include "brief/room_kinds.h"
+#include "inventory.h"
+#include "meet.h"
+#include "plan/planning.h"
+#include "program_of.h"
+#include "roomgen/compose/compose.h"
+#include "roomgen/design/designer.h"
+#include "solve/arrangement.h"
+
+namespace roomgen {
+
+namespace {
+
+using namespace compose;
+
+constexpr int most_floors = 3;        // tried until the inventory and its floor agree
+constexpr double same_floor = 0.08;   // share of the area
+constexpr double greatest_floor = 400.0;
+
+/// A request as far as it is understood.
+struct Reading {
+  PlanRequest request;
+  Complexity asked;
+  bool is_room_free = true;
+};
+
+double area_of(const Room& room) { return area(room.polygon); }
+
+bool is_size_said(const PlanRequest& request) {
+  const auto& kinds = design::built_in_room_kinds();
+  if (!kinds || request.size || request.room) return true;
+  const auto brief = design::read_prompt(request.prompt, *kinds, KindTable::built_in());
+  return brief.size || brief.area;
+}
+
+// A room of that area, of the plan's proportions.
+Vec2 scaled(const Room& room, double wanted) {
+  const Vec2 box = bounds(room.polygon).size();
+  const double factor = std::sqrt(wanted / area_of(room));
+  return (box * factor * 100.0).array().round().matrix() / 100.0;
+}
+
+struct Furnished {
+  Plan plan;
+  std::vector<Stand> stands;
+  std::vector<std::string> notes;
+};
+
+Furnished furnish(Plan plan, const Complexity& asked, const KindTable& kinds) {
+  Furnished furnished{std::move(plan), {}, {}};
+  const design::RoomKind& room = design::built_in_room_kinds()->get(furnished.plan.room.type);
+  furnished.stands = inventory_of(furnished.plan, kinds);
+  meet(asked, room, area_of(furnished.plan.room), furnished.plan.excluded, kinds, furnished.stands, furnished.notes);
+  return furnished;
+}
+
+// The floor that the inventory wants: as full as is asked for, else no fuller than such rooms are.
+std::optional<double> wanted_floor(const Furnished& furnished, const Complexity& asked, const KindTable& kinds) {
+  if (const auto floor = floor_for(asked, furnished.stands, kinds)) return std::min(*floor, greatest_floor);
+  const design::RoomKind& room = design::built_in_room_kinds()->get(furnished.plan.room.type);
+  const double least = least_footprint(furnished.stands, kinds) / room.share.high;
+  if (least > area_of(furnished.plan.room)) return std::min(least, greatest_floor);
+  return std::nullopt;
+}
+
+}  // namespace
+
+Result<WrittenProgram> write_program(const ComposeRequest& request) {
+  const KindTable& kinds = KindTable::built_in();
+  Reading reading{request.plan, overridden(complexity_of(request.plan.prompt), request.complexity), !is_size_said(request.plan)};
+  const auto designer = make_rule_designer();
+  auto plan = designer->plan(reading.request);
+  if (!plan) return plan.error();
+  Furnished furnished = furnish(*std::move(plan), reading.asked, kinds);
+  for (int i = 0; i < most_floors && reading.is_room_free; ++i) {
+    const auto floor = wanted_floor(furnished, reading.asked, kinds);
+    if (!floor || std::abs(*floor / area_of(furnished.plan.room) - 1.0) < same_floor) break;
+    reading.request.size = scaled(furnished.plan.room, *floor);
+    auto again = designer->plan(reading.request);
+    if (!again) break;
+    furnished = furnish(*std::move(again), reading.asked, kinds);
+  }
+  WrittenProgram written;
+  written.notes = furnished.plan.notes;
+  written.notes.insert(written.notes.end(), furnished.notes.begin(), furnished.notes.end());
+  written.program = program_of(furnished.stands, reading.asked, furnished.plan, kinds, *built_in_arrangements(), written.notes);
+  for (const auto& stand : furnished.stands) written.stock.push_back({stand.kind, stand.description, stand.size});
+  written.plan = std::move(furnished.plan);
+  written.asked = reading.asked;
+  written.is_room_free = reading.is_room_free;
+  return written;
+}
+
+}  // namespace roomgen
