@@ -158,26 +158,18 @@ class ThingPhraseReader {
     if (!part_of_name) set_count(static_cast<int>(std::min<double>(said_.count, max_count)), true);
   }
 
-  // "8 to 12", "two or three", "about a dozen": the number before the noun is the end of a range.
+  // "8 to 12", "two or three", "about a dozen": what stands before the noun is a range.
   void range() {
-    const std::uint32_t number = first_number();
-    constexpr std::uint32_t longest = 5;
-    for (std::uint32_t back = std::min(longest, number); number < start_ && back > 0; --back) {
-      const std::uint32_t first = number - back;
+    for (std::uint32_t first = said_.tokens.begin; first < start_; ++first) {
       const auto amount = language::amount_at(parse_.tokens, first);
-      if (!amount || first + amount->length <= number || amount->is_share) continue;
+      if (!amount || amount->is_share || first + amount->length > start_) continue;
       const auto [least, most] = bounds_of(*amount);
-      if (most > max_count || most <= least) return;
+      if (most > max_count || most <= least || least < 1.0) return;
       set_count(static_cast<int>(std::lround(0.5 * (least + most))), true);
       phrase_.least = static_cast<int>(least), phrase_.most = static_cast<int>(most);
-      for (std::uint32_t i = first; i < number; ++i) phrase_.count_tokens.push_back(i);
+      for (auto i = first; i < first + amount->length; ++i) phrase_.count_tokens.push_back(i);
       return;
     }
-  }
-  std::uint32_t first_number() const {
-    std::uint32_t i = said_.tokens.begin;
-    while (i < start_ && (!is_number(i) || is_measured(i))) ++i;
-    return i;
   }
   // About reaches a fifth to either side.
   static std::pair<double, double> bounds_of(const language::Amount& amount) {

@@ -97,6 +97,8 @@ class Reader {
 
   std::optional<Step> match_amount(const ComplexityWords::Pattern& pattern, std::size_t place, const Step& step) const {
     if (const auto amount = language::amount_at(tokens_, step.at)) {
+      // "a two-seat sofa" is one thing.
+      if (!is_share_ && is_joined(step.at + amount->length)) return std::nullopt;
       const auto range = is_share_ ? shared(*amount) : amount->is_share ? std::nullopt : std::optional(counted(*amount));
       return range ? match(pattern, place + 1, {step.at + amount->length, range}) : std::nullopt;
     }
@@ -108,6 +110,10 @@ class Reader {
       if (const auto end = match(pattern, place + 1, {step.at + length, range})) return end;
     }
     return std::nullopt;
+  }
+
+  bool is_joined(std::size_t at) const {
+    return at < tokens_.size() && tokens_[at].joint == Token::Joint::hyphen && tokens_[at].kind == Token::Kind::word;
   }
 
   // What may stand between an amount and its noun: words that are neither numbers nor links to other things.

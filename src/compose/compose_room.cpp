@@ -56,6 +56,8 @@ class Composer {
     auto result = optimise(round.written.program, round.written.plan.room, *stock, kinds_, options_.optimise);
     if (!result) return result.error();
     round.result = *std::move(result);
+    for (const auto& kind : stock->missing)
+      round.written.notes.push_back("the libraries have no " + kind);
     round.models = std::move(stock->models);
     round.report = error_report(round.result, round.written.asked, round.models, kinds_);
     if (options_.picture)

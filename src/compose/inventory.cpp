@@ -8,8 +8,6 @@ namespace roomgen::compose {
 
 namespace {
 
-constexpr double any_number = std::numeric_limits<double>::infinity();
-
 const Requirement* count_clause(const Plan& plan, const std::vector<std::string>& ids) {
   for (const auto& requirement : plan.requirements)
     if (requirement.kind == Requirement::Kind::count &&
@@ -19,26 +17,23 @@ const Requirement* count_clause(const Plan& plan, const std::vector<std::string>
 }
 
 // How many there may be. A clause that several items share leaves each the number that it is planned with.
-Range count_of(const Plan& plan, const PlanItem& item, const std::vector<std::string>& ids) {
+Range count_of(const PlanItem& item, const Requirement* clause, const std::vector<std::string>& ids) {
   const double planned = item.quantity;
-  if (!item.asked) return {0.0, planned};
-  const Requirement* clause = count_clause(plan, ids);
   if (!clause) return {planned, planned};
   if (clause->most > clause->count && clause->subjects.size() == ids.size())
     return {static_cast<double>(clause->count), static_cast<double>(clause->most)};
   if (clause->at_most) return {0.0, planned};
-  return {planned, clause->at_least ? any_number : planned};
+  return {planned, planned};
+}
+
+// What people and what they do need is no number that somebody gave.
+bool is_counted(const PlanItem& item, const Requirement* clause) {
+  using Source = Requirement::Source;
+  return item.asked && (!clause || (clause->source != Source::person && clause->source != Source::activity));
 }
 
 /// Ids of a plan's objects, to the set that they are members of.
 using SetsOfIds = std::map<std::string, std::string, std::less<>>;
-
-std::string free_name(const std::vector<Stand>& stands, const std::string& kind) {
-  std::string name = kind;
-  for (int n = 2; std::ranges::find(stands, name, &Stand::name) != stands.end(); ++n)
-    name = kind + " " + std::to_string(n);
-  return name;
-}
 
 // Ids of things become the sets that they are in; what carries a thing may be said by its kind.
 std::string set_named(const std::string& said, const SetsOfIds& sets, const std::vector<Stand>& stands) {
@@ -50,14 +45,17 @@ std::string set_named(const std::string& said, const SetsOfIds& sets, const std:
 Stand stand_of(const Plan& plan, const PlanItem& item, const std::vector<std::string>& ids, const SetsOfIds& sets,
                const std::vector<Stand>& stands, const KindTable& kinds) {
   Stand stand;
-  stand.kind = item.category;
+  stand.kind = kinds.get(item.category).lineage.empty() ? item.category : kinds.get(item.category).name;
   stand.mount = item.mount;
   stand.on = set_named(item.on, sets, stands);
-  stand.count = count_of(plan, item, ids);
-  stand.asked = item.asked;
+  const Requirement* clause = count_clause(plan, ids);
+  stand.asked = is_counted(item, clause);
+  stand.count = stand.asked ? count_of(item, clause, ids) : Range{0.0, static_cast<double>(item.quantity)};
+  stand.may_grow = stand.asked && clause && clause->at_least;
   stand.size = item.size.value_or(kinds.get(item.category).size);
   stand.description = item.description;
-  if (item.asked)
+  // What has a place stands in a formation: its relations are the plan's own.
+  if (item.asked && !item.location)
     for (auto relation : item.relations) {
       if (const auto set = set_named(relation.target, sets, stands); !set.empty()) relation.target = set;
       stand.wishes.push_back(std::move(relation));
@@ -66,10 +64,17 @@ Stand stand_of(const Plan& plan, const PlanItem& item, const std::vector<std::st
 }
 
 bool joins(const Stand& a, const Stand& b) {
-  return a.kind == b.kind && a.mount == b.mount && a.on == b.on && a.wishes == b.wishes && a.asked == b.asked;
+  return a.kind == b.kind && a.mount == b.mount && a.on == b.on && a.wishes == b.wishes && a.asked == b.asked && a.may_grow == b.may_grow;
 }
 
 }  // namespace
+
+std::string free_name(const std::vector<Stand>& stands, const std::string& kind) {
+  std::string name = kind;
+  for (int n = 2; std::ranges::find(stands, name, &Stand::name) != stands.end(); ++n)
+    name = kind + " " + std::to_string(n);
+  return name;
+}
 
 std::vector<Stand> inventory_of(const Plan& plan, const KindTable& kinds) {
   std::map<std::size_t, std::vector<std::string>> ids;
@@ -105,7 +110,7 @@ double least_footprint(const std::vector<Stand>& stands, const KindTable& kinds)
 double most_footprint(const std::vector<Stand>& stands, const KindTable& kinds) {
   double sum = 0.0;
   for (const auto& stand : stands)
-    sum += (std::isinf(stand.count.high) ? stand.count.low : stand.count.high) * footprint_of(stand, kinds);
+    sum += stand.count.high * footprint_of(stand, kinds);
   return sum;
 }
 

@@ -15,8 +15,9 @@ struct Stand {
   std::string kind;
   Mount mount = Mount::floor;
   std::string on;         ///< the set of what carries it, for Mount::surface; empty: whatever carries things
-  Range count;            ///< the most may be infinite
+  Range count;
   bool asked = false;     ///< somebody asked for them, in this number
+  bool may_grow = false;  ///< more of them are as good
   std::vector<Relation> wishes;  ///< of the prompt; targets are sets or parts of the room
   Vec3 size = Vec3::Ones();      ///< of one
   std::string description;       ///< what retrieval looks for
@@ -26,9 +27,12 @@ struct Stand {
 /// number that its requirement says; what was added comes in any number up to the planned one.
 std::vector<Stand> inventory_of(const Plan& plan, const KindTable& kinds);
 
+/// A name of a set that none of these has: "chair", "chair 2".
+std::string free_name(const std::vector<Stand>& stands, const std::string& kind);
+
 /// Floor that one thing covers: nothing for rugs and for what does not stand on the floor.
 double footprint_of(const Stand& stand, const KindTable& kinds);
-/// Floor that the least, or the most, of all cover; where nobody says how many at most, the least.
+/// Floor that the least, or the most, of all cover.
 double least_footprint(const std::vector<Stand>& stands, const KindTable& kinds);
 double most_footprint(const std::vector<Stand>& stands, const KindTable& kinds);
 

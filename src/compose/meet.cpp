@@ -44,6 +44,11 @@ class Opener {
       if (each == 0.0) continue;
       if (stand.asked) fixed += each * stand.count.low, possible += each * stand.count.high;
     }
+    for (auto& stand : stands_)
+      if (const double each = worth(stand); stand.may_grow && each > 0.0 && possible < wanted.low) {
+        const double more = std::ceil((wanted.low - possible) / each);
+        stand.count.high += more, possible += each * more;
+      }
     if (fixed > wanted.high)
       notes_.push_back(std::string(measure) + ": at most " + std::to_string(static_cast<int>(wanted.high)) +
                        " are asked for, and " + std::to_string(static_cast<int>(fixed)) + " are counted by name");
@@ -65,18 +70,21 @@ class Opener {
   // Counted by name, under its own or another one.
   bool names_of_asked(const std::string& kind) const {
     return std::ranges::any_of(stands_, [&](const Stand& stand) {
-      return stand.asked && !std::isinf(stand.count.high) && (kinds_.is_a(stand.kind, kind) || kinds_.is_a(kind, stand.kind));
+      return stand.asked && !stand.may_grow && (kinds_.is_a(stand.kind, kind) || kinds_.is_a(kind, stand.kind));
     });
   }
 
   void add(const std::string& kind, double most) {
-    const auto same = std::ranges::find_if(stands_, [&](const Stand& stand) { return stand.kind == kind && !stand.asked; });
+    const auto same = std::ranges::find_if(stands_, [&](const Stand& stand) {
+      return stand.kind == kind && (!stand.asked || stand.may_grow);
+    });
     if (same != stands_.end()) {
-      same->count.high = std::max(same->count.high, most);
+      same->count.high = std::max(same->count.high, same->count.low + most);
       return;
     }
     Stand stand;
-    stand.name = stand.kind = kind;
+    stand.kind = kind;
+    stand.name = free_name(stands_, kind);
     stand.mount = kinds_.get(kind).mount;
     stand.count = {0.0, most};
     stand.size = kinds_.get(kind).size;
@@ -88,7 +96,7 @@ class Opener {
   std::vector<std::string> fillers(bool on_floor) const {
     std::vector<std::string> names;
     for (const auto& stand : stands_)
-      if (!stand.asked) names.push_back(stand.kind);
+      if (!stand.asked || stand.may_grow) names.push_back(stand.kind);
     for (const auto* pieces : {&room_.core, &room_.extras, &room_.details})
       for (const auto& piece : *pieces) names.push_back(piece.any.front().first);
     for (const auto& name : complexity_words().made_up_with.at(on_floor ? "floor" : "small")) names.push_back(name);
@@ -114,7 +122,7 @@ class Opener {
     double fixed = 0.0, possible = 0.0;
     for (const auto& stand : stands_) {
       if (stand.asked) fixed += stand.count.low;
-      possible += std::isinf(stand.count.high) ? stand.count.low : stand.count.high;
+      possible += stand.count.high;
     }
     if (fixed > wanted.high)
       notes_.push_back("objects: at most " + std::to_string(static_cast<int>(wanted.high)) + " are asked for, and " +

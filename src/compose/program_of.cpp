@@ -29,6 +29,7 @@ class Translator {
 
   void run() {
     for (const auto& stand : stands_) translate(stand);
+    count_kinds();
   }
 
  private:
@@ -42,20 +43,23 @@ class Translator {
     constexpr std::string_view exactly = "exactly ";
     const bool alone = said.starts_with(exactly);
     const std::string kind = alone ? said.substr(exactly.size()) : said;
-    std::vector<ProgramSet> sets;
-    const Kind* first = nullptr;
+    std::vector<const Stand*> meant;
     for (const auto& stand : stands_)
-      if (stand.name != own.name && (alone ? stand.kind == kind : kinds_.is_a(stand.kind, kind))) {
-        sets.push_back(set(stand.name));
-        if (!first) first = &kinds_.get(stand.kind);
-      }
-    if (sets.empty()) return std::nullopt;
-    return TargetSet{sets.size() == 1 ? sets.front() : either(std::move(sets)), first};
+      if (stand.name != own.name && (alone ? stand.kind == kind : kinds_.is_a(stand.kind, kind))) meant.push_back(&stand);
+    if (meant.empty()) return std::nullopt;
+    // Those before it rather than all, if there are any.
+    if (std::ranges::any_of(meant, [&](const Stand* stand) { return stand < &own; }))
+      std::erase_if(meant, [&](const Stand* stand) { return stand > &own; });
+    std::vector<ProgramSet> sets;
+    for (const Stand* stand : meant) sets.push_back(set(stand->name));
+    return TargetSet{sets.size() == 1 ? sets.front() : either(std::move(sets)), &kinds_.get(meant.front()->kind),
+                     meant.back() < &own};
   }
 
   // What a relation's target means: a set, a kind, or a part of the room.
   std::optional<TargetSet> target(const std::string& said, const Stand& own) const {
-    if (const Stand* stand = stand_named(said)) return TargetSet{set(stand->name), &kinds_.get(stand->kind)};
+    if (const Stand* stand = stand_named(said); stand && stand != &own)
+      return TargetSet{set(stand->name), &kinds_.get(stand->kind), stand < &own};
     if (said.starts_with("door")) return TargetSet{doors(), nullptr};
     if (said.starts_with("window")) return TargetSet{windows(), nullptr};
     return sets_of_kind(said, own);
@@ -92,7 +96,7 @@ class Translator {
   }
 
   ProgramSet carriers(const Stand& stand) const {
-    if (const Stand* below = stand_named(stand.on)) return set(below->name);
+    if (const Stand* below = stand_named(stand.on); below && below < &stand) return set(below->name);
     std::vector<ProgramSet> sets;
     for (const auto& other : stands_)
       if (other.mount == Mount::floor && kinds_.get(other.kind).supports) sets.push_back(set(other.name));
@@ -125,7 +129,7 @@ class Translator {
 
   // Where the numbers divide, each of what they gather at has its share: four chairs a table, not sixteen at one.
   void add_bounds(const Stand& stand, const ProgramSet& members) {
-    ProgramTerm all = bound(count(set(stand.name)), stand.count);
+    ProgramTerm all = bound(count(set(stand.name)), range_of(stand));
     const auto host = std::ranges::find_if(members.relations, [&](const SetRelation& relation) {
       return relation.target.front().source == ProgramSet::Source::named && stand_named(relation.target.front().name);
     });
@@ -140,6 +144,25 @@ class Translator {
       }
     }
     program_.constraints.emplace_back(stand.name, std::move(all));
+  }
+
+  // Sets of one kind overlap where one of them says less: each may be as large as all together, which are counted too.
+  Range range_of(const Stand& stand) const {
+    Range range = stand.count;
+    for (const auto& other : stands_)
+      if (&other != &stand && other.kind == stand.kind) range.high += other.count.high;
+    return range;
+  }
+  void count_kinds() {
+    for (const auto& stand : stands_) {
+      const auto first = std::ranges::find(stands_, stand.kind, &Stand::kind);
+      const bool is_alone = std::ranges::count(stands_, stand.kind, &Stand::kind) == 1;
+      if (is_alone || &*first != &stand) continue;
+      Range range;
+      for (const auto& other : stands_)
+        if (other.kind == stand.kind) range.low += other.count.low, range.high += other.count.high;
+      program_.constraints.emplace_back("all " + stand.kind, bound(count(of_kind(stand.kind)), range));
+    }
   }
 
   void also(const std::string& name, ProgramTerm truth) {

@@ -40,6 +40,9 @@ class HabitReader {
  private:
   bool is_seat() const { return is_of(subject_.kind, "seat"); }
 
+  // Sets that are described by each other would be none.
+  bool may_be_put(const TargetSet& target) const { return target.kind && target.comes_before; }
+
   void put(std::string name, ProgramSet target) {
     const auto same = [&](const SetRelation& relation) { return relation.relation == name; };
     if (habits_.relations.size() < most_relations && std::ranges::none_of(habits_.relations, same))
@@ -76,8 +79,10 @@ class HabitReader {
 
   void take(const Relation& relation, const TargetSet& target) {
     switch (relation.kind) {
-      case RelationKind::on: return put("on", target.set);
-      case RelationKind::inside: return put("on", target.set);
+      case RelationKind::on:
+      case RelationKind::inside:
+        if (may_be_put(target)) put("on", target.set);
+        return;
       case RelationKind::around: return around(target);
       case RelationKind::side_of: return beside(target);
       case RelationKind::near: return keep_within(target.set, near_good, near_most);
@@ -96,19 +101,19 @@ class HabitReader {
   }
 
   void around(const TargetSet& target) {
-    if (is_seat() && target.kind) return put("front_against", target.set);
+    if (is_seat() && may_be_put(target)) return put("front_against", target.set);
     keep_within(target.set, near_good, near_most);
     look_at(target.set);
   }
 
   // What stands at a thing's side and looks the way it does.
   void beside(const TargetSet& target) {
-    if (target.kind && has(relations_, RelationKind::face_same_as)) return put("leftright_leftright", target.set);
+    if (may_be_put(target) && has(relations_, RelationKind::face_same_as)) return put("leftright_leftright", target.set);
     keep_within(target.set, near_good, near_most);
   }
 
   void in_front(const TargetSet& target) {
-    if (is_seat() && target.kind && is_of(*target.kind, "table")) return put("front_against", target.set);
+    if (is_seat() && may_be_put(target) && is_of(*target.kind, "table")) return put("front_against", target.set);
     look_at(target.set);
     keep_within(target.set, near_good, near_most);
   }

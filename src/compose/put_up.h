@@ -29,6 +29,7 @@ struct Subject {
 struct TargetSet {
   ProgramSet set;
   const Kind* kind = nullptr;  ///< null: a part of the room
+  bool comes_before = true;    ///< its members are described without the subject's: they may carry or gather them
 };
 using FindTarget = std::function<std::optional<TargetSet>(const std::string& target)>;
 

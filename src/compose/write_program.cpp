@@ -88,7 +88,7 @@ Result<WrittenProgram> write_program(const ComposeRequest& request) {
   written.notes = furnished.plan.notes;
   written.notes.insert(written.notes.end(), furnished.notes.begin(), furnished.notes.end());
   written.program = program_of(furnished.stands, reading.asked, furnished.plan, kinds, *built_in_arrangements(), written.notes);
-  for (const auto& stand : furnished.stands) written.stock.push_back({stand.kind, stand.description, stand.size});
+  for (const auto& stand : furnished.stands) written.stock.push_back({stand.kind, stand.description, stand.size, stand.mount, stand.asked});
   written.plan = std::move(furnished.plan);
   written.asked = reading.asked;
   written.is_room_free = reading.is_room_free;

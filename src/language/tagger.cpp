@@ -1,5 +1,9 @@
 #include "tagger.h"
 
+#include <cmath>
+
+#include "amount.h"
+
 #include "small_words.h"
 #include "tag_model.h"
 
@@ -62,6 +66,7 @@ class Tagger {
 
   /// How many units it took.
   std::size_t read() {
+    if (const std::size_t length = amount()) return length;
     switch (units_[at_].kind) {
       case Unit::Kind::stop:
         return add(Tag::stop), 1;
@@ -166,10 +171,39 @@ class Tagger {
   // The units that are the longest phrase of the list, if at least `least`; else 0.
   std::size_t run_of(const Words& phrases, std::size_t least) const {
     const auto length = longest_run(phrases, tokens_, units_[at_].tokens.begin);
-    if (length < least) return 0;
+    return length < least ? 0 : units_of(length);
+  }
+  // How many units so many tokens are; 0 if they end within one.
+  std::size_t units_of(std::size_t length) const {
     std::size_t end = at_, covered = 0;
     while (end < units_.size() && covered < length) covered += units_[end++].tokens.size();
     return covered == length ? end - at_ : 0;
+  }
+
+  // "8 to 12", "two or three", "about a dozen" are one number, the greatest of it.
+  std::size_t amount() {
+    const auto said = amount_at(tokens_, units_[at_].tokens.begin);
+    const bool is_range = said && said->low > 0.0 && said->low < said->high && !std::isinf(said->high);
+    if (!said || said->is_share || (!is_range && !said->is_about)) return 0;
+    if (is_word(at_) && units_[at_].kind == Unit::Kind::word && !may_begin_amount()) return 0;
+    const std::size_t length = units_of(said->length);
+    if (length < 2 || !names_something(at_ + length)) return 0;
+    add(Tag::number, length).value = said->high;
+    return length;
+  }
+  // "chairs around six tables" says where, "with around six tables" how many.
+  bool may_begin_amount() const {
+    if (at_ == 0 || pieces_.empty()) return true;
+    switch (pieces_.back().tag) {
+      case Tag::stop: case Tag::comma: case Tag::conjunction: case Tag::preposition: case Tag::be: case Tag::determiner:
+        return true;
+      case Tag::verb: return small_words().verbs_of_having.contains(pieces_.back().base);
+      default: return false;
+    }
+  }
+  bool names_something(std::size_t unit) const {
+    return unit < units_.size() && is_word(unit) &&
+           (tags_[unit] == WordTag::noun || tags_[unit] == WordTag::adjective || tags_[unit] == WordTag::participle);
   }
 
   // "not" and "never" deny the auxiliary before them too.

@@ -21,12 +21,13 @@ Shelf fill(const StockWish& wish, const Kind& kind, const AssetLibrary& library,
   query.category = kind.name;
   query.description = wish.description;
   query.size = wish.size.value_or(kind.size);
-  query.mount = kind.mount;
+  query.mount = wish.mount.value_or(kind.mount);
+  query.asked = wish.asked;
   query.limit = count;
   const auto matches = library.search(query);
   if (!matches) return shelf.status = matches.error(), shelf;
   for (const auto& match : *matches) {
-    if (match.asset.stand_in || shelf.assets.size() == count) continue;
+    if ((match.asset.stand_in && !wish.asked) || shelf.assets.size() == count) continue;
     auto model = library.load(match.asset.ref);
     if (!model) continue;  // one damaged mesh is no reason to do without the others
     shelf.assets.push_back(match.asset);
@@ -67,6 +68,7 @@ Result<Stock> load_stock(const std::vector<StockWish>& wishes, const AssetLibrar
     const std::string& kind = wishes[i].kind;
     const Shelf& shelf = shelves[i];
     if (!shelf.status) return shelf.status.error();
+    if (shelf.assets.empty()) stock.missing.push_back(kind);
     for (std::size_t k = 0; k < shelf.assets.size(); ++k) {
       const AssetInfo& asset = shelf.assets[k];
       Object object = object_of_asset(asset, table.get(kind), asset.size, shelf.models[k].get());

@@ -54,6 +54,7 @@ TEST_CASE("How much a room shall hold is read from its description", "[compose]"
 
 TEST_CASE("What is said of one thing is not said of the room", "[compose]") {
   CHECK_FALSE(complexity_of("two tables, each seating four").seats);
+  CHECK_FALSE(complexity_of("a two-seat sofa and three armchairs").seats);
   CHECK_FALSE(complexity_of("a 5 by 4 m bedroom with a bed").occupancy);
   CHECK(complexity_of("a cosy living room").empty());
   CHECK(complexity_of("").empty());

@@ -22,6 +22,7 @@ struct Stock {
   std::map<std::string, std::vector<Object>> articles;
   ModelTable models;
   std::vector<AssetInfo> assets;
+  std::vector<std::string> missing;  ///< kinds of which there is nothing
 };
 /// Names of the kinds that a program may add, in alphabetical order. Of tags that cover many kinds (dishware) some
 /// are chosen by the seed.
@@ -31,6 +32,8 @@ struct StockWish {
   std::string kind;
   std::string description = {};   ///< "a white wooden desk"; empty: any
   std::optional<Vec3> size = {};  ///< metres; unset: as such things usually are
+  std::optional<Mount> mount = {};
+  bool asked = false;  ///< somebody named it: then a plain stand-in is better than nothing
 };
 std::vector<StockWish> wishes_for(const std::vector<std::string>& kinds);
 /// The best `per_kind` assets of a library for each wish, with their meshes. A kind of which the library has nothing
