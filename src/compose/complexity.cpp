@@ -91,6 +91,10 @@ class Reader {
       }
       return std::nullopt;
     }
+    if (words.front().starts_with('!')) {
+      const bool follows = step.at < tokens_.size() && "!" + tokens_[step.at].text == words.front();
+      return follows ? std::nullopt : match(pattern, place + 1, step);
+    }
     if (step.at >= tokens_.size() || std::ranges::find(words, tokens_[step.at].text) == words.end()) return std::nullopt;
     return match(pattern, place + 1, {step.at + 1, step.range});
   }

@@ -55,6 +55,7 @@ Stand stand_of(const Plan& plan, const PlanItem& item, const std::vector<std::st
   stand.size = item.size.value_or(kinds.get(item.category).size);
   stand.description = item.description;
   // What has a place stands in a formation: its relations are the plan's own.
+  if (item.location) stand.in_rows = true, stand.at_wall = false;
   if (item.asked && !item.location)
     for (auto relation : item.relations) {
       if (const auto set = set_named(relation.target, sets, stands); !set.empty()) relation.target = set;
@@ -64,7 +65,7 @@ Stand stand_of(const Plan& plan, const PlanItem& item, const std::vector<std::st
 }
 
 bool joins(const Stand& a, const Stand& b) {
-  return a.kind == b.kind && a.mount == b.mount && a.on == b.on && a.wishes == b.wishes && a.asked == b.asked && a.may_grow == b.may_grow;
+  return a.kind == b.kind && a.mount == b.mount && a.on == b.on && a.wishes == b.wishes && a.asked == b.asked && a.may_grow == b.may_grow && a.in_rows == b.in_rows;
 }
 
 }  // namespace

@@ -18,6 +18,8 @@ struct Stand {
   Range count;
   bool asked = false;     ///< somebody asked for them, in this number
   bool may_grow = false;  ///< more of them are as good
+  bool at_wall = true;    ///< may go against a wall where such things usually do
+  bool in_rows = false;   ///< several, in line with each other
   std::vector<Relation> wishes;  ///< of the prompt; targets are sets or parts of the room
   Vec3 size = Vec3::Ones();      ///< of one
   std::string description;       ///< what retrieval looks for

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "complexity.h"
 
@@ -12,6 +13,7 @@ namespace {
 constexpr double headroom = 2.0;        // beyond the least, where nobody said how many at most
 constexpr std::size_t most_fillers = 8; // kinds; each is loaded
 constexpr double most_of_one = 12.0;    // things of a kind that fills the room up
+constexpr double crowded = 0.3;         // share of the floor beyond which walls alone do not do
 // A room may hardly be fuller (docs/benchmarks.md), nor does anybody want it emptier.
 constexpr double fullest = 0.55, emptiest = 0.04;
 
@@ -24,6 +26,8 @@ class Opener {
       : asked_(asked), room_(room), area_(area), excluded_(excluded), kinds_(kinds), stands_(stands), notes_(notes) {}
 
   void run() {
+    // What nobody asked for spoils no number that somebody gave.
+    std::erase_if(stands_, [&](const Stand& stand) { return !stand.asked && counts_as_asked(stand.kind); });
     const auto& vocabulary = ProgramVocabulary::built_in();
     if (asked_.seats) open("seats", *asked_.seats, [&](const Stand& stand) { return seats_on(vocabulary, kinds_.get(stand.kind), stand.size.x()); });
     if (asked_.shelves) open("shelves", *asked_.shelves, [&](const Stand& stand) { return is_shelf(stand.kind) ? 1.0 : 0.0; });
@@ -67,6 +71,12 @@ class Opener {
     }
   }
 
+  bool counts_as_asked(const std::string& kind) const {
+    return std::ranges::any_of(stands_, [&](const Stand& stand) {
+      return stand.asked && !stand.may_grow && kinds_.is_a(kind, stand.kind);
+    });
+  }
+
   // Counted by name, under its own or another one.
   bool names_of_asked(const std::string& kind) const {
     return std::ranges::any_of(stands_, [&](const Stand& stand) {
@@ -106,6 +116,16 @@ class Opener {
     return chosen;
   }
 
+  // The share of the floor that a thing takes for itself which it covers: what needs much floor to be used fills no room.
+  double compactness(const std::string& name) const {
+    const Kind& kind = kinds_.get(name);
+    double zone = kind.zones.empty() ? 0.0 : 1e9;
+    for (const auto& each : kind.zones)
+      zone = std::min(zone, each.depth * (each.side == Side::front || each.side == Side::back ? kind.size.x() : kind.size.y()));
+    const double own = kind.size.x() * kind.size.y();
+    return own / (own + zone);
+  }
+
   bool may_fill(const std::string& name, bool on_floor) const {
     const Kind& kind = kinds_.get(name);
     if (kind.lineage.empty() || kind.covers_window || kind.traits.flat) return false;
@@ -143,11 +163,15 @@ class Opener {
     double missing = middle * area_ - most_footprint(stands_, kinds_);
     if (missing <= 0.0) return;
     std::size_t added = 0;
-    for (const auto& name : fillers(true)) {
-      if (added++ >= most_fillers) return;
+    auto names = fillers(true);
+    if (middle > crowded) std::ranges::stable_sort(names, std::greater(), [&](const auto& name) { return compactness(name); });
+    for (const auto& name : names) {
+      if (added++ >= most_fillers) break;
       const Vec3& size = kinds_.get(name).size;
       add(name, std::clamp(std::ceil(missing / (size.x() * size.y())), 1.0, most_of_one));
     }
+    if (middle > crowded)
+      for (auto& stand : stands_) stand.at_wall = stand.at_wall && stand.asked;
   }
 
   const Complexity& asked_;

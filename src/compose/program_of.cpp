@@ -28,7 +28,8 @@ class Translator {
       : stands_(stands), kinds_(kinds), arrangements_(arrangements), program_(program), notes_(notes) {}
 
   void run() {
-    for (const auto& stand : stands_) translate(stand);
+    for (const auto& stand : stands_) describe(stand);
+    for (const auto& stand : stands_) add_bounds(stand);
     count_kinds();
   }
 
@@ -90,6 +91,7 @@ class Translator {
     for (const auto& wish : said.unsaid) notes_.push_back(stand.name + " " + wish + ": programs have no word for this");
     if (!said.relations.empty() || (!stand.wishes.empty() && !said.truths.empty())) return said;
     Habits usual = read(usual_way(stand), stand, false);
+    if (!stand.at_wall) std::erase_if(usual.relations, [](const SetRelation& relation) { return relation.relation.ends_with("against_wall"); });
     usual.truths = said.truths;
     std::ranges::move(said.scores, std::back_inserter(usual.scores));
     return usual;
@@ -103,32 +105,52 @@ class Translator {
     return sets.empty() ? things() : sets.size() == 1 ? sets.front() : either(std::move(sets));
   }
 
-  void translate(const Stand& stand) {
+  void describe(const Stand& stand) {
     Habits found = habits(stand);
     std::vector<SetRelation> relations;
-    const bool is_carried = std::ranges::any_of(found.relations, [](const auto& relation) { return relation.relation == "on"; });
-    if (!is_carried) relations.push_back(carried_by(stand.mount, carriers(stand)));
+    const auto is_put = [&](const char* name) { return std::ranges::find(found.relations, name, &SetRelation::relation) != found.relations.end(); };
+    if (!is_put("on")) relations.push_back(carried_by(stand.mount, carriers(stand)));
     for (auto& relation : found.relations)
       if (relations.size() < 3) relations.push_back(std::move(relation));
     ProgramSet members = of_kind(stand.kind);
-    members.relations = relations;
-    program_.sets.emplace_back(stand.name, members);
-    add_bounds(stand, members);
+    members.relations = std::move(relations);
+    program_.sets.emplace_back(stand.name, std::move(members));
     for (auto& truth : found.truths) also(stand.name + " as asked", std::move(truth));
     for (auto& score : found.scores) add_score(stand.name, std::move(score));
     if (!stand.asked) add_score(stand.name, maximize(liked, count(set(stand.name))));
-    if (is_in_rows(stand)) add_score(stand.name, minimize(straight, term(ProgramOp::coplanarity, {set(stand.name)})));
+    if (!stand.in_rows) return;
+    add_score(stand.name, minimize(straight, term(ProgramOp::coplanarity, {set(stand.name)})));
+    ProgramTerm askew = term(ProgramOp::angle, {set(stand.name), room()});
+    askew.face = Face::wall;
+    add_score(stand.name, minimize(straight, std::move(askew)));
   }
 
-  bool is_in_rows(const Stand& stand) const {
-    const auto& preferences = arrangements_.get(kinds_, stand.kind, stand.mount).preferences;
-    return stand.count.low >= 3.0 && std::ranges::any_of(preferences, [](const auto& preference) {
-      return preference.what == Preference::rows && preference.weight > 0.0;
+  const ProgramSet& members_of(const Stand& stand) const {
+    return std::ranges::find(program_.sets, stand.name, &NamedSets::value_type::first)->second;
+  }
+
+  // Are all that are put up as `special` says put up as `general` says?
+  static bool implies(const ProgramSet& special, const ProgramSet& general) {
+    return std::ranges::all_of(general.relations, [&](const SetRelation& relation) {
+      return std::ranges::find(special.relations, relation) != special.relations.end();
     });
   }
 
+  // A set counts what stands in narrower ones too, and may hold what is of its kind and counted elsewhere.
+  Range range_of(const Stand& stand) const {
+    Range range = stand.count;
+    for (const auto& other : stands_) {
+      if (&other == &stand || !kinds_.is_a(other.kind, stand.kind)) continue;
+      const bool is_within = implies(members_of(other), members_of(stand));
+      range.low += is_within ? other.count.low : 0.0;
+      if (is_within || implies(members_of(stand), members_of(other))) range.high += other.count.high;
+    }
+    return range;
+  }
+
   // Where the numbers divide, each of what they gather at has its share: four chairs a table, not sixteen at one.
-  void add_bounds(const Stand& stand, const ProgramSet& members) {
+  void add_bounds(const Stand& stand) {
+    const ProgramSet& members = members_of(stand);
     ProgramTerm all = bound(count(set(stand.name)), range_of(stand));
     const auto host = std::ranges::find_if(members.relations, [&](const SetRelation& relation) {
       return relation.target.front().source == ProgramSet::Source::named && stand_named(relation.target.front().name);
@@ -136,7 +158,7 @@ class Translator {
     if (host != members.relations.end() && stand.count.low == stand.count.high) {
       const Stand& at = *stand_named(host->target.front().name);
       const double each = stand.count.low / at.count.low;
-      if (at.count.low == at.count.high && at.count.low > 1.0 && each == std::floor(each)) {
+      if (at.count.low == at.count.high && at.count.low > 1.0 && each == std::floor(each) && each > 0.0) {
         ProgramSet own = of_kind(stand.kind);
         own.relations = members.relations;
         own.relations[static_cast<std::size_t>(host - members.relations.begin())].target = {variable("h")};
@@ -146,21 +168,14 @@ class Translator {
     program_.constraints.emplace_back(stand.name, std::move(all));
   }
 
-  // Sets of one kind overlap where one of them says less: each may be as large as all together, which are counted too.
-  Range range_of(const Stand& stand) const {
-    Range range = stand.count;
-    for (const auto& other : stands_)
-      if (&other != &stand && other.kind == stand.kind) range.high += other.count.high;
-    return range;
-  }
+  // Several sets of one kind: how many of it there are in all.
   void count_kinds() {
     for (const auto& stand : stands_) {
       const auto first = std::ranges::find(stands_, stand.kind, &Stand::kind);
-      const bool is_alone = std::ranges::count(stands_, stand.kind, &Stand::kind) == 1;
-      if (is_alone || &*first != &stand) continue;
+      if (&*first != &stand || std::ranges::count(stands_, stand.kind, &Stand::kind) == 1) continue;
       Range range;
       for (const auto& other : stands_)
-        if (other.kind == stand.kind) range.low += other.count.low, range.high += other.count.high;
+        if (kinds_.is_a(other.kind, stand.kind)) range.low += other.count.low, range.high += other.count.high;
       program_.constraints.emplace_back("all " + stand.kind, bound(count(of_kind(stand.kind)), range));
     }
   }

@@ -108,7 +108,7 @@ class HabitReader {
 
   // What stands at a thing's side and looks the way it does.
   void beside(const TargetSet& target) {
-    if (may_be_put(target) && has(relations_, RelationKind::face_same_as)) return put("leftright_leftright", target.set);
+    if (asked_ && may_be_put(target) && has(relations_, RelationKind::face_same_as)) return put("leftright_leftright", target.set);
     keep_within(target.set, near_good, near_most);
   }
 

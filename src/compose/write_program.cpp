@@ -50,11 +50,26 @@ struct Furnished {
   std::vector<std::string> notes;
 };
 
+// What is longer in a row than the walls that are left stands freely, in rows.
+void leave_walls(const Room& room, std::vector<Stand>& stands) {
+  constexpr double usable = 0.7, beside = 0.1;
+  double left = 0.0;
+  for (std::size_t k = 0; k < room.polygon.size(); ++k) left += usable * room.polygon.edge(k).length();
+  for (const auto& opening : room.openings) left -= opening.is_entrance() ? opening.width() : 0.0;
+  for (auto& stand : stands) {
+    if (stand.mount != Mount::floor || !stand.asked || !stand.at_wall || stand.count.low < 2.0) continue;
+    const double length = stand.count.low * (stand.size.x() + beside);
+    if (length > left) stand.at_wall = false, stand.in_rows = true;
+    else left -= length;
+  }
+}
+
 Furnished furnish(Plan plan, const Complexity& asked, const KindTable& kinds) {
   Furnished furnished{std::move(plan), {}, {}};
   const design::RoomKind& room = design::built_in_room_kinds()->get(furnished.plan.room.type);
   furnished.stands = inventory_of(furnished.plan, kinds);
   meet(asked, room, area_of(furnished.plan.room), furnished.plan.excluded, kinds, furnished.stands, furnished.notes);
+  leave_walls(furnished.plan.room, furnished.stands);
   return furnished;
 }
 

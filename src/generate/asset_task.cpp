@@ -10,7 +10,7 @@ PlacementTask task_of_asset(const std::string& id, const PlanItem& item, const K
                             const AssetInfo& asset, const Model* model, const Room& room) {
   PlacementTask task;
   Object& object = task.object;
-  object = object_of_asset(asset, category, fitted_size(asset, item, category), model);
+  object = object_of_asset(asset, category, fitted_size(asset, category, item.mount, item.size.value_or(category.size), item.asked), model);
   object.id = id;
   object.category = item.category;
   object.description = item.description.empty() ? asset.name : item.description;

@@ -13,10 +13,6 @@ namespace roomgen {
 /// Did somebody say how wide or deep the thing shall be?
 bool is_size_told(const PlanItem& item, const Kind& category);
 
-/// The size at which an asset is placed: width and depth of furniture come as near to what was planned
-/// as a mesh can be stretched without showing it.
-Vec3 fitted_size(const AssetInfo& asset, const PlanItem& item, const Kind& category);
-
 /// How much smaller a thing becomes to fit one of the surfaces, at least 0.6: a cushion comes in many
 /// sizes. Less with each refusal.
 double shrink_factor(const Object& object, std::span<const SupportSurface> surfaces,

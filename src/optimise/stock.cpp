@@ -52,6 +52,11 @@ std::vector<Shelf> fill_all(const std::vector<StockWish>& wishes, const AssetLib
   return shelves;
 }
 
+Vec3 fitted_to(const StockWish& wish, const AssetInfo& asset, const Kind& kind) {
+  if (!wish.size) return asset.size;
+  return fitted_size(asset, kind, wish.mount.value_or(kind.mount), *wish.size, wish.asked);
+}
+
 }  // namespace
 
 std::vector<StockWish> wishes_for(const std::vector<std::string>& kinds) {
@@ -71,7 +76,7 @@ Result<Stock> load_stock(const std::vector<StockWish>& wishes, const AssetLibrar
     if (shelf.assets.empty()) stock.missing.push_back(kind);
     for (std::size_t k = 0; k < shelf.assets.size(); ++k) {
       const AssetInfo& asset = shelf.assets[k];
-      Object object = object_of_asset(asset, table.get(kind), asset.size, shelf.models[k].get());
+      Object object = object_of_asset(asset, table.get(kind), fitted_to(wishes[i], asset, table.get(kind)), shelf.models[k].get());
       object.category = kind;
       object.description = asset.name;
       stock.articles[kind].push_back(std::move(object));
