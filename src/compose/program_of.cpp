@@ -176,7 +176,7 @@ class Translator {
       Range range;
       for (const auto& other : stands_)
         if (kinds_.is_a(other.kind, stand.kind)) range.low += other.count.low, range.high += other.count.high;
-      program_.constraints.emplace_back("all " + stand.kind, bound(count(of_kind(stand.kind)), range));
+      program_.constraints.emplace_back("all " + stand.kind, bound(term(ProgramOp::add, {}, {count(of_kind(stand.kind))}), range));
     }
   }
 
@@ -206,8 +206,9 @@ class Translator {
 };
 
 void ask_of_whole(const Complexity& asked, ConstraintProgram& program) {
+  // As sums, for a bound on a count is a reason to add: these are reached by what the other bounds permit.
   const auto ask = [&](const char* name, ProgramTerm value, const std::optional<Range>& range) {
-    if (range) program.constraints.emplace_back(name, bound(std::move(value), *range));
+    if (range) program.constraints.emplace_back(name, bound(term(ProgramOp::add, {}, {std::move(value)}), *range));
   };
   ask("number of objects", count(things()), asked.objects);
   ask("number of seats", term(ProgramOp::seats, {things()}), asked.seats);

@@ -3,6 +3,7 @@
 
 #include "brief/prompt.h"
 #include "brief/room_kinds.h"
+#include "brief/table_size.h"
 #include "inventory.h"
 #include "meet.h"
 #include "plan/planning.h"
@@ -20,6 +21,7 @@ using namespace compose;
 constexpr int most_floors = 3;        // tried until the inventory and its floor agree
 constexpr double same_floor = 0.08;   // share of the area
 constexpr double greatest_floor = 400.0;
+constexpr double most_at_table = 30.0;
 
 /// A request as far as it is understood.
 struct Reading {
@@ -42,6 +44,20 @@ Vec2 scaled(const Room& room, double wanted) {
   const Vec2 box = bounds(room.polygon).size();
   const double factor = std::sqrt(wanted / area_of(room));
   return (box * factor * 100.0).array().round().matrix() / 100.0;
+}
+
+// Makes tables large enough for those who are put up against them.
+void seat_at_tables(const ConstraintProgram& program, const KindTable& kinds, std::vector<Stand>& stands) {
+  for (auto& table : stands) {
+    if (!kinds.is_a(table.kind, "table") || kinds.is_a(table.kind, "desk") || table.count.low < 1.0) continue;
+    double seats = 0.0;
+    for (const auto& [name, members] : program.sets)
+      for (const auto& relation : members.relations)
+        if (relation.relation == "front_against" && relation.target.front().name == table.name)
+          seats += std::ranges::find(stands, name, &Stand::name)->count.high;
+    const int each = static_cast<int>(std::ceil(std::min(seats / table.count.low, most_at_table)));
+    if (each > 0) table.size = design::table_for(table.size, kinds.get(table.kind).traits.round, each);
+  }
 }
 
 struct Furnished {
@@ -103,6 +119,7 @@ Result<WrittenProgram> write_program(const ComposeRequest& request) {
   written.notes = furnished.plan.notes;
   written.notes.insert(written.notes.end(), furnished.notes.begin(), furnished.notes.end());
   written.program = program_of(furnished.stands, reading.asked, furnished.plan, kinds, *built_in_arrangements(), written.notes);
+  seat_at_tables(written.program, kinds, furnished.stands);
   for (const auto& stand : furnished.stands) written.stock.push_back({stand.kind, stand.description, stand.size, stand.mount, stand.asked});
   written.plan = std::move(furnished.plan);
   written.asked = reading.asked;

@@ -2,6 +2,7 @@
 #include <thread>
 
 #include "library/asset_object.h"
+#include "scene/rounded_pose.h"
 #include "roomgen/optimise/optimise.h"
 
 namespace roomgen {
@@ -15,6 +16,8 @@ struct Shelf {
   Status status;
 };
 
+constexpr double usual_size = 0.02;  // as near to the kind's own a size says nothing
+
 Shelf fill(const StockWish& wish, const Kind& kind, const AssetLibrary& library, std::size_t count) {
   Shelf shelf;
   AssetQuery query;
@@ -23,6 +26,7 @@ Shelf fill(const StockWish& wish, const Kind& kind, const AssetLibrary& library,
   query.size = wish.size.value_or(kind.size);
   query.mount = wish.mount.value_or(kind.mount);
   query.asked = wish.asked;
+  query.sized = wish.size && !wish.size->isApprox(kind.size, usual_size);
   query.limit = count;
   const auto matches = library.search(query);
   if (!matches) return shelf.status = matches.error(), shelf;
@@ -52,9 +56,10 @@ std::vector<Shelf> fill_all(const std::vector<StockWish>& wishes, const AssetLib
   return shelves;
 }
 
+// As scene.json keeps it, so that what is judged is what is written.
 Vec3 fitted_to(const StockWish& wish, const AssetInfo& asset, const Kind& kind) {
-  if (!wish.size) return asset.size;
-  return fitted_size(asset, kind, wish.mount.value_or(kind.mount), *wish.size, wish.asked);
+  if (!wish.size) return rounded_position(asset.size);
+  return rounded_position(fitted_size(asset, kind, wish.mount.value_or(kind.mount), *wish.size, wish.asked));
 }
 
 }  // namespace
