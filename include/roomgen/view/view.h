@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "roomgen/base/json.h"
 #include "roomgen/base/result.h"
 #include "roomgen/geometry/model.h"
 #include "roomgen/geometry/polygon.h"
@@ -59,6 +60,13 @@ Result<Camera> make_camera(const Scene& scene, const View& view);
 /// A camera in `eye` that looks at `target`, with the horizon level; `angle` is what it sees from side to side,
 /// radians. Fails if the picture's size or the angle is out of bounds or the two points are one.
 Result<Camera> pinhole_camera(const Vec3& eye, const Vec3& target, double angle, int width, int height);
+
+struct NamedCamera {
+  std::string name;  ///< of letters, digits, - and _
+  Camera camera;
+};
+/// A list of pinhole cameras: cameras.json (docs/layers.md). Reports the first problem with its JSON pointer.
+Result<std::vector<NamedCamera>> cameras_from_json(const Json& json, const std::string& source);
 
 /// What layers are made of.
 struct Shot {
