@@ -171,6 +171,11 @@ std::vector<Vec2> box_outline(const Vec2& center, const Vec2& size) {
           center - h};
 }
 
+void draw_front(Pen& pen, const Vec2& from, const Vec2& to, int width, double head) {
+  pen.arrow(from, to, width + 3, head + 4, {255, 255, 255, 0.95});
+  pen.arrow(from, to, width + 1, head, {16, 18, 24, 1.0});
+}
+
 void draw_stroke(Pen& pen, const Drawing::Stroke& stroke, int width, double letters) {
   const Vec2 first = stroke.points.front(), last = stroke.points.back();
   switch (stroke.kind) {
@@ -191,6 +196,8 @@ void draw_stroke(Pen& pen, const Drawing::Stroke& stroke, int width, double lett
       return pen.line(stroke.points, 2 * width, {20, 24, 32, 1.0});
     case Drawing::Line::axis:
       return pen.arrow(first, last, width, 0.7 * letters, {20, 40, 70, 1.0});
+    case Drawing::Line::front:
+      return draw_front(pen, first, last, width, std::min(0.85 * letters, 0.4 * (last - first).norm()));
     case Drawing::Line::arrow:
       pen.arrow(first, last, width + 3, 0.95 * letters + 2, {255, 255, 255, 0.75});
       return pen.arrow(first, last, width + 1, 0.85 * letters, {196, 40, 36, 1.0});
@@ -226,7 +233,7 @@ Status draw_overlay(Image& image, const Drawing& drawing) {
   const int width = std::max(1, static_cast<int>(std::lround(drawing.text_height / 11.0)));
   for (const auto kind :
        {Drawing::Line::free, Drawing::Line::plan_symbol, Drawing::Line::grid,
-        Drawing::Line::dot, Drawing::Line::outline, Drawing::Line::axis, Drawing::Line::leader, Drawing::Line::arrow, Drawing::Line::scale})
+        Drawing::Line::dot, Drawing::Line::outline, Drawing::Line::axis, Drawing::Line::leader, Drawing::Line::arrow, Drawing::Line::front, Drawing::Line::scale})
     for (const auto& stroke : drawing.strokes)
       if (stroke.kind == kind && stroke.points.size() > 1)
         draw_stroke(pen, stroke, width, drawing.text_height);

@@ -54,7 +54,7 @@ void add_scale(Drawing& drawing, const Rows& rows, double row, double pixels_per
 }
 
 void add_arrow(Drawing& drawing, const Rows& rows, double row) {
-  drawing.strokes.push_back({Drawing::Line::arrow, {rows.middle(row, 0.04), rows.middle(row, 0.17)}});
+  drawing.strokes.push_back({Drawing::Line::front, {rows.middle(row, 0.04), rows.middle(row, 0.17)}});
   add_text(drawing, rows, row, 0.21, "front of a thing");
 }
 

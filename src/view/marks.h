@@ -21,6 +21,7 @@ struct Drawing {
     leader,       ///< from a label to its object
     axis,         ///< arrow along which a coordinate grows
     plan_symbol,  ///< door leaves and swings, panes of windows
+    front,        ///< an arrow over strong colours
     scale,        ///< a length that is named beside it
   };
   struct Stroke {

@@ -10,8 +10,10 @@ namespace roomgen {
 
 namespace {
 
-constexpr double segment_letters_at_1024 = 12.0, least_segment_letters = 4.0;
+constexpr double segment_letters_at_1024 = 12.5, least_segment_letters = 4.0;
+constexpr double readable_letters = 8.0;  // pixels
 constexpr double segment_shrink = 0.9;
+constexpr double most_covered = 0.3;  // by names, of what they are the names of
 
 // The rectangle around all rooms: what coordinates are written beside.
 Room room_around(const Scene& scene) {
@@ -37,6 +39,19 @@ void name_room(const Room& room, const Camera& camera, double letters, detail::L
                 label_size(room.id, letters)});
 }
 
+double area_of(const std::vector<detail::ObjectMark>& marks) {
+  double area = 0.0;
+  for (const auto& mark : marks) area += std::abs(signed_area(mark.outline));
+  return area;
+}
+
+double area_of_names(const Drawing& drawing) {
+  double area = 0.0;
+  for (const auto& label : drawing.labels)
+    if (label.kind == Drawing::Text::object) area += label.size.x() * label.size.y();
+  return area;
+}
+
 // The whole layout with letters of this height, or nothing if an object's label does not fit.
 std::optional<Drawing> try_segment_labels(const Scene& scene, const Camera& camera, double letters) {
   detail::LabelPlacer placer(camera.width, camera.height);
@@ -51,7 +66,7 @@ std::optional<Drawing> try_segment_labels(const Scene& scene, const Camera& came
   const auto marks = shown_marks(scene, camera);
   for (const auto& mark : marks)
     if (mark.arrow_end != mark.center)
-      drawing.strokes.push_back({Drawing::Line::arrow, {mark.center, mark.arrow_end}});
+      drawing.strokes.push_back({Drawing::Line::front, {mark.center, mark.arrow_end}});
   if (!detail::place_object_labels(marks, letters, placer, drawing.strokes)) return std::nullopt;
   drawing.labels = placer.labels();
   return drawing;
@@ -61,8 +76,12 @@ std::optional<Drawing> try_segment_labels(const Scene& scene, const Camera& came
 
 Drawing layout_segment_labels(const Scene& scene, const Camera& camera) {
   const double wanted = segment_letters_at_1024 * std::max(camera.width, camera.height) / 1024.0;
-  for (double letters = std::max(wanted, least_segment_letters); letters >= 1.0; letters *= segment_shrink)
-    if (auto drawing = try_segment_labels(scene, camera, letters)) return *drawing;
+  const double things = area_of(shown_marks(scene, camera));
+  for (double letters = std::max(wanted, least_segment_letters); letters >= 1.0; letters *= segment_shrink) {
+    auto drawing = try_segment_labels(scene, camera, letters);
+    // Small things shall not vanish under their names, as long as these can be read.
+    if (drawing && (letters <= readable_letters || area_of_names(*drawing) < most_covered * things)) return *drawing;
+  }
   // So many objects or so few pixels that nobody could read them anyway.
   return {};
 }
