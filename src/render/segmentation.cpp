@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "overlay.h"
+#include "picture.h"
 #include "roomgen/render/pictures.h"
 #include "segmentation_legend.h"
 
@@ -53,10 +54,11 @@ void paint_opening(Image& image, const Camera& camera, const Room& room, const O
   const Vec2 outward = -inward(room, opening);
   const Footprint hole(line.middle() + 0.5 * wall_thickness * outward, {opening.width(), wall_thickness},
                        std::atan2(line.direction().y(), line.direction().x()));
-  Bounds2 extent;
-  for (const auto& corner : hole.outline()) extent.add(camera.pixel({corner.x(), corner.y(), 0.0}));
-  for (int y = std::max(0, static_cast<int>(extent.low.y())); y < std::min<int>(image.height, static_cast<int>(extent.high.y()) + 1); ++y)
-    for (int x = std::max(0, static_cast<int>(extent.low.x())); x < std::min<int>(image.width, static_cast<int>(extent.high.x()) + 1); ++x) {
+  Bounds3 box;
+  for (const auto& corner : hole.outline()) box.add({corner.x(), corner.y(), 0.0});
+  const PixelRect touched = covered_pixels(camera, box).clipped({0, 0, image.width, image.height});
+  for (int y = touched.y0; y < touched.y1; ++y)
+    for (int x = touched.x0; x < touched.x1; ++x) {
       const Vec2 pixel(x + 0.5 - 0.5 * camera.width, 0.5 * camera.height - y - 0.5);
       const Vec2 local = hole.to_local(pixel / camera.pixels_per_metre + camera.center).cwiseAbs() - hole.half();
       if (local.maxCoeff() <= 0.0) std::copy(color.begin(), color.end(), image.at(x, y));
@@ -83,7 +85,8 @@ Legend legend_of(const Layers& layers, const std::map<std::string, Rgb>& colors,
   for (std::size_t k = 0; k < layers.things.size(); ++k) {
     const LayerThing& thing = layers.things[k];
     if (k < object_count && thing.pixels > 0) ++objects[thing.category];
-    if (k >= object_count && thing.category != "ceiling") ++parts[thing.category];
+    // Not counted: a door between two rooms is a thing of both.
+    if (k >= object_count && thing.category != "ceiling") parts[thing.category] = 1;
   }
   Legend legend{{}, colors, layers.camera.pixels_per_metre};
   for (const auto* group : {&objects, &parts})

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "overlay.h"
+#include "pixel_rect.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen::detail {
@@ -24,8 +25,11 @@ struct Rows {
 };
 
 void fill(Image& image, const Vec2& low, const Vec2& high, const Rgb& color) {
-  for (int y = std::max(0, static_cast<int>(low.y())); y < std::min<int>(image.height, static_cast<int>(high.y())); ++y)
-    for (int x = static_cast<int>(low.x()); x < std::min<int>(image.width, static_cast<int>(high.x())); ++x)
+  const PixelRect rect = PixelRect{static_cast<int>(low.x()), static_cast<int>(low.y()), static_cast<int>(high.x()),
+                                   static_cast<int>(high.y())}
+                             .clipped({0, 0, image.width, image.height});
+  for (int y = rect.y0; y < rect.y1; ++y)
+    for (int x = rect.x0; x < rect.x1; ++x)
       std::copy(color.begin(), color.end(), image.at(x, y));
 }
 
