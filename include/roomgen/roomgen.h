@@ -71,7 +71,7 @@
 #include "roomgen/assets/catalogue.h"  // furniture libraries: Sweet Home 3D archives, folders of meshes
 #endif
 #if __has_include("roomgen/render/pictures.h")
-#include "roomgen/render/pictures.h"  // pictures and layers of rooms, pictures of single models, without a display; files
+#include "roomgen/render/pictures.h"  // rooms and single models drawn without a display; PNG and JPEG
 #endif
 #if __has_include("roomgen/agent/http_model.h")
 #include "roomgen/agent/http_model.h"  // a language model behind an HTTP endpoint

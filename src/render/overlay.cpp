@@ -232,8 +232,9 @@ Status draw_overlay(Image& image, const Drawing& drawing) {
   Pen pen(*cv, image);
   const int width = std::max(1, static_cast<int>(std::lround(drawing.text_height / 11.0)));
   for (const auto kind :
-       {Drawing::Line::free, Drawing::Line::plan_symbol, Drawing::Line::grid,
-        Drawing::Line::dot, Drawing::Line::outline, Drawing::Line::axis, Drawing::Line::leader, Drawing::Line::arrow, Drawing::Line::front, Drawing::Line::scale})
+       {Drawing::Line::free, Drawing::Line::plan_symbol, Drawing::Line::grid, Drawing::Line::dot,
+        Drawing::Line::outline, Drawing::Line::axis, Drawing::Line::leader, Drawing::Line::arrow,
+        Drawing::Line::front, Drawing::Line::scale})
     for (const auto& stroke : drawing.strokes)
       if (stroke.kind == kind && stroke.points.size() > 1)
         draw_stroke(pen, stroke, width, drawing.text_height);

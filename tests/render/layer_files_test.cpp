@@ -167,7 +167,8 @@ TEST_CASE("the picture of segments shows each thing in the colour of its categor
     std::map<Rgb, int> count;
     for (std::size_t i = 0; i < image->pixels.size(); i += 4)
       ++count[{image->pixels[i], image->pixels[i + 1], image->pixels[i + 2]}];
-    const auto colors = category_colors({"bed", "desk", "chair", "lamp", "rug", "floor", "wall", "ceiling", "door", "window"});
+    const auto colors = category_colors(
+        {"bed", "desk", "chair", "lamp", "rug", "floor", "wall", "ceiling", "door", "window"});
     for (const auto& [category, color] : colors)
       if (category != "ceiling") CHECK(count[color] > 5);
     CHECK(count[colors.at("bed")] > 2 * count[colors.at("desk")]);
@@ -181,7 +182,8 @@ TEST_CASE("cameras of a file are read, and what is wrong is found") {
     return cameras_from_json(*parse_json(text, "cameras.json"), "cameras.json");
   };
   const auto good = read(R"({"cameras": [{"name": "a", "eye": [1, 1, 1.5], "target": [3, 2, 0], "angle_deg": 90,
-                                           "width": 320, "height": 200}, {"name": "b", "eye": [1, 1, 1], "target": [2, 1, 1]}]})");
+                                           "width": 320, "height": 200},
+                                          {"name": "b", "eye": [1, 1, 1], "target": [2, 1, 1]}]})");
   REQUIRE(good);
   REQUIRE(good->size() == 2);
   CHECK(std::abs((*good)[0].camera.pixels_per_metre - 160.0) < 1e-9);
@@ -192,7 +194,8 @@ TEST_CASE("cameras of a file are read, and what is wrong is found") {
       {R"({"cameras": [{"name": "a", "eye": [1,1,1], "target": [1,1,1]}]})", "two points"},
       {R"({"cameras": [{"name": "a", "eye": [1,1], "target": [2,1,1]}]})", "/cameras/0/eye"},
       {R"({"cameras": [{"name": "a", "eye": [1,1,1], "target": [2,1,1], "fov": 3}]})", "fov"},
-      {R"({"cameras": [{"name": "a", "eye": [1,1,1], "target": [2,1,1]}, {"name": "a", "eye": [1,1,1], "target": [2,1,1]}]})",
+      {R"({"cameras": [{"name": "a", "eye": [1,1,1], "target": [2,1,1]},
+                       {"name": "a", "eye": [1,1,1], "target": [2,1,1]}]})",
        "/cameras/1/name"}};
   for (const auto& [text, part] : wrong) {
     const auto cameras = read(text);
