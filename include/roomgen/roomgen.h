@@ -22,7 +22,7 @@
 #include "roomgen/scene/relation.h"     // what a thing shall be to others: "near, bed-0"
 #include "roomgen/scene/requirement.h"  // what the prompt asked for, met or not
 #include "roomgen/scene/model_table.h"  // the meshes of a scene, and where in the room they are
-#include "roomgen/view/view.h"          // how to look at a room; what a renderer is
+#include "roomgen/view/view.h"          // how to look at a room; cameras, layers; what a renderer is
 #include "roomgen/export/exporter.h"    // what an exporter is; GLB files; who made the meshes
 #include "roomgen/import/import.h"      // floor plans from SVG and DXF; the meshes of a scene.glb
 
@@ -71,7 +71,7 @@
 #include "roomgen/assets/catalogue.h"  // furniture libraries: Sweet Home 3D archives, folders of meshes
 #endif
 #if __has_include("roomgen/render/pictures.h")
-#include "roomgen/render/pictures.h"  // pictures of rooms and of single models, without a display; PNG and JPEG
+#include "roomgen/render/pictures.h"  // rooms and single models drawn without a display; PNG and JPEG
 #endif
 #if __has_include("roomgen/agent/http_model.h")
 #include "roomgen/agent/http_model.h"  // a language model behind an HTTP endpoint

@@ -70,22 +70,32 @@ void GpuCache::drop_unused() {
   ++pictures_;
 }
 
+DrawItem fixed_item(const std::string& key, const std::shared_ptr<const Model>& model, GpuCache& cache) {
+  DrawItem item;
+  item.source = model;
+  item.model = cache.get(key, model);
+  item.box = item.model->model_bounds();
+  return item;
+}
+
+DrawItem draw_object(const Object& object, const ModelTable& models, GpuCache& cache) {
+  const std::string key = model_key(object, models);
+  DrawItem item;
+  item.source = models.find(asset_key(object.asset));
+  // A box is made once and then known by its key.
+  if (!item.source) item.source = cache.source(key);
+  if (!item.source) item.source = std::make_shared<Model>(box_model(object));
+  item.model = cache.get(key, item.source);
+  item.placement = model_placement(object, item.model->model_bounds());
+  item.box = placed_bounds(item.model->model_bounds(), item.room_from_model());
+  return item;
+}
+
 DrawList draw_objects(const Scene& scene, const ModelTable& models,
                       const std::function<bool(const Object&)>& shown, GpuCache& cache) {
   DrawList list;
-  for (const auto& object : scene.objects) {
-    if (!shown(object)) continue;
-    const std::string key = model_key(object, models);
-    DrawItem item;
-    item.source = models.find(asset_key(object.asset));
-    // A box is made once and then known by its key.
-    if (!item.source) item.source = cache.source(key);
-    if (!item.source) item.source = std::make_shared<Model>(box_model(object));
-    item.model = cache.get(key, item.source);
-    item.placement = model_placement(object, item.model->model_bounds());
-    item.box = placed_bounds(item.model->model_bounds(), item.room_from_model());
-    list.push_back(std::move(item));
-  }
+  for (const auto& object : scene.objects)
+    if (shown(object)) list.push_back(draw_object(object, models, cache));
   return list;
 }
 

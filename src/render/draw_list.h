@@ -52,6 +52,9 @@ class GpuCache {
   long long pictures_ = 0;
 };
 
+/// What is in room coordinates already.
+DrawItem fixed_item(const std::string& key, const std::shared_ptr<const Model>& model, GpuCache& cache);
+DrawItem draw_object(const Object& object, const ModelTable& models, GpuCache& cache);
 /// The objects of a scene that are to be `shown`, in their order.
 DrawList draw_objects(const Scene& scene, const ModelTable& models,
                       const std::function<bool(const Object&)>& shown, GpuCache& cache);

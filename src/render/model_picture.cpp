@@ -28,15 +28,6 @@ std::shared_ptr<const Model> floor_under(const Bounds3& box) {
   return model;
 }
 
-DrawItem item_of(const std::string& key, const std::shared_ptr<const Model>& model,
-                 GpuCache& cache) {
-  DrawItem item;
-  item.source = model;
-  item.model = cache.get(key, model);
-  item.box = item.model->model_bounds();
-  return item;
-}
-
 std::vector<Vec3> corners(const Bounds3& box) {
   std::vector<Vec3> points;
   for (int k = 0; k < 8; ++k)
@@ -69,7 +60,8 @@ Result<std::vector<Image>> draw_views(const Model& model, int pixels) {
   GpuCache cache(gl);
   const Bounds3 box = bounds(model);
   const auto floor = floor_under(box);
-  const DrawList items = {item_of("model", std::make_shared<Model>(model), cache), item_of("floor", floor, cache)};
+  const DrawList items = {fixed_item("model", std::make_shared<Model>(model), cache),
+                          fixed_item("floor", floor, cache)};
 
   Bounds3 all = items[1].box;
   all.add(box.high);

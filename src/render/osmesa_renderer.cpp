@@ -4,12 +4,15 @@
 #include <nlohmann/json.hpp>
 
 #include "gl_context.h"
+#include "layer_pass.h"
+#include "numbered_shell.h"
 #include "overlay.h"
 #include "picture.h"
 #include "roomgen/base/json.h"
 #include "scene/lights.h"
-#include "scene/room_shell.h"
 #include "shadow_map.h"
+#include "shown.h"
+#include "view/layer_things.h"
 
 namespace roomgen {
 
@@ -19,46 +22,16 @@ using namespace detail;
 
 constexpr double shadow_width = 0.03;  // metres, of a shadow's soft edge
 constexpr std::size_t kept_frames = 2;
-const Eigen::Vector3f plan_wall_color(74, 76, 82), wall_top_color(214, 209, 200);
-// Under marks: planks and shadows look like lines and furniture to who reads the picture.
-const Eigen::Vector3f marked_floor_color(226, 223, 216);
-
-bool is_marked(const View& view) { return view.marks && view.kind == View::Kind::top; }
 
 // Everything a picture depends on but the objects.
-std::string frame_key(const Scene& scene, const View& view, const Camera& camera) {
-  Json key;
-  for (const auto& room : rooms_of(scene)) key["rooms"].push_back(to_json(room));
-  for (const double value : {camera.center.x(), camera.center.y(), camera.pixels_per_metre,
-                             camera.near, camera.far, camera.backward.x(), camera.backward.y()})
+std::string frame_key(const std::string& shell, const Camera& camera) {
+  Json key = {{"shell", shell}, {"size", {camera.width, camera.height}}};
+  for (const double value : {camera.center.x(), camera.center.y(), camera.pixels_per_metre, camera.near, camera.far})
     key["camera"].push_back(value);
-  if (camera.eye)
-    for (int axis = 0; axis < 3; ++axis) key["eye"].push_back((*camera.eye)[axis]);
-  key["kind"] = static_cast<int>(view.kind);
-  key["marks"] = is_marked(view);
-  key["size"] = {camera.width, camera.height};
+  for (const Vec3& axis : {camera.right, camera.up, camera.eye.value_or(Vec3::Zero())})
+    for (const double value : axis) key["axes"].push_back(value);
+  key["eye"] = camera.eye.has_value();
   return key.dump();
-}
-
-std::shared_ptr<const Model> shell_model(std::span<const Room> rooms, const ModelTable& models, const View& view,
-                                         const Camera& camera) {
-  const bool plan = view.kind == View::Kind::top;
-  ShellOptions options;
-  options.top_color = plan ? plan_wall_color : wall_top_color;
-  if (is_marked(view)) options.floor_color = marked_floor_color;
-  options.door_leaves = !plan;  // drawn open, as a symbol
-  options.ceiling = view.kind == View::Kind::eye;
-  auto merged = std::make_shared<Model>();
-  for (std::size_t i = 0; i < rooms.size(); ++i) {
-    options.wall_heights = wall_heights(rooms, i, view, camera);
-    for (auto& part : room_shell(rooms, i, options, models)) {
-      const int first = static_cast<int>(merged->materials.size());
-      for (auto& piece : part.model.parts)
-        merged->parts.push_back({std::move(piece.mesh), piece.material + first});
-      for (auto& material : part.model.materials) merged->materials.push_back(std::move(material));
-    }
-  }
-  return merged;
 }
 
 // A finished picture, without marks, and what was in it.
@@ -117,11 +90,12 @@ std::vector<Bounds3> differences(const DrawList& before, const DrawList& after) 
 
 class OsmesaRenderer : public Renderer {
  public:
-  OsmesaRenderer(std::unique_ptr<GlContext> context, ScenePainter painter, Picture picture)
+  OsmesaRenderer(std::unique_ptr<GlContext> context, ScenePainter painter, Picture picture, LayerPass pass)
       : context_(std::move(context)),
         cache_(context_->gl()),
         painter_(std::move(painter)),
         picture_(std::move(picture)),
+        layer_pass_(std::move(pass)),
         shadows_(context_->gl()) {}
 
   ~OsmesaRenderer() override { (void)context_->make_current(); }
@@ -131,12 +105,33 @@ class OsmesaRenderer : public Renderer {
     if (!camera) return camera.error();
     if (auto status = context_->make_current(); !status) return status.error();
 
-    Frame& frame = frame_for(frame_key(scene, view, *camera), *camera);
-    update(frame, scene, models, view, *camera);
-    Image image = frame.image;
+    Image image = picture_of(scene, models, view, *camera);
     if (view.kind == View::Kind::top)
       if (auto drawn = draw_over(image, scene, view, *camera); !drawn) return drawn.error();
     return image;
+  }
+
+  Result<Layers> layers(const Scene& scene, const ModelTable& models, const Shot& shot) override {
+    if (auto sound = check_camera(shot.camera); !sound) return sound.error();
+    auto things = layer_things(scene);
+    if (!things) return things.error();
+    if (auto status = context_->make_current(); !status) return status.error();
+
+    Layers layers;
+    layers.camera = shot.camera;
+    layers.kind = shot.kind;
+    layers.things = std::move(*things);
+    View view;
+    view.kind = shot.kind;
+    if (shot.color) layers.color = picture_of(scene, models, view, shot.camera);
+    const auto items = numbered_items(scene, models, view, shot.camera, layers.things);
+    layer_pass_.draw(items, layers);
+    count_pixels(layers);
+    if (shot.alone)
+      for (const auto& item : items)
+        layers.things[item.number - 1].pixels_alone += layer_pass_.count_alone(item, shot.camera);
+    cache_.drop_unused();
+    return layers;
   }
 
  private:
@@ -159,34 +154,40 @@ class OsmesaRenderer : public Renderer {
     return frames_.front();
   }
 
-  DrawList draw_list(const Scene& scene, const ModelTable& models, const View& view,
-                     const Camera& camera, const std::string& key) {
-    // From above, lamps would hide what stands under them; their ceiling is off as well. From a corner,
-    // what hangs on a lowered wall would float before the room.
-    const auto rooms = rooms_of(scene);
-    std::vector<std::vector<double>> heights;
-    for (std::size_t i = 0; i < rooms.size(); ++i)
-      heights.push_back(wall_heights(rooms, i, view, camera));
-    const auto shown = [&](const Object& object) {
-      if (view.kind == View::Kind::top) return object.mount != Mount::ceiling;
-      const Room& room = room_of(scene, object);
-      const auto index = static_cast<std::size_t>(&room - rooms.data());
-      return !hangs_on_lowered_wall(room, object, heights[index]);
-    };
-    DrawList items = draw_objects(scene, models, shown, cache_);
-    DrawItem shell;
-    shell.source = cache_.source(key);
-    if (!shell.source) shell.source = shell_model(rooms_of(scene), models, view, camera);
-    shell.model = cache_.get(key, shell.source);
-    shell.box = shell.model->model_bounds();
-    items.push_back(std::move(shell));  // last: objects hide much of it
+  Image picture_of(const Scene& scene, const ModelTable& models, const View& view, const Camera& camera) {
+    const std::string shell = shell_key(rooms_of(scene), view, camera);
+    Frame& frame = frame_for(frame_key(shell, camera), camera);
+    update(frame, scene, models, view, camera, shell);
+    return frame.image;
+  }
+
+  // Numbered as the things are: objects first, then the parts of the rooms.
+  std::vector<NumberedItem> numbered_items(const Scene& scene, const ModelTable& models, const View& view,
+                                           const Camera& camera, const std::vector<LayerThing>& things) {
+    std::vector<NumberedItem> items;
+    const auto shown = shown_objects(scene, view, camera);
+    for (std::size_t k = 0; k < scene.objects.size(); ++k)
+      if (shown(scene.objects[k]))
+        items.push_back({draw_object(scene.objects[k], models, cache_), static_cast<std::uint16_t>(k + 1)});
+    shell_.update(rooms_of(scene), models, view, camera);
+    shell_.append_items(std::span(things).subspan(scene.objects.size()), scene.objects.size() + 1, cache_, items);
+    return items;
+  }
+
+  // The rooms as one thing, and last: objects hide much of it.
+  DrawList draw_list(const Scene& scene, const ModelTable& models, const View& view, const Camera& camera,
+                     const std::string& shell) {
+    DrawList items = draw_objects(scene, models, shown_objects(scene, view, camera), cache_);
+    auto model = cache_.source(shell);
+    if (!model) model = merged(shown_shell(rooms_of(scene), models, view, camera));
+    items.push_back(fixed_item(shell, model, cache_));
     return items;
   }
 
   // Brings the frame to what the scene shows now, drawing no more than what changed.
   void update(Frame& frame, const Scene& scene, const ModelTable& models, const View& view,
-              const Camera& camera) {
-    DrawList items = draw_list(scene, models, view, camera, frame.key);
+              const Camera& camera, const std::string& shell) {
+    DrawList items = draw_list(scene, models, view, camera, shell);
     const bool fresh = frame.items.empty();
     PixelRect damage = fresh ? PixelRect{0, 0, camera.width, camera.height} : PixelRect{};
     PixelRect shadow_damage =
@@ -217,6 +218,8 @@ class OsmesaRenderer : public Renderer {
   GpuCache cache_;
   ScenePainter painter_;
   Picture picture_;
+  LayerPass layer_pass_;
+  NumberedShell shell_;
   ShadowMap shadows_;
   std::string shadow_owner_;  ///< key of the frame whose shadows the map holds
   std::string depth_owner_;   ///< key of the frame whose depths the buffers hold
@@ -232,8 +235,10 @@ Result<std::unique_ptr<Renderer>> make_osmesa_renderer() {
   if (!painter) return painter.error();
   auto picture = Picture::create((*context)->gl());
   if (!picture) return picture.error();
+  auto pass = LayerPass::create((*context)->gl());
+  if (!pass) return pass.error();
   return std::unique_ptr<Renderer>(std::make_unique<OsmesaRenderer>(
-      std::move(*context), std::move(*painter), std::move(*picture)));
+      std::move(*context), std::move(*painter), std::move(*picture), std::move(*pass)));
 }
 
 }  // namespace roomgen

@@ -87,9 +87,11 @@ class Pen {
     fill({to, neck + 0.55 * head * side, neck - 0.55 * head * side}, ink);
   }
 
+  enum class Align { left, center };
+
   /// Capital letters `letters` pixels high, shrunk if the box would not hold the text.
   void text(const std::string& words, const Vec2& center, const Vec2& box, double letters,
-            const Ink& ink, bool halo) {
+            const Ink& ink, bool halo, Align align = Align::center) {
     const CvSize unit = size_of("H"), full = size_of(words);
     const double scale =
         std::min(letters / unit.height, box.x() / (full.width + 4.0));
@@ -97,8 +99,9 @@ class Pen {
 
     const PixelArea area = area_of({center - 0.7 * box, center + 0.7 * box}, 3);
     if (area.empty()) return;
+    const double left = center.x() - 0.5 * (align == Align::left ? box.x() : full.width * scale);
     const CvPoint origin =
-        cvPoint(static_cast<int>(std::lround(center.x() - 0.5 * full.width * scale)) - area.x,
+        cvPoint(static_cast<int>(std::lround(left)) - area.x,
                 static_cast<int>(std::lround(center.y() + 0.5 * unit.height * scale)) - area.y);
     for (const bool background : {true, false}) {
       if (background && !halo) continue;
@@ -168,6 +171,11 @@ std::vector<Vec2> box_outline(const Vec2& center, const Vec2& size) {
           center - h};
 }
 
+void draw_front(Pen& pen, const Vec2& from, const Vec2& to, int width, double head) {
+  pen.arrow(from, to, width + 3, head + 4, {255, 255, 255, 0.95});
+  pen.arrow(from, to, width + 1, head, {16, 18, 24, 1.0});
+}
+
 void draw_stroke(Pen& pen, const Drawing::Stroke& stroke, int width, double letters) {
   const Vec2 first = stroke.points.front(), last = stroke.points.back();
   switch (stroke.kind) {
@@ -184,8 +192,12 @@ void draw_stroke(Pen& pen, const Drawing::Stroke& stroke, int width, double lett
       return pen.line(stroke.points, width, {20, 40, 70, 0.85});
     case Drawing::Line::plan_symbol:
       return pen.line(stroke.points, width, {64, 66, 72, 0.9});
+    case Drawing::Line::scale:
+      return pen.line(stroke.points, 2 * width, {20, 24, 32, 1.0});
     case Drawing::Line::axis:
       return pen.arrow(first, last, width, 0.7 * letters, {20, 40, 70, 1.0});
+    case Drawing::Line::front:
+      return draw_front(pen, first, last, width, std::min(0.85 * letters, 0.4 * (last - first).norm()));
     case Drawing::Line::arrow:
       pen.arrow(first, last, width + 3, 0.95 * letters + 2, {255, 255, 255, 0.75});
       return pen.arrow(first, last, width + 1, 0.85 * letters, {196, 40, 36, 1.0});
@@ -202,6 +214,8 @@ void draw_label(Pen& pen, const Drawing::Label& label, double letters) {
       return pen.text(label.text, label.center, label.size, letters, {40, 44, 52, 1.0}, false);
     case Drawing::Text::axis:
       return pen.text(label.text, label.center, label.size, letters, {20, 40, 70, 1.0}, false);
+    case Drawing::Text::legend:
+      return pen.text(label.text, label.center, label.size, letters, {20, 24, 32, 1.0}, false, Pen::Align::left);
     case Drawing::Text::part:
       return pen.text(label.text, label.center, label.size, letters, {120, 50, 10, 1.0}, true);
     case Drawing::Text::point:
@@ -218,8 +232,9 @@ Status draw_overlay(Image& image, const Drawing& drawing) {
   Pen pen(*cv, image);
   const int width = std::max(1, static_cast<int>(std::lround(drawing.text_height / 11.0)));
   for (const auto kind :
-       {Drawing::Line::free, Drawing::Line::plan_symbol, Drawing::Line::grid,
-        Drawing::Line::dot, Drawing::Line::outline, Drawing::Line::axis, Drawing::Line::leader, Drawing::Line::arrow})
+       {Drawing::Line::free, Drawing::Line::plan_symbol, Drawing::Line::grid, Drawing::Line::dot,
+        Drawing::Line::outline, Drawing::Line::axis, Drawing::Line::leader, Drawing::Line::arrow,
+        Drawing::Line::front, Drawing::Line::scale})
     for (const auto& stroke : drawing.strokes)
       if (stroke.kind == kind && stroke.points.size() > 1)
         draw_stroke(pen, stroke, width, drawing.text_height);

@@ -155,6 +155,49 @@ void main() {
 }
 )";
 
+/// What the middle of each pixel shows: whose it is, how far it is, and which way it faces.
+inline constexpr std::string_view layer_vertex = R"(#version 400 core
+layout(location = 0) in vec3 position;
+layout(location = 2) in vec2 uv;
+layout(location = 3) in vec4 color;
+uniform mat4 clip_from_model;
+uniform mat4 camera_from_model;  // metres to the right, up and backward
+out vec3 place;
+out vec2 texture_uv;
+flat out float opacity;
+void main() {
+  gl_Position = clip_from_model * vec4(position, 1.0);
+  place = (camera_from_model * vec4(position, 1.0)).xyz;
+  texture_uv = uv;
+  opacity = color.a;
+}
+)";
+inline constexpr std::string_view layer_fragment = R"(
+in vec3 place;
+in vec2 texture_uv;
+flat in float opacity;
+uniform mat3 room_from_camera;
+uniform bool has_eye;
+uniform uint thing;
+uniform float least_alpha;
+uniform sampler2D base_color;
+layout(location = 0) out vec4 surface;  // normal and distance
+layout(location = 1) out uint number;
+void main() {
+  float alpha = opacity;
+  vec3 normal = cross(dFdx(place), dFdy(place));
+#ifdef TEXTURED
+  alpha *= texture(base_color, texture_uv).a;
+#endif
+  if (alpha < least_alpha) discard;
+  vec3 sight = has_eye ? place : vec3(0.0, 0.0, -1.0);
+  if (!(dot(normal, normal) > 0.0)) normal = -sight;  // a sliver
+  if (dot(normal, sight) > 0.0) normal = -normal;
+  surface = vec4(normalize(room_from_camera * normal), -place.z);
+  number = thing;
+}
+)";
+
 /// One triangle over the whole target.
 inline constexpr std::string_view screen_vertex = R"(#version 400 core
 void main() {

@@ -164,13 +164,6 @@ bool is_shared(const std::vector<SharedStretch>& stretches, std::size_t wall) {
 
 }  // namespace
 
-Vec2 Camera::pixel(const Vec3& point) const {
-  const Vec3 offset = eye ? Vec3(point - *eye) : point;
-  const double scale = eye ? -1.0 / backward.dot(offset) : 1.0;
-  return {0.5 * width + pixels_per_metre * (scale * right.dot(offset) - center.x()),
-          0.5 * height - pixels_per_metre * (scale * up.dot(offset) - center.y())};
-}
-
 std::vector<Vec3> box_corners(const Object& object) {
   std::vector<Vec3> corners;
   const Footprint rectangle(object.position.head<2>(), object.size.head<2>(), object.yaw);
@@ -215,11 +208,7 @@ bool hangs_on_lowered_wall(const Room& room, const Object& object,
 }
 
 Result<Camera> make_camera(const Scene& scene, const View& view) {
-  if (view.pixels < min_picture_pixels || view.pixels > max_picture_pixels)
-    return Error{Error::Kind::invalid_input,
-                 "a picture must be " + std::to_string(min_picture_pixels) + " to " +
-                     std::to_string(max_picture_pixels) + " pixels long, not " +
-                     std::to_string(view.pixels)};
+  if (auto status = check_picture_side(view.pixels); !status) return status.error();
   if (rooms_of(scene)[0].polygon.size() < 3)
     return Error{Error::Kind::invalid_input, "the room has no floor to look at"};
   if (view.kind == View::Kind::eye) return detail::eye_camera(largest_part(scene), view.pixels);

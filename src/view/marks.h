@@ -21,6 +21,8 @@ struct Drawing {
     leader,       ///< from a label to its object
     axis,         ///< arrow along which a coordinate grows
     plan_symbol,  ///< door leaves and swings, panes of windows
+    front,        ///< an arrow over strong colours
+    scale,        ///< a length that is named beside it
   };
   struct Stroke {
     Line kind = Line::grid;
@@ -32,6 +34,7 @@ struct Drawing {
     axis,    ///< the name of an axis
     part,    ///< the id of a wall, a door or a window
     object,  ///< an object's id
+    legend,  ///< begins at the left of its box
   };
   struct Label {
     Text kind = Text::tick;
@@ -51,6 +54,10 @@ Drawing plan_symbols(std::span<const Room> rooms, const Camera& camera);
 /// the axes by name, each object's id, outline and front. No two label boxes overlap, all lie
 /// within the picture, and an object's label is on its object or tied to it by a leader.
 Drawing layout_marks(const Scene& scene, const Camera& camera, const View& view);
+
+/// Names over a picture of segments: the ids of all things that it shows, of walls, doors and windows, fronts, and
+/// coordinates beside the rooms.
+Drawing layout_segment_labels(const Scene& scene, const Camera& camera);
 
 /// 0.5 m in rooms up to 6.5 m long, 1 m up to 13 m, else 2 m; less in what is no room: 0.2 m up to 2 m, 0.1 m
 /// up to 1 m.

@@ -30,6 +30,12 @@ const std::vector<std::string>& model_view_names();
 /// Pictures of one size side by side, `columns` in a row.
 Image contact_sheet(const std::vector<Image>& pictures, int columns);
 
+/// A room from above as a plan of segments, for who reads pictures rather than numbers: every category in a colour
+/// of its own, the ids of things, walls, doors and windows written on them, coordinates beside the room, a legend and
+/// a scale. `pixels` on the longer side; ids are readable from 700 on.
+Result<Image> segmentation_picture(Renderer& renderer, const Scene& scene, const ModelTable& models,
+                                   int pixels = 1024);
+
 // Pictures as files.
 
 /// PNG (ISO/IEC 15948): RGB if the picture is opaque, else RGBA. `effort` is zlib's level, 0 to 9.
@@ -43,5 +49,8 @@ Result<EncodedImage> encode_texture(const Image& image);
 Status write_png(const std::filesystem::path& path, const Image& image);
 /// The same into a folder of results; `name` is relative to it.
 Status write_png(const OutputFolder& folder, const std::filesystem::path& name, const Image& image);
+
+/// Layers as files NAME.png, NAME.depth.png … and NAME.json (docs/layers.md).
+Status write_layers(const OutputFolder& folder, const std::string& name, const Layers& layers);
 
 }  // namespace roomgen

@@ -1,8 +1,12 @@
 #pragma once
 
+#include <Eigen/Core>
+#include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
+#include "roomgen/base/json.h"
 #include "roomgen/base/result.h"
 #include "roomgen/geometry/model.h"
 #include "roomgen/geometry/polygon.h"
@@ -27,6 +31,74 @@ struct View {
   std::optional<Bounds2> part = {};
 };
 
+/// A camera with parallel rays, or with an eye that all rays meet in (a pinhole). Its axes are unit vectors in
+/// room coordinates; `backward` points from the scene to the viewer. Pixels count from the top left corner of
+/// the picture: the middle of the first one is at (0.5, 0.5).
+struct Camera {
+  int width = 0, height = 0;  ///< pixels
+  Vec3 right = Vec3::UnitX(), up = Vec3::UnitY(), backward = Vec3::UnitZ();
+  Vec2 center = Vec2::Zero();  ///< of the picture, metres along right and up (with an eye: in the plane
+                               ///< 1 m before it, from the point that it looks at)
+  double pixels_per_metre = 100.0;  ///< with an eye: of what is 1 m before it, the focal length in pixels
+  double near = 0.0, far = 0.0;  ///< the scene lies within, metres along backward; near > far
+  std::optional<Vec3> eye = std::nullopt;
+
+  /// Of a point before the eye, if there is one.
+  Vec2 pixel(const Vec3& point) const;
+  /// Metres along `backward`.
+  double depth(const Vec3& point) const { return backward.dot(point); }
+  /// Where it is: the eye; with parallel rays the middle of the picture in the near plane.
+  Vec3 origin() const;
+  /// Metres from the origin along the axis, which is not along the ray.
+  double distance(const Vec3& point) const { return depth(origin()) - depth(point); }
+};
+
+/// The camera of a view: from above fitted to the room with its walls and to the objects; at eye level
+/// before a door or in a corner, wherever it sees most, with upright verticals. Fails if `pixels` is out of
+/// bounds or the room has no extent.
+Result<Camera> make_camera(const Scene& scene, const View& view);
+/// A camera in `eye` that looks at `target`, with the horizon level; `angle` is what it sees from side to side,
+/// radians. Fails if the picture's size or the angle is out of bounds or the two points are one.
+Result<Camera> pinhole_camera(const Vec3& eye, const Vec3& target, double angle, int width, int height);
+
+struct NamedCamera {
+  std::string name;  ///< of letters, digits, - and _
+  Camera camera;
+};
+/// A list of pinhole cameras: cameras.json (docs/layers.md). Reports the first problem with its JSON pointer.
+Result<std::vector<NamedCamera>> cameras_from_json(const Json& json, const std::string& source);
+
+/// What layers are made of.
+struct Shot {
+  Camera camera;
+  View::Kind kind = View::Kind::eye;  ///< what walls, ceiling and lamps are shown is as for this view
+  bool color = true;   ///< the picture too
+  bool alone = false;  ///< count what each thing would show with nothing else in the picture
+};
+
+/// Something that a pixel may show: an object, or a part of a room.
+struct LayerThing {
+  std::string id;        ///< "bed-0", "floor", "wall-2", "door-0"; of a dwelling's room "bedroom-0/wall-2"
+  std::string category;  ///< "bed", "floor", "wall", "ceiling", "door", "window", "passage"
+  std::uint16_t category_id = 0;
+  std::size_t pixels = 0;        ///< that show it
+  std::size_t pixels_alone = 0;  ///< that would if nothing hid it; 0 unless counted
+};
+
+/// A picture taken apart: what the middle of each pixel shows, row by row from the top. Glass and curtains hide
+/// what is behind them here; holes in foliage and the like do not. The floor's and the walls' numbers, those of all
+/// objects and of all categories do not depend on the camera.
+struct Layers {
+  Camera camera;
+  View::Kind kind = View::Kind::eye;
+  Image color;                           ///< empty unless asked for
+  std::vector<float> depths;             ///< Camera::distance() in metres; infinity where nothing is
+  std::vector<Eigen::Vector3f> normals;  ///< unit, of the triangle, in room axes, towards the viewer; or zero
+  std::vector<std::uint16_t> objects;    ///< k shows things[k - 1]; 0 is nothing
+  std::vector<std::uint16_t> categories; ///< the category_id of that; 0 is nothing
+  std::vector<LayerThing> things;        ///< all of the scene, seen or not: objects first, in their order
+};
+
 /// Draws a scene.
 class Renderer {
  public:
@@ -34,6 +106,8 @@ class Renderer {
 
   /// Equal arguments give equal pixels. Objects without a model are drawn as boxes.
   virtual Result<Image> render(const Scene& scene, const ModelTable& models, const View& view) = 0;
+  /// The same of what each pixel shows.
+  virtual Result<Layers> layers(const Scene& scene, const ModelTable& models, const Shot& shot) = 0;
 };
 
 }  // namespace roomgen
