@@ -20,6 +20,7 @@
 #include "roomgen/base/file.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
+#include "roomgen/render/pictures.h"
 #include "summary.h"
 
 namespace roomgen::cli {
@@ -66,7 +67,7 @@ Status write_all(const ComposeCommand& command, OutputFolder& folder, const Comp
   if (auto status = folder.write("rounds.json", dump_json(rounds_json(composition, author))); !status) return status;
   for (std::size_t i = 0; i < composition.rounds.size(); ++i)
     if (const auto& picture = composition.rounds[i].picture; !picture.empty())
-      if (auto status = folder.write("rounds/round-" + std::to_string(i + 1) + ".png", picture); !status) return status;
+      if (auto status = folder.write("rounds/round-" + std::to_string(i + 1) + (picture.starts_with("\xFF\xD8") ? ".jpg" : ".png"), picture); !status) return status;
   if (auto status = write_optimised_room(folder, chosen.written.program, chosen.result, chosen.models,
                                          command.no_pictures ? 0 : command.pixels);
       !status)
@@ -152,6 +153,14 @@ Result<int> run(const Context& context, ComposeCommand& command) {
   const ProgramAuthor author =
       composed->model ? model_author(*composed->model, composed->prompts, {.kinds = offers_of(**library, kinds)})
                       : rule_author();
+  PictureDrawer drawer;
+  if (composed->model)
+    command.options.picture = [&](const Scene& scene, const ModelTable& models) -> Result<std::string> {
+      const auto renderer = drawer.renderer();
+      if (!renderer) return renderer.error();
+      const auto image = segmentation_picture(**renderer, scene, models, command.pixels);
+      return image ? encode_for(command.designer, *image) : image.error();
+    };
   const bool shown = !context.quiet && ::isatty(STDERR_FILENO);
   int rounds = 0;
   if (!context.quiet)

@@ -10,29 +10,46 @@ namespace roomgen::compose {
 
 namespace {
 
+constexpr const char* any_seat = "seat";  // the kind of which all seats are
 constexpr double headroom = 2.0;        // beyond the least, where nobody said how many at most
 constexpr std::size_t most_fillers = 8; // kinds; each is loaded
 constexpr double most_of_one = 12.0;    // things of a kind that fills the room up
 constexpr double crowded = 0.3;         // share of the floor beyond which walls alone do not do
 // A room may hardly be fuller (docs/benchmarks.md), nor does anybody want it emptier.
 constexpr double fullest = 0.55, emptiest = 0.04;
+// So full a room of any size still has the floor that use and ways need.
+constexpr double fullest_chosen = 0.4;
 
 double most_of(const Range& range) { return std::isinf(range.high) ? range.low + headroom : range.high; }
 
 class Opener {
  public:
-  Opener(const Complexity& asked, const design::RoomKind& room, double area, const std::vector<std::string>& excluded,
-         const KindTable& kinds, std::vector<Stand>& stands, std::vector<std::string>& notes)
-      : asked_(asked), room_(room), area_(area), excluded_(excluded), kinds_(kinds), stands_(stands), notes_(notes) {}
+  Opener(const Complexity& asked, const Means& means, std::vector<Stand>& stands, std::vector<std::string>& notes)
+      : asked_(asked), room_(means.room), excluded_(means.excluded), kinds_(means.kinds), stands_(stands), notes_(notes) {}
 
-  void run() {
+  void open_numbers() {
+    // "Seats for ten" are seats of any kind.
+    if (asked_.seats) std::erase_if(stands_, [](const Stand& stand) { return stand.kind == any_seat; });
     // What nobody asked for spoils no number that somebody gave.
     std::erase_if(stands_, [&](const Stand& stand) { return !stand.asked && counts_as_asked(stand.kind); });
     const auto& vocabulary = ProgramVocabulary::built_in();
     if (asked_.seats) open("seats", *asked_.seats, [&](const Stand& stand) { return seats_on(vocabulary, kinds_.get(stand.kind), stand.size.x()); });
     if (asked_.shelves) open("shelves", *asked_.shelves, [&](const Stand& stand) { return is_shelf(stand.kind) ? 1.0 : 0.0; });
     if (asked_.objects) fill_with_things(*asked_.objects);
-    if (asked_.occupancy) fill_floor(*asked_.occupancy);
+  }
+
+  void fill_floor(const Range& wanted, double area) {
+    const double middle = std::min(fullest, 0.5 * (wanted.low + std::min(1.0, wanted.high)));
+    const double missing = middle * area - most_footprint(stands_, kinds_);
+    if (missing <= 0.0) return;
+    auto names = fillers(true);
+    if (middle > crowded) std::ranges::stable_sort(names, std::greater(), [&](const auto& name) { return filling(name); });
+    for (std::size_t i = 0; i < std::min(names.size(), most_fillers); ++i) {
+      const Vec3& size = kinds_.get(names[i]).size;
+      add(names[i], std::clamp(std::ceil(missing / (size.x() * size.y())), 1.0, most_of_one));
+    }
+    if (middle > crowded)
+      for (auto& stand : stands_) stand.at_wall = stand.at_wall && stand.asked;
   }
 
  private:
@@ -42,33 +59,30 @@ class Opener {
   // Makes things of one sort come in such numbers that their worth (seats each) may be what is asked for.
   template <typename Worth>
   void open(const char* measure, const Range& wanted, Worth worth) {
-    double fixed = 0.0, possible = 0.0;
-    for (auto& stand : stands_) {
-      const double each = worth(stand);
-      if (each == 0.0) continue;
-      if (stand.asked) fixed += each * stand.count.low, possible += each * stand.count.high;
-    }
-    for (auto& stand : stands_)
-      if (const double each = worth(stand); stand.may_grow && each > 0.0 && possible < wanted.low) {
-        const double more = std::ceil((wanted.low - possible) / each);
-        stand.count.high += more, possible += each * more;
-      }
+    double fixed = 0.0;
+    for (const auto& stand : stands_)
+      if (stand.asked) fixed += worth(stand) * stand.count.low;
     if (fixed > wanted.high)
       notes_.push_back(std::string(measure) + ": at most " + std::to_string(static_cast<int>(wanted.high)) +
                        " are asked for, and " + std::to_string(static_cast<int>(fixed)) + " are counted by name");
-    const double missing = std::max(0.0, most_of(wanted) - fixed);
+    const double least = std::max(0.0, wanted.low - fixed), most = std::max(0.0, most_of(wanted) - fixed);
+    const auto is_free = [&](const Stand& stand) { return worth(stand) > 0.0 && (!stand.asked || stand.may_grow); };
+    if (least > 0.0 && std::ranges::none_of(stands_, is_free)) add_one_of(complexity_words().made_up_with.at(measure), most);
+    Stand* finest = nullptr;  // what each is worth least comes closest
     for (auto& stand : stands_) {
-      const double each = worth(stand);
-      if (each == 0.0 || stand.asked) continue;
-      stand.count = {0.0, std::floor(missing / each)};
-      possible += each * stand.count.high;
+      if (!is_free(stand)) continue;
+      if (!stand.asked) stand.count.low = 0.0;
+      stand.count.high = stand.count.low + std::floor(most / worth(stand));
+      if (!finest || worth(stand) < worth(*finest)) finest = &stand;
     }
-    if (possible >= wanted.low) return;
-    for (const auto& kind : complexity_words().made_up_with.at(measure)) {
-      if (kinds_.is_any_of(kind, excluded_) || names_of_asked(kind)) continue;
-      add(kind, std::ceil(missing));
-      return;
-    }
+    if (finest) finest->count.low += std::ceil(least / worth(*finest));
+  }
+
+  void add_one_of(const std::vector<std::string>& kinds, double most) {
+    const auto found = std::ranges::find_if(kinds, [&](const auto& kind) {
+      return !kinds_.is_any_of(kind, excluded_) && !names_of_asked(kind);
+    });
+    if (found != kinds.end()) add(*found, most);
   }
 
   bool counts_as_asked(const std::string& kind) const {
@@ -116,14 +130,15 @@ class Opener {
     return chosen;
   }
 
-  // The share of the floor that a thing takes for itself which it covers: what needs much floor to be used fills no room.
-  double compactness(const std::string& name) const {
+  // How well a thing fills a floor: large ones that need little floor besides, to be used, do best.
+  double filling(const std::string& name) const {
+    constexpr double large = 0.5;  // m2
     const Kind& kind = kinds_.get(name);
-    double zone = kind.zones.empty() ? 0.0 : 1e9;
+    double zone = kind.zones.empty() ? 0.0 : std::numeric_limits<double>::infinity();
     for (const auto& each : kind.zones)
       zone = std::min(zone, each.depth * (each.side == Side::front || each.side == Side::back ? kind.size.x() : kind.size.y()));
     const double own = kind.size.x() * kind.size.y();
-    return own / (own + zone);
+    return own / (own + zone) * std::min(1.0, own / large);
   }
 
   bool may_fill(const std::string& name, bool on_floor) const {
@@ -158,25 +173,8 @@ class Opener {
       }
   }
 
-  void fill_floor(const Range& wanted) {
-    const double middle = std::min(fullest, 0.5 * (wanted.low + std::min(1.0, wanted.high)));
-    double missing = middle * area_ - most_footprint(stands_, kinds_);
-    if (missing <= 0.0) return;
-    std::size_t added = 0;
-    auto names = fillers(true);
-    if (middle > crowded) std::ranges::stable_sort(names, std::greater(), [&](const auto& name) { return compactness(name); });
-    for (const auto& name : names) {
-      if (added++ >= most_fillers) break;
-      const Vec3& size = kinds_.get(name).size;
-      add(name, std::clamp(std::ceil(missing / (size.x() * size.y())), 1.0, most_of_one));
-    }
-    if (middle > crowded)
-      for (auto& stand : stands_) stand.at_wall = stand.at_wall && stand.asked;
-  }
-
   const Complexity& asked_;
   const design::RoomKind& room_;
-  double area_;
   const std::vector<std::string>& excluded_;
   const KindTable& kinds_;
   std::vector<Stand>& stands_;
@@ -185,14 +183,18 @@ class Opener {
 
 }  // namespace
 
-void meet(const Complexity& asked, const design::RoomKind& room, double area, const std::vector<std::string>& excluded,
-          const KindTable& kinds, std::vector<Stand>& stands, std::vector<std::string>& notes) {
-  Opener(asked, room, area, excluded, kinds, stands, notes).run();
+void meet_numbers(const Complexity& asked, const Means& means, std::vector<Stand>& stands, std::vector<std::string>& notes) {
+  Opener(asked, means, stands, notes).open_numbers();
+}
+
+void meet_occupancy(const Complexity& asked, const Means& means, double area, std::vector<Stand>& stands) {
+  std::vector<std::string> notes;
+  if (asked.occupancy) Opener(asked, means, stands, notes).fill_floor(*asked.occupancy, area);
 }
 
 std::optional<double> floor_for(const Complexity& asked, const std::vector<Stand>& stands, const KindTable& kinds) {
   if (!asked.occupancy) return std::nullopt;
-  const double share = std::clamp(0.5 * (asked.occupancy->low + std::min(1.0, asked.occupancy->high)), emptiest, fullest);
+  const double share = std::clamp(0.5 * (asked.occupancy->low + std::min(1.0, asked.occupancy->high)), emptiest, fullest_chosen);
   const double covered = 0.5 * (least_footprint(stands, kinds) + most_footprint(stands, kinds));
   return covered / share;
 }

@@ -98,7 +98,8 @@ class Translator {
   }
 
   ProgramSet carriers(const Stand& stand) const {
-    if (const Stand* below = stand_named(stand.on); below && below < &stand) return set(below->name);
+    // Where nobody says on what an asked thing stands, anything will do.
+    if (const Stand* below = stand_named(stand.on); below && below < &stand && !stand.asked) return set(below->name);
     std::vector<ProgramSet> sets;
     for (const auto& other : stands_)
       if (other.mount == Mount::floor && kinds_.get(other.kind).supports) sets.push_back(set(other.name));
@@ -158,7 +159,8 @@ class Translator {
     if (host != members.relations.end() && stand.count.low == stand.count.high) {
       const Stand& at = *stand_named(host->target.front().name);
       const double each = stand.count.low / at.count.low;
-      if (at.count.low == at.count.high && at.count.low > 1.0 && each == std::floor(each) && each > 0.0) {
+      const Range hosts = range_of(at);
+      if (hosts.low == hosts.high && hosts.low == at.count.low && at.count.low > 1.0 && each == std::floor(each) && each > 0.0) {
         ProgramSet own = of_kind(stand.kind);
         own.relations = members.relations;
         own.relations[static_cast<std::size_t>(host - members.relations.begin())].target = {variable("h")};

@@ -38,6 +38,8 @@ class Reviser {
   bool fit_floor() {
     const auto* occupancy = missed(report_, "occupancy");
     if (!occupancy || !written_.is_room_free || report_.occupancy <= 0.0) return false;
+    const bool is_too_empty = report_.occupancy < occupancy->asked.low;
+    if (is_too_empty && counts_are_missed()) return false;
     const double wanted = 0.5 * (occupancy->asked.low + std::min(1.0, occupancy->asked.high));
     return resize(std::clamp(report_.occupancy / wanted, least_growth, greatest_growth),
                   "the room's floor made to suit what stands on it");
@@ -59,12 +61,21 @@ class Reviser {
   }
 
   bool permit_more() {
-    const bool few = missed(report_, "occupancy") || missed(report_, "objects") || missed(report_, "seats") || missed(report_, "shelves");
-    if (!few) return false;
     bool changed = false;
     for (auto& [name, term] : written_.program.constraints)
-      if (is_optional(term)) term.literals.back() += more_of_each, changed = true;
+      if (is_optional(term) && helps(name)) term.literals.back() += more_of_each, changed = true;
     return say(changed, "more of what may be added");
+  }
+
+  // What has no room along the walls may stand freely.
+  bool leave_walls() {
+    std::vector<std::string> freed;
+    for (auto& [name, members] : written_.program.sets) {
+      const bool is_missed = std::ranges::any_of(report_.unmet, [&](const auto& verdict) { return verdict.name == name; });
+      const auto wall = [](const SetRelation& relation) { return relation.relation.ends_with("against_wall"); };
+      if (is_missed && std::erase_if(members.relations, wall) > 0) freed.push_back(name);
+    }
+    return say(!freed.empty(), "away from the walls: " + join(freed, ", "));
   }
 
   bool smaller_things() {
@@ -89,13 +100,32 @@ class Reviser {
     return changed;
   }
 
+  const ProgramSet* set_named(const std::string& name) const {
+    const auto found = std::ranges::find(written_.program.sets, name, &NamedSets::value_type::first);
+    return found == written_.program.sets.end() ? nullptr : &found->second;
+  }
+
+  // Would more of a set bring what is missed?
+  bool helps(const std::string& name) const {
+    const ProgramSet* members = set_named(name);
+    const Kind* kind = members ? KindTable::built_in().find(members->factory) : nullptr;
+    if (!kind) return false;
+    const auto& vocabulary = ProgramVocabulary::built_in();
+    const auto lacks = [&](const char* measure) {
+      const auto* verdict = missed(report_, measure);
+      return verdict && verdict->reached < verdict->asked.low;
+    };
+    const bool on_floor = std::ranges::any_of(members->relations, [](const auto& relation) { return relation.relation == "on_floor"; });
+    return lacks("objects") || (lacks("occupancy") && on_floor && !kind->traits.flat) ||
+           (lacks("seats") && seats_on(vocabulary, *kind, kind->size.x()) > 0) || (lacks("shelves") && has_tag(vocabulary, *kind, "shelf"));
+  }
+
   // Seats may be what is asked for even where nobody counted chairs.
   bool serves_measure(const std::string& set) const {
     if (missed(report_, "objects") && static_cast<double>(report_.things) < missed(report_, "objects")->asked.low) return true;
     const auto& vocabulary = ProgramVocabulary::built_in();
-    const Kind* kind = nullptr;
-    for (const auto& [name, members] : written_.program.sets)
-      if (name == set) kind = KindTable::built_in().find(members.factory);
+    const ProgramSet* members = set_named(set);
+    const Kind* kind = members ? KindTable::built_in().find(members->factory) : nullptr;
     if (!kind) return false;
     return (written_.asked.seats && seats_on(vocabulary, *kind, kind->size.x()) > 0.0) ||
            (written_.asked.shelves && has_tag(vocabulary, *kind, "shelf"));
@@ -136,8 +166,8 @@ class Reviser {
 
 std::optional<Revision> revise(const WrittenProgram& written, const ErrorReport& report, int round) {
   using Step = bool (Reviser::*)();
-  static constexpr Step steps[] = {&Reviser::fit_floor,     &Reviser::drop_optional,  &Reviser::permit_more,
-                                   &Reviser::grow_room,     &Reviser::smaller_things, &Reviser::weaken_scores};
+  static constexpr Step steps[] = {&Reviser::fit_floor, &Reviser::leave_walls,    &Reviser::drop_optional, &Reviser::permit_more,
+                                   &Reviser::grow_room, &Reviser::smaller_things, &Reviser::weaken_scores};
   if (report.is_met()) return std::nullopt;
   constexpr int count = static_cast<int>(std::size(steps));
   // Each round goes on where the last one ended: what was no help is not tried first again.

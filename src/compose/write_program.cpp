@@ -80,22 +80,50 @@ void leave_walls(const Room& room, std::vector<Stand>& stands) {
   }
 }
 
-Furnished furnish(Plan plan, const Complexity& asked, const KindTable& kinds) {
-  Furnished furnished{std::move(plan), {}, {}};
-  const design::RoomKind& room = design::built_in_room_kinds()->get(furnished.plan.room.type);
-  furnished.stands = inventory_of(furnished.plan, kinds);
-  meet(asked, room, area_of(furnished.plan.room), furnished.plan.excluded, kinds, furnished.stands, furnished.notes);
-  leave_walls(furnished.plan.room, furnished.stands);
-  return furnished;
-}
+const design::RoomKind& kind_of(const Room& room) { return design::built_in_room_kinds()->get(room.type); }
 
 // The floor that the inventory wants: as full as is asked for, else no fuller than such rooms are.
-std::optional<double> wanted_floor(const Furnished& furnished, const Complexity& asked, const KindTable& kinds) {
-  if (const auto floor = floor_for(asked, furnished.stands, kinds)) return std::min(*floor, greatest_floor);
-  const design::RoomKind& room = design::built_in_room_kinds()->get(furnished.plan.room.type);
-  const double least = least_footprint(furnished.stands, kinds) / room.share.high;
-  if (least > area_of(furnished.plan.room)) return std::min(least, greatest_floor);
+std::optional<double> wanted_floor(const Plan& plan, const std::vector<Stand>& stands, const Complexity& asked, const KindTable& kinds) {
+  constexpr double each_seat = 0.6, each_shelf = 0.4;  // m2, of what nobody counts by name
+  if (const auto floor = floor_for(asked, stands, kinds)) return std::min(*floor, greatest_floor);
+  double covered = least_footprint(stands, kinds);
+  if (asked.seats) covered += each_seat * asked.seats->low;
+  if (asked.shelves) covered += each_shelf * asked.shelves->low;
+  const double least = covered / kind_of(plan.room).share.high;
+  if (least > area_of(plan.room)) return std::min(least, greatest_floor);
   return std::nullopt;
+}
+
+// In a room of a given size, what is counted becomes as small as it takes.
+void shrink_to_fit(const Complexity& asked, double area, const KindTable& kinds, std::vector<Stand>& stands) {
+  constexpr double smallest = 0.6;
+  if (!asked.occupancy) return;
+  const double wanted = 0.5 * (asked.occupancy->low + std::min(1.0, asked.occupancy->high)) * area;
+  const double factor = std::max(smallest, std::sqrt(wanted / std::max(wanted, least_footprint(stands, kinds))));
+  for (auto& stand : stands) stand.size.head<2>() *= factor;
+}
+
+/// Plans, and plans again until the inventory and its floor agree.
+Result<Furnished> furnish(Reading& reading, const KindTable& kinds) {
+  const auto designer = make_rule_designer();
+  Furnished furnished;
+  for (int i = 0;; ++i) {
+    auto plan = designer->plan(reading.request);
+    if (!plan) return plan.error();
+    furnished = {*std::move(plan), {}, {}};
+    const Means means{kind_of(furnished.plan.room), furnished.plan.excluded, kinds};
+    furnished.stands = inventory_of(furnished.plan, kinds);
+    meet_numbers(reading.asked, means, furnished.stands, furnished.notes);
+    const double area = area_of(furnished.plan.room);
+    const auto floor = reading.is_room_free ? wanted_floor(furnished.plan, furnished.stands, reading.asked, kinds) : std::nullopt;
+    if (!floor || i == most_floors || std::abs(*floor / area - 1.0) < same_floor) break;
+    reading.request.size = scaled(furnished.plan.room, *floor);
+  }
+  const double area = area_of(furnished.plan.room);
+  if (!reading.is_room_free) shrink_to_fit(reading.asked, area, kinds, furnished.stands);
+  meet_occupancy(reading.asked, {kind_of(furnished.plan.room), furnished.plan.excluded, kinds}, area, furnished.stands);
+  leave_walls(furnished.plan.room, furnished.stands);
+  return furnished;
 }
 
 }  // namespace
@@ -103,18 +131,9 @@ std::optional<double> wanted_floor(const Furnished& furnished, const Complexity&
 Result<WrittenProgram> write_program(const ComposeRequest& request) {
   const KindTable& kinds = KindTable::built_in();
   Reading reading{request.plan, overridden(complexity_of(request.plan.prompt), request.complexity), !is_size_said(request.plan)};
-  const auto designer = make_rule_designer();
-  auto plan = designer->plan(reading.request);
-  if (!plan) return plan.error();
-  Furnished furnished = furnish(*std::move(plan), reading.asked, kinds);
-  for (int i = 0; i < most_floors && reading.is_room_free; ++i) {
-    const auto floor = wanted_floor(furnished, reading.asked, kinds);
-    if (!floor || std::abs(*floor / area_of(furnished.plan.room) - 1.0) < same_floor) break;
-    reading.request.size = scaled(furnished.plan.room, *floor);
-    auto again = designer->plan(reading.request);
-    if (!again) break;
-    furnished = furnish(*std::move(again), reading.asked, kinds);
-  }
+  auto result = furnish(reading, kinds);
+  if (!result) return result.error();
+  Furnished& furnished = *result;
   WrittenProgram written;
   written.notes = furnished.plan.notes;
   written.notes.insert(written.notes.end(), furnished.notes.begin(), furnished.notes.end());

@@ -17,6 +17,7 @@ struct Draft {
   std::set<const Kind*> kinds;
   std::vector<const SetRelation*> relations;
   bool one_design = false;
+  const Kind* kind = nullptr;  ///< that its factory is called by, if it is one
 };
 
 class RecipeFinder {
@@ -25,10 +26,16 @@ class RecipeFinder {
                const ProgramVocabulary& vocabulary)
       : program_(program), kinds_(kinds), table_(table), vocabulary_(vocabulary) {}
 
+  /// The kind of exactly a factory's name; null if there is none.
+  const Kind* kind_called(std::string factory) const {
+    std::ranges::replace(factory, '_', ' ');
+    return table_.by_name(factory);
+  }
+
   std::vector<Draft> find(const ProgramSet& set, int depth = 0) const {
     using Source = ProgramSet::Source;
     if (depth > most_nested) return {};
-    if (set.source == Source::objects) return {{{kinds_.begin(), kinds_.end()}, {}, false}};
+    if (set.source == Source::objects) return {{{kinds_.begin(), kinds_.end()}, {}, false, nullptr}};
     if (set.source == Source::named) {
       const auto found = std::ranges::find(program_.sets, set.name, &NamedSets::value_type::first);
       return found == program_.sets.end() ? std::vector<Draft>{} : find(found->second, depth + 1);
@@ -46,6 +53,7 @@ class RecipeFinder {
       for (const auto& relation : set.relations)
         if (!relation.absent && relation.relation != "any") draft.relations.push_back(&relation);
       draft.one_design = draft.one_design || !set.factory.empty();
+      if (const Kind* kind = kind_called(set.factory)) draft.kind = kind;
     }
     std::erase_if(drafts, [](const Draft& draft) { return draft.kinds.empty(); });
     return drafts;
@@ -91,6 +99,10 @@ std::vector<Bound> make_bounds(const ConstraintProgram& program, Compiler& compi
                                const std::vector<const Kind*>& kinds, const KindTable& table,
                                const ProgramVocabulary& vocabulary) {
   const RecipeFinder finder(program, kinds, table, vocabulary);
+  // What has a set of its own is not added for one of wider kind: "a dresser" brings no changing table.
+  std::set<const Kind*> with_sets;
+  for (const auto& [name, set] : program.sets)
+    if (const Kind* kind = finder.kind_called(set.factory)) with_sets.insert(kind);
   std::vector<Bound> bounds;
   for (const auto& counted : count_bounds(program)) {
     Bound bound;
@@ -103,6 +115,9 @@ std::vector<Bound> make_bounds(const ConstraintProgram& program, Compiler& compi
     }
     bound.set = compiler.set(*counted.set, scope);
     for (const auto& draft : finder.find(*counted.set)) {
+      const auto is_counted_elsewhere = [&](const Kind* kind) {
+        return draft.kind && kind != draft.kind && with_sets.contains(kind);
+      };
       Recipe recipe;
       recipe.one_design = draft.one_design;
       std::vector<const PutUp*> ways;
@@ -113,7 +128,7 @@ std::vector<Bound> make_bounds(const ConstraintProgram& program, Compiler& compi
         ways.push_back(&compiled.language.relations[static_cast<std::size_t>(number)]);
       }
       for (std::size_t k = 0; k < kinds.size(); ++k)
-        if (draft.kinds.contains(kinds[k]) && may_be_put(*kinds[k], ways)) recipe.kinds.push_back(static_cast<int>(k));
+        if (draft.kinds.contains(kinds[k]) && !is_counted_elsewhere(kinds[k]) && may_be_put(*kinds[k], ways)) recipe.kinds.push_back(static_cast<int>(k));
       if (!recipe.kinds.empty()) bound.recipes.push_back(std::move(recipe));
     }
     bounds.push_back(std::move(bound));

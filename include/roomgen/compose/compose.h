@@ -103,9 +103,9 @@ struct Revision {
   std::string reason;  ///< what was changed and why, for people
   Json patch;          ///< RFC 6902, from the program before to this one
 };
-/// By rules, after round `round` (from 1): a floor that suits the occupancy, then without what nobody asked for, then
-/// more of what may be added, a larger room if nobody gave its size, smaller things, weaker scores; each round begins
-/// one further. Nothing if the report is met or nothing is left to try.
+/// By rules, after round `round` (from 1): a floor that suits the occupancy, what finds no wall away from walls, then
+/// without what nobody asked for, more of what may be added, a larger room if nobody gave its size, smaller things, weaker
+/// scores; each round begins one further. Nothing if the report is met or nothing is left to try.
 std::optional<Revision> revise(const WrittenProgram& written, const ErrorReport& report, int round);
 
 /// One round of writing, optimising and judging.
