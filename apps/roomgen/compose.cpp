@@ -124,16 +124,6 @@ Status read_wishes(ComposeCommand& command) {
   return {};
 }
 
-std::vector<KindOffer> offers_of(const AssetLibrary& library, const KindTable& kinds) {
-  std::vector<KindOffer> offers;
-  for (const auto& [name, kind] : kinds.all()) {
-    if (kind.variant || kind.is_stand_in()) continue;
-    const auto found = library.search({.category = name, .size = kind.size, .limit = 1});
-    if (found && !found->empty() && !found->front().asset.stand_in) offers.push_back({name, found->front().asset.size});
-  }
-  return offers;
-}
-
 Result<int> run(const Context& context, ComposeCommand& command) {
   const auto start = std::chrono::steady_clock::now();
   if (auto status = read_wishes(command); !status) return status.error();
@@ -151,7 +141,7 @@ Result<int> run(const Context& context, ComposeCommand& command) {
   command.options.optimise.cancel = command.request.plan.cancel = cancel;
   command.options.optimise.seed = command.request.plan.seed;
   const ProgramAuthor author =
-      composed->model ? model_author(*composed->model, composed->prompts, {.kinds = offers_of(**library, kinds)})
+      composed->model ? model_author(*composed->model, composed->prompts, {.kinds = kind_offers(**library, kinds)})
                       : rule_author();
   PictureDrawer drawer;
   if (composed->model)

@@ -14,6 +14,7 @@
 #include "made.h"
 #include "makers.h"
 #include "options.h"
+#include "program_experiment.h"
 #include "room_files.h"
 #include "roomgen/base/file.h"
 #include "roomgen/base/json.h"
@@ -31,7 +32,7 @@ constexpr const char* summary_name = "results.json";
 constexpr const char* report_name = "report.md";
 
 struct ExperimentOptions {
-  std::string suite, insertions, output, cache;
+  std::string suite, insertions, programs, output, cache;
   std::vector<std::string> variants = {"full"};
   std::vector<int> only;
   std::uint64_t seed = 1;
@@ -339,8 +340,8 @@ Result<int> experiment(const Context& context, const ExperimentOptions& options)
 }
 
 void check_experiment_usage(const ExperimentOptions& options) {
-  if (options.suite.empty() && options.insertions.empty())
-    throw CLI::RequiredError("--create or --insertions");
+  if (options.suite.empty() && options.insertions.empty() && options.programs.empty())
+    throw CLI::RequiredError("--create, --insertions or --programs");
   for (const auto& variant : options.variants)
     if (variant == "direct" && options.maker.designer.designer != "model")
       throw CLI::ValidationError("--variants", "direct needs --designer model");
@@ -357,7 +358,11 @@ void add_experiment_command(CLI::App& app, Context& context) {
   auto* insertions = sub->add_option("--insertions", options->insertions,
                                      "Rooms and sentences that change them, as bench/edits/insertions.json: a "
                                      "picture of each step (docs/editing.md)");
-  create->excludes(insertions);
+  auto* programs = sub->add_option("--programs", options->programs,
+                                   "Descriptions with what they demand, as bench/programs/descriptions-open.jsonl: fidelity "
+                                   "with and without refinement and moves of clusters");
+  create->excludes(insertions)->excludes(programs);
+  insertions->excludes(programs);
   sub->add_option("--variants", options->variants,
                   "full, no-validation, no-decomposition, direct; several with commas")
       ->delimiter(',')
@@ -382,6 +387,13 @@ void add_experiment_command(CLI::App& app, Context& context) {
     if (!options->insertions.empty()) {
       context.run = [options, &context] {
         return run_insertions(context, {options->insertions, options->output, options->force, {}});
+      };
+      return;
+    }
+    if (!options->programs.empty()) {
+      context.run = [options, &context] {
+        return run_program_experiment(context, {options->programs, options->output, options->cache, options->seed, options->force,
+                                                options->maker.designer});
       };
       return;
     }

@@ -25,6 +25,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t most_explained = 40;  // constraints of which those that conflict are looked for
+
 struct OptimiseCommand {
   std::string program, output, room;
   double seconds = 0.0;
@@ -94,6 +96,12 @@ Result<int> run(const Context& context, OptimiseCommand& command) {
   if (shown) std::fputs("\r\033[K", stderr);
   if (!result) return result.error();
   if (context.cancel.cancelled() && holds_whole_scene(folder / "scene.json")) return older_stays(folder);
+  for (const auto& kind : stock->missing) notes.push_back("the libraries have no " + kind);
+  if (result->violation > 1e-9 && result->constraints.size() <= most_explained && !command.options.cancel.cancelled())
+    if (const auto names = conflict(*program, *room, *stock, kinds, command.options); names && !names->empty())
+      notes.push_back((names->size() == 1 ? "cannot be had here, as far as short searches tell: "
+                                          : "cannot be had together here, as far as short searches tell: ") +
+                      join(*names, ", "));
   if (auto status = write_optimised_room(*output, *program, *result, stock->models, command.no_pictures ? 0 : command.pixels);
       !status)
     return status.error();

@@ -38,6 +38,7 @@ class Composer {
       round.written = std::move((*next)->written);
       round.reason = std::move((*next)->reason);
       round.patch = std::move((*next)->patch);
+      round.rule = (*next)->rule;
       if (auto done = play(std::move(round)); !done) {
         composition_.notes.push_back("a revision could not be used: " + done.error().message);
         break;
@@ -87,7 +88,7 @@ class Composer {
 ProgramAuthor rule_author() {
   return {"rules", [](const ComposeRequest& request) { return write_program(request); },
           [](const std::vector<ComposeRound>& rounds) -> Result<std::optional<Revision>> {
-            return revise(rounds.back().written, rounds.back().report, static_cast<int>(rounds.size()));
+            return revise(rounds.back().written, rounds.back().report, rounds.back().rule);
           }};
 }
 

@@ -18,7 +18,7 @@ constexpr double crowded = 0.3;         // share of the floor beyond which walls
 // A room may hardly be fuller (docs/benchmarks.md), nor does anybody want it emptier.
 constexpr double fullest = 0.55, emptiest = 0.04;
 // So full a room of any size still has the floor that use and ways need.
-constexpr double fullest_chosen = 0.4;
+constexpr double fullest_chosen = 0.36;
 
 double most_of(const Range& range) { return std::isinf(range.high) ? range.low + headroom : range.high; }
 

@@ -99,7 +99,7 @@ class ModelAuthor {
     const std::string reason = answer->reasoning;
     auto next = written(*std::move(answer), last.written.plan.room);
     if (!next) return next.error();
-    Revision revision{*std::move(next), reason, {}};
+    Revision revision{*std::move(next), reason, {}, 0};
     revision.patch = Json::diff(before, to_json(revision.written.program));
     if (revision.patch.empty()) return std::optional<Revision>();
     return std::optional(std::move(revision));

@@ -30,27 +30,30 @@ class Reviser {
  public:
   Reviser(const WrittenProgram& before, const ErrorReport& report) : report_(report), written_(before) {}
 
+  // What somebody counted by name.
   bool counts_are_missed() const {
-    return std::ranges::any_of(report_.unmet, [](const auto& verdict) { return verdict.name != "share of the floor"; });
+    return std::ranges::any_of(report_.unmet, [&](const auto& verdict) { return set_named(verdict.name) != nullptr; });
+  }
+  bool only_asked_is_missed() const {
+    return counts_are_missed() && std::ranges::none_of(report_.measures, [](const auto& measure) { return measure.missed > 1e-9; });
   }
 
   // The floor that would make what stands there cover what is asked for.
   bool fit_floor() {
     const auto* occupancy = missed(report_, "occupancy");
     if (!occupancy || !written_.is_room_free || report_.occupancy <= 0.0) return false;
-    const bool is_too_empty = report_.occupancy < occupancy->asked.low;
-    if (is_too_empty && counts_are_missed()) return false;
+    if (counts_are_missed()) return false;
     const double wanted = 0.5 * (occupancy->asked.low + std::min(1.0, occupancy->asked.high));
     return resize(std::clamp(report_.occupancy / wanted, least_growth, greatest_growth),
                   "the room's floor made to suit what stands on it");
   }
 
-  bool grow_room() { return written_.is_room_free && resize(usual_growth, "a larger room"); }
+  bool grow_room() { return counts_are_missed() && written_.is_room_free && resize(usual_growth, "a larger room"); }
 
   // Nobody asked for these.
   bool drop_optional() {
     const auto* occupancy = missed(report_, "occupancy");
-    if (occupancy && report_.occupancy < occupancy->asked.low) return false;
+    if (occupancy ? report_.occupancy < occupancy->asked.low : !counts_are_missed()) return false;
     std::vector<std::string> dropped;
     for (auto& [name, term] : written_.program.constraints)
       if (is_optional(term) && term.literals.back() > 0.0 && !serves_measure(name)) {
@@ -61,6 +64,7 @@ class Reviser {
   }
 
   bool permit_more() {
+    if (only_asked_is_missed()) return false;
     bool changed = false;
     for (auto& [name, term] : written_.program.constraints)
       if (is_optional(term) && helps(name)) term.literals.back() += more_of_each, changed = true;
@@ -79,6 +83,7 @@ class Reviser {
   }
 
   bool smaller_things() {
+    if (!counts_are_missed()) return false;
     for (auto& wish : written_.stock) wish.size = Vec3(wish.size->cwiseProduct(Vec3(smaller, smaller, 1.0)));
     return say(!written_.stock.empty(), "smaller things");
   }
@@ -91,7 +96,7 @@ class Reviser {
 
   Revision take(const WrittenProgram& before) {
     Json patch = Json::diff(to_json(before.program), to_json(written_.program));
-    return {std::move(written_), std::move(reason_), std::move(patch)};
+    return {std::move(written_), std::move(reason_), std::move(patch), 0};
   }
 
  private:
@@ -164,18 +169,19 @@ class Reviser {
 
 }  // namespace
 
-std::optional<Revision> revise(const WrittenProgram& written, const ErrorReport& report, int round) {
-  using Step = bool (Reviser::*)();
-  static constexpr Step steps[] = {&Reviser::fit_floor, &Reviser::leave_walls,    &Reviser::drop_optional, &Reviser::permit_more,
-                                   &Reviser::grow_room, &Reviser::smaller_things, &Reviser::weaken_scores};
+std::optional<Revision> revise(const WrittenProgram& written, const ErrorReport& report, int last_rule) {
+  using Rule = bool (Reviser::*)();
+  static constexpr Rule rules[] = {&Reviser::fit_floor,   &Reviser::leave_walls,    &Reviser::grow_room,    &Reviser::drop_optional,
+                                   &Reviser::permit_more, &Reviser::smaller_things, &Reviser::weaken_scores};
+  constexpr int count = static_cast<int>(std::size(rules));
   if (report.is_met()) return std::nullopt;
-  constexpr int count = static_cast<int>(std::size(steps));
-  // Each round goes on where the last one ended: what was no help is not tried first again.
   for (int k = 0; k < count; ++k) {
-    const Step step = steps[(round - 1 + k) % count];
+    const int rule = (last_rule + k) % count;
     Reviser reviser(written, report);
-    if (step == &Reviser::grow_room && !reviser.counts_are_missed()) continue;
-    if ((reviser.*step)()) return reviser.take(written);
+    if (!(reviser.*rules[rule])()) continue;
+    Revision revision = reviser.take(written);
+    revision.rule = rule + 1;
+    return revision;
   }
   return std::nullopt;
 }

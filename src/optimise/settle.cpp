@@ -12,8 +12,7 @@ namespace {
 
 constexpr double neat = 0.3;       // share of draws that take an end or the middle of a stretch
 constexpr double snugly = 0.4, snug = 0.005;  // share of draws beside another thing; metres
-constexpr double along_walls = 0.4, wall_gap = 0.02;  // of free things that are put there; metres
-constexpr double beside_things = 0.4;  // of those that are not put to walls
+constexpr double along_walls = 0.5, wall_gap = 0.02;  // of free things that are put there; metres
 constexpr double slanted = 0.01;   // share of free things that stand at 45 degrees
 constexpr double elevation_deviation = 0.15;  // metres
 constexpr int looks = 3;           // places on a carrier that are tried at once
@@ -84,26 +83,6 @@ Stance Settler::along_a_wall(int article, const Stance& stance) {
   if (!track) return there;
   there.position = track->at(place_along(*track, world_.articles()[static_cast<std::size_t>(article)].object));
   there.yaw = track->yaw;
-  return there;
-}
-
-// Side by side or back to back with something that stands on the floor, its edges in line with it: so rows grow.
-std::optional<Stance> Settler::beside_a_thing(int article, const Stance& stance) {
-  std::vector<Slot> others;
-  world_.things().each([&](Slot slot) {
-    const Object& other = world_.item(slot).object;
-    if (other.mount == Mount::floor && !other.traits.flat) others.push_back(slot);
-  });
-  if (others.empty()) return std::nullopt;
-  const Footprint& its = world_.body(random_.pick(others)).footprint;
-  const Object& object = world_.articles()[static_cast<std::size_t>(article)].object;
-  Stance there = stance;
-  there.yaw = wrap_angle(its.yaw() + random_.integer(0, 3) * pi / 2);
-  const Footprint own(Vec2::Zero(), object.size.head<2>(), there.yaw, object.traits.round);
-  const Vec2 out = rotated(its.front(), random_.integer(0, 3) * pi / 2), along = left_of(out);
-  const double apart = reach_along(its, out) + reach_along(own, out) + snug;
-  const double slide = (reach_along(its, along) - reach_along(own, along)) * random_.integer(-1, 1);
-  there.position = its.center() + apart * out + slide * along;
   return there;
 }
 
@@ -187,8 +166,6 @@ std::optional<Stance> Settler::anywhere(int article, std::span<const Attachment>
     return stance;
   }
   if (random_.chance(along_walls)) return along_a_wall(article, stance);
-  if (random_.chance(beside_things))
-    if (auto there = beside_a_thing(article, stance)) return there;
   const Bounds2 box = bounds(world_.room().polygon);
   stance.position.x() = random_.uniform(box.low.x(), box.high.x());
   stance.position.y() = random_.uniform(box.low.y(), box.high.y());

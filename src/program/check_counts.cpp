@@ -79,9 +79,10 @@ void check_floor(const ProgramRoom& room, const std::vector<Demand>& demands, co
     return demand.required > 0.0 ? demand.required * least_footprint(demand.kinds, kinds) : 0.0;
   });
   if (total.sum <= *floor) return;
-  findings.error(total.greatest->low_set->at,
-                 "the things that are demanded cover at least " + format_number(total.sum, 1) + " m2, and the room has " +
-                     format_number(*floor, 1) + " m2 of floor; demand fewer, or a larger room");
+  // Rooms that hold some of it are better than none.
+  findings.warn(total.greatest->low_set->at,
+                "the things that are demanded cover at least " + format_number(total.sum, 1) + " m2, and the room has " +
+                    format_number(*floor, 1) + " m2 of floor; demand fewer, or a larger room");
 }
 
 }  // namespace

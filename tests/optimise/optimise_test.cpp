@@ -115,3 +115,18 @@ TEST_CASE("An unsound program is refused") {
   REQUIRE_FALSE(result);
   CHECK(result.error().message.find("bed") != std::string::npos);
 }
+
+TEST_CASE("Of constraints that conflict those that are innocent are left out") {
+  const auto program = program_of(R"({"room": {"type": "bedroom", "width": 2.6, "depth": 2.8},
+    "sets": {"bed": {"factory": "double_bed", "rel": [["on_floor", "room"]]}, "desk": {"factory": "desk", "rel": [["on_floor", "room"]]},
+             "picture": {"factory": "picture", "rel": [["flush_wall", "room"]]}},
+    "constraints": {"a picture": ["==", ["count", "picture"], 1], "a bed": ["==", ["count", "bed"], 1],
+                    "desks": ["==", ["count", "desk"], 3]}, "scores": {}})");
+  std::vector<std::string> notes;
+  const auto room = room_of(program, 1, notes);
+  REQUIRE(room);
+  const auto names = conflict(program, *room, box_stock(program, kinds()), kinds(), quick(1));
+  REQUIRE(names);
+  CHECK(std::ranges::find(*names, "a picture") == names->end());
+  CHECK(std::ranges::find(*names, "desks") != names->end());
+}

@@ -102,17 +102,19 @@ struct Revision {
   WrittenProgram written;
   std::string reason;  ///< what was changed and why, for people
   Json patch;          ///< RFC 6902, from the program before to this one
+  int rule = 0;        ///< which of the rules made it, from 1; 0: none
 };
-/// By rules, after round `round` (from 1): a floor that suits the occupancy, what finds no wall away from walls, then
-/// without what nobody asked for, more of what may be added, a larger room if nobody gave its size, smaller things, weaker
-/// scores; each round begins one further. Nothing if the report is met or nothing is left to try.
-std::optional<Revision> revise(const WrittenProgram& written, const ErrorReport& report, int round);
+/// By rules, beginning behind the rule that made the last revision (0: none): a floor that suits the occupancy, what finds no wall away from walls, a
+/// larger room if nobody gave its size, without what nobody asked for, more of what may be added, smaller things, weaker
+/// scores; the last is followed by the first. Nothing if the report is met or nothing is left to try.
+std::optional<Revision> revise(const WrittenProgram& written, const ErrorReport& report, int last_rule);
 
 /// One round of writing, optimising and judging.
 struct ComposeRound {
   WrittenProgram written;
   std::string reason;  ///< of the revision; empty in the first round
   Json patch;          ///< of the revision; null in the first round
+  int rule = 0;        ///< of the revision
   Optimisation result;
   ModelTable models;   ///< the meshes of the result
   ErrorReport report;

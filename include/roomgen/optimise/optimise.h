@@ -105,4 +105,10 @@ const std::array<std::string, 11>& optimise_move_names();
 Result<Optimisation> optimise(const ConstraintProgram& program, const Room& room, const Stock& stock,
                               const KindTable& kinds, const OptimiseOptions& options = {});
 
+/// Constraints that cannot be had together, as far as short searches tell: each of them by itself taken out, the others can.
+/// Found by leaving out one after the other (a deletion filter: Chinneck and Dravnieks 1991); names in the program's
+/// order. Empty if all can be had, or if the search was cut.
+Result<std::vector<std::string>> conflict(const ConstraintProgram& program, const Room& room, const Stock& stock,
+                                          const KindTable& kinds, const OptimiseOptions& options = {});
+
 }  // namespace roomgen
