@@ -8,6 +8,8 @@
 
 namespace roomgen {
 
+inline constexpr double usual_lift = 0.2;  ///< metres, where nobody says how far
+
 /// One clause: what it asks for, and what it spoke of.
 struct Clause {
   std::vector<edit::Operation> operations;
@@ -21,6 +23,9 @@ using ReadClause = Result<Clause>;
 
 /// That words are not understood, with the words from a token on.
 Error what_at(const EditText& text, std::size_t at, const std::string& what);
+
+/// Behind "should be", "would look better", "could maybe go".
+std::size_t behind_modals(const EditText& text, std::size_t at);
 
 /// What things are meant there; with words of place behind them only where these tell.
 Result<Read<Ids>> things(const EditText& text, std::size_t at, bool with_places);
@@ -86,6 +91,8 @@ ReadClause read_looks_first(const EditText& text, std::size_t at);
 ReadClause read_another(const EditText& text, std::size_t at);
 /// "in cream", "20 cm to the left", "a bit wider": of what was spoken of last.
 ReadClause read_ellipsis(const EditText& text, std::size_t at);
+/// "increase the height of the stool by 10 cm", "set the desk's width to 1.6 m"; nothing if no side is named.
+std::optional<ReadClause> read_property(const EditText& text, std::size_t at, const std::string& verb);
 /// "widen the desk by 20 cm"
 ReadClause read_resize(const EditText& text, std::size_t at, const std::string& verb);
 

@@ -10,6 +10,13 @@
 
 namespace roomgen {
 
+/// What was read, and the token behind it.
+template <typename T>
+struct Read {
+  T value;
+  std::size_t end = 0;
+};
+
 /// A point on the floor or on a thing.
 struct Spot {
   Vec2 position = Vec2::Zero();
@@ -44,14 +51,22 @@ struct Target {
 };
 std::optional<Result<Target>> target_at(const EditText& text, std::size_t at, const std::vector<std::string>& subjects);
 
+/// The things that a place is relative to; where their name alone does not decide, words behind it may: "the desk
+/// closest to the door".
+Result<Read<std::vector<std::string>>> targets_of(const EditText& text, const NamedThing& thing,
+                                                  const std::vector<std::string>& subjects);
+
 /// "by 20 cm", "a bit": metres, and `at` behind them.
 std::optional<double> amount_at(const EditText& text, std::size_t& at);
+
+/// Instead of an id in Shifting: the wall that is nearest to what moves.
+inline constexpr const char* nearest_of_walls = "wall";
 
 /// "30 cm to the left", "a bit away from the window by 0.2 m", of each of the subjects.
 struct Shifting {
   std::optional<Vec3> direction;       ///< in the scene's frame, a unit vector
-  std::optional<std::string> from;     ///< away from it
-  std::optional<std::string> towards;  ///< closer to it
+  std::vector<std::string> from;       ///< away from these; or nearest_of_walls
+  std::vector<std::string> towards;    ///< closer to these
   std::optional<double> metres;
   std::size_t end = 0;
 };

@@ -29,7 +29,8 @@ struct EditVocabulary {
       auxiliaries, requests, reasons, substitutes, whole_room, along, farthest, being, not_being, presently, place_of,
       there, at_parts, space, around_space, gap_to, one_each, each_corner, possible, middles, besides, each_other,
       side_by_side, corrections, questions, welcome, own, suffices, only_these, likewise, shapes, like_it, existing, something, vice_versa, particles,
-      made_of, unneeded, facing_away, up_to_ceiling;
+      made_of, unneeded, facing_away, up_to_ceiling, courtesies, short_is_before, too, in_the_way_of, wrong_way,
+      further_on, others;
   Map<Vec2> sides, directions;   ///< in the scene's frame, as pictures from above show it
   Map<Vec2> side_tails;          ///< behind a noun: "on the left"
   Map<Vec2> sides_of_things, parts_of_things;  ///< in a thing's frame, left as one sees it from in front of it
@@ -42,6 +43,9 @@ struct EditVocabulary {
   Map<double> turns;             ///< degrees
   Map<double> turn_directions;   ///< 1 counter-clockwise
   Map<Growth> growth, verbs_of_size;
+  Map<double> degrees;           ///< "much": the power of the usual factor
+  Map<double> multiples;         ///< "twice"
+  Map<std::string> contractions, clitics;  ///< as they are written out: "'re": "are"
   Map<std::string> measured;     ///< "deep": the side that it measures
   Map<std::string> places;       ///< other words for those of data/words.json
   Map<std::string> room_parts;   ///< "floors": "floor"

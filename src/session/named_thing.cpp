@@ -92,6 +92,7 @@ std::optional<std::size_t> read_adjective(const EditText& text, std::size_t at, 
   }
   if (text.edits.more.count(text.tokens[at].text)) {
     thing.further = true;
+    thing.other = text.is_word(at, "other");
     if (const auto nth = language::ordinal_at(text.raw, at)) thing.nth = nth;
     return at + 1;
   }
@@ -147,6 +148,20 @@ void read_number_of_id(const EditText& text, NamedThing& thing) {
   if (token.kind != language::Token::Kind::number || token.joint != language::Token::Joint::hyphen) return;
   thing.number = static_cast<int>(token.value);
   ++thing.end;
+}
+
+// "two chairs more"
+void read_more_behind(const EditText& text, NamedThing& thing) {
+  if (thing.which != Which::indefinite || thing.bare || !text.is_word(thing.end, "more")) return;
+  thing.further = true;
+  ++thing.end;
+}
+
+// "one basket …, and the other one …": two that are there.
+void read_one_and_other(const EditText& text, NamedThing& thing) {
+  if (!text.is_word(thing.begin, "one") || thing.further || thing.any || thing.count != 1) return;
+  for (std::size_t i = thing.end; i < text.tokens.size() && !thing.any; ++i) thing.any = longest_in(text.edits.others, text.tokens, i) > 0;
+  if (thing.any) thing.which = Which::definite;
 }
 
 // "basket number two"
@@ -234,6 +249,8 @@ std::optional<NamedThing> noun_phrase_at(const EditText& text, std::size_t at) {
     if (read_head(text, at, thing)) {
       thing.plural = thing.kind.plural || thing.count > 1;
       thing.end = at + thing.kind.length;
+      read_more_behind(text, thing);
+      read_one_and_other(text, thing);
       read_number_of_id(text, thing);
       read_place_in_row(text, thing);
       read_counted_side(text, thing);

@@ -23,6 +23,7 @@ struct NamedThing {
   bool bare = false;     ///< no article: "bin by the door"
   bool further = false;  ///< "another", "two more", "a second"
   bool any = false;      ///< "one of the armchairs": whichever
+  bool other = false;    ///< "the other lamp": not the one spoken of
   bool plural = false;
   int count = 0;  ///< 0: not said
   design::KindMention kind;

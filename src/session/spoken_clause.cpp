@@ -4,6 +4,7 @@
 
 #include "language/inflection.h"
 #include "language/lexicon.h"
+#include "word_order.h"
 
 namespace roomgen {
 
@@ -11,12 +12,15 @@ namespace {
 
 using Token = design::Token;
 
-constexpr std::size_t longest_verb = 5;     // tokens
+constexpr std::size_t longest_verb = 7;     // tokens
 constexpr std::size_t longest_somebody = 4; // "our noisy new neighbours"
 
-// Where words that name what the clause is about may end: with words of place behind them, or without.
+}  // namespace
+
 std::vector<std::size_t> ends_of_subject(const EditText& text, std::size_t at) {
   std::vector<std::size_t> ends;
+  if (const auto opening = target_at(text, at, {}); opening && *opening && !find_object(text.scene, (*opening)->id)) ends.push_back((*opening)->end);
+  if (const auto room = longest_in(text.edits.whole_room, text.tokens, at)) ends.push_back(at + room);
   if (const auto part = room_part_at(text, at)) ends.push_back(part->end);
   if (const auto thing = named_thing_at(text, at)) ends.push_back(thing->end);
   for (const bool with_places : {false, true})
@@ -25,6 +29,8 @@ std::vector<std::size_t> ends_of_subject(const EditText& text, std::size_t at) {
   ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
   return ends;
 }
+
+namespace {
 
 // "the desk needs to be moved" is moved, but "the desk needs a lamp" is given one.
 std::size_t begin_of_verb(const EditText& text, std::size_t subject) {
@@ -128,9 +134,7 @@ bool tells_of_thing(const EditText& text, std::size_t begin, std::size_t end) {
   std::size_t at = thing->end;
   if (longest_in(text.edits.explanations, text.tokens, at) > 0)
     while (at + 1 < end && !is_told(text.tokens[at].text)) ++at;
-  const bool is_short = text.raw[thing->end - 1].clitic == "'s" && (text.tokens[at].is_word("a") || text.tokens[at].is_word("too") ||
-                                                                    text.tokens[at].is_word("so") || text.tokens[at].is_word("very"));
-  return is_short || is_told(text.tokens[at].text);
+  return is_told(text.tokens[at].text);
 }
 
 bool names_nothing(const EditText& text, std::size_t begin, std::size_t end) {
@@ -143,19 +147,9 @@ bool names_nothing(const EditText& text, std::size_t begin, std::size_t end) {
 
 }  // namespace
 
-EditText without(const EditText& text, std::size_t begin, std::size_t end) {
-  EditText shorter = text;
-  const auto cut = [&](auto& list) {
-    list.erase(list.begin() + static_cast<std::ptrdiff_t>(begin), list.begin() + static_cast<std::ptrdiff_t>(end));
-  };
-  cut(shorter.raw);
-  cut(shorter.tokens);
-  return shorter;
-}
-
 std::optional<SaidVerb> verb_at(const EditText& text, std::size_t at) {
   if (at >= text.tokens.size() || text.tokens[at].kind != Token::Kind::word) return std::nullopt;
-  if (const auto said = longest(text.edits.verbs, text.tokens, at))
+  if (const auto said = longest(text.edits.verbs, text.tokens, at, longest_verb))
     return SaidVerb{*said.value, text.words_from(at, at + said.length), said.length, false};
   const auto form = language::verb(text.tokens[at].text);
   if (!form || form->base == text.tokens[at].text) return std::nullopt;
@@ -177,7 +171,7 @@ std::optional<ReadClause> clause_with_subject(const EditText& text, std::size_t 
     // "the hamper: lose it"
     const bool takes_it_up = end < text.tokens.size() && longest_in(text.edits.pronouns, text.tokens, end) == 1;
     if (begin == subject && takes_it_up) ++end;
-    else if (begin == subject && !verb->inflected && verb->meaning != "give" && !brings_something(text, at)) continue;
+    else if (begin == subject && !verb->inflected && verb->meaning != "give" && verb->meaning != "want" && !brings_something(text, at)) continue;
     auto clause = read(without(text, subject, end), *verb, at);
     if (clause) clause->end += end - subject;
     if (goes_to_its_end(text, clause)) return clause;

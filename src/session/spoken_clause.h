@@ -15,8 +15,8 @@ struct SaidVerb {
 };
 std::optional<SaidVerb> verb_at(const EditText& text, std::size_t at);
 
-/// The text without some of its tokens.
-EditText without(const EditText& text, std::size_t begin, std::size_t end);
+/// Where words that name what a clause is about may end: with words of place behind them, or without.
+std::vector<std::size_t> ends_of_subject(const EditText& text, std::size_t at);
 
 /// A clause that begins with what it is about: "the armchair should change places with the desk", "both can be
 /// removed". It is read as the order that it means, by `read`; nothing if it has no such verb.
