@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "clause_tails.h"
+#include "moving_clauses.h"
 #include "operations.h"
 #include "roomgen/base/text.h"
 #include "size_phrases.h"
@@ -106,6 +107,8 @@ std::optional<Read<std::string>> room_part_at(const EditText& text, std::size_t 
   while (at < text.tokens.size() && (text.words.definite.count(text.tokens[at].text) || text.is_word(at, "all"))) ++at;
   const auto part = longest(text.edits.room_parts, text.tokens, at, 2);
   if (!part) return std::nullopt;
+  // "the floor lamp"
+  if (const auto thing = named_thing_at(text, at); thing && thing->kind.category && thing->end > at + part.length) return std::nullopt;
   return Read<std::string>{*part.value, at + part.length};
 }
 
@@ -158,6 +161,7 @@ ReadClause read_change(const EditText& text, std::size_t at) {
       const bool is_other = std::string(to) != "to" || (thing && thing->kind.category);
       if (auto other = is_other ? replaced(text, *what, what->end + 1) : ReadClause(not_understood("")); goes_to_its_end(text, other)) return other;
       if (thing && thing->kind.category) return replaced(text, *what, what->end + 1);
+      if (auto other = replaced(text, *what, what->end + 1); goes_to_its_end(text, other)) return other;
     }
   }
   return read_looks(text, at);
@@ -187,6 +191,21 @@ ReadClause reshaped(const EditText& text, const Read<Ids>& what, std::size_t at)
 
 }  // namespace
 
+namespace {
+
+// "make bigger the rug"
+ReadClause read_size_first(const EditText& text, std::size_t at) {
+  const auto size = size_at(text, at);
+  if (!size || !*size) return what_at(text, at, "not understood");
+  const auto what = things(text, (*size)->end, true);
+  if (!what) return what.error();
+  auto clause = read_size(text, {what->value, at}, at);
+  if (clause) clause->end = what->end;
+  return clause;
+}
+
+}  // namespace
+
 ReadClause read_make(const EditText& text, std::size_t at) {
   const auto what = things(text, at, true);
   if (what) {
@@ -195,6 +214,7 @@ ReadClause read_make(const EditText& text, std::size_t at) {
     if (are_there && size_at(text, what->end)) return read_size(text, *what, what->end);
     const auto thing = named_thing_at(text, what->end);
     if (thing && thing->kind.category && thing->which == NamedThing::Which::indefinite) return replaced(text, *what, what->end);
+    if (auto away = read_facing_away(text, *what)) return *away;
     if (text.is_word(what->end, "face")) {
       const auto target = target_at(text, what->end + 1, what->value);
       if (target && *target)
@@ -203,6 +223,7 @@ ReadClause read_make(const EditText& text, std::size_t at) {
   }
   if (what)
     if (auto other = reshaped(text, *what, what->end); goes_to_its_end(text, other)) return other;
+  if (auto sized = read_size_first(text, at); goes_to_its_end(text, sized)) return sized;
   if (!what && !room_part_at(text, at)) return what.error();
   return read_looks(text, at);
 }

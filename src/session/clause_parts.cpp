@@ -60,6 +60,12 @@ bool goes_on_with_look(const EditText& text, std::size_t at, bool of_room) {
          text.ends(at + 2);
 }
 
+// "darker" is a darker shade of what is there: "dark".
+std::string plain_look(const std::string& word, bool of_room) {
+  const auto positive = describes(word, of_room) ? std::nullopt : language::positive(word);
+  return positive && describes(*positive, of_room) ? *positive : word;
+}
+
 // No verb of editing, and nothing that stands for a thing.
 bool may_be_of_look(const EditText& text, std::size_t at, std::size_t begin, bool of_room) {
   const auto& token = text.tokens[at];
@@ -80,6 +86,8 @@ MayRead<Ids> things_at(const EditText& text, std::size_t at, bool with_places) {
     std::size_t next = (*all)->end + 1;
     if (text.is_word(next, "and")) ++next;
     if (begins_clause(text, next)) break;
+    // "remove the rug, it is ugly": no second thing.
+    if (text.is_comma(next - 1) && longest_in(text.edits.pronouns, text.tokens, next) > 0) break;
     const auto more = one_reference_at(text, next, with_places);
     if (!more || !*more) break;
     for (const auto& id : (*more)->value)
@@ -102,7 +110,7 @@ MayRead<std::string> looks_at(const EditText& text, std::size_t at, bool of_room
     if (!may_be_of_look(text, i, at, of_room)) return std::nullopt;
   std::string words;
   for (std::size_t i = at; i < end; ++i)
-    if (text.tokens[i].kind == EditText::Token::Kind::word) words += (words.empty() ? "" : " ") + text.tokens[i].text;
+    if (text.tokens[i].kind == EditText::Token::Kind::word) words += (words.empty() ? "" : " ") + plain_look(text.tokens[i].text, of_room);
   if (!describes(words, of_room)) return std::nullopt;
   return Read<std::string>{words, end};
 }

@@ -146,7 +146,7 @@ std::optional<Result<Whereabouts>> place_by(const EditText& text, std::size_t at
   const std::size_t target = at + length;
   if (auto both = between_two(text, target, placement, subjects)) return both;
   const auto thing = named_thing_at(text, target);
-  const auto place = design::read_place({text.tokens.data(), text.tokens.size()}, target, text.words);
+  const auto place = place_named_at(text, target);
   if (place && (!thing || target + place->length >= thing->end)) {
     const bool between = placement.relations == std::vector<RelationKind>{RelationKind::between};
     if (auto both = between ? between_openings(text, *place, target + place->length) : std::nullopt) return both;
@@ -218,11 +218,18 @@ std::optional<Target> opening_by_id(const EditText& text, std::size_t at) {
 
 }  // namespace
 
+std::optional<design::PlacePhrase> place_named_at(const EditText& text, std::size_t at) {
+  const auto place = design::read_place({text.tokens.data(), text.tokens.size()}, at, text.words);
+  const auto thing = named_thing_at(text, at);
+  const bool is_behind_thing = place && thing && thing->kind.category && thing->end + 1 < at + place->length && !fitting(text, *thing).empty();
+  return is_behind_thing ? std::nullopt : place;
+}
+
 std::optional<Result<Target>> target_at(const EditText& text, std::size_t at,
                                         const std::vector<std::string>& subjects) {
   if (const auto opening = opening_by_id(text, at)) return *opening;
   const auto thing = named_thing_at(text, at);
-  const auto place = design::read_place({text.tokens.data(), text.tokens.size()}, at, text.words);
+  const auto place = place_named_at(text, at);
   if (place && (!thing || at + place->length >= thing->end)) {
     const std::size_t end = at + place->length;
     if (place->place == Place::window || place->place == Place::door) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "brief/placement_phrase.h"
 #include "edit_text.h"
 #include "references.h"
 #include "roomgen/scene/relation.h"
@@ -44,6 +45,10 @@ std::string nearest_wall(const EditText& text, const Object& object);
 /// The wall that lies to a side as the vocabulary counts them: south, east, north, west.
 std::optional<std::size_t> wall_to(const Room& room, int side);
 
+/// A part of the room: "the window", "the left wall"; but not where a thing is named before it: "the desks face the
+/// window".
+std::optional<design::PlacePhrase> place_named_at(const EditText& text, std::size_t at);
+
 /// A single target of a relation: the id of a thing or a part of the room.
 struct Target {
   std::string id;
@@ -65,6 +70,7 @@ inline constexpr const char* nearest_of_walls = "wall";
 /// "30 cm to the left", "a bit away from the window by 0.2 m", of each of the subjects.
 struct Shifting {
   std::optional<Vec3> direction;       ///< in the scene's frame, a unit vector
+  double forward = 0.0;                ///< 1 to where its front looks, -1 back
   std::vector<std::string> from;       ///< away from these; or nearest_of_walls
   std::vector<std::string> towards;    ///< closer to these
   std::optional<double> metres;

@@ -40,7 +40,11 @@ class EditReader {
   // ---- Between clauses -------------------------------------------------------------------------
 
   void skip_between() {
-    while (const auto length = length_between()) at_ += length;
+    while (const auto length = length_between()) {
+      // "remove the rug ... nah, the lamp": nothing of what was said before.
+      if (longest_in(text_.edits.denials, text_.tokens, at_) == length) gathered_ = {};
+      at_ += length;
+    }
   }
 
   std::size_t length_between() const {
@@ -89,11 +93,23 @@ class EditReader {
     const std::size_t end = end_of_remark(text_, at_, gathered_.operations.empty());
     if (end == at_) return false;
     note_remark(at_, end);
-    const std::size_t known = text_.mentioned.size();
-    remember_names(end);
-    if (text_.mentioned.size() > known) text_.latest = {text_.mentioned.back()};
+    speak_of(at_, end);
     at_ = end;
     return true;
+  }
+
+  // "our toddler bumps his head on the table": it is the table. Of several things it is the one that comes first, if
+  // all is about that; else it may be any.
+  void speak_of(std::size_t begin, std::size_t end) {
+    const std::size_t known = text_.mentioned.size();
+    const auto first = named_thing_at(text_, begin);
+    remember_names(end);
+    Ids named(text_.mentioned.begin() + static_cast<std::ptrdiff_t>(known), text_.mentioned.end());
+    std::sort(named.begin(), named.end());
+    named.erase(std::unique(named.begin(), named.end()), named.end());
+    if (named.empty()) return;
+    const bool is_about_first = first && first->kind.category && first->which == Which::definite;
+    text_.latest = is_about_first ? Ids{text_.mentioned[known]} : named;
   }
 
   // "the sofa is too close to the TV": what is said of it then comes first.
@@ -115,7 +131,9 @@ class EditReader {
     last_meaning_ = verb.meaning;
     last_verb_ = verb.words;
     // "leaving the lamp where it is": what is not changed anyway.
-    const bool is_aside = verb.meaning == "keep" && (verb.inflected || (verb.words == "leave" && !gathered_.operations.empty()));
+    const auto kept_thing = named_thing_at(text, at);
+    const bool is_all = kept_thing && kept_thing->which == Which::everything;
+    const bool is_aside = verb.meaning == "keep" && (verb.inflected || is_all || (verb.words == "leave" && !gathered_.operations.empty()));
     if (is_aside) {
       auto kept = read_lock(text, at, true, true);
       if (kept) kept->operations.clear();
@@ -127,12 +145,13 @@ class EditReader {
   ReadClause read_clause() {
     auto plain = read_in_order();
     if (goes_to_its_end(text_, plain)) return plain;
-    auto turned = with_place_last(text_, at_);
-    if (!turned) return plain;
-    exchange_words(*turned);
-    auto clause = read_in_order();
-    if (goes_to_its_end(text_, clause)) return clause;
-    exchange_words(*turned);
+    for (auto turned : {with_place_last(text_, at_), with_way_last(text_, at_)}) {
+      if (!turned) continue;
+      exchange_words(*turned);
+      auto clause = read_in_order();
+      if (goes_to_its_end(text_, clause)) return clause;
+      exchange_words(*turned);
+    }
     return plain;
   }
 
@@ -149,6 +168,8 @@ class EditReader {
     if (auto likewise = read_likewise(); goes_to_its_end(text_, likewise)) return likewise;
     if (const auto verb = verb_at(text_, at_)) return read_with_verb(*verb);
     if (auto order = read_by_subject(); goes_to_its_end(text_, order)) return order;
+    if (const auto wish = wish_of_somebody(text_, at_))
+      if (auto wished = read_wish(text_, at_ + wish); goes_to_its_end(text_, wished)) return wished;
     // "… and the dresser pale blue": the verb before goes on.
     if (!last_meaning_.empty())
       if (auto same = read_verb(text_, last_meaning_, last_verb_, at_); goes_to_its_end(text_, same)) return same;
@@ -161,7 +182,22 @@ class EditReader {
     if (auto whole = read_with_particle(verb); goes_to_its_end(text_, whole)) return whole;
     if (auto order = read_by_subject(); goes_to_its_end(text_, order)) return order;
     if (auto fragment = read_fragment(text_, at_); goes_to_its_end(text_, fragment)) return fragment;
+    if (auto of_it = read_of_it(verb); goes_to_its_end(text_, of_it)) return of_it;
+    if (auto other = text_.latest.empty() ? clause : read_another(text_, at_ + verb.length); goes_to_its_end(text_, other)) return other;
     return bare_order(verb, std::move(clause));
+  }
+
+  // "then rotate 90 degrees": what was spoken of last.
+  ReadClause read_of_it(const SaidVerb& verb) {
+    const std::size_t at = at_ + verb.length;
+    const auto thing = named_thing_at(text_, at);
+    if (text_.latest.empty() || text_.ends(at) || (thing && thing->which != Which::indefinite)) return what_at(text_, at, "not understood");
+    EditText longer = text_;
+    insert_word(longer, at, text_.latest.size() > 1 ? "them" : "it");
+    auto clause = read_order(longer, verb, at);
+    if (!clause || clause->end == at) return what_at(text_, at, "not understood");
+    --clause->end;
+    return clause;
   }
 
   // "shift it": as the complaint before has it.
@@ -212,15 +248,19 @@ class EditReader {
     for (std::size_t i = at_; i < end; ++i) {
       const auto thing = named_thing_at(text_, i);
       if (!thing || thing->which != Which::definite || thing->end > end) continue;
-      if (const auto ids = things_at(text_, i, true); ids && *ids && (*ids)->value.size() == 1 && (*ids)->end <= end)
+      for (const bool with_places : {true, false}) {
+        const auto ids = things_at(text_, i, with_places);
+        if (!ids || !*ids || (*ids)->value.size() != 1 || (*ids)->end > end) continue;
         text_.mentioned.push_back((*ids)->value.front());
+        break;
+      }
     }
   }
 
   void take(Clause clause) {
     remember_names(clause.end);
     at_ = clause.end;
-    if (gathered_.fold_looks(clause, text_)) return;
+    if (gathered_.fold_looks(clause, text_) || gathered_.fold_place(clause, text_)) return;
     gathered_.add(clause);
     if (!clause.gone.empty()) text_.gone = clause.gone;
     text_.mentioned.insert(text_.mentioned.end(), clause.about.begin(), clause.about.end());

@@ -81,7 +81,7 @@ Result<EditVocabulary> read_edit_vocabulary() {
       {"made of", &words.made_of}, {"unneeded", &words.unneeded}, {"facing away", &words.facing_away},
       {"up to the ceiling", &words.up_to_ceiling}, {"courtesies", &words.courtesies}, {"short is before", &words.short_is_before},
       {"too", &words.too}, {"in the way of", &words.in_the_way_of}, {"the wrong way", &words.wrong_way}, {"further on", &words.further_on},
-      {"the others", &words.others}};
+      {"the others", &words.others}, {"denials", &words.denials}, {"wishes", &words.wishes}, {"apart", &words.apart}, {"centred", &words.centred}, {"other side", &words.other_side}, {"better", &words.betters}};
   for (const auto& [key, set] : sets) *set = set_of(root[key]);
   words.sides = map_of<Vec2>(root["sides"], direction_of);
   words.directions = map_of<Vec2>(root["directions"], direction_of);
@@ -103,6 +103,9 @@ Result<EditVocabulary> read_edit_vocabulary() {
   words.contractions = map_of<std::string>(root["contractions"], text_of);
   words.clitics = map_of<std::string>(root["clitics"], text_of);
   words.degrees = map_of<double>(root["degrees"], number_of);
+  words.own_ways = map_of<double>(root["own ways"], number_of);
+  words.rewordings = map_of<std::string>(root["rewordings"], text_of);
+  words.counts = map_of<double>(root["counts"], number_of);
   words.multiples = map_of<double>(root["multiples"], number_of);
   words.room_parts = map_of<std::string>(root["room parts"], text_of);
   if (problems.first()) return *problems.first();

@@ -37,6 +37,16 @@ void spell_out(language::Token& token) {
     if (token.text == symbol) token.text = word, token.kind = language::Token::Kind::word;
 }
 
+// "lamp -> corner"
+void write_arrows(std::vector<language::Token>& tokens) {
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    const bool is_drawn = i + 1 < tokens.size() && tokens[i].text == "-" && tokens[i + 1].text == ">";
+    if (!is_drawn && tokens[i].text != "\u2192") continue;
+    tokens[i].text = "to", tokens[i].kind = language::Token::Kind::word;
+    if (is_drawn) tokens.erase(tokens.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+  }
+}
+
 // "-3 m wide"; not "chair-2", and not "2 - 3 m".
 bool has_measure_below_zero(const std::vector<language::Token>& tokens) {
   for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
@@ -63,9 +73,9 @@ Result<Understanding> read_edit(std::string_view sentence, const Scene& scene, c
   auto raw = language::tokenize(sentence, most_words);
   if (has_measure_below_zero(raw)) return not_understood("a number below 0 is no measure of things");
   for (auto& token : raw) spell_out(token);
-  // "rug: navy" is as good as "rug navy".
+  write_arrows(raw);
   std::erase_if(raw, [](const language::Token& token) {
-    return token.kind == language::Token::Kind::quote || token.kind == language::Token::Kind::symbol || token.text == ":";
+    return token.kind == language::Token::Kind::quote || token.kind == language::Token::Kind::symbol;
   });
   auto tokens = design::plain_tokens(raw);
   EditText text{scene, kinds, *edits, *words, std::move(raw), std::move(tokens), {}, {}, {}, {}, recall, 0};

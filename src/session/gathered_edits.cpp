@@ -42,6 +42,16 @@ bool GatheredEdits::fold_looks(const Clause& clause, const EditText& text) {
   return folded > 0;
 }
 
+bool GatheredEdits::fold_place(const Clause& clause, const EditText& text) {
+  auto* add = operations.empty() ? nullptr : std::get_if<edit::Add>(&operations.back());
+  const bool is_of_it = clause.operations.size() == 1 && clause.about == text.latest && clause.about.size() == 1 && find_object(text.coming, clause.about.front());
+  const auto* move = is_of_it ? std::get_if<edit::Move>(&clause.operations.front()) : nullptr;
+  if (!add || !move || add->count != 1 || !add->relations.empty() || !add->room.empty()) return false;
+  add->relations = move->relations;
+  add->room = move->room;
+  return true;
+}
+
 ReadClause GatheredEdits::likewise(const EditText& text, const Read<Ids>& what) const {
   if (operations.empty()) return what_at(text, what.end, "not understood");
   const auto& last = operations.back();

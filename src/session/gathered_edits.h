@@ -13,6 +13,8 @@ struct GatheredEdits {
   void add(const Clause& clause);
   /// "a round one that seats six, in pale ash": looks said behind what comes are those with which it comes.
   bool fold_looks(const Clause& clause, const EditText& text);
+  /// "add a lamp, in brass, on the desk": a place said behind what comes is where it comes.
+  bool fold_place(const Clause& clause, const EditText& text);
   /// "and the plant too": the last operation, on other things.
   ReadClause likewise(const EditText& text, const Read<Ids>& what) const;
   /// "and vice versa", behind who goes where another stands.

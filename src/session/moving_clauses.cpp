@@ -12,6 +12,7 @@ namespace roomgen {
 
 namespace {
 
+constexpr double row_gap = 0.05;     // metres between things that are put in a row
 constexpr double usual_shift = 0.5;  // metres, where nobody says how far
 
 // What stands for the nearest wall is that of each.
@@ -35,10 +36,15 @@ ReadClause read_shift(const EditText& text, const Ids& ids, const Shifting& how,
     const Object* object = find_object(text.scene, id);
     if (!object) return not_understood(id + " has no place yet from which it could move");
     const Ids ends = named_ends(text, *object, how.from.empty() ? how.towards : how.from);
-    if (!how.metres && !how.direction) {
+    if (!how.metres && !how.direction && how.forward == 0.0) {
       edit::Move move{id, {}, group};
       for (const auto& end : ends) move.relations.push_back({how.from.empty() ? RelationKind::near : RelationKind::far, end});
       clause.operations.push_back(move);
+      continue;
+    }
+    if (how.forward != 0.0) {
+      const Vec2 front = rotated(Vec2(0.0, -how.forward), object->yaw) * how.metres.value_or(usual_shift);
+      clause.operations.push_back(edit::Shift{id, Vec3(front.x(), front.y(), 0.0), group});
       continue;
     }
     const auto direction = how.direction ? Result<Vec3>(*how.direction) : straight_way(text, *object, ends, how.from.empty() ? 1.0 : -1.0);
@@ -93,8 +99,27 @@ std::optional<ReadClause> read_shared_out(const EditText& text, const Read<Ids>&
   return clause;
 }
 
+// "at the far end of the table", of several: side by side along it.
+ReadClause put_in_row(const EditText& text, const Ids& ids, const Whereabouts& place) {
+  const Object* host = text.object(place.spot->on);
+  if (!host) return not_understood("it is not clear where each of them shall stand");
+  const Footprint area = footprint(*host);
+  const Vec2 off = place.spot->position - Vec2(host->position.head<2>());
+  const bool is_at_side = std::abs(off.dot(area.x_axis())) / area.half().x() > std::abs(off.dot(area.y_axis())) / area.half().y();
+  const Vec2 along = is_at_side ? area.y_axis() : area.x_axis();
+  double pitch = 0.0;
+  for (const auto& id : ids) pitch = std::max(pitch, text.object(id)->size.head<2>().maxCoeff() + row_gap);
+  Clause clause{{}, ids, {}, place.end};
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    const double aside = (static_cast<double>(i) - 0.5 * static_cast<double>(ids.size() - 1)) * pitch;
+    clause.operations.push_back(edit::Put{ids[i], place.spot->position + aside * along, {}, place.spot->on});
+  }
+  return clause;
+}
+
 // "where the lamp is now"
 ReadClause put_at_spot(const EditText& text, const Ids& ids, const Whereabouts& place) {
+  if (ids.size() > 1 && !place.spot->is_place) return put_in_row(text, ids, place);
   if (ids.size() != 1) return not_understood("only one thing can stand at that place, and " + std::to_string(ids.size()) + " are meant");
   const Object* object = text.object(ids.front());
   const Object* there = text.object(place.spot->of);
@@ -113,7 +138,15 @@ std::optional<ReadClause> read_lengthwise(const EditText& text, const Read<Ids>&
   return read_shift(text, what.value, **shifting, is_group);
 }
 
-ReadClause read_to_place(const EditText& text, const Read<Ids>& what, bool is_group) {
+// "from the sofa", before where to
+std::size_t behind_origin(const EditText& text, std::size_t at) {
+  if (!text.is_word(at, "from") && !text.is_word(at, "off")) return at;
+  const auto origin = target_at(text, at + 1, {});
+  return origin && *origin && !text.ends((*origin)->end) ? (*origin)->end : at;
+}
+
+ReadClause read_to_place(const EditText& text, Read<Ids> what, bool is_group) {
+  what.end = behind_origin(text, what.end);
   const auto place = destination_at(text, what.end, what.value);
   if (!place) return what_at(text, what.end, "it is not clear where to");
   if (!*place) return place->error();
@@ -131,6 +164,25 @@ ReadClause read_to_place(const EditText& text, const Read<Ids>& what, bool is_gr
 
 }  // namespace
 
+namespace {
+
+// "under the table": in the middle below it; by itself in the middle of the room.
+ReadClause read_centred(const EditText& text, const Read<Ids>& what) {
+  std::size_t end = what.end;
+  if (text.is_word(end, "in") && text.is_word(end + 1, "the") && text.is_word(end + 2, "room")) end += 3;
+  std::vector<Relation> relations = {{RelationKind::middle, ""}, {RelationKind::in_part, "middle-third"}};
+  if (const auto place = destination_at(text, end, what.value); place && *place && !(*place)->spot) {
+    relations = (*place)->relations;
+    const std::string target = relations.empty() ? "" : relations.front().target;
+    const bool is_below = !relations.empty() && (relations.front().kind == RelationKind::above || relations.front().kind == RelationKind::under);
+    if (find_object(text.scene, target) && !is_below) relations.push_back({RelationKind::center_aligned, target});
+    end = (*place)->end;
+  }
+  return of_each(what, end, [&](const std::string& id) { return edit::Move{id, relations}; });
+}
+
+}  // namespace
+
 ReadClause put_there(const EditText& text, Read<Ids> what) {
   for (const auto* gone : {&text.edits.goes_away, &text.edits.unneeded})
     if (const auto length = longest_in(*gone, text.tokens, what.end); length > 0 && goes_to_its_end(text, Clause{{}, {}, {}, what.end + length}))
@@ -140,6 +192,8 @@ ReadClause put_there(const EditText& text, Read<Ids> what) {
   what.end = behind_modals(text, what.end);
   if (const auto length = longest_in(text.edits.refused, text.tokens, what.end); length > 0 && text.ends(what.end + length))
     return what_at(text, what.end, "that names no place");
+  if (const auto centred = longest_in(text.edits.centred, text.tokens, what.end); centred > 0)
+    if (auto there = read_centred(text, {what.value, what.end + centred}); goes_to_its_end(text, there)) return there;
   const std::size_t along = what.end + (text.is_word(what.end, "along") ? 1 : 0);
   if (const auto gap = gap_at(text, along, what.value)) return *gap ? keep_gap(text, **gap) : ReadClause(gap->error());
   for (const auto& read : {read_mutual, read_facing_away, read_shared_out})
@@ -178,6 +232,8 @@ ReadClause read_put(const EditText& text, std::size_t at, bool may_add) {
     if (auto shared = read_one_to_each(text, at)) return *shared;
   if (may_add && brings_something(text, at)) return read_add(text, at);
   const auto plain = things(text, at, false);
+  if (may_add && !plain && !thing)
+    if (auto added = read_add(text, at); goes_to_its_end(text, added)) return added;
   ReadClause first = plain ? put_there(text, *plain) : ReadClause(plain.error());
   if (goes_to_its_end(text, first)) return first;
   const auto placed = things(text, at, true);
@@ -205,6 +261,31 @@ ReadClause read_lift(const EditText& text, std::size_t at, double way) {
   return failed;
 }
 
+namespace {
+
+// What its chair is to a table.
+std::string host_of(const EditText& text, const Object& object) {
+  for (const auto kind : {RelationKind::around, RelationKind::face_to, RelationKind::in_front_of, RelationKind::near})
+    for (const auto& relation : object.relations)
+      if (relation.kind == kind && find_object(text.scene, relation.target)) return relation.target;
+  return "";
+}
+
+}  // namespace
+
+ReadClause read_tuck(const EditText& text, std::size_t at) {
+  const auto what = things(text, at, true);
+  if (!what) return what.error();
+  Clause clause{{}, what->value, {}, what->end};
+  for (const auto& id : what->value) {
+    const Object* object = find_object(text.scene, id);
+    const std::string host = object ? host_of(text, *object) : "";
+    if (host.empty()) return not_understood("it is not clear under what " + id + " shall be pushed");
+    clause.operations.push_back(edit::Move{id, {{RelationKind::around, host}, {RelationKind::face_to, host}}});
+  }
+  return clause;
+}
+
 ReadClause read_line(const EditText& text, std::size_t at) {
   const auto what = things(text, at, false);
   if (!what) return what.error();
@@ -223,12 +304,7 @@ ReadClause read_line(const EditText& text, std::size_t at) {
 
 ReadClause read_centre(const EditText& text, std::size_t at) {
   const auto what = things(text, at, false);
-  if (!what) return what.error();
-  std::size_t end = what->end;
-  if (text.is_word(end, "in") && text.is_word(end + 1, "the") && text.is_word(end + 2, "room")) end += 3;
-  return of_each(*what, end, [](const std::string& id) {
-    return edit::Move{id, {{RelationKind::middle, ""}, {RelationKind::in_part, "middle-third"}}};
-  });
+  return what ? read_centred(text, *what) : ReadClause(what.error());
 }
 
 }  // namespace roomgen

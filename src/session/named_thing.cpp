@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "destinations.h"
 #include "language/inflection.h"
 #include "language/number.h"
 #include "roomgen/base/text.h"
@@ -24,6 +25,16 @@ bool is_anaphor(const EditText& text, std::size_t at, const NamedThing& thing) {
   return !thing.bare && thing.which != Which::indefinite && !text.is_word(at + 1, "of");
 }
 
+// "half of the chairs", "half the chairs"
+Read<double> share_of_things(const EditText& text, std::size_t at) {
+  const auto share = design::longest(text.edits.shares, text.tokens, at);
+  if (!share) return {0.0, at};
+  const std::size_t end = at + share.length + (text.is_word(at + share.length, "of") ? 1 : 0);
+  const bool is_of_things = end < text.tokens.size() && text.words.definite.count(text.tokens[end].text) &&
+                            !design::longest(text.edits.measured, text.tokens, end + 1);
+  return is_of_things ? Read<double>{*share.value, end} : Read<double>{0.0, at};
+}
+
 // "all six of the", "the two", "another", "two more": up to the adjectives.
 std::size_t read_determiners(const EditText& text, std::size_t at, NamedThing& thing) {
   thing.bare = true;
@@ -31,7 +42,15 @@ std::size_t read_determiners(const EditText& text, std::size_t at, NamedThing& t
   for (bool more = true; more && at < text.tokens.size();) {
     more = false;
     const auto& token = text.tokens[at];
-    if (const auto length = longest_in(text.edits.all, text.tokens, at)) {
+    if (const auto share = share_of_things(text, at); share.end > at) {
+      thing.share = share.value;
+      thing.any = true;
+      at = share.end, more = true;
+    } else if (const auto counted = design::longest(text.edits.counts, text.tokens, at)) {
+      thing.count = static_cast<int>(*counted.value);
+      if (thing.bare) thing.which = Which::indefinite;
+      at += counted.length, more = true;
+    } else if (const auto length = longest_in(text.edits.all, text.tokens, at)) {
       thing.which = Which::all;
       if (token.is_word("both")) thing.count = 2;
       at += length, more = true;

@@ -45,9 +45,37 @@ bool is_mere_courtesy(const EditText& text, std::size_t at, std::size_t length) 
   return at > 0 && !text.is_mark(at - 1) && !verb_at(text, at + length);
 }
 
+constexpr std::size_t least_clause = 3;  // words before a colon that are more than a name
+
+// "rug: navy" is as good as "rug navy", but "we are hiring: add a desk" are two clauses.
+void drop_colons(EditText& text) {
+  std::size_t words = 0;
+  for (std::size_t i = 0; i < text.tokens.size(); ++i) {
+    const bool is_colon = text.raw[i].text == ":";
+    words = text.is_mark(i) && !is_colon ? 0 : words + 1;
+    if (!is_colon) continue;
+    const bool parts_clauses = words > least_clause && verb_at(text, i + 1);
+    if (!parts_clauses) {
+      cut(text, i, i + 1);
+      --i;
+    }
+    words = 0;
+  }
+}
+
+// "the dining set" is the table with its chairs.
+void reword(EditText& text, std::size_t at) {
+  const auto known = design::longest(text.edits.rewordings, text.tokens, at);
+  if (!known) return;
+  cut(text, at + 1, at + known.length);
+  replace_word(text, at, *known.value);
+}
+
 }  // namespace
 
 void word_plainly(EditText& text) {
+  drop_colons(text);
+  for (std::size_t i = 0; i < text.tokens.size(); ++i) reword(text, i);
   for (std::size_t i = 0; i < text.tokens.size(); ++i) write_out(text, i);
   for (std::size_t i = 0; i < text.tokens.size(); ++i)
     if (const auto length = longest_in(text.edits.courtesies, text.tokens, i); length > 0 && is_mere_courtesy(text, i, length)) {

@@ -180,7 +180,9 @@ void leave_out_those_spoken_of(const EditText& text, std::vector<std::string>& i
 // Has the number of what fits anything to say?
 Result<std::vector<std::string>> by_number(const EditText& text, const NamedThing& thing, std::vector<std::string> ids) {
   const std::string words = text.words_from(thing.begin, thing.end);
-  const auto wanted = static_cast<std::size_t>(thing.count);
+  const double of_all = thing.share * static_cast<double>(ids.size());
+  if (of_all != std::floor(of_all)) return not_understood("\"" + words + "\": there are " + std::to_string(ids.size()) + ", which cannot be divided so");
+  const auto wanted = static_cast<std::size_t>(of_all > 0.0 ? of_all : thing.count);
   using Ids = std::vector<std::string>;
   if (!thing.any && (thing.which == Which::all || (thing.plural && thing.which == Which::definite))) {
     if (thing.count == 0 || wanted == ids.size()) return ids;

@@ -35,6 +35,7 @@ struct NamedThing {
   std::optional<int> place;        ///< "chair number two": which of them, from 1
   std::optional<int> nth;          ///< "the second from the left": counted from a side
   std::optional<Vec2> side;        ///< "left"
+  double share = 0.0;              ///< "half of the chairs"
   double size = 0.0;               ///< EditVocabulary::sizes
   std::size_t begin = 0, end = 0;  ///< tokens
 

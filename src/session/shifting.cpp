@@ -18,7 +18,7 @@ bool hang(const EditText& text, const std::vector<std::string>& ids) {
 // "the desk", "the filing cabinets", "the wall"
 std::optional<Result<Read<std::vector<std::string>>>> ends_of_way(const EditText& text, std::size_t at,
                                                                   const std::vector<std::string>& subjects) {
-  const auto place = design::read_place({text.tokens.data(), text.tokens.size()}, at, text.words);
+  const auto place = place_named_at(text, at);
   if (place && place->place == design::Place::wall && place->wall < 0 && !place->opposite)
     return Read<std::vector<std::string>>{{nearest_of_walls}, at + place->length};
   const auto thing = named_thing_at(text, at);
@@ -32,6 +32,8 @@ std::optional<Result<Read<std::vector<std::string>>>> ends_of_way(const EditText
 std::size_t skip_further(const EditText& text, std::size_t at) {
   return at + longest_in(text.edits.further_on, text.tokens, at);
 }
+
+bool amount_behind(const EditText& text, std::size_t at) { return amount_at(text, at).has_value(); }
 
 }  // namespace
 
@@ -60,10 +62,15 @@ std::optional<Result<Shifting>> shifting_at(const EditText& text, std::size_t at
   if (std::max(away, closer) == 0) at = skip_further(text, at);
   const auto height = longest(text.edits.heights, text.tokens, at);
   const auto direction = longest(text.edits.directions, text.tokens, at);
+  const auto own = longest(text.edits.own_ways, text.tokens, at);
+  const bool is_own = own && (shifting.metres || amount_behind(text, at + own.length) || *own.value > 0.0) && std::max(away, closer) < own.length;
   const bool is_height = height && (shifting.metres || hang(text, subjects)) && (subjects.empty() || hang(text, subjects));
   if (is_height) {
     shifting.direction = Vec3(0, 0, *height.value);
     at += height.length;
+  } else if (is_own) {
+    shifting.forward = *own.value;
+    at += own.length;
   } else if (direction && direction.length >= std::max(away, closer)) {
     // "to the left of the bed" is a place.
     if (text.is_word(at + direction.length, "of")) return std::nullopt;

@@ -132,7 +132,7 @@ std::optional<Read<NewSize>> named_size(const EditText& text, std::size_t at) {
   const auto side = design::longest(text.edits.measured, text.tokens, at, 1);
   if (!side || *side.value == "all") return std::nullopt;
   std::size_t end = at + side.length;
-  while (text.is_word(end, "of") || text.is_word(end, "to") || text.is_comma(end)) ++end;
+  while (text.is_word(end, "of") || text.is_word(end, "to") || (end < text.tokens.size() && text.is_mark(end))) ++end;
   const auto metres = length_at(text, end);
   if (!metres) return std::nullopt;
   return Read<NewSize>{exactly(*side.value, *metres), end};
@@ -259,6 +259,9 @@ MayRead<NewSize> size_behind_verb(const EditText& text, std::size_t at, const Gr
   if (const auto vague = design::longest(text.edits.degrees, text.tokens, at))
     way.factor = std::pow(way.factor, *vague.value), at += vague.length;
   at += longest_in(text.edits.emphasis, text.tokens, at);
+  // "grow it till it is 2 m across"
+  if (const auto till = longest_in(text.edits.hedges, text.tokens, at); till > 1)
+    if (const auto size = measured_size(text, at + till)) return *size;
   const bool is_by = text.is_word(at, "by");
   if (!is_by && !text.is_word(at, "to")) return Read<NewSize>{{way.side, way.factor, {}, {}}, at};
   std::size_t end = at + 1;

@@ -35,7 +35,7 @@ namespace {
 // "the desk needs to be moved" is moved, but "the desk needs a lamp" is given one.
 std::size_t begin_of_verb(const EditText& text, std::size_t subject) {
   for (std::size_t at = subject;;) {
-    if (const auto verb = verb_at(text, at); verb && verb->meaning == "give" && !text.is_word(at + verb->length, "to")) return at;
+    if (const auto verb = verb_at(text, at); verb && (verb->meaning == "give" || verb->meaning == "want") && !text.is_word(at + verb->length, "to")) return at;
     const auto length = longest_in(text.edits.auxiliaries, text.tokens, at);
     if (length == 0) return at;
     at += text.tokens[at].text == "should" || text.tokens[at].text == "must" ? 1 : length;
@@ -114,6 +114,10 @@ bool is_contrast(const EditText& text, std::size_t begin, std::size_t end) {
 
 // "I need to tell the test subject's seat from the rest": no verb of editing.
 bool is_other_need(const EditText& text, std::size_t begin) {
+  for (std::size_t i = begin; i + 2 < std::min(begin + longest_somebody, text.tokens.size()); ++i)
+    if (longest_in(text.edits.wishes, text.tokens, i) == 1 && text.is_word(i + 1, "to") && !verb_at(text, i + 2) && language::verb(text.tokens[i + 2].text) &&
+        !text.is_word(i + 2, "be") && !text.is_word(i + 2, "have"))
+      return true;
   const auto verb = verb_at(text, begin);
   if (!verb || verb->length < 2 || !text.is_word(begin + verb->length, "to")) return false;
   const std::size_t at = begin + verb->length + 1;
@@ -145,6 +149,12 @@ bool names_nothing(const EditText& text, std::size_t begin, std::size_t end) {
   return true;
 }
 
+// "desk: move it", "desk move left"
+bool is_heading(const EditText& text, std::size_t at, std::size_t end) {
+  const auto thing = named_thing_at(text, at);
+  return thing && thing->bare && thing->end == end && thing->kind.category && !fitting(text, *thing).empty();
+}
+
 }  // namespace
 
 std::optional<SaidVerb> verb_at(const EditText& text, std::size_t at) {
@@ -171,13 +181,25 @@ std::optional<ReadClause> clause_with_subject(const EditText& text, std::size_t 
     // "the hamper: lose it"
     const bool takes_it_up = end < text.tokens.size() && longest_in(text.edits.pronouns, text.tokens, end) == 1;
     if (begin == subject && takes_it_up) ++end;
-    else if (begin == subject && !verb->inflected && verb->meaning != "give" && verb->meaning != "want" && !brings_something(text, at)) continue;
+    else if (begin == subject && !verb->inflected && verb->meaning != "give" && verb->meaning != "want" && !brings_something(text, at) && !is_heading(text, at, subject))
+      continue;
     auto clause = read(without(text, subject, end), *verb, at);
     if (clause) clause->end += end - subject;
     if (goes_to_its_end(text, clause)) return clause;
     failed = std::move(clause);
   }
   return failed;
+}
+
+std::size_t wish_of_somebody(const EditText& text, std::size_t at) {
+  bool is_somebody = false;
+  for (std::size_t i = at; i < std::min(at + longest_somebody, text.tokens.size()); ++i) {
+    if (is_somebody)
+      if (const auto wish = longest_in(text.edits.wishes, text.tokens, i)) return i + wish - at;
+    is_somebody = is_somebody || language::lexicon().is(language::singular(text.tokens[i].text), language::WordClass::person) ||
+                  text.is_word(i, "he") || text.is_word(i, "she") || text.is_word(i, "they");
+  }
+  return 0;
 }
 
 std::size_t end_of_remark(const EditText& text, std::size_t at, bool at_first) {

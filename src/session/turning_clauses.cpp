@@ -7,6 +7,12 @@
 
 namespace roomgen {
 
+namespace {
+
+constexpr double usual_parting = 0.5;  // metres, where nobody says how far apart
+
+}  // namespace
+
 Vec2 middle_of_target(const EditText& text, const Object& object, const std::string& target) {
   if (const Object* other = find_object(text.scene, target)) return other->position.head<2>();
   const Room& room = room_of(text.scene, object);
@@ -14,6 +20,23 @@ Vec2 middle_of_target(const EditText& text, const Object& object, const std::str
   if (const auto wall = wall_named(room, target)) return closest_point(room.polygon.edge(*wall), object.position.head<2>());
   return object.position.head<2>();
 }
+
+namespace {
+
+// "apart", "away from each other": each by half as much.
+ReadClause read_apart(const EditText& text, const Read<Ids>& what, std::size_t end) {
+  if (what.value.size() != 2) return not_understood("only two things can move apart, and " + std::to_string(what.value.size()) + " are meant");
+  const Object* first = find_object(text.scene, what.value[0]);
+  const Object* second = find_object(text.scene, what.value[1]);
+  if (!first || !second) return not_understood("they have no places yet from which they could move");
+  const double metres = amount_at(text, end).value_or(usual_parting);
+  const Vec2 way = Vec2(second->position.head<2>()) - Vec2(first->position.head<2>());
+  if (way.norm() < 1e-6) return not_understood("it is not clear which way they shall move");
+  const Vec2 half = 0.5 * metres * way.normalized();
+  return Clause{{edit::Shift{first->id, Vec3(-half.x(), -half.y(), 0.0)}, edit::Shift{second->id, Vec3(half.x(), half.y(), 0.0)}}, what.value, {}, end};
+}
+
+}  // namespace
 
 std::optional<ReadClause> read_mutual(const EditText& text, const Read<Ids>& what) {
   if (what.value.size() < 2) return std::nullopt;
@@ -24,6 +47,7 @@ std::optional<ReadClause> read_mutual(const EditText& text, const Read<Ids>& wha
     return Clause{{edit::Face{what.value[0], what.value[1]}, edit::Face{what.value[1], what.value[0]}}, what.value, {}, end};
   }
   const std::size_t bit = longest(text.edits.amounts, text.tokens, what.end).length;
+  if (const auto apart = longest_in(text.edits.apart, text.tokens, what.end + bit); apart > 0) return read_apart(text, what, what.end + bit + apart);
   auto length = longest_in(text.edits.side_by_side, text.tokens, what.end + bit);
   if (length == 0) return std::nullopt;
   length += bit;
@@ -41,13 +65,15 @@ std::optional<ReadClause> read_mutual(const EditText& text, const Read<Ids>& wha
 std::optional<ReadClause> read_facing_away(const EditText& text, const Read<Ids>& what) {
   const auto length = longest_in(text.edits.facing_away, text.tokens, what.end);
   if (length == 0 || text.is_word(what.end, "away")) return std::nullopt;
-  const auto target = target_at(text, what.end + length, what.value);
-  if (!target || !*target) return std::nullopt;
-  Clause clause{{}, what.value, {}, (*target)->end};
+  const auto place = place_named_at(text, what.end + length);
+  const bool is_any_wall = place && place->place == design::Place::wall && place->wall < 0 && !place->opposite;
+  const auto target = is_any_wall ? std::nullopt : target_at(text, what.end + length, what.value);
+  if (!is_any_wall && (!target || !*target)) return std::nullopt;
+  Clause clause{{}, what.value, {}, is_any_wall ? what.end + length + place->length : (*target)->end};
   for (const auto& id : what.value) {
     const Object* object = find_object(text.scene, id);
     if (!object) return not_understood(id + " has no place yet");
-    const Vec2 away = Vec2(object->position.head<2>()) - middle_of_target(text, *object, (*target)->id);
+    const Vec2 away = Vec2(object->position.head<2>()) - middle_of_target(text, *object, is_any_wall ? nearest_wall(text, *object) : (*target)->id);
     if (away.norm() < 1e-6) return not_understood("it is not clear which way " + id + " shall face");
     const double yaw = std::atan2(away.x(), -away.y());  // at 0 the front looks to -Y
     clause.operations.push_back(edit::Turn{id, std::remainder(yaw - object->yaw, 2.0 * pi)});
@@ -99,7 +125,10 @@ ReadClause read_ellipsis(const EditText& text, std::size_t at) {
   const Read<Ids> what{text.latest, at};
   if (const auto turn = turn_at(text, at))
     return of_each(what, turn->end, [&](const std::string& id) { return edit::Turn{id, radians(turn->value)}; });
-  for (const auto& other : {read_size(text, what, at), recolored(text, what, at), put_there(text, what)})
+  auto sized = read_size(text, what, at);
+  // "three quarters of its length would do"
+  if (sized) sized->end += longest_in(text.edits.suffices, text.tokens, sized->end);
+  for (const auto& other : {sized, recolored(text, what, at), put_there(text, what)})
     if (goes_to_its_end(text, other)) return other;
   return what_at(text, at, "not understood");
 }
@@ -124,7 +153,7 @@ ReadClause read_turn(const EditText& text, std::size_t at) {
     if (length == 0) length = longest_in(text.edits.to, text.tokens, behind);
     if (length == 0) continue;
     length += behind - what->end;
-    const auto place = design::read_place({text.tokens.data(), text.tokens.size()}, what->end + length, text.words);
+    const auto place = place_named_at(text, what->end + length);
     if (place && place->place == design::Place::wall && place->wall < 0 && !place->opposite)
       return of_each(*what, what->end + length + place->length, [&](const std::string& id) {
         return edit::Face{id, nearest_wall(text, *text.object(id))};

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "clause.h"
 #include "gaps.h"
 #include "operations.h"
@@ -32,7 +34,8 @@ ReadClause read_remove(const EditText& text, std::size_t at) {
 ReadClause read_rearrange(const EditText& text, std::size_t at) {
   const auto what = things(text, at, true);
   if (!what) return what.error();
-  return Clause{{edit::Rearrange{what->value}}, what->value, {}, what->end};
+  const std::size_t end = what->end + longest_in(text.edits.along, text.tokens, what->end);
+  return Clause{{edit::Rearrange{what->value}}, what->value, {}, end};
 }
 
 ReadClause read_revert(const EditText& text, std::size_t at) {
@@ -60,6 +63,15 @@ ReadClause first_whole(const EditText& text, std::initializer_list<ReadClause> r
   for (const auto& clause : readings)
     if (goes_to_its_end(text, clause)) return clause;
   return *readings.begin();
+}
+
+// "clear the desk": what is on it, not the desk.
+ReadClause cleared(const EditText& text, const Clause& surfaces) {
+  Ids on_them;
+  for (const auto& object : text.scene.objects)
+    if (std::count(surfaces.gone.begin(), surfaces.gone.end(), object.on) > 0) on_them.push_back(object.id);
+  if (on_them.empty()) return not_understood("nothing stands on " + join(surfaces.gone, ", "));
+  return Clause{{edit::Remove{on_them, false}}, surfaces.gone, {}, surfaces.end, on_them};
 }
 
 // "throw out the rug", "toss a blanket over the sofa"
@@ -133,6 +145,12 @@ ReadClause read_lock(const EditText& text, std::size_t at, bool locked, bool mus
   return Clause{{edit::Lock{what->value, locked}}, what->value, {}, end};
 }
 
+ReadClause read_wish(const EditText& text, std::size_t at) {
+  if (const auto verb = verb_at(text, at); verb && !verb->inflected && verb->meaning != "give")
+    if (auto order = read_verb(text, verb->meaning, verb->words, at + verb->length); goes_to_its_end(text, order)) return order;
+  return first_whole(text, {read_embedded(text, at), read_fragment(text, at)});
+}
+
 ReadClause read_being(const EditText& text, std::size_t at) {
   for (const std::size_t subject : ends_of_subject(text, at)) {
     const std::size_t end = behind_modals(text, subject);
@@ -157,10 +175,8 @@ ReadClause read_verb(const EditText& text, const std::string& meaning, const std
   if (meaning == "rearrange") return read_rearrange(text, at);
   if (meaning == "remove" || meaning == "clear") {
     auto gone = read_remove(text, at);
-    // "clear the desk": what is on it, not the desk.
-    if (meaning == "clear" && gone && !verb.ends_with("out") && named_thing_at(text, at)->which != Which::everything)
-      return not_understood("say what shall go: \"clear everything off …\", or \"remove …\"");
-    return gone;
+    const bool is_surface = meaning == "clear" && gone && !verb.ends_with("out") && named_thing_at(text, at)->which != Which::everything;
+    return is_surface ? cleared(text, *gone) : gone;
   }
   if (const auto gap = gap_at(text, at, text.latest)) return *gap ? keep_gap(text, **gap) : ReadClause(gap->error());
   if (meaning == "add") return read_bring(text, verb, at);
@@ -171,13 +187,14 @@ ReadClause read_verb(const EditText& text, const std::string& meaning, const std
     if (added) added->end -= flank_words - 1;
     return added;
   }
-  if (meaning == "give") return read_give(text, at);
+  if (meaning == "give") return first_whole(text, {read_give(text, at), read_bring(text, verb, at)});
   if (verb == "take")
     if (auto gone = read_take_off(text, at); goes_to_its_end(text, gone)) return gone;
   if (const auto lift = text.edits.lifts.find(verb); lift != text.edits.lifts.end())
     if (auto lifted = read_lift(text, at, lift->second); goes_to_its_end(text, lifted)) return lifted;
   if (meaning == "throw") return read_throw(text, at);
   if (meaning == "put" || meaning == "move") return read_put(text, at, meaning == "put");
+  if (meaning == "tuck") return read_tuck(text, at);
   if (meaning == "line") return read_line(text, at);
   if (meaning == "turn") return first_whole(text, {read_turn(text, at), read_change(text, at)});
   if (meaning == "swap") return read_swap(text, at);
@@ -186,7 +203,7 @@ ReadClause read_verb(const EditText& text, const std::string& meaning, const std
   if (meaning == "make") return first_whole(text, {read_have(text, at), read_embedded(text, at)});
   if (meaning == "resize") return read_resize(text, at, verb);
   if (meaning == "paint") return read_looks(text, at);
-  if (meaning == "want") return first_whole(text, {read_embedded(text, at), read_fragment(text, at)});
+  if (meaning == "want") return read_wish(text, at);
   if (meaning == "keep") return read_keep(text, at);
   if (meaning == "lock") return read_lock(text, at, true, false);
   if (meaning == "unlock") return read_lock(text, at, false, false);
@@ -200,11 +217,11 @@ ReadClause read_fragment(const EditText& text, std::size_t at) {
   if (const auto gap = gap_at(text, at, text.latest)) return *gap ? keep_gap(text, **gap) : ReadClause(gap->error());
   if (const auto only = longest_in(text.edits.only_these, text.tokens, at))
     if (auto those = read_only_these(text, at + only); goes_to_its_end(text, those)) return those;
-  if (room_part_at(text, at)) return read_looks(text, at);
+  if (room_part_at(text, at)) return first_whole(text, {read_looks(text, at), read_being(text, at)});
   if (auto form = read_form(text, at); form && goes_to_its_end(text, *form)) return *std::move(form);
   ReadClause put = read_put(text, at, true);
   if (goes_to_its_end(text, put)) return put;
-  for (const auto& other : {read_make(text, at), read_turn(text, at), read_looks_first(text, at), read_turn_first(text, at),
+  for (const auto& other : {read_better(text, at), read_make(text, at), read_turn(text, at), read_looks_first(text, at), read_turn_first(text, at),
                             read_being(text, at), read_ellipsis(text, at)})
     if (goes_to_its_end(text, other)) return other;
   return put;

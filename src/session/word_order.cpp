@@ -69,6 +69,14 @@ std::optional<EditText> with_place_last(const EditText& text, std::size_t at) {
   return turned;
 }
 
+std::optional<EditText> with_way_last(const EditText& text, std::size_t at) {
+  const auto way = shifting_at(text, at, {});
+  if (!way || !*way || (!text.is_word((*way)->end, "with") && !text.is_word((*way)->end, "for"))) return std::nullopt;
+  const auto what = things_at(text, (*way)->end + 1, true);
+  if (!what || !*what) return std::nullopt;
+  return rotated_words(without(text, (*way)->end, (*way)->end + 1), at, (*way)->end, (*what)->end - 1);
+}
+
 std::optional<EditText> with_flanks(const EditText& text, std::size_t at) {
   const auto target = target_at(text, at, {});
   if (!target || !*target || !text.is_word((*target)->end, "with")) return std::nullopt;

@@ -15,6 +15,9 @@ void insert_word(EditText& text, std::size_t at, const std::string& word);
 /// the clause does not begin with a place.
 std::optional<EditText> with_place_last(const EditText& text, std::size_t at);
 
+/// "half a metre further left with the desk" as "the desk half a metre further left".
+std::optional<EditText> with_way_last(const EditText& text, std::size_t at);
+
 /// The same with `X with Y` as `Y` on both sides of `X`, from `at` on: "flank the sofa with two lamps".
 std::optional<EditText> with_flanks(const EditText& text, std::size_t at);
 
