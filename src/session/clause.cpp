@@ -40,7 +40,7 @@ ReadClause of_each(const Read<Ids>& read, std::size_t end, const std::function<e
 }
 
 bool goes_to_its_end(const EditText& text, const ReadClause& clause) {
-  return clause && text.ends(end_of_tail(text, clause->end));
+  return clause && (text.ends(end_of_tail(text, clause->end)) || longest_in(text.edits.besides, text.tokens, clause->end) > 0);
 }
 
 }  // namespace roomgen

@@ -73,8 +73,9 @@ ReadClause read_enough(const EditText& text, std::size_t at);
 ReadClause read_put(const EditText& text, std::size_t at, bool may_add);
 /// "raise the mirror 15 cm", by a verb that says which way: 1 is up.
 ReadClause read_lift(const EditText& text, std::size_t at, double way);
-/// "push the chairs in": to what they stand at.
+/// "push the chairs in": to what they stand at; "pull them out a bit": away from it.
 ReadClause read_tuck(const EditText& text, std::size_t at);
+ReadClause read_untuck(const EditText& text, std::size_t at);
 /// "line the stools up along the bar"
 ReadClause read_line(const EditText& text, std::size_t at);
 ReadClause read_centre(const EditText& text, std::size_t at);

@@ -102,7 +102,7 @@ bool describes_looks(const std::string& words) { return describes(words, false) 
 MayRead<std::string> looks_at(const EditText& text, std::size_t at, bool of_room) {
   while (is_filler(text, at)) ++at;
   std::size_t end = at;
-  while (!text.ends(end) || goes_on_with_look(text, end, of_room)) ++end;
+  while ((!text.ends(end) || goes_on_with_look(text, end, of_room)) && longest_in(text.edits.except, text.tokens, end) == 0) ++end;
   while (end > at && longest_in(text.edits.closers, text.tokens, end - 1) == 1) --end;
   if (end == at) return std::nullopt;
   // "stand at its head", "try a slimmer one in oak" are no looks, whatever else stands there.

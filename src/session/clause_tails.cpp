@@ -20,7 +20,8 @@ bool closes(const EditText& text, std::size_t at) {
 // "now" ends a clause, but "now that" begins a reason.
 std::size_t end_of_closer(const EditText& text, std::size_t at) {
   const auto closer = longest_in(text.edits.closers, text.tokens, at);
-  return closer > 0 && closer >= longest_in(text.edits.reasons, text.tokens, at) ? at + closer : at;
+  const auto other = std::max(longest_in(text.edits.reasons, text.tokens, at), longest_in(text.edits.substitutes, text.tokens, at));
+  return closer > 0 && closer >= other ? at + closer : at;
 }
 
 // "… because the kids break it": why, to the end of the sentence's part.

@@ -5,6 +5,7 @@
 #include "clause.h"
 #include "clause_tails.h"
 #include "complaints.h"
+#include "exceptions.h"
 #include "gathered_edits.h"
 #include "spoken_clause.h"
 #include "word_order.h"
@@ -23,6 +24,7 @@ class EditReader {
     for (skip_between(); at_ < text_.tokens.size(); skip_between()) {
       if (take_complaint()) continue;
       auto clause = read_clause();
+      if (clause) leave_out_exceptions(text_, *clause);
       if (clause) clause->end = skip_tail(clause->end);
       if (!clause || !text_.ends(clause->end)) {
         if (skip_remark()) continue;
@@ -82,7 +84,8 @@ class EditReader {
   std::size_t skip_tail(std::size_t at) {
     const std::size_t end = end_of_tail(text_, at);
     for (std::size_t i = at; i < end;) {
-      if (const auto closer = longest_in(text_.edits.closers, text_.tokens, i)) i += closer;
+      const auto closer = longest_in(text_.edits.closers, text_.tokens, i);
+      if (closer > 0 && longest_in(text_.edits.substitutes, text_.tokens, i) == 0) i += closer;
       else return note_remark(i, end), end;
     }
     return end;
@@ -120,6 +123,7 @@ class EditReader {
     note_remark(at_, end);
     remember_names(end);
     if (!complaint_) complaint_ = **complaint;
+    else complaint_->operations.insert(complaint_->operations.end(), (*complaint)->operations.begin(), (*complaint)->operations.end());
     text_.latest = (*complaint)->about;
     at_ = end;
     return true;
@@ -144,7 +148,7 @@ class EditReader {
 
   ReadClause read_clause() {
     auto plain = read_in_order();
-    if (goes_to_its_end(text_, plain)) return plain;
+    if (goes_to_its_end(text_, plain) || is_excepted(plain)) return plain;
     for (auto turned : {with_place_last(text_, at_), with_way_last(text_, at_)}) {
       if (!turned) continue;
       exchange_words(*turned);
@@ -153,6 +157,10 @@ class EditReader {
       exchange_words(*turned);
     }
     return plain;
+  }
+
+  bool is_excepted(const ReadClause& clause) const {
+    return clause && clause->operations.size() > 1 && longest_in(text_.edits.except, text_.tokens, text_.behind_comma(clause->end)) > 0;
   }
 
   void exchange_words(EditText& other) {

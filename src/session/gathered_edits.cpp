@@ -6,7 +6,9 @@ namespace roomgen {
 
 void GatheredEdits::add(const Clause& clause) {
   drop_superseded(clause);
-  operations.insert(operations.end(), clause.operations.begin(), clause.operations.end());
+  for (const auto& operation : clause.operations)
+    if (std::find(operations.begin(), operations.end(), operation) == operations.end() || !std::holds_alternative<edit::Remove>(operation))
+      operations.push_back(operation);
   if (!clause.in_place_of.empty()) taken_over_[clause.about.front()] = clause.in_place_of;
 }
 

@@ -28,6 +28,8 @@ Result<Vec3> straight_way(const EditText& text, const Object& object, const Ids&
   return Vec3(sign * way.normalized());
 }
 
+}  // namespace
+
 ReadClause read_shift(const EditText& text, const Ids& ids, const Shifting& how, bool group) {
   Clause clause;
   clause.about = ids;
@@ -54,6 +56,8 @@ ReadClause read_shift(const EditText& text, const Ids& ids, const Shifting& how,
   }
   return clause;
 }
+
+namespace {
 
 // "facing the window"
 std::size_t read_facing(const EditText& text, std::size_t at, Clause& clause) {
@@ -259,47 +263,6 @@ ReadClause read_lift(const EditText& text, std::size_t at, double way) {
     });
   }
   return failed;
-}
-
-namespace {
-
-// What its chair is to a table.
-std::string host_of(const EditText& text, const Object& object) {
-  for (const auto kind : {RelationKind::around, RelationKind::face_to, RelationKind::in_front_of, RelationKind::near})
-    for (const auto& relation : object.relations)
-      if (relation.kind == kind && find_object(text.scene, relation.target)) return relation.target;
-  return "";
-}
-
-}  // namespace
-
-ReadClause read_tuck(const EditText& text, std::size_t at) {
-  const auto what = things(text, at, true);
-  if (!what) return what.error();
-  Clause clause{{}, what->value, {}, what->end};
-  for (const auto& id : what->value) {
-    const Object* object = find_object(text.scene, id);
-    const std::string host = object ? host_of(text, *object) : "";
-    if (host.empty()) return not_understood("it is not clear under what " + id + " shall be pushed");
-    clause.operations.push_back(edit::Move{id, {{RelationKind::around, host}, {RelationKind::face_to, host}}});
-  }
-  return clause;
-}
-
-ReadClause read_line(const EditText& text, std::size_t at) {
-  const auto what = things(text, at, false);
-  if (!what) return what.error();
-  const auto target = text.is_word(what->end, "with") ? target_at(text, what->end + 1, what->value) : std::nullopt;
-  if (target && *target)
-    return of_each(*what, (*target)->end, [&](const std::string& id) {
-      return edit::Move{id, {{RelationKind::aligned, (*target)->id}}};
-    });
-  const std::size_t up = what->end + (text.is_word(what->end, "up") ? 1 : 0);
-  const auto place = destination_at(text, up, what->value);
-  if (!place) return what_at(text, up, "it is not clear along what");
-  if (!*place) return place->error();
-  if ((*place)->spot) return what_at(text, up, "it is not clear along what");
-  return of_each(*what, (*place)->end, [&](const std::string& id) { return edit::Move{id, (*place)->relations}; });
 }
 
 ReadClause read_centre(const EditText& text, std::size_t at) {

@@ -18,70 +18,6 @@ using Which = NamedThing::Which;
 
 constexpr std::size_t most_adjectives = 5;
 
-bool is_new(const std::string& word) { return word == "a" || word == "an" || word == "another"; }
-
-// "the one by the door": the noun is that of what was spoken of.
-bool is_anaphor(const EditText& text, std::size_t at, const NamedThing& thing) {
-  return !thing.bare && thing.which != Which::indefinite && !text.is_word(at + 1, "of");
-}
-
-// "half of the chairs", "half the chairs"
-Read<double> share_of_things(const EditText& text, std::size_t at) {
-  const auto share = design::longest(text.edits.shares, text.tokens, at);
-  if (!share) return {0.0, at};
-  const std::size_t end = at + share.length + (text.is_word(at + share.length, "of") ? 1 : 0);
-  const bool is_of_things = end < text.tokens.size() && text.words.definite.count(text.tokens[end].text) &&
-                            !design::longest(text.edits.measured, text.tokens, end + 1);
-  return is_of_things ? Read<double>{*share.value, end} : Read<double>{0.0, at};
-}
-
-// "all six of the", "the two", "another", "two more": up to the adjectives.
-std::size_t read_determiners(const EditText& text, std::size_t at, NamedThing& thing) {
-  thing.bare = true;
-  at += longest_in(text.edits.properties, text.tokens, at);
-  for (bool more = true; more && at < text.tokens.size();) {
-    more = false;
-    const auto& token = text.tokens[at];
-    if (const auto share = share_of_things(text, at); share.end > at) {
-      thing.share = share.value;
-      thing.any = true;
-      at = share.end, more = true;
-    } else if (const auto counted = design::longest(text.edits.counts, text.tokens, at)) {
-      thing.count = static_cast<int>(*counted.value);
-      if (thing.bare) thing.which = Which::indefinite;
-      at += counted.length, more = true;
-    } else if (const auto length = longest_in(text.edits.all, text.tokens, at)) {
-      thing.which = Which::all;
-      if (token.is_word("both")) thing.count = 2;
-      at += length, more = true;
-    } else if (token.kind == EditText::Token::Kind::word && is_new(token.text)) {
-      thing.which = Which::indefinite;
-      thing.further = thing.further || token.is_word("another");
-      thing.count = 1;
-      at += 1, more = true;
-    } else if (text.words.definite.count(token.text) && token.kind == EditText::Token::Kind::word) {
-      if (thing.which != Which::all) thing.which = Which::definite;
-      at += 1, more = true;
-    } else if (token.kind == EditText::Token::Kind::word && text.words.vague.count(token.text)) {
-      thing.which = Which::indefinite;
-      const auto few = text.words.numbers.find(token.text);
-      thing.count = few == text.words.numbers.end() ? 0 : few->second;
-      at += 1, more = true;
-    } else if (const auto number = language::number_at(text.raw, at);
-               number && !(token.is_word("one") && is_anaphor(text, at, thing)) && number->value >= 1 && number->value <= 50 && number->value == std::floor(number->value)) {
-      thing.count = static_cast<int>(number->value);
-      if (thing.bare) thing.which = Which::indefinite;
-      at += number->length, more = true;
-      // "one of the armchairs"
-      thing.any = text.is_word(at, "of") && at + 1 < text.tokens.size() &&
-                  (text.words.definite.count(text.tokens[at + 1].text) || longest_in(text.edits.pronouns, text.tokens, at + 1) > 0);
-      if (thing.any) ++at;
-    }
-    if (more) thing.bare = false;
-  }
-  return at;
-}
-
 bool may_be_adjective(const EditText& text, std::size_t at) {
   const auto& token = text.tokens[at];
   return token.kind == EditText::Token::Kind::word && !text.words.stops.count(token.text) &&
@@ -104,7 +40,7 @@ std::optional<std::size_t> read_adjective(const EditText& text, std::size_t at, 
     // "the smaller of the two tables"
     if (text.is_word(at + 1, "of")) {
       NamedThing others;
-      const auto next = read_determiners(text, at + 2, others);
+      const auto next = skip_determiners(text, at + 2, others);
       if (next > at + 2) return next;
     }
     return at + 1;
@@ -263,7 +199,7 @@ bool read_head(const EditText& text, std::size_t at, NamedThing& thing) {
 std::optional<NamedThing> noun_phrase_at(const EditText& text, std::size_t at) {
   NamedThing thing;
   thing.begin = at;
-  at = read_determiners(text, at, thing);
+  at = skip_determiners(text, at, thing);
   for (std::size_t n = 0; n <= most_adjectives && at <= text.tokens.size(); ++n) {
     if (read_head(text, at, thing)) {
       thing.plural = thing.kind.plural || thing.count > 1;
@@ -299,7 +235,5 @@ std::optional<NamedThing> named_thing_at(const EditText& text, std::size_t at) {
   const auto pronoun = pronoun_at(text, at);
   return named || !pronoun ? named : pronoun;
 }
-
-std::size_t skip_determiners(const EditText& text, std::size_t at, NamedThing& thing) { return read_determiners(text, at, thing); }
 
 }  // namespace roomgen

@@ -132,6 +132,7 @@ Result<std::vector<std::string>> narrowed(const EditText& text, const NamedThing
 // Words of looks that some of them are described by tell these from the others.
 std::vector<std::string> described(const EditText& text, const NamedThing& thing, std::vector<std::string> ids) {
   for (const auto& look : thing.looks) {
+    if (text.edits.existing.count(look)) continue;
     std::vector<std::string> such;
     for (const auto& id : ids) {
       const Object& object = *text.object(id);

@@ -155,10 +155,9 @@ std::optional<Read<NewSize>> grown_by(const EditText& text, std::size_t at) {
   const auto growth = compared_at(text, at);
   if (!growth || !text.is_word(growth->end, "by")) return std::nullopt;
   std::size_t end = growth->end + 1;
-  if (const auto share = share_at(text, end)) return Read<NewSize>{changed_by(growth->value, share->value), share->end};
-  const auto metres = length_at(text, end);
-  if (!metres || growth->value.side == "all") return std::nullopt;
-  return Read<NewSize>{longer_by(growth->value, *metres), end};
+  if (const auto metres = length_at(text, end)) return Read<NewSize>{longer_by(growth->value, *metres), end};
+  const auto share = share_at(text, end);
+  return share ? std::optional(Read<NewSize>{changed_by(growth->value, share->value), share->end}) : std::nullopt;
 }
 
 // "narrower, say 30 cm deep"

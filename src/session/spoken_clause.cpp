@@ -63,10 +63,21 @@ bool is_order(const EditText& text, std::size_t begin, std::size_t at) {
   return at == begin || text.is_word(at - 1, "to") || text.is_word(at - 1, "and") || text.is_word(at - 1, "then");
 }
 
+// "more space", "some room"
+bool wants_space(const EditText& text, std::size_t at) {
+  while (at < text.tokens.size() && (text.edits.more.count(text.tokens[at].text) || text.words.vague.count(text.tokens[at].text) || text.is_word(at, "enough"))) ++at;
+  return longest_in(text.edits.space, text.tokens, at) > 0;
+}
+
 bool asks_for_something(const EditText& text, std::size_t begin, std::size_t end) {
   for (std::size_t i = begin; i < end; ++i) {
-    // "we need the floor" brings nothing.
+    // "we need the floor", "we need more space" bring nothing, and "I am not fond of it" takes nothing away.
     const auto verb = verb_at(text, i);
+    if (text.is_word(i, "not") && i > begin && longest_in(text.edits.being, text.tokens, i - 1) == 1) continue;
+    if (verb && verb->meaning == "add" && wants_space(text, i + verb->length)) {
+      i += verb->length;
+      continue;
+    }
     const bool wants_nothing = verb && verb->meaning == "add" && verb->length > 1 && named_thing_at(text, i + verb->length) == std::nullopt &&
                                room_part_at(text, i + verb->length);
     if (wants_nothing) {
@@ -149,6 +160,9 @@ bool names_nothing(const EditText& text, std::size_t begin, std::size_t end) {
   return true;
 }
 
+// "could the bed and the desk trade places"
+bool follows_question(const EditText& text, std::size_t at) { return at > 0 && text.edits.questions.count(text.tokens[at - 1].text) > 0; }
+
 // "desk: move it", "desk move left"
 bool is_heading(const EditText& text, std::size_t at, std::size_t end) {
   const auto thing = named_thing_at(text, at);
@@ -181,7 +195,8 @@ std::optional<ReadClause> clause_with_subject(const EditText& text, std::size_t 
     // "the hamper: lose it"
     const bool takes_it_up = end < text.tokens.size() && longest_in(text.edits.pronouns, text.tokens, end) == 1;
     if (begin == subject && takes_it_up) ++end;
-    else if (begin == subject && !verb->inflected && verb->meaning != "give" && verb->meaning != "want" && !brings_something(text, at) && !is_heading(text, at, subject))
+    else if (begin == subject && !verb->inflected && verb->meaning != "give" && verb->meaning != "want" && !brings_something(text, at) && !is_heading(text, at, subject) &&
+             !follows_question(text, at))
       continue;
     auto clause = read(without(text, subject, end), *verb, at);
     if (clause) clause->end += end - subject;

@@ -2,6 +2,7 @@
 
 #include "clause.h"
 #include "gaps.h"
+#include "new_things.h"
 #include "operations.h"
 #include "roomgen/base/text.h"
 #include "spoken_clause.h"
@@ -72,6 +73,14 @@ ReadClause cleared(const EditText& text, const Clause& surfaces) {
     if (std::count(surfaces.gone.begin(), surfaces.gone.end(), object.on) > 0) on_them.push_back(object.id);
   if (on_them.empty()) return not_understood("nothing stands on " + join(surfaces.gone, ", "));
   return Clause{{edit::Remove{on_them, false}}, surfaces.gone, {}, surfaces.end, on_them};
+}
+
+// "I'd prefer a round rug", where there is one: that instead.
+ReadClause read_preferred(const EditText& text, std::size_t at) {
+  const auto thing = new_thing_at(text, at);
+  const Ids there = thing && !thing->further ? fitting(text, *thing) : Ids();
+  if (there.size() != 1) return what_at(text, at, "not understood");
+  return of_each({there, thing->end}, thing->end, [&](const std::string& id) { return edit::Replace{id, "", thing->description()}; });
 }
 
 // "throw out the rug", "toss a blanket over the sofa"
@@ -195,6 +204,7 @@ ReadClause read_verb(const EditText& text, const std::string& meaning, const std
   if (meaning == "throw") return read_throw(text, at);
   if (meaning == "put" || meaning == "move") return read_put(text, at, meaning == "put");
   if (meaning == "tuck") return read_tuck(text, at);
+  if (meaning == "untuck") return first_whole(text, {read_put(text, at, false), read_untuck(text, at)});
   if (meaning == "line") return read_line(text, at);
   if (meaning == "turn") return first_whole(text, {read_turn(text, at), read_change(text, at)});
   if (meaning == "swap") return read_swap(text, at);
@@ -203,6 +213,9 @@ ReadClause read_verb(const EditText& text, const std::string& meaning, const std
   if (meaning == "make") return first_whole(text, {read_have(text, at), read_embedded(text, at)});
   if (meaning == "resize") return read_resize(text, at, verb);
   if (meaning == "paint") return read_looks(text, at);
+  const bool is_preferred = verb.ends_with("prefer") || verb.find("rather") != std::string::npos;
+  if (meaning == "want" && is_preferred)
+    if (auto other = read_preferred(text, at); goes_to_its_end(text, other)) return other;
   if (meaning == "want") return read_wish(text, at);
   if (meaning == "keep") return read_keep(text, at);
   if (meaning == "lock") return read_lock(text, at, true, false);
