@@ -1,15 +1,16 @@
 #!/usr/bin/env python3
 """How many of the edit sentences are understood as meant.
 
-    run.py ROOMGEN open|kept [--rooms FOLDER] [--show]
+    run.py ROOMGEN open|more|kept [--rooms FOLDER] [--jobs N] [--show]
 
 For each sentence the room of its scene is made (once, in FOLDER), what comes `before` is carried out, and
 `roomgen edit --dry-run` says which operations it takes the sentence for. What should be done counts when these
 are the operations meant, on the kinds of things meant; what should be asked back, when it exits with 2; what
 should be refused, when the edit itself exits with 1 or 2 and scene.json stays as it was. --show lists what went
-wrong, for open.jsonl alone.
+wrong, for what may be looked at.
 """
 import argparse
+import concurrent.futures
 import json
 import pathlib
 import re
@@ -120,28 +121,41 @@ def outcome(program, folder, case):
     return ("as meant" if is_meant(json.loads(dry.stdout), case["meaning"], objects, document) else "wrong"), said
 
 
+def make_rooms(program, folder, scenes):
+    for scene in scenes:
+        room = folder / scene["id"]
+        if not (room / "scene.json").exists():
+            run(program, "generate", scene["prompt"], "--seed", scene["seed"], "-o", room, "--no-pictures", "--quiet")
+
+
+def judge(program, rooms, case):
+    with tempfile.TemporaryDirectory() as folder:
+        copy = pathlib.Path(folder) / "room"
+        copy.mkdir()
+        shutil.copy(rooms / case["scene"] / "scene.json", copy)
+        return outcome(program, copy, case)
+
+
+def lines_of(name):
+    return list(map(json.loads, (HERE / name).read_text().splitlines()))
+
+
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("program")
-    parser.add_argument("part", choices=["open", "kept"])
+    parser.add_argument("part", choices=["open", "more", "kept"])
     parser.add_argument("--rooms", type=pathlib.Path, default=pathlib.Path(tempfile.gettempdir()) / "roomgen-edit-rooms")
+    parser.add_argument("--jobs", type=int, default=2, help="sentences at a time")
     parser.add_argument("--show", action="store_true")
     options = parser.parse_args()
-    scenes = {s["id"]: s for s in map(json.loads, (HERE / "scenes.jsonl").read_text().splitlines())}
+    cases = lines_of(f"{options.part}.jsonl")
+    make_rooms(options.program, options.rooms, lines_of("scenes.jsonl"))
     counts = {"as meant": 0, "not understood": 0, "wrong": 0}
-    cases = list(map(json.loads, (HERE / f"{options.part}.jsonl").read_text().splitlines()))
-    for case in cases:
-        room = options.rooms / case["scene"]
-        if not (room / "scene.json").exists():
-            scene = scenes[case["scene"]]
-            run(options.program, "generate", scene["prompt"], "--seed", scene["seed"], "-o", room, "--no-pictures", "--quiet")
-        with tempfile.TemporaryDirectory() as folder:
-            copy = pathlib.Path(folder) / "room"
-            copy.mkdir()
-            shutil.copy(room / "scene.json", copy)
-            verdict, said = outcome(options.program, copy, case)
+    with concurrent.futures.ThreadPoolExecutor(options.jobs) as workers:
+        verdicts = list(workers.map(lambda case: judge(options.program, options.rooms, case), cases))
+    for case, (verdict, said) in zip(cases, verdicts):
         counts[verdict] += 1
-        if options.show and options.part == "open" and verdict != "as meant":
+        if options.show and options.part != "kept" and verdict != "as meant":
             print(f"{case['id']} {verdict}: {case['sentence']}\n    {' '.join(said.split())[:400]}")
     share = 100.0 * counts["as meant"] / len(cases)
     print(f"{options.part}: {counts['as meant']} of {len(cases)} as meant ({share:.0f} %), "

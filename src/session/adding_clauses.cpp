@@ -7,6 +7,7 @@
 #include "language/inflection.h"
 #include "new_things.h"
 #include "operations.h"
+#include "placing.h"
 #include "roomgen/base/text.h"
 #include "sharing.h"
 #include "spoken_clause.h"
@@ -105,18 +106,31 @@ ReadClause ended(const EditText& text, ReadClause clause) {
 // "a bigger fridge", where there is one: that shall be it, and not a second one.
 bool is_better_one(const EditText& text, const NamedThing& thing) {
   if (thing.further || thing.count > 1 || fitting(text, thing).size() != 1) return false;
-  return std::any_of(thing.looks.begin(), thing.looks.end(), [](const std::string& look) {
+  return std::any_of(thing.looks.begin(), thing.looks.end(), [&](const std::string& look) {
+    if (text.edits.betters.count(look)) return true;
     const auto plain = language::positive(look);
     return plain && *plain != look;
   });
 }
 
+// "a larger rug under the table", where there is one; a place at which it is not is that of another one.
+std::optional<ReadClause> read_better_one(const EditText& text, const NamedThing& thing) {
+  if (!is_better_one(text, thing)) return std::nullopt;
+  const Ids there = fitting(text, thing);
+  std::size_t end = thing.end;
+  if (const auto place = destination_at(text, end, there); place && *place && !(*place)->spot) {
+    const Object* object = find_object(text.scene, there.front());
+    if (object && lost_relations(*object, (*place)->relations, text.scene, text.kinds).empty()) end = (*place)->end;
+  }
+  auto better = of_each({there, end}, end, [&](const std::string& id) { return edit::Replace{id, "", thing.description()}; });
+  return goes_to_its_end(text, better) ? std::optional(better) : std::nullopt;
+}
+
 ReadClause read_things_to_add(const EditText& text, std::size_t at) {
-  const auto wanted = new_things_at(text, at);
+  const auto wanted = new_things_at(text, at, true);
   if (wanted.empty()) return what_at(text, at, "it is not clear what shall be added");
-  if (wanted.size() == 1 && is_better_one(text, wanted.front()) && goes_to_its_end(text, Clause{{}, {}, {}, wanted.front().end}))
-    return of_each({fitting(text, wanted.front()), at}, wanted.front().end,
-                   [&](const std::string& id) { return edit::Replace{id, "", wanted.front().description()}; });
+  if (wanted.size() == 1)
+    if (auto better = read_better_one(text, wanted.front())) return *better;
   Clause clause;
   clause.end = wanted.back().end;
   if (const auto shared = read_shared(text, wanted, clause.end)) {
@@ -134,7 +148,6 @@ ReadClause read_things_to_add(const EditText& text, std::size_t at) {
   // "let a lamp stand at its head"
   if (const auto verb = verb_at(text, where); verb && verb->meaning == "put") where += verb->length, clause.end = where;
   where = text.behind_comma(where);
-  if (text.is_word(where, "there") && text.gone.size() > 1) return what_at(text, where, "it is not clear whose place is meant");
   // "a second crib alongside it"
   EditText here = text;
   if (here.latest.empty()) here.latest = fitting(text, wanted.front());
@@ -145,6 +158,10 @@ ReadClause read_things_to_add(const EditText& text, std::size_t at) {
     auto at_place = relations_at(text, **place);
     if (!at_place) return at_place.error();
     relations = *std::move(at_place);
+    // "add a charger to the desk"
+    const Object* host = text.is_word(where, "to") && relations.size() == 1 ? find_object(text.scene, relations.front().target) : nullptr;
+    if (host && relations.front().kind == RelationKind::near && is_small(text, wanted.front().kind.category->name) && text.kinds.get(host->category).supports)
+      relations.front().kind = RelationKind::on;
     clause.end = (*place)->end;
   }
   if (!clause.operations.empty()) {
@@ -162,6 +179,13 @@ ReadClause read_things_to_add(const EditText& text, std::size_t at) {
 
 }  // namespace
 
+ReadClause read_better(const EditText& text, std::size_t at) {
+  const auto thing = named_thing_at(text, at);
+  if (!thing || !thing->kind.category || (!thing->bare && thing->which != NamedThing::Which::indefinite)) return what_at(text, at, "not understood");
+  auto better = read_better_one(text, *thing);
+  return better ? *std::move(better) : what_at(text, at, "not understood");
+}
+
 ReadClause read_add(const EditText& text, std::size_t at) { return ended(text, read_things_to_add(text, at)); }
 
 bool brings_something(const EditText& text, std::size_t at) { return new_thing_at(text, at).has_value(); }
@@ -171,6 +195,8 @@ ReadClause read_give(const EditText& text, std::size_t at) {
   const auto owner = things(text, at, true);
   if (!owner) return owner.error();
   if (const auto gap = gap_at(text, owner->end, owner->value)) return *gap ? keep_gap(text, **gap) : ReadClause(gap->error());
+  if (const auto parts = parts_at(text, owner->end))
+    return of_each(*owner, parts->end, [&](const std::string& id) { return edit::Reform{id, "with " + parts->value}; });
   const auto wanted = new_things_at(text, owner->end);
   if (wanted.empty()) {
     if (auto looks = recolored(text, *owner, owner->end)) return looks;

@@ -1,11 +1,12 @@
 #include "clause.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include "language/measure.h"
+#include "clause_tails.h"
+#include "moving_clauses.h"
 #include "operations.h"
 #include "roomgen/base/text.h"
+#include "size_phrases.h"
 
 namespace roomgen {
 
@@ -27,10 +28,18 @@ ReadClause replaced(const EditText& text, const Read<Ids>& what, std::size_t at)
 }  // namespace
 
 ReadClause read_replace(const EditText& text, std::size_t at) {
+  for (const bool with_places : {true, false}) {
+    const auto what = things(text, at, with_places);
+    for (const char* by : {"with", "by", "for", "to"})
+      if (what && text.is_word(what->end, by))
+        if (auto other = replaced(text, *what, what->end + 1); goes_to_its_end(text, other)) return other;
+  }
   const auto what = things(text, at, true);
   if (!what) return what.error();
   for (const char* by : {"with", "by", "for"})
     if (text.is_word(what->end, by)) return replaced(text, *what, what->end + 1);
+  if (text.ends(end_of_tail(text, what->end)))
+    return of_each(*what, what->end, [](const std::string& id) { return edit::Replace{id}; });
   return what_at(text, what->end, "it is not clear by what");
 }
 
@@ -98,6 +107,8 @@ std::optional<Read<std::string>> room_part_at(const EditText& text, std::size_t 
   while (at < text.tokens.size() && (text.words.definite.count(text.tokens[at].text) || text.is_word(at, "all"))) ++at;
   const auto part = longest(text.edits.room_parts, text.tokens, at, 2);
   if (!part) return std::nullopt;
+  // "the floor lamp"
+  if (const auto thing = named_thing_at(text, at); thing && thing->kind.category && thing->end > at + part.length) return std::nullopt;
   return Read<std::string>{*part.value, at + part.length};
 }
 
@@ -150,6 +161,7 @@ ReadClause read_change(const EditText& text, std::size_t at) {
       const bool is_other = std::string(to) != "to" || (thing && thing->kind.category);
       if (auto other = is_other ? replaced(text, *what, what->end + 1) : ReadClause(not_understood("")); goes_to_its_end(text, other)) return other;
       if (thing && thing->kind.category) return replaced(text, *what, what->end + 1);
+      if (auto other = replaced(text, *what, what->end + 1); goes_to_its_end(text, other)) return other;
     }
   }
   return read_looks(text, at);
@@ -179,6 +191,21 @@ ReadClause reshaped(const EditText& text, const Read<Ids>& what, std::size_t at)
 
 }  // namespace
 
+namespace {
+
+// "make bigger the rug"
+ReadClause read_size_first(const EditText& text, std::size_t at) {
+  const auto size = size_at(text, at);
+  if (!size || !*size) return what_at(text, at, "not understood");
+  const auto what = things(text, (*size)->end, true);
+  if (!what) return what.error();
+  auto clause = read_size(text, {what->value, at}, at);
+  if (clause) clause->end = what->end;
+  return clause;
+}
+
+}  // namespace
+
 ReadClause read_make(const EditText& text, std::size_t at) {
   const auto what = things(text, at, true);
   if (what) {
@@ -187,6 +214,7 @@ ReadClause read_make(const EditText& text, std::size_t at) {
     if (are_there && size_at(text, what->end)) return read_size(text, *what, what->end);
     const auto thing = named_thing_at(text, what->end);
     if (thing && thing->kind.category && thing->which == NamedThing::Which::indefinite) return replaced(text, *what, what->end);
+    if (auto away = read_facing_away(text, *what)) return *away;
     if (text.is_word(what->end, "face")) {
       const auto target = target_at(text, what->end + 1, what->value);
       if (target && *target)
@@ -195,20 +223,44 @@ ReadClause read_make(const EditText& text, std::size_t at) {
   }
   if (what)
     if (auto other = reshaped(text, *what, what->end); goes_to_its_end(text, other)) return other;
+  if (auto sized = read_size_first(text, at); goes_to_its_end(text, sized)) return sized;
   if (!what && !room_part_at(text, at)) return what.error();
   return read_looks(text, at);
 }
 
-ReadClause read_being(const EditText& text, std::size_t at) {
-  const auto what = things(text, at, true);
-  if (!what) return what.error();
-  std::size_t end = what->end;
-  while (const auto length = std::max(longest_in(text.edits.modals, text.tokens, end), longest_in(text.edits.auxiliaries, text.tokens, end))) end += length;
-  if (end == what->end) return what_at(text, end, "not understood");
-  const Read<Ids> subject{what->value, end};
-  for (const auto& read : {recolored, read_size, reshaped, replaced})
-    if (auto clause = read(text, subject, end); goes_to_its_end(text, clause)) return clause;
-  return what_at(text, end, "not understood");
+namespace {
+
+ReadClause resize_each(const EditText& text, const Read<Ids>& what, const NewSize& size) {
+  for (const auto& id : what.value)
+    if (!find_object(text.scene, id)) return not_understood(id + " is not there yet");
+  return of_each(what, what.end, [&](const std::string& id) {
+    return edit::Resize{id, resized(find_object(text.scene, id)->size, size)};
+  });
+}
+
+// A verb that says which way a side changes: "increase", "raise"; those that say none only set it.
+double way_of(const EditText& text, const std::string& verb) {
+  if (const auto growth = text.edits.verbs_of_size.find(verb); growth != text.edits.verbs_of_size.end()) return growth->second.factor;
+  const auto lift = text.edits.lifts.find(verb);
+  return lift == text.edits.lifts.end() ? 1.0 : lift->second > 0 ? 1.2 : 0.8;
+}
+
+}  // namespace
+
+std::optional<ReadClause> read_property(const EditText& text, std::size_t at, const std::string& verb) {
+  const auto sized = sized_things_at(text, at);
+  if (!sized) return std::nullopt;
+  const double way = way_of(text, verb);
+  if (const auto size = size_behind_verb(text, sized->end, {sized->value.side, way}); size && *size) {
+    const bool is_said = (*size)->end > sized->end || way != 1.0;
+    if (is_said) return resize_each(text, {sized->value.ids, (*size)->end}, (*size)->value);
+  }
+  std::size_t end = sized->end;
+  const auto metres = length_at(text, end);
+  if (!metres || sized->value.side == "all") return what_at(text, sized->end, "it is not clear how large");
+  NewSize size{sized->value.side, 0.0, {}, {}};
+  size.exact = *metres;
+  return resize_each(text, {sized->value.ids, end}, size);
 }
 
 ReadClause read_resize(const EditText& text, std::size_t at, const std::string& verb) {
@@ -216,26 +268,10 @@ ReadClause read_resize(const EditText& text, std::size_t at, const std::string& 
   if (!what) return what.error();
   const auto known = text.edits.verbs_of_size.find(verb);
   if (known == text.edits.verbs_of_size.end()) return read_size(text, *what, what->end);
-  NewSize change{known->second.side, known->second.factor, {}, {}};
-  std::size_t end = what->end;
-  if (const auto vague = longest(text.edits.amounts, text.tokens, end)) {
-    change.factor = std::sqrt(change.factor);
-    end += vague.length;
-  }
-  end += longest_in(text.edits.emphasis, text.tokens, end);
-  if (text.is_word(end, "by") || text.is_word(end, "to")) {
-    const auto measure = language::measure_at(text.raw, end + 1);
-    if (!measure || measure->kind != language::Measure::Kind::length || change.side == "all")
-      return what_at(text, end, "it is not clear how large");
-    if (text.is_word(end, "to")) change.exact = measure->values[0];
-    else change.more = change.factor > 1.0 ? measure->values[0] : -measure->values[0];
-    end += 1 + measure->length;
-  }
-  for (const auto& id : what->value)
-    if (!find_object(text.scene, id)) return not_understood(id + " is not there yet");
-  return of_each(*what, end, [&](const std::string& id) {
-    return edit::Resize{id, resized(find_object(text.scene, id)->size, change)};
-  });
+  const auto size = size_behind_verb(text, what->end, known->second);
+  if (!size) return what_at(text, what->end, "it is not clear how large");
+  if (!*size) return size->error();
+  return resize_each(text, {what->value, (*size)->end}, (*size)->value);
 }
 
 }  // namespace roomgen

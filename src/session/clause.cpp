@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "clause_tails.h"
 #include "operations.h"
 
 namespace roomgen {
@@ -9,6 +10,16 @@ namespace roomgen {
 Error what_at(const EditText& text, std::size_t at, const std::string& what) {
   const std::string rest = text.words_from(at, std::min(at + 6, text.tokens.size()));
   return not_understood(what + (rest.empty() ? "" : " at \"" + rest + "\""));
+}
+
+std::size_t behind_modals(const EditText& text, std::size_t at) {
+  for (;;) {
+    const auto modal = longest_in(text.edits.modals, text.tokens, at), auxiliary = longest_in(text.edits.auxiliaries, text.tokens, at);
+    // "to the window" is no infinitive.
+    const bool is_place = longest(text.edits.places, text.tokens, at) || longest(text.words.placements, text.tokens, at);
+    if (std::max(modal, auxiliary) == 0 || (modal == 0 && (is_place || text.is_word(at, "to")))) return at;
+    at += std::max(modal, auxiliary);
+  }
 }
 
 Result<Read<Ids>> things(const EditText& text, std::size_t at, bool with_places) {
@@ -29,8 +40,7 @@ ReadClause of_each(const Read<Ids>& read, std::size_t end, const std::function<e
 }
 
 bool goes_to_its_end(const EditText& text, const ReadClause& clause) {
-  return clause && (text.ends(clause->end) || longest_in(text.edits.closers, text.tokens, clause->end) > 0 ||
-                    longest_in(text.edits.reasons, text.tokens, clause->end) > 0);
+  return clause && (text.ends(end_of_tail(text, clause->end)) || longest_in(text.edits.besides, text.tokens, clause->end) > 0);
 }
 
 }  // namespace roomgen

@@ -8,6 +8,8 @@
 
 namespace roomgen {
 
+inline constexpr double usual_lift = 0.2;  ///< metres, where nobody says how far
+
 /// One clause: what it asks for, and what it spoke of.
 struct Clause {
   std::vector<edit::Operation> operations;
@@ -21,6 +23,9 @@ using ReadClause = Result<Clause>;
 
 /// That words are not understood, with the words from a token on.
 Error what_at(const EditText& text, std::size_t at, const std::string& what);
+
+/// Behind "should be", "would look better", "could maybe go".
+std::size_t behind_modals(const EditText& text, std::size_t at);
 
 /// What things are meant there; with words of place behind them only where these tell.
 Result<Read<Ids>> things(const EditText& text, std::size_t at, bool with_places);
@@ -41,11 +46,15 @@ ReadClause read_size(const EditText& text, const Read<Ids>& what, std::size_t at
 
 /// What stands behind a verb of data/edits.json, by what the verb means.
 ReadClause read_verb(const EditText& text, const std::string& meaning, const std::string& verb, std::size_t at);
+/// Behind "I want": "the desk wider", "the lamp moved to the window".
+ReadClause read_wish(const EditText& text, std::size_t at);
 /// "bin by the door", "walls sage green", "rug 20 % smaller": what it is about, and how that shall be.
 ReadClause read_fragment(const EditText& text, std::size_t at);
 
 // The same for one meaning each. Of adding:
 ReadClause read_add(const EditText& text, std::size_t at);
+/// "bigger bed": another one than the one that there is.
+ReadClause read_better(const EditText& text, std::size_t at);
 /// Whether a new thing is named there: "a keyboard", and "keyboard" where there is none yet.
 bool brings_something(const EditText& text, std::size_t at);
 /// "give the desk a second monitor"
@@ -64,6 +73,9 @@ ReadClause read_enough(const EditText& text, std::size_t at);
 ReadClause read_put(const EditText& text, std::size_t at, bool may_add);
 /// "raise the mirror 15 cm", by a verb that says which way: 1 is up.
 ReadClause read_lift(const EditText& text, std::size_t at, double way);
+/// "push the chairs in": to what they stand at; "pull them out a bit": away from it.
+ReadClause read_tuck(const EditText& text, std::size_t at);
+ReadClause read_untuck(const EditText& text, std::size_t at);
 /// "line the stools up along the bar"
 ReadClause read_line(const EditText& text, std::size_t at);
 ReadClause read_centre(const EditText& text, std::size_t at);
@@ -86,6 +98,8 @@ ReadClause read_looks_first(const EditText& text, std::size_t at);
 ReadClause read_another(const EditText& text, std::size_t at);
 /// "in cream", "20 cm to the left", "a bit wider": of what was spoken of last.
 ReadClause read_ellipsis(const EditText& text, std::size_t at);
+/// "increase the height of the stool by 10 cm", "set the desk's width to 1.6 m"; nothing if no side is named.
+std::optional<ReadClause> read_property(const EditText& text, std::size_t at, const std::string& verb);
 /// "widen the desk by 20 cm"
 ReadClause read_resize(const EditText& text, std::size_t at, const std::string& verb);
 
@@ -97,6 +111,8 @@ ReadClause read_lock(const EditText& text, std::size_t at, bool locked, bool mus
 /// "a second door in the left wall", "the window 20 cm wider", "the ceiling to 3 m", behind a verb.
 std::optional<ReadClause> read_room_order(const EditText& text, const std::string& meaning, const std::string& verb,
                                           std::size_t at);
+/// "a thicker mattress and a higher headboard": nothing but parts of things.
+std::optional<Read<std::string>> parts_at(const EditText& text, std::size_t at);
 /// "the crib's legs shorter", "the backs of the armchairs taller"
 std::optional<ReadClause> read_form(const EditText& text, std::size_t at);
 

@@ -3,8 +3,7 @@
 #include <algorithm>
 
 #include "create/finish_look.h"
-#include "language/measure.h"
-#include "language/number.h"
+#include "language/inflection.h"
 #include "new_things.h"
 #include "reference_tails.h"
 #include "roomgen/base/text.h"
@@ -15,8 +14,6 @@ namespace roomgen {
 namespace {
 
 using Which = NamedThing::Which;
-
-constexpr double below_ceiling = 0.01;  // metres left above what reaches up to it
 
 MayRead<Ids> all_but(const EditText& text, Read<Ids> all) {
   const bool is_comma = text.is_comma(all.end);
@@ -63,87 +60,20 @@ bool goes_on_with_look(const EditText& text, std::size_t at, bool of_room) {
          text.ends(at + 2);
 }
 
-double& side_of_size(Vec3& size, const std::string& side) {
-  if (side == "height") return size.z();
-  if (side == "depth") return size.y();
-  if (side == "width") return size.x();
-  if ((side == "shorter" || side == "longest") && size.z() > std::max(size.x(), size.y())) return size.z();
-  return size.x() >= size.y() ? size.x() : size.y();
+// "darker" is a darker shade of what is there: "dark".
+std::string plain_look(const std::string& word, bool of_room) {
+  const auto positive = describes(word, of_room) ? std::nullopt : language::positive(word);
+  return positive && describes(*positive, of_room) ? *positive : word;
 }
 
-std::optional<Read<NewSize>> measured_size(const EditText& text, std::size_t at) {
-  const auto measure = language::measure_at(text.raw, at);
-  if (!measure || measure->kind != language::Measure::Kind::length || !measure->has_unit) return std::nullopt;
-  const std::size_t end = at + measure->length;
-  NewSize size;
-  if (const auto growth = longest(text.edits.growth, text.tokens, end)) {
-    size.side = growth.value->side;
-    size.more = growth.value->factor > 1.0 ? measure->values[0] : -measure->values[0];
-    return Read<NewSize>{size, end + growth.length};
-  }
-  size.exact = measure->values[0];
-  using Side = language::Measure::Side;
-  switch (measure->side) {
-    case Side::width: case Side::diameter: size.side = "width"; break;
-    case Side::depth: size.side = "depth"; break;
-    case Side::height: size.side = "height"; break;
-    case Side::length: size.side = "long"; break;
-    default: {
-      const auto said = longest(text.edits.measured, text.tokens, end, 1);
-      if (!said) return std::nullopt;
-      size.side = *said.value;
-      return Read<NewSize>{size, end + said.length};
-    }
-  }
-  return Read<NewSize>{size, end};
-}
-
-// "20 %", "a quarter", "three quarters": a share of one.
-std::optional<Read<double>> share_at(const EditText& text, std::size_t at) {
-  if (const auto named = longest(text.edits.shares, text.tokens, at)) return Read<double>{*named.value, at + named.length};
-  const auto number = language::number_at(text.raw, at);
-  if (!number) return std::nullopt;
-  const std::size_t end = at + number->length;
-  for (const char* percent : {"%", "percent", "pct"})
-    if (text.is_word(end, percent)) return Read<double>{number->value / 100.0, end + 1};
-  return std::nullopt;
-}
-
-// "20 % bigger", "smaller by a quarter", "three quarters of its length"
-std::optional<Read<NewSize>> shared_size(const EditText& text, std::size_t at) {
-  if (const auto share = share_at(text, at)) {
-    if (const auto growth = longest(text.edits.growth, text.tokens, share->end))
-      return Read<NewSize>{{growth.value->side, growth.value->factor > 1.0 ? 1.0 + share->value : 1.0 - share->value, {}, {}},
-                           share->end + growth.length};
-    if (!text.is_word(share->end, "of")) return std::nullopt;
-    std::size_t side = share->end + 1;
-    if (text.is_word(side, "its") || text.is_word(side, "their") || text.is_word(side, "the")) ++side;
-    const auto measured = longest(text.edits.measured, text.tokens, side);
-    if (!measured) return std::nullopt;
-    return Read<NewSize>{{*measured.value, share->value, {}, {}}, side + measured.length};
-  }
-  const auto growth = longest(text.edits.growth, text.tokens, at);
-  if (!growth || !text.is_word(at + growth.length, "by")) return std::nullopt;
-  const auto share = share_at(text, at + growth.length + 1);
-  if (!share) return std::nullopt;
-  return Read<NewSize>{{growth.value->side, growth.value->factor > 1.0 ? 1.0 + share->value : 1.0 - share->value, {}, {}}, share->end};
-}
-
-// "taller by 20 cm"
-std::optional<Read<NewSize>> grown_by_length(const EditText& text, std::size_t at) {
-  const auto growth = longest(text.edits.growth, text.tokens, at);
-  if (!growth || !text.is_word(at + growth.length, "by") || growth.value->side == "all") return std::nullopt;
-  const auto measure = language::measure_at(text.raw, at + growth.length + 1);
-  if (!measure || measure->kind != language::Measure::Kind::length || !measure->has_unit) return std::nullopt;
-  NewSize size{growth.value->side, 0.0, {}, {}};
-  size.more = growth.value->factor > 1.0 ? measure->values[0] : -measure->values[0];
-  return Read<NewSize>{size, at + growth.length + 1 + measure->length};
-}
-
-// "narrower, say 30 cm deep"
-std::size_t behind_say(const EditText& text, std::size_t at) {
-  at = text.behind_comma(at);
-  return at + longest_in(text.edits.hedges, text.tokens, at);
+// No verb of editing, and nothing that stands for a thing.
+bool may_be_of_look(const EditText& text, std::size_t at, std::size_t begin, bool of_room) {
+  const auto& token = text.tokens[at];
+  if (is_filler(text, at)) return true;
+  if (text.words.stops.count(token.text) || token.is_word("one") || token.is_word("ones") || token.is_word("same")) return false;
+  if (describes(token.text, of_room) || token.kind != EditText::Token::Kind::word) return true;
+  const auto deed = language::verb(token.text);
+  return at > begin ? !(deed && deed->form == language::VerbForm::past) : text.edits.verbs.count(token.text) == 0;
 }
 
 }  // namespace
@@ -156,6 +86,8 @@ MayRead<Ids> things_at(const EditText& text, std::size_t at, bool with_places) {
     std::size_t next = (*all)->end + 1;
     if (text.is_word(next, "and")) ++next;
     if (begins_clause(text, next)) break;
+    // "remove the rug, it is ugly": no second thing.
+    if (text.is_comma(next - 1) && longest_in(text.edits.pronouns, text.tokens, next) > 0) break;
     const auto more = one_reference_at(text, next, with_places);
     if (!more || !*more) break;
     for (const auto& id : (*more)->value)
@@ -170,64 +102,17 @@ bool describes_looks(const std::string& words) { return describes(words, false) 
 MayRead<std::string> looks_at(const EditText& text, std::size_t at, bool of_room) {
   while (is_filler(text, at)) ++at;
   std::size_t end = at;
-  while (!text.ends(end) || goes_on_with_look(text, end, of_room)) ++end;
+  while ((!text.ends(end) || goes_on_with_look(text, end, of_room)) && longest_in(text.edits.except, text.tokens, end) == 0) ++end;
   while (end > at && longest_in(text.edits.closers, text.tokens, end - 1) == 1) --end;
   if (end == at) return std::nullopt;
-  // "stand at its head" is no look, whatever else stands there.
+  // "stand at its head", "try a slimmer one in oak" are no looks, whatever else stands there.
   for (std::size_t i = at; i < end; ++i)
-    if (text.words.stops.count(text.tokens[i].text) && !is_filler(text, i)) return std::nullopt;
+    if (!may_be_of_look(text, i, at, of_room)) return std::nullopt;
   std::string words;
   for (std::size_t i = at; i < end; ++i)
-    if (text.tokens[i].kind == EditText::Token::Kind::word) words += (words.empty() ? "" : " ") + text.tokens[i].text;
+    if (text.tokens[i].kind == EditText::Token::Kind::word) words += (words.empty() ? "" : " ") + plain_look(text.tokens[i].text, of_room);
   if (!describes(words, of_room)) return std::nullopt;
   return Read<std::string>{words, end};
-}
-
-namespace {
-
-// "as wide as the dresser", "as tall as the ceiling"
-std::optional<Read<NewSize>> size_of_other(const EditText& text, std::size_t at) {
-  const auto length = longest_in(text.edits.up_to_ceiling, text.tokens, at);
-  if (length > 0) {
-    NewSize size{"height", 0.0, {}, {}};
-    size.exact = rooms_of(text.scene).front().height - below_ceiling;
-    return Read<NewSize>{size, at + length};
-  }
-  if (!text.is_word(at, "as")) return std::nullopt;
-  const auto side = longest(text.edits.measured, text.tokens, at + 1, 1);
-  if (!side || !text.is_word(at + 2, "as")) return std::nullopt;
-  const auto other = things_at(text, at + 3, false);
-  if (!other || !*other || (*other)->value.size() != 1) return std::nullopt;
-  const Object* object = find_object(text.scene, (*other)->value.front());
-  if (!object) return std::nullopt;
-  Vec3 theirs = object->size;
-  NewSize size{*side.value, 0.0, {}, {}};
-  size.exact = side_of_size(theirs, *side.value);
-  return Read<NewSize>{size, (*other)->end};
-}
-
-}  // namespace
-
-MayRead<NewSize> size_at(const EditText& text, std::size_t at) {
-  at += longest_in(text.edits.hedges, text.tokens, at);
-  if (const auto other = size_of_other(text, at)) return *other;
-  for (const auto& read : {shared_size(text, at), grown_by_length(text, at), measured_size(text, at)})
-    if (read) return *read;
-  const auto growth = longest(text.edits.growth, text.tokens, at);
-  if (!growth) return std::nullopt;
-  const std::size_t end = at + growth.length;
-  if (const auto exact = measured_size(text, behind_say(text, end)); exact && exact->value.exact) return *exact;
-  return Read<NewSize>{{growth.value->side, growth.value->factor, {}, {}}, end};
-}
-
-Vec3 resized(const Vec3& size, const NewSize& change) {
-  Vec3 now = size;
-  if (change.side == "all") return change.factor > 0.0 ? Vec3(change.factor * size) : now;
-  double& side = side_of_size(now, change.side);
-  if (change.exact) side = *change.exact;
-  else if (change.more) side += *change.more;
-  else side *= change.factor;
-  return now;
 }
 
 namespace {

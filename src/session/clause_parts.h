@@ -11,12 +11,6 @@
 
 namespace roomgen {
 
-/// What was read, and the token behind it.
-template <typename T>
-struct Read {
-  T value;
-  std::size_t end = 0;
-};
 template <typename T>
 using MayRead = std::optional<Result<Read<T>>>;  ///< nothing: the words say no such thing
 
@@ -30,15 +24,6 @@ MayRead<Ids> things_at(const EditText& text, std::size_t at, bool with_places);
 /// and walls.
 bool describes_looks(const std::string& words);
 MayRead<std::string> looks_at(const EditText& text, std::size_t at, bool of_room);
-
-/// "20 cm longer", "twice as wide", "30 cm deep", "bigger": the size that a thing gets by it.
-struct NewSize {
-  std::string side;
-  double factor = 0.0;               ///< of the side; 0: not said
-  std::optional<double> more, exact; ///< metres
-};
-MayRead<NewSize> size_at(const EditText& text, std::size_t at);
-Vec3 resized(const Vec3& size, const NewSize& change);
 
 /// "a small round table", "taller ones with backs", as the library is asked for it instead of a thing.
 struct Substitute {

@@ -4,11 +4,12 @@
 #include <cmath>
 
 #include "brief/placement_phrase.h"
-#include "language/measure.h"
+#include "reference_tails.h"
 #include "room_names.h"
 #include "roomgen/base/text.h"
-#include "walls.h"
 #include "spots.h"
+#include "wall_phrases.h"
+#include "walls.h"
 
 namespace roomgen {
 
@@ -18,6 +19,7 @@ using design::Place;
 using design::PlacePhrase;
 
 constexpr std::size_t most_places = 3;  // said of one thing
+constexpr int deepest = 2;              // "the lamp on the desk by the window"
 
 // The one window or door that is meant.
 Result<std::string> opening_meant(const EditText& text, const PlacePhrase& place) {
@@ -67,23 +69,57 @@ Result<std::vector<Relation>> relations_to_place(const EditText& text, const Pla
   }
 }
 
-Result<std::vector<Relation>> relations_to_things(const EditText& text, const NamedThing& thing,
+// Of "the filing cabinets" all are what something shall be near to, or far from.
+std::vector<RelationKind> relation_to_several(const std::vector<RelationKind>& said) {
+  const auto is = [&](RelationKind kind) { return std::find(said.begin(), said.end(), kind) != said.end(); };
+  if (is(RelationKind::far)) return {RelationKind::far};
+  if (is(RelationKind::near) || is(RelationKind::next_to)) return {RelationKind::near};
+  return {};
+}
+
+Result<Read<std::vector<Relation>>> relations_to_things(const EditText& text, const NamedThing& thing,
                                                   const design::Placement& placement,
                                                   const std::vector<std::string>& subjects) {
-  auto all = fitting(text, thing);
-  std::erase_if(all, [&](const std::string& id) { return std::count(subjects.begin(), subjects.end(), id) > 0; });
-  const auto targets = meant(text, thing, thing.which == NamedThing::Which::pronoun ? nullptr : &all);
+  const auto targets = targets_of(text, thing, subjects);
   if (!targets) return targets.error();
   const bool between = placement.relations == std::vector<RelationKind>{RelationKind::between};
-  if (targets->size() != (between ? 2u : 1u))
-    return not_understood("\"" + text.words_from(thing.begin, thing.end) + "\" is " + join(*targets, ", ") +
+  const auto kinds = targets->value.size() > 1 && !between ? relation_to_several(placement.relations) : placement.relations;
+  if (kinds.empty() || (between && targets->value.size() != 2))
+    return not_understood("\"" + text.words_from(thing.begin, targets->end) + "\" is " + join(targets->value, ", ") +
                           "; say which one");
-  std::vector<Relation> relations;
-  for (const auto& target : *targets) {
+  Read<std::vector<Relation>> relations{{}, targets->end};
+  for (const auto& target : targets->value) {
     if (std::count(subjects.begin(), subjects.end(), target)) return not_understood(target + " cannot stand to itself");
-    for (const auto kind : placement.relations) relations.push_back({kind, target});
+    for (const auto kind : kinds) relations.value.push_back({kind, target});
   }
   return relations;
+}
+
+// "between the two windows"
+std::optional<Result<Whereabouts>> between_openings(const EditText& text, const PlacePhrase& place, std::size_t end) {
+  if (place.place != Place::window && place.place != Place::door) return std::nullopt;
+  Whereabouts both{{}, {}, end};
+  for (const auto& opening : text.room().openings)
+    if ((opening.type == OpeningType::window) == (place.place == Place::window)) both.relations.push_back({RelationKind::between, opening.id});
+  if (both.relations.size() != 2) return std::nullopt;
+  return both;
+}
+
+// "the wall opposite the bed", "the opposite wall": of the one that what goes there stands at now.
+std::optional<Result<Whereabouts>> told_wall(const EditText& text, const PlacePhrase& place, std::size_t at, std::size_t end,
+                                             const std::vector<std::string>& subjects) {
+  if (place.place != Place::wall || place.wall >= 0) return std::nullopt;
+  const auto at_wall = [](std::size_t wall, std::size_t behind) {
+    return Whereabouts{{{RelationKind::edge, ""}, {RelationKind::next_to, wall_name(wall)}}, {}, behind};
+  };
+  if (const auto told = wall_by_target(text, end, false)) return at_wall(told->wall, told->end);
+  for (std::size_t i = at; i < end; ++i) {
+    const bool is_other = text.is_word(i, "other");
+    const Object* subject = subjects.size() == 1 ? text.object(subjects.front()) : nullptr;
+    if (is_other || (place.opposite && !subject)) return not_understood("it is not clear which wall is meant; say which side, or what is there");
+    if (place.opposite) return at_wall(wall_opposite(room_of(text.scene, *subject), *wall_named(room_of(text.scene, *subject), nearest_wall(text, *subject))), end);
+  }
+  return std::nullopt;
 }
 
 // "between the bed and the sofa"
@@ -110,8 +146,11 @@ std::optional<Result<Whereabouts>> place_by(const EditText& text, std::size_t at
   const std::size_t target = at + length;
   if (auto both = between_two(text, target, placement, subjects)) return both;
   const auto thing = named_thing_at(text, target);
-  const auto place = design::read_place({text.tokens.data(), text.tokens.size()}, target, text.words);
+  const auto place = place_named_at(text, target);
   if (place && (!thing || target + place->length >= thing->end)) {
+    const bool between = placement.relations == std::vector<RelationKind>{RelationKind::between};
+    if (auto both = between ? between_openings(text, *place, target + place->length) : std::nullopt) return both;
+    if (auto wall = told_wall(text, *place, target, target + place->length, subjects)) return wall;
     auto relations = relations_to_place(text, *place, placement.relations);
     if (!relations) return relations.error();
     return Whereabouts{*std::move(relations), {}, target + place->length};
@@ -119,7 +158,7 @@ std::optional<Result<Whereabouts>> place_by(const EditText& text, std::size_t at
   if (!thing) return std::nullopt;
   auto relations = relations_to_things(text, *thing, placement, subjects);
   if (!relations) return relations.error();
-  return Whereabouts{*std::move(relations), {}, text.end_of_most(thing->end)};
+  return Whereabouts{std::move(relations->value), {}, text.end_of_most(relations->end)};
 }
 
 // "on the left nightstand" begins with "on the left", but means no more than "on".
@@ -144,21 +183,6 @@ std::optional<Result<Whereabouts>> one_place_at(const EditText& text, std::size_
 }
 
 }  // namespace
-
-std::optional<double> amount_at(const EditText& text, std::size_t& at) {
-  std::size_t from = at;
-  if (text.is_word(from, "by") || text.is_word(from, "about") || text.is_word(from, "maybe")) ++from;
-  if (const auto measure = language::measure_at(text.raw, from);
-      measure && measure->kind == language::Measure::Kind::length && measure->has_unit) {
-    at = from + measure->length;
-    return measure->values[0];
-  }
-  if (const auto vague = longest(text.edits.amounts, text.tokens, from)) {
-    at = from + vague.length;
-    return *vague.value;
-  }
-  return std::nullopt;
-}
 
 std::optional<std::size_t> wall_to(const Room& room, int side) {
   const Vec2 outward[] = {{0, -1}, {1, 0}, {0, 1}, {-1, 0}};
@@ -194,11 +218,18 @@ std::optional<Target> opening_by_id(const EditText& text, std::size_t at) {
 
 }  // namespace
 
+std::optional<design::PlacePhrase> place_named_at(const EditText& text, std::size_t at) {
+  const auto place = design::read_place({text.tokens.data(), text.tokens.size()}, at, text.words);
+  const auto thing = named_thing_at(text, at);
+  const bool is_behind_thing = place && thing && thing->kind.category && thing->end + 1 < at + place->length && !fitting(text, *thing).empty();
+  return is_behind_thing ? std::nullopt : place;
+}
+
 std::optional<Result<Target>> target_at(const EditText& text, std::size_t at,
                                         const std::vector<std::string>& subjects) {
   if (const auto opening = opening_by_id(text, at)) return *opening;
   const auto thing = named_thing_at(text, at);
-  const auto place = design::read_place({text.tokens.data(), text.tokens.size()}, at, text.words);
+  const auto place = place_named_at(text, at);
   if (place && (!thing || at + place->length >= thing->end)) {
     const std::size_t end = at + place->length;
     if (place->place == Place::window || place->place == Place::door) {
@@ -212,12 +243,24 @@ std::optional<Result<Target>> target_at(const EditText& text, std::size_t at,
     return not_understood("\"" + text.words_from(at, end) + "\": say which one");
   }
   if (!thing) return std::nullopt;
-  auto all = fitting(text, *thing);
-  std::erase_if(all, [&](const std::string& id) { return std::count(subjects.begin(), subjects.end(), id) > 0; });
-  const auto ids = meant(text, *thing, thing->which == NamedThing::Which::pronoun ? nullptr : &all);
+  const auto ids = targets_of(text, *thing, subjects);
   if (!ids) return ids.error();
-  if (ids->size() != 1) return not_understood("\"" + text.words_from(at, thing->end) + "\" is " + join(*ids, ", ") + "; say which one");
-  return Target{ids->front(), thing->end};
+  if (ids->value.size() != 1) return not_understood("\"" + text.words_from(at, ids->end) + "\" is " + join(ids->value, ", ") + "; say which one");
+  return Target{ids->value.front(), ids->end};
+}
+
+Result<Read<std::vector<std::string>>> targets_of(const EditText& text, const NamedThing& thing,
+                                                  const std::vector<std::string>& subjects) {
+  auto all = fitting(text, thing);
+  std::erase_if(all, [&](const std::string& id) { return std::count(subjects.begin(), subjects.end(), id) > 0; });
+  const auto plain = meant(text, thing, thing.which == NamedThing::Which::pronoun ? nullptr : &all);
+  if (plain) return Read<std::vector<std::string>>{*plain, thing.end + longest_in(text.edits.just_added, text.tokens, thing.end)};
+  if (thing.which == NamedThing::Which::pronoun || text.depth >= deepest) return plain.error();
+  EditText deeper = text;
+  ++deeper.depth;
+  const auto told = told_by_tail(deeper, thing);
+  if (!told || !*told) return plain.error();
+  return **told;
 }
 
 std::optional<Result<Whereabouts>> destination_at(const EditText& text, std::size_t at,
@@ -241,36 +284,6 @@ std::optional<Result<Whereabouts>> destination_at(const EditText& text, std::siz
   }
   if (all.relations.empty()) return std::nullopt;
   return all;
-}
-
-std::optional<Result<Shifting>> shifting_at(const EditText& text, std::size_t at,
-                                            const std::vector<std::string>& subjects) {
-  Shifting shifting;
-  if (text.is_word(at, "out") || text.is_word(at, "over")) ++at;
-  shifting.metres = amount_at(text, at);
-  const auto target_behind = [&](std::size_t length) { return target_at(text, at + length, subjects); };
-  const std::size_t away = longest_in(text.edits.away, text.tokens, at);
-  const std::size_t closer = longest_in(text.edits.closer, text.tokens, at);
-  if (const auto height = longest(text.edits.heights, text.tokens, at); height && shifting.metres) {
-    shifting.direction = Vec3(0, 0, *height.value);
-    at += height.length;
-  } else if (const auto direction = longest(text.edits.directions, text.tokens, at); direction && direction.length >= std::max(away, closer)) {
-    // "to the left of the bed" is a place.
-    if (text.is_word(at + direction.length, "of")) return std::nullopt;
-    shifting.direction = Vec3(direction.value->x(), direction.value->y(), 0.0);
-    at += direction.length;
-  } else if (away > 0 || closer > 0) {
-    const auto target = target_behind(std::max(away, closer));
-    if (!target) return std::nullopt;
-    if (!*target) return target->error();
-    (away >= closer && away > 0 ? shifting.from : shifting.towards) = (*target)->id;
-    at = (*target)->end;
-  } else {
-    return std::nullopt;
-  }
-  if (!shifting.metres) shifting.metres = amount_at(text, at);
-  shifting.end = at;
-  return shifting;
 }
 
 }  // namespace roomgen

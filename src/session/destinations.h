@@ -4,11 +4,19 @@
 #include <string>
 #include <vector>
 
+#include "brief/placement_phrase.h"
 #include "edit_text.h"
 #include "references.h"
 #include "roomgen/scene/relation.h"
 
 namespace roomgen {
+
+/// What was read, and the token behind it.
+template <typename T>
+struct Read {
+  T value;
+  std::size_t end = 0;
+};
 
 /// A point on the floor or on a thing.
 struct Spot {
@@ -37,6 +45,10 @@ std::string nearest_wall(const EditText& text, const Object& object);
 /// The wall that lies to a side as the vocabulary counts them: south, east, north, west.
 std::optional<std::size_t> wall_to(const Room& room, int side);
 
+/// A part of the room: "the window", "the left wall"; but not where a thing is named before it: "the desks face the
+/// window".
+std::optional<design::PlacePhrase> place_named_at(const EditText& text, std::size_t at);
+
 /// A single target of a relation: the id of a thing or a part of the room.
 struct Target {
   std::string id;
@@ -44,14 +56,23 @@ struct Target {
 };
 std::optional<Result<Target>> target_at(const EditText& text, std::size_t at, const std::vector<std::string>& subjects);
 
+/// The things that a place is relative to; where their name alone does not decide, words behind it may: "the desk
+/// closest to the door".
+Result<Read<std::vector<std::string>>> targets_of(const EditText& text, const NamedThing& thing,
+                                                  const std::vector<std::string>& subjects);
+
 /// "by 20 cm", "a bit": metres, and `at` behind them.
 std::optional<double> amount_at(const EditText& text, std::size_t& at);
+
+/// Instead of an id in Shifting: the wall that is nearest to what moves.
+inline constexpr const char* nearest_of_walls = "wall";
 
 /// "30 cm to the left", "a bit away from the window by 0.2 m", of each of the subjects.
 struct Shifting {
   std::optional<Vec3> direction;       ///< in the scene's frame, a unit vector
-  std::optional<std::string> from;     ///< away from it
-  std::optional<std::string> towards;  ///< closer to it
+  double forward = 0.0;                ///< 1 to where its front looks, -1 back
+  std::vector<std::string> from;       ///< away from these; or nearest_of_walls
+  std::vector<std::string> towards;    ///< closer to these
   std::optional<double> metres;
   std::size_t end = 0;
 };

@@ -1,5 +1,7 @@
 #include "edit_spelling.h"
 
+#include <algorithm>
+
 #include "kinds/noun_kind.h"
 #include "language/inflection.h"
 #include "language/lexicon.h"
@@ -49,6 +51,13 @@ bool is_known(const EditText& text, const Words& known, const std::string& word)
          text.kinds.named(word) || text.words.numbers.count(word);
 }
 
+// Of so few letters none may be another one.
+bool has_same_letters(std::string a, std::string b) {
+  std::sort(a.begin(), a.end());
+  std::sort(b.begin(), b.end());
+  return a == b;
+}
+
 // The only one that is so near; empty if there are several.
 std::string nearest(const std::string& word, const Words& names, std::size_t most) {
   std::string best;
@@ -58,7 +67,7 @@ std::string nearest(const std::string& word, const Words& names, std::size_t mos
     const std::size_t longer = std::max(name.size(), word.size()), shorter = std::min(name.size(), word.size());
     if (shorter < least_letters || longer - shorter > most || name.front() != word.front()) continue;
     const std::size_t wrong = edit_distance(word, name);
-    if (wrong > fewest) continue;
+    if (wrong > fewest || (word.size() == least_letters && !has_same_letters(word, name))) continue;
     is_clear = wrong < fewest;
     fewest = wrong;
     best = name;

@@ -35,6 +35,7 @@ struct EditText {
   std::vector<Object> coming;            ///< things that earlier clauses add, without a place
   std::vector<std::string> gone;         ///< ids of what the last clause that removed something removed
   Recall recall;
+  int depth = 0;                         ///< of words that tell what other such words are about
 
   /// The room, or the first one of a dwelling.
   const Room& room() const { return rooms_of(scene).front(); }

@@ -4,6 +4,7 @@
 
 #include "base/json_reader.h"
 #include "base/resource.h"
+#include "phrase_pattern.h"
 #include "roomgen/base/json.h"
 
 namespace roomgen {
@@ -15,14 +16,16 @@ constexpr double most = 1e4;
 
 EditVocabulary::Set set_of(const JsonReader& json) {
   EditVocabulary::Set set;
-  for (const auto& element : json.elements(1000)) set.insert(element.text(100));
+  for (const auto& element : json.elements(1000))
+    for (auto& phrase : phrases_of(element.text(400))) set.insert(std::move(phrase));
   return set;
 }
 
 template <typename T, typename Read>
 EditVocabulary::Map<T> map_of(const JsonReader& json, Read read) {
   EditVocabulary::Map<T> map;
-  for (const auto& [phrase, value] : json.members()) map[phrase] = read(value);
+  for (const auto& [pattern, value] : json.members())
+    for (const auto& phrase : phrases_of(pattern)) map[phrase] = read(value);
   return map;
 }
 
@@ -43,7 +46,8 @@ Growth growth_of(const JsonReader& json) {
 EditVocabulary::Map<std::string> verbs_of(const JsonReader& json) {
   EditVocabulary::Map<std::string> verbs;
   for (const auto& [meaning, phrases] : json.members())
-    for (const auto& phrase : phrases.elements(200)) verbs[phrase.text(100)] = meaning;
+    for (const auto& pattern : phrases.elements(200))
+      for (const auto& phrase : phrases_of(pattern.text(400))) verbs[phrase] = meaning;
   return verbs;
 }
 
@@ -75,7 +79,9 @@ Result<EditVocabulary> read_edit_vocabulary() {
       {"own", &words.own}, {"suffices", &words.suffices}, {"only these", &words.only_these}, {"like it", &words.like_it},
       {"something", &words.something}, {"existing", &words.existing}, {"likewise", &words.likewise}, {"shapes", &words.shapes}, {"vice versa", &words.vice_versa}, {"particles", &words.particles},
       {"made of", &words.made_of}, {"unneeded", &words.unneeded}, {"facing away", &words.facing_away},
-      {"up to the ceiling", &words.up_to_ceiling}};
+      {"up to the ceiling", &words.up_to_ceiling}, {"courtesies", &words.courtesies}, {"short is before", &words.short_is_before},
+      {"too", &words.too}, {"in the way of", &words.in_the_way_of}, {"the wrong way", &words.wrong_way}, {"further on", &words.further_on},
+      {"the others", &words.others}, {"denials", &words.denials}, {"wishes", &words.wishes}, {"apart", &words.apart}, {"centred", &words.centred}, {"other side", &words.other_side}, {"better", &words.betters}};
   for (const auto& [key, set] : sets) *set = set_of(root[key]);
   words.sides = map_of<Vec2>(root["sides"], direction_of);
   words.directions = map_of<Vec2>(root["directions"], direction_of);
@@ -94,6 +100,13 @@ Result<EditVocabulary> read_edit_vocabulary() {
   words.verbs_of_size = map_of<Growth>(root["verbs of size"], growth_of);
   words.measured = map_of<std::string>(root["measured"], text_of);
   words.places = map_of<std::string>(root["places"], text_of);
+  words.contractions = map_of<std::string>(root["contractions"], text_of);
+  words.clitics = map_of<std::string>(root["clitics"], text_of);
+  words.degrees = map_of<double>(root["degrees"], number_of);
+  words.own_ways = map_of<double>(root["own ways"], number_of);
+  words.rewordings = map_of<std::string>(root["rewordings"], text_of);
+  words.counts = map_of<double>(root["counts"], number_of);
+  words.multiples = map_of<double>(root["multiples"], number_of);
   words.room_parts = map_of<std::string>(root["room parts"], text_of);
   if (problems.first()) return *problems.first();
   return words;

@@ -33,6 +33,25 @@ ReadClause reformed(const EditText& text, const Ids& ids, const std::string& par
 
 }  // namespace
 
+std::optional<Read<std::string>> parts_at(const EditText& text, std::size_t at) {
+  std::string words;
+  // A cushion is a thing of its own as well; "a thicker cushion" is that which is there.
+  bool is_thing = false, is_compared = false;
+  for (std::size_t end = at; end < text.tokens.size(); ++end) {
+    const auto& token = text.tokens[end];
+    if (token.kind != design::Token::Kind::word && token.kind != design::Token::Kind::number) return std::nullopt;
+    words += (words.empty() ? "" : " ") + token.text;
+    is_compared = is_compared || language::positive(token.text).value_or(token.text) != token.text;
+    const bool is_last_of_all = text.ends(end + 1) && !text.is_word(end + 1, "and");
+    if (!text.ends(end + 1)) continue;
+    if (!is_part(token.text)) return std::nullopt;
+    is_thing = is_thing || text.kinds.named(language::singular(token.text));
+    if (!is_last_of_all) continue;
+    return is_thing && !is_compared ? std::nullopt : std::optional(Read<std::string>{words, end + 1});
+  }
+  return std::nullopt;
+}
+
 std::optional<ReadClause> read_form(const EditText& text, std::size_t at) {
   // "the legs of the crib shorter"
   std::size_t part = at;

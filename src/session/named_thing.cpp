@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "destinations.h"
 #include "language/inflection.h"
 #include "language/number.h"
 #include "roomgen/base/text.h"
@@ -16,52 +17,6 @@ using design::KindMention;
 using Which = NamedThing::Which;
 
 constexpr std::size_t most_adjectives = 5;
-
-bool is_new(const std::string& word) { return word == "a" || word == "an" || word == "another"; }
-
-// "the one by the door": the noun is that of what was spoken of.
-bool is_anaphor(const EditText& text, std::size_t at, const NamedThing& thing) {
-  return !thing.bare && thing.which != Which::indefinite && !text.is_word(at + 1, "of");
-}
-
-// "all six of the", "the two", "another", "two more": up to the adjectives.
-std::size_t read_determiners(const EditText& text, std::size_t at, NamedThing& thing) {
-  thing.bare = true;
-  at += longest_in(text.edits.properties, text.tokens, at);
-  for (bool more = true; more && at < text.tokens.size();) {
-    more = false;
-    const auto& token = text.tokens[at];
-    if (const auto length = longest_in(text.edits.all, text.tokens, at)) {
-      thing.which = Which::all;
-      if (token.is_word("both")) thing.count = 2;
-      at += length, more = true;
-    } else if (token.kind == EditText::Token::Kind::word && is_new(token.text)) {
-      thing.which = Which::indefinite;
-      thing.further = thing.further || token.is_word("another");
-      thing.count = 1;
-      at += 1, more = true;
-    } else if (text.words.definite.count(token.text) && token.kind == EditText::Token::Kind::word) {
-      if (thing.which != Which::all) thing.which = Which::definite;
-      at += 1, more = true;
-    } else if (token.kind == EditText::Token::Kind::word && text.words.vague.count(token.text)) {
-      thing.which = Which::indefinite;
-      const auto few = text.words.numbers.find(token.text);
-      thing.count = few == text.words.numbers.end() ? 0 : few->second;
-      at += 1, more = true;
-    } else if (const auto number = language::number_at(text.raw, at);
-               number && !(token.is_word("one") && is_anaphor(text, at, thing)) && number->value >= 1 && number->value <= 50 && number->value == std::floor(number->value)) {
-      thing.count = static_cast<int>(number->value);
-      if (thing.bare) thing.which = Which::indefinite;
-      at += number->length, more = true;
-      // "one of the armchairs"
-      thing.any = text.is_word(at, "of") && at + 1 < text.tokens.size() &&
-                  (text.words.definite.count(text.tokens[at + 1].text) || longest_in(text.edits.pronouns, text.tokens, at + 1) > 0);
-      if (thing.any) ++at;
-    }
-    if (more) thing.bare = false;
-  }
-  return at;
-}
 
 bool may_be_adjective(const EditText& text, std::size_t at) {
   const auto& token = text.tokens[at];
@@ -85,13 +40,14 @@ std::optional<std::size_t> read_adjective(const EditText& text, std::size_t at, 
     // "the smaller of the two tables"
     if (text.is_word(at + 1, "of")) {
       NamedThing others;
-      const auto next = read_determiners(text, at + 2, others);
+      const auto next = skip_determiners(text, at + 2, others);
       if (next > at + 2) return next;
     }
     return at + 1;
   }
   if (text.edits.more.count(text.tokens[at].text)) {
     thing.further = true;
+    thing.other = text.is_word(at, "other");
     if (const auto nth = language::ordinal_at(text.raw, at)) thing.nth = nth;
     return at + 1;
   }
@@ -147,6 +103,20 @@ void read_number_of_id(const EditText& text, NamedThing& thing) {
   if (token.kind != language::Token::Kind::number || token.joint != language::Token::Joint::hyphen) return;
   thing.number = static_cast<int>(token.value);
   ++thing.end;
+}
+
+// "two chairs more"
+void read_more_behind(const EditText& text, NamedThing& thing) {
+  if (thing.which != Which::indefinite || thing.bare || !text.is_word(thing.end, "more")) return;
+  thing.further = true;
+  ++thing.end;
+}
+
+// "one basket …, and the other one …": two that are there.
+void read_one_and_other(const EditText& text, NamedThing& thing) {
+  if (!text.is_word(thing.begin, "one") || thing.further || thing.any || thing.count != 1) return;
+  for (std::size_t i = thing.end; i < text.tokens.size() && !thing.any; ++i) thing.any = longest_in(text.edits.others, text.tokens, i) > 0;
+  if (thing.any) thing.which = Which::definite;
 }
 
 // "basket number two"
@@ -229,11 +199,13 @@ bool read_head(const EditText& text, std::size_t at, NamedThing& thing) {
 std::optional<NamedThing> noun_phrase_at(const EditText& text, std::size_t at) {
   NamedThing thing;
   thing.begin = at;
-  at = read_determiners(text, at, thing);
+  at = skip_determiners(text, at, thing);
   for (std::size_t n = 0; n <= most_adjectives && at <= text.tokens.size(); ++n) {
     if (read_head(text, at, thing)) {
       thing.plural = thing.kind.plural || thing.count > 1;
       thing.end = at + thing.kind.length;
+      read_more_behind(text, thing);
+      read_one_and_other(text, thing);
       read_number_of_id(text, thing);
       read_place_in_row(text, thing);
       read_counted_side(text, thing);
@@ -263,7 +235,5 @@ std::optional<NamedThing> named_thing_at(const EditText& text, std::size_t at) {
   const auto pronoun = pronoun_at(text, at);
   return named || !pronoun ? named : pronoun;
 }
-
-std::size_t skip_determiners(const EditText& text, std::size_t at, NamedThing& thing) { return read_determiners(text, at, thing); }
 
 }  // namespace roomgen

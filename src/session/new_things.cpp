@@ -6,6 +6,7 @@
 #include "kinds/noun_kind.h"
 #include "language/inflection.h"
 #include "roomgen/base/text.h"
+#include "spoken_clause.h"
 
 namespace roomgen {
 
@@ -48,10 +49,12 @@ bool is_part(const EditText& text, const design::KindMention& kind) {
 }
 
 // "with a gold frame": but a thing of its own stands on it, or at it.
-std::size_t end_of_with(const EditText& text, std::size_t at) {
+std::size_t end_of_with(const EditText& text, std::size_t at, const Kind* kind) {
   if (!text.is_word(at, "with") && !text.is_word(at, "without")) return at;
   const auto thing = named_thing_at(text, at + 1);
-  if (thing && !is_part(text, thing->kind)) return at;
+  // A vase holds its flowers, but a table has its lamp on it.
+  const bool is_own = thing && kind && kind->mount == Mount::surface && !kind->supports;
+  if (thing && !is_own && !is_part(text, thing->kind)) return at;
   std::size_t begin = at + 1;
   if (is_article(text, begin) || (begin < text.tokens.size() && text.words.vague.count(text.tokens[begin].text))) ++begin;
   const std::size_t end = end_of_words(text, begin);
@@ -60,6 +63,11 @@ std::size_t end_of_with(const EditText& text, std::size_t at) {
 
 // "that seats six", "for four"
 std::size_t end_of_clause(const EditText& text, std::size_t at) {
+  // "a hook for my bathrobe", which is not here
+  if (text.is_word(at, "for") && !is_known(text, at + 1) && at + 1 < text.tokens.size() && text.words.definite.count(text.tokens[at + 1].text)) {
+    const std::size_t end = end_of_words(text, at + 2);
+    return end > at + 2 ? end : at;
+  }
   if (text.is_word(at, "for") && at + 1 < text.tokens.size() && text.words.numbers.count(text.tokens[at + 1].text))
     return end_of_words(text, at + 2);
   if (!text.is_word(at, "that") && !text.is_word(at, "which")) return at;
@@ -86,12 +94,22 @@ std::size_t end_of_likeness(const EditText& text, const NamedThing& thing, std::
 
 bool has_article(const NamedThing& thing) { return thing.which == Which::indefinite || thing.further; }
 
+// Without an article only what is put to a place that there is: "put detergent on the shelf", but not "buy milk".
+bool is_clearly_a_thing(const EditText& text, const NamedThing& thing) {
+  if (thing.kind.is_stand_in() || thing.looks.size() > 1) return false;
+  for (std::size_t i = thing.begin; i < thing.end; ++i)
+    if (verb_at(text, i) || longest_in(text.edits.hedges, text.tokens, i) > 0) return false;
+  const auto place = destination_at(text, thing.end, {});
+  return place && *place;
+}
+
 // "a webcam", "two tumblers": names that no kind has by itself.
-std::optional<NamedThing> inferred_thing_at(const EditText& text, std::size_t at) {
+std::optional<NamedThing> inferred_thing_at(const EditText& text, std::size_t at, bool may_be_bare) {
   NamedThing thing;
   thing.begin = at;
   at = skip_determiners(text, at, thing);
-  if (thing.bare || !has_article(thing)) return std::nullopt;
+  if (thing.bare ? !may_be_bare : !has_article(thing)) return std::nullopt;
+  thing.which = Which::indefinite;
   const std::size_t end = end_of_words(text, at);
   if (end == at || end - at > 4) return std::nullopt;
   for (std::size_t i = at; i < end; ++i)
@@ -104,6 +122,7 @@ std::optional<NamedThing> inferred_thing_at(const EditText& text, std::size_t at
     for (std::size_t i = at; i < first; ++i) thing.looks.push_back(text.tokens[i].text);
     thing.plural = thing.kind.plural || thing.count > 1;
     thing.end = end;
+    if (thing.bare && !is_clearly_a_thing(text, thing)) return std::nullopt;
     return thing;
   }
   return std::nullopt;
@@ -115,32 +134,32 @@ bool is_new(const EditText& text, const NamedThing& thing) {
 
 }  // namespace
 
-Read<std::string> description_behind(const EditText& text, std::size_t at) {
+Read<std::string> description_behind(const EditText& text, std::size_t at, const Kind* kind) {
   std::size_t end = at;
   for (bool more = true; more;) {
-    const std::size_t next = std::max({end_of_matter(text, end), end_of_with(text, end), end_of_clause(text, end)});
+    const std::size_t next = std::max({end_of_matter(text, end), end_of_with(text, end, kind), end_of_clause(text, end)});
     more = next > end;
     end = next;
   }
   return {text.words_from(at, end), end};
 }
 
-std::optional<NamedThing> new_thing_at(const EditText& text, std::size_t at) {
+std::optional<NamedThing> new_thing_at(const EditText& text, std::size_t at, bool may_be_bare) {
   const auto own = longest_in(text.edits.own, text.tokens, at);
   auto thing = named_thing_at(text, at + own);
   if (own > 0 && thing) thing->which = Which::indefinite;
-  if (!thing || !thing->kind.category) thing = inferred_thing_at(text, at + own);
+  if (!thing || !thing->kind.category) thing = inferred_thing_at(text, at + own, may_be_bare);
   if (!thing || !is_new(text, *thing)) return std::nullopt;
-  auto tail = description_behind(text, thing->end);
+  auto tail = description_behind(text, thing->end, thing->kind.category);
   thing->tail = tail.value;
   thing->end = end_of_likeness(text, *thing, tail.end);
   return thing;
 }
 
-std::vector<NamedThing> new_things_at(const EditText& text, std::size_t at) {
+std::vector<NamedThing> new_things_at(const EditText& text, std::size_t at, bool may_be_bare) {
   std::vector<NamedThing> all;
   for (std::size_t next = at;;) {
-    const auto thing = new_thing_at(text, next);
+    const auto thing = new_thing_at(text, next, may_be_bare);
     if (!thing) break;
     all.push_back(*thing);
     next = thing->end;

@@ -64,7 +64,7 @@ MayRead<Ids> extreme_of(const EditText& text, const NamedThing& thing, const Ids
 std::optional<Result<Whereabouts>> place_of_reference(const EditText& text, std::size_t at, const NamedThing& thing,
                                                       const Ids& ids) {
   if (const auto room = in_room_at(text, at); room && *room) return Whereabouts{{}, {}, (*room)->end, (*room)->value};
-  if (text.is_word(at, "off") || text.is_word(at, "from")) {
+  if (text.is_word(at, "off") || text.is_word(at, "from") || text.is_word(at, "of")) {
     const auto target = target_at(text, at + 1, {});
     if (!target) return std::nullopt;
     if (!*target) return target->error();

@@ -132,6 +132,7 @@ Result<std::vector<std::string>> narrowed(const EditText& text, const NamedThing
 // Words of looks that some of them are described by tell these from the others.
 std::vector<std::string> described(const EditText& text, const NamedThing& thing, std::vector<std::string> ids) {
   for (const auto& look : thing.looks) {
+    if (text.edits.existing.count(look)) continue;
     std::vector<std::string> such;
     for (const auto& id : ids) {
       const Object& object = *text.object(id);
@@ -146,18 +147,43 @@ std::vector<std::string> described(const EditText& text, const NamedThing& thing
   return ids;
 }
 
+// "the stool and the plant on it": what the words before name.
+std::vector<std::string> named_before(const EditText& text, std::size_t at) {
+  for (std::size_t i = 0; i < at; ++i) {
+    const auto thing = named_thing_at(text, i);
+    if (!thing || thing->end > at || thing->which != NamedThing::Which::definite || !thing->kind.category || thing->bare) continue;
+    if (auto ids = meant(text, *thing)) return *std::move(ids);
+  }
+  return {};
+}
+
 Result<std::vector<std::string>> meant_by_pronoun(const EditText& text, const NamedThing& thing) {
   const std::string words = text.words_from(thing.begin, thing.end);
-  const auto& known = !text.latest.empty() ? text.latest : !text.recall.added.empty() ? text.recall.added : text.recall.touched;
+  auto known = !text.latest.empty() ? text.latest : !text.recall.added.empty() ? text.recall.added : text.recall.touched;
+  if (known.empty()) known = named_before(text, thing.begin);
   if (known.empty()) return not_understood("nothing was spoken of before that \"" + words + "\" could mean");
   if (thing.plural || known.size() == 1) return known;
   return not_understood("\"" + words + "\" may be " + joined_ids(known) + "; say which one");
 }
 
+// "the other one": those of this text, or else those of the edit before, are not meant.
+void leave_out_those_spoken_of(const EditText& text, std::vector<std::string>& ids) {
+  for (const auto* known : {&text.mentioned, &text.recall.touched}) {
+    const std::size_t before = ids.size();
+    std::vector<std::string> others = ids;
+    std::erase_if(others, [&](const std::string& id) { return std::count(known->begin(), known->end(), id) > 0; });
+    if (others.empty() || others.size() == before) continue;
+    ids = std::move(others);
+    return;
+  }
+}
+
 // Has the number of what fits anything to say?
 Result<std::vector<std::string>> by_number(const EditText& text, const NamedThing& thing, std::vector<std::string> ids) {
   const std::string words = text.words_from(thing.begin, thing.end);
-  const auto wanted = static_cast<std::size_t>(thing.count);
+  const double of_all = thing.share * static_cast<double>(ids.size());
+  if (of_all != std::floor(of_all)) return not_understood("\"" + words + "\": there are " + std::to_string(ids.size()) + ", which cannot be divided so");
+  const auto wanted = static_cast<std::size_t>(of_all > 0.0 ? of_all : thing.count);
   using Ids = std::vector<std::string>;
   if (!thing.any && (thing.which == Which::all || (thing.plural && thing.which == Which::definite))) {
     if (thing.count == 0 || wanted == ids.size()) return ids;
@@ -177,7 +203,7 @@ Result<std::vector<std::string>> by_number(const EditText& text, const NamedThin
 // "the lamp" may be any lamp, whichever kind people mean first by the word.
 std::vector<std::string> fitting(const EditText& text, const NamedThing& thing) {
   if (thing.by_meaning) return things_by_meaning(text, thing.kind.name);
-  std::vector<std::string> exact, by_end, general, by_word;
+  std::vector<std::string> exact, by_end, general, by_word, broader;
   for (const auto& object : all_objects(text)) {
     if (thing.which == Which::everything) {
       exact.push_back(object.id);
@@ -190,10 +216,17 @@ std::vector<std::string> fitting(const EditText& text, const NamedThing& thing) 
     const bool has_words = std::all_of(said.begin(), said.end(), [&](const std::string& word) {
       return std::find(all.begin(), all.end(), word) != all.end();
     });
-    if (object.category == thing.kind.name) exact.push_back(object.id);
+    if (object.category == thing.kind.name || object.category == thing.kind.category->name) exact.push_back(object.id);
     else if (ends_so) by_end.push_back(object.id);
     else if (text.kinds.is_a(object.category, thing.kind.category->name)) general.push_back(object.id);
     else if (has_words) by_word.push_back(object.id);
+    else if (said.size() > 1 && all.back() == said.back() && text.kinds.is_a(thing.kind.category->name, object.category)) broader.push_back(object.id);
+  }
+  // "the chaise" is the chaise longue before it is any chair.
+  const auto begins_so = [&](const std::string& id) { return words(text.object(id)->category).front() == thing.kind.name; };
+  if (exact.empty() && by_end.empty() && std::any_of(by_word.begin(), by_word.end(), begins_so) && !thing.number) {
+    std::erase_if(by_word, [&](const std::string& id) { return !begins_so(id); });
+    if (general.empty() || thing.kind.category->name != thing.kind.name) return by_word;
   }
   // "any seat" is a sofa too, though no kind of seat in the table.
   if (exact.empty() && by_end.empty() && !general.empty() && !thing.number)
@@ -201,8 +234,9 @@ std::vector<std::string> fitting(const EditText& text, const NamedThing& thing) 
       if (std::find(general.begin(), general.end(), id) == general.end()) general.push_back(std::move(id));
   for (auto* ids : {&exact, &by_end, &general})
     if (!ids->empty()) return std::move(*ids);
-  if (by_word.empty() && thing.kind.category && !thing.number) return things_by_meaning(text, thing.kind.name);
-  return by_word;
+  if (!by_word.empty() || !thing.kind.category || thing.number) return by_word;
+  // "the desk chair", where there is but a chair.
+  return broader.empty() ? things_by_meaning(text, thing.kind.name) : broader;
 }
 
 Result<std::vector<std::string>> meant(const EditText& text, const NamedThing& thing,
@@ -211,6 +245,7 @@ Result<std::vector<std::string>> meant(const EditText& text, const NamedThing& t
   auto ids = fitting(text, thing);
   if (among)
     std::erase_if(ids, [&](const std::string& id) { return std::find(among->begin(), among->end(), id) == among->end(); });
+  if (thing.other) leave_out_those_spoken_of(text, ids);
   const std::string words = text.words_from(thing.begin, thing.end);
   if (ids.empty()) return not_understood("there is no \"" + words + "\" in the room");
   ids = described(text, thing, std::move(ids));

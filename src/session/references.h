@@ -23,6 +23,7 @@ struct NamedThing {
   bool bare = false;     ///< no article: "bin by the door"
   bool further = false;  ///< "another", "two more", "a second"
   bool any = false;      ///< "one of the armchairs": whichever
+  bool other = false;    ///< "the other lamp": not the one spoken of
   bool plural = false;
   int count = 0;  ///< 0: not said
   design::KindMention kind;
@@ -34,6 +35,7 @@ struct NamedThing {
   std::optional<int> place;        ///< "chair number two": which of them, from 1
   std::optional<int> nth;          ///< "the second from the left": counted from a side
   std::optional<Vec2> side;        ///< "left"
+  double share = 0.0;              ///< "half of the chairs"
   double size = 0.0;               ///< EditVocabulary::sizes
   std::size_t begin = 0, end = 0;  ///< tokens
 

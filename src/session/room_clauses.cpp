@@ -6,6 +6,8 @@
 #include "clause.h"
 #include "language/measure.h"
 #include "scene/opening_kind.h"
+#include "size_phrases.h"
+#include "wall_phrases.h"
 #include "walls.h"
 
 namespace roomgen {
@@ -13,66 +15,6 @@ namespace roomgen {
 namespace {
 
 constexpr double least_share = 0.5;  // of a way that must lie along a wall, or across it
-constexpr const char* into_wall[] = {"in", "into", "on", "to", "through", "onto", "inside", "at"};
-
-// The one that looks at it.
-std::size_t wall_opposite(const Room& room, std::size_t wall) {
-  std::size_t best = wall;
-  const auto share = [&](std::size_t k) { return -room.polygon.inward(k).dot(room.polygon.inward(wall)); };
-  for (std::size_t k = 0; k < room.polygon.size(); ++k)
-    if (share(k) > share(best) + 1e-9) best = k;
-  return best;
-}
-
-double along(const Room& room, std::size_t wall, const Vec2& point) {
-  const Segment edge = room.polygon.edge(wall);
-  return (point - edge.a).dot(edge.direction());
-}
-
-/// A wall that words name, and where on it.
-struct NamedWall {
-  std::size_t wall = 0;
-  std::optional<double> at;
-  std::size_t end = 0;
-};
-
-// "behind the sink", "opposite the door", "with the window", after "the wall".
-std::optional<NamedWall> wall_by_target(const EditText& text, std::size_t at) {
-  const Room& room = text.room();
-  std::size_t next = at;
-  const bool is_opposite = text.is_word(at, "opposite") || text.is_word(at, "facing") || text.is_word(at, "across");
-  const bool is_near = text.is_word(at, "behind") || text.is_word(at, "by") || text.is_word(at, "with") ||
-                       text.is_word(at, "above") || text.is_word(at, "over") || text.is_word(at, "beside");
-  if (!is_opposite && !is_near) return std::nullopt;
-  ++next;
-  if (text.is_word(next, "from")) ++next;
-  const auto target = target_at(text, next, {});
-  if (!target || !*target) return std::nullopt;
-  if (const Opening* opening = find_opening(room, (*target)->id))
-    return NamedWall{is_opposite ? wall_opposite(room, opening->wall) : opening->wall, {}, (*target)->end};
-  const Object* object = text.object((*target)->id);
-  if (!object) return std::nullopt;
-  const std::size_t wall = *wall_named(room, nearest_wall(text, *object));
-  if (is_opposite) return NamedWall{wall_opposite(room, wall), {}, (*target)->end};
-  return NamedWall{wall, along(room, wall, object->position.head<2>()), (*target)->end};
-}
-
-std::optional<NamedWall> wall_at(const EditText& text, std::size_t at) {
-  for (const char* word : into_wall)
-    if (text.is_word(at, word)) {
-      ++at;
-      break;
-    }
-  if (auto named = wall_by_target(text, at)) return named;
-  const auto place = design::read_place({text.tokens.data(), text.tokens.size()}, at, text.words);
-  if (!place || place->place != design::Place::wall) return std::nullopt;
-  const std::size_t end = at + place->length;
-  if (auto named = wall_by_target(text, end)) return named;
-  const auto target = target_at(text, at, {});
-  if (!target || !*target) return std::nullopt;
-  const auto wall = wall_named(text.room(), (*target)->id);
-  return wall ? std::optional(NamedWall{*wall, {}, end}) : std::nullopt;
-}
 
 /// "a second door", "both windows"
 struct NamedOpening {
@@ -171,8 +113,10 @@ ReadClause move_opening(const EditText& text, const NamedOpening& named) {
   return what_at(text, begin, "it is not clear where to");
 }
 
-ReadClause resize_openings(const EditText& text, const NamedOpening& named) {
-  const auto size = size_at(text, named.end);
+ReadClause resize_openings(const EditText& text, const std::string& verb, const NamedOpening& named) {
+  const auto growth = text.edits.verbs_of_size.find(verb);
+  const bool is_by_verb = growth != text.edits.verbs_of_size.end();
+  const auto size = is_by_verb ? size_behind_verb(text, named.end, growth->second) : size_at(text, named.end);
   if (!size || !*size) return what_at(text, named.end, "it is not clear how large");
   Clause clause;
   clause.end = (*size)->end;
@@ -267,7 +211,7 @@ std::optional<ReadClause> read_room_order(const EditText& text, const std::strin
   if (meaning == "remove" || meaning == "close" || meaning == "unwanted")
     return Clause{{edit::Close{(*opening)->ids}}, {}, {}, (*opening)->end};
   if (meaning == "move" || meaning == "put") return move_opening(text, **opening);
-  if (is_resized) return resize_openings(text, **opening);
+  if (is_resized) return resize_openings(text, verb, **opening);
   return std::nullopt;
 }
 

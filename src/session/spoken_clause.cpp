@@ -4,6 +4,7 @@
 
 #include "language/inflection.h"
 #include "language/lexicon.h"
+#include "word_order.h"
 
 namespace roomgen {
 
@@ -11,12 +12,15 @@ namespace {
 
 using Token = design::Token;
 
-constexpr std::size_t longest_verb = 5;     // tokens
+constexpr std::size_t longest_verb = 7;     // tokens
 constexpr std::size_t longest_somebody = 4; // "our noisy new neighbours"
 
-// Where words that name what the clause is about may end: with words of place behind them, or without.
+}  // namespace
+
 std::vector<std::size_t> ends_of_subject(const EditText& text, std::size_t at) {
   std::vector<std::size_t> ends;
+  if (const auto opening = target_at(text, at, {}); opening && *opening && !find_object(text.scene, (*opening)->id)) ends.push_back((*opening)->end);
+  if (const auto room = longest_in(text.edits.whole_room, text.tokens, at)) ends.push_back(at + room);
   if (const auto part = room_part_at(text, at)) ends.push_back(part->end);
   if (const auto thing = named_thing_at(text, at)) ends.push_back(thing->end);
   for (const bool with_places : {false, true})
@@ -26,10 +30,12 @@ std::vector<std::size_t> ends_of_subject(const EditText& text, std::size_t at) {
   return ends;
 }
 
+namespace {
+
 // "the desk needs to be moved" is moved, but "the desk needs a lamp" is given one.
 std::size_t begin_of_verb(const EditText& text, std::size_t subject) {
   for (std::size_t at = subject;;) {
-    if (const auto verb = verb_at(text, at); verb && verb->meaning == "give" && !text.is_word(at + verb->length, "to")) return at;
+    if (const auto verb = verb_at(text, at); verb && (verb->meaning == "give" || verb->meaning == "want") && !text.is_word(at + verb->length, "to")) return at;
     const auto length = longest_in(text.edits.auxiliaries, text.tokens, at);
     if (length == 0) return at;
     at += text.tokens[at].text == "should" || text.tokens[at].text == "must" ? 1 : length;
@@ -57,10 +63,21 @@ bool is_order(const EditText& text, std::size_t begin, std::size_t at) {
   return at == begin || text.is_word(at - 1, "to") || text.is_word(at - 1, "and") || text.is_word(at - 1, "then");
 }
 
+// "more space", "some room"
+bool wants_space(const EditText& text, std::size_t at) {
+  while (at < text.tokens.size() && (text.edits.more.count(text.tokens[at].text) || text.words.vague.count(text.tokens[at].text) || text.is_word(at, "enough"))) ++at;
+  return longest_in(text.edits.space, text.tokens, at) > 0;
+}
+
 bool asks_for_something(const EditText& text, std::size_t begin, std::size_t end) {
   for (std::size_t i = begin; i < end; ++i) {
-    // "we need the floor" brings nothing.
+    // "we need the floor", "we need more space" bring nothing, and "I am not fond of it" takes nothing away.
     const auto verb = verb_at(text, i);
+    if (text.is_word(i, "not") && i > begin && longest_in(text.edits.being, text.tokens, i - 1) == 1) continue;
+    if (verb && verb->meaning == "add" && wants_space(text, i + verb->length)) {
+      i += verb->length;
+      continue;
+    }
     const bool wants_nothing = verb && verb->meaning == "add" && verb->length > 1 && named_thing_at(text, i + verb->length) == std::nullopt &&
                                room_part_at(text, i + verb->length);
     if (wants_nothing) {
@@ -108,6 +125,10 @@ bool is_contrast(const EditText& text, std::size_t begin, std::size_t end) {
 
 // "I need to tell the test subject's seat from the rest": no verb of editing.
 bool is_other_need(const EditText& text, std::size_t begin) {
+  for (std::size_t i = begin; i + 2 < std::min(begin + longest_somebody, text.tokens.size()); ++i)
+    if (longest_in(text.edits.wishes, text.tokens, i) == 1 && text.is_word(i + 1, "to") && !verb_at(text, i + 2) && language::verb(text.tokens[i + 2].text) &&
+        !text.is_word(i + 2, "be") && !text.is_word(i + 2, "have"))
+      return true;
   const auto verb = verb_at(text, begin);
   if (!verb || verb->length < 2 || !text.is_word(begin + verb->length, "to")) return false;
   const std::size_t at = begin + verb->length + 1;
@@ -128,9 +149,7 @@ bool tells_of_thing(const EditText& text, std::size_t begin, std::size_t end) {
   std::size_t at = thing->end;
   if (longest_in(text.edits.explanations, text.tokens, at) > 0)
     while (at + 1 < end && !is_told(text.tokens[at].text)) ++at;
-  const bool is_short = text.raw[thing->end - 1].clitic == "'s" && (text.tokens[at].is_word("a") || text.tokens[at].is_word("too") ||
-                                                                    text.tokens[at].is_word("so") || text.tokens[at].is_word("very"));
-  return is_short || is_told(text.tokens[at].text);
+  return is_told(text.tokens[at].text);
 }
 
 bool names_nothing(const EditText& text, std::size_t begin, std::size_t end) {
@@ -141,21 +160,20 @@ bool names_nothing(const EditText& text, std::size_t begin, std::size_t end) {
   return true;
 }
 
-}  // namespace
+// "could the bed and the desk trade places"
+bool follows_question(const EditText& text, std::size_t at) { return at > 0 && text.edits.questions.count(text.tokens[at - 1].text) > 0; }
 
-EditText without(const EditText& text, std::size_t begin, std::size_t end) {
-  EditText shorter = text;
-  const auto cut = [&](auto& list) {
-    list.erase(list.begin() + static_cast<std::ptrdiff_t>(begin), list.begin() + static_cast<std::ptrdiff_t>(end));
-  };
-  cut(shorter.raw);
-  cut(shorter.tokens);
-  return shorter;
+// "desk: move it", "desk move left"
+bool is_heading(const EditText& text, std::size_t at, std::size_t end) {
+  const auto thing = named_thing_at(text, at);
+  return thing && thing->bare && thing->end == end && thing->kind.category && !fitting(text, *thing).empty();
 }
+
+}  // namespace
 
 std::optional<SaidVerb> verb_at(const EditText& text, std::size_t at) {
   if (at >= text.tokens.size() || text.tokens[at].kind != Token::Kind::word) return std::nullopt;
-  if (const auto said = longest(text.edits.verbs, text.tokens, at))
+  if (const auto said = longest(text.edits.verbs, text.tokens, at, longest_verb))
     return SaidVerb{*said.value, text.words_from(at, at + said.length), said.length, false};
   const auto form = language::verb(text.tokens[at].text);
   if (!form || form->base == text.tokens[at].text) return std::nullopt;
@@ -177,13 +195,26 @@ std::optional<ReadClause> clause_with_subject(const EditText& text, std::size_t 
     // "the hamper: lose it"
     const bool takes_it_up = end < text.tokens.size() && longest_in(text.edits.pronouns, text.tokens, end) == 1;
     if (begin == subject && takes_it_up) ++end;
-    else if (begin == subject && !verb->inflected && verb->meaning != "give" && !brings_something(text, at)) continue;
+    else if (begin == subject && !verb->inflected && verb->meaning != "give" && verb->meaning != "want" && !brings_something(text, at) && !is_heading(text, at, subject) &&
+             !follows_question(text, at))
+      continue;
     auto clause = read(without(text, subject, end), *verb, at);
     if (clause) clause->end += end - subject;
     if (goes_to_its_end(text, clause)) return clause;
     failed = std::move(clause);
   }
   return failed;
+}
+
+std::size_t wish_of_somebody(const EditText& text, std::size_t at) {
+  bool is_somebody = false;
+  for (std::size_t i = at; i < std::min(at + longest_somebody, text.tokens.size()); ++i) {
+    if (is_somebody)
+      if (const auto wish = longest_in(text.edits.wishes, text.tokens, i)) return i + wish - at;
+    is_somebody = is_somebody || language::lexicon().is(language::singular(text.tokens[i].text), language::WordClass::person) ||
+                  text.is_word(i, "he") || text.is_word(i, "she") || text.is_word(i, "they");
+  }
+  return 0;
 }
 
 std::size_t end_of_remark(const EditText& text, std::size_t at, bool at_first) {

@@ -15,13 +15,16 @@ struct SaidVerb {
 };
 std::optional<SaidVerb> verb_at(const EditText& text, std::size_t at);
 
-/// The text without some of its tokens.
-EditText without(const EditText& text, std::size_t begin, std::size_t end);
+/// Where words that name what a clause is about may end: with words of place behind them, or without.
+std::vector<std::size_t> ends_of_subject(const EditText& text, std::size_t at);
 
 /// A clause that begins with what it is about: "the armchair should change places with the desk", "both can be
 /// removed". It is read as the order that it means, by `read`; nothing if it has no such verb.
 using ReadOrder = std::function<ReadClause(const EditText&, const SaidVerb&, std::size_t)>;
 std::optional<ReadClause> clause_with_subject(const EditText& text, std::size_t at, const ReadOrder& read);
+
+/// How many tokens say that somebody wants something: "my son would like"; 0 if none do.
+std::size_t wish_of_somebody(const EditText& text, std::size_t at);
 
 /// The token behind words that ask for nothing: "our toddler keeps bumping his head on it"; `at` if they may ask
 /// for something. Before anything is asked for (`at_first`) these may be words of which nothing is known.

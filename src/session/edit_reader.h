@@ -1,0 +1,11 @@
+#pragma once
+
+#include "edit_text.h"
+#include "roomgen/session/session.h"
+
+namespace roomgen {
+
+/// What a text asks for, clause by clause; what each speaks of is known to those behind it.
+Result<Understanding> read_clauses(EditText text);
+
+}  // namespace roomgen
