@@ -42,11 +42,17 @@ std::string set_named(const std::string& said, const SetsOfIds& sets, const std:
   return same == stands.end() ? "" : same->name;
 }
 
+// Programs put things up only as their kind may be.
+Mount possible_mount(const Kind& kind, Mount planned) {
+  const bool may_be = kind.mount == planned || std::ranges::find(kind.also, planned) != kind.also.end();
+  return may_be ? planned : kind.mount;
+}
+
 Stand stand_of(const Plan& plan, const PlanItem& item, const std::vector<std::string>& ids, const SetsOfIds& sets,
                const std::vector<Stand>& stands, const KindTable& kinds) {
   Stand stand;
   stand.kind = kinds.get(item.category).lineage.empty() ? item.category : kinds.get(item.category).name;
-  stand.mount = item.mount;
+  stand.mount = possible_mount(kinds.get(item.category), item.mount);
   stand.on = set_named(item.on, sets, stands);
   const Requirement* clause = count_clause(plan, ids);
   stand.asked = is_counted(item, clause);

@@ -62,6 +62,12 @@ class Opener {
     double fixed = 0.0;
     for (const auto& stand : stands_)
       if (stand.asked) fixed += worth(stand) * stand.count.low;
+    // "A low number of shelves" are not two.
+    for (auto& stand : stands_)
+      if (const double each = worth(stand); stand.may_grow && each > 0.0 && fixed > wanted.high) {
+        const double fewer = std::min(stand.count.low, std::ceil((fixed - wanted.high) / each));
+        stand.count.low -= fewer, fixed -= each * fewer;
+      }
     if (fixed > wanted.high)
       notes_.push_back(std::string(measure) + ": at most " + std::to_string(static_cast<int>(wanted.high)) +
                        " are asked for, and " + std::to_string(static_cast<int>(fixed)) + " are counted by name");

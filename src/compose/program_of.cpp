@@ -13,7 +13,7 @@ namespace {
 using namespace roomgen::programs;
 
 constexpr double liked = 0.5;  // weight of having what such rooms usually hold
-constexpr double straight = 0.5;
+constexpr double straight = 0.5, middling = 0.5;
 
 ProgramTerm bound(ProgramTerm value, const Range& range) {
   if (std::isinf(range.high)) return term(ProgramOp::at_least, {}, {std::move(value), number(range.low)});
@@ -23,9 +23,9 @@ ProgramTerm bound(ProgramTerm value, const Range& range) {
 
 class Translator {
  public:
-  Translator(const std::vector<Stand>& stands, const KindTable& kinds, const Arrangements& arrangements,
+  Translator(const std::vector<Stand>& stands, double walls, const KindTable& kinds, const Arrangements& arrangements,
              ConstraintProgram& program, std::vector<std::string>& notes)
-      : stands_(stands), kinds_(kinds), arrangements_(arrangements), program_(program), notes_(notes) {}
+      : stands_(stands), walls_left_(walls), kinds_(kinds), arrangements_(arrangements), program_(program), notes_(notes) {}
 
   void run() {
     for (const auto& stand : stands_) describe(stand);
@@ -67,7 +67,7 @@ class Translator {
   }
 
   Habits read(const std::vector<Relation>& relations, const Stand& stand, bool asked) const {
-    return habits_of(relations, {kinds_.get(stand.kind), stand.mount, stand.name},
+    return habits_of(relations, {kinds_.get(stand.kind), stand.mount, stand.name, stand.count.high <= 1.0},
                      [&](const std::string& said) { return target(said, stand); }, asked);
   }
 
@@ -80,9 +80,15 @@ class Translator {
   // The first way of arranging such things whose targets are in the room.
   std::vector<Relation> usual_way(const Stand& stand) const {
     const auto& arrangement = arrangements_.get(kinds_, stand.kind, stand.mount);
+    std::vector<Relation> chosen;
     for (const auto& way : arrangement.ways)
-      if (is_possible(way, stand)) return way;
-    return {};
+      if (is_possible(way, stand)) {
+        chosen = way;
+        break;
+      }
+    // What only prefers walls goes there in a program, which has no word for preferring.
+    if (chosen.empty() && stand.mount == Mount::floor && prefers(stand, Preference::wall_near)) chosen = {{RelationKind::edge, ""}};
+    return chosen;
   }
 
   // Wishes come before habits; what is said of a place silences them.
@@ -106,8 +112,19 @@ class Translator {
     return sets.empty() ? things() : sets.size() == 1 ? sets.front() : either(std::move(sets));
   }
 
+  // What is longer in a row than the walls that are left stands freely, in rows.
+  bool leaves_walls(const Stand& stand, std::vector<SetRelation>& relations) {
+    constexpr double beside = 0.1;
+    const auto wall = [](const SetRelation& relation) { return relation.relation == "against_wall"; };
+    if (!stand.asked || std::ranges::none_of(relations, wall)) return false;
+    const double length = stand.count.low * (stand.size.x() + beside);
+    if (length <= walls_left_ || stand.count.low < 2.0) return walls_left_ -= length, false;
+    return std::erase_if(relations, [](const SetRelation& relation) { return relation.relation.ends_with("against_wall"); }) > 0;
+  }
+
   void describe(const Stand& stand) {
     Habits found = habits(stand);
+    const bool is_in_rows = leaves_walls(stand, found.relations) || stand.in_rows;
     std::vector<SetRelation> relations;
     const auto is_put = [&](const char* name) { return std::ranges::find(found.relations, name, &SetRelation::relation) != found.relations.end(); };
     if (!is_put("on")) relations.push_back(carried_by(stand.mount, carriers(stand)));
@@ -119,11 +136,18 @@ class Translator {
     for (auto& truth : found.truths) also(stand.name + " as asked", std::move(truth));
     for (auto& score : found.scores) add_score(stand.name, std::move(score));
     if (!stand.asked) add_score(stand.name, maximize(liked, count(set(stand.name))));
-    if (!stand.in_rows) return;
+    // Only one thing can have the middle to itself.
+    if (stand.count.high == 1.0 && prefers(stand, Preference::center)) add_score(stand.name, minimize(middling, term(ProgramOp::center, {set(stand.name)})));
+    if (!is_in_rows) return;
     add_score(stand.name, minimize(straight, term(ProgramOp::coplanarity, {set(stand.name)})));
     ProgramTerm askew = term(ProgramOp::angle, {set(stand.name), room()});
     askew.face = Face::wall;
     add_score(stand.name, minimize(straight, std::move(askew)));
+  }
+
+  bool prefers(const Stand& stand, Preference what) const {
+    return std::ranges::any_of(arrangements_.get(kinds_, stand.kind, stand.mount).preferences,
+                               [&](const auto& preference) { return preference.what == what && preference.weight > 0.0; });
   }
 
   const ProgramSet& members_of(const Stand& stand) const {
@@ -201,11 +225,21 @@ class Translator {
   }
 
   const std::vector<Stand>& stands_;
+  double walls_left_;  ///< metres
   const KindTable& kinds_;
   const Arrangements& arrangements_;
   ConstraintProgram& program_;
   std::vector<std::string>& notes_;
 };
+
+// Metres of wall along which things may stand.
+double usable_walls(const Room& room) {
+  constexpr double usable = 0.7;
+  double length = 0.0;
+  for (std::size_t k = 0; k < room.polygon.size(); ++k) length += usable * room.polygon.edge(k).length();
+  for (const auto& opening : room.openings) length -= opening.is_entrance() ? opening.width() : 0.0;
+  return length;
+}
 
 void ask_of_whole(const Complexity& asked, ConstraintProgram& program) {
   // As sums, for a bound on a count is a reason to add: these are reached by what the other bounds permit.
@@ -229,7 +263,7 @@ ConstraintProgram program_of(const std::vector<Stand>& stands, const Complexity&
   program.room.polygon = plan.room.polygon;
   program.room.height = plan.room.height;
   program.room.openings = plan.room.openings;
-  Translator(stands, kinds, arrangements, program, notes).run();
+  Translator(stands, usable_walls(plan.room), kinds, arrangements, program, notes).run();
   ask_of_whole(asked, program);
   return program;
 }

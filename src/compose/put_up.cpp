@@ -64,7 +64,9 @@ class HabitReader {
     switch (relation.kind) {
       case RelationKind::edge: return against_wall(false);
       case RelationKind::corner: return against_wall(true);
-      case RelationKind::middle: return score(weak, term(ProgramOp::center, {set(subject_.set)}));
+      case RelationKind::middle:
+        if (subject_.is_single) score(weak, term(ProgramOp::center, {set(subject_.set)}));
+        return;
       default: break;
     }
     if (const auto target = find_(relation.target)) return take(relation, *target);
@@ -81,7 +83,7 @@ class HabitReader {
     switch (relation.kind) {
       case RelationKind::on:
       case RelationKind::inside:
-        if (may_be_put(target)) put("on", target.set);
+        if (subject_.mount == Mount::surface && may_be_put(target)) put("on", target.set);
         return;
       case RelationKind::around: return around(target);
       case RelationKind::side_of: return beside(target);

@@ -23,6 +23,7 @@ struct Subject {
   const Kind& kind;
   Mount mount = Mount::floor;
   std::string set;  ///< of the program
+  bool is_single = true;  ///< there is one of it at most
 };
 
 /// The set that a relation's target means, and the kind of its members, if there are any such things.

@@ -66,20 +66,6 @@ struct Furnished {
   std::vector<std::string> notes;
 };
 
-// What is longer in a row than the walls that are left stands freely, in rows.
-void leave_walls(const Room& room, std::vector<Stand>& stands) {
-  constexpr double usable = 0.7, beside = 0.1;
-  double left = 0.0;
-  for (std::size_t k = 0; k < room.polygon.size(); ++k) left += usable * room.polygon.edge(k).length();
-  for (const auto& opening : room.openings) left -= opening.is_entrance() ? opening.width() : 0.0;
-  for (auto& stand : stands) {
-    if (stand.mount != Mount::floor || !stand.asked || !stand.at_wall || stand.count.low < 2.0) continue;
-    const double length = stand.count.low * (stand.size.x() + beside);
-    if (length > left) stand.at_wall = false, stand.in_rows = true;
-    else left -= length;
-  }
-}
-
 const design::RoomKind& kind_of(const Room& room) { return design::built_in_room_kinds()->get(room.type); }
 
 // The floor that the inventory wants: as full as is asked for, else no fuller than such rooms are.
@@ -122,7 +108,6 @@ Result<Furnished> furnish(Reading& reading, const KindTable& kinds) {
   const double area = area_of(furnished.plan.room);
   if (!reading.is_room_free) shrink_to_fit(reading.asked, area, kinds, furnished.stands);
   meet_occupancy(reading.asked, {kind_of(furnished.plan.room), furnished.plan.excluded, kinds}, area, furnished.stands);
-  leave_walls(furnished.plan.room, furnished.stands);
   return furnished;
 }
 
