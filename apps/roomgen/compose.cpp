@@ -67,7 +67,10 @@ Status write_all(const ComposeCommand& command, OutputFolder& folder, const Comp
   if (auto status = folder.write("rounds.json", dump_json(rounds_json(composition, author))); !status) return status;
   for (std::size_t i = 0; i < composition.rounds.size(); ++i)
     if (const auto& picture = composition.rounds[i].picture; !picture.empty())
-      if (auto status = folder.write("rounds/round-" + std::to_string(i + 1) + (picture.starts_with("\xFF\xD8") ? ".jpg" : ".png"), picture); !status) return status;
+      if (auto status = folder.write(
+              "rounds/round-" + std::to_string(i + 1) + (picture.starts_with("\xFF\xD8") ? ".jpg" : ".png"), picture);
+          !status)
+        return status;
   if (auto status = write_optimised_room(folder, chosen.written.program, chosen.result, chosen.models,
                                          command.no_pictures ? 0 : command.pixels);
       !status)
@@ -172,11 +175,14 @@ Result<int> run(const Context& context, ComposeCommand& command) {
 
 void add_compose_command(CLI::App& app, Context& context) {
   auto command = std::make_shared<ComposeCommand>();
-  auto* sub = app.add_subcommand("compose", "Furnish a room for a sentence by a constraint program that is revised until it is met");
-  sub->add_option("prompt", command->request.plan.prompt, "What room: \"a reading room with twelve shelves and seating for ten\"")
+  auto* sub = app.add_subcommand(
+      "compose", "Furnish a room for a sentence by a constraint program that is revised until it is met");
+  sub->add_option("prompt", command->request.plan.prompt,
+                  "What room: \"a reading room with twelve shelves and seating for ten\"")
       ->required();
   sub->add_option("-o,--output", command->output, "Folder to write (default: out/ and the prompt)");
-  sub->add_option("--seed", command->request.plan.seed, "Of plan, room and search")->check(CLI::Range(std::uint64_t{0}, max_seed))
+  sub->add_option("--seed", command->request.plan.seed, "Of plan, room and search")
+      ->check(CLI::Range(std::uint64_t{0}, max_seed))
       ->capture_default_str();
   sub->add_option("--size", command->size, "Of the room, as 4x5: metres");
   sub->add_option("--room", command->room, "Room to furnish (room.json)");
@@ -190,7 +196,8 @@ void add_compose_command(CLI::App& app, Context& context) {
       ->check(CLI::Range(1, 100000000))->capture_default_str();
   sub->add_option("--chains", command->options.optimise.chains, "Restarts, of which the best counts")
       ->check(CLI::Range(1, 1000))->capture_default_str();
-  sub->add_option("--seconds", command->seconds, "Stop after so long with the best room so far")->check(CLI::PositiveNumber);
+  sub->add_option("--seconds", command->seconds, "Stop after so long with the best room so far")
+      ->check(CLI::PositiveNumber);
   sub->add_option("--assets", command->options.assets_each, "Meshes of each kind to choose from")
       ->check(CLI::Range(1, 50))->capture_default_str();
   sub->add_flag_callback("--no-clusters", [command] { command->options.optimise.cluster_moves = false; },

@@ -16,7 +16,8 @@ constexpr double rounding = 0.003;  // of shares
 
 std::optional<Range> range_of(const Json& json) {
   if (!json.is_array() || json.size() != 2 || !json[0].is_number()) return std::nullopt;
-  return Range{json[0].get<double>(), json[1].is_number() ? json[1].get<double>() : std::numeric_limits<double>::infinity()};
+  return Range{json[0].get<double>(),
+               json[1].is_number() ? json[1].get<double>() : std::numeric_limits<double>::infinity()};
 }
 
 Result<Description> description_from(const Json& json, const std::string& where) {
@@ -98,7 +99,8 @@ Result<std::vector<Description>> read_descriptions(const std::string& file) {
   return descriptions;
 }
 
-std::optional<double> fidelity(const Description& description, const Scene& scene, double occupancy, const KindTable& kinds) {
+std::optional<double> fidelity(const Description& description, const Scene& scene, double occupancy,
+                               const KindTable& kinds) {
   auto demands = demands_of(description, kinds);
   count(scene, kinds, demands);
   int all = 0, met = 0;

@@ -21,6 +21,7 @@ Result<std::vector<Description>> read_descriptions(const std::string& file);
 
 /// The share of a description's demands that a room meets; a thing counts for the nearest demanded kind that it is of.
 /// Nothing if the description demands nothing.
-std::optional<double> fidelity(const Description& description, const Scene& scene, double occupancy, const KindTable& kinds);
+std::optional<double> fidelity(const Description& description, const Scene& scene, double occupancy,
+                               const KindTable& kinds);
 
 }  // namespace roomgen::cli

@@ -56,13 +56,15 @@ std::optional<Run> run_from(const Json& json) {
 
 double missed(const ComposeRound& round) {
   const auto& measures = round.report.measures;
-  return round.report.violation + static_cast<double>(std::ranges::count_if(measures, [](const auto& m) { return m.missed > 1e-9; }));
+  return round.report.violation +
+         static_cast<double>(std::ranges::count_if(measures, [](const auto& m) { return m.missed > 1e-9; }));
 }
 
 // The best of the first rounds.
 const ComposeRound& best_of(const std::vector<ComposeRound>& rounds, int first) {
   const auto end = rounds.begin() + std::min<std::ptrdiff_t>(first, static_cast<std::ptrdiff_t>(rounds.size()));
-  return *std::min_element(rounds.begin(), end, [](const auto& a, const auto& b) { return missed(a) < missed(b) - 1e-9; });
+  return *std::min_element(rounds.begin(), end,
+                           [](const auto& a, const auto& b) { return missed(a) < missed(b) - 1e-9; });
 }
 
 double held_share(const Optimisation& result) {
@@ -73,7 +75,8 @@ double held_share(const Optimisation& result) {
 
 class ProgramExperiment {
  public:
-  ProgramExperiment(const Context& context, const ProgramExperimentOptions& options, const AssetLibrary& library, ComposedModel& model)
+  ProgramExperiment(const Context& context, const ProgramExperimentOptions& options, const AssetLibrary& library,
+                    ComposedModel& model)
       : context_(context), options_(options), library_(library), model_(model) {}
 
   Result<Run> run(const Description& description, bool clusters) {
@@ -88,12 +91,15 @@ class ProgramExperiment {
     how.on_round = [&](const ComposeRound&) {
       seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
     };
-    if (model_.model) how.picture = [&](const Scene& scene, const ModelTable& models) { return picture(scene, models); };
+    if (model_.model)
+      how.picture = [&](const Scene& scene, const ModelTable& models) { return picture(scene, models); };
     ComposeRequest request;
     request.plan.prompt = description.text;
     request.plan.seed = options_.seed;
     request.plan.cancel = context_.cancel;
-    const ProgramAuthor author = model_.model ? model_author(*model_.model, model_.prompts, {.kinds = kind_offers(library_, kinds)}) : rule_author();
+    const ProgramAuthor author =
+        model_.model ? model_author(*model_.model, model_.prompts, {.kinds = kind_offers(library_, kinds)})
+                     : rule_author();
     const auto made = compose_room(request, author, library_, kinds, how);
     if (context_.cancel.cancelled()) return Error{Error::Kind::cancelled, "interrupted"};
     Run result{description.id, clusters, {}};
@@ -132,7 +138,8 @@ Figures mean_of(const std::vector<Run>& runs, bool clusters, std::size_t after) 
   for (const auto& run : runs) {
     if (run.clusters != clusters) continue;
     ++count;
-    mean.fidelity += run.after[after].fidelity, mean.held += run.after[after].held, mean.seconds += run.after[after].seconds;
+    mean.fidelity += run.after[after].fidelity, mean.held += run.after[after].held,
+        mean.seconds += run.after[after].seconds;
   }
   if (count > 0) mean.fidelity /= count, mean.held /= count, mean.seconds /= count;
   return mean;
@@ -144,7 +151,8 @@ std::string report_of(const std::vector<Run>& runs) {
     for (std::size_t i = 0; i < looked_at.size(); ++i) {
       const Figures mean = mean_of(runs, clusters, i);
       const bool is_refined = looked_at[i] > 1;
-      const std::string name = clusters ? (is_refined ? "both" : "cluster moves") : (is_refined ? "refinement" : "base");
+      const std::string name =
+          clusters ? (is_refined ? "both" : "cluster moves") : (is_refined ? "refinement" : "base");
       text += "| " + name + " | " + std::to_string(looked_at[i]) + " | " + format_number(mean.fidelity, 3) + " | " +
               format_number(mean.held, 3) + " | " + format_number(mean.seconds, 1) + " |\n";
     }
@@ -157,13 +165,17 @@ std::string plot_of(const std::vector<Run>& runs) {
   const auto x = [&](int rounds) { return left + width * (rounds - 1) / (most_rounds - 1); };
   const auto y = [&](double value) { return top + height * (1.0 - (std::max(value, least) - least) / (1.0 - least)); };
   const auto at = [](double value) { return format_number(value, 1); };
-  std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"560\" height=\"290\" font-family=\"sans-serif\" font-size=\"12\">\n"
-                    "<rect width=\"560\" height=\"290\" fill=\"white\"/>\n";
+  std::string svg =
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"560\" height=\"290\" font-family=\"sans-serif\" "
+      "font-size=\"12\">\n"
+      "<rect width=\"560\" height=\"290\" fill=\"white\"/>\n";
   for (double value = least; value <= 1.001; value += 0.1)
-    svg += "<line x1=\"" + at(left) + "\" x2=\"" + at(left + width) + "\" y1=\"" + at(y(value)) + "\" y2=\"" + at(y(value)) +
-           "\" stroke=\"#ddd\"/><text x=\"" + at(left - 30) + "\" y=\"" + at(y(value) + 4) + "\">" + format_number(value, 1) + "</text>\n";
+    svg += "<line x1=\"" + at(left) + "\" x2=\"" + at(left + width) + "\" y1=\"" + at(y(value)) + "\" y2=\"" +
+           at(y(value)) + "\" stroke=\"#ddd\"/><text x=\"" + at(left - 30) + "\" y=\"" + at(y(value) + 4) + "\">" +
+           format_number(value, 1) + "</text>\n";
   for (const int rounds : looked_at)
-    svg += "<text x=\"" + at(x(rounds) - 3) + "\" y=\"" + at(top + height + 18) + "\">" + std::to_string(rounds) + "</text>\n";
+    svg += "<text x=\"" + at(x(rounds) - 3) + "\" y=\"" + at(top + height + 18) + "\">" + std::to_string(rounds) +
+           "</text>\n";
   svg += "<text x=\"" + at(left + width / 2 - 20) + "\" y=\"" + at(top + height + 38) + "\">rounds</text>\n"
          "<text x=\"8\" y=\"14\">fidelity</text>\n";
   for (const bool clusters : {false, true}) {
@@ -172,8 +184,9 @@ std::string plot_of(const std::vector<Run>& runs) {
       points += at(x(looked_at[i])) + "," + at(y(mean_of(runs, clusters, i).fidelity)) + " ";
     const std::string color = clusters ? "#c0392b" : "#2c6fbb";
     svg += "<polyline fill=\"none\" stroke-width=\"2\" stroke=\"" + color + "\" points=\"" + points + "\"/>\n";
-    svg += "<text x=\"" + at(left + width + 10) + "\" y=\"" + at(y(mean_of(runs, clusters, 2).fidelity) + (clusters ? -4 : 12)) +
-           "\" fill=\"" + color + "\">" + (clusters ? "with clusters" : "without") + "</text>\n";
+    svg += "<text x=\"" + at(left + width + 10) + "\" y=\"" +
+           at(y(mean_of(runs, clusters, 2).fidelity) + (clusters ? -4 : 12)) + "\" fill=\"" + color + "\">" +
+           (clusters ? "with clusters" : "without") + "</text>\n";
   }
   return svg + "</svg>\n";
 }
@@ -188,7 +201,8 @@ Result<std::vector<Run>> done_before(const fs::path& file, const Json& head, boo
   const auto lines = split(*text, '\n');
   const auto first = parse_json(lines.front(), file.string());
   if (!first || *first != head)
-    return Error{Error::Kind::invalid_input, file.string() + ": holds another experiment; choose another folder or --force"};
+    return Error{Error::Kind::invalid_input,
+                 file.string() + ": holds another experiment; choose another folder or --force"};
   for (std::size_t i = 1; i < lines.size(); ++i)
     if (const auto json = parse_json(lines[i], file.string()); json)
       if (auto run = run_from(*json)) runs.push_back(*std::move(run));
@@ -224,8 +238,9 @@ Result<int> run_program_experiment(const Context& context, const ProgramExperime
       const auto same = [&](const Run& run) { return run.id == description.id && run.clusters == clusters; };
       if (std::ranges::any_of(*runs, same)) continue;
       auto run = experiment.run(description, clusters);
-      if (!run) return Error{run.error().kind, run.error().message + "; " + std::to_string(runs->size()) + " of " + std::to_string(total) +
-                                                   " are done, the same command goes on from there"};
+      if (!run)
+        return Error{run.error().kind, run.error().message + "; " + std::to_string(runs->size()) + " of " +
+                                           std::to_string(total) + " are done, the same command goes on from there"};
       if (auto status = file->append(to_json(*run).dump() + "\n"); !status) return status.error();
       runs->push_back(*std::move(run));
       if (!context.quiet) std::fprintf(stderr, "[%zu/%zu] %s\n", runs->size(), total, description.id.c_str());

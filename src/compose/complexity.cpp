@@ -28,7 +28,8 @@ struct Said {
 std::size_t phrase_at(const std::vector<std::string>& phrases, Tokens tokens, std::size_t at) {
   std::size_t best = 0;
   std::string text;
-  for (std::size_t n = 0; n < longest_phrase && at + n < tokens.size() && tokens[at + n].kind == Token::Kind::word; ++n) {
+  for (std::size_t n = 0; n < longest_phrase && at + n < tokens.size() && tokens[at + n].kind == Token::Kind::word;
+       ++n) {
     const bool is_joined = tokens[at + n].joint == Token::Joint::hyphen;
     text += (n == 0 ? "" : is_joined ? "-" : " ") + tokens[at + n].text;
     if (std::ranges::find(phrases, text) != phrases.end()) best = n + 1;
@@ -95,7 +96,8 @@ class Reader {
       const bool follows = step.at < tokens_.size() && "!" + tokens_[step.at].text == words.front();
       return follows ? std::nullopt : match(pattern, place + 1, step);
     }
-    if (step.at >= tokens_.size() || std::ranges::find(words, tokens_[step.at].text) == words.end()) return std::nullopt;
+    if (step.at >= tokens_.size() || std::ranges::find(words, tokens_[step.at].text) == words.end())
+      return std::nullopt;
     return match(pattern, place + 1, {step.at + 1, step.range});
   }
 
@@ -103,7 +105,9 @@ class Reader {
     if (const auto amount = language::amount_at(tokens_, step.at)) {
       // "a two-seat sofa" is one thing.
       if (!is_share_ && is_joined(step.at + amount->length)) return std::nullopt;
-      const auto range = is_share_ ? shared(*amount) : amount->is_share ? std::nullopt : std::optional(counted(*amount));
+      const auto range = is_share_          ? shared(*amount)
+                         : amount->is_share ? std::nullopt
+                                            : std::optional(counted(*amount));
       return range ? match(pattern, place + 1, {step.at + amount->length, range}) : std::nullopt;
     }
     for (const auto& [level, range] : measure_.levels) {
@@ -122,7 +126,8 @@ class Reader {
 
   // What may stand between an amount and its noun: words that are neither numbers nor links to other things.
   bool is_filler(std::size_t at) const {
-    static const std::vector<std::string> links = {"with", "and", "for", "on", "in", "at", "by", "around", "of", "or", "to"};
+    static const std::vector<std::string> links = {"with", "and",    "for", "on", "in", "at",
+                                                   "by",   "around", "of",  "or", "to"};
     return at < tokens_.size() && tokens_[at].kind == Token::Kind::word && !language::amount_at(tokens_, at) &&
            std::ranges::find(links, tokens_[at].text) == links.end();
   }

@@ -15,8 +15,8 @@ double missed_in_all(const ErrorReport& report) {
 /// Goes on from round to round.
 class Composer {
  public:
-  Composer(const ComposeRequest& request, const ProgramAuthor& author, const AssetLibrary& library, const KindTable& kinds,
-           const ComposeOptions& options)
+  Composer(const ComposeRequest& request, const ProgramAuthor& author, const AssetLibrary& library,
+           const KindTable& kinds, const ComposeOptions& options)
       : request_(request), author_(author), library_(library), kinds_(kinds), options_(options) {}
 
   Result<Composition> run() {
@@ -71,7 +71,8 @@ class Composer {
   // What is asked for comes before what is liked; of equals the earlier.
   void choose() {
     for (std::size_t i = 1; i < composition_.rounds.size(); ++i)
-      if (missed_in_all(composition_.rounds[i].report) < missed_in_all(composition_.rounds[composition_.best].report) - 1e-9)
+      if (missed_in_all(composition_.rounds[i].report) <
+          missed_in_all(composition_.rounds[composition_.best].report) - 1e-9)
         composition_.best = i;
   }
 
@@ -92,8 +93,8 @@ ProgramAuthor rule_author() {
           }};
 }
 
-Result<Composition> compose_room(const ComposeRequest& request, const ProgramAuthor& author, const AssetLibrary& library,
-                                 const KindTable& kinds, const ComposeOptions& options) {
+Result<Composition> compose_room(const ComposeRequest& request, const ProgramAuthor& author,
+                                 const AssetLibrary& library, const KindTable& kinds, const ComposeOptions& options) {
   return Composer(request, author, library, kinds, options).run();
 }
 

@@ -71,7 +71,8 @@ Stand stand_of(const Plan& plan, const PlanItem& item, const std::vector<std::st
 }
 
 bool joins(const Stand& a, const Stand& b) {
-  return a.kind == b.kind && a.mount == b.mount && a.on == b.on && a.wishes == b.wishes && a.asked == b.asked && a.may_grow == b.may_grow && a.in_rows == b.in_rows;
+  return a.kind == b.kind && a.mount == b.mount && a.on == b.on && a.wishes == b.wishes && a.asked == b.asked &&
+         a.may_grow == b.may_grow && a.in_rows == b.in_rows;
 }
 
 }  // namespace

@@ -25,7 +25,12 @@ double most_of(const Range& range) { return std::isinf(range.high) ? range.low +
 class Opener {
  public:
   Opener(const Complexity& asked, const Means& means, std::vector<Stand>& stands, std::vector<std::string>& notes)
-      : asked_(asked), room_(means.room), excluded_(means.excluded), kinds_(means.kinds), stands_(stands), notes_(notes) {}
+      : asked_(asked),
+        room_(means.room),
+        excluded_(means.excluded),
+        kinds_(means.kinds),
+        stands_(stands),
+        notes_(notes) {}
 
   void open_numbers() {
     // "Seats for ten" are seats of any kind.
@@ -33,8 +38,11 @@ class Opener {
     // What nobody asked for spoils no number that somebody gave.
     std::erase_if(stands_, [&](const Stand& stand) { return !stand.asked && counts_as_asked(stand.kind); });
     const auto& vocabulary = ProgramVocabulary::built_in();
-    if (asked_.seats) open("seats", *asked_.seats, [&](const Stand& stand) { return seats_on(vocabulary, kinds_.get(stand.kind), stand.size.x()); });
-    if (asked_.shelves) open("shelves", *asked_.shelves, [&](const Stand& stand) { return is_shelf(stand.kind) ? 1.0 : 0.0; });
+    if (asked_.seats)
+      open("seats", *asked_.seats,
+           [&](const Stand& stand) { return seats_on(vocabulary, kinds_.get(stand.kind), stand.size.x()); });
+    if (asked_.shelves)
+      open("shelves", *asked_.shelves, [&](const Stand& stand) { return is_shelf(stand.kind) ? 1.0 : 0.0; });
     if (asked_.objects) fill_with_things(*asked_.objects);
   }
 
@@ -43,7 +51,8 @@ class Opener {
     const double missing = middle * area - most_footprint(stands_, kinds_);
     if (missing <= 0.0) return;
     auto names = fillers(true);
-    if (middle > crowded) std::ranges::stable_sort(names, std::greater(), [&](const auto& name) { return filling(name); });
+    if (middle > crowded)
+      std::ranges::stable_sort(names, std::greater(), [&](const auto& name) { return filling(name); });
     for (std::size_t i = 0; i < std::min(names.size(), most_fillers); ++i) {
       const Vec3& size = kinds_.get(names[i]).size;
       add(names[i], std::clamp(std::ceil(missing / (size.x() * size.y())), 1.0, most_of_one));
@@ -53,8 +62,12 @@ class Opener {
   }
 
  private:
-  bool is_shelf(const std::string& kind) const { return has_tag(ProgramVocabulary::built_in(), kinds_.get(kind), "shelf"); }
-  bool is_seat(const std::string& kind) const { return seats_on(ProgramVocabulary::built_in(), kinds_.get(kind), 1.0) > 0.0; }
+  bool is_shelf(const std::string& kind) const {
+    return has_tag(ProgramVocabulary::built_in(), kinds_.get(kind), "shelf");
+  }
+  bool is_seat(const std::string& kind) const {
+    return seats_on(ProgramVocabulary::built_in(), kinds_.get(kind), 1.0) > 0.0;
+  }
 
   // Makes things of one sort come in such numbers that their worth (seats each) may be what is asked for.
   template <typename Worth>
@@ -73,7 +86,8 @@ class Opener {
                        " are asked for, and " + std::to_string(static_cast<int>(fixed)) + " are counted by name");
     const double least = std::max(0.0, wanted.low - fixed), most = std::max(0.0, most_of(wanted) - fixed);
     const auto is_free = [&](const Stand& stand) { return worth(stand) > 0.0 && (!stand.asked || stand.may_grow); };
-    if (least > 0.0 && std::ranges::none_of(stands_, is_free)) add_one_of(complexity_words().made_up_with.at(measure), most);
+    if (least > 0.0 && std::ranges::none_of(stands_, is_free))
+      add_one_of(complexity_words().made_up_with.at(measure), most);
     Stand* finest = nullptr;  // what each is worth least comes closest
     for (auto& stand : stands_) {
       if (!is_free(stand)) continue;
@@ -142,7 +156,8 @@ class Opener {
     const Kind& kind = kinds_.get(name);
     double zone = kind.zones.empty() ? 0.0 : std::numeric_limits<double>::infinity();
     for (const auto& each : kind.zones)
-      zone = std::min(zone, each.depth * (each.side == Side::front || each.side == Side::back ? kind.size.x() : kind.size.y()));
+      zone = std::min(
+          zone, each.depth * (each.side == Side::front || each.side == Side::back ? kind.size.x() : kind.size.y()));
     const double own = kind.size.x() * kind.size.y();
     return own / (own + zone) * std::min(1.0, own / large);
   }
@@ -150,7 +165,8 @@ class Opener {
   bool may_fill(const std::string& name, bool on_floor) const {
     const Kind& kind = kinds_.get(name);
     if (kind.lineage.empty() || kind.covers_window || kind.traits.flat) return false;
-    if (on_floor != (kind.mount == Mount::floor) || names_of_asked(name) || kinds_.is_any_of(name, excluded_)) return false;
+    if (on_floor != (kind.mount == Mount::floor) || names_of_asked(name) || kinds_.is_any_of(name, excluded_))
+      return false;
     if (asked_.seats && is_seat(name)) return false;
     return !((asked_.shelves || any_shelf_is_asked()) && is_shelf(name));
   }
@@ -189,7 +205,8 @@ class Opener {
 
 }  // namespace
 
-void meet_numbers(const Complexity& asked, const Means& means, std::vector<Stand>& stands, std::vector<std::string>& notes) {
+void meet_numbers(const Complexity& asked, const Means& means, std::vector<Stand>& stands,
+                  std::vector<std::string>& notes) {
   Opener(asked, means, stands, notes).open_numbers();
 }
 
@@ -200,7 +217,8 @@ void meet_occupancy(const Complexity& asked, const Means& means, double area, st
 
 std::optional<double> floor_for(const Complexity& asked, const std::vector<Stand>& stands, const KindTable& kinds) {
   if (!asked.occupancy) return std::nullopt;
-  const double share = std::clamp(0.5 * (asked.occupancy->low + std::min(1.0, asked.occupancy->high)), emptiest, fullest_chosen);
+  const double share =
+      std::clamp(0.5 * (asked.occupancy->low + std::min(1.0, asked.occupancy->high)), emptiest, fullest_chosen);
   const double covered = 0.5 * (least_footprint(stands, kinds) + most_footprint(stands, kinds));
   return covered / share;
 }

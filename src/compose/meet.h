@@ -16,9 +16,10 @@ struct Means {
   const KindTable& kinds;
 };
 
-/// Opens an inventory up so that there can be as many seats, shelves and things as are asked for: what nobody counted may
-/// come in other numbers, and kinds are added. Numbers that somebody gave stay. Notes say what contradicts them.
-void meet_numbers(const Complexity& asked, const Means& means, std::vector<Stand>& stands, std::vector<std::string>& notes);
+/// Opens an inventory up so that there can be as many seats, shelves and things as are asked for: what nobody counted
+/// may come in other numbers, and kinds are added. Numbers that somebody gave stay. Notes say what contradicts them.
+void meet_numbers(const Complexity& asked, const Means& means, std::vector<Stand>& stands,
+                  std::vector<std::string>& notes);
 /// Opens it up so that as much of a floor of `area` square metres can be covered as is asked for.
 void meet_occupancy(const Complexity& asked, const Means& means, double area, std::vector<Stand>& stands);
 

@@ -156,7 +156,8 @@ class ModelAuthor {
     return result;
   }
 
-  Result<Room> room_for(ConstraintProgram& program, const std::optional<Room>& before, std::vector<std::string>& notes) const {
+  Result<Room> room_for(ConstraintProgram& program, const std::optional<Room>& before,
+                        std::vector<std::string>& notes) const {
     if (request_.plan.size) {
       program.room.polygon.reset();
       program.room.area.reset();

@@ -22,7 +22,8 @@ Result<Json> patched(const Json& before, const Json& patch) {
 Result<Json> program_json_of(const Json& answer, const Json& before) {
   if (const Json* program = design::member(answer, {"program"}); program && program->is_object()) return *program;
   if (const Json* patch = design::member(answer, {"patch", "operations"}); patch && patch->is_array()) {
-    if (before.is_null()) return Error{Error::Kind::invalid_input, "a patch needs a program before it; answer with a whole \"program\""};
+    if (before.is_null())
+      return Error{Error::Kind::invalid_input, "a patch needs a program before it; answer with a whole \"program\""};
     return patched(before, *patch);
   }
   if (answer.contains("constraints") && answer.contains("sets")) return answer;
@@ -41,7 +42,8 @@ Status check_for_model(const ConstraintProgram& program, const KindTable& kinds)
 }  // namespace
 
 Result<ProgramAnswer> read_program_answer(const std::string& text, const Json& before, const KindTable& kinds) {
-  const auto found = design::find_json(text, {{"program", "patch", "constraints"}, {"reasoning", "sets", "operations"}});
+  const auto found =
+      design::find_json(text, {{"program", "patch", "constraints"}, {"reasoning", "sets", "operations"}});
   if (!found) return found.error();
   const auto json = program_json_of(found->json, before);
   if (!json) return json.error();

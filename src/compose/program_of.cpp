@@ -25,7 +25,12 @@ class Translator {
  public:
   Translator(const std::vector<Stand>& stands, double walls, const KindTable& kinds, const Arrangements& arrangements,
              ConstraintProgram& program, std::vector<std::string>& notes)
-      : stands_(stands), walls_left_(walls), kinds_(kinds), arrangements_(arrangements), program_(program), notes_(notes) {}
+      : stands_(stands),
+        walls_left_(walls),
+        kinds_(kinds),
+        arrangements_(arrangements),
+        program_(program),
+        notes_(notes) {}
 
   void run() {
     for (const auto& stand : stands_) describe(stand);
@@ -46,7 +51,8 @@ class Translator {
     const std::string kind = alone ? said.substr(exactly.size()) : said;
     std::vector<const Stand*> meant;
     for (const auto& stand : stands_)
-      if (stand.name != own.name && (alone ? stand.kind == kind : kinds_.is_a(stand.kind, kind))) meant.push_back(&stand);
+      if (stand.name != own.name && (alone ? stand.kind == kind : kinds_.is_a(stand.kind, kind)))
+        meant.push_back(&stand);
     if (meant.empty()) return std::nullopt;
     // Those before it rather than all, if there are any.
     if (std::ranges::any_of(meant, [&](const Stand* stand) { return stand < &own; }))
@@ -87,7 +93,8 @@ class Translator {
         break;
       }
     // What only prefers walls goes there in a program, which has no word for preferring.
-    if (chosen.empty() && stand.mount == Mount::floor && prefers(stand, Preference::wall_near)) chosen = {{RelationKind::edge, ""}};
+    if (chosen.empty() && stand.mount == Mount::floor && prefers(stand, Preference::wall_near))
+      chosen = {{RelationKind::edge, ""}};
     return chosen;
   }
 
@@ -97,7 +104,9 @@ class Translator {
     for (const auto& wish : said.unsaid) notes_.push_back(stand.name + " " + wish + ": programs have no word for this");
     if (!said.relations.empty() || (!stand.wishes.empty() && !said.truths.empty())) return said;
     Habits usual = read(usual_way(stand), stand, false);
-    if (!stand.at_wall) std::erase_if(usual.relations, [](const SetRelation& relation) { return relation.relation.ends_with("against_wall"); });
+    if (!stand.at_wall)
+      std::erase_if(usual.relations,
+                    [](const SetRelation& relation) { return relation.relation.ends_with("against_wall"); });
     usual.truths = said.truths;
     std::ranges::move(said.scores, std::back_inserter(usual.scores));
     return usual;
@@ -119,14 +128,17 @@ class Translator {
     if (!stand.asked || std::ranges::none_of(relations, wall)) return false;
     const double length = stand.count.low * (stand.size.x() + beside);
     if (length <= walls_left_ || stand.count.low < 2.0) return walls_left_ -= length, false;
-    return std::erase_if(relations, [](const SetRelation& relation) { return relation.relation.ends_with("against_wall"); }) > 0;
+    return std::erase_if(relations,
+                         [](const SetRelation& relation) { return relation.relation.ends_with("against_wall"); }) > 0;
   }
 
   void describe(const Stand& stand) {
     Habits found = habits(stand);
     const bool is_in_rows = leaves_walls(stand, found.relations) || stand.in_rows;
     std::vector<SetRelation> relations;
-    const auto is_put = [&](const char* name) { return std::ranges::find(found.relations, name, &SetRelation::relation) != found.relations.end(); };
+    const auto is_put = [&](const char* name) {
+      return std::ranges::find(found.relations, name, &SetRelation::relation) != found.relations.end();
+    };
     if (!is_put("on")) relations.push_back(carried_by(stand.mount, carriers(stand)));
     for (auto& relation : found.relations)
       if (relations.size() < 3) relations.push_back(std::move(relation));
@@ -137,7 +149,8 @@ class Translator {
     for (auto& score : found.scores) add_score(stand.name, std::move(score));
     if (!stand.asked) add_score(stand.name, maximize(liked, count(set(stand.name))));
     // Only one thing can have the middle to itself.
-    if (stand.count.high == 1.0 && prefers(stand, Preference::center)) add_score(stand.name, minimize(middling, term(ProgramOp::center, {set(stand.name)})));
+    if (stand.count.high == 1.0 && prefers(stand, Preference::center))
+      add_score(stand.name, minimize(middling, term(ProgramOp::center, {set(stand.name)})));
     if (!is_in_rows) return;
     add_score(stand.name, minimize(straight, term(ProgramOp::coplanarity, {set(stand.name)})));
     ProgramTerm askew = term(ProgramOp::angle, {set(stand.name), room()});
@@ -146,8 +159,9 @@ class Translator {
   }
 
   bool prefers(const Stand& stand, Preference what) const {
-    return std::ranges::any_of(arrangements_.get(kinds_, stand.kind, stand.mount).preferences,
-                               [&](const auto& preference) { return preference.what == what && preference.weight > 0.0; });
+    return std::ranges::any_of(
+        arrangements_.get(kinds_, stand.kind, stand.mount).preferences,
+        [&](const auto& preference) { return preference.what == what && preference.weight > 0.0; });
   }
 
   const ProgramSet& members_of(const Stand& stand) const {
@@ -184,7 +198,8 @@ class Translator {
       const Stand& at = *stand_named(host->target.front().name);
       const double each = stand.count.low / at.count.low;
       const Range hosts = range_of(at);
-      if (hosts.low == hosts.high && hosts.low == at.count.low && at.count.low > 1.0 && each == std::floor(each) && each > 0.0) {
+      if (hosts.low == hosts.high && hosts.low == at.count.low && at.count.low > 1.0 && each == std::floor(each) &&
+          each > 0.0) {
         ProgramSet own = of_kind(stand.kind);
         own.relations = members.relations;
         own.relations[static_cast<std::size_t>(host - members.relations.begin())].target = {variable("h")};
@@ -202,7 +217,8 @@ class Translator {
       Range range;
       for (const auto& other : stands_)
         if (kinds_.is_a(other.kind, stand.kind)) range.low += other.count.low, range.high += other.count.high;
-      program_.constraints.emplace_back("all " + stand.kind, bound(term(ProgramOp::add, {}, {count(of_kind(stand.kind))}), range));
+      program_.constraints.emplace_back("all " + stand.kind,
+                                        bound(term(ProgramOp::add, {}, {count(of_kind(stand.kind))}), range));
     }
   }
 
@@ -255,7 +271,8 @@ void ask_of_whole(const Complexity& asked, ConstraintProgram& program) {
 }  // namespace
 
 ConstraintProgram program_of(const std::vector<Stand>& stands, const Complexity& asked, const Plan& plan,
-                             const KindTable& kinds, const Arrangements& arrangements, std::vector<std::string>& notes) {
+                             const KindTable& kinds, const Arrangements& arrangements,
+                             std::vector<std::string>& notes) {
   ConstraintProgram program;
   program.prompt = plan.prompt;
   program.seed = plan.seed;

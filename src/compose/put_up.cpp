@@ -23,8 +23,12 @@ ProgramTerm hinge(ProgramTerm value, double low, double high) {
   return result;
 }
 
-ProgramTerm at_most(ProgramTerm value, double most) { return term(ProgramOp::at_most, {}, {std::move(value), number(most)}); }
-ProgramTerm at_least(ProgramTerm value, double least) { return term(ProgramOp::at_least, {}, {std::move(value), number(least)}); }
+ProgramTerm at_most(ProgramTerm value, double most) {
+  return term(ProgramOp::at_most, {}, {std::move(value), number(most)});
+}
+ProgramTerm at_least(ProgramTerm value, double least) {
+  return term(ProgramOp::at_least, {}, {std::move(value), number(least)});
+}
 
 /// Reads the relations of one subject.
 class HabitReader {
@@ -110,7 +114,8 @@ class HabitReader {
 
   // What stands at a thing's side and looks the way it does.
   void beside(const TargetSet& target) {
-    if (asked_ && may_be_put(target) && has(relations_, RelationKind::face_same_as)) return put("leftright_leftright", target.set);
+    if (asked_ && may_be_put(target) && has(relations_, RelationKind::face_same_as))
+      return put("leftright_leftright", target.set);
     keep_within(target.set, near_good, near_most);
   }
 

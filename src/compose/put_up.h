@@ -34,7 +34,8 @@ struct TargetSet {
 };
 using FindTarget = std::function<std::optional<TargetSet>(const std::string& target)>;
 
-/// The floor, wall, ceiling or thing that carries a thing of this mount. `carrier` is only used for what stands on things.
+/// The floor, wall, ceiling or thing that carries a thing of this mount. `carrier` is only used for what stands on
+/// things.
 SetRelation carried_by(Mount mount, const ProgramSet& carrier);
 
 /// Relations in the grammar of scenes, as parts of a program: what fixes a place against something becomes a way

@@ -47,7 +47,8 @@ bool ErrorReport::is_met() const {
          std::ranges::all_of(measures, [](const MeasureVerdict& verdict) { return verdict.missed <= exact; });
 }
 
-ErrorReport error_report(const Optimisation& result, const Complexity& asked, const ModelTable& models, const KindTable& kinds) {
+ErrorReport error_report(const Optimisation& result, const Complexity& asked, const ModelTable& models,
+                         const KindTable& kinds) {
   ErrorReport report;
   for (const auto& verdict : result.constraints)
     if (!verdict.held) report.unmet.push_back(verdict);

@@ -35,7 +35,8 @@ class Reviser {
     return std::ranges::any_of(report_.unmet, [&](const auto& verdict) { return set_named(verdict.name) != nullptr; });
   }
   bool only_asked_is_missed() const {
-    return counts_are_missed() && std::ranges::none_of(report_.measures, [](const auto& measure) { return measure.missed > 1e-9; });
+    return counts_are_missed() &&
+           std::ranges::none_of(report_.measures, [](const auto& measure) { return measure.missed > 1e-9; });
   }
 
   // The floor that would make what stands there cover what is asked for.
@@ -75,7 +76,8 @@ class Reviser {
   bool leave_walls() {
     std::vector<std::string> freed;
     for (auto& [name, members] : written_.program.sets) {
-      const bool is_missed = std::ranges::any_of(report_.unmet, [&](const auto& verdict) { return verdict.name == name; });
+      const bool is_missed =
+          std::ranges::any_of(report_.unmet, [&](const auto& verdict) { return verdict.name == name; });
       const auto wall = [](const SetRelation& relation) { return relation.relation.ends_with("against_wall"); };
       if (is_missed && std::erase_if(members.relations, wall) > 0) freed.push_back(name);
     }
@@ -120,14 +122,17 @@ class Reviser {
       const auto* verdict = missed(report_, measure);
       return verdict && verdict->reached < verdict->asked.low;
     };
-    const bool on_floor = std::ranges::any_of(members->relations, [](const auto& relation) { return relation.relation == "on_floor"; });
+    const bool on_floor =
+        std::ranges::any_of(members->relations, [](const auto& relation) { return relation.relation == "on_floor"; });
     return lacks("objects") || (lacks("occupancy") && on_floor && !kind->traits.flat) ||
-           (lacks("seats") && seats_on(vocabulary, *kind, kind->size.x()) > 0) || (lacks("shelves") && has_tag(vocabulary, *kind, "shelf"));
+           (lacks("seats") && seats_on(vocabulary, *kind, kind->size.x()) > 0) ||
+           (lacks("shelves") && has_tag(vocabulary, *kind, "shelf"));
   }
 
   // Seats may be what is asked for even where nobody counted chairs.
   bool serves_measure(const std::string& set) const {
-    if (missed(report_, "objects") && static_cast<double>(report_.things) < missed(report_, "objects")->asked.low) return true;
+    if (missed(report_, "objects") && static_cast<double>(report_.things) < missed(report_, "objects")->asked.low)
+      return true;
     const auto& vocabulary = ProgramVocabulary::built_in();
     const ProgramSet* members = set_named(set);
     const Kind* kind = members ? KindTable::built_in().find(members->factory) : nullptr;
@@ -171,8 +176,9 @@ class Reviser {
 
 std::optional<Revision> revise(const WrittenProgram& written, const ErrorReport& report, int last_rule) {
   using Rule = bool (Reviser::*)();
-  static constexpr Rule rules[] = {&Reviser::fit_floor,   &Reviser::leave_walls,    &Reviser::grow_room,    &Reviser::drop_optional,
-                                   &Reviser::permit_more, &Reviser::smaller_things, &Reviser::weaken_scores};
+  static constexpr Rule rules[] = {&Reviser::fit_floor,     &Reviser::leave_walls, &Reviser::grow_room,
+                                   &Reviser::drop_optional, &Reviser::permit_more, &Reviser::smaller_things,
+                                   &Reviser::weaken_scores};
   constexpr int count = static_cast<int>(std::size(rules));
   if (report.is_met()) return std::nullopt;
   for (int k = 0; k < count; ++k) {

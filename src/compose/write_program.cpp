@@ -69,7 +69,8 @@ struct Furnished {
 const design::RoomKind& kind_of(const Room& room) { return design::built_in_room_kinds()->get(room.type); }
 
 // The floor that the inventory wants: as full as is asked for, else no fuller than such rooms are.
-std::optional<double> wanted_floor(const Plan& plan, const std::vector<Stand>& stands, const Complexity& asked, const KindTable& kinds) {
+std::optional<double> wanted_floor(const Plan& plan, const std::vector<Stand>& stands, const Complexity& asked,
+                                   const KindTable& kinds) {
   constexpr double each_seat = 0.6, each_shelf = 0.4;  // m2, of what nobody counts by name
   if (const auto floor = floor_for(asked, stands, kinds)) return std::min(*floor, greatest_floor);
   double covered = least_footprint(stands, kinds);
@@ -101,7 +102,8 @@ Result<Furnished> furnish(Reading& reading, const KindTable& kinds) {
     furnished.stands = inventory_of(furnished.plan, kinds);
     meet_numbers(reading.asked, means, furnished.stands, furnished.notes);
     const double area = area_of(furnished.plan.room);
-    const auto floor = reading.is_room_free ? wanted_floor(furnished.plan, furnished.stands, reading.asked, kinds) : std::nullopt;
+    const auto floor =
+        reading.is_room_free ? wanted_floor(furnished.plan, furnished.stands, reading.asked, kinds) : std::nullopt;
     if (!floor || i == most_floors || std::abs(*floor / area - 1.0) < same_floor) break;
     reading.request.size = scaled(furnished.plan.room, *floor);
   }
@@ -115,16 +117,19 @@ Result<Furnished> furnish(Reading& reading, const KindTable& kinds) {
 
 Result<WrittenProgram> write_program(const ComposeRequest& request) {
   const KindTable& kinds = KindTable::built_in();
-  Reading reading{request.plan, overridden(complexity_of(request.plan.prompt), request.complexity), !is_size_said(request.plan)};
+  Reading reading{request.plan, overridden(complexity_of(request.plan.prompt), request.complexity),
+                  !is_size_said(request.plan)};
   auto result = furnish(reading, kinds);
   if (!result) return result.error();
   Furnished& furnished = *result;
   WrittenProgram written;
   written.notes = furnished.plan.notes;
   written.notes.insert(written.notes.end(), furnished.notes.begin(), furnished.notes.end());
-  written.program = program_of(furnished.stands, reading.asked, furnished.plan, kinds, *built_in_arrangements(), written.notes);
+  written.program =
+      program_of(furnished.stands, reading.asked, furnished.plan, kinds, *built_in_arrangements(), written.notes);
   seat_at_tables(written.program, kinds, furnished.stands);
-  for (const auto& stand : furnished.stands) written.stock.push_back({stand.kind, stand.description, stand.size, stand.mount, stand.asked});
+  for (const auto& stand : furnished.stands)
+    written.stock.push_back({stand.kind, stand.description, stand.size, stand.mount, stand.asked});
   written.plan = std::move(furnished.plan);
   written.asked = reading.asked;
   written.is_room_free = reading.is_room_free;

@@ -48,7 +48,8 @@ std::optional<Figure> fraction_at(Tokens tokens, std::size_t at) {
     return Figure{*alone, true, 1};
   if (is_word_at(tokens, at, "a") || is_word_at(tokens, at, "one"))
     if (const double* one = part(at + 1)) return Figure{*one, true, 2};
-  if (const auto number = at < tokens.size() ? number_at(tokens.first(at + 1), at) : std::nullopt; number && number->value >= 1)
+  if (const auto number = at < tokens.size() ? number_at(tokens.first(at + 1), at) : std::nullopt;
+      number && number->value >= 1)
     if (const double* each = part(at + 1); each && tokens[at + 1].text.ends_with('s'))
       return Figure{number->value * *each, true, 2};
   return std::nullopt;
@@ -66,14 +67,16 @@ std::optional<Figure> figure_at(Tokens tokens, std::size_t at) {
 bool joins(Tokens tokens, std::size_t at, bool after_between) {
   if (at >= tokens.size()) return false;
   const Token& token = tokens[at];
-  if (token.kind == Token::Kind::symbol) return token.text == "-" || token.text == "–" || token.text == "—" || token.text == "~";
+  if (token.kind == Token::Kind::symbol)
+    return token.text == "-" || token.text == "–" || token.text == "—" || token.text == "~";
   return token.is("to") || token.is("through") || token.is("till") || token.is(after_between ? "and" : "or");
 }
 
 // What joins two figures: a word, a dash, or a hyphen that left no token of its own. Tokens, if it does.
 std::optional<std::size_t> joint_at(Tokens tokens, std::size_t at, bool after_between) {
   if (joins(tokens, at, after_between)) return 1;
-  if (at < tokens.size() && tokens[at].joint == Token::Joint::hyphen && tokens[at].kind == Token::Kind::number) return 0;
+  if (at < tokens.size() && tokens[at].joint == Token::Joint::hyphen && tokens[at].kind == Token::Kind::number)
+    return 0;
   return std::nullopt;
 }
 

@@ -128,7 +128,8 @@ std::vector<Bound> make_bounds(const ConstraintProgram& program, Compiler& compi
         ways.push_back(&compiled.language.relations[static_cast<std::size_t>(number)]);
       }
       for (std::size_t k = 0; k < kinds.size(); ++k)
-        if (draft.kinds.contains(kinds[k]) && !is_counted_elsewhere(kinds[k]) && may_be_put(*kinds[k], ways)) recipe.kinds.push_back(static_cast<int>(k));
+        if (draft.kinds.contains(kinds[k]) && !is_counted_elsewhere(kinds[k]) && may_be_put(*kinds[k], ways))
+          recipe.kinds.push_back(static_cast<int>(k));
       if (!recipe.kinds.empty()) bound.recipes.push_back(std::move(recipe));
     }
     bounds.push_back(std::move(bound));
@@ -147,7 +148,8 @@ std::vector<const Kind*> kinds_of_bounds(const ConstraintProgram& program, const
   for (const auto& bound : count_bounds(program))
     for (const auto& draft : finder.find(*bound.set)) {
       std::vector<const Kind*> kinds;
-      std::ranges::copy_if(all, std::back_inserter(kinds), [&](const Kind* kind) { return draft.kinds.contains(kind); });
+      std::ranges::copy_if(all, std::back_inserter(kinds),
+                           [&](const Kind* kind) { return draft.kinds.contains(kind); });
       random.fork(std::to_string(number++)).shuffle(kinds);
       if (kinds.size() > most_kinds) kinds.resize(most_kinds);
       wanted.insert(kinds.begin(), kinds.end());

@@ -98,7 +98,8 @@ int Compiler::described(const ProgramSet& set, const std::vector<std::string>& s
   for (const auto& from : set.from) node.from.push_back(this->set(from, scope));
   node.filter = filter(set);
   for (const auto& relation : set.relations) node.relations.push_back(this->relation(relation, scope));
-  for (const int from : node.from) node.is_closed = node.is_closed && result_.sets[static_cast<std::size_t>(from)].is_closed;
+  for (const int from : node.from)
+    node.is_closed = node.is_closed && result_.sets[static_cast<std::size_t>(from)].is_closed;
   for (const auto& relation : node.relations)
     node.is_closed = node.is_closed && result_.sets[static_cast<std::size_t>(relation.target)].is_closed;
   result_.sets.push_back(std::move(node));

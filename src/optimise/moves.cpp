@@ -30,7 +30,8 @@ Moves::Moves(World& world, Evaluator& evaluator, const std::vector<Bound>& bound
       language_(language),
       random_(random),
       settler_(world, random),
-      bounds_with_variables_(std::ranges::any_of(bounds, [](const Bound& bound) { return !bound.variables.empty(); })) {}
+      bounds_with_variables_(std::ranges::any_of(bounds, [](const Bound& bound) { return !bound.variables.empty(); })) {
+}
 
 std::optional<SlotSet> Moves::propose(MoveKind kind, double reach) {
   switch (kind) {

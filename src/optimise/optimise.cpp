@@ -162,7 +162,8 @@ const std::array<std::string, 11>& optimise_move_names() {
 
 std::vector<std::string> kinds_to_stock(const ConstraintProgram& program, const KindTable& kinds, std::uint64_t seed) {
   std::vector<std::string> names;
-  for (const Kind* kind : kinds_of_bounds(program, kinds, ProgramVocabulary::built_in(), Random(seed).fork("stock"))) names.push_back(kind->name);
+  for (const Kind* kind : kinds_of_bounds(program, kinds, ProgramVocabulary::built_in(), Random(seed).fork("stock")))
+    names.push_back(kind->name);
   std::ranges::sort(names);
   return names;
 }

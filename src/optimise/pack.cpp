@@ -155,7 +155,8 @@ std::optional<std::pair<int, double>> wall_behind(const Object& object, const Ro
     const double off = in.dot(own.center() - room.polygon.points[k]) - own.half().y();
     const Segment wall = room.polygon.edge(k);
     const double along = wall.direction().dot(own.center() - wall.a);
-    if (off < near && off > -0.01 && along > 0.0 && along < wall.length()) return std::pair(static_cast<int>(k), std::max(0.0, off));
+    if (off < near && off > -0.01 && along > 0.0 && along < wall.length())
+      return std::pair(static_cast<int>(k), std::max(0.0, off));
   }
   return std::nullopt;
 }

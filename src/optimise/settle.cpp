@@ -19,7 +19,9 @@ constexpr int looks = 3;           // places on a carrier that are tried at once
 constexpr double place_pitch = 0.05, near_pitch = 0.01;  // metres
 constexpr double as_carrier = 0.6; // share of things that look where their carrier looks
 
-Vec2 turned(const Vec2& point, const Vec2& about, double yaw, const Vec2& to) { return to + rotated(point - about, yaw); }
+Vec2 turned(const Vec2& point, const Vec2& about, double yaw, const Vec2& to) {
+  return to + rotated(point - about, yaw);
+}
 
 }  // namespace
 
@@ -121,9 +123,10 @@ std::optional<Stance> Settler::on_carrier(int article, const Stance& wanted, boo
     std::vector<SupportPose> found = poses.at(object, carrier.object, {&place, 1});
     std::erase_if(found, [&](const SupportPose& pose) { return !may_be(pose); });
     if (found.empty()) return best;
-    const SupportPose pose = anywhere ? random_.pick(found) : *std::ranges::min_element(found, {}, [&](const SupportPose& p) {
-      return std::abs(bottom(carrier.object) + p.bottom - wanted.bottom);
-    });
+    const SupportPose pose =
+        anywhere ? random_.pick(found) : *std::ranges::min_element(found, {}, [&](const SupportPose& p) {
+          return std::abs(bottom(carrier.object) + p.bottom - wanted.bottom);
+        });
     const Pose there = pose_of(pose, carrier.object);
     best = wanted;
     best->position = there.position, best->bottom = there.bottom, best->yaw = there.yaw, best->rest = pose;

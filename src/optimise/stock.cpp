@@ -81,7 +81,8 @@ Result<Stock> load_stock(const std::vector<StockWish>& wishes, const AssetLibrar
     if (shelf.assets.empty()) stock.missing.push_back(kind);
     for (std::size_t k = 0; k < shelf.assets.size(); ++k) {
       const AssetInfo& asset = shelf.assets[k];
-      Object object = object_of_asset(asset, table.get(kind), fitted_to(wishes[i], asset, table.get(kind)), shelf.models[k].get());
+      Object object =
+          object_of_asset(asset, table.get(kind), fitted_to(wishes[i], asset, table.get(kind)), shelf.models[k].get());
       object.category = kind;
       object.description = asset.name;
       stock.articles[kind].push_back(std::move(object));

@@ -37,7 +37,8 @@ std::optional<Evaluator::Held> Evaluator::held(const Tie& tie) {
   std::vector<Slot> targets;
   Version together = 1;  // of all targets at once
   for (const int number : tie.targets) {
-    const auto target = number < 0 ? std::nullopt : slot_of(program_.ties[static_cast<std::size_t>(number)].kind_number);
+    const auto target =
+        number < 0 ? std::nullopt : slot_of(program_.ties[static_cast<std::size_t>(number)].kind_number);
     together = together * 0x01000193u + (target ? world_.version(*target) : 0u);
     if (target && std::ranges::find(targets, *target) == targets.end()) targets.push_back(*target);
   }

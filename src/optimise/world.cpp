@@ -221,7 +221,8 @@ bool World::rests_on(Slot upper, Slot lower) const {
 
 World::Meeting World::meeting(Slot a, Slot b) const {
   const Item &one = item(a), &two = item(b);
-  if (!boxes_clash(one.object, one.body.footprint, one.body.bottom, two.object, two.body.footprint)) return Meeting::apart;
+  if (!boxes_clash(one.object, one.body.footprint, one.body.bottom, two.object, two.body.footprint))
+    return Meeting::apart;
   if (!both_solid(one.object, two.object)) return Meeting::clash;
   const auto sits_over = [&](Slot upper, const Item& other) {
     for (const auto& attachment : item(upper).stance.held())
@@ -231,7 +232,8 @@ World::Meeting World::meeting(Slot a, Slot b) const {
     return false;
   };
   // Within one box two things may still keep out of each other's way.
-  const bool may_meet = rests_on(a, b) || rests_on(b, a) || tucks(*one.kind, *two.kind) || sits_over(a, two) || sits_over(b, one);
+  const bool may_meet =
+      rests_on(a, b) || rests_on(b, a) || tucks(*one.kind, *two.kind) || sits_over(a, two) || sits_over(b, one);
   return may_meet ? Meeting::meshes_decide : Meeting::clash;
 }
 
@@ -241,7 +243,8 @@ bool World::boxes_admit(const SlotSet& moved) {
   moved.each([&](Slot slot) {
     if (!fits) return;
     const Item& thing = item(slot);
-    fits = !thing.fixed && limits_.admit(thing.object, *thing.kind, thing.body.footprint, thing.body.bottom) && attachments_hold(slot);
+    fits = !thing.fixed && limits_.admit(thing.object, *thing.kind, thing.body.footprint, thing.body.bottom) &&
+           attachments_hold(slot);
     if (!fits) return;
     things_.each([&](Slot other) {
       if (!fits || other == slot || (moved.has(other) && other < slot)) return;

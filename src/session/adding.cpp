@@ -104,7 +104,8 @@ Status bring(Draft& draft, const Newcomer& newcomer, Favourites& favourites) {
                                newcomer.planned, most_assets);
   if (!assets) return assets.error();
   if (assets->empty())
-    return cannot("no asset is a " + newcomer.item.category + "; the library has none and none can be made of the words");
+    return cannot("no asset is a " + newcomer.item.category +
+                  "; the library has none and none can be made of the words");
   for (const auto means : {Means::usual_places, Means::all_places})
     for (const auto& asset : *assets)
       if (place_newcomer(draft, newcomer, asset, means))

@@ -74,7 +74,9 @@ Result<std::vector<Relation>> relations_at(const EditText& text, const Whereabou
   return not_understood(place.spot->of + " stands there; say what becomes of it, or replace it");
 }
 
-bool is_small(const EditText& text, const std::string& category) { return text.kinds.get(category).mount == Mount::surface; }
+bool is_small(const EditText& text, const std::string& category) {
+  return text.kinds.get(category).mount == Mount::surface;
+}
 
 // "a candle on every table": at each of the places as many.
 MayRead<Clause> read_shared(const EditText& text, const std::vector<NamedThing>& wanted, std::size_t at) {
@@ -89,7 +91,8 @@ MayRead<Clause> read_shared(const EditText& text, const std::vector<NamedThing>&
       // "two lamps on either side of the bed" are two.
       const bool is_divided = (*shared)->value.flanks && add.count > 1;
       if (is_divided && static_cast<std::size_t>(add.count) != places.size())
-        return not_understood(std::to_string(add.count) + " of them cannot be shared out among " + std::to_string(places.size()) + " places");
+        return not_understood(std::to_string(add.count) + " of them cannot be shared out among " +
+                              std::to_string(places.size()) + " places");
       if (is_divided) add.count = 1;
       add.relations = relations;
       come(text, add, clause);
@@ -122,7 +125,9 @@ std::optional<ReadClause> read_better_one(const EditText& text, const NamedThing
     const Object* object = find_object(text.scene, there.front());
     if (object && lost_relations(*object, (*place)->relations, text.scene, text.kinds).empty()) end = (*place)->end;
   }
-  auto better = of_each({there, end}, end, [&](const std::string& id) { return edit::Replace{id, "", thing.description()}; });
+  auto better = of_each({there, end}, end, [&](const std::string& id) {
+    return edit::Replace{id, "", thing.description()};
+  });
   return goes_to_its_end(text, better) ? std::optional(better) : std::nullopt;
 }
 
@@ -159,8 +164,11 @@ ReadClause read_things_to_add(const EditText& text, std::size_t at) {
     if (!at_place) return at_place.error();
     relations = *std::move(at_place);
     // "add a charger to the desk"
-    const Object* host = text.is_word(where, "to") && relations.size() == 1 ? find_object(text.scene, relations.front().target) : nullptr;
-    if (host && relations.front().kind == RelationKind::near && is_small(text, wanted.front().kind.category->name) && text.kinds.get(host->category).supports)
+    const Object* host = text.is_word(where, "to") && relations.size() == 1
+                             ? find_object(text.scene, relations.front().target)
+                             : nullptr;
+    if (host && relations.front().kind == RelationKind::near && is_small(text, wanted.front().kind.category->name) &&
+        text.kinds.get(host->category).supports)
       relations.front().kind = RelationKind::on;
     clause.end = (*place)->end;
   }
@@ -181,7 +189,8 @@ ReadClause read_things_to_add(const EditText& text, std::size_t at) {
 
 ReadClause read_better(const EditText& text, std::size_t at) {
   const auto thing = named_thing_at(text, at);
-  if (!thing || !thing->kind.category || (!thing->bare && thing->which != NamedThing::Which::indefinite)) return what_at(text, at, "not understood");
+  if (!thing || !thing->kind.category || (!thing->bare && thing->which != NamedThing::Which::indefinite))
+    return what_at(text, at, "not understood");
   auto better = read_better_one(text, *thing);
   return better ? *std::move(better) : what_at(text, at, "not understood");
 }
@@ -194,7 +203,8 @@ bool brings_something(const EditText& text, std::size_t at) { return new_thing_a
 ReadClause read_give(const EditText& text, std::size_t at) {
   const auto owner = things(text, at, true);
   if (!owner) return owner.error();
-  if (const auto gap = gap_at(text, owner->end, owner->value)) return *gap ? keep_gap(text, **gap) : ReadClause(gap->error());
+  if (const auto gap = gap_at(text, owner->end, owner->value))
+    return *gap ? keep_gap(text, **gap) : ReadClause(gap->error());
   if (const auto parts = parts_at(text, owner->end))
     return of_each(*owner, parts->end, [&](const std::string& id) { return edit::Reform{id, "with " + parts->value}; });
   const auto wanted = new_things_at(text, owner->end);

@@ -36,7 +36,8 @@ Result<std::vector<Taken>> take_all(Draft& draft, const edit::Arrange& arrange) 
     }
     taken.push_back({std::move(cluster), {spot.position.head<2>(), spot.position.z(), spot.yaw}});
   }
-  std::stable_sort(taken.begin(), taken.end(), [](const Taken& a, const Taken& b) { return a.pose.bottom < b.pose.bottom; });
+  std::stable_sort(taken.begin(), taken.end(),
+                   [](const Taken& a, const Taken& b) { return a.pose.bottom < b.pose.bottom; });
   for (const auto& one : taken) draft.take_out(one.cluster.ids());
   return taken;
 }
@@ -47,7 +48,8 @@ std::string carrier_at(const Draft& draft, const Taken& thing) {
     return other.room == thing.cluster.root.room && contains(footprint(other), thing.pose.position) &&
            bottom(other) < thing.pose.bottom + on_surface;
   };
-  if (const Object* before = find_object(draft.scene, thing.cluster.root.on); before && is_below(*before)) return before->id;
+  if (const Object* before = find_object(draft.scene, thing.cluster.root.on); before && is_below(*before))
+    return before->id;
   const Object* best = nullptr;
   for (const auto& other : draft.scene.objects)
     if (!other.traits.flat && is_below(other) && (!best || top(other) > top(*best))) best = &other;

@@ -21,7 +21,8 @@ Status carry_out(Draft& draft, const edit::Recolor& recolor) {
   if (!object) return object.error();
   const auto finish = create::wanted_finish(recolor.looks, object->category);
   if (finish.empty())
-    return Error{Error::Kind::not_understood, "\"" + recolor.looks + "\" names no colour, material or pattern that is known"};
+    return Error{Error::Kind::not_understood,
+                 "\"" + recolor.looks + "\" names no colour, material or pattern that is known"};
   if (object->asset.is_box()) return cannot(object->id + " is a plain box and cannot be painted");
   Object changed = *object;
   for (const auto& [stuff, text] : finish) changed.asset.finish[stuff] = text;
@@ -62,8 +63,9 @@ Status carry_out(Draft& draft, const edit::Cover& cover) {
     std::string& words;
     std::string noun;
   };
-  for (const auto& part : {Part{"floor", materials.floor, "floor"}, Part{"walls", materials.walls, "walls"},
-                           Part{"ceiling", materials.ceiling, "ceiling"}, Part{"accent wall", materials.accent, "wall"}}) {
+  for (const auto& part :
+       {Part{"floor", materials.floor, "floor"}, Part{"walls", materials.walls, "walls"},
+        Part{"ceiling", materials.ceiling, "ceiling"}, Part{"accent wall", materials.accent, "wall"}}) {
     if (part.name != cover.part) continue;
     part.words = cover.looks + " " + part.noun;
     Requirement wish;

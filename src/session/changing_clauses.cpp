@@ -108,7 +108,8 @@ std::optional<Read<std::string>> room_part_at(const EditText& text, std::size_t 
   const auto part = longest(text.edits.room_parts, text.tokens, at, 2);
   if (!part) return std::nullopt;
   // "the floor lamp"
-  if (const auto thing = named_thing_at(text, at); thing && thing->kind.category && thing->end > at + part.length) return std::nullopt;
+  if (const auto thing = named_thing_at(text, at); thing && thing->kind.category && thing->end > at + part.length)
+    return std::nullopt;
   return Read<std::string>{*part.value, at + part.length};
 }
 
@@ -123,7 +124,8 @@ ReadClause read_looks_first(const EditText& text, std::size_t at) {
     if (!text.is_word(i, "on") && !text.is_word(i, "for")) continue;
     const std::string words = text.words_from(at, i);
     if (!describes_looks(words)) break;
-    if (const auto part = room_part_at(text, i + 1)) return Clause{{edit::Cover{part->value, words, ""}}, {}, {}, part->end};
+    if (const auto part = room_part_at(text, i + 1))
+      return Clause{{edit::Cover{part->value, words, ""}}, {}, {}, part->end};
     const auto what = things(text, i + 1, true);
     if (!what) return what.error();
     return of_each(*what, what->end, [&](const std::string& id) { return edit::Recolor{id, words}; });
@@ -159,7 +161,9 @@ ReadClause read_change(const EditText& text, std::size_t at) {
       if (!what || !text.is_word(what->end, to)) continue;
       const auto thing = named_thing_at(text, what->end + 1);
       const bool is_other = std::string(to) != "to" || (thing && thing->kind.category);
-      if (auto other = is_other ? replaced(text, *what, what->end + 1) : ReadClause(not_understood("")); goes_to_its_end(text, other)) return other;
+      if (auto other = is_other ? replaced(text, *what, what->end + 1) : ReadClause(not_understood(""));
+          goes_to_its_end(text, other))
+        return other;
       if (thing && thing->kind.category) return replaced(text, *what, what->end + 1);
       if (auto other = replaced(text, *what, what->end + 1); goes_to_its_end(text, other)) return other;
     }
@@ -213,7 +217,8 @@ ReadClause read_make(const EditText& text, std::size_t at) {
                                        [&](const std::string& id) { return find_object(text.scene, id); });
     if (are_there && size_at(text, what->end)) return read_size(text, *what, what->end);
     const auto thing = named_thing_at(text, what->end);
-    if (thing && thing->kind.category && thing->which == NamedThing::Which::indefinite) return replaced(text, *what, what->end);
+    if (thing && thing->kind.category && thing->which == NamedThing::Which::indefinite)
+      return replaced(text, *what, what->end);
     if (auto away = read_facing_away(text, *what)) return *away;
     if (text.is_word(what->end, "face")) {
       const auto target = target_at(text, what->end + 1, what->value);
@@ -240,7 +245,8 @@ ReadClause resize_each(const EditText& text, const Read<Ids>& what, const NewSiz
 
 // A verb that says which way a side changes: "increase", "raise"; those that say none only set it.
 double way_of(const EditText& text, const std::string& verb) {
-  if (const auto growth = text.edits.verbs_of_size.find(verb); growth != text.edits.verbs_of_size.end()) return growth->second.factor;
+  if (const auto growth = text.edits.verbs_of_size.find(verb); growth != text.edits.verbs_of_size.end())
+    return growth->second.factor;
   const auto lift = text.edits.lifts.find(verb);
   return lift == text.edits.lifts.end() ? 1.0 : lift->second > 0 ? 1.2 : 0.8;
 }

@@ -14,9 +14,11 @@ Error what_at(const EditText& text, std::size_t at, const std::string& what) {
 
 std::size_t behind_modals(const EditText& text, std::size_t at) {
   for (;;) {
-    const auto modal = longest_in(text.edits.modals, text.tokens, at), auxiliary = longest_in(text.edits.auxiliaries, text.tokens, at);
+    const auto modal = longest_in(text.edits.modals, text.tokens, at),
+               auxiliary = longest_in(text.edits.auxiliaries, text.tokens, at);
     // "to the window" is no infinitive.
-    const bool is_place = longest(text.edits.places, text.tokens, at) || longest(text.words.placements, text.tokens, at);
+    const bool is_place =
+        longest(text.edits.places, text.tokens, at) || longest(text.words.placements, text.tokens, at);
     if (std::max(modal, auxiliary) == 0 || (modal == 0 && (is_place || text.is_word(at, "to")))) return at;
     at += std::max(modal, auxiliary);
   }
@@ -31,7 +33,8 @@ Result<Read<Ids>> things(const EditText& text, std::size_t at, bool with_places)
   return *found;
 }
 
-ReadClause of_each(const Read<Ids>& read, std::size_t end, const std::function<edit::Operation(const std::string&)>& make) {
+ReadClause of_each(const Read<Ids>& read, std::size_t end,
+                   const std::function<edit::Operation(const std::string&)>& make) {
   Clause clause;
   clause.about = read.value;
   clause.end = end;
@@ -40,7 +43,8 @@ ReadClause of_each(const Read<Ids>& read, std::size_t end, const std::function<e
 }
 
 bool goes_to_its_end(const EditText& text, const ReadClause& clause) {
-  return clause && (text.ends(end_of_tail(text, clause->end)) || longest_in(text.edits.besides, text.tokens, clause->end) > 0);
+  return clause &&
+         (text.ends(end_of_tail(text, clause->end)) || longest_in(text.edits.besides, text.tokens, clause->end) > 0);
 }
 
 }  // namespace roomgen

@@ -42,7 +42,9 @@ MayRead<Ids> one_reference_at(const EditText& text, std::size_t at, bool with_pl
   return all_but(text, {*ids, thing->end});
 }
 
-bool begins_clause(const EditText& text, std::size_t at) { return longest(text.edits.verbs, text.tokens, at).length > 0; }
+bool begins_clause(const EditText& text, std::size_t at) {
+  return longest(text.edits.verbs, text.tokens, at).length > 0;
+}
 
 bool is_filler(const EditText& text, std::size_t at) {
   return at < text.tokens.size() && text.edits.words_of_looks.count(text.tokens[at].text) > 0;
@@ -70,7 +72,8 @@ std::string plain_look(const std::string& word, bool of_room) {
 bool may_be_of_look(const EditText& text, std::size_t at, std::size_t begin, bool of_room) {
   const auto& token = text.tokens[at];
   if (is_filler(text, at)) return true;
-  if (text.words.stops.count(token.text) || token.is_word("one") || token.is_word("ones") || token.is_word("same")) return false;
+  if (text.words.stops.count(token.text) || token.is_word("one") || token.is_word("ones") || token.is_word("same"))
+    return false;
   if (describes(token.text, of_room) || token.kind != EditText::Token::Kind::word) return true;
   const auto deed = language::verb(token.text);
   return at > begin ? !(deed && deed->form == language::VerbForm::past) : text.edits.verbs.count(token.text) == 0;
@@ -102,7 +105,9 @@ bool describes_looks(const std::string& words) { return describes(words, false) 
 MayRead<std::string> looks_at(const EditText& text, std::size_t at, bool of_room) {
   while (is_filler(text, at)) ++at;
   std::size_t end = at;
-  while ((!text.ends(end) || goes_on_with_look(text, end, of_room)) && longest_in(text.edits.except, text.tokens, end) == 0) ++end;
+  while ((!text.ends(end) || goes_on_with_look(text, end, of_room)) &&
+         longest_in(text.edits.except, text.tokens, end) == 0)
+    ++end;
   while (end > at && longest_in(text.edits.closers, text.tokens, end - 1) == 1) --end;
   if (end == at) return std::nullopt;
   // "stand at its head", "try a slimmer one in oak" are no looks, whatever else stands there.
@@ -110,7 +115,8 @@ MayRead<std::string> looks_at(const EditText& text, std::size_t at, bool of_room
     if (!may_be_of_look(text, i, at, of_room)) return std::nullopt;
   std::string words;
   for (std::size_t i = at; i < end; ++i)
-    if (text.tokens[i].kind == EditText::Token::Kind::word) words += (words.empty() ? "" : " ") + plain_look(text.tokens[i].text, of_room);
+    if (text.tokens[i].kind == EditText::Token::Kind::word)
+      words += (words.empty() ? "" : " ") + plain_look(text.tokens[i].text, of_room);
   if (!describes(words, of_room)) return std::nullopt;
   return Read<std::string>{words, end};
 }
@@ -124,11 +130,12 @@ std::optional<Read<Substitute>> another_of_kind(const EditText& text, std::size_
   std::size_t end = at + (text.is_word(at, "a") || text.is_word(at, "an") ? 1 : 0);
   const std::size_t begin = end;
   const bool is_vague = longest_in(text.edits.something, text.tokens, begin) > 0;
-  while (!is_vague && !text.ends(end) && !text.is_word(end, "one") && !text.is_word(end, "ones") && !text.is_word(end, "seater") &&
-         !text.words.stops.count(text.tokens[end].text))
+  while (!is_vague && !text.ends(end) && !text.is_word(end, "one") && !text.is_word(end, "ones") &&
+         !text.is_word(end, "seater") && !text.words.stops.count(text.tokens[end].text))
     ++end;
   const bool is_seater = text.is_word(end, "seater");
-  if (end >= text.tokens.size() || end - begin > most_adjectives || (!is_vague && !is_seater && !text.is_word(end, "one") && !text.is_word(end, "ones")))
+  if (end >= text.tokens.size() || end - begin > most_adjectives ||
+      (!is_vague && !is_seater && !text.is_word(end, "one") && !text.is_word(end, "ones")))
     return std::nullopt;
   const auto behind = description_behind(text, end + 1);
   std::size_t last = behind.end;

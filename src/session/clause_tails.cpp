@@ -20,7 +20,8 @@ bool closes(const EditText& text, std::size_t at) {
 // "now" ends a clause, but "now that" begins a reason.
 std::size_t end_of_closer(const EditText& text, std::size_t at) {
   const auto closer = longest_in(text.edits.closers, text.tokens, at);
-  const auto other = std::max(longest_in(text.edits.reasons, text.tokens, at), longest_in(text.edits.substitutes, text.tokens, at));
+  const auto other =
+      std::max(longest_in(text.edits.reasons, text.tokens, at), longest_in(text.edits.substitutes, text.tokens, at));
   return closer > 0 && closer >= other ? at + closer : at;
 }
 
@@ -46,7 +47,8 @@ std::size_t end_of_purpose(const EditText& text, std::size_t at) {
   std::size_t end = at + 1;
   for (; !closes(text, end); ++end) {
     const auto thing = named_thing_at(text, end);
-    const bool is_there = thing && thing->kind.category && thing->which != NamedThing::Which::indefinite && !fitting(text, *thing).empty();
+    const bool is_there = thing && thing->kind.category && thing->which != NamedThing::Which::indefinite &&
+                          !fitting(text, *thing).empty();
     if (is_there || text.tokens[end].kind == design::Token::Kind::number || room_part_at(text, end)) return at;
     if (const auto place = destination_at(text, end, {}); place && *place) return at;
   }

@@ -35,7 +35,8 @@ std::optional<ReadClause> too_large_or_small(const EditText& text, const Read<Id
   if (!growth) return std::nullopt;
   const bool is_of_height = text.is_word(what.end, "high") || text.is_word(what.end, "low");
   return of_each(what, what.end + 1, [&](const std::string& id) -> edit::Operation {
-    if (is_of_height && hangs(text, id)) return edit::Shift{id, Vec3(0.0, 0.0, growth->factor > 1.0 ? -usual_lift : usual_lift)};
+    if (is_of_height && hangs(text, id))
+      return edit::Shift{id, Vec3(0.0, 0.0, growth->factor > 1.0 ? -usual_lift : usual_lift)};
     return edit::Resize{id, resized(text.object(id)->size, {growth->side, 1.0 / growth->factor, {}, {}})};
   });
 }
@@ -53,7 +54,9 @@ std::optional<ReadClause> in_the_way(const EditText& text, const Read<Ids>& what
   const auto target = length > 0 ? target_at(text, what.end + length, what.value) : std::nullopt;
   if (!target) return std::nullopt;
   if (!*target) return target->error();
-  return of_each(what, (*target)->end, [&](const std::string& id) { return edit::Move{id, {{RelationKind::far, (*target)->id}}}; });
+  return of_each(what, (*target)->end, [&](const std::string& id) {
+    return edit::Move{id, {{RelationKind::far, (*target)->id}}};
+  });
 }
 
 std::optional<ReadClause> facing_wrongly(const EditText& text, const Read<Ids>& what) {

@@ -22,9 +22,11 @@ std::size_t end_of_words(const EditText& text, std::size_t at) {
 bool takes_back(const EditText& text, std::size_t begin, std::size_t end) {
   if (end == begin) return false;
   const bool is_no = text.is_word(begin, "no") && end == begin + 1;
-  const bool is_weak = text.is_word(begin, "actually") || text.is_word(begin, "better") || text.is_word(begin, "rather");
+  const bool is_weak =
+      text.is_word(begin, "actually") || text.is_word(begin, "better") || text.is_word(begin, "rather");
   if (is_weak && end == begin + 1) return false;
-  return !is_no || text.is_comma(end) || (end < text.tokens.size() && text.words.definite.count(text.tokens[end].text) > 0);
+  return !is_no || text.is_comma(end) ||
+         (end < text.tokens.size() && text.words.definite.count(text.tokens[end].text) > 0);
 }
 
 }  // namespace

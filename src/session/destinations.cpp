@@ -83,7 +83,8 @@ Result<Read<std::vector<Relation>>> relations_to_things(const EditText& text, co
   const auto targets = targets_of(text, thing, subjects);
   if (!targets) return targets.error();
   const bool between = placement.relations == std::vector<RelationKind>{RelationKind::between};
-  const auto kinds = targets->value.size() > 1 && !between ? relation_to_several(placement.relations) : placement.relations;
+  const auto kinds =
+      targets->value.size() > 1 && !between ? relation_to_several(placement.relations) : placement.relations;
   if (kinds.empty() || (between && targets->value.size() != 2))
     return not_understood("\"" + text.words_from(thing.begin, targets->end) + "\" is " + join(targets->value, ", ") +
                           "; say which one");
@@ -100,14 +101,15 @@ std::optional<Result<Whereabouts>> between_openings(const EditText& text, const 
   if (place.place != Place::window && place.place != Place::door) return std::nullopt;
   Whereabouts both{{}, {}, end};
   for (const auto& opening : text.room().openings)
-    if ((opening.type == OpeningType::window) == (place.place == Place::window)) both.relations.push_back({RelationKind::between, opening.id});
+    if ((opening.type == OpeningType::window) == (place.place == Place::window))
+      both.relations.push_back({RelationKind::between, opening.id});
   if (both.relations.size() != 2) return std::nullopt;
   return both;
 }
 
 // "the wall opposite the bed", "the opposite wall": of the one that what goes there stands at now.
-std::optional<Result<Whereabouts>> told_wall(const EditText& text, const PlacePhrase& place, std::size_t at, std::size_t end,
-                                             const std::vector<std::string>& subjects) {
+std::optional<Result<Whereabouts>> told_wall(const EditText& text, const PlacePhrase& place, std::size_t at,
+                                             std::size_t end, const std::vector<std::string>& subjects) {
   if (place.place != Place::wall || place.wall >= 0) return std::nullopt;
   const auto at_wall = [](std::size_t wall, std::size_t behind) {
     return Whereabouts{{{RelationKind::edge, ""}, {RelationKind::next_to, wall_name(wall)}}, {}, behind};
@@ -116,8 +118,12 @@ std::optional<Result<Whereabouts>> told_wall(const EditText& text, const PlacePh
   for (std::size_t i = at; i < end; ++i) {
     const bool is_other = text.is_word(i, "other");
     const Object* subject = subjects.size() == 1 ? text.object(subjects.front()) : nullptr;
-    if (is_other || (place.opposite && !subject)) return not_understood("it is not clear which wall is meant; say which side, or what is there");
-    if (place.opposite) return at_wall(wall_opposite(room_of(text.scene, *subject), *wall_named(room_of(text.scene, *subject), nearest_wall(text, *subject))), end);
+    if (is_other || (place.opposite && !subject))
+      return not_understood("it is not clear which wall is meant; say which side, or what is there");
+    if (place.opposite)
+      return at_wall(wall_opposite(room_of(text.scene, *subject),
+                                   *wall_named(room_of(text.scene, *subject), nearest_wall(text, *subject))),
+                     end);
   }
   return std::nullopt;
 }
@@ -131,7 +137,8 @@ std::optional<Result<Whereabouts>> between_two(const EditText& text, std::size_t
   const auto second = target_at(text, (*first)->end + 1, subjects);
   if (!second) return std::nullopt;
   if (!*second) return second->error();
-  return Whereabouts{{{RelationKind::between, (*first)->id}, {RelationKind::between, (*second)->id}}, {}, (*second)->end};
+  return Whereabouts{
+      {{RelationKind::between, (*first)->id}, {RelationKind::between, (*second)->id}}, {}, (*second)->end};
 }
 
 // The place that `length` tokens say, and what it is relative to.
@@ -221,7 +228,8 @@ std::optional<Target> opening_by_id(const EditText& text, std::size_t at) {
 std::optional<design::PlacePhrase> place_named_at(const EditText& text, std::size_t at) {
   const auto place = design::read_place({text.tokens.data(), text.tokens.size()}, at, text.words);
   const auto thing = named_thing_at(text, at);
-  const bool is_behind_thing = place && thing && thing->kind.category && thing->end + 1 < at + place->length && !fitting(text, *thing).empty();
+  const bool is_behind_thing =
+      place && thing && thing->kind.category && thing->end + 1 < at + place->length && !fitting(text, *thing).empty();
   return is_behind_thing ? std::nullopt : place;
 }
 
@@ -245,7 +253,8 @@ std::optional<Result<Target>> target_at(const EditText& text, std::size_t at,
   if (!thing) return std::nullopt;
   const auto ids = targets_of(text, *thing, subjects);
   if (!ids) return ids.error();
-  if (ids->value.size() != 1) return not_understood("\"" + text.words_from(at, ids->end) + "\" is " + join(ids->value, ", ") + "; say which one");
+  if (ids->value.size() != 1)
+    return not_understood("\"" + text.words_from(at, ids->end) + "\" is " + join(ids->value, ", ") + "; say which one");
   return Target{ids->value.front(), ids->end};
 }
 
@@ -254,7 +263,9 @@ Result<Read<std::vector<std::string>>> targets_of(const EditText& text, const Na
   auto all = fitting(text, thing);
   std::erase_if(all, [&](const std::string& id) { return std::count(subjects.begin(), subjects.end(), id) > 0; });
   const auto plain = meant(text, thing, thing.which == NamedThing::Which::pronoun ? nullptr : &all);
-  if (plain) return Read<std::vector<std::string>>{*plain, thing.end + longest_in(text.edits.just_added, text.tokens, thing.end)};
+  if (plain)
+    return Read<std::vector<std::string>>{*plain,
+                                          thing.end + longest_in(text.edits.just_added, text.tokens, thing.end)};
   if (thing.which == NamedThing::Which::pronoun || text.depth >= deepest) return plain.error();
   EditText deeper = text;
   ++deeper.depth;

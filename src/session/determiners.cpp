@@ -62,13 +62,15 @@ std::size_t skip_determiners(const EditText& text, std::size_t at, NamedThing& t
       thing.count = few == text.words.numbers.end() ? 0 : few->second;
       at += 1, more = true;
     } else if (const auto number = language::number_at(text.raw, at);
-               number && !(token.is_word("one") && is_anaphor(text, at, thing)) && number->value >= 1 && number->value <= 50 && number->value == std::floor(number->value)) {
+               number && !(token.is_word("one") && is_anaphor(text, at, thing)) && number->value >= 1 &&
+               number->value <= 50 && number->value == std::floor(number->value)) {
       thing.count = static_cast<int>(number->value);
       if (thing.bare) thing.which = Which::indefinite;
       at += number->length, more = true;
       // "one of the armchairs"
       thing.any = text.is_word(at, "of") && at + 1 < text.tokens.size() &&
-                  (text.words.definite.count(text.tokens[at + 1].text) || longest_in(text.edits.pronouns, text.tokens, at + 1) > 0);
+                  (text.words.definite.count(text.tokens[at + 1].text) ||
+                   longest_in(text.edits.pronouns, text.tokens, at + 1) > 0);
       if (thing.any) ++at;
     }
     if (more) thing.bare = false;

@@ -61,7 +61,8 @@ std::vector<std::string> changes_of(const Object& before, const Object& after, c
   if (const double turn = wrap_angle(after.yaw - before.yaw); std::abs(turn) > told_turn)
     words.push_back(turned_words(turn));
   if (before.on != after.on && !after.on.empty()) words.push_back("now stands on " + after.on);
-  if (before.size != after.size) words.push_back("is now " + size_text(after.size) + " m, not " + size_text(before.size));
+  if (before.size != after.size)
+    words.push_back("is now " + size_text(after.size) + " m, not " + size_text(before.size));
   add_asset_words(before, after, words);
   if (before.locked != after.locked) words.push_back(after.locked ? "is locked" : "is no longer locked");
   if (words.empty() && before.description != after.description) words.push_back("is described otherwise");
@@ -121,10 +122,11 @@ void add_room_words(const Scene& before, const Scene& after, std::vector<std::st
   for (std::size_t i = 0; i < new_rooms.size(); ++i) {
     const RoomMaterials &old = old_rooms[i].materials, &now = new_rooms[i].materials;
     const std::string room = new_rooms[i].id.empty() ? "" : new_rooms[i].id + ": ";
-    for (const auto& [part, was, is] : {std::tuple("floor", old.floor, now.floor), std::tuple("walls", old.walls, now.walls),
-                                        std::tuple("ceiling", old.ceiling, now.ceiling),
-                                        std::tuple("accent wall", old.accent, now.accent)})
-      if (was != is) lines.push_back(room + part + ": " + (is.empty() ? "none" : is) + ", not " + (was.empty() ? "none" : was));
+    for (const auto& [part, was, is] :
+         {std::tuple("floor", old.floor, now.floor), std::tuple("walls", old.walls, now.walls),
+          std::tuple("ceiling", old.ceiling, now.ceiling), std::tuple("accent wall", old.accent, now.accent)})
+      if (was != is)
+        lines.push_back(room + part + ": " + (is.empty() ? "none" : is) + ", not " + (was.empty() ? "none" : was));
     add_shape_words(old_rooms[i], new_rooms[i], room, lines);
   }
 }

@@ -79,7 +79,8 @@ Room& room_with_id(Scene& scene, const std::string& id) {
 
 void restore_order(const std::vector<Object>& before, std::vector<Object>& objects) {
   const auto rank = [&](const Object& object) {
-    const auto found = std::find_if(before.begin(), before.end(), [&](const Object& one) { return one.id == object.id; });
+    const auto found =
+        std::find_if(before.begin(), before.end(), [&](const Object& one) { return one.id == object.id; });
     return found - before.begin();
   };
   std::stable_sort(objects.begin(), objects.end(), [&](const Object& a, const Object& b) { return rank(a) < rank(b); });

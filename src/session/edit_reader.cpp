@@ -52,7 +52,9 @@ class EditReader {
   std::size_t length_between() const {
     if (at_ >= text_.tokens.size()) return 0;
     if (text_.is_mark(at_)) return 1;
-    if (const auto closer = longest_in(text_.edits.closers, text_.tokens, at_); closer > 0 && text_.is_mark(at_ + closer)) return closer;
+    if (const auto closer = longest_in(text_.edits.closers, text_.tokens, at_);
+        closer > 0 && text_.is_mark(at_ + closer))
+      return closer;
     if (const auto question = begins_question(at_)) return question;
     // A verb that looks like an opener is a verb.
     const auto opener = longest_in(text_.edits.openers, text_.tokens, at_);
@@ -73,7 +75,8 @@ class EditReader {
   // "could the sofa go …": the question's verb before what it is about.
   std::size_t begins_question(std::size_t at) const {
     const auto length = longest_in(text_.edits.questions, text_.tokens, at);
-    const bool is_first = at == 0 || text_.is_mark(at - 1) || text_.is_word(at - 1, "and") || longest_in(text_.edits.openers, text_.tokens, at - 1) > 0;
+    const bool is_first = at == 0 || text_.is_mark(at - 1) || text_.is_word(at - 1, "and") ||
+                          longest_in(text_.edits.openers, text_.tokens, at - 1) > 0;
     if (length == 0 || !is_first) return 0;
     return named_thing_at(text_, at + length) || !ends_of_subject(text_, at + length).empty() ? length : 0;
   }
@@ -123,7 +126,9 @@ class EditReader {
     note_remark(at_, end);
     remember_names(end);
     if (!complaint_) complaint_ = **complaint;
-    else complaint_->operations.insert(complaint_->operations.end(), (*complaint)->operations.begin(), (*complaint)->operations.end());
+    else
+      complaint_->operations.insert(complaint_->operations.end(), (*complaint)->operations.begin(),
+                                    (*complaint)->operations.end());
     text_.latest = (*complaint)->about;
     at_ = end;
     return true;
@@ -137,7 +142,8 @@ class EditReader {
     // "leaving the lamp where it is": what is not changed anyway.
     const auto kept_thing = named_thing_at(text, at);
     const bool is_all = kept_thing && kept_thing->which == Which::everything;
-    const bool is_aside = verb.meaning == "keep" && (verb.inflected || is_all || (verb.words == "leave" && !gathered_.operations.empty()));
+    const bool is_aside = verb.meaning == "keep" &&
+                          (verb.inflected || is_all || (verb.words == "leave" && !gathered_.operations.empty()));
     if (is_aside) {
       auto kept = read_lock(text, at, true, true);
       if (kept) kept->operations.clear();
@@ -160,7 +166,8 @@ class EditReader {
   }
 
   bool is_excepted(const ReadClause& clause) const {
-    return clause && clause->operations.size() > 1 && longest_in(text_.edits.except, text_.tokens, text_.behind_comma(clause->end)) > 0;
+    return clause && clause->operations.size() > 1 &&
+           longest_in(text_.edits.except, text_.tokens, text_.behind_comma(clause->end)) > 0;
   }
 
   void exchange_words(EditText& other) {
@@ -169,7 +176,8 @@ class EditReader {
   }
 
   ReadClause read_in_order() {
-    if (const auto reverse = longest_in(text_.edits.vice_versa, text_.tokens, at_); reverse > 0 && text_.ends(at_ + reverse))
+    if (const auto reverse = longest_in(text_.edits.vice_versa, text_.tokens, at_);
+        reverse > 0 && text_.ends(at_ + reverse))
       return gathered_.vice_versa(text_, at_ + reverse);
     if (longest_in(text_.edits.substitutes, text_.tokens, at_) > 0)
       if (auto instead = read_instead(text_, at_); goes_to_its_end(text_, instead)) return instead;
@@ -191,7 +199,9 @@ class EditReader {
     if (auto order = read_by_subject(); goes_to_its_end(text_, order)) return order;
     if (auto fragment = read_fragment(text_, at_); goes_to_its_end(text_, fragment)) return fragment;
     if (auto of_it = read_of_it(verb); goes_to_its_end(text_, of_it)) return of_it;
-    if (auto other = text_.latest.empty() ? clause : read_another(text_, at_ + verb.length); goes_to_its_end(text_, other)) return other;
+    if (auto other = text_.latest.empty() ? clause : read_another(text_, at_ + verb.length);
+        goes_to_its_end(text_, other))
+      return other;
     return bare_order(verb, std::move(clause));
   }
 
@@ -199,7 +209,8 @@ class EditReader {
   ReadClause read_of_it(const SaidVerb& verb) {
     const std::size_t at = at_ + verb.length;
     const auto thing = named_thing_at(text_, at);
-    if (text_.latest.empty() || text_.ends(at) || (thing && thing->which != Which::indefinite)) return what_at(text_, at, "not understood");
+    if (text_.latest.empty() || text_.ends(at) || (thing && thing->which != Which::indefinite))
+      return what_at(text_, at, "not understood");
     EditText longer = text_;
     insert_word(longer, at, text_.latest.size() > 1 ? "them" : "it");
     auto clause = read_order(longer, verb, at);
@@ -210,8 +221,10 @@ class EditReader {
 
   // "shift it": as the complaint before has it.
   ReadClause bare_order(const SaidVerb& verb, ReadClause failed) {
-    const bool may_be = verb.meaning == "move" || verb.meaning == "put" || verb.meaning == "turn" || verb.meaning == "change";
-    const auto what = complaint_ && may_be ? things(text_, at_ + verb.length, false) : Result<Read<Ids>>(not_understood(""));
+    const bool may_be =
+        verb.meaning == "move" || verb.meaning == "put" || verb.meaning == "turn" || verb.meaning == "change";
+    const auto what =
+        complaint_ && may_be ? things(text_, at_ + verb.length, false) : Result<Read<Ids>>(not_understood(""));
     if (!what || what->value != complaint_->about || !text_.ends(end_of_tail(text_, what->end))) return failed;
     Clause clause = *complaint_;
     clause.end = what->end;
@@ -235,7 +248,8 @@ class EditReader {
       if (!what || longest_in(text_.edits.particles, text_.tokens, what->end) != 1) continue;
       const auto whole = text_.edits.verbs.find(verb.words + " " + text_.tokens[what->end].text);
       if (whole == text_.edits.verbs.end()) continue;
-      auto clause = read_order(without(text_, what->end, what->end + 1), {whole->second, whole->first, verb.length, false}, begin);
+      auto clause = read_order(without(text_, what->end, what->end + 1),
+                               {whole->second, whole->first, verb.length, false}, begin);
       if (clause) ++clause->end;
       if (goes_to_its_end(text_, clause)) return clause;
     }

@@ -90,7 +90,9 @@ void correct_spelling(EditText& text) {
   const Words known = words_of_edits(text), things = names_of_things(text);
   for (std::size_t i = 0; i < text.tokens.size(); ++i) {
     auto& token = text.tokens[i];
-    if (token.kind != design::Token::Kind::word || token.text.size() < least_letters || is_known(text, known, token.text)) continue;
+    if (token.kind != design::Token::Kind::word || token.text.size() < least_letters ||
+        is_known(text, known, token.text))
+      continue;
     const std::string right = meant_for(text, known, things, token.text);
     if (!right.empty() && right.find(' ') == std::string::npos) token.text = text.raw[i].text = right;
   }

@@ -41,7 +41,9 @@ struct EditText {
   const Room& room() const { return rooms_of(scene).front(); }
   bool is_comma(std::size_t at) const { return at < tokens.size() && tokens[at].kind == Token::Kind::comma; }
   /// A comma, or the end of a sentence or of all.
-  bool is_mark(std::size_t at) const { return at >= tokens.size() || is_comma(at) || tokens[at].kind == Token::Kind::stop; }
+  bool is_mark(std::size_t at) const {
+    return at >= tokens.size() || is_comma(at) || tokens[at].kind == Token::Kind::stop;
+  }
   /// A comma that may stand there is passed over.
   std::size_t behind_comma(std::size_t at) const { return is_comma(at) ? at + 1 : at; }
   bool is_word(std::size_t at, std::string_view word) const { return at < tokens.size() && tokens[at].is_word(word); }

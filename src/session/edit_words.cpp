@@ -27,12 +27,14 @@ Result<Understanding> read_text(const EditText& text) {
     auto understood = read_clauses(shorter);
     if (understood && !says_in_remark(*understood, instead)) return understood;
   }
-  return not_understood("it is not clear what \"" + text.words_from(correction->begin, correction->end) + "\" takes back");
+  return not_understood("it is not clear what \"" + text.words_from(correction->begin, correction->end) +
+                        "\" takes back");
 }
 
 // "20 %", "90°"
 void spell_out(language::Token& token) {
-  const std::pair<const char*, const char*> symbols[] = {{"%", "percent"}, {"°", "degrees"}, {"º", "degrees"}, {"&", "and"}};
+  const std::pair<const char*, const char*> symbols[] = {
+      {"%", "percent"}, {"°", "degrees"}, {"º", "degrees"}, {"&", "and"}};
   for (const auto& [symbol, word] : symbols)
     if (token.text == symbol) token.text = word, token.kind = language::Token::Kind::word;
 }

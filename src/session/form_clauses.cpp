@@ -18,7 +18,8 @@ std::string how_at(const EditText& text, std::size_t at, std::size_t& end) {
   for (; !text.ends(end) && longest_in(text.edits.closers, text.tokens, end) == 0; ++end) {
     if (longest_in(text.edits.auxiliaries, text.tokens, end) > 0 && how.empty()) continue;
     // "the board blocks everything" is a deed.
-    if (text.words.stops.count(text.tokens[end].text) || longest_in(text.edits.everything, text.tokens, end) > 0) return "";
+    if (text.words.stops.count(text.tokens[end].text) || longest_in(text.edits.everything, text.tokens, end) > 0)
+      return "";
     how += (how.empty() ? "" : " ") + text.tokens[end].text;
   }
   return how;
@@ -55,7 +56,9 @@ std::optional<Read<std::string>> parts_at(const EditText& text, std::size_t at) 
 std::optional<ReadClause> read_form(const EditText& text, std::size_t at) {
   // "the legs of the crib shorter"
   std::size_t part = at;
-  while (part < text.tokens.size() && (text.words.definite.count(text.tokens[part].text) || text.edits.all.count(text.tokens[part].text))) ++part;
+  while (part < text.tokens.size() &&
+         (text.words.definite.count(text.tokens[part].text) || text.edits.all.count(text.tokens[part].text)))
+    ++part;
   if (part + 1 < text.tokens.size() && is_part(text.tokens[part].text) && text.is_word(part + 1, "of")) {
     const auto owner = things_at(text, part + 2, false);
     if (owner && *owner) return reformed(text, (*owner)->value, text.tokens[part].text, (*owner)->end);
@@ -65,8 +68,10 @@ std::optional<ReadClause> read_form(const EditText& text, std::size_t at) {
   Ids ids;
   std::size_t next = at;
   if (owner && *owner) ids = (*owner)->value, next = (*owner)->end;
-  else if ((text.is_word(at, "its") || text.is_word(at, "their")) && !text.latest.empty()) ids = text.latest, next = at + 1;
-  if (ids.empty() || next >= text.tokens.size() || !is_part(text.tokens[next].text) || text.ends(next + 1)) return std::nullopt;
+  else if ((text.is_word(at, "its") || text.is_word(at, "their")) && !text.latest.empty())
+    ids = text.latest, next = at + 1;
+  if (ids.empty() || next >= text.tokens.size() || !is_part(text.tokens[next].text) || text.ends(next + 1))
+    return std::nullopt;
   return reformed(text, ids, text.tokens[next].text, next + 1);
 }
 

@@ -19,7 +19,8 @@ struct Space {
 // "so that there is", "exactly 40 cm are left", "of free space"
 void skip_words_of_space(const EditText& text, std::size_t& at, bool& is_named) {
   for (;;) {
-    const auto named = longest_in(text.edits.space, text.tokens, at), around = longest_in(text.edits.around_space, text.tokens, at);
+    const auto named = longest_in(text.edits.space, text.tokens, at),
+               around = longest_in(text.edits.around_space, text.tokens, at);
     if (named == 0 && around == 0) return;
     is_named = is_named || named > 0;
     at += std::max(named, around);
@@ -47,7 +48,8 @@ std::optional<Read<std::string>> other_at(const EditText& text, std::size_t at, 
 // "between it and the dresser", "between the bed and the wall", "from the nightstand to the bed", "to the wardrobe"
 MayRead<Gap> ends_of(const EditText& text, const Space& space, const Ids& subjects) {
   const bool is_between = text.is_word(space.end, "between") || text.is_word(space.end, "from");
-  if (is_between && longest_in(text.edits.pronouns, text.tokens, space.end + 1) == 1 && !subjects.empty() && text.is_word(space.end + 2, "and"))
+  if (is_between && longest_in(text.edits.pronouns, text.tokens, space.end + 1) == 1 && !subjects.empty() &&
+      text.is_word(space.end + 2, "and"))
     if (const auto second = other_at(text, space.end + 3, subjects))
       return Read<Gap>{{space.metres, subjects, second->value}, second->end};
   if (is_between) {

@@ -7,7 +7,8 @@ namespace roomgen {
 void GatheredEdits::add(const Clause& clause) {
   drop_superseded(clause);
   for (const auto& operation : clause.operations)
-    if (std::find(operations.begin(), operations.end(), operation) == operations.end() || !std::holds_alternative<edit::Remove>(operation))
+    if (std::find(operations.begin(), operations.end(), operation) == operations.end() ||
+        !std::holds_alternative<edit::Remove>(operation))
       operations.push_back(operation);
   if (!clause.in_place_of.empty()) taken_over_[clause.about.front()] = clause.in_place_of;
 }
@@ -22,7 +23,8 @@ void GatheredEdits::drop_superseded(const Clause& clause) {
     std::erase_if(operations, [&](const edit::Operation& earlier) {
       if (const auto* gone = std::get_if<edit::Remove>(&earlier)) return gone->objects.empty();
       const auto* from = std::get_if<edit::Move>(&earlier);
-      return from && from->object == to->object && from->relations.size() == 1 && from->relations.front().kind == RelationKind::far;
+      return from && from->object == to->object && from->relations.size() == 1 &&
+             from->relations.front().kind == RelationKind::far;
     });
   }
 }
@@ -31,14 +33,19 @@ bool GatheredEdits::fold_looks(const Clause& clause, const EditText& text) {
   if (operations.empty() || clause.operations.empty() || clause.about != text.latest) return false;
   for (const auto& operation : clause.operations)
     if (!std::holds_alternative<edit::Recolor>(operation)) return false;
-  const auto is_latest = [&](const std::string& id) { return std::count(text.latest.begin(), text.latest.end(), id) > 0; };
+  const auto is_latest = [&](const std::string& id) {
+    return std::count(text.latest.begin(), text.latest.end(), id) > 0;
+  };
   const std::string looks = std::get<edit::Recolor>(clause.operations.front()).looks;
   std::size_t folded = 0;
   for (auto& operation : operations) {
     std::string* words = nullptr;
-    if (auto* replace = std::get_if<edit::Replace>(&operation); replace && is_latest(replace->object)) words = &replace->description;
-    if (auto* add = std::get_if<edit::Add>(&operation); add && &operation == &operations.back()) words = &add->description;
-    if (auto* recolor = std::get_if<edit::Recolor>(&operation); recolor && is_latest(recolor->object)) words = &recolor->looks;
+    if (auto* replace = std::get_if<edit::Replace>(&operation); replace && is_latest(replace->object))
+      words = &replace->description;
+    if (auto* add = std::get_if<edit::Add>(&operation); add && &operation == &operations.back())
+      words = &add->description;
+    if (auto* recolor = std::get_if<edit::Recolor>(&operation); recolor && is_latest(recolor->object))
+      words = &recolor->looks;
     if (words) *words += " in " + looks, ++folded;
   }
   return folded > 0;
@@ -46,7 +53,8 @@ bool GatheredEdits::fold_looks(const Clause& clause, const EditText& text) {
 
 bool GatheredEdits::fold_place(const Clause& clause, const EditText& text) {
   auto* add = operations.empty() ? nullptr : std::get_if<edit::Add>(&operations.back());
-  const bool is_of_it = clause.operations.size() == 1 && clause.about == text.latest && clause.about.size() == 1 && find_object(text.coming, clause.about.front());
+  const bool is_of_it = clause.operations.size() == 1 && clause.about == text.latest && clause.about.size() == 1 &&
+                        find_object(text.coming, clause.about.front());
   const auto* move = is_of_it ? std::get_if<edit::Move>(&clause.operations.front()) : nullptr;
   if (!add || !move || add->count != 1 || !add->relations.empty() || !add->room.empty()) return false;
   add->relations = move->relations;
@@ -63,7 +71,8 @@ ReadClause GatheredEdits::likewise(const EditText& text, const Read<Ids>& what) 
     return of_each(what, what.end, [&](const std::string& id) { return edit::Recolor{id, recolor->looks}; });
   if (const auto* face = std::get_if<edit::Face>(&last))
     return of_each(what, what.end, [&](const std::string& id) { return edit::Face{id, face->target}; });
-  if (std::holds_alternative<edit::Remove>(last)) return Clause{{edit::Remove{what.value, false}}, {}, {}, what.end, what.value};
+  if (std::holds_alternative<edit::Remove>(last))
+    return Clause{{edit::Remove{what.value, false}}, {}, {}, what.end, what.value};
   return what_at(text, what.end, "not understood");
 }
 

@@ -25,14 +25,17 @@ struct Placed {
 };
 
 Result<Placed> placed_by(const SceneNode& node, const Object& object, const Bounds3& box) {
-  const auto cannot_be = [&](const std::string& why) { return Error{Error::Kind::invalid_input, node.name + " " + why}; };
+  const auto cannot_be = [&](const std::string& why) {
+    return Error{Error::Kind::invalid_input, node.name + " " + why};
+  };
   const Eigen::Matrix3d linear = node.to_room.topLeftCorner<3, 3>();
   if (!node.to_room.allFinite()) return cannot_be("has no finite transform");
   const Vec3 scale = linear.colwise().norm();
   if (scale.minCoeff() < 1e-6) return cannot_be("is scaled to nothing");
   Eigen::Matrix3d turn = linear;
   for (int axis = 0; axis < 3; ++axis) turn.col(axis) /= scale[axis];
-  if ((turn.transpose() * turn - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() > upright) return cannot_be("is sheared");
+  if ((turn.transpose() * turn - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() > upright)
+    return cannot_be("is sheared");
   if (turn.determinant() < 0.0) return cannot_be("is mirrored");
   if (turn(2, 2) < 1.0 - upright) return cannot_be("is tilted; things stand upright");
   const Vec3 middle = 0.5 * (box.low + box.high);
@@ -40,8 +43,9 @@ Result<Placed> placed_by(const SceneNode& node, const Object& object, const Boun
   Placed placed;
   placed.spot = {object.id, bottom, std::atan2(turn(1, 0), turn(0, 0)), {}};
   const Vec3 size = scale.cwiseProduct(box.high - box.low);
-  const bool is_resized = ((size - object.size).array() / object.size.array().max(1e-3)).abs().maxCoeff() > same_scale &&
-                          (size - object.size).cwiseAbs().maxCoeff() > same_place;
+  const bool is_resized =
+      ((size - object.size).array() / object.size.array().max(1e-3)).abs().maxCoeff() > same_scale &&
+      (size - object.size).cwiseAbs().maxCoeff() > same_place;
   if (is_resized) placed.spot.size = size;
   placed.has_changed = is_resized || (bottom - object.position).norm() > same_place ||
                        std::abs(wrap_angle(placed.spot.yaw - object.yaw)) > same_yaw;
@@ -63,7 +67,8 @@ Result<HandEdits> read_hand_edits(const Scene& scene, const ModelTable& models, 
   HandEdits edits;
   for (const auto& node : nodes) {
     const bool is_first = by_name.emplace(node.name, &node).second;
-    if (!is_first && find_object(scene, node.name)) return Error{Error::Kind::invalid_input, "two nodes are called " + node.name};
+    if (!is_first && find_object(scene, node.name))
+      return Error{Error::Kind::invalid_input, "two nodes are called " + node.name};
     if (const std::string copied = name_of_copied(node.name); find_object(scene, copied))
       edits.notes.push_back(node.name + " is a copy of " + copied + " and is left out; add it with \"add ...\"");
   }
@@ -79,7 +84,8 @@ Result<HandEdits> read_hand_edits(const Scene& scene, const ModelTable& models, 
     else if (placed->has_changed) arrange.spots.push_back(std::move(placed->spot));
   }
   if (edits.missing.size() == scene.objects.size() && !scene.objects.empty())
-    return Error{Error::Kind::invalid_input, "no node is called as a thing of the scene; nodes keep the names of scene.glb"};
+    return Error{Error::Kind::invalid_input,
+                 "no node is called as a thing of the scene; nodes keep the names of scene.glb"};
   if (!arrange.spots.empty()) edits.operations.push_back(std::move(arrange));
   return edits;
 }

@@ -111,7 +111,8 @@ Status History::take_over(std::string scene_text) {
   const auto entry = scene_entry(*state, timeline_.head(), timeline_.branch(), "changed by hand");
   if (auto status = write({entry}); !status) return status;
   state_ = *std::move(state);
-  notices_.push_back(files_.scene_name + ": was changed by hand; that is a new entry of the journal (undo takes it back)");
+  notices_.push_back(files_.scene_name +
+                     ": was changed by hand; that is a new entry of the journal (undo takes it back)");
   return {};
 }
 

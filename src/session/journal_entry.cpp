@@ -10,9 +10,11 @@ namespace roomgen {
 
 namespace {
 
-
 constexpr std::pair<JournalEntry::Kind, std::string_view> kinds_of_entries[] = {
-    {JournalEntry::Kind::scene, "scene"}, {JournalEntry::Kind::edit, "edit"}, {JournalEntry::Kind::head, "head"}, {JournalEntry::Kind::snapshot, "snapshot"}};
+    {JournalEntry::Kind::scene, "scene"},
+    {JournalEntry::Kind::edit, "edit"},
+    {JournalEntry::Kind::head, "head"},
+    {JournalEntry::Kind::snapshot, "snapshot"}};
 constexpr long long most_entries = 1'000'000'000;
 
 std::string_view kind_name(JournalEntry::Kind kind) {
@@ -74,7 +76,8 @@ Result<JournalEntry> parse_entry(std::string_view text, const std::string& sourc
   entry.text = root["text"].text_or("", max_document_bytes);
   if (const auto operations = root["operations"]; operations.exists()) entry.operations = *operations.raw();
   if (const auto patch = root["patch"]; patch.exists()) entry.patch = *patch.raw();
-  if (entry.kind == JournalEntry::Kind::edit && !entry.patch.is_object()) root["patch"].report("an edit says what changed");
+  if (entry.kind == JournalEntry::Kind::edit && !entry.patch.is_object())
+    root["patch"].report("an edit says what changed");
   if (problems.first()) return *problems.first();
   return entry;
 }

@@ -21,16 +21,18 @@ struct Answer {
 
 Json answer_schema() {
   const Json operation = {{"type", "object"}, {"required", {"do"}}, {"properties", {{"do", {{"type", "string"}}}}}};
-  return {{"type", "object"},
-          {"required", {"operations"}},
-          {"properties", {{"operations", {{"type", "array"}, {"items", operation}}}, {"unclear", {{"type", "string"}}}}}};
+  return {
+      {"type", "object"},
+      {"required", {"operations"}},
+      {"properties", {{"operations", {{"type", "array"}, {"items", operation}}}, {"unclear", {{"type", "string"}}}}}};
 }
 
 Result<Answer> read_answer(const std::string& text) {
   const auto found = design::find_json(text, {{"operations"}, {"operation", "edits", "unclear"}});
   if (!found) return found.error();
   Answer answer;
-  if (const Json* why = design::member(found->json, {"unclear"}); why && why->is_string()) answer.unclear = why->get<std::string>();
+  if (const Json* why = design::member(found->json, {"unclear"}); why && why->is_string())
+    answer.unclear = why->get<std::string>();
   const Json* list = design::member(found->json, {"operations", "operation", "edits"});
   const bool is_empty = !list || (list->is_array() && list->empty());
   if (is_empty && !answer.unclear.empty()) return answer;

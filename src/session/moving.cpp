@@ -214,7 +214,8 @@ Status carry_out(Draft& draft, const edit::Move& move) {
   alone.take_out(ids_of(group));
   if (auto status = place_or_make_way(move.group ? alone : draft, cluster, aim); !status) return status;
   if (move.group)
-    if (auto status = take_group_along(draft, alone, group, *find_object(alone.scene, object->id)); !status) return status;
+    if (auto status = take_group_along(draft, alone, group, *find_object(alone.scene, object->id)); !status)
+      return status;
   wish_relations(draft, cluster.root, move.relations);
   for (const auto& changed : {object->room, *room})
     if (object->traits.flat) settle_heights(draft, changed);
@@ -279,7 +280,8 @@ Status carry_out(Draft& draft, const edit::Face& face) {
   for (const double yaw : yaws_towards(draft, cluster_of(draft.scene, *object), *target)) {
     Draft trial = draft;
     auto status = turn_to(trial, *object, yaw);
-    if (status && !lost_relations(*find_object(trial.scene, object->id), asked, trial.scene, draft.shop.kinds()).empty())
+    if (status &&
+        !lost_relations(*find_object(trial.scene, object->id), asked, trial.scene, draft.shop.kinds()).empty())
       status = cannot("where there is room for it, " + object->id + " does not face " + face.target);
     if (status) {
       draft.take_over(std::move(trial));

@@ -40,7 +40,8 @@ ReadClause read_shift(const EditText& text, const Ids& ids, const Shifting& how,
     const Ids ends = named_ends(text, *object, how.from.empty() ? how.towards : how.from);
     if (!how.metres && !how.direction && how.forward == 0.0) {
       edit::Move move{id, {}, group};
-      for (const auto& end : ends) move.relations.push_back({how.from.empty() ? RelationKind::near : RelationKind::far, end});
+      for (const auto& end : ends)
+        move.relations.push_back({how.from.empty() ? RelationKind::near : RelationKind::far, end});
       clause.operations.push_back(move);
       continue;
     }
@@ -49,7 +50,8 @@ ReadClause read_shift(const EditText& text, const Ids& ids, const Shifting& how,
       clause.operations.push_back(edit::Shift{id, Vec3(front.x(), front.y(), 0.0), group});
       continue;
     }
-    const auto direction = how.direction ? Result<Vec3>(*how.direction) : straight_way(text, *object, ends, how.from.empty() ? 1.0 : -1.0);
+    const auto direction =
+        how.direction ? Result<Vec3>(*how.direction) : straight_way(text, *object, ends, how.from.empty() ? 1.0 : -1.0);
     if (!direction) return direction.error();
     const double usual = direction->z() != 0.0 ? usual_lift : usual_shift;
     clause.operations.push_back(edit::Shift{id, *direction * how.metres.value_or(usual), group});
@@ -84,7 +86,9 @@ bool takes_group_along(const EditText& text, Read<Ids>& what) {
 }
 
 bool are_small(const EditText& text, const Ids& ids) {
-  return std::all_of(ids.begin(), ids.end(), [&](const std::string& id) { return text.object(id) && text.object(id)->mount == Mount::surface; });
+  return std::all_of(ids.begin(), ids.end(), [&](const std::string& id) {
+    return text.object(id) && text.object(id)->mount == Mount::surface;
+  });
 }
 
 // "the speakers on either side of the TV", "the plants in the corners, one in each"
@@ -95,9 +99,11 @@ std::optional<ReadClause> read_shared_out(const EditText& text, const Read<Ids>&
   if (!*shared) return shared->error();
   const auto& places = (*shared)->value.places;
   if (what.value.size() > places.size())
-    return not_understood(std::to_string(what.value.size()) + " things cannot be shared out among " + std::to_string(places.size()) + " places");
+    return not_understood(std::to_string(what.value.size()) + " things cannot be shared out among " +
+                          std::to_string(places.size()) + " places");
   if (what.value.size() < places.size() && !(*shared)->value.places.front().front().target.empty())
-    return not_understood("there are " + std::to_string(places.size()) + " places for " + std::to_string(what.value.size()) + " things");
+    return not_understood("there are " + std::to_string(places.size()) + " places for " +
+                          std::to_string(what.value.size()) + " things");
   Clause clause{{}, what.value, {}, (*shared)->end};
   for (std::size_t i = 0; i < what.value.size(); ++i) clause.operations.push_back(edit::Move{what.value[i], places[i]});
   return clause;
@@ -109,7 +115,8 @@ ReadClause put_in_row(const EditText& text, const Ids& ids, const Whereabouts& p
   if (!host) return not_understood("it is not clear where each of them shall stand");
   const Footprint area = footprint(*host);
   const Vec2 off = place.spot->position - Vec2(host->position.head<2>());
-  const bool is_at_side = std::abs(off.dot(area.x_axis())) / area.half().x() > std::abs(off.dot(area.y_axis())) / area.half().y();
+  const bool is_at_side =
+      std::abs(off.dot(area.x_axis())) / area.half().x() > std::abs(off.dot(area.y_axis())) / area.half().y();
   const Vec2 along = is_at_side ? area.y_axis() : area.x_axis();
   double pitch = 0.0;
   for (const auto& id : ids) pitch = std::max(pitch, text.object(id)->size.head<2>().maxCoeff() + row_gap);
@@ -124,7 +131,8 @@ ReadClause put_in_row(const EditText& text, const Ids& ids, const Whereabouts& p
 // "where the lamp is now"
 ReadClause put_at_spot(const EditText& text, const Ids& ids, const Whereabouts& place) {
   if (ids.size() > 1 && !place.spot->is_place) return put_in_row(text, ids, place);
-  if (ids.size() != 1) return not_understood("only one thing can stand at that place, and " + std::to_string(ids.size()) + " are meant");
+  if (ids.size() != 1)
+    return not_understood("only one thing can stand at that place, and " + std::to_string(ids.size()) + " are meant");
   const Object* object = text.object(ids.front());
   const Object* there = text.object(place.spot->of);
   if (place.spot->is_place && object && there && object->mount != there->mount)
@@ -138,7 +146,8 @@ std::optional<ReadClause> read_lengthwise(const EditText& text, const Read<Ids>&
   const auto shifting = shifting_at(text, what.end, what.value);
   if (!shifting) return std::nullopt;
   if (!*shifting) return shifting->error();
-  if (!text.ends((*shifting)->end) && longest_in(text.edits.closers, text.tokens, (*shifting)->end) == 0) return std::nullopt;
+  if (!text.ends((*shifting)->end) && longest_in(text.edits.closers, text.tokens, (*shifting)->end) == 0)
+    return std::nullopt;
   return read_shift(text, what.value, **shifting, is_group);
 }
 
@@ -155,8 +164,9 @@ ReadClause read_to_place(const EditText& text, Read<Ids> what, bool is_group) {
   if (!place) return what_at(text, what.end, "it is not clear where to");
   if (!*place) return place->error();
   if ((*place)->spot) return put_at_spot(text, what.value, **place);
-  auto clause = of_each(what, (*place)->end,
-                        [&](const std::string& id) { return edit::Move{id, (*place)->relations, is_group, (*place)->room}; });
+  auto clause = of_each(what, (*place)->end, [&](const std::string& id) {
+    return edit::Move{id, (*place)->relations, is_group, (*place)->room};
+  });
   clause->end = read_facing(text, clause->end, *clause);
   if (const auto along = along_behind(text, clause->end); along > 0) {
     for (auto& operation : clause->operations)
@@ -178,7 +188,8 @@ ReadClause read_centred(const EditText& text, const Read<Ids>& what) {
   if (const auto place = destination_at(text, end, what.value); place && *place && !(*place)->spot) {
     relations = (*place)->relations;
     const std::string target = relations.empty() ? "" : relations.front().target;
-    const bool is_below = !relations.empty() && (relations.front().kind == RelationKind::above || relations.front().kind == RelationKind::under);
+    const bool is_below = !relations.empty() && (relations.front().kind == RelationKind::above ||
+                                                 relations.front().kind == RelationKind::under);
     if (find_object(text.scene, target) && !is_below) relations.push_back({RelationKind::center_aligned, target});
     end = (*place)->end;
   }
@@ -189,12 +200,14 @@ ReadClause read_centred(const EditText& text, const Read<Ids>& what) {
 
 ReadClause put_there(const EditText& text, Read<Ids> what) {
   for (const auto* gone : {&text.edits.goes_away, &text.edits.unneeded})
-    if (const auto length = longest_in(*gone, text.tokens, what.end); length > 0 && goes_to_its_end(text, Clause{{}, {}, {}, what.end + length}))
+    if (const auto length = longest_in(*gone, text.tokens, what.end);
+        length > 0 && goes_to_its_end(text, Clause{{}, {}, {}, what.end + length}))
       return Clause{{edit::Remove{what.value, false}}, {}, {}, what.end + length, what.value};
   const bool is_group = takes_group_along(text, what);
   if (auto mutual = read_mutual(text, what)) return *mutual;
   what.end = behind_modals(text, what.end);
-  if (const auto length = longest_in(text.edits.refused, text.tokens, what.end); length > 0 && text.ends(what.end + length))
+  if (const auto length = longest_in(text.edits.refused, text.tokens, what.end);
+      length > 0 && text.ends(what.end + length))
     return what_at(text, what.end, "that names no place");
   if (const auto centred = longest_in(text.edits.centred, text.tokens, what.end); centred > 0)
     if (auto there = read_centred(text, {what.value, what.end + centred}); goes_to_its_end(text, there)) return there;

@@ -115,7 +115,8 @@ void read_more_behind(const EditText& text, NamedThing& thing) {
 // "one basket …, and the other one …": two that are there.
 void read_one_and_other(const EditText& text, NamedThing& thing) {
   if (!text.is_word(thing.begin, "one") || thing.further || thing.any || thing.count != 1) return;
-  for (std::size_t i = thing.end; i < text.tokens.size() && !thing.any; ++i) thing.any = longest_in(text.edits.others, text.tokens, i) > 0;
+  for (std::size_t i = thing.end; i < text.tokens.size() && !thing.any; ++i)
+    thing.any = longest_in(text.edits.others, text.tokens, i) > 0;
   if (thing.any) thing.which = Which::definite;
 }
 
@@ -141,7 +142,9 @@ void read_counted_side(const EditText& text, NamedThing& thing) {
 // What the text spoke of last before a token: "one" is another of these.
 KindMention spoken_of_before(const EditText& text, std::size_t at) {
   // "a table with drawers" speaks of a table.
-  const auto is_said_of_other = [&](std::size_t i) { return i > 0 && (text.is_word(i - 1, "with") || text.is_word(i - 1, "of")); };
+  const auto is_said_of_other = [&](std::size_t i) {
+    return i > 0 && (text.is_word(i - 1, "with") || text.is_word(i - 1, "of"));
+  };
   for (std::size_t i = at; i-- > 0;)
     if (const KindMention mention = head_at(text, i); mention.length > 0 && !is_said_of_other(i)) return mention;
   const auto& known = !text.latest.empty() ? text.latest : text.recall.touched;
@@ -159,14 +162,16 @@ bool is_one(const EditText& text, std::size_t at, const NamedThing& thing) {
 
 // "the two on the left": nothing but a number stands for the noun.
 bool stands_for_noun(const EditText& text, std::size_t at, const NamedThing& thing) {
-  const bool is_told = design::longest(text.edits.side_tails, text.tokens, at) || longest_in(text.edits.nearest, text.tokens, at) > 0 ||
+  const bool is_told = design::longest(text.edits.side_tails, text.tokens, at) ||
+                       longest_in(text.edits.nearest, text.tokens, at) > 0 ||
                        longest_in(text.edits.farthest, text.tokens, at) > 0;
   return !thing.bare && thing.count > 1 && thing.which == Which::definite && thing.looks.empty() && is_told;
 }
 
 bool ends_noun_phrase(const EditText& text, std::size_t at) {
-  return text.ends(at) || text.words.stops.count(text.tokens[at].text) || text.edits.verbs.count(text.tokens[at].text) ||
-         longest_in(text.edits.auxiliaries, text.tokens, at) > 0 || longest_in(text.edits.closers, text.tokens, at) > 0;
+  return text.ends(at) || text.words.stops.count(text.tokens[at].text) ||
+         text.edits.verbs.count(text.tokens[at].text) || longest_in(text.edits.auxiliaries, text.tokens, at) > 0 ||
+         longest_in(text.edits.closers, text.tokens, at) > 0;
 }
 
 // "the settee", which no kind is called.
@@ -183,7 +188,8 @@ bool read_head(const EditText& text, std::size_t at, NamedThing& thing) {
   thing.kind = head_at(text, at);
   if (thing.kind.length > 0) return true;
   // "beside the first"
-  const bool is_other = thing.which == Which::definite && !thing.bare && thing.further && thing.looks.empty() && text.ends(at);
+  const bool is_other =
+      thing.which == Which::definite && !thing.bare && thing.further && thing.looks.empty() && text.ends(at);
   if (is_other || is_one(text, at, thing) || stands_for_noun(text, at, thing)) {
     thing.kind = spoken_of_before(text, thing.begin);
     thing.kind.plural = !text.is_word(at, "one");
@@ -209,7 +215,8 @@ std::optional<NamedThing> noun_phrase_at(const EditText& text, std::size_t at) {
       read_number_of_id(text, thing);
       read_place_in_row(text, thing);
       read_counted_side(text, thing);
-      if (thing.further && thing.which == Which::definite && !thing.bare && !(thing.nth && thing.side)) thing.further = false;
+      if (thing.further && thing.which == Which::definite && !thing.bare && !(thing.nth && thing.side))
+        thing.further = false;
       return thing;
     }
     const auto next = at < text.tokens.size() ? read_adjective(text, at, thing) : std::nullopt;

@@ -56,7 +56,8 @@ std::size_t end_of_with(const EditText& text, std::size_t at, const Kind* kind) 
   const bool is_own = thing && kind && kind->mount == Mount::surface && !kind->supports;
   if (thing && !is_own && !is_part(text, thing->kind)) return at;
   std::size_t begin = at + 1;
-  if (is_article(text, begin) || (begin < text.tokens.size() && text.words.vague.count(text.tokens[begin].text))) ++begin;
+  if (is_article(text, begin) || (begin < text.tokens.size() && text.words.vague.count(text.tokens[begin].text)))
+    ++begin;
   const std::size_t end = end_of_words(text, begin);
   return end > begin ? end : at;
 }
@@ -64,7 +65,8 @@ std::size_t end_of_with(const EditText& text, std::size_t at, const Kind* kind) 
 // "that seats six", "for four"
 std::size_t end_of_clause(const EditText& text, std::size_t at) {
   // "a hook for my bathrobe", which is not here
-  if (text.is_word(at, "for") && !is_known(text, at + 1) && at + 1 < text.tokens.size() && text.words.definite.count(text.tokens[at + 1].text)) {
+  if (text.is_word(at, "for") && !is_known(text, at + 1) && at + 1 < text.tokens.size() &&
+      text.words.definite.count(text.tokens[at + 1].text)) {
     const std::size_t end = end_of_words(text, at + 2);
     return end > at + 2 ? end : at;
   }
@@ -137,7 +139,8 @@ bool is_new(const EditText& text, const NamedThing& thing) {
 Read<std::string> description_behind(const EditText& text, std::size_t at, const Kind* kind) {
   std::size_t end = at;
   for (bool more = true; more;) {
-    const std::size_t next = std::max({end_of_matter(text, end), end_of_with(text, end, kind), end_of_clause(text, end)});
+    const std::size_t next =
+        std::max({end_of_matter(text, end), end_of_with(text, end, kind), end_of_clause(text, end)});
     more = next > end;
     end = next;
   }

@@ -137,7 +137,8 @@ Status carry_out(Draft& draft, const edit::Open& open) {
   const auto& kinds = OpeningKinds::built_in();
   if (!kinds) return kinds.error();
   const OpeningKind* kind = kinds->find(open.kind);
-  if (!kind) return cannot("\"" + open.kind + "\" is no kind of door, window or passage that is known (docs/openings.md)");
+  if (!kind)
+    return cannot("\"" + open.kind + "\" is no kind of door, window or passage that is known (docs/openings.md)");
   const Room room = room_with_id(draft.scene, *room_id);
   std::optional<std::size_t> wall;
   if (!open.wall.empty()) {
@@ -147,7 +148,8 @@ Status carry_out(Draft& draft, const edit::Open& open) {
   }
   Opening opening = opening_of(*kind, open, room, draft.random);
   opening.id = design::free_opening_id(room, kind->type);
-  if (std::max(opening.head, open.height.value_or(0.0)) > room.height) return cannot("it would be higher than the room");
+  if (std::max(opening.head, open.height.value_or(0.0)) > room.height)
+    return cannot("it would be higher than the room");
   if (auto status = put_opening(draft, room, opening_places(draft.scene, room, opening, wall, open.at)); !status)
     return cannot("there is no place for a " + open.kind + ": " + status.error().message);
   wish_openings(draft, *room_id, std::string(name(kind->type)));
@@ -198,7 +200,8 @@ Status carry_out(Draft& draft, const edit::Close& close) {
     }
     std::erase_if(room.openings, [&](const Opening& one) { return one.id == id; });
     for (auto& object : draft.scene.objects)
-      if (object.room == room.id) std::erase_if(object.relations, [&](const Relation& one) { return one.target == id; });
+      if (object.room == room.id)
+        std::erase_if(object.relations, [&](const Relation& one) { return one.target == id; });
     if (auto status = change_room(draft, {room}); !status) return status;
     wish_openings(draft, room.id, std::string(name(opening.type)));
   }

@@ -38,7 +38,8 @@ int things_before(const Scene& scene, const Room& room, const Opening& opening) 
   const auto areas = clearances(room, opening);
   const Segment line = segment(room, opening);
   return static_cast<int>(std::count_if(scene.objects.begin(), scene.objects.end(), [&](const Object& object) {
-    if (object.room != room.id || object.traits.flat || !object.on.empty() || object.mount == Mount::ceiling) return false;
+    if (object.room != room.id || object.traits.flat || !object.on.empty() || object.mount == Mount::ceiling)
+      return false;
     if (object.mount == Mount::wall)
       return gap(footprint(object), line) < beside_wall && bottom(object) < opening.head && top(object) > opening.sill;
     const bool is_low = opening.type == OpeningType::window && top(object) <= opening.sill + window_overlap;

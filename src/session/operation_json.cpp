@@ -108,7 +108,8 @@ struct Writer {
   Json operator()(const Arrange& arrange) const {
     Json spots = Json::array();
     for (const auto& spot : arrange.spots) {
-      spots.push_back({{"object", spot.object}, {"position", numbers_of(spot.position)}, {"yaw_deg", degrees_of(spot.yaw)}});
+      spots.push_back(
+          {{"object", spot.object}, {"position", numbers_of(spot.position)}, {"yaw_deg", degrees_of(spot.yaw)}});
       if (spot.size) spots.back()["size"] = numbers_of(*spot.size);
     }
     return {{"do", "arrange"}, {"spots", std::move(spots)}};

@@ -55,7 +55,8 @@ Requirement wish_for(const Object& object, const std::string& clause, Requiremen
 
 void wish_relations(Draft& draft, const Object& object, const std::vector<Relation>& relations) {
   for (const auto& relation : relations) {
-    Requirement wish = wish_for(object, object.id + " " + std::string(name(relation.kind)), Requirement::Kind::relation);
+    Requirement wish =
+        wish_for(object, object.id + " " + std::string(name(relation.kind)), Requirement::Kind::relation);
     wish.relation = relation.kind;
     if (!relation.target.empty()) {
       wish.clause += " " + relation.target;

@@ -85,7 +85,8 @@ Status carry_out(Draft& draft, const edit::Rearrange& rearrange) {
     if (thing.root.locked) return cannot(thing.root.id + " belongs to it, and is locked; unlock it first");
     draft.named.merge(thing.ids());
   }
-  if (std::any_of(things.begin(), things.end(), [&](const Cluster& one) { return one.root.room != things.front().root.room; }))
+  if (std::any_of(things.begin(), things.end(),
+                  [&](const Cluster& one) { return one.root.room != things.front().root.room; }))
     return cannot("they stand in different rooms");
   std::optional<Draft> best;
   std::vector<Pose> except = {pose_of(things.front().root)};

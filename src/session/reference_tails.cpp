@@ -35,10 +35,12 @@ double distance_to(const EditText& text, const Object& object, const std::string
 Result<Ids> nearest_to(const EditText& text, Ids ids, const std::string& target, std::size_t count, double sign,
                        double margin) {
   const auto away = [&](const std::string& id) { return sign * distance_to(text, *text.object(id), target); };
-  std::stable_sort(ids.begin(), ids.end(), [&](const std::string& a, const std::string& b) { return away(a) < away(b); });
+  std::stable_sort(ids.begin(), ids.end(),
+                   [&](const std::string& a, const std::string& b) { return away(a) < away(b); });
   if (ids.size() > count) {
     if (away(ids[count]) - away(ids[count - 1]) < margin)
-      return not_understood(ids[count - 1] + " and " + ids[count] + " are about as near to " + target + "; say which one");
+      return not_understood(ids[count - 1] + " and " + ids[count] + " are about as near to " + target +
+                            "; say which one");
     ids.resize(count);
   }
   return ids;
@@ -75,7 +77,8 @@ std::optional<Result<Whereabouts>> place_of_reference(const EditText& text, std:
 
 bool is_nearness(const std::vector<Relation>& relations) {
   return !relations.empty() && std::all_of(relations.begin(), relations.end(), [](const Relation& relation) {
-    return relation.kind == RelationKind::near || relation.kind == RelationKind::next_to || relation.kind == RelationKind::side_of;
+    return relation.kind == RelationKind::near || relation.kind == RelationKind::next_to ||
+           relation.kind == RelationKind::side_of;
   });
 }
 
@@ -156,7 +159,8 @@ MayRead<Ids> told_by_side(const EditText& text, NamedThing thing) {
   const auto side = design::longest(text.edits.side_tails, text.tokens, thing.end);
   if (!side || thing.which == Which::everything || text.is_word(thing.end + side.length, "of")) return std::nullopt;
   // "on the left nightstand"
-  if (const std::size_t next = thing.end + side.length; !text.ends(next) && named_thing_at(text, next)) return std::nullopt;
+  if (const std::size_t next = thing.end + side.length; !text.ends(next) && named_thing_at(text, next))
+    return std::nullopt;
   thing.side = *side.value;
   const auto ids = meant(text, thing);
   if (!ids) return ids.error();

@@ -33,7 +33,8 @@ Result<std::vector<std::string>> farthest(const EditText& text, std::vector<std:
   });
   if (count >= ids.size()) return ids;
   if (!clearly(measure(*text.object(ids[count - 1])), measure(*text.object(ids[count]))))
-    return not_understood("\"" + words + "\" may be " + joined_ids(ids) + ", which are much alike in that; say which one by its id");
+    return not_understood("\"" + words + "\" may be " + joined_ids(ids) +
+                          ", which are much alike in that; say which one by its id");
   ids.resize(count);
   return ids;
 }
@@ -51,7 +52,8 @@ double spread(const EditText& text, const std::vector<std::string>& ids, const V
 // What stands in a line that runs up the picture is seen from in front of it, or of the desk that it stands on.
 Vec2 way_to_side(const EditText& text, const std::vector<std::string>& ids, const Vec2& side) {
   const std::string& host = text.object(ids.front())->on;
-  const bool is_shared = std::all_of(ids.begin(), ids.end(), [&](const std::string& id) { return text.object(id)->on == host; });
+  const bool is_shared =
+      std::all_of(ids.begin(), ids.end(), [&](const std::string& id) { return text.object(id)->on == host; });
   const Object* under = is_shared && !host.empty() ? text.object(host) : nullptr;
   if (spread(text, ids, side) >= clearly_apart) return side;
   const double yaw = text.object(ids.front())->yaw;
@@ -77,9 +79,10 @@ Result<std::vector<std::string>> at_side(const EditText& text, std::vector<std::
 }
 
 // "the chairs on the left": those before the widest gap between them.
-Result<std::vector<std::string>> half_at_side(const EditText& text, std::vector<std::string> ids, const std::string& words,
-                                              const Vec2& way) {
-  std::sort(ids.begin(), ids.end(), [&](const std::string& a, const std::string& b) { return along(text, a, way) > along(text, b, way); });
+Result<std::vector<std::string>> half_at_side(const EditText& text, std::vector<std::string> ids,
+                                              const std::string& words, const Vec2& way) {
+  std::sort(ids.begin(), ids.end(),
+            [&](const std::string& a, const std::string& b) { return along(text, a, way) > along(text, b, way); });
   std::size_t widest = 1;
   const auto gap_before = [&](std::size_t i) { return along(text, ids[i - 1], way) - along(text, ids[i], way); };
   for (std::size_t i = 2; i < ids.size(); ++i)
@@ -91,13 +94,17 @@ Result<std::vector<std::string>> half_at_side(const EditText& text, std::vector<
 }
 
 // Of three in a row the second.
-Result<std::vector<std::string>> middle_of(const EditText& text, std::vector<std::string> ids, const std::string& words) {
+Result<std::vector<std::string>> middle_of(const EditText& text, std::vector<std::string> ids,
+                                           const std::string& words) {
   const Vec2 way = spread(text, ids, Vec2(1, 0)) >= spread(text, ids, Vec2(0, 1)) ? Vec2(1, 0) : Vec2(0, 1);
-  std::sort(ids.begin(), ids.end(), [&](const std::string& a, const std::string& b) { return along(text, a, way) < along(text, b, way); });
+  std::sort(ids.begin(), ids.end(),
+            [&](const std::string& a, const std::string& b) { return along(text, a, way) < along(text, b, way); });
   const std::size_t half = ids.size() / 2;
-  const bool is_clear = ids.size() % 2 == 1 && along(text, ids[half], way) - along(text, ids[half - 1], way) >= clearly_apart &&
+  const bool is_clear = ids.size() % 2 == 1 &&
+                        along(text, ids[half], way) - along(text, ids[half - 1], way) >= clearly_apart &&
                         along(text, ids[half + 1], way) - along(text, ids[half], way) >= clearly_apart;
-  if (!is_clear) return not_understood("\"" + words + "\" may be " + joined_ids(ids) + ", none of which is clearly in the middle");
+  if (!is_clear)
+    return not_understood("\"" + words + "\" may be " + joined_ids(ids) + ", none of which is clearly in the middle");
   return std::vector<std::string>{ids[half]};
 }
 
@@ -122,7 +129,9 @@ Result<std::vector<std::string>> narrowed(const EditText& text, const NamedThing
                     [&](const Object& object) {
                       const double axis = std::abs(thing.size);
                       const bool hangs = object.mount == Mount::wall || object.mount == Mount::ceiling;
-                      const double size = axis == 3 ? (hangs ? bottom(object) : object.size.z()) : axis == 2 ? object.size.x() : object.size.prod();
+                      const double size = axis == 3   ? (hangs ? bottom(object) : object.size.z())
+                                          : axis == 2 ? object.size.x()
+                                                      : object.size.prod();
                       return thing.size > 0 ? size : 1.0 / size;
                     },
                     [](double first, double second) { return first >= clearly_larger * second; });
@@ -151,7 +160,9 @@ std::vector<std::string> described(const EditText& text, const NamedThing& thing
 std::vector<std::string> named_before(const EditText& text, std::size_t at) {
   for (std::size_t i = 0; i < at; ++i) {
     const auto thing = named_thing_at(text, i);
-    if (!thing || thing->end > at || thing->which != NamedThing::Which::definite || !thing->kind.category || thing->bare) continue;
+    if (!thing || thing->end > at || thing->which != NamedThing::Which::definite || !thing->kind.category ||
+        thing->bare)
+      continue;
     if (auto ids = meant(text, *thing)) return *std::move(ids);
   }
   return {};
@@ -159,7 +170,9 @@ std::vector<std::string> named_before(const EditText& text, std::size_t at) {
 
 Result<std::vector<std::string>> meant_by_pronoun(const EditText& text, const NamedThing& thing) {
   const std::string words = text.words_from(thing.begin, thing.end);
-  auto known = !text.latest.empty() ? text.latest : !text.recall.added.empty() ? text.recall.added : text.recall.touched;
+  auto known = !text.latest.empty()         ? text.latest
+               : !text.recall.added.empty() ? text.recall.added
+                                            : text.recall.touched;
   if (known.empty()) known = named_before(text, thing.begin);
   if (known.empty()) return not_understood("nothing was spoken of before that \"" + words + "\" could mean");
   if (thing.plural || known.size() == 1) return known;
@@ -179,10 +192,13 @@ void leave_out_those_spoken_of(const EditText& text, std::vector<std::string>& i
 }
 
 // Has the number of what fits anything to say?
-Result<std::vector<std::string>> by_number(const EditText& text, const NamedThing& thing, std::vector<std::string> ids) {
+Result<std::vector<std::string>> by_number(const EditText& text, const NamedThing& thing,
+                                           std::vector<std::string> ids) {
   const std::string words = text.words_from(thing.begin, thing.end);
   const double of_all = thing.share * static_cast<double>(ids.size());
-  if (of_all != std::floor(of_all)) return not_understood("\"" + words + "\": there are " + std::to_string(ids.size()) + ", which cannot be divided so");
+  if (of_all != std::floor(of_all))
+    return not_understood("\"" + words + "\": there are " + std::to_string(ids.size()) +
+                          ", which cannot be divided so");
   const auto wanted = static_cast<std::size_t>(of_all > 0.0 ? of_all : thing.count);
   using Ids = std::vector<std::string>;
   if (!thing.any && (thing.which == Which::all || (thing.plural && thing.which == Which::definite))) {
@@ -220,10 +236,14 @@ std::vector<std::string> fitting(const EditText& text, const NamedThing& thing) 
     else if (ends_so) by_end.push_back(object.id);
     else if (text.kinds.is_a(object.category, thing.kind.category->name)) general.push_back(object.id);
     else if (has_words) by_word.push_back(object.id);
-    else if (said.size() > 1 && all.back() == said.back() && text.kinds.is_a(thing.kind.category->name, object.category)) broader.push_back(object.id);
+    else if (said.size() > 1 && all.back() == said.back() &&
+             text.kinds.is_a(thing.kind.category->name, object.category))
+      broader.push_back(object.id);
   }
   // "the chaise" is the chaise longue before it is any chair.
-  const auto begins_so = [&](const std::string& id) { return words(text.object(id)->category).front() == thing.kind.name; };
+  const auto begins_so = [&](const std::string& id) {
+    return words(text.object(id)->category).front() == thing.kind.name;
+  };
   if (exact.empty() && by_end.empty() && std::any_of(by_word.begin(), by_word.end(), begins_so) && !thing.number) {
     std::erase_if(by_word, [&](const std::string& id) { return !begins_so(id); });
     if (general.empty() || thing.kind.category->name != thing.kind.name) return by_word;
@@ -244,7 +264,8 @@ Result<std::vector<std::string>> meant(const EditText& text, const NamedThing& t
   if (thing.which == Which::pronoun) return meant_by_pronoun(text, thing);
   auto ids = fitting(text, thing);
   if (among)
-    std::erase_if(ids, [&](const std::string& id) { return std::find(among->begin(), among->end(), id) == among->end(); });
+    std::erase_if(ids,
+                  [&](const std::string& id) { return std::find(among->begin(), among->end(), id) == among->end(); });
   if (thing.other) leave_out_those_spoken_of(text, ids);
   const std::string words = text.words_from(thing.begin, thing.end);
   if (ids.empty()) return not_understood("there is no \"" + words + "\" in the room");

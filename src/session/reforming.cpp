@@ -18,8 +18,8 @@ Status carry_out(Draft& draft, const edit::Reform& reform) {
   const auto object = object_to_change(draft, reform.object);
   if (!object) return object.error();
   if (!object->asset.procedural || object->asset.procedural->recipe != "words")
-    return cannot("the form of " + object->id + " is that of a finished mesh; replace it with \"" + object->category + " " +
-                  reform.words + "\"");
+    return cannot("the form of " + object->id + " is that of a finished mesh; replace it with \"" + object->category +
+                  " " + reform.words + "\"");
   Object changed = *object;
   ProceduralSource& source = *changed.asset.procedural;
   Json params = Json::parse(source.params, nullptr, false);

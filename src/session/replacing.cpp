@@ -60,7 +60,8 @@ bool is_another(const AssetMatch& match, const Object& object, bool has_words) {
 }
 
 // Another kind of thing has another name, and its number is asked for.
-void call_by_kind(Draft& draft, const std::string& old_id, const std::string& category, const std::string& description) {
+void call_by_kind(Draft& draft, const std::string& old_id, const std::string& category,
+                  const std::string& description) {
   const std::string id = next_id(draft.scene, category);
   rename_thing(draft, old_id, id);
   draft.named.insert(id);
@@ -79,7 +80,8 @@ Status carry_out(Draft& draft, const edit::Replace& replace) {
   const Kind& kind = draft.shop.kinds().get(replace.category.empty() ? object->category : replace.category);
   const std::string category = kind.name.empty() ? lower(replace.category) : kind.name;
   const bool is_other_kind = category != object->category;
-  if (is_other_kind && kind.mount != object->mount && std::find(kind.also.begin(), kind.also.end(), object->mount) == kind.also.end())
+  if (is_other_kind && kind.mount != object->mount &&
+      std::find(kind.also.begin(), kind.also.end(), object->mount) == kind.also.end())
     return cannot("a " + category + " is not put up like " + object->id + "; remove the one and add the other");
   const auto matches = draft.shop.library().search(query_for(*object, category, replace));
   if (!matches) return matches.error();

@@ -40,7 +40,8 @@ Result<Room> with_moved_wall(const Room& room, std::size_t wall, double by) {
   Room moved = room;
   moved.polygon.points[wall] = *first;
   moved.polygon.points[after] = *second;
-  if ((*second - *first).dot(edge.direction()) < design::between_openings) return cannot("nothing would be left of the wall");
+  if ((*second - *first).dot(edge.direction()) < design::between_openings)
+    return cannot("nothing would be left of the wall");
   for (const std::size_t side : {before, after})
     if (moved.polygon.edge(side).direction().dot(room.polygon.edge(side).direction()) < 0.0 ||
         moved.polygon.edge(side).length() < design::between_openings)

@@ -52,7 +52,8 @@ std::optional<Result<NamedOpening>> opening_at(const EditText& text, std::size_t
   // "the two nearest the door" are none.
   if (*target)
     for (std::size_t i = at; i < (*target)->end; ++i)
-      if (longest_in(text.edits.nearest, text.tokens, i) > 0 || longest_in(text.edits.farthest, text.tokens, i) > 0) return std::nullopt;
+      if (longest_in(text.edits.nearest, text.tokens, i) > 0 || longest_in(text.edits.farthest, text.tokens, i) > 0)
+        return std::nullopt;
   if (!*target) return kind ? std::optional<Result<NamedOpening>>(target->error()) : std::nullopt;
   if (!find_opening(text.room(), (*target)->id)) return std::nullopt;
   return NamedOpening{false, "", {(*target)->id}, (*target)->end};
@@ -194,7 +195,8 @@ ReadClause move_ceiling(const EditText& text, const std::string& verb, std::size
 
 std::optional<ReadClause> read_room_order(const EditText& text, const std::string& meaning, const std::string& verb,
                                           std::size_t at) {
-  const bool is_resized = meaning == "make" || meaning == "resize" || meaning == "want" || meaning == "move" || meaning == "change";
+  const bool is_resized =
+      meaning == "make" || meaning == "resize" || meaning == "want" || meaning == "move" || meaning == "change";
   if (const auto part = room_part_at(text, at); part && part->value == "ceiling" && is_resized)
     if (auto moved = move_ceiling(text, verb, part->end); moved) return moved;
   if (const auto whole = longest_in(text.edits.whole_room, text.tokens, at); whole > 0 && is_resized)

@@ -23,7 +23,8 @@ bool is_numbered(const EditText& text, std::size_t at, const Room& room) {
 
 MayRead<std::string> in_room_at(const EditText& text, std::size_t at) {
   if (text.scene.rooms.empty()) return std::nullopt;
-  if (!text.is_word(at, "in") && !text.is_word(at, "to") && !text.is_word(at, "into") && !text.is_word(at, "from")) return std::nullopt;
+  if (!text.is_word(at, "in") && !text.is_word(at, "to") && !text.is_word(at, "into") && !text.is_word(at, "from"))
+    return std::nullopt;
   ++at;
   while (at < text.tokens.size() && text.words.definite.count(text.tokens[at].text)) ++at;
   std::vector<std::string> ids;
@@ -36,7 +37,8 @@ MayRead<std::string> in_room_at(const EditText& text, std::size_t at) {
     end = at + length;
   }
   if (ids.empty()) return std::nullopt;
-  if (ids.size() > 1) return not_understood("\"" + text.words_from(at, end) + "\" may be " + join(ids, ", ") + "; say which one");
+  if (ids.size() > 1)
+    return not_understood("\"" + text.words_from(at, end) + "\" may be " + join(ids, ", ") + "; say which one");
   return Read<std::string>{ids.front(), end};
 }
 

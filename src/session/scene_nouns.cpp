@@ -30,7 +30,8 @@ bool is_kind_of(const std::string& lemma, const std::string& noun) {
   for (const auto& sense : lexicon().common_senses(lemma, PartOfSpeech::noun)) level.push_back(sense.synset);
   const auto senses = lexicon().senses(noun, PartOfSpeech::noun);
   const auto is_sense = [&](std::uint32_t synset) {
-    return std::any_of(senses.begin(), senses.end(), [&](const language::Sense& sense) { return sense.synset == synset; });
+    return std::any_of(senses.begin(), senses.end(),
+                       [&](const language::Sense& sense) { return sense.synset == synset; });
   };
   for (int step = 0; step <= most_general; ++step) {
     if (std::any_of(level.begin(), level.end(), is_sense)) return true;
@@ -50,7 +51,8 @@ bool is_related(const std::string& noun, const std::string& name) {
 
 // "the fire", where there is a fireplace and "fire" is no thing of its own.
 bool is_beginning_of(const EditText& text, const std::string& noun, const std::string& category) {
-  if (noun.size() < least_piece || text.kinds.named(noun) || lexicon().is(noun, language::WordClass::artefact)) return false;
+  if (noun.size() < least_piece || text.kinds.named(noun) || lexicon().is(noun, language::WordClass::artefact))
+    return false;
   const auto pieces = words(category);
   return std::any_of(pieces.begin(), pieces.end(), [&](const std::string& piece) {
     return piece.size() > noun.size() + 2 && piece.starts_with(noun);

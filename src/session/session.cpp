@@ -83,8 +83,9 @@ struct Session::Impl {
     for (const auto& object : scene.objects) {
       const Object* old = find_object(*before, object.id);
       if (!old) recall.added.push_back(object.id);
-      const bool is_other = old && (old->position != object.position || old->relations != object.relations || old->yaw != object.yaw || old->size != object.size ||
-                                    old->asset != object.asset || old->locked != object.locked);
+      const bool is_other =
+          old && (old->position != object.position || old->relations != object.relations || old->yaw != object.yaw ||
+                  old->size != object.size || old->asset != object.asset || old->locked != object.locked);
       if (is_other && (named.empty() || named.count(object.id))) recall.touched.push_back(object.id);
     }
     return recall;

@@ -31,7 +31,8 @@ std::optional<Read<SharedPlaces>> corners_at(const EditText& text, std::size_t a
 // On a table that carries small things, else to its left and to its right.
 std::vector<std::vector<Relation>> both_sides(const EditText& text, const std::string& id, bool is_small) {
   const Object* target = text.object(id);
-  const bool carries = target && is_small && target->mount != Mount::surface && text.kinds.get(target->category).supports;
+  const bool carries =
+      target && is_small && target->mount != Mount::surface && text.kinds.get(target->category).supports;
   if (carries) return {{{RelationKind::on, id}}, {{RelationKind::on, id}}};
   return {{{RelationKind::left_of, id}}, {{RelationKind::right_of, id}}};
 }
@@ -42,7 +43,8 @@ MayRead<SharedPlaces> sides_at(const EditText& text, std::size_t at, bool is_sma
   std::size_t end = at + said.length;
   const bool is_flank = said && said.value->flank && !said.value->inverse && !said.value->pronoun;
   // "one each side of the TV"
-  const bool is_bare = !is_flank && before == 0 && (text.is_word(at + 1, "side") || text.is_word(at + 1, "end")) && text.is_word(at + 2, "of");
+  const bool is_bare = !is_flank && before == 0 && (text.is_word(at + 1, "side") || text.is_word(at + 1, "end")) &&
+                       text.is_word(at + 2, "of");
   if (!is_flank && !is_bare) return std::nullopt;
   if (is_bare) end = at + 3;
   const auto target = target_at(text, end, {});

@@ -63,8 +63,10 @@ std::optional<Result<Shifting>> shifting_at(const EditText& text, std::size_t at
   const auto height = longest(text.edits.heights, text.tokens, at);
   const auto direction = longest(text.edits.directions, text.tokens, at);
   const auto own = longest(text.edits.own_ways, text.tokens, at);
-  const bool is_own = own && (shifting.metres || amount_behind(text, at + own.length) || *own.value > 0.0) && std::max(away, closer) < own.length;
-  const bool is_height = height && (shifting.metres || hang(text, subjects)) && (subjects.empty() || hang(text, subjects));
+  const bool is_own = own && (shifting.metres || amount_behind(text, at + own.length) || *own.value > 0.0) &&
+                      std::max(away, closer) < own.length;
+  const bool is_height =
+      height && (shifting.metres || hang(text, subjects)) && (subjects.empty() || hang(text, subjects));
   if (is_height) {
     shifting.direction = Vec3(0, 0, *height.value);
     at += height.length;

@@ -43,16 +43,19 @@ std::optional<Read<Growth>> compared_at(const EditText& text, std::size_t at) {
 
 // "twice", "three times", "1.5 times"
 std::optional<Read<double>> multiple_at(const EditText& text, std::size_t at) {
-  if (const auto named = design::longest(text.edits.multiples, text.tokens, at)) return Read<double>{*named.value, at + named.length};
+  if (const auto named = design::longest(text.edits.multiples, text.tokens, at))
+    return Read<double>{*named.value, at + named.length};
   const auto number = language::number_at(text.raw, at);
-  if (!number || (!text.is_word(at + number->length, "times") && !text.is_word(at + number->length, "x"))) return std::nullopt;
+  if (!number || (!text.is_word(at + number->length, "times") && !text.is_word(at + number->length, "x")))
+    return std::nullopt;
   return Read<double>{number->value, at + number->length + 1};
 }
 
 // "as it is now", behind "twice as wide"
 std::size_t behind_now(const EditText& text, std::size_t at) {
   if (!text.is_word(at, "as")) return at;
-  const auto now = std::max(longest_in(text.edits.where_they_are, text.tokens, at), longest_in(text.edits.presently, text.tokens, at + 1) + 1);
+  const auto now = std::max(longest_in(text.edits.where_they_are, text.tokens, at),
+                            longest_in(text.edits.presently, text.tokens, at + 1) + 1);
   return now > 1 ? at + now + longest_in(text.edits.presently, text.tokens, at + now) : at;
 }
 
@@ -64,19 +67,23 @@ std::optional<Read<Growth>> multiplied_at(const EditText& text, std::size_t at) 
   if (text.is_word(next, "as") && next + 1 < text.tokens.size()) {
     const auto growth = growth_of_adjective(text, text.tokens[next + 1].text);
     if (!growth) return std::nullopt;
-    return Read<Growth>{{growth->side, growth->factor > 1.0 || multiple->value < 1.0 ? multiple->value : 1.0 / multiple->value}, behind_now(text, next + 2)};
+    return Read<Growth>{
+        {growth->side, growth->factor > 1.0 || multiple->value < 1.0 ? multiple->value : 1.0 / multiple->value},
+        behind_now(text, next + 2)};
   }
   if (is_article(text, next))
     if (const auto side = design::longest(text.edits.measured, text.tokens, next + 1))
       return Read<Growth>{{*side.value, multiple->value}, next + 1 + side.length};
   const auto growth = design::longest(text.edits.growth, text.tokens, next);
   if (!growth || multiple->value <= 1.0) return std::nullopt;
-  return Read<Growth>{{growth.value->side, growth.value->factor > 1.0 ? multiple->value : 1.0 / multiple->value}, next + growth.length};
+  return Read<Growth>{{growth.value->side, growth.value->factor > 1.0 ? multiple->value : 1.0 / multiple->value},
+                      next + growth.length};
 }
 
 // "20 %", "a quarter", "three quarters": a share of one.
 std::optional<Read<double>> share_at(const EditText& text, std::size_t at) {
-  if (const auto named = design::longest(text.edits.shares, text.tokens, at)) return Read<double>{*named.value, at + named.length};
+  if (const auto named = design::longest(text.edits.shares, text.tokens, at))
+    return Read<double>{*named.value, at + named.length};
   const auto number = language::number_at(text.raw, at);
   if (!number) return std::nullopt;
   const std::size_t end = at + number->length;
@@ -119,8 +126,10 @@ std::optional<Read<NewSize>> measured_size(const EditText& text, std::size_t at)
   const auto measure = language::bounded_measure_at(text.raw, at);
   if (!measure || measure->kind != language::Measure::Kind::length || !measure->has_unit) return std::nullopt;
   const std::size_t end = at + measure->length;
-  if (const auto growth = compared_at(text, end)) return Read<NewSize>{longer_by(growth->value, measure->values[0]), growth->end};
-  if (const std::string side = side_of(measure->side); !side.empty()) return Read<NewSize>{exactly(side, measure->values[0]), end};
+  if (const auto growth = compared_at(text, end))
+    return Read<NewSize>{longer_by(growth->value, measure->values[0]), growth->end};
+  if (const std::string side = side_of(measure->side); !side.empty())
+    return Read<NewSize>{exactly(side, measure->values[0]), end};
   const auto said = design::longest(text.edits.measured, text.tokens, end, 2);
   if (!said || *said.value == "all") return std::nullopt;
   return Read<NewSize>{exactly(*said.value, measure->values[0]), end + said.length};
@@ -142,7 +151,8 @@ std::optional<Read<NewSize>> named_size(const EditText& text, std::size_t at) {
 std::optional<Read<NewSize>> shared_size(const EditText& text, std::size_t at) {
   const auto share = share_at(text, at);
   if (!share) return std::nullopt;
-  if (const auto growth = compared_at(text, share->end)) return Read<NewSize>{changed_by(growth->value, share->value), growth->end};
+  if (const auto growth = compared_at(text, share->end))
+    return Read<NewSize>{changed_by(growth->value, share->value), growth->end};
   if (!text.is_word(share->end, "of")) return std::nullopt;
   const std::size_t next = share->end + (is_article(text, share->end + 1) ? 2 : 1);
   const auto side = design::longest(text.edits.measured, text.tokens, next);
@@ -269,11 +279,14 @@ MayRead<NewSize> size_behind_verb(const EditText& text, std::size_t at, const Gr
     return Read<NewSize>{is_by ? longer_by(way, *metres) : exactly(way.side, *metres), end};
   }
   if (!is_by)
-    if (const auto multiple = multiplied_at(text, end)) return Read<NewSize>{{way.side, multiple->value.factor, {}, {}}, multiple->end};
+    if (const auto multiple = multiplied_at(text, end))
+      return Read<NewSize>{{way.side, multiple->value.factor, {}, {}}, multiple->end};
   if (const auto share = share_at(text, end))
-    return Read<NewSize>{is_by ? changed_by(way, share->value) : NewSize{way.side, share->value, {}, {}}, behind_of_its_size(text, share->end)};
+    return Read<NewSize>{is_by ? changed_by(way, share->value) : NewSize{way.side, share->value, {}, {}},
+                         behind_of_its_size(text, share->end)};
   if (const auto factor = is_by ? factor_at(text, end) : std::nullopt)
-    return Read<NewSize>{{way.side, way.factor < 1.0 && factor->value > 1.0 ? 1.0 / factor->value : factor->value, {}, {}}, factor->end};
+    return Read<NewSize>{
+        {way.side, way.factor < 1.0 && factor->value > 1.0 ? 1.0 / factor->value : factor->value, {}, {}}, factor->end};
   return std::nullopt;
 }
 
@@ -290,7 +303,8 @@ std::optional<Read<SizedThings>> sized_things_at(const EditText& text, std::size
   if (!owner || !*owner) return std::nullopt;
   const auto behind = design::longest(text.edits.measured, text.tokens, (*owner)->end, 1);
   const std::size_t end = (*owner)->end + behind.length;
-  if (!behind || (!text.is_word(end, "to") && !text.is_word(end, "by") && !language::measure_at(text.raw, end))) return std::nullopt;
+  if (!behind || (!text.is_word(end, "to") && !text.is_word(end, "by") && !language::measure_at(text.raw, end)))
+    return std::nullopt;
   return Read<SizedThings>{{(*owner)->value, *behind.value}, end};
 }
 

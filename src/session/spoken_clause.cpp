@@ -19,7 +19,8 @@ constexpr std::size_t longest_somebody = 4; // "our noisy new neighbours"
 
 std::vector<std::size_t> ends_of_subject(const EditText& text, std::size_t at) {
   std::vector<std::size_t> ends;
-  if (const auto opening = target_at(text, at, {}); opening && *opening && !find_object(text.scene, (*opening)->id)) ends.push_back((*opening)->end);
+  if (const auto opening = target_at(text, at, {}); opening && *opening && !find_object(text.scene, (*opening)->id))
+    ends.push_back((*opening)->end);
   if (const auto room = longest_in(text.edits.whole_room, text.tokens, at)) ends.push_back(at + room);
   if (const auto part = room_part_at(text, at)) ends.push_back(part->end);
   if (const auto thing = named_thing_at(text, at)) ends.push_back(thing->end);
@@ -35,7 +36,9 @@ namespace {
 // "the desk needs to be moved" is moved, but "the desk needs a lamp" is given one.
 std::size_t begin_of_verb(const EditText& text, std::size_t subject) {
   for (std::size_t at = subject;;) {
-    if (const auto verb = verb_at(text, at); verb && (verb->meaning == "give" || verb->meaning == "want") && !text.is_word(at + verb->length, "to")) return at;
+    if (const auto verb = verb_at(text, at);
+        verb && (verb->meaning == "give" || verb->meaning == "want") && !text.is_word(at + verb->length, "to"))
+      return at;
     const auto length = longest_in(text.edits.auxiliaries, text.tokens, at);
     if (length == 0) return at;
     at += text.tokens[at].text == "should" || text.tokens[at].text == "must" ? 1 : length;
@@ -53,7 +56,9 @@ bool is_wish(const EditText& text, std::size_t at) {
 // A mark, or a word with which what is asked for begins behind a reason.
 std::size_t end_of_clause(const EditText& text, std::size_t at) {
   for (std::size_t i = at; i < text.tokens.size(); ++i)
-    if (text.is_mark(i) || (i > at && ((text.is_word(i, "so") && !text.says_how_much(i)) || text.is_word(i, "because") || is_wish(text, i)))) return i;
+    if (text.is_mark(i) || (i > at && ((text.is_word(i, "so") && !text.says_how_much(i)) ||
+                                       text.is_word(i, "because") || is_wish(text, i))))
+      return i;
   return text.tokens.size();
 }
 
@@ -65,7 +70,9 @@ bool is_order(const EditText& text, std::size_t begin, std::size_t at) {
 
 // "more space", "some room"
 bool wants_space(const EditText& text, std::size_t at) {
-  while (at < text.tokens.size() && (text.edits.more.count(text.tokens[at].text) || text.words.vague.count(text.tokens[at].text) || text.is_word(at, "enough"))) ++at;
+  while (at < text.tokens.size() && (text.edits.more.count(text.tokens[at].text) ||
+                                     text.words.vague.count(text.tokens[at].text) || text.is_word(at, "enough")))
+    ++at;
   return longest_in(text.edits.space, text.tokens, at) > 0;
 }
 
@@ -78,7 +85,8 @@ bool asks_for_something(const EditText& text, std::size_t begin, std::size_t end
       i += verb->length;
       continue;
     }
-    const bool wants_nothing = verb && verb->meaning == "add" && verb->length > 1 && named_thing_at(text, i + verb->length) == std::nullopt &&
+    const bool wants_nothing = verb && verb->meaning == "add" && verb->length > 1 &&
+                               named_thing_at(text, i + verb->length) == std::nullopt &&
                                room_part_at(text, i + verb->length);
     if (wants_nothing) {
       i += verb->length - 1;
@@ -107,13 +115,15 @@ bool is_mere_talk(const EditText& text, std::size_t begin, std::size_t end) {
   if (verb_at(text, begin) || !begins_with_somebody(text, begin, end)) return false;
   for (std::size_t i = begin; i < end; ++i) {
     const auto thing = named_thing_at(text, i);
-    const bool is_named = thing && thing->which != NamedThing::Which::pronoun && thing->kind.category && !fitting(text, *thing).empty();
+    const bool is_named =
+        thing && thing->which != NamedThing::Which::pronoun && thing->kind.category && !fitting(text, *thing).empty();
     const auto verb = verb_at(text, i);
     if (is_named || (verb && (is_order(text, begin, i) || verb->length > 1)) || room_part_at(text, i) ||
         text.tokens[i].kind == Token::Kind::number || longest_in(text.edits.modals, text.tokens, i) > 1)
       return false;
   }
-  return !text.is_word(begin, "it") && !text.is_word(begin, "they") && !text.is_word(begin, "that") && !text.is_word(begin, "you");
+  return !text.is_word(begin, "it") && !text.is_word(begin, "they") && !text.is_word(begin, "that") &&
+         !text.is_word(begin, "you");
 }
 
 // "not the stove", behind what was asked for
@@ -126,13 +136,14 @@ bool is_contrast(const EditText& text, std::size_t begin, std::size_t end) {
 // "I need to tell the test subject's seat from the rest": no verb of editing.
 bool is_other_need(const EditText& text, std::size_t begin) {
   for (std::size_t i = begin; i + 2 < std::min(begin + longest_somebody, text.tokens.size()); ++i)
-    if (longest_in(text.edits.wishes, text.tokens, i) == 1 && text.is_word(i + 1, "to") && !verb_at(text, i + 2) && language::verb(text.tokens[i + 2].text) &&
-        !text.is_word(i + 2, "be") && !text.is_word(i + 2, "have"))
+    if (longest_in(text.edits.wishes, text.tokens, i) == 1 && text.is_word(i + 1, "to") && !verb_at(text, i + 2) &&
+        language::verb(text.tokens[i + 2].text) && !text.is_word(i + 2, "be") && !text.is_word(i + 2, "have"))
       return true;
   const auto verb = verb_at(text, begin);
   if (!verb || verb->length < 2 || !text.is_word(begin + verb->length, "to")) return false;
   const std::size_t at = begin + verb->length + 1;
-  return at < text.tokens.size() && !verb_at(text, at) && language::verb(text.tokens[at].text) && !text.is_word(at, "be") && !text.is_word(at, "have");
+  return at < text.tokens.size() && !verb_at(text, at) && language::verb(text.tokens[at].text) &&
+         !text.is_word(at, "be") && !text.is_word(at, "have");
 }
 
 // "is", "looks", "bores"
@@ -161,7 +172,9 @@ bool names_nothing(const EditText& text, std::size_t begin, std::size_t end) {
 }
 
 // "could the bed and the desk trade places"
-bool follows_question(const EditText& text, std::size_t at) { return at > 0 && text.edits.questions.count(text.tokens[at - 1].text) > 0; }
+bool follows_question(const EditText& text, std::size_t at) {
+  return at > 0 && text.edits.questions.count(text.tokens[at - 1].text) > 0;
+}
 
 // "desk: move it", "desk move left"
 bool is_heading(const EditText& text, std::size_t at, std::size_t end) {
@@ -177,8 +190,9 @@ std::optional<SaidVerb> verb_at(const EditText& text, std::size_t at) {
     return SaidVerb{*said.value, text.words_from(at, at + said.length), said.length, false};
   const auto form = language::verb(text.tokens[at].text);
   if (!form || form->base == text.tokens[at].text) return std::nullopt;
-  std::vector<Token> tokens(text.tokens.begin() + static_cast<std::ptrdiff_t>(at),
-                            text.tokens.begin() + static_cast<std::ptrdiff_t>(std::min(at + longest_verb, text.tokens.size())));
+  std::vector<Token> tokens(
+      text.tokens.begin() + static_cast<std::ptrdiff_t>(at),
+      text.tokens.begin() + static_cast<std::ptrdiff_t>(std::min(at + longest_verb, text.tokens.size())));
   tokens.front().text = form->base;
   const auto said = longest(text.edits.verbs, std::span<const Token>(tokens), 0);
   if (!said) return std::nullopt;
@@ -195,8 +209,8 @@ std::optional<ReadClause> clause_with_subject(const EditText& text, std::size_t 
     // "the hamper: lose it"
     const bool takes_it_up = end < text.tokens.size() && longest_in(text.edits.pronouns, text.tokens, end) == 1;
     if (begin == subject && takes_it_up) ++end;
-    else if (begin == subject && !verb->inflected && verb->meaning != "give" && verb->meaning != "want" && !brings_something(text, at) && !is_heading(text, at, subject) &&
-             !follows_question(text, at))
+    else if (begin == subject && !verb->inflected && verb->meaning != "give" && verb->meaning != "want" &&
+             !brings_something(text, at) && !is_heading(text, at, subject) && !follows_question(text, at))
       continue;
     auto clause = read(without(text, subject, end), *verb, at);
     if (clause) clause->end += end - subject;
@@ -211,7 +225,8 @@ std::size_t wish_of_somebody(const EditText& text, std::size_t at) {
   for (std::size_t i = at; i < std::min(at + longest_somebody, text.tokens.size()); ++i) {
     if (is_somebody)
       if (const auto wish = longest_in(text.edits.wishes, text.tokens, i)) return i + wish - at;
-    is_somebody = is_somebody || language::lexicon().is(language::singular(text.tokens[i].text), language::WordClass::person) ||
+    is_somebody = is_somebody ||
+                  language::lexicon().is(language::singular(text.tokens[i].text), language::WordClass::person) ||
                   text.is_word(i, "he") || text.is_word(i, "she") || text.is_word(i, "they");
   }
   return 0;

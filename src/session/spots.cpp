@@ -29,8 +29,10 @@ std::optional<Result<Whereabouts>> place_of_thing(const EditText& text, const st
 }
 
 // "where the lamp is now"
-std::optional<Result<Whereabouts>> where_it_is(const EditText& text, std::size_t at, const std::vector<std::string>& subjects) {
-  if (text.is_word(at, "to") || text.is_word(at, "at") || text.is_word(at, "right") || text.is_word(at, "exactly")) ++at;
+std::optional<Result<Whereabouts>> where_it_is(const EditText& text, std::size_t at,
+                                               const std::vector<std::string>& subjects) {
+  if (text.is_word(at, "to") || text.is_word(at, "at") || text.is_word(at, "right") || text.is_word(at, "exactly"))
+    ++at;
   if (!text.is_word(at, "where")) return std::nullopt;
   const auto target = target_at(text, at + 1, subjects);
   if (!target) return std::nullopt;
@@ -51,7 +53,8 @@ bool are_alike(const EditText& text, const std::vector<std::string>& ids) {
 }
 
 // "in the place of the chair", "in the chair's place", "in its place"
-std::optional<Result<Whereabouts>> in_place_of(const EditText& text, std::size_t at, const std::vector<std::string>& subjects) {
+std::optional<Result<Whereabouts>> in_place_of(const EditText& text, std::size_t at,
+                                               const std::vector<std::string>& subjects) {
   const auto of = longest_in(text.edits.place_of, text.tokens, at);
   if (of > 0) {
     const auto target = target_at(text, at + of, subjects);
@@ -59,7 +62,8 @@ std::optional<Result<Whereabouts>> in_place_of(const EditText& text, std::size_t
     if (!*target) return target->error();
     return place_of_thing(text, (*target)->id, (*target)->end);
   }
-  if (const auto there = longest_in(text.edits.there, text.tokens, at); there > 0 && are_alike(text, text.gone) && text.ends(at + there))
+  if (const auto there = longest_in(text.edits.there, text.tokens, at);
+      there > 0 && are_alike(text, text.gone) && text.ends(at + there))
     return place_of_thing(text, text.gone.front(), at + there);
   if (!text.is_word(at, "in") && !text.is_word(at, "into") && !text.is_word(at, "to")) return std::nullopt;
   const auto thing = named_thing_at(text, at + 1);
@@ -114,7 +118,8 @@ std::optional<std::vector<Relation>> beside_part(const Vec2& way, const std::str
   return std::vector<Relation>{{way.x() < 0.0 ? RelationKind::right_of : RelationKind::left_of, id}};
 }
 
-std::optional<Result<Whereabouts>> part_of_thing(const EditText& text, std::size_t at, const std::vector<std::string>& subjects) {
+std::optional<Result<Whereabouts>> part_of_thing(const EditText& text, std::size_t at,
+                                                 const std::vector<std::string>& subjects) {
   const auto before = longest_in(text.edits.at_parts, text.tokens, at);
   if (before == 0) return std::nullopt;
   // "at its head"
@@ -159,9 +164,10 @@ const Object* at_this_side(const EditText& text, const std::vector<std::string>&
   if (!subjects.empty()) return find_object(text.scene, subjects.front());
   const Object* only = nullptr;
   for (const auto& object : text.scene.objects) {
-    const bool is_named = object.room == host.room && object.id != host.id && std::any_of(text.tokens.begin(), text.tokens.end(), [&](const Token& token) {
-      return object.category == token.text || object.category.ends_with(" " + token.text);
-    });
+    const bool is_named = object.room == host.room && object.id != host.id &&
+                          std::any_of(text.tokens.begin(), text.tokens.end(), [&](const Token& token) {
+                            return object.category == token.text || object.category.ends_with(" " + token.text);
+                          });
     if (!is_named || gap(footprint(object), footprint(host)) > at_side) continue;
     if (only) return nullptr;
     only = &object;
@@ -170,19 +176,22 @@ const Object* at_this_side(const EditText& text, const std::vector<std::string>&
 }
 
 // "to the other side of the room": the half in which it does not stand.
-std::optional<Result<Whereabouts>> other_half(const EditText& text, std::size_t at, const std::vector<std::string>& subjects) {
+std::optional<Result<Whereabouts>> other_half(const EditText& text, std::size_t at,
+                                              const std::vector<std::string>& subjects) {
   const auto room_words = longest_in(text.edits.whole_room, text.tokens, at);
   const Object* object = subjects.size() == 1 ? find_object(text.scene, subjects.front()) : nullptr;
   if (room_words == 0 || !object) return std::nullopt;
   const Bounds2 box = bounds(room_of(text.scene, *object).polygon);
   const Vec2 off = (Vec2(object->position.head<2>()) - 0.5 * (box.low + box.high)).cwiseQuotient(box.size());
   const bool is_across = std::abs(off.x()) >= std::abs(off.y());
-  const char* half = is_across ? (off.x() < 0.0 ? "east-half" : "west-half") : (off.y() < 0.0 ? "north-half" : "south-half");
+  const char* half =
+      is_across ? (off.x() < 0.0 ? "east-half" : "west-half") : (off.y() < 0.0 ? "north-half" : "south-half");
   return Whereabouts{{{RelationKind::in_part, half}}, {}, at + room_words};
 }
 
 // "on the other side of the bed": opposite to where it is now, or to the one that is there already.
-std::optional<Result<Whereabouts>> other_side(const EditText& text, std::size_t at, const std::vector<std::string>& subjects) {
+std::optional<Result<Whereabouts>> other_side(const EditText& text, std::size_t at,
+                                              const std::vector<std::string>& subjects) {
   const auto length = longest_in(text.edits.other_side, text.tokens, at);
   if (length == 0) return std::nullopt;
   if (auto half = other_half(text, at + length, subjects)) return half;
@@ -192,13 +201,15 @@ std::optional<Result<Whereabouts>> other_side(const EditText& text, std::size_t 
   const Object* host = find_object(text.scene, (*target)->id);
   if (!host) return std::nullopt;
   const Object* there = at_this_side(text, subjects, *host);
-  if (!there) return not_understood("it is not clear which side of " + host->id + " is the other one; say left or right");
+  if (!there)
+    return not_understood("it is not clear which side of " + host->id + " is the other one; say left or right");
   return Whereabouts{{{relation_at(-side_at(*host, *there)), host->id}}, {}, (*target)->end};
 }
 
 }  // namespace
 
-std::optional<Result<Whereabouts>> spot_at(const EditText& text, std::size_t at, const std::vector<std::string>& subjects) {
+std::optional<Result<Whereabouts>> spot_at(const EditText& text, std::size_t at,
+                                           const std::vector<std::string>& subjects) {
   for (const auto& read : {where_it_is, in_place_of, other_side, part_of_thing})
     if (auto spot = read(text, at, subjects)) return spot;
   return std::nullopt;

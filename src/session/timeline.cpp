@@ -12,8 +12,9 @@ namespace roomgen {
 
 namespace {
 
-
-bool makes_state(const JournalEntry& entry) { return entry.kind == JournalEntry::Kind::edit || entry.kind == JournalEntry::Kind::scene; }
+bool makes_state(const JournalEntry& entry) {
+  return entry.kind == JournalEntry::Kind::edit || entry.kind == JournalEntry::Kind::scene;
+}
 
 Error damaged(std::size_t sequence, const std::string& why) {
   return {Error::Kind::invalid_input, "state " + std::to_string(sequence) + " cannot be made again: " + why};
@@ -108,7 +109,8 @@ Result<SceneState> Timeline::written(std::size_t sequence, const SceneState& kno
 std::vector<Timeline::Step> Timeline::steps_from(std::size_t sequence) const {
   std::vector<Step> steps;
   const auto own = entries_.find(sequence);
-  if (own != entries_.end() && own->second.kind == JournalEntry::Kind::edit) steps.push_back({own->second.parent, &own->second, true});
+  if (own != entries_.end() && own->second.kind == JournalEntry::Kind::edit)
+    steps.push_back({own->second.parent, &own->second, true});
   const auto [first, last] = children_.equal_range(sequence);
   for (auto child = first; child != last; ++child)
     if (const auto& entry = entries_.at(child->second); entry.kind == JournalEntry::Kind::edit)

@@ -17,7 +17,8 @@ Vec2 middle_of_target(const EditText& text, const Object& object, const std::str
   if (const Object* other = find_object(text.scene, target)) return other->position.head<2>();
   const Room& room = room_of(text.scene, object);
   if (const Opening* opening = find_opening(room, target)) return segment(room, *opening).middle();
-  if (const auto wall = wall_named(room, target)) return closest_point(room.polygon.edge(*wall), object.position.head<2>());
+  if (const auto wall = wall_named(room, target))
+    return closest_point(room.polygon.edge(*wall), object.position.head<2>());
   return object.position.head<2>();
 }
 
@@ -25,7 +26,8 @@ namespace {
 
 // "apart", "away from each other": each by half as much.
 ReadClause read_apart(const EditText& text, const Read<Ids>& what, std::size_t end) {
-  if (what.value.size() != 2) return not_understood("only two things can move apart, and " + std::to_string(what.value.size()) + " are meant");
+  if (what.value.size() != 2)
+    return not_understood("only two things can move apart, and " + std::to_string(what.value.size()) + " are meant");
   const Object* first = find_object(text.scene, what.value[0]);
   const Object* second = find_object(text.scene, what.value[1]);
   if (!first || !second) return not_understood("they have no places yet from which they could move");
@@ -33,7 +35,11 @@ ReadClause read_apart(const EditText& text, const Read<Ids>& what, std::size_t e
   const Vec2 way = Vec2(second->position.head<2>()) - Vec2(first->position.head<2>());
   if (way.norm() < 1e-6) return not_understood("it is not clear which way they shall move");
   const Vec2 half = 0.5 * metres * way.normalized();
-  return Clause{{edit::Shift{first->id, Vec3(-half.x(), -half.y(), 0.0)}, edit::Shift{second->id, Vec3(half.x(), half.y(), 0.0)}}, what.value, {}, end};
+  return Clause{
+      {edit::Shift{first->id, Vec3(-half.x(), -half.y(), 0.0)}, edit::Shift{second->id, Vec3(half.x(), half.y(), 0.0)}},
+      what.value,
+      {},
+      end};
 }
 
 }  // namespace
@@ -42,12 +48,16 @@ std::optional<ReadClause> read_mutual(const EditText& text, const Read<Ids>& wha
   if (what.value.size() < 2) return std::nullopt;
   const auto faces = longest_in(text.edits.faces, text.tokens, what.end);
   if (faces > 0 && longest_in(text.edits.each_other, text.tokens, what.end + faces) > 0) {
-    if (what.value.size() != 2) return not_understood("only two things can face each other, and " + std::to_string(what.value.size()) + " are meant");
+    if (what.value.size() != 2)
+      return not_understood("only two things can face each other, and " + std::to_string(what.value.size()) +
+                            " are meant");
     const std::size_t end = what.end + faces + longest_in(text.edits.each_other, text.tokens, what.end + faces);
-    return Clause{{edit::Face{what.value[0], what.value[1]}, edit::Face{what.value[1], what.value[0]}}, what.value, {}, end};
+    return Clause{
+        {edit::Face{what.value[0], what.value[1]}, edit::Face{what.value[1], what.value[0]}}, what.value, {}, end};
   }
   const std::size_t bit = longest(text.edits.amounts, text.tokens, what.end).length;
-  if (const auto apart = longest_in(text.edits.apart, text.tokens, what.end + bit); apart > 0) return read_apart(text, what, what.end + bit + apart);
+  if (const auto apart = longest_in(text.edits.apart, text.tokens, what.end + bit); apart > 0)
+    return read_apart(text, what, what.end + bit + apart);
   auto length = longest_in(text.edits.side_by_side, text.tokens, what.end + bit);
   if (length == 0) return std::nullopt;
   length += bit;
@@ -73,7 +83,8 @@ std::optional<ReadClause> read_facing_away(const EditText& text, const Read<Ids>
   for (const auto& id : what.value) {
     const Object* object = find_object(text.scene, id);
     if (!object) return not_understood(id + " has no place yet");
-    const Vec2 away = Vec2(object->position.head<2>()) - middle_of_target(text, *object, is_any_wall ? nearest_wall(text, *object) : (*target)->id);
+    const Vec2 away = Vec2(object->position.head<2>()) -
+                      middle_of_target(text, *object, is_any_wall ? nearest_wall(text, *object) : (*target)->id);
     if (away.norm() < 1e-6) return not_understood("it is not clear which way " + id + " shall face");
     const double yaw = std::atan2(away.x(), -away.y());  // at 0 the front looks to -Y
     clause.operations.push_back(edit::Turn{id, std::remainder(yaw - object->yaw, 2.0 * pi)});
@@ -96,7 +107,8 @@ std::optional<Read<double>> turn_at(const EditText& text, std::size_t at) {
   if (text.is_word(at, "by")) ++at;
   if (at >= text.tokens.size() || text.tokens[at].kind != design::Token::Kind::number) return std::nullopt;
   const double degrees = text.tokens[at].value;
-  if (!text.is_word(at + 1, "degrees") && !text.is_word(at + 1, "degree") && !text.is_word(at + 1, "deg")) return std::nullopt;
+  if (!text.is_word(at + 1, "degrees") && !text.is_word(at + 1, "degree") && !text.is_word(at + 1, "deg"))
+    return std::nullopt;
   at += 2;
   if (const auto behind = longest(text.edits.turn_directions, text.tokens, at))
     sign = *behind.value, at += behind.length;
@@ -105,7 +117,8 @@ std::optional<Read<double>> turn_at(const EditText& text, std::size_t at) {
 
 // "a quarter turn together with its chairs" turns each where it stands: that is not meant.
 ReadClause turned(const EditText& text, const Read<Ids>& what, const Read<double>& turn) {
-  if (longest_in(text.edits.along, text.tokens, turn.end) > 0) return what_at(text, turn.end, "groups cannot be turned");
+  if (longest_in(text.edits.along, text.tokens, turn.end) > 0)
+    return what_at(text, turn.end, "groups cannot be turned");
   return of_each(what, turn.end, [&](const std::string& id) { return edit::Turn{id, radians(turn.value)}; });
 }
 
@@ -114,7 +127,8 @@ ReadClause turned(const EditText& text, const Read<Ids>& what, const Read<double
 // "a quarter turn to the left for the armchair"
 ReadClause read_turn_first(const EditText& text, std::size_t at) {
   const auto turn = turn_at(text, at);
-  if (!turn || (!text.is_word(turn->end, "for") && !text.is_word(turn->end, "of"))) return what_at(text, at, "not understood");
+  if (!turn || (!text.is_word(turn->end, "for") && !text.is_word(turn->end, "of")))
+    return what_at(text, at, "not understood");
   const auto what = things(text, turn->end + 1, true);
   if (!what) return what.error();
   return of_each(*what, what->end, [&](const std::string& id) { return edit::Turn{id, radians(turn->value)}; });

@@ -27,7 +27,8 @@ ReadClause read_remove(const EditText& text, std::size_t at) {
   const auto what = things(text, at, true);
   if (!what) return what.error();
   const auto thing = named_thing_at(text, at);
-  const bool is_all_of_room = thing && thing->which == Which::everything && what->value.size() == text.scene.objects.size();
+  const bool is_all_of_room =
+      thing && thing->which == Which::everything && what->value.size() == text.scene.objects.size();
   if (is_all_of_room) return not_understood("that would empty the room; name what shall go");
   return Clause{{edit::Remove{what->value, false}}, {}, {}, what->end, what->value};
 }
@@ -80,7 +81,9 @@ ReadClause read_preferred(const EditText& text, std::size_t at) {
   const auto thing = new_thing_at(text, at);
   const Ids there = thing && !thing->further ? fitting(text, *thing) : Ids();
   if (there.size() != 1) return what_at(text, at, "not understood");
-  return of_each({there, thing->end}, thing->end, [&](const std::string& id) { return edit::Replace{id, "", thing->description()}; });
+  return of_each({there, thing->end}, thing->end, [&](const std::string& id) {
+    return edit::Replace{id, "", thing->description()};
+  });
 }
 
 // "throw out the rug", "toss a blanket over the sofa"
@@ -97,7 +100,8 @@ ReadClause read_copy(const EditText& text, std::size_t at) {
   if (place && (*place)->spot) return what_at(text, what->end, "something stands there");
   return of_each(*what, place ? (*place)->end : what->end, [&](const std::string& id) {
     const Object& object = *text.object(id);
-    return edit::Add{object.category, object.description, object.size, 1, place ? (*place)->relations : std::vector<Relation>()};
+    return edit::Add{object.category, object.description, object.size, 1,
+                     place ? (*place)->relations : std::vector<Relation>()};
   });
 }
 
@@ -156,7 +160,8 @@ ReadClause read_lock(const EditText& text, std::size_t at, bool locked, bool mus
 
 ReadClause read_wish(const EditText& text, std::size_t at) {
   if (const auto verb = verb_at(text, at); verb && !verb->inflected && verb->meaning != "give")
-    if (auto order = read_verb(text, verb->meaning, verb->words, at + verb->length); goes_to_its_end(text, order)) return order;
+    if (auto order = read_verb(text, verb->meaning, verb->words, at + verb->length); goes_to_its_end(text, order))
+      return order;
   return first_whole(text, {read_embedded(text, at), read_fragment(text, at)});
 }
 
@@ -184,7 +189,8 @@ ReadClause read_verb(const EditText& text, const std::string& meaning, const std
   if (meaning == "rearrange") return read_rearrange(text, at);
   if (meaning == "remove" || meaning == "clear") {
     auto gone = read_remove(text, at);
-    const bool is_surface = meaning == "clear" && gone && !verb.ends_with("out") && named_thing_at(text, at)->which != Which::everything;
+    const bool is_surface =
+        meaning == "clear" && gone && !verb.ends_with("out") && named_thing_at(text, at)->which != Which::everything;
     return is_surface ? cleared(text, *gone) : gone;
   }
   if (const auto gap = gap_at(text, at, text.latest)) return *gap ? keep_gap(text, **gap) : ReadClause(gap->error());
@@ -234,8 +240,8 @@ ReadClause read_fragment(const EditText& text, std::size_t at) {
   if (auto form = read_form(text, at); form && goes_to_its_end(text, *form)) return *std::move(form);
   ReadClause put = read_put(text, at, true);
   if (goes_to_its_end(text, put)) return put;
-  for (const auto& other : {read_better(text, at), read_make(text, at), read_turn(text, at), read_looks_first(text, at), read_turn_first(text, at),
-                            read_being(text, at), read_ellipsis(text, at)})
+  for (const auto& other : {read_better(text, at), read_make(text, at), read_turn(text, at), read_looks_first(text, at),
+                            read_turn_first(text, at), read_being(text, at), read_ellipsis(text, at)})
     if (goes_to_its_end(text, other)) return other;
   return put;
 }

@@ -28,7 +28,8 @@ std::optional<NamedWall> wall_by_target(const EditText& text, std::size_t at, bo
   const Room& room = text.room();
   std::size_t next = at;
   const bool is_opposite = text.is_word(at, "opposite") || text.is_word(at, "facing") || text.is_word(at, "across");
-  const bool is_beside = text.is_word(at, "by") || text.is_word(at, "above") || text.is_word(at, "over") || text.is_word(at, "beside");
+  const bool is_beside =
+      text.is_word(at, "by") || text.is_word(at, "above") || text.is_word(at, "over") || text.is_word(at, "beside");
   const bool is_near = text.is_word(at, "behind") || text.is_word(at, "with") || (may_be_near && is_beside);
   if (!is_opposite && !is_near) return std::nullopt;
   ++next;

@@ -26,7 +26,8 @@ class BoxLibrary final : public roomgen::AssetLibrary {
     const roomgen::Vec3 size = roomgen::KindTable::built_in().get(ref.id).size;
     auto model = std::make_shared<roomgen::Model>();
     model->materials.push_back({});
-    model->parts.push_back({roomgen::make_box({-0.5 * size.x(), -0.5 * size.y(), 0.0}, {0.5 * size.x(), 0.5 * size.y(), size.z()}), 0});
+    model->parts.push_back(
+        {roomgen::make_box({-0.5 * size.x(), -0.5 * size.y(), 0.0}, {0.5 * size.x(), 0.5 * size.y(), size.z()}), 0});
     return std::shared_ptr<const roomgen::Model>(model);
   }
 };

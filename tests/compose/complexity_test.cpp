@@ -17,7 +17,8 @@ struct Said {
 
 bool same(const std::optional<Range>& a, const std::optional<Range>& b) {
   if (!a || !b) return a.has_value() == b.has_value();
-  return std::abs(a->low - b->low) < 1e-9 && ((std::isinf(a->high) && std::isinf(b->high)) || std::abs(a->high - b->high) < 1e-9);
+  return std::abs(a->low - b->low) < 1e-9 &&
+         ((std::isinf(a->high) && std::isinf(b->high)) || std::abs(a->high - b->high) < 1e-9);
 }
 
 }  // namespace

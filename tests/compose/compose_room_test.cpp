@@ -48,12 +48,14 @@ std::string program_text(const std::string& desks, const std::string& width = "4
 }  // namespace
 
 TEST_CASE("Rooms that are composed are valid, and rounds end when all is met", "[compose]") {
-  for (const std::string prompt : {"a bedroom with a double bed and two nightstands", "a meeting room with one table and 8 chairs",
-                                   "a reading room with four bookshelves and seating for three"}) {
+  for (const std::string prompt :
+       {"a bedroom with a double bed and two nightstands", "a meeting room with one table and 8 chairs",
+        "a reading room with four bookshelves and seating for three"}) {
     const auto result = composed(prompt, rule_author(), quick());
     for (const auto& round : result.rounds) {
       const auto report = examine(round.result.scene, round.models, kinds());
-      for (const auto& violation : report.violations) INFO(name(violation.fault) << " " << violation.object << " " << violation.other);
+      for (const auto& violation : report.violations)
+        INFO(name(violation.fault) << " " << violation.object << " " << violation.other);
       CHECK(report.violations.empty());
       CHECK(round.report.colliding.empty());
     }
@@ -114,7 +116,8 @@ TEST_CASE("A model that answers Python is asked again, then the work ends with w
   const auto python = reply_saying("def build_constraints():\n    return cl.Problem(constraints={}, score_terms={})");
   const auto script = make_script({python, python, python});
   ScriptedModel model(script);
-  const auto result = compose_room(request_for("a study with a desk"), model_author(model, Prompts::built_in(), {}), BoxLibrary(), kinds(), quick());
+  const auto result = compose_room(request_for("a study with a desk"), model_author(model, Prompts::built_in(), {}),
+                                   BoxLibrary(), kinds(), quick());
   REQUIRE_FALSE(result);
   CHECK(result.error().kind == Error::Kind::invalid_input);
   CHECK(script->questions.size() == 3);

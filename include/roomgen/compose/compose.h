@@ -37,8 +37,8 @@ struct ComplexityMeasure {
 const std::vector<ComplexityMeasure>& complexity_measures();
 
 /// What an English text says of it: "seating for 12", "about half of the floor", "many shelves"
-/// (data/program/complexity.json). "About" reaches 20 % of a number and 5 points of a share to either side; a share that
-/// is said as one number is met within 3 points.
+/// (data/program/complexity.json). "About" reaches 20 % of a number and 5 points of a share to either side; a share
+/// that is said as one number is met within 3 points.
 Complexity complexity_of(std::string_view text);
 /// "20..25", "0.4..0.5", "12": both bounds may be left out ("..10"). Shares also as "40%".
 Result<Range> range_from(std::string_view text, const std::string& option);
@@ -104,9 +104,10 @@ struct Revision {
   Json patch;          ///< RFC 6902, from the program before to this one
   int rule = 0;        ///< which of the rules made it, from 1; 0: none
 };
-/// By rules, beginning behind the rule that made the last revision (0: none): a floor that suits the occupancy, what finds no wall away from walls, a
-/// larger room if nobody gave its size, without what nobody asked for, more of what may be added, smaller things, weaker
-/// scores; the last is followed by the first. Nothing if the report is met or nothing is left to try.
+/// By rules, beginning behind the rule that made the last revision (0: none): a floor that suits the occupancy, what
+/// finds no wall away from walls, a larger room if nobody gave its size, without what nobody asked for, more of what
+/// may be added, smaller things, weaker scores; the last is followed by the first. Nothing if the report is met or
+/// nothing is left to try.
 std::optional<Revision> revise(const WrittenProgram& written, const ErrorReport& report, int last_rule);
 
 /// One round of writing, optimising and judging.
@@ -141,8 +142,8 @@ struct ModelAuthorOptions {
   std::vector<KindOffer> kinds;
 };
 /// A language model that is shown the language, the kinds, three examples, and for a revision the error report with a
-/// picture of the room. It answers a program, or a patch of the last one. `model` must outlive the author, which is for one
-/// composition at a time. Errors are those of chat, and invalid_input when no answer could be used.
+/// picture of the room. It answers a program, or a patch of the last one. `model` must outlive the author, which is for
+/// one composition at a time. Errors are those of chat, and invalid_input when no answer could be used.
 ProgramAuthor model_author(ChatModel& model, Prompts prompts, ModelAuthorOptions options);
 
 struct ComposeOptions {
@@ -161,9 +162,10 @@ struct Composition {
   const ComposeRound& chosen() const { return rounds[best]; }
 };
 
-/// A room for a sentence by a constraint program: written, optimised, judged, and revised from the error report until it
-/// is met or the rounds are spent (InfiniBench's supplement, section B).
-Result<Composition> compose_room(const ComposeRequest& request, const ProgramAuthor& author, const AssetLibrary& library,
-                                 const KindTable& kinds, const ComposeOptions& options = {});
+/// A room for a sentence by a constraint program: written, optimised, judged, and revised from the error report until
+/// it is met or the rounds are spent (InfiniBench's supplement, section B).
+Result<Composition> compose_room(const ComposeRequest& request, const ProgramAuthor& author,
+                                 const AssetLibrary& library, const KindTable& kinds,
+                                 const ComposeOptions& options = {});
 
 }  // namespace roomgen
