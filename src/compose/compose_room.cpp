@@ -1,5 +1,7 @@
 #include <algorithm>
 
+#include "evaluate/attributes.h"
+#include "evaluate/ledger.h"
 #include "roomgen/compose/compose.h"
 
 namespace roomgen {
@@ -60,12 +62,25 @@ class Composer {
     for (const auto& kind : stock->missing)
       round.written.notes.push_back("the libraries have no " + kind);
     round.models = std::move(stock->models);
+    keep_ledger(round);
     round.report = error_report(round.result, round.written.asked, round.models, kinds_);
     if (options_.picture)
       if (auto picture = options_.picture(round.result.scene, round.models)) round.picture = *std::move(picture);
     composition_.rounds.push_back(std::move(round));
     if (options_.on_round) options_.on_round(last());
     return {};
+  }
+
+  // Every clause of the prompt, met or not, and what its words were taken for.
+  void keep_ledger(ComposeRound& round) const {
+    Scene& scene = round.result.scene;
+    scene.requirements = check_requirements(
+        round.written.plan.requirements, scene, kinds_,
+        [&](const Object& object, const std::string& word) {
+          return judge_attribute(known_looks(object, round.models), word);
+        },
+        [](const Object&) { return 1.0; });
+    scene.heard = round.written.plan.heard;
   }
 
   // What is asked for comes before what is liked; of equals the earlier.

@@ -50,7 +50,9 @@ void number_articles(Task& task) {
 Status check_task(const Task& task) {
   for (const auto& finding : check(task.program, task.kinds))
     if (finding.severity == ProgramFinding::Severity::error)
-      return Error{Error::Kind::invalid_input, task.program.source + ": " + finding.at + ": " + finding.message};
+      return Error{Error::Kind::invalid_input,
+                   (task.program.source.empty() ? "the program" : task.program.source) +
+                       (finding.at.empty() ? "" : ": " + finding.at) + ": " + finding.message};
   if (auto sound = check(task.room); !sound) return sound.error();
   double least = 0.0;
   for (const auto& bound : task.bounds) least = std::max(least, bound.low);

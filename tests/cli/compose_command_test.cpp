@@ -40,6 +40,8 @@ TEST_CASE("A sentence with numbers becomes a room that has them") {
     desks += object["category"] == "desk";
     shelves += object["category"] == "bookshelf";
   }
+  CHECK((*scene)["requirements"].size() >= 2);
+  for (const auto& requirement : (*scene)["requirements"]) CHECK(requirement["verdict"] == "met");
   CHECK(desks == 2);
   CHECK(shelves == 3);
   CHECK(run({"check", shop.folder / "room/scene.json"}).code == 0);
