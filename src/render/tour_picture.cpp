@@ -12,7 +12,7 @@ constexpr double arrow_length = 0.35;  // metres, of the direction of a view
 Vec2 on_plan(const Camera& camera, const Vec2& place) { return camera.pixel({place.x(), place.y(), 0.0}); }
 
 Drawing::Stroke way_of(const Tour& tour, const Camera& camera) {
-  Drawing::Stroke way{Drawing::Line::front, {}};
+  Drawing::Stroke way{Drawing::Line::outline, {}};
   for (const auto& keyframe : tour.keyframes) {
     const Vec2 pixel = on_plan(camera, keyframe.pose.eye.head<2>());
     if (way.points.empty() || (pixel - way.points.back()).norm() > 1.0) way.points.push_back(pixel);
@@ -20,7 +20,7 @@ Drawing::Stroke way_of(const Tour& tour, const Camera& camera) {
   return way;
 }
 
-// Where it is, where it looks, and the how manieth it is.
+// Where it is, where it looks, and its number.
 void add_view(Drawing& drawing, const TourView& view, std::size_t number, const Camera& camera) {
   const Vec2 eye = view.pose.eye.head<2>(), ahead = front_direction(view.pose.yaw);
   const Vec2 from = on_plan(camera, eye);
