@@ -30,7 +30,7 @@ struct TourOptions {
   double agent_radius = 0.25;              ///< of the disc that is kept free of things and walls
   double steepest_pitch = radians(75.0);   ///< up or down
   double stray = radians(6.0);             ///< yaw and pitch are drawn from so far around the target's middle
-  int samples = 160;                       ///< viewpoints that are tried for a target at most
+  int samples = 320;                       ///< viewpoints that are tried for a target at most
   double speed = 0.6;                      ///< metres a second
   double turn_rate = radians(60.0);        ///< radians a second, of yaw and of pitch
   double pause = 0.5;                      ///< seconds before each target
