@@ -30,6 +30,7 @@ void add_solve_command(CLI::App& app, Context& context);
 void add_assets_command(CLI::App& app, Context& context);
 void add_export_command(CLI::App& app, Context& context);
 void add_render_command(CLI::App& app, Context& context);
+void add_tour_command(CLI::App& app, Context& context);
 void add_check_command(CLI::App& app, Context& context);
 void add_evaluate_command(CLI::App& app, Context& context);
 void add_plan_command(CLI::App& app, Context& context);

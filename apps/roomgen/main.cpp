@@ -46,6 +46,7 @@ int main(int argc, char** argv) {
 #ifdef ROOMGEN_HAS_RENDER
   add_export_command(app, context);
   add_render_command(app, context);
+  add_tour_command(app, context);
 #endif
 #if defined(ROOMGEN_HAS_ASSETS) && defined(ROOMGEN_HAS_RENDER)
   add_create_command(app, context);

@@ -23,6 +23,7 @@
 #include "roomgen/scene/requirement.h"  // what the prompt asked for, met or not
 #include "roomgen/scene/model_table.h"  // the meshes of a scene, and where in the room they are
 #include "roomgen/view/view.h"          // how to look at a room; cameras, layers; what a renderer is
+#include "roomgen/tour/tour.h"          // a camera that walks to each thing and shows it; tour.json
 #include "roomgen/export/exporter.h"    // what an exporter is; GLB files; who made the meshes
 #include "roomgen/import/import.h"      // floor plans from SVG and DXF; the meshes of a scene.glb
 

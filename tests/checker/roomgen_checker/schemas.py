@@ -5,7 +5,8 @@ from pathlib import Path
 from .files import read_json
 
 DOCS = Path(__file__).resolve().parents[3] / "docs"
-OF_FORMAT = {"roomgen-scene": "scene", "roomgen-plan": "plan", "roomgen-shape": "shape", "roomgen-program": "program"}
+OF_FORMAT = {"roomgen-scene": "scene", "roomgen-plan": "plan", "roomgen-shape": "shape", "roomgen-program": "program",
+             "roomgen-tour": "tour"}
 
 
 def schema_named(name):

@@ -1,0 +1,132 @@
+#include "choose_view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "roomgen/base/text.h"
+#include "viewpoints.h"
+
+namespace roomgen::detail {
+
+namespace {
+
+// Once so many are accepted the best of them will do: the most promising ones were tried first.
+constexpr int enough_accepted = 12;
+
+std::string metres_text(double metres) { return format_number(metres) + " m"; }
+std::string percent_text(double share) { return format_number(100.0 * share, 1) + " %"; }
+
+// What the pictures from all viewpoints said.
+struct Tally {
+  int accepted = 0, too_small = 0;
+  double least_hidden = 2.0, most_hidden = -1.0;
+
+  void add_hidden(double share) {
+    least_hidden = std::min(least_hidden, share);
+    most_hidden = std::max(most_hidden, share);
+  }
+  bool any_hidden_share() const { return most_hidden >= 0; }
+};
+
+std::string hidden_text(const TourOptions& options, const Tally& tally) {
+  const std::string wanted = percent_text(options.least_hidden) + " to " + percent_text(options.greatest_hidden);
+  return "others hide " + percent_text(tally.least_hidden) + " to " + percent_text(tally.most_hidden) +
+         " of it, from wherever it was looked at; " + wanted + " are asked for";
+}
+
+UnseenTarget unseen(const TourOptions& options, const Object& target, const DrawnViewpoints& drawn,
+                    const Tally& tally) {
+  using Cause = UnseenTarget::Cause;
+  if (!drawn.any_place)
+    return {target.id, Cause::out_of_reach,
+            "there is no place to stand that can be walked to " + metres_text(options.least_distance) + " to " +
+                metres_text(options.greatest_distance) + " from it"};
+  if (drawn.points.empty())
+    return {target.id, Cause::out_of_picture,
+            "from no place that can be walked to all of it is in the picture: a wider field of view or greater "
+            "distances may help"};
+  if (!tally.any_hidden_share())
+    return {target.id, Cause::too_small,
+            "it has less than " + std::to_string(options.least_pixels) +
+                " pixels in every picture: larger pictures or shorter distances may help"};
+  return {target.id, Cause::hidden, hidden_text(options, tally)};
+}
+
+class ViewChooser {
+ public:
+  ViewChooser(const TourSite& site, Renderer& renderer, const Object& target)
+      : site_(site),
+        renderer_(renderer),
+        target_(target),
+        index_(static_cast<std::size_t>(&target - site.scene.objects.data())) {}
+
+  Status look_from(const Viewpoint& point) {
+    const auto camera = tour_camera(point.pose, site_.intrinsics());
+    if (!camera) return camera.error();
+    auto thing = thing_in(*camera, false);
+    // What shows nothing needs no second look, unless all of it may be hidden.
+    if (thing && (thing->pixels > 0 || site_.options.greatest_hidden >= 1.0)) thing = thing_in(*camera, true);
+    if (!thing) return thing.error();
+    judge(point, *thing);
+    return {};
+  }
+
+  bool is_done(const Viewpoint& next) const {
+    return tally_.accepted >= enough_accepted || (best_ && best_->view.score >= next.most_score);
+  }
+  const std::optional<ChosenView>& best() const { return best_; }
+  const Tally& tally() const { return tally_; }
+
+ private:
+  Result<LayerThing> thing_in(const Camera& camera, bool alone) {
+    Shot shot;
+    shot.camera = camera;
+    shot.color = false;
+    shot.alone = alone;
+    const auto layers = renderer_.layers(site_.scene, site_.models, shot);
+    if (!layers) return layers.error();
+    return layers->things[index_];
+  }
+
+  void judge(const Viewpoint& point, const LayerThing& thing) {
+    if (thing.pixels == 0 && thing.pixels_alone == 0) return tally_.add_hidden(1.0);
+    if (thing.pixels_alone < static_cast<std::size_t>(site_.options.least_pixels)) {
+      ++tally_.too_small;
+      return;
+    }
+    const double hidden = 1.0 - static_cast<double>(thing.pixels) / static_cast<double>(thing.pixels_alone);
+    tally_.add_hidden(hidden);
+    if (hidden < site_.options.least_hidden || hidden > site_.options.greatest_hidden) return;
+    ++tally_.accepted;
+    const double score = view_score(site_.options, static_cast<double>(thing.pixels), point.fixed_score);
+    if (best_ && best_->view.score >= score) return;
+    best_ = ChosenView{{target_.id, point.pose, thing.pixels, thing.pixels_alone, score}, point.node};
+  }
+
+  const TourSite& site_;
+  Renderer& renderer_;
+  const Object& target_;
+  std::size_t index_;
+  Tally tally_;
+  std::optional<ChosenView> best_;
+};
+
+}  // namespace
+
+Result<std::variant<ChosenView, UnseenTarget>> choose_view(const TourSite& site, Renderer& renderer,
+                                                           const Object& target, const ShortestWays& ways) {
+  using Outcome = std::variant<ChosenView, UnseenTarget>;
+  const DrawnViewpoints drawn = draw_viewpoints(site, target, ways);
+  ViewChooser chooser(site, renderer, target);
+  for (const auto& point : drawn.points) {
+    if (chooser.is_done(point)) break;
+    if (site.options.cancel.cancelled()) return Error{Error::Kind::cancelled, "tour: interrupted"};
+    if (auto status = chooser.look_from(point); !status) return status.error();
+  }
+  if (chooser.best()) return Outcome(*chooser.best());
+  return Outcome(unseen(site.options, target, drawn, chooser.tally()));
+}
+
+}  // namespace roomgen::detail
