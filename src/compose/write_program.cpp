@@ -90,6 +90,17 @@ void shrink_to_fit(const Complexity& asked, double area, const KindTable& kinds,
   for (auto& stand : stands) stand.size.head<2>() *= factor;
 }
 
+// Programs are about known kinds; what is none is left to the ledger, which says that it is not there.
+void leave_unknown(const KindTable& kinds, Furnished& furnished) {
+  std::erase_if(furnished.stands, [&](const Stand& stand) {
+    const Kind* kind = kinds.by_name(stand.kind);
+    const bool is_known = kind && !kind->is_stand_in();
+    if (!is_known && stand.asked)
+      furnished.notes.push_back("\"" + stand.description + "\" is left out: programs are about known kinds of things");
+    return !is_known;
+  });
+}
+
 /// Plans, and plans again until the inventory and its floor agree.
 Result<Furnished> furnish(Reading& reading, const KindTable& kinds) {
   const auto designer = make_rule_designer();
@@ -100,6 +111,7 @@ Result<Furnished> furnish(Reading& reading, const KindTable& kinds) {
     furnished = {*std::move(plan), {}, {}};
     const Means means{kind_of(furnished.plan.room), furnished.plan.excluded, kinds};
     furnished.stands = inventory_of(furnished.plan, kinds);
+    leave_unknown(kinds, furnished);
     meet_numbers(reading.asked, means, furnished.stands, furnished.notes);
     const double area = area_of(furnished.plan.room);
     const auto floor =

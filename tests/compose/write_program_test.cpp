@@ -24,6 +24,8 @@ const std::vector<std::string> prompts = {
     "living room with a loveseat, three armchairs and a piano, more than 20 objects in all",
     "a gym with four treadmills and three exercise bikes, 8 x 6 m",
     "a room with a gong and a harp",
+    "a workshop with a flux capacitor, two widgets, a desk and a veneer",
+    "a studio with a fax machine and a hookah",
     "a bathroom",
 };
 
