@@ -28,11 +28,8 @@ std::vector<Slot> in_order(const World& world) {
   return order;
 }
 
-std::string id_of(const std::string& category, int number) {
-  std::string id = lower(category);
-  std::ranges::replace(id, ' ', '-');
-  return id + "-" + std::to_string(number);
-}
+// As plans name their objects (roomgen/scene/plan.h), so that what a plan asks for is found.
+std::string id_of(const std::string& category, int number) { return lower(category) + "-" + std::to_string(number); }
 
 // What a way of being put up amounts to in the grammar of relations.
 std::vector<Relation> relations_of(const Attachment& attachment, const std::map<Slot, std::string>& ids) {
