@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "authors.h"
 #include "command.h"
 #include "designers.h"
 #include "libraries.h"
@@ -20,7 +21,6 @@
 #include "roomgen/base/file.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
-#include "roomgen/render/pictures.h"
 #include "summary.h"
 
 namespace roomgen::cli {
@@ -143,17 +143,9 @@ Result<int> run(const Context& context, ComposeCommand& command) {
                                                  : context.cancel;
   command.options.optimise.cancel = command.request.plan.cancel = cancel;
   command.options.optimise.seed = command.request.plan.seed;
-  const ProgramAuthor author =
-      composed->model ? model_author(*composed->model, composed->prompts, {.kinds = kind_offers(**library, kinds)})
-                      : rule_author();
-  PictureDrawer drawer;
-  if (composed->model)
-    command.options.picture = [&](const Scene& scene, const ModelTable& models) -> Result<std::string> {
-      const auto renderer = drawer.renderer();
-      if (!renderer) return renderer.error();
-      const auto image = segmentation_picture(**renderer, scene, models, command.pixels);
-      return image ? encode_for(command.designer, *image) : image.error();
-    };
+  Authors authors(*composed, command.designer, **library);
+  const ProgramAuthor author = authors.author();
+  authors.show(command.options);
   const bool shown = !context.quiet && ::isatty(STDERR_FILENO);
   int rounds = 0;
   if (!context.quiet)

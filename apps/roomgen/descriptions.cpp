@@ -72,12 +72,6 @@ void count(const Scene& scene, const KindTable& kinds, std::map<std::string, Kin
   }
 }
 
-double measured(const std::string& name, const Scene& scene, double occupancy, const KindTable& kinds) {
-  if (name == "seats") return seats_in(scene, kinds);
-  if (name == "shelves") return shelves_in(scene, kinds);
-  return name == "occupancy" ? occupancy : static_cast<double>(scene.objects.size());
-}
-
 }  // namespace
 
 Result<std::vector<Description>> read_descriptions(const std::string& file) {

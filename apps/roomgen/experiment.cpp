@@ -15,6 +15,7 @@
 #include "makers.h"
 #include "options.h"
 #include "program_experiment.h"
+#include "resumable_lines.h"
 #include "room_files.h"
 #include "roomgen/base/file.h"
 #include "roomgen/base/json.h"
@@ -27,7 +28,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* lines_name = "results.jsonl";
 constexpr const char* summary_name = "results.json";
 constexpr const char* report_name = "report.md";
 
@@ -47,34 +47,23 @@ struct Task {
   auto operator<=>(const Task&) const = default;
 };
 
-/// The results of a folder: a line that says what the experiment is, then one for each object. Each
-/// line is written when its object is done, so that an interrupted experiment goes on from there.
+/// What is made so far; each result is kept as soon as it is there.
 class Results {
  public:
-  /// Reads what is there of the same experiment. Anything else in the folder is refused.
   static Result<Results> open(const fs::path& folder, const Json& head, bool force) {
-    Results results;
-    results.path_ = folder / lines_name;
-    if (auto status = make_folder(folder); !status) return status.error();
-    std::error_code code;
-    if (fs::exists(results.path_, code) && !force) {
-      if (auto status = results.read(head); !status) return status.error();
-    } else if (!fs::is_empty(folder, code) && !force) {
-      return Error{Error::Kind::io, folder.string() +
-                                        ": is not empty and no earlier experiment; choose another "
-                                        "folder or --force"};
+    auto lines = ResumableLines::open(folder, head, force);
+    if (!lines) return lines.error();
+    Results results(*std::move(lines));
+    for (const auto& line : results.lines_.earlier()) {
+      auto result = create::suite_result_from_json(line.json, line.where);
+      if (!result) return result.error();
+      results.all_.push_back(*std::move(result));
     }
-    std::string lines = line_of(head);
-    for (const auto& result : results.all_) lines += line_of(to_json(result));
-    if (auto status = write_file(results.path_, lines); !status) return status.error();
-    auto file = AppendedFile::open(results.path_);
-    if (!file) return file.error();
-    results.file_ = *std::move(file);
     return results;
   }
 
   Status add(create::SuiteResult result) {
-    if (auto status = file_->append(line_of(to_json(result))); !status) return status;
+    if (auto status = lines_.add(to_json(result)); !status) return status;
     all_.push_back(std::move(result));
     return {};
   }
@@ -89,41 +78,14 @@ class Results {
     std::vector<create::SuiteResult> chosen;
     for (const auto& task : tasks)
       for (const auto& result : all_)
-        if (result.variant == task.variant && result.number == task.number)
-          chosen.push_back(result);
+        if (result.variant == task.variant && result.number == task.number) chosen.push_back(result);
     return chosen;
   }
 
  private:
-  static std::string line_of(const Json& json) {
-    return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
-  }
+  explicit Results(ResumableLines lines) : lines_(std::move(lines)) {}
 
-  Status read(const Json& head) {
-    const auto text = read_file(path_);
-    if (!text) return text.error();
-    const auto lines = split(*text, '\n');
-    const auto first = parse_json(lines.front(), path_.string());
-    if (!first || *first != head)
-      return Error{Error::Kind::invalid_input,
-                   path_.string() + ": holds another experiment (other sentences, seed or model); "
-                                    "choose another folder or --force"};
-    for (std::size_t k = 1; k < lines.size(); ++k) {
-      if (lines[k].empty()) continue;
-      const std::string where = path_.string() + ": line " + std::to_string(k + 1);
-      const auto json = parse_json(lines[k], where);
-      // The last line may be half written: its object is made again.
-      if (!json && k + 1 == lines.size()) break;
-      if (!json) return json.error();
-      auto result = create::suite_result_from_json(*json, where);
-      if (!result) return result.error();
-      all_.push_back(*std::move(result));
-    }
-    return {};
-  }
-
-  fs::path path_;
-  std::optional<AppendedFile> file_;
+  ResumableLines lines_;
   std::vector<create::SuiteResult> all_;
 };
 

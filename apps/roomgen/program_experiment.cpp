@@ -9,9 +9,9 @@
 #include <optional>
 #include <vector>
 
+#include "authors.h"
 #include "descriptions.h"
-#include "program_files.h"
-#include "room_files.h"
+#include "resumable_lines.h"
 #include "roomgen/base/file.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
@@ -46,25 +46,19 @@ Json to_json(const Run& run) {
   return json;
 }
 
-std::optional<Run> run_from(const Json& json) {
-  if (!json.is_object() || !json.contains("after") || json["after"].size() != looked_at.size()) return std::nullopt;
-  Run run{json.value("id", ""), json.value("clusters", true), {}};
-  for (const auto& one : json["after"])
-    run.after.push_back({one.at(0).get<double>(), one.at(1).get<double>(), one.at(2).get<double>()});
+bool are_figures(const Json& json) {
+  return json.is_array() && json.size() == 3 && std::ranges::all_of(json, [](const Json& one) { return one.is_number(); });
+}
+
+Result<Run> run_from(const ResumableLines::Line& line) {
+  const Json& json = line.json;
+  const Json after = json.is_object() ? json.value("after", Json()) : Json();
+  const bool is_run = after.is_array() && after.size() == looked_at.size() && std::ranges::all_of(after, are_figures) &&
+                      json.value("id", Json()).is_string() && json.value("clusters", Json()).is_boolean();
+  if (!is_run) return Error{Error::Kind::invalid_input, line.where + ": is no result of this experiment"};
+  Run run{json["id"].get<std::string>(), json["clusters"].get<bool>(), {}};
+  for (const auto& one : after) run.after.push_back({one[0].get<double>(), one[1].get<double>(), one[2].get<double>()});
   return run;
-}
-
-double missed(const ComposeRound& round) {
-  const auto& measures = round.report.measures;
-  return round.report.violation +
-         static_cast<double>(std::ranges::count_if(measures, [](const auto& m) { return m.missed > 1e-9; }));
-}
-
-// The best of the first rounds.
-const ComposeRound& best_of(const std::vector<ComposeRound>& rounds, int first) {
-  const auto end = rounds.begin() + std::min<std::ptrdiff_t>(first, static_cast<std::ptrdiff_t>(rounds.size()));
-  return *std::min_element(rounds.begin(), end,
-                           [](const auto& a, const auto& b) { return missed(a) < missed(b) - 1e-9; });
 }
 
 double held_share(const Optimisation& result) {
@@ -75,9 +69,8 @@ double held_share(const Optimisation& result) {
 
 class ProgramExperiment {
  public:
-  ProgramExperiment(const Context& context, const ProgramExperimentOptions& options, const AssetLibrary& library,
-                    ComposedModel& model)
-      : context_(context), options_(options), library_(library), model_(model) {}
+  ProgramExperiment(const Context& context, std::uint64_t seed, const AssetLibrary& library, Authors& authors)
+      : context_(context), seed_(seed), library_(library), authors_(authors) {}
 
   Result<Run> run(const Description& description, bool clusters) {
     const KindTable& kinds = KindTable::built_in();
@@ -85,22 +78,18 @@ class ProgramExperiment {
     std::vector<double> seconds;
     ComposeOptions how;
     how.rounds = most_rounds;
-    how.optimise.seed = options_.seed;
+    how.optimise.seed = seed_;
     how.optimise.cluster_moves = clusters;
     how.optimise.cancel = context_.cancel;
     how.on_round = [&](const ComposeRound&) {
       seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
     };
-    if (model_.model)
-      how.picture = [&](const Scene& scene, const ModelTable& models) { return picture(scene, models); };
+    authors_.show(how);
     ComposeRequest request;
     request.plan.prompt = description.text;
-    request.plan.seed = options_.seed;
+    request.plan.seed = seed_;
     request.plan.cancel = context_.cancel;
-    const ProgramAuthor author =
-        model_.model ? model_author(*model_.model, model_.prompts, {.kinds = kind_offers(library_, kinds)})
-                     : rule_author();
-    const auto made = compose_room(request, author, library_, kinds, how);
+    const auto made = compose_room(request, authors_.author(), library_, kinds, how);
     if (context_.cancel.cancelled()) return Error{Error::Kind::cancelled, "interrupted"};
     Run result{description.id, clusters, {}};
     for (std::size_t i = 0; i < looked_at.size(); ++i) {
@@ -109,8 +98,8 @@ class ProgramExperiment {
         result.after.push_back({0.0, 0.0, 0.0});
         continue;
       }
-      const ComposeRound& round = best_of(made->rounds, looked_at[i]);
       const std::size_t played = std::min(made->rounds.size(), static_cast<std::size_t>(looked_at[i]));
+      const ComposeRound& round = made->rounds[best_of({made->rounds.data(), played})];
       result.after.push_back({fidelity(description, round.result.scene, round.result.occupancy, kinds).value_or(1.0),
                               held_share(round.result), seconds[played - 1]});
     }
@@ -118,18 +107,10 @@ class ProgramExperiment {
   }
 
  private:
-  Result<std::string> picture(const Scene& scene, const ModelTable& models) {
-    const auto renderer = drawer_.renderer();
-    if (!renderer) return renderer.error();
-    const auto image = segmentation_picture(**renderer, scene, models);
-    return image ? encode_for(options_.designer, *image) : image.error();
-  }
-
   const Context& context_;
-  const ProgramExperimentOptions& options_;
+  std::uint64_t seed_;
   const AssetLibrary& library_;
-  ComposedModel& model_;
-  PictureDrawer drawer_;
+  Authors& authors_;
 };
 
 Figures mean_of(const std::vector<Run>& runs, bool clusters, std::size_t after) {
@@ -191,63 +172,47 @@ std::string plot_of(const std::vector<Run>& runs) {
   return svg + "</svg>\n";
 }
 
-// Runs of an earlier start of the same experiment.
-Result<std::vector<Run>> done_before(const fs::path& file, const Json& head, bool force) {
-  std::vector<Run> runs;
-  std::error_code code;
-  if (force || !fs::exists(file, code)) return runs;
-  const auto text = read_file(file);
-  if (!text) return text.error();
-  const auto lines = split(*text, '\n');
-  const auto first = parse_json(lines.front(), file.string());
-  if (!first || *first != head)
-    return Error{Error::Kind::invalid_input,
-                 file.string() + ": holds another experiment; choose another folder or --force"};
-  for (std::size_t i = 1; i < lines.size(); ++i)
-    if (const auto json = parse_json(lines[i], file.string()); json)
-      if (auto run = run_from(*json)) runs.push_back(*std::move(run));
-  return runs;
-}
-
 }  // namespace
 
 Result<int> run_program_experiment(const Context& context, const ProgramExperimentOptions& options) {
   const auto descriptions = read_descriptions(options.descriptions);
   if (!descriptions) return descriptions.error();
-  const fs::path folder = options.output, lines = folder / "results.jsonl";
-  const Json head = {{"format", "roomgen-program-experiment"}, {"version", 1}, {"seed", options.seed},
-                     {"descriptions", descriptions->size()}, {"author", options.designer.designer}};
-  if (auto status = make_folder(folder); !status) return status.error();
-  auto runs = done_before(lines, head, options.force);
-  if (!runs) return runs.error();
+  const fs::path folder = options.output;
+  const Json head = {{"format", "roomgen-program-experiment"}, {"version", 1},
+                     {"seed", options.seed}, {"descriptions", descriptions->size()},
+                     {"author", options.designer.designer}};
+  auto lines = ResumableLines::open(folder, head, options.force);
+  if (!lines) return lines.error();
+  std::vector<Run> runs;
+  for (const auto& line : lines->earlier()) {
+    auto run = run_from(line);
+    if (!run) return run.error();
+    runs.push_back(*std::move(run));
+  }
   auto model = compose_model(options.designer, context, options.cache);
   if (!model) return model.error();
   LibraryOptions libraries;
   libraries.cache = options.cache;
   auto library = open_all_libraries(libraries, context);
   if (!library) return library.error();
-  std::string kept = head.dump() + "\n";
-  for (const auto& run : *runs) kept += to_json(run).dump() + "\n";
-  if (auto status = write_file(lines, kept); !status) return status.error();
-  auto file = AppendedFile::open(lines);
-  if (!file) return file.error();
-  ProgramExperiment experiment(context, options, **library, *model);
+  Authors authors(*model, options.designer, **library);
+  ProgramExperiment experiment(context, options.seed, **library, authors);
   const std::size_t total = 2 * descriptions->size();
   for (const auto& description : *descriptions)
     for (const bool clusters : {false, true}) {
       const auto same = [&](const Run& run) { return run.id == description.id && run.clusters == clusters; };
-      if (std::ranges::any_of(*runs, same)) continue;
+      if (std::ranges::any_of(runs, same)) continue;
       auto run = experiment.run(description, clusters);
       if (!run)
-        return Error{run.error().kind, run.error().message + "; " + std::to_string(runs->size()) + " of " +
+        return Error{run.error().kind, run.error().message + "; " + std::to_string(runs.size()) + " of " +
                                            std::to_string(total) + " are done, the same command goes on from there"};
-      if (auto status = file->append(to_json(*run).dump() + "\n"); !status) return status.error();
-      runs->push_back(*std::move(run));
-      if (!context.quiet) std::fprintf(stderr, "[%zu/%zu] %s\n", runs->size(), total, description.id.c_str());
+      if (auto status = lines->add(to_json(*run)); !status) return status.error();
+      runs.push_back(*std::move(run));
+      if (!context.quiet) std::fprintf(stderr, "[%zu/%zu] %s\n", runs.size(), total, description.id.c_str());
     }
-  const std::string report = report_of(*runs);
+  const std::string report = report_of(runs);
   if (auto status = write_file(folder / "report.md", report); !status) return status.error();
-  if (auto status = write_file(folder / "fidelity.svg", plot_of(*runs)); !status) return status.error();
+  if (auto status = write_file(folder / "fidelity.svg", plot_of(runs)); !status) return status.error();
   std::fputs(report.c_str(), stdout);
   return exit_ok;
 }

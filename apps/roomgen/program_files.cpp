@@ -51,16 +51,6 @@ Status write_optimised_room(const OutputFolder& folder, const ConstraintProgram&
   return write_pictures(folder, result.scene, models, **renderer, pixels);
 }
 
-std::vector<KindOffer> kind_offers(const AssetLibrary& library, const KindTable& kinds) {
-  std::vector<KindOffer> offers;
-  for (const auto& [name, kind] : kinds.all()) {
-    if (kind.variant || kind.is_stand_in()) continue;
-    const auto found = library.search({.category = name, .size = kind.size, .limit = 1});
-    if (found && !found->empty() && !found->front().asset.stand_in) offers.push_back({name, found->front().asset.size});
-  }
-  return offers;
-}
-
 std::string optimisation_headline(const Optimisation& result) {
   const auto held = std::ranges::count_if(result.constraints, &ConstraintVerdict::held);
   return std::to_string(result.scene.objects.size()) + " things, " + std::to_string(held) + " of " +

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "roomgen/base/file.h"
-#include "roomgen/compose/compose.h"
 #include "roomgen/optimise/optimise.h"
 #include "roomgen/program/program.h"
 
@@ -14,9 +13,6 @@ Json optimisation_json(const Optimisation& result);
 /// pictures of so many pixels unless these are 0.
 Status write_optimised_room(const OutputFolder& folder, const ConstraintProgram& program, const Optimisation& result,
                             const ModelTable& models, int pixels);
-
-/// The kinds that a library holds, with the size of the best of each: what a model is told.
-std::vector<KindOffer> kind_offers(const AssetLibrary& library, const KindTable& kinds);
 
 /// "12 things, 5 of 5 constraints held, 31 % of the floor covered"
 std::string optimisation_headline(const Optimisation& result);

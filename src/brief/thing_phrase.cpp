@@ -163,7 +163,7 @@ class ThingPhraseReader {
     for (std::uint32_t first = said_.tokens.begin; first < start_; ++first) {
       const auto amount = language::amount_at(parse_.tokens, first);
       if (!amount || amount->is_share || first + amount->length > start_) continue;
-      const auto [least, most] = bounds_of(*amount);
+      const auto [least, most] = language::counted_bounds(*amount);
       if (most > max_count || most <= least || least < 1.0) return;
       set_count(static_cast<int>(std::lround(0.5 * (least + most))), true);
       phrase_.least = static_cast<int>(least), phrase_.most = static_cast<int>(most);
@@ -171,13 +171,6 @@ class ThingPhraseReader {
       return;
     }
   }
-  // About reaches a fifth to either side.
-  static std::pair<double, double> bounds_of(const language::Amount& amount) {
-    constexpr double about = 0.2, rounding = 1e-9;
-    if (!amount.is_about) return {amount.low, amount.high};
-    return {std::ceil(amount.low * (1.0 - about) - rounding), std::floor(amount.high * (1.0 + about) + rounding)};
-  }
-
   // "at least five", "exactly two", "no more than one"
   void qualifier() {
     static const WordSet words = {"least", "exactly", "only",  "more",   "most",

@@ -15,7 +15,7 @@ using compose::ComplexityWords;
 using language::Token;
 using Tokens = std::span<const Token>;
 
-constexpr double about_count = 0.2, about_share = 0.05, exact_share = 0.03;
+constexpr double about_share = 0.05, exact_share = 0.03;
 constexpr std::size_t longest_gap = 3, longest_phrase = 4, look_back = 2;
 
 /// A measure that is said at some tokens.
@@ -39,8 +39,8 @@ std::size_t phrase_at(const std::vector<std::string>& phrases, Tokens tokens, st
 
 // The range of a number of things that was said as an amount.
 Range counted(const language::Amount& amount) {
-  if (!amount.is_about) return {amount.low, amount.high};
-  return {std::ceil(amount.low * (1.0 - about_count) - 1e-9), std::floor(amount.high * (1.0 + about_count) + 1e-9)};
+  const auto [low, high] = language::counted_bounds(amount);
+  return {low, high};
 }
 
 // The range of a share; what is no share and no number below 1 is none.

@@ -1,5 +1,5 @@
+#include <limits>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 
 #include "base/json_reader.h"
 #include "base/resource.h"
@@ -12,16 +12,6 @@ namespace {
 
 constexpr const char* complexity_file = "data/program/complexity.json";
 constexpr double unbounded = std::numeric_limits<double>::infinity();
-
-std::vector<std::string> split(std::string_view text, char separator) {
-  std::vector<std::string> parts;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(separator, begin), text.size());
-    if (end > begin) parts.emplace_back(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return parts;
-}
 
 ComplexityWords::Pattern pattern_from(const std::string& text) {
   ComplexityWords::Pattern pattern;

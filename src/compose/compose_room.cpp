@@ -8,12 +8,6 @@ namespace roomgen {
 
 namespace {
 
-double missed_in_all(const ErrorReport& report) {
-  double sum = report.violation;
-  for (const auto& measure : report.measures) sum += measure.missed > 1e-9 ? 1.0 : 0.0;
-  return sum;
-}
-
 /// Goes on from round to round.
 class Composer {
  public:
@@ -46,7 +40,7 @@ class Composer {
         break;
       }
     }
-    choose();
+    composition_.best = best_of(composition_.rounds);
     return std::move(composition_);
   }
 
@@ -54,20 +48,29 @@ class Composer {
   const ComposeRound& last() const { return composition_.rounds.back(); }
 
   Status play(ComposeRound round) {
-    auto stock = load_stock(round.written.stock, library_, kinds_, options_.assets_each);
-    if (!stock) return stock.error();
-    auto result = optimise(round.written.program, round.written.plan.room, *stock, kinds_, options_.optimise);
+    if (auto loaded = load(round.written.stock); !loaded) return loaded.error();
+    auto result = optimise(round.written.program, round.written.plan.room, stock_, kinds_, options_.optimise);
     if (!result) return result.error();
     round.result = *std::move(result);
-    for (const auto& kind : stock->missing)
+    for (const auto& kind : stock_.missing)
       round.written.notes.push_back("the libraries have no " + kind);
-    round.models = std::move(stock->models);
+    round.models = stock_.models;
     keep_ledger(round);
     round.report = error_report(round.result, round.written.asked, round.models, kinds_);
     if (options_.picture)
       if (auto picture = options_.picture(round.result.scene, round.models)) round.picture = *std::move(picture);
     composition_.rounds.push_back(std::move(round));
     if (options_.on_round) options_.on_round(last());
+    return {};
+  }
+
+  // Most revisions want the meshes that are there.
+  Status load(const std::vector<StockWish>& wishes) {
+    if (wishes_ == wishes) return {};
+    auto stock = load_stock(wishes, library_, kinds_, options_.assets_each);
+    if (!stock) return stock.error();
+    stock_ = *std::move(stock);
+    wishes_ = wishes;
     return {};
   }
 
@@ -83,23 +86,26 @@ class Composer {
     scene.heard = round.written.plan.heard;
   }
 
-  // What is asked for comes before what is liked; of equals the earlier.
-  void choose() {
-    for (std::size_t i = 1; i < composition_.rounds.size(); ++i)
-      if (missed_in_all(composition_.rounds[i].report) <
-          missed_in_all(composition_.rounds[composition_.best].report) - 1e-9)
-        composition_.best = i;
-  }
-
   const ComposeRequest& request_;
   const ProgramAuthor& author_;
   const AssetLibrary& library_;
   const KindTable& kinds_;
   const ComposeOptions& options_;
+  std::optional<std::vector<StockWish>> wishes_;  ///< for which the stock was loaded
+  Stock stock_;
   Composition composition_;
 };
 
 }  // namespace
+
+// What is asked for comes before what is liked.
+std::size_t best_of(std::span<const ComposeRound> rounds) {
+  constexpr double same = 1e-9;
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < rounds.size(); ++i)
+    if (rounds[i].report.missed_in_all() < rounds[best].report.missed_in_all() - same) best = i;
+  return best;
+}
 
 ProgramAuthor rule_author() {
   return {"rules", [](const ComposeRequest& request) { return write_program(request); },

@@ -47,7 +47,7 @@ class Opener {
   }
 
   void fill_floor(const Range& wanted, double area) {
-    const double middle = std::min(fullest, 0.5 * (wanted.low + std::min(1.0, wanted.high)));
+    const double middle = std::min(fullest, middle_share(wanted));
     const double missing = middle * area - most_footprint(stands_, kinds_);
     if (missing <= 0.0) return;
     auto names = fillers(true);
@@ -81,9 +81,7 @@ class Opener {
         const double fewer = std::min(stand.count.low, std::ceil((fixed - wanted.high) / each));
         stand.count.low -= fewer, fixed -= each * fewer;
       }
-    if (fixed > wanted.high)
-      notes_.push_back(std::string(measure) + ": at most " + std::to_string(static_cast<int>(wanted.high)) +
-                       " are asked for, and " + std::to_string(static_cast<int>(fixed)) + " are counted by name");
+    tell_if_too_many(measure, fixed, wanted);
     const double least = std::max(0.0, wanted.low - fixed), most = std::max(0.0, most_of(wanted) - fixed);
     const auto is_free = [&](const Stand& stand) { return worth(stand) > 0.0 && (!stand.asked || stand.may_grow); };
     if (least > 0.0 && std::ranges::none_of(stands_, is_free))
@@ -96,6 +94,12 @@ class Opener {
       if (!finest || worth(stand) < worth(*finest)) finest = &stand;
     }
     if (finest) finest->count.low += std::ceil(least / worth(*finest));
+  }
+
+  void tell_if_too_many(const std::string& measure, double fixed, const Range& wanted) {
+    if (fixed > wanted.high)
+      notes_.push_back(measure + ": at most " + std::to_string(static_cast<int>(wanted.high)) + " are asked for, and " +
+                       std::to_string(static_cast<int>(fixed)) + " are counted by name");
   }
 
   void add_one_of(const std::vector<std::string>& kinds, double most) {
@@ -181,9 +185,7 @@ class Opener {
       if (stand.asked) fixed += stand.count.low;
       possible += stand.count.high;
     }
-    if (fixed > wanted.high)
-      notes_.push_back("objects: at most " + std::to_string(static_cast<int>(wanted.high)) + " are asked for, and " +
-                       std::to_string(static_cast<int>(fixed)) + " are counted by name");
+    tell_if_too_many("objects", fixed, wanted);
     std::size_t added = 0;
     const double missing = std::ceil(wanted.low - possible);
     if (missing <= 0.0) return;
@@ -205,6 +207,8 @@ class Opener {
 
 }  // namespace
 
+double middle_share(const Range& range) { return 0.5 * (range.low + std::min(1.0, range.high)); }
+
 void meet_numbers(const Complexity& asked, const Means& means, std::vector<Stand>& stands,
                   std::vector<std::string>& notes) {
   Opener(asked, means, stands, notes).open_numbers();
@@ -217,8 +221,7 @@ void meet_occupancy(const Complexity& asked, const Means& means, double area, st
 
 std::optional<double> floor_for(const Complexity& asked, const std::vector<Stand>& stands, const KindTable& kinds) {
   if (!asked.occupancy) return std::nullopt;
-  const double share =
-      std::clamp(0.5 * (asked.occupancy->low + std::min(1.0, asked.occupancy->high)), emptiest, fullest_chosen);
+  const double share = std::clamp(middle_share(*asked.occupancy), emptiest, fullest_chosen);
   const double covered = 0.5 * (least_footprint(stands, kinds) + most_footprint(stands, kinds));
   return covered / share;
 }

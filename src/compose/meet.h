@@ -9,6 +9,9 @@
 
 namespace roomgen::compose {
 
+/// The middle of a range of shares, of which nothing is more than all.
+double middle_share(const Range& range);
+
 /// What numbers are met with: the kinds that such rooms hold, and those that nobody wants there.
 struct Means {
   const design::RoomKind& room;

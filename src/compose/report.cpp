@@ -16,30 +16,28 @@ double missed_by(const Range& range, double value) {
   return std::max({0.0, range.low - value, std::isinf(range.high) ? 0.0 : value - range.high});
 }
 
-double reached(const std::string& measure, const Optimisation& result, const KindTable& kinds) {
-  if (measure == "seats") return seats_in(result.scene, kinds);
-  if (measure == "shelves") return shelves_in(result.scene, kinds);
-  if (measure == "occupancy") return result.occupancy;
-  return static_cast<double>(result.scene.objects.size());
-}
-
 Json range_json(const Range& range) {
   return Json::array({range.low, std::isinf(range.high) ? Json(nullptr) : Json(range.high)});
 }
 
 }  // namespace
 
-double seats_in(const Scene& scene, const KindTable& kinds) {
-  double seats = 0.0;
-  for (const auto& object : scene.objects)
-    seats += seats_on(ProgramVocabulary::built_in(), kinds.get(object.category), object.size.x());
-  return seats;
+double measured(std::string_view measure, const Scene& scene, double occupancy, const KindTable& kinds) {
+  const auto& vocabulary = ProgramVocabulary::built_in();
+  const auto sum_of = [&](const auto& worth) {
+    double sum = 0.0;
+    for (const auto& object : scene.objects) sum += worth(kinds.get(object.category), object.size.x());
+    return sum;
+  };
+  if (measure == "seats")
+    return sum_of([&](const Kind& kind, double width) { return seats_on(vocabulary, kind, width); });
+  if (measure == "shelves") return sum_of([&](const Kind& kind, double) { return has_tag(vocabulary, kind, "shelf"); });
+  return measure == "occupancy" ? occupancy : static_cast<double>(scene.objects.size());
 }
 
-double shelves_in(const Scene& scene, const KindTable& kinds) {
-  return static_cast<double>(std::ranges::count_if(scene.objects, [&](const Object& object) {
-    return has_tag(ProgramVocabulary::built_in(), kinds.get(object.category), "shelf");
-  }));
+double ErrorReport::missed_in_all() const {
+  const auto is_missed = [](const MeasureVerdict& verdict) { return verdict.missed > exact; };
+  return violation + static_cast<double>(std::ranges::count_if(measures, is_missed));
 }
 
 bool ErrorReport::is_met() const {
@@ -54,7 +52,7 @@ ErrorReport error_report(const Optimisation& result, const Complexity& asked, co
     if (!verdict.held) report.unmet.push_back(verdict);
   for (const auto& [name, range] : complexity_measures())
     if (const auto& wanted = asked.*range) {
-      const double value = reached(name, result, kinds);
+      const double value = measured(name, result.scene, result.occupancy, kinds);
       report.measures.push_back({name, *wanted, value, missed_by(*wanted, value)});
     }
   for (const auto& violation : examine(result.scene, models, kinds).violations)

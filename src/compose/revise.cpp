@@ -2,6 +2,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "meet.h"
 #include "roomgen/base/text.h"
 #include "roomgen/compose/compose.h"
 
@@ -44,7 +45,7 @@ class Reviser {
     const auto* occupancy = missed(report_, "occupancy");
     if (!occupancy || !written_.is_room_free || report_.occupancy <= 0.0) return false;
     if (counts_are_missed()) return false;
-    const double wanted = 0.5 * (occupancy->asked.low + std::min(1.0, occupancy->asked.high));
+    const double wanted = compose::middle_share(occupancy->asked);
     return resize(std::clamp(report_.occupancy / wanted, least_growth, greatest_growth),
                   "the room's floor made to suit what stands on it");
   }
@@ -112,33 +113,37 @@ class Reviser {
     return found == written_.program.sets.end() ? nullptr : &found->second;
   }
 
+  const Kind* kind_of(const std::string& set) const {
+    const ProgramSet* members = set_named(set);
+    return members ? KindTable::built_in().find(members->factory) : nullptr;
+  }
+  static bool seats_people(const Kind& kind) {
+    return seats_on(ProgramVocabulary::built_in(), kind, kind.size.x()) > 0;
+  }
+  static bool has_shelves(const Kind& kind) { return has_tag(ProgramVocabulary::built_in(), kind, "shelf"); }
+
+  // Is there less of a measure than was asked for?
+  bool lacks(std::string_view measure) const {
+    const auto* verdict = missed(report_, measure);
+    return verdict && verdict->reached < verdict->asked.low;
+  }
+
   // Would more of a set bring what is missed?
   bool helps(const std::string& name) const {
-    const ProgramSet* members = set_named(name);
-    const Kind* kind = members ? KindTable::built_in().find(members->factory) : nullptr;
+    const Kind* kind = kind_of(name);
     if (!kind) return false;
-    const auto& vocabulary = ProgramVocabulary::built_in();
-    const auto lacks = [&](const char* measure) {
-      const auto* verdict = missed(report_, measure);
-      return verdict && verdict->reached < verdict->asked.low;
-    };
-    const bool on_floor =
-        std::ranges::any_of(members->relations, [](const auto& relation) { return relation.relation == "on_floor"; });
+    const bool on_floor = std::ranges::any_of(set_named(name)->relations, [](const auto& relation) {
+      return relation.relation == "on_floor";
+    });
     return lacks("objects") || (lacks("occupancy") && on_floor && !kind->traits.flat) ||
-           (lacks("seats") && seats_on(vocabulary, *kind, kind->size.x()) > 0) ||
-           (lacks("shelves") && has_tag(vocabulary, *kind, "shelf"));
+           (lacks("seats") && seats_people(*kind)) || (lacks("shelves") && has_shelves(*kind));
   }
 
   // Seats may be what is asked for even where nobody counted chairs.
   bool serves_measure(const std::string& set) const {
-    if (missed(report_, "objects") && static_cast<double>(report_.things) < missed(report_, "objects")->asked.low)
-      return true;
-    const auto& vocabulary = ProgramVocabulary::built_in();
-    const ProgramSet* members = set_named(set);
-    const Kind* kind = members ? KindTable::built_in().find(members->factory) : nullptr;
-    if (!kind) return false;
-    return (written_.asked.seats && seats_on(vocabulary, *kind, kind->size.x()) > 0.0) ||
-           (written_.asked.shelves && has_tag(vocabulary, *kind, "shelf"));
+    if (lacks("objects")) return true;
+    const Kind* kind = kind_of(set);
+    return kind && ((written_.asked.seats && seats_people(*kind)) || (written_.asked.shelves && has_shelves(*kind)));
   }
 
   bool resize(double growth, std::string reason) {

@@ -85,7 +85,7 @@ std::optional<double> wanted_floor(const Plan& plan, const std::vector<Stand>& s
 void shrink_to_fit(const Complexity& asked, double area, const KindTable& kinds, std::vector<Stand>& stands) {
   constexpr double smallest = 0.6;
   if (!asked.occupancy) return;
-  const double wanted = 0.5 * (asked.occupancy->low + std::min(1.0, asked.occupancy->high)) * area;
+  const double wanted = middle_share(*asked.occupancy) * area;
   const double factor = std::max(smallest, std::sqrt(wanted / std::max(wanted, least_footprint(stands, kinds))));
   for (auto& stand : stands) stand.size.head<2>() *= factor;
 }

@@ -144,6 +144,12 @@ void apply(Bounding bounding, Amount& amount) {
 
 }  // namespace
 
+std::pair<double, double> counted_bounds(const Amount& amount) {
+  constexpr double about = 0.2, rounding = 1e-9;
+  if (!amount.is_about) return {amount.low, amount.high};
+  return {std::ceil(amount.low * (1.0 - about) - rounding), std::floor(amount.high * (1.0 + about) + rounding)};
+}
+
 std::optional<Amount> amount_at(Tokens tokens, std::size_t at) {
   if (at >= tokens.size()) return std::nullopt;
   const BoundWords before = bounding_before(tokens, at);

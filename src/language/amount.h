@@ -4,6 +4,7 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "token.h"
 
@@ -20,6 +21,9 @@ struct Amount {
 
   bool is_single() const { return low == high; }
 };
+
+/// Least and most of what is counted: "about" reaches a fifth to either side, in whole numbers.
+std::pair<double, double> counted_bounds(const Amount& amount);
 
 /// The amount that begins at a token, with the words that bound it before and behind ("or more"). Whole numbers
 /// that are excluded ("fewer than five") bound by their neighbour. Articles alone are none.

@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -86,6 +87,8 @@ struct ErrorReport {
   std::map<std::string, int> counts;      ///< things of each kind
 
   bool is_met() const;
+  /// The less, the better: what constraints miss, and 1 for each measure that is missed.
+  double missed_in_all() const;
 };
 ErrorReport error_report(const Optimisation& result, const Complexity& asked, const ModelTable& models,
                          const KindTable& kinds);
@@ -93,9 +96,8 @@ Json to_json(const ErrorReport& report);
 /// For people and models: a line each.
 std::string to_text(const ErrorReport& report);
 
-/// How many people can sit in a room, and how many pieces with shelves it has.
-double seats_in(const Scene& scene, const KindTable& kinds);
-double shelves_in(const Scene& scene, const KindTable& kinds);
+/// What a room has of a measure, by its name: people who can sit, pieces with shelves, things, or `occupancy` itself.
+double measured(std::string_view measure, const Scene& scene, double occupancy, const KindTable& kinds);
 
 /// One change of a program.
 struct Revision {
@@ -146,6 +148,9 @@ struct ModelAuthorOptions {
 /// one composition at a time. Errors are those of chat, and invalid_input when no answer could be used.
 ProgramAuthor model_author(ChatModel& model, Prompts prompts, ModelAuthorOptions options);
 
+/// The index of the round that misses least; of equals the first. Precondition: there is one.
+std::size_t best_of(std::span<const ComposeRound> rounds);
+
 struct ComposeOptions {
   int rounds = 5;               ///< at most; 1: without refinement
   std::size_t assets_each = 3;  ///< meshes of each kind to choose from
@@ -156,7 +161,7 @@ struct ComposeOptions {
 
 struct Composition {
   std::vector<ComposeRound> rounds;
-  std::size_t best = 0;  ///< the round that misses least; of equals the first
+  std::size_t best = 0;  ///< best_of() them
   std::vector<std::string> notes;
 
   const ComposeRound& chosen() const { return rounds[best]; }

@@ -34,6 +34,8 @@ struct StockWish {
   std::optional<Vec3> size = {};  ///< metres; unset: as such things usually are
   std::optional<Mount> mount = {};
   bool asked = false;  ///< somebody named it: then a plain stand-in is better than nothing
+
+  bool operator==(const StockWish&) const = default;
 };
 std::vector<StockWish> wishes_for(const std::vector<std::string>& kinds);
 /// The best `per_kind` assets of a library for each wish, with their meshes. A kind of which the library has nothing
