@@ -47,7 +47,8 @@ Json to_json(const Run& run) {
 }
 
 bool are_figures(const Json& json) {
-  return json.is_array() && json.size() == 3 && std::ranges::all_of(json, [](const Json& one) { return one.is_number(); });
+  return json.is_array() && json.size() == 3 &&
+         std::ranges::all_of(json, [](const Json& one) { return one.is_number(); });
 }
 
 Result<Run> run_from(const ResumableLines::Line& line) {
