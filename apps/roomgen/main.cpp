@@ -47,6 +47,8 @@ int main(int argc, char** argv) {
   add_export_command(app, context);
   add_render_command(app, context);
   add_tour_command(app, context);
+  add_frames_command(app, context);
+  add_questions_command(app, context);
 #endif
 #if defined(ROOMGEN_HAS_ASSETS) && defined(ROOMGEN_HAS_RENDER)
   add_create_command(app, context);
@@ -58,6 +60,7 @@ int main(int argc, char** argv) {
   add_repl_command(app, context);
   add_mcp_command(app, context);
   add_experiment_command(app, context);
+  add_benchmark_command(app, context);
 #endif
 
   try {

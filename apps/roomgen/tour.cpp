@@ -1,14 +1,20 @@
 #include "roomgen/tour/tour.h"
 
 #include <cstdio>
+#include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
 
 #include "command.h"
 #include "models.h"
 #include "roomgen/base/file.h"
 #include "roomgen/render/pictures.h"
+#include "tours.h"
 
 namespace roomgen::cli {
 
@@ -16,25 +22,51 @@ namespace {
 
 struct TourCommand {
   std::string scene, output = "tour";
+  std::optional<std::string> words;
+  bool birds_eye = false;
   std::string picture_size = "160x120";
-  double field_of_view = 90.0, steepest_pitch = 75.0, turn_rate = 60.0;  // degrees
-  TourOptions tour;
   ModelOptions models;
+
+  using Setter = std::function<void(TourOptions&)>;
+  /// Of options that were given.
+  std::vector<Setter> given() const {
+    std::vector<Setter> setters;
+    for (const auto& [option, set] : options)
+      if (option->count() > 0) setters.push_back(set);
+    return setters;
+  }
+  std::vector<std::pair<const CLI::Option*, Setter>> options;
 };
 
-// "160x120"
-Status read_size(const std::string& text, TourOptions& options) {
-  char rest = 0;
-  if (std::sscanf(text.c_str(), "%4dx%4d%c", &options.width, &options.height, &rest) == 2) return {};
-  return Error{Error::Kind::invalid_input, "--size " + text + ": write it as WIDTHxHEIGHT, 160x120"};
+// An option of one value that words may set as well; `unit` is that of the field in the file's unit.
+template <typename T>
+void add_tour_option(CLI::App& app, TourCommand& command, const std::string& name, T TourOptions::* field,
+                     const std::string& text, double unit = 1.0) {
+  const auto value = std::make_shared<T>(TourOptions().*field);
+  if constexpr (std::is_floating_point_v<T>) *value /= unit;
+  CLI::Option* option = app.add_option(name, *value, text);
+  if constexpr (std::is_arithmetic_v<T>)
+    option->capture_default_str();
+  else
+    option->delimiter(',');
+  command.options.emplace_back(option, [value, field, unit](TourOptions& tour) {
+    tour.*field = *value;
+    if constexpr (std::is_floating_point_v<T>) tour.*field *= unit;
+  });
 }
 
-Result<TourOptions> options_of(const TourCommand& command, const Context& context) {
-  TourOptions options = command.tour;
-  if (auto status = read_size(command.picture_size, options); !status) return status.error();
-  options.field_of_view = radians(command.field_of_view);
-  options.steepest_pitch = radians(command.steepest_pitch);
-  options.turn_rate = radians(command.turn_rate);
+// What the words say, and over it what was given by options.
+Result<TourOptions> options_of(const TourCommand& command, const Scene& scene, const Context& context) {
+  const auto words = read_tour_words(command.words.value_or(scene.prompt), scene, KindTable::built_in());
+  if (!context.quiet) {
+    for (const auto& wish : words.understood) std::fprintf(stderr, "understood: %s\n", wish.c_str());
+    for (const auto& wish : words.not_understood) std::fprintf(stderr, "not understood: %s\n", wish.c_str());
+  }
+  TourOptions options = words.options;
+  if (command.birds_eye) options = birds_eye(scene, options);
+  for (const auto& set : command.given()) set(options);
+  if (auto status = read_picture_size(command.picture_size, options.width, options.height); !status)
+    return status.error();
   options.cancel = context.cancel;
   return options;
 }
@@ -63,10 +95,10 @@ void report(const Context& context, const std::string& path, const Tour& tour) {
 }
 
 Result<int> make(const Context& context, const TourCommand& command) {
-  const auto options = options_of(command, context);
-  if (!options) return options.error();
   const auto scene = read_scene(command.scene);
   if (!scene) return scene.error();
+  const auto options = options_of(command, *scene, context);
+  if (!options) return options.error();
   const auto models = models_of(*scene, command.scene, command.models, context);
   if (!models) return models.error();
   const auto renderer = make_osmesa_renderer();
@@ -81,32 +113,33 @@ Result<int> make(const Context& context, const TourCommand& command) {
 }
 
 void add_view_options(CLI::App& app, TourCommand& command) {
-  TourOptions& tour = command.tour;
-  app.add_option("--targets", tour.targets, "Ids of the objects to look at, with commas (all)")->delimiter(',');
-  app.add_option("--eye-height", tour.eye_height, "Metres above the floor")->capture_default_str();
-  app.add_option("--fov", command.field_of_view, "Degrees from side to side")->capture_default_str();
+  using O = TourOptions;
+  const double degree = radians(1.0);
+  app.add_option("--words", command.words, "How to film it, instead of the scene's prompt: \"look at the shelf last\"");
+  app.add_flag("--birds-eye", command.birds_eye, "Fly over the furniture, 2 m above the floor");
+  add_tour_option(app, command, "--targets", &O::targets, "Ids of the objects to look at, with commas (all)");
+  add_tour_option(app, command, "--first", &O::first, "Ids of those to look at before all others, in order");
+  add_tour_option(app, command, "--last", &O::last, "Ids of those to look at after all others, in order");
+  add_tour_option(app, command, "--eye-height", &O::eye_height, "Metres above the floor");
+  add_tour_option(app, command, "--fov", &O::field_of_view, "Degrees from side to side", degree);
   app.add_option("--size", command.picture_size, "Of the pictures in which visibility is measured")
       ->capture_default_str();
-  app.add_option("--min-distance", tour.least_distance, "Metres from a target's footprint")->capture_default_str();
-  app.add_option("--max-distance", tour.greatest_distance, "Metres from a target's footprint")
-      ->capture_default_str();
-  app.add_option("--min-hidden", tour.least_hidden, "Share of a target that others must hide")
-      ->capture_default_str();
-  app.add_option("--max-hidden", tour.greatest_hidden, "Share of a target that others may hide")
-      ->capture_default_str();
-  app.add_option("--max-pitch", command.steepest_pitch, "Degrees up or down")->capture_default_str();
-  app.add_option("--samples", tour.samples, "Viewpoints that are tried for a target")->capture_default_str();
+  add_tour_option(app, command, "--min-distance", &O::least_distance, "Metres from a target's footprint");
+  add_tour_option(app, command, "--max-distance", &O::greatest_distance, "Metres from a target's footprint");
+  add_tour_option(app, command, "--min-hidden", &O::least_hidden, "Share of a target that others must hide");
+  add_tour_option(app, command, "--max-hidden", &O::greatest_hidden, "Share of a target that others may hide");
+  add_tour_option(app, command, "--max-pitch", &O::steepest_pitch, "Degrees up or down", degree);
+  add_tour_option(app, command, "--samples", &O::samples, "Viewpoints that are tried for a target");
 }
 
 void add_motion_options(CLI::App& app, TourCommand& command) {
-  TourOptions& tour = command.tour;
-  app.add_option("--radius", tour.agent_radius, "Metres that the camera keeps from things and walls")
-      ->capture_default_str();
-  app.add_option("--speed", tour.speed, "Metres a second")->capture_default_str();
-  app.add_option("--turn-rate", command.turn_rate, "Degrees a second")->capture_default_str();
-  app.add_option("--pause", tour.pause, "Seconds before each target")->capture_default_str();
-  app.add_option("--keyframes", tour.keyframes_per_second, "At least, a second")->capture_default_str();
-  app.add_option("--seed", tour.seed, "Same seed, same tour")->capture_default_str();
+  using O = TourOptions;
+  add_tour_option(app, command, "--radius", &O::agent_radius, "Metres that the camera keeps from things and walls");
+  add_tour_option(app, command, "--speed", &O::speed, "Metres a second");
+  add_tour_option(app, command, "--turn-rate", &O::turn_rate, "Degrees a second", radians(1.0));
+  add_tour_option(app, command, "--pause", &O::pause, "Seconds at each target");
+  add_tour_option(app, command, "--keyframes", &O::keyframes_per_second, "At least, a second");
+  add_tour_option(app, command, "--seed", &O::seed, "Same seed, same tour");
 }
 
 }  // namespace

@@ -23,6 +23,8 @@
 #include "roomgen/scene/requirement.h"  // what the prompt asked for, met or not
 #include "roomgen/scene/model_table.h"  // the meshes of a scene, and where in the room they are
 #include "roomgen/view/view.h"          // how to look at a room; cameras, layers; what a renderer is
+#include "roomgen/questions/questions.h"  // questions that the frames of a tour answer
+#include "roomgen/tour/frames.h"        // what the pictures of a tour show; frames.jsonl
 #include "roomgen/tour/tour.h"          // a camera that walks to each thing and shows it; tour.json
 #include "roomgen/export/exporter.h"    // what an exporter is; GLB files; who made the meshes
 #include "roomgen/import/import.h"      // floor plans from SVG and DXF; the meshes of a scene.glb
@@ -72,6 +74,7 @@
 #include "roomgen/assets/catalogue.h"  // furniture libraries: Sweet Home 3D archives, folders of meshes
 #endif
 #if __has_include("roomgen/render/pictures.h")
+#include "roomgen/render/frames.h"    // the frames of a tour with all layers and labels
 #include "roomgen/render/pictures.h"  // rooms and single models drawn without a display; PNG and JPEG
 #endif
 #if __has_include("roomgen/agent/http_model.h")

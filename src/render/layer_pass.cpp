@@ -40,6 +40,22 @@ Eigen::Matrix4d camera_from_room(const Camera& camera) {
   return m;
 }
 
+struct DepthRange {
+  double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
+};
+
+// Metres along the axis of the camera.
+DepthRange distances(const Camera& camera, const Bounds3& box) {
+  DepthRange range;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3 p(corner & 1 ? box.high.x() : box.low.x(), corner & 2 ? box.high.y() : box.low.y(),
+                 corner & 4 ? box.high.z() : box.low.z());
+    range.low = std::min(range.low, camera.distance(p));
+    range.high = std::max(range.high, camera.distance(p));
+  }
+  return range;
+}
+
 PixelRect whole_picture(const Camera& camera) { return {0, 0, camera.width, camera.height}; }
 
 }  // namespace
@@ -104,15 +120,29 @@ void LayerPass::draw(const std::vector<NumberedItem>& items, Layers& layers) {
   });
 }
 
-std::size_t LayerPass::count_alone(const NumberedItem& item, const Camera& camera) {
-  std::size_t count = 0;
+// Pixels of the item lie where its box does, and nothing hides it that begins behind the box.
+std::size_t LayerPass::count(const NumberedItem& item, const std::vector<NumberedItem>& among, const Camera& camera) {
   const PixelRect part = covered_pixels(camera, item.item.box).clipped(whole_picture(camera));
-  draw_tiles({&item, 1}, camera, part, [&](const PixelRect& tile) {
+  const double farthest = distances(camera, item.item.box).high;
+  std::vector<NumberedItem> drawn;
+  for (const auto& other : among)
+    if (distances(camera, other.item.box).low <= farthest && covered_pixels(camera, other.item.box).meets(part))
+      drawn.push_back(other);
+  return count_in({drawn.data(), drawn.size()}, item, camera);
+}
+
+std::size_t LayerPass::count_alone(const NumberedItem& item, const Camera& camera) {
+  return count_in({&item, 1}, item, camera);
+}
+
+std::size_t LayerPass::count_in(const Items& items, const NumberedItem& item, const Camera& camera) {
+  std::size_t sum = 0;
+  const PixelRect part = covered_pixels(camera, item.item.box).clipped(whole_picture(camera));
+  draw_tiles(items, camera, part, [&](const PixelRect& tile) {
     read_numbers(tile);
-    count += static_cast<std::size_t>(
-        std::count_if(read_numbers_.begin(), read_numbers_.end(), [](std::uint32_t n) { return n != 0; }));
+    sum += static_cast<std::size_t>(std::count(read_numbers_.begin(), read_numbers_.end(), item.number));
   });
-  return count;
+  return sum;
 }
 
 void LayerPass::draw_tiles(const Items& items, const Camera& camera, const PixelRect& part, const Read& read) {

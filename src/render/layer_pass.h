@@ -24,7 +24,8 @@ class LayerPass {
 
   /// Fills depths, normals and objects, all of the camera's size.
   void draw(const std::vector<NumberedItem>& items, Layers& layers);
-  /// How many pixels show the item with nothing else in the picture.
+  /// How many pixels show the item, among others of the same camera or with nothing else in the picture.
+  std::size_t count(const NumberedItem& item, const std::vector<NumberedItem>& among, const Camera& camera);
   std::size_t count_alone(const NumberedItem& item, const Camera& camera);
 
  private:
@@ -42,6 +43,7 @@ class LayerPass {
   explicit LayerPass(const Gl& gl) : gl_(&gl) {}
   Status build(Program& program, const char* defines);
   void reserve(int width, int height);
+  std::size_t count_in(const Items& items, const NumberedItem& item, const Camera& camera);
   void draw_tiles(const Items& items, const Camera& camera, const PixelRect& part, const Read& read);
   void clear() const;
   void paint(const Items& items, const Camera& camera, const PixelRect& tile) const;

@@ -134,6 +134,26 @@ class OsmesaRenderer : public Renderer {
     return layers;
   }
 
+  Result<Visibility> visibility(const Scene& scene, const ModelTable& models, const Camera& camera,
+                                std::size_t object) override {
+    if (auto sound = check_camera(camera); !sound) return sound.error();
+    const auto things = layer_things(scene);
+    if (!things) return things.error();
+    if (auto status = context_->make_current(); !status) return status.error();
+    View view;
+    view.kind = View::Kind::eye;
+    const auto items = numbered_items(scene, models, view, camera, *things);
+    const auto item = std::find_if(items.begin(), items.end(),
+                                   [&](const NumberedItem& one) { return one.number == object + 1; });
+    Visibility seen;
+    if (item != items.end()) {
+      seen.pixels = layer_pass_.count(*item, items, camera);
+      seen.pixels_alone = layer_pass_.count_alone(*item, camera);
+    }
+    cache_.drop_unused();
+    return seen;
+  }
+
  private:
   static Status draw_over(Image& image, const Scene& scene, const View& view,
                           const Camera& camera) {
@@ -190,19 +210,13 @@ class OsmesaRenderer : public Renderer {
     DrawList items = draw_list(scene, models, view, camera, shell);
     const bool fresh = frame.items.empty();
     PixelRect damage = fresh ? PixelRect{0, 0, camera.width, camera.height} : PixelRect{};
-    PixelRect shadow_damage =
-        fresh || shadow_owner_ != frame.key ? ShadowMap::whole() : PixelRect{};
     if (fresh) frame.sun = sun_of(rooms_of(scene), view, camera);
-    for (const auto& box : differences(frame.items, items)) {
-      damage.cover(touched_pixels(camera, frame.sun, box));
-      shadow_damage.cover(ShadowMap::covered_by(frame.sun, box));
-    }
+    for (const auto& box : differences(frame.items, items)) damage.cover(touched_pixels(camera, frame.sun, box));
     damage = damage.clipped({0, 0, camera.width, camera.height});
     if (!damage.empty()) {
       const bool continued = !fresh && depth_owner_ == frame.key;
       const DrawList none;
-      shadows_.update(painter_, is_marked(view) ? none : items, frame.sun, shadow_damage);
-      shadow_owner_ = frame.key;
+      update_shadows(is_marked(view) ? none : items, frame.sun);
       // A picture that was partly drawn after another one has strange depths around that part.
       if (!continued) depth_owner_ = fresh ? frame.key : std::string();
       picture_.draw(painter_, items, camera,
@@ -214,6 +228,16 @@ class OsmesaRenderer : public Renderer {
     cache_.drop_unused();
   }
 
+  // The shadows of a room are the same for every camera in it.
+  void update_shadows(const DrawList& items, const Sun& sun) {
+    PixelRect damage = shadow_sun_ && shadow_sun_->clip_from_room == sun.clip_from_room ? PixelRect{}
+                                                                                       : ShadowMap::whole();
+    for (const auto& box : differences(shadow_items_, items)) damage.cover(ShadowMap::covered_by(sun, box));
+    shadows_.update(painter_, items, sun, damage);
+    shadow_items_ = items;
+    shadow_sun_ = sun;
+  }
+
   std::unique_ptr<GlContext> context_;  // first: outlives what it made
   GpuCache cache_;
   ScenePainter painter_;
@@ -221,7 +245,8 @@ class OsmesaRenderer : public Renderer {
   LayerPass layer_pass_;
   NumberedShell shell_;
   ShadowMap shadows_;
-  std::string shadow_owner_;  ///< key of the frame whose shadows the map holds
+  DrawList shadow_items_;           ///< what casts the shadows that the map holds
+  std::optional<Sun> shadow_sun_;
   std::string depth_owner_;   ///< key of the frame whose depths the buffers hold
   std::list<Frame> frames_;   ///< latest first
 };

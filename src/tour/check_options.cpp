@@ -20,13 +20,13 @@ struct Rule {
   const char* text;
 };
 
+}  // namespace
+
 double lowest_ceiling(const Scene& scene) {
   double lowest = rooms_of(scene)[0].height;
   for (const auto& room : rooms_of(scene)) lowest = std::min(lowest, room.height);
   return lowest;
 }
-
-}  // namespace
 
 // Comparisons are such that NaN meets none.
 Status check_tour_options(const Scene& scene, const TourOptions& o) {
@@ -55,8 +55,9 @@ Status check_tour_options(const Scene& scene, const TourOptions& o) {
     if (!rule.holds) return bad_option(rule.text);
   for (const int side : {o.width, o.height})
     if (auto status = check_picture_side(side); !status) return with_context(status.error(), "tour");
-  for (const auto& id : o.targets)
-    if (!find_object(scene, id)) return Error{Error::Kind::not_found, "tour: the scene has no object " + id};
+  for (const auto* ids : {&o.targets, &o.first, &o.last})
+    for (const auto& id : *ids)
+      if (!find_object(scene, id)) return Error{Error::Kind::not_found, "tour: the scene has no object " + id};
   return {};
 }
 

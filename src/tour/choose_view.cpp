@@ -65,11 +65,9 @@ class ViewChooser {
   Status look_from(const Viewpoint& point) {
     const auto camera = tour_camera(point.pose, site_.intrinsics());
     if (!camera) return camera.error();
-    auto thing = thing_in(*camera, false);
-    // What shows nothing needs no second look, unless all of it may be hidden.
-    if (thing && (thing->pixels > 0 || site_.options.greatest_hidden >= 1.0)) thing = thing_in(*camera, true);
-    if (!thing) return thing.error();
-    judge(point, *thing);
+    const auto seen = renderer_.visibility(site_.scene, site_.models, *camera, index_);
+    if (!seen) return seen.error();
+    judge(point, *seen);
     return {};
   }
 
@@ -80,29 +78,18 @@ class ViewChooser {
   const Tally& tally() const { return tally_; }
 
  private:
-  Result<LayerThing> thing_in(const Camera& camera, bool alone) {
-    Shot shot;
-    shot.camera = camera;
-    shot.color = false;
-    shot.alone = alone;
-    const auto layers = renderer_.layers(site_.scene, site_.models, shot);
-    if (!layers) return layers.error();
-    return layers->things[index_];
-  }
-
-  void judge(const Viewpoint& point, const LayerThing& thing) {
-    if (thing.pixels == 0 && thing.pixels_alone == 0) return tally_.add_hidden(1.0);
-    if (thing.pixels_alone < static_cast<std::size_t>(site_.options.least_pixels)) {
+  void judge(const Viewpoint& point, const Visibility& seen) {
+    if (seen.pixels_alone < static_cast<std::size_t>(site_.options.least_pixels)) {
       ++tally_.too_small;
       return;
     }
-    const double hidden = 1.0 - static_cast<double>(thing.pixels) / static_cast<double>(thing.pixels_alone);
+    const double hidden = 1.0 - static_cast<double>(seen.pixels) / static_cast<double>(seen.pixels_alone);
     tally_.add_hidden(hidden);
     if (hidden < site_.options.least_hidden || hidden > site_.options.greatest_hidden) return;
     ++tally_.accepted;
-    const double score = view_score(site_.options, static_cast<double>(thing.pixels), point.fixed_score);
+    const double score = view_score(site_.options, static_cast<double>(seen.pixels), point.fixed_score);
     if (best_ && best_->view.score >= score) return;
-    best_ = ChosenView{{target_.id, point.pose, thing.pixels, thing.pixels_alone, score}, point.node};
+    best_ = ChosenView{{target_.id, point.pose, seen.pixels, seen.pixels_alone, score}, point.node};
   }
 
   const TourSite& site_;

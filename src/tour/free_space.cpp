@@ -28,12 +28,13 @@ Bounds2 bounds_of(const Segment& segment) {
 
 }  // namespace
 
-FreeSpace::FreeSpace(const Scene& scene, const KindTable& kinds, double eye_height, double radius)
-    : radius_(radius) {
+FreeSpace::FreeSpace(const Scene& scene, const KindTable& kinds, double eye_height, double radius,
+                     bool flies)
+    : radius_(radius), eye_height_(eye_height) {
   const auto rooms = rooms_of(scene);
   for (const auto& room : rooms) add_walls(rooms, room);
   for (const auto& object : scene.objects)
-    if (blocks_floor(object, kinds.get(object.category)) || at_eye_height(object, eye_height))
+    if ((!flies && blocks_floor(object, kinds.get(object.category))) || at_eye_height(object, eye_height))
       things_.push_back(footprint(object));
 }
 
@@ -42,7 +43,7 @@ void FreeSpace::add_walls(std::span<const Room> rooms, const Room& room) {
   for (const auto& point : room.polygon.points) extent_.add(point);
   std::vector<std::vector<std::pair<double, double>>> holes(room.polygon.size());
   for (const auto& opening : room.openings) {
-    if (!leads_inside(rooms, room, opening)) continue;
+    if (!leads_inside(rooms, room, opening) || opening.head <= eye_height_) continue;
     holes[opening.wall].emplace_back(opening.from, opening.to);
     const Segment hole = segment(room, opening);
     const Vec2 through = -wall_thickness * inward(room, opening);

@@ -9,11 +9,11 @@
 
 namespace roomgen::detail {
 
-/// What a camera carried by a person must keep away from: walls, what blocks feet or body, and what is at the height
-/// of the eye. Doors and passages between the rooms of a dwelling are open.
+/// What a camera must keep away from: walls, what is at the height of the eye and, carried by a person, what blocks
+/// feet or body. Doors and passages between the rooms of a dwelling are open, as high as they are.
 class FreeSpace {
  public:
-  FreeSpace(const Scene& scene, const KindTable& kinds, double eye_height, double radius);
+  FreeSpace(const Scene& scene, const KindTable& kinds, double eye_height, double radius, bool flies);
 
   double radius() const { return radius_; }
   const Bounds2& extent() const { return extent_; }
@@ -25,7 +25,7 @@ class FreeSpace {
  private:
   void add_walls(std::span<const Room> rooms, const Room& room);
 
-  double radius_;
+  double radius_, eye_height_;
   Bounds2 extent_;
   std::vector<Segment> walls_;
   std::vector<Footprint> things_;

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "check_options.h"
 #include "choose_view.h"
@@ -93,7 +94,7 @@ class Guide {
 
   Status visit_all(Tour& tour) {
     while (!waiting_.empty()) {
-      const auto view = choose_view(site_, renderer_, take_nearest(), ways_);
+      const auto view = choose_view(site_, renderer_, take_next(), ways_);
       if (!view) return view.error();
       if (const auto* chosen = std::get_if<ChosenView>(&*view))
         tour.views.push_back(go_to(*chosen));
@@ -105,13 +106,22 @@ class Guide {
   }
 
  private:
-  const Object& take_nearest() {
+  // Those that are to come first, as they are named; then the nearest; then those that are to come last.
+  const Object& take_next() {
     const auto nearest = std::min_element(waiting_.begin(), waiting_.end(), [&](const Waiting& a, const Waiting& b) {
-      return ways_.metres[a.beside] < ways_.metres[b.beside];
+      return std::pair(turn(a), ways_.metres[a.beside]) < std::pair(turn(b), ways_.metres[b.beside]);
     });
     const Object* target = nearest->target;
     waiting_.erase(nearest);
     return *target;
+  }
+
+  std::ptrdiff_t turn(const Waiting& waiting) const {
+    const auto &first = site_.options.first, &last = site_.options.last;
+    const auto in_first = std::find(first.begin(), first.end(), waiting.target->id);
+    if (in_first != first.end()) return in_first - first.end();
+    const auto in_last = std::find(last.begin(), last.end(), waiting.target->id);
+    return in_last == last.end() ? 0 : in_last - last.begin() + 1;
   }
 
   TourView go_to(const ChosenView& chosen) {
@@ -156,7 +166,7 @@ void report_all(const Scene& scene, const TourOptions& options, Tour& tour) {
 Result<Tour> make_tour(const Scene& scene, const ModelTable& models, const KindTable& kinds, Renderer& renderer,
                        const TourOptions& options) {
   if (auto status = check_tour_options(scene, options); !status) return status.error();
-  const FreeSpace space(scene, kinds, options.eye_height, options.agent_radius);
+  const FreeSpace space(scene, kinds, options.eye_height, options.agent_radius, options.flies);
   const WalkGrid grid(space);
   const TourSite site{scene, models, options, space, grid};
   Tour tour{options.seed, site.intrinsics(), options.agent_radius, options.least_hidden, options.greatest_hidden,

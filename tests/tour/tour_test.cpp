@@ -11,6 +11,7 @@
 #include "base/random.h"
 #include "catch.h"
 #include "roomgen/render/pictures.h"
+#include "roomgen/tour/frames.h"
 #include "support/brute_force.h"
 #include "support/rooms.h"
 
@@ -316,4 +317,80 @@ TEST_CASE("A tour walks through the inner doors of a dwelling") {
     const Vec2 p = keyframe.pose.eye.head<2>();
     if (p.x() > 4.0 && p.x() < 4.0 + wall_thickness) CHECK((p.y() >= 1.25 - 1e-5 && p.y() <= 1.65 + 1e-5));
   }
+}
+
+TEST_CASE("Words say how a scene is filmed") {
+  const Scene scene = rooms::scene(rooms::box(5, 5), {rooms::thing("bookshelf-0", "bookshelf", {0.8, 0.3, 1.8}, {1, 4}),
+                                                      rooms::thing("bed-0", "bed", {1.6, 2.0, 0.5}, {3.5, 3}),
+                                                      rooms::thing("desk-0", "desk", {1.2, 0.6, 0.75}, {1, 1})});
+  const auto read = [&](const char* text) { return read_tour_words(text, scene, KindTable::built_in()); };
+  const auto order = read("A bedroom. Look at the bed first, then the desk, and at the shelf last.").options;
+  CHECK(order.first == std::vector<std::string>{"bed-0", "desk-0"});
+  CHECK(order.last == std::vector<std::string>{"bookshelf-0"});
+  CHECK(read("The eye height is 1.2 m.").options.eye_height == Approx(1.2));
+  CHECK(read("Film it with an eye height of about 120 cm").options.eye_height == Approx(1.2));
+  CHECK(read("The camera should show the things half hidden.").options.least_hidden == Approx(0.4));
+  CHECK(read("The camera should capture objects with partial occlusion.").options.greatest_hidden == Approx(0.7));
+  const auto range = read("Views with 30 to 50 % of each thing hidden.").options;
+  CHECK(range.least_hidden == Approx(0.3));
+  CHECK(range.greatest_hidden == Approx(0.5));
+  CHECK(read("A tour from a bird's-eye view").options.flies);
+  CHECK(read("The camera has a field of view of 70 degrees").options.field_of_view == Approx(radians(70.0)));
+  CHECK(read("Look only at the desk").options.targets == std::vector<std::string>{"desk-0"});
+  CHECK(read("The camera should dance.").not_understood.size() == 1);
+  // A room's own words are no wishes.
+  const auto plain = read("A bedroom with a bed and a desk. A shelf stands first to the left of the last desk.");
+  CHECK((plain.understood.empty() && plain.not_understood.empty()));
+}
+
+TEST_CASE("Targets are visited in the order that was asked for") {
+  const Scene scene = random_room(9);
+  TourOptions options;
+  const Tour free_order = tour_of(scene, options);
+  REQUIRE(free_order.views.size() >= 4);
+  options.last = {free_order.views[0].target, free_order.views[1].target};
+  options.first = {free_order.views.back().target};
+  const Tour tour = tour_of(scene, options);
+  std::vector<std::string> order;
+  for (const auto& view : tour.views) order.push_back(view.target);
+  REQUIRE(order.size() >= 4);
+  CHECK(order.front() == options.first[0]);
+  const auto place = [&](const std::string& id) { return std::find(order.begin(), order.end(), id) - order.begin(); };
+  CHECK(place(options.last[1]) >= static_cast<std::ptrdiff_t>(order.size()) - 1);
+}
+
+TEST_CASE("A bird's-eye tour passes over what is low and keeps away from what is high") {
+  Scene scene = rooms::scene(rooms::box(4, 6), {rooms::thing("bookshelf-0", "bookshelf", {3.98, 0.4, 0.8}, {2, 3}),
+                                                rooms::thing("wardrobe-0", "wardrobe", {1.0, 0.6, 2.2}, {0.6, 4.6}),
+                                                rooms::thing("chair-0", "chair", {0.5, 0.5, 0.9}, {3, 5})});
+  scene.room.openings = {rooms::door("door-0", 0, 0.5, 1.4)};
+  TourOptions options = birds_eye(scene);
+  options.greatest_distance = 1.5;
+  const Tour tour = tour_of(scene, options);
+  CHECK(cause_of(tour, "chair-0") == "seen");
+  for (const auto& keyframe : tour.keyframes) {
+    CHECK(keyframe.pose.eye.z() == Approx(2.0));
+    CHECK(brute_force::outside_by(scene.objects[1], keyframe.pose.eye.head<2>()) >= options.agent_radius - 1e-5);
+  }
+}
+
+TEST_CASE("tour.json reads as it was written, and frames fall on its keyframes") {
+  const Tour tour = tour_of(random_room(4));
+  const std::string text = dump_json(to_json(tour));
+  const auto read = tour_from_json(*parse_json(text, "tour.json"), "tour.json");
+  REQUIRE(read);
+  CHECK(dump_json(to_json(*read)) == text);
+  const auto frames = frames_of(*read, 4.0);
+  REQUIRE(frames);
+  for (std::size_t k = 0; k < frames->size(); ++k) {
+    CHECK((*frames)[k].number == k);
+    CHECK((k == 0 || (*frames)[k].time > (*frames)[k - 1].time));
+    CHECK((k == 0 || (*frames)[k].time - (*frames)[k - 1].time < 0.25 + 0.11));
+  }
+  for (const auto& view : tour.views)
+    CHECK(std::count_if(frames->begin(), frames->end(), [&](const TourFrame& frame) {
+            return frame.target == view.target && frame.keyframe == view.keyframe;
+          }) == 1);
+  CHECK(!frames_of(*read, 0.0));
+  CHECK(!tour_from_json(*parse_json(R"({"format": "roomgen-scene"})", "x"), "x"));
 }

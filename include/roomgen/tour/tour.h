@@ -19,6 +19,8 @@ namespace roomgen {
 /// How a camera is walked through a scene so that it sees each target once (docs/tours.md). Metres, radians.
 struct TourOptions {
   std::vector<std::string> targets;        ///< ids of objects; none: all of them
+  std::vector<std::string> first, last;    ///< of them, visited before and after all others, in this order
+  bool flies = false;                      ///< only what is at the height of the eye is in the way
   double eye_height = 1.5;                 ///< above the floor, all the way
   double field_of_view = radians(90.0);    ///< from side to side
   int width = 160, height = 120;           ///< pixels of the pictures in which visibility is measured
@@ -38,6 +40,21 @@ struct TourOptions {
   std::uint64_t seed = 0;
   CancelToken cancel = {};
 };
+
+/// A bird's-eye tour: the camera flies 2 m above the floor (InfiniBench's height), or under a ceiling that is lower,
+/// over all that is not as high, and may look straight down.
+TourOptions birds_eye(const Scene& scene, TourOptions options = {});
+
+/// What a text says of the camera.
+struct TourWords {
+  TourOptions options;                      ///< those given, with what the text asks for
+  std::vector<std::string> understood;      ///< "eye height 1.2 m", for people
+  std::vector<std::string> not_understood;  ///< sentences about the camera that say nothing known
+};
+/// Reads height of the eye, field of view, how much may be hidden, bird's-eye views, order and choice of targets out
+/// of a text, a scene's prompt for instance (docs/tours.md); data/tour.json has the words.
+TourWords read_tour_words(std::string_view text, const Scene& scene, const KindTable& kinds,
+                          const TourOptions& options = {});
 
 /// Where a camera is and looks: at yaw 0 towards -Y, as the fronts of objects do; a positive pitch is up.
 struct CameraPose {
@@ -111,5 +128,7 @@ Result<Tour> make_tour(const Scene& scene, const ModelTable& models, const KindT
 
 /// tour.json (docs/tour.schema.json).
 Json to_json(const Tour& tour);
+/// Reports the first problem with its JSON pointer.
+Result<Tour> tour_from_json(const Json& json, const std::string& source);
 
 }  // namespace roomgen

@@ -99,6 +99,12 @@ struct Layers {
   std::vector<LayerThing> things;        ///< all of the scene, seen or not: objects first, in their order
 };
 
+/// Pixels of a camera's picture.
+struct Visibility {
+  std::size_t pixels = 0;        ///< that show an object
+  std::size_t pixels_alone = 0;  ///< that would with nothing else in the picture
+};
+
 /// Draws a scene.
 class Renderer {
  public:
@@ -108,6 +114,9 @@ class Renderer {
   virtual Result<Image> render(const Scene& scene, const ModelTable& models, const View& view) = 0;
   /// The same of what each pixel shows.
   virtual Result<Layers> layers(const Scene& scene, const ModelTable& models, const Shot& shot) = 0;
+  /// What layers() counts of scene.objects[object], without the layers: only what may hide it is drawn.
+  virtual Result<Visibility> visibility(const Scene& scene, const ModelTable& models, const Camera& camera,
+                                        std::size_t object) = 0;
 };
 
 }  // namespace roomgen

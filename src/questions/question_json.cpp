@@ -1,0 +1,76 @@
+#include <nlohmann/json.hpp>
+
+#include "base/json_reader.h"
+#include "roomgen/base/file.h"
+#include "roomgen/questions/questions.h"
+
+namespace roomgen {
+
+namespace {
+
+constexpr std::size_t most_question_bytes = 256u << 20;
+constexpr double greatest_number = 1e9;
+
+SpatialQuestion question_from(const JsonReader& root) {
+  SpatialQuestion question;
+  question.id = root["id"].text();
+  question.task = root["task"].text();
+  question.form = root["form"].text();
+  question.text = root["question"].text();
+  for (const auto& choice : root["choices"].elements_or_none(100)) question.choices.push_back(choice.text());
+  if (question.choices.empty()) {
+    question.unit = root["unit"].text_or("");
+    question.number = root["answer"].number(-greatest_number, greatest_number);
+    question.tolerance = root["tolerance"].number(0.0, greatest_number);
+  } else {
+    question.right = static_cast<std::size_t>(
+        root["answer_index"].integer_or(0, 0, static_cast<long long>(question.choices.size()) - 1));
+    if (root["answer"].text() != question.choices[question.right]) root["answer"].report("is not the choice of answer_index");
+  }
+  for (const auto& frame : root["frames"].elements_or_none(100000))
+    question.frames.push_back(static_cast<std::size_t>(frame.number(0, 1e9)));
+  for (const auto& object : root["objects"].elements_or_none(100000)) question.objects.push_back(object.text());
+  if (const auto arguments = root["arguments"]; arguments.exists()) question.arguments = *arguments.raw();
+  if (const auto complexity = root["complexity"]; complexity.exists()) question.complexity = *complexity.raw();
+  return question;
+}
+
+}  // namespace
+
+Json to_json(const SpatialQuestion& question) {
+  Json json = {{"id", question.id}, {"task", question.task}, {"form", question.form}, {"question", question.text}};
+  if (question.choices.empty()) {
+    json["unit"] = question.unit;
+    json["answer"] = question.number;
+    json["tolerance"] = question.tolerance;
+  } else {
+    json["choices"] = question.choices;
+    json["answer"] = question.choices.at(question.right);
+    json["answer_index"] = question.right;
+  }
+  json["frames"] = question.frames;
+  json["objects"] = question.objects;
+  json["arguments"] = question.arguments;
+  json["complexity"] = question.complexity;
+  return json;
+}
+
+Result<std::vector<SpatialQuestion>> read_questions(const std::filesystem::path& path) {
+  const auto text = read_file(path, most_question_bytes);
+  if (!text) return text.error();
+  std::vector<SpatialQuestion> questions;
+  std::size_t line = 0;
+  for (std::size_t begin = 0; begin < text->size(); ++line) {
+    const std::size_t end = std::min(text->find('\n', begin), text->size());
+    const std::string source = path.string() + ": line " + std::to_string(line + 1);
+    const auto json = parse_json(std::string_view(*text).substr(begin, end - begin), source);
+    if (!json) return json.error();
+    JsonReader::Problems problems{source};
+    questions.push_back(question_from(JsonReader(*json, problems)));
+    if (auto error = problems.first()) return *error;
+    begin = end + 1;
+  }
+  return questions;
+}
+
+}  // namespace roomgen

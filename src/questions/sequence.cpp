@@ -1,0 +1,140 @@
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "roomgen/base/text.h"
+#include "site.h"
+
+namespace roomgen::detail {
+
+namespace {
+
+constexpr std::size_t ordered = 3, offered = 4;
+
+using Things = std::vector<const Reference*>;
+
+const Appearance& seen(const QuestionSite& site, const Reference* reference) { return site.seen[reference->object]; }
+
+bool surely_before(const QuestionSite& site, const Reference* a, const Reference* b) {
+  return seen(site, a).surely_before(seen(site, b));
+}
+
+// Drawn without repetition, in the order of their words.
+Things drawn(const QuestionSite& site, Random& random, std::size_t count) {
+  Things all = site.references.all();
+  std::erase_if(all, [&](const Reference* one) { return !seen(site, one).is_seen(); });
+  random.shuffle(all);
+  if (all.size() < count) return {};
+  all.resize(count);
+  std::sort(all.begin(), all.end(), [](const Reference* a, const Reference* b) { return a->text < b->text; });
+  return all;
+}
+
+std::vector<std::size_t> first_frames(const QuestionSite& site, const Things& things) {
+  std::vector<std::size_t> frames;
+  for (const Reference* one : things) frames.push_back(seen(site, one).first_seen);
+  return frames;
+}
+
+std::string order_text(const Things& things) {
+  std::vector<std::string> texts;
+  for (const Reference* one : things) texts.push_back(one->text);
+  return join(texts, ", then ");
+}
+
+Json ids_of(const QuestionSite& site, const Things& things) {
+  Json ids = Json::array();
+  for (const Reference* one : things) ids.push_back(site.object(one->object).id);
+  return ids;
+}
+
+// Other orders of the same things.
+std::vector<std::string> other_orders(Random& random, Things things) {
+  const std::string right = order_text(things);
+  std::vector<std::string> orders;
+  std::sort(things.begin(), things.end());
+  do
+    if (const auto text = order_text(things); text != right) orders.push_back(text);
+  while (std::next_permutation(things.begin(), things.end()));
+  std::sort(orders.begin(), orders.end());
+  random.shuffle(orders);
+  orders.resize(std::min(orders.size(), offered - 1));
+  return orders;
+}
+
+template <typename Make>
+std::vector<SpatialQuestion> tried(const QuestionSite& site, const Make& make) {
+  std::vector<SpatialQuestion> questions;
+  for (std::size_t tries = tries_for_one * site.most; tries > 0 && questions.size() < site.most; --tries) {
+    auto question = make();
+    if (!question) continue;
+    const bool known = std::any_of(questions.begin(), questions.end(), [&](const SpatialQuestion& other) {
+      return other.text == question->text && other.objects == question->objects;
+    });
+    if (!known) questions.push_back(std::move(*question));
+  }
+  return questions;
+}
+
+}  // namespace
+
+std::vector<SpatialQuestion> order_questions(const QuestionSite& site, Random& random) {
+  return tried(site, [&]() -> std::optional<SpatialQuestion> {
+    const Things things = drawn(site, random, ordered);
+    Things sorted = things;
+    std::stable_sort(sorted.begin(), sorted.end(), [&](const Reference* a, const Reference* b) {
+      return seen(site, a).first_seen < seen(site, b).first_seen;
+    });
+    for (std::size_t k = 1; k < sorted.size(); ++k)
+      if (!surely_before(site, sorted[k - 1], sorted[k])) return std::nullopt;
+    if (sorted.empty()) return std::nullopt;
+    std::vector<std::string> texts;
+    for (const Reference* one : things) texts.push_back(one->text);
+    const QuestionDraft draft{"order", {}, {{"list", join(texts, ", ")}}, things, first_frames(site, things),
+                      {{"order", ids_of(site, sorted)}}};
+    return choice_question(site, random, draft, order_text(sorted), other_orders(random, sorted));
+  });
+}
+
+std::vector<SpatialQuestion> first_questions(const QuestionSite& site, Random& random) {
+  return tried(site, [&]() -> std::optional<SpatialQuestion> {
+    Things things = drawn(site, random, offered);
+    if (things.empty()) return std::nullopt;
+    const auto first = std::min_element(things.begin(), things.end(), [&](const Reference* a, const Reference* b) {
+      return seen(site, a).first_seen < seen(site, b).first_seen;
+    });
+    std::vector<std::string> wrong;
+    for (const Reference* one : things) {
+      if (one == *first) continue;
+      if (!surely_before(site, *first, one)) return std::nullopt;
+      wrong.push_back(one->text);
+    }
+    const QuestionDraft draft{"first", {}, {}, things, first_frames(site, things),
+                      {{"right", site.object((*first)->object).id}, {"of", ids_of(site, things)}}};
+    return choice_question(site, random, draft, (*first)->text, wrong);
+  });
+}
+
+// Of five things in a row the second to fourth may be between the two that are named.
+std::vector<SpatialQuestion> between_questions(const QuestionSite& site, Random& random) {
+  return tried(site, [&]() -> std::optional<SpatialQuestion> {
+    Things things = drawn(site, random, offered + 1);
+    std::stable_sort(things.begin(), things.end(), [&](const Reference* a, const Reference* b) {
+      return seen(site, a).first_seen < seen(site, b).first_seen;
+    });
+    if (things.empty()) return std::nullopt;
+    const auto start = static_cast<std::size_t>(random.integer(0, static_cast<int>(offered) - 2));
+    const Reference *a = things[start], *right = things[start + 1], *b = things[start + 2];
+    if (!surely_before(site, a, right) || !surely_before(site, right, b)) return std::nullopt;
+    std::vector<std::string> wrong;
+    for (const Reference* one : things) {
+      if (one == a || one == b || one == right) continue;
+      if (!surely_before(site, one, a) && !surely_before(site, b, one)) return std::nullopt;
+      wrong.push_back(one->text);
+    }
+    const QuestionDraft draft{"between", {{"a", a}, {"b", b}}, {}, things, first_frames(site, things),
+                      {{"right", site.object(right->object).id}, {"of", ids_of(site, things)}}};
+    return choice_question(site, random, draft, right->text, wrong);
+  });
+}
+
+}  // namespace roomgen::detail
