@@ -228,7 +228,7 @@ TEST_CASE("The installed furniture is whole: boxes, normals, licences") {
     CHECK_FALSE(info.ref.license.empty());
     CHECK_FALSE(info.ref.creator.empty());
     CHECK_FALSE(info.category.empty());
-    if (index++ % 8 != 0) continue;  // reading all of them takes long under sanitizers
+    if (index++ % 16 != 0) continue;  // reading all of them takes long under sanitizers
     const auto model = catalogue->load(info.ref);
     REQUIRE(model);
     const Bounds3 box = bounds(**model);

@@ -15,10 +15,6 @@ std::unique_ptr<ChatModel> cached(const TemporaryFolder& folder,
                             folder / "deep" / "cache", source);
 }
 
-std::string text_of(const Result<ChatReply>& reply) {
-  return reply ? reply->text : "";
-}
-
 }  // namespace
 
 TEST_CASE("A question is asked once, and kept for the next run") {

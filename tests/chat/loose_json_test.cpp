@@ -5,7 +5,6 @@
 #include "catch.h"
 
 using namespace roomgen;
-using namespace roomgen::design;
 
 namespace {
 

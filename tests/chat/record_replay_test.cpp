@@ -34,9 +34,6 @@ std::unique_ptr<ChatModel> replay(const std::filesystem::path& file) {
   return *std::move(model);
 }
 
-std::string text_of(const Result<ChatReply>& reply) {
-  return reply ? reply->text : "";
-}
 std::string error_of(const Result<ChatReply>& reply) {
   return reply ? "" : reply.error().message;
 }

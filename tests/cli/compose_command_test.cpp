@@ -12,7 +12,7 @@ using namespace roomgen;
 namespace {
 
 // Only what is made from words: no furniture has to be there.
-struct Workshop {
+struct ComposeFolder {
   TemporaryFolder folder;
 
   Ended compose(const std::string& prompt, std::vector<std::string> more = {}) const {
@@ -27,7 +27,7 @@ struct Workshop {
 }  // namespace
 
 TEST_CASE("A sentence with numbers becomes a room that has them") {
-  const Workshop shop;
+  const ComposeFolder shop;
   const auto done = shop.compose("a study with two desks and three bookshelves", {"--seats", "2", "--json"});
   INFO(done.err << done.out);
   REQUIRE(done.code == 0);
@@ -51,7 +51,7 @@ TEST_CASE("A sentence with numbers becomes a room that has them") {
 }
 
 TEST_CASE("What cannot be had is said, and strictness makes it a failure") {
-  const Workshop shop;
+  const ComposeFolder shop;
   const auto lenient = shop.compose("a study of 2 x 2.4 m with five desks", {"--rounds", "2"});
   INFO(lenient.err);
   CHECK(lenient.code == 0);
@@ -61,7 +61,7 @@ TEST_CASE("What cannot be had is said, and strictness makes it a failure") {
 }
 
 TEST_CASE("Wrong input of compose is refused with its place") {
-  const Workshop shop;
+  const ComposeFolder shop;
   const auto range = shop.compose("a study", {"--seats", "12..8"});
   CHECK(range.code != 0);
   CHECK(contains_text(range.err, "--seats"));
@@ -76,7 +76,8 @@ TEST_CASE("The experiment of programs goes on where it was stopped") {
   const TemporaryFolder folder;
   REQUIRE(write_file(folder / "d.jsonl", R"({"id": "A", "text": "a study with a desk", "expect": {"counts": {"desk": [1, 1]}}})"
                                          "\n"));
-  const std::vector<std::string> command = {"experiment", "--programs", folder / "d.jsonl", "-o", folder / "out", "--cache", folder / "cache"};
+  const std::vector<std::string> command = {"experiment", "--programs", folder / "d.jsonl", "-o", folder / "out",
+                                            "--cache", ROOMGEN_BINARY_DIR "/test-cache"};
   const auto first = run(command);
   INFO(first.err);
   REQUIRE(first.code == 0);

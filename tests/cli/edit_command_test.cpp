@@ -23,7 +23,7 @@ fs::path scene_in(const TemporaryFolder& folder) {
   return file;
 }
 
-std::string bytes(const fs::path& file) { return *roomgen::read_file(file); }
+std::string bytes_of(const fs::path& file) { return *roomgen::read_file(file); }
 
 }  // namespace
 
@@ -36,11 +36,11 @@ TEST_CASE("edit exits with 0 done, 1 not possible, 2 not understood, and in 1 an
   CHECK(failed_in_one_line(edit("sing a song"), 2));
   CHECK(failed_in_one_line(run({"edit", scene, "--op", R"({"do": "fly"})"}), 2));
   CHECK(failed_in_one_line(run({"edit", scene, "--op", "{"}), 2));
-  CHECK(bytes(scene) == two_chairs);
+  CHECK(bytes_of(scene) == two_chairs);
   const auto done = edit("move the left stool 50 cm to the right");
   CHECK(done.code == 0);
   CHECK(contains_text(done.out, "stool-0 moved 0.5 m"));
-  CHECK(contains_text(bytes(scene), "1.5"));
+  CHECK(contains_text(bytes_of(scene), "1.5"));
 }
 
 TEST_CASE("undo, redo, history, branch and diff follow an edited room") {
@@ -48,16 +48,16 @@ TEST_CASE("undo, redo, history, branch and diff follow an edited room") {
   const fs::path scene = scene_in(folder);
   REQUIRE(run({"edit", scene, "--op", R"({"do": "lock", "objects": ["stool-0"]})"}).code == 0);
   REQUIRE(run({"edit", scene, "--op", R"([{"do": "shift", "object": "stool-1", "by": [0,1,0]}, {"do": "turn", "object": "stool-1", "by_deg": 90}])"}).code == 0);
-  const std::string last = bytes(scene);
+  const std::string last = bytes_of(scene);
   CHECK(contains_text(run({"diff", scene}).out, "stool-1 moved 1 m"));
   CHECK(contains_text(run({"diff", scene, "1", "2"}).out, "stool-0 is locked"));
   CHECK(contains_text(run({"history", scene}).out, "*    3  main"));
   CHECK(run({"undo", scene, "-n", "2"}).code == 0);
-  CHECK(bytes(scene) == two_chairs);
+  CHECK(bytes_of(scene) == two_chairs);
   CHECK(failed_in_one_line(run({"undo", scene}), 1));
   CHECK(run({"branch", scene, "other", "--at", "2"}).code == 0);
   CHECK(contains_text(run({"branch", scene}).out, "* other"));
   CHECK(run({"branch", scene, "main"}).code == 0);
   CHECK(run({"redo", scene, "-n", "9"}).code == 0);
-  CHECK(bytes(scene) == last);
+  CHECK(bytes_of(scene) == last);
 }

@@ -7,19 +7,17 @@
 
 namespace {
 
-const std::string data = ROOMGEN_TEST_DATA;
-
-void furnish(const TemporaryFolder& folder, const std::string& id, const std::string& problem) {
+void solve_into(const TemporaryFolder& folder, const std::string& id, const std::string& problem) {
   std::filesystem::create_directories(folder / id);
-  REQUIRE(run({"solve", data + "/solver-scenes/" + problem, "-o", folder / (id + "/scene.json")}).code == 0);
+  REQUIRE(run({"solve", test_data + "/solver-scenes/" + problem, "-o", folder / (id + "/scene.json")}).code == 0);
 }
 
 }  // namespace
 
 TEST_CASE("A room that cannot be read is told, and the others are scored") {
   const TemporaryFolder folder;
-  furnish(folder, "1", "balcony.json");
-  furnish(folder, "3", "bedroom.json");
+  solve_into(folder, "1", "balcony.json");
+  solve_into(folder, "3", "bedroom.json");
   std::filesystem::create_directories(folder / "2");
   REQUIRE(roomgen::write_file(folder / "2/scene.json", "{\"format\": \"roomgen-scene\", "));
   REQUIRE(roomgen::write_file(folder / "rows.csv",

@@ -7,8 +7,6 @@
 
 namespace {
 
-const std::string data = ROOMGEN_TEST_DATA;
-
 // The summary on stdout; the test stops if it is no JSON object.
 roomgen::Json summary(const Ended& ended) {
   INFO(ended.out);
@@ -22,7 +20,7 @@ roomgen::Json summary(const Ended& ended) {
 
 TEST_CASE("The summary of a solve parses, and counts") {
   const TemporaryFolder folder;
-  const auto json = summary(run({"solve", data + "/rooms/90-too-large.json", "-o", folder / "a.json", "--json"}));
+  const auto json = summary(run({"solve", test_data + "/rooms/90-too-large.json", "-o", folder / "a.json", "--json"}));
   CHECK(json["objects"] == 2);
   CHECK(json["unplaced"] == 1);
   CHECK(json["constraints"] == 4);
@@ -31,12 +29,12 @@ TEST_CASE("The summary of a solve parses, and counts") {
 
 TEST_CASE("The summary of a check parses for every kind of file") {
   const TemporaryFolder folder;
-  REQUIRE(run({"solve", data + "/solver-scenes/balcony.json", "-o", folder / "scene.json"}).code == 0);
+  REQUIRE(run({"solve", test_data + "/solver-scenes/balcony.json", "-o", folder / "scene.json"}).code == 0);
   const auto scene = summary(run({"check", folder / "scene.json", "--json"}));
   CHECK(scene["format"] == "roomgen-scene");
   CHECK(scene["violations"].empty());
 
-  summary(run({"check", data + "/solver-scenes/balcony.json", "--json"}));
+  summary(run({"check", test_data + "/solver-scenes/balcony.json", "--json"}));
 
   const std::string room = R"({"type": "x", "polygon": [[0,0],[4,0],[4,4],[0,4]]})";
   REQUIRE(roomgen::write_file(folder / "room.json", room));

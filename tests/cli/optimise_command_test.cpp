@@ -12,7 +12,7 @@ using namespace roomgen;
 namespace {
 
 // Only what is made from words: no furniture has to be there.
-struct Workshop {
+struct OptimiseFolder {
   TemporaryFolder folder;
 
   Ended optimise(const std::string& program, std::vector<std::string> more = {}) const {
@@ -34,7 +34,7 @@ std::string desks(const std::string& bound, const std::string& room = R"("width"
 }  // namespace
 
 TEST_CASE("A program becomes a folder with the verdict on each constraint") {
-  const Workshop shop;
+  const OptimiseFolder shop;
   const auto done = shop.optimise(desks(R"(["==", ["count", "desk"], 2])"), {"--seed", "3"});
   INFO(done.err);
   REQUIRE(done.code == 0);
@@ -53,7 +53,7 @@ TEST_CASE("A program becomes a folder with the verdict on each constraint") {
 }
 
 TEST_CASE("What cannot be met is said, and strictness makes it a failure") {
-  const Workshop shop;
+  const OptimiseFolder shop;
   const std::string crowded = desks(R"(["==", ["count", "desk"], 5])", R"("width": 2, "depth": 2.4)");
   const auto lenient = shop.optimise(crowded);
   INFO(lenient.err << lenient.out);
@@ -66,7 +66,7 @@ TEST_CASE("What cannot be met is said, and strictness makes it a failure") {
 }
 
 TEST_CASE("Unsound programs are refused with their place") {
-  const Workshop shop;
+  const OptimiseFolder shop;
   const auto unknown = shop.optimise(desks(R"(["==", ["count", "dseks"], 2])"));
   CHECK(unknown.code == 1);
   CHECK(contains_text(unknown.err, "/constraints/desks/1"));

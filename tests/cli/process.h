@@ -7,6 +7,8 @@
 
 #include "support/temporary_folder.h"
 
+const std::string test_data = ROOMGEN_TEST_DATA;
+
 /// How a run of the program ended.
 struct Ended {
   int code = -1;    ///< exit code; -1 when a signal ended it

@@ -9,13 +9,11 @@
 
 namespace {
 
-const std::string data = ROOMGEN_TEST_DATA;
-
 }  // namespace
 
 TEST_CASE("A solved problem is a scene that passes the check, the same every time") {
   const TemporaryFolder folder;
-  const std::string problem = data + "/solver-scenes/balcony.json";
+  const std::string problem = test_data + "/solver-scenes/balcony.json";
   const auto solved = run({"solve", problem, "-o", folder / "a.json", "--seed", "5"});
   INFO(solved.err);
   REQUIRE(solved.code == 0);
@@ -27,7 +25,7 @@ TEST_CASE("A solved problem is a scene that passes the check, the same every tim
 
 TEST_CASE("The largest seed that is accepted makes a scene that can be read again") {
   const TemporaryFolder folder;
-  const std::string problem = data + "/solver-scenes/balcony.json";
+  const std::string problem = test_data + "/solver-scenes/balcony.json";
   for (const char* seed : {"0", "9007199254740991", "9007199254740993", "18446744073709551615"}) {
     const auto solved = run({"solve", problem, "-o", folder / "a.json", "--seed", seed, "--rounds", "0"});
     INFO(seed << ": " << solved.err);
@@ -38,7 +36,7 @@ TEST_CASE("The largest seed that is accepted makes a scene that can be read agai
 
 TEST_CASE("Things without a place are no failure, unless one is strict") {
   const TemporaryFolder folder;
-  const std::string problem = data + "/rooms/90-too-large.json";
+  const std::string problem = test_data + "/rooms/90-too-large.json";
   const auto lenient = run({"solve", problem, "-o", folder / "a.json"});
   CHECK(lenient.code == 0);
   CHECK(contains_text(lenient.out, "no place for piano-0"));
@@ -62,7 +60,7 @@ TEST_CASE("A scene that breaks a rule fails the check, which says what and who")
 
 TEST_CASE("Layouts are drawn one a line, the same for any number of threads, and pass the check") {
   const TemporaryFolder folder;
-  const std::string problem = data + "/solver-scenes/living_room.json";
+  const std::string problem = test_data + "/solver-scenes/living_room.json";
   const auto drawn =
       run({"solve", problem, "--samples", "40", "--seed", "5", "-o", folder / "a.jsonl", "--threads", "1"});
   INFO(drawn.err);
@@ -80,7 +78,7 @@ TEST_CASE("Layouts are drawn one a line, the same for any number of threads, and
 
 TEST_CASE("More layouts than there are end with a clear statement") {
   const TemporaryFolder folder;
-  const std::string problem = data + "/rooms/92-only-the-door.json";
+  const std::string problem = test_data + "/rooms/92-only-the-door.json";
   const auto drawn = run({"--json", "solve", problem, "--samples", "1000", "-o", folder / "a.jsonl"});
   CHECK(drawn.code == 0);
   const auto summary = roomgen::Json::parse(drawn.out);
@@ -94,7 +92,7 @@ TEST_CASE("More layouts than there are end with a clear statement") {
 }
 
 TEST_CASE("What is no number of layouts is refused") {
-  const std::string problem = data + "/solver-scenes/balcony.json";
+  const std::string problem = test_data + "/solver-scenes/balcony.json";
   for (const char* number : {"0", "-3", "1000001", "many"})
     CHECK(failed_in_one_line(run({"solve", problem, "--samples", number}), 2));
   CHECK(failed_in_one_line(run({"solve", problem, "--threads", "2"}), 2));
@@ -102,7 +100,7 @@ TEST_CASE("What is no number of layouts is refused") {
 
 TEST_CASE("The check of layouts says which line is wrong") {
   const TemporaryFolder folder;
-  const std::string problem = data + "/solver-scenes/balcony.json";
+  const std::string problem = test_data + "/solver-scenes/balcony.json";
   REQUIRE(run({"solve", problem, "--samples", "3", "-o", folder / "a.jsonl"}).code == 0);
   CHECK(failed_in_one_line(run({"check", folder / "a.jsonl"}), 1));
   const std::string lines = *roomgen::read_file(folder / "a.jsonl");

@@ -22,7 +22,7 @@ ModelTable one_table() {
   return models;
 }
 
-Object table(const Vec2& at, double yaw) {
+Object table_at(const Vec2& at, double yaw) {
   Object o = rooms::thing("table-0", "table", {1.6, 0.8, 0.75}, at, yaw);
   o.asset = {"test", "table", "", "", "", std::nullopt};
   return o;
@@ -33,7 +33,7 @@ Object table(const Vec2& at, double yaw) {
 TEST_CASE("A table comes down with its legs, however it is turned") {
   const ModelTable models = one_table();
   for (const double yaw : {0.0, 30.0, 90.0}) {
-    const Object object = table({2, 1}, yaw);
+    const Object object = table_at({2, 1}, yaw);
     const auto legs = low_parts(object, models, 0.02);
     REQUIRE(legs.size() == 4);
     for (const auto& leg : legs) {
@@ -43,7 +43,7 @@ TEST_CASE("A table comes down with its legs, however it is turned") {
       CHECK(local.y() == Approx(0.37).margin(1e-4));
     }
   }
-  CHECK(low_parts(table({0, 0}, 0), models, 0.73).size() == 1);
+  CHECK(low_parts(table_at({0, 0}, 0), models, 0.73).size() == 1);
 }
 
 TEST_CASE("A box comes down with all of it, and what hangs does not") {

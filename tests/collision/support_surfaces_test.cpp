@@ -21,7 +21,7 @@ void add_box(Mesh& mesh, const Vec3& low, const Vec3& high) {
 //   ________
 //  |________|  0.72 to 0.75
 //   |      |
-Mesh table() {
+Mesh table_mesh() {
   Mesh mesh;
   add_box(mesh, {-0.6, -0.4, 0.72}, {0.6, 0.4, 0.75});
   for (double x : {-0.57, 0.52})
@@ -96,7 +96,7 @@ Mesh made(const std::string& recipe) {
 }  // namespace
 
 TEST_CASE("A table has one surface: its top, open above") {
-  const auto surfaces = support_surfaces(table());
+  const auto surfaces = support_surfaces(table_mesh());
   REQUIRE(surfaces.size() == 1);
   CHECK(surfaces[0].height == Approx(0.75).margin(1e-6));
   // The grid of 2 cm counts the cells on the border whole.
@@ -141,7 +141,7 @@ TEST_CASE("Winding and small noise do not hide a surface") {
   Random random(4);
   for (int i = 0; i < 20; ++i) {
     Mesh sheet_of_glass = sheet([&](double, double) { return 0.7 + 0.0004 * random.uniform(); });
-    Mesh frame = table();
+    Mesh frame = table_mesh();
     reverse_some(sheet_of_glass, random, 0.5);
     reverse_some(frame, random, 1.0);
     CHECK(support_surfaces(sheet_of_glass).size() == 1);

@@ -145,7 +145,7 @@ void run(int seeds, int times, double wanted) {
 }  // namespace
 
 TEST_CASE("One damaged component is repaired") {
-  run(16, 1, 0.95);
+  run(8, 1, 0.95);
 }
 
 TEST_CASE("Two damaged components are repaired mostly") {

@@ -27,7 +27,7 @@ const std::string stool_words =
         "parts": [{"label": "seat", "count": 1}, {"label": "leg", "count": 4}],
         "size": [[0.3, 0.5], [0.3, 0.5], [0.4, 0.5]]})";
 
-const std::string seat =
+const std::string seat_part =
     R"({"name": "seat", "label": "seat", "box": {"size": [0.4, 0.4, 0.03]}, "at": [0, 0, 0.42]})";
 
 std::string leg(const std::string& name, double x, double y, double height = 0.42) {
@@ -68,7 +68,7 @@ void fails_only(const Assessment& found, const std::vector<Check>& expected) {
 }  // namespace
 
 TEST_CASE("A sound stool passes every check") {
-  const auto found = assessed(seat + "," + four_legs);
+  const auto found = assessed(seat_part + "," + four_legs);
   fails_only(found, {});
   CHECK(found.failures.empty());
   CHECK(found.parts_right == 2);
@@ -82,11 +82,11 @@ TEST_CASE("A seat that floats is a loose part that rests on nothing") {
 }
 
 TEST_CASE("A thing in the air, or a leg of it, has no contact with the ground") {
-  shape::Program lifted = program(seat + "," + four_legs);
+  shape::Program lifted = program(seat_part + "," + four_legs);
   for (auto& component : lifted.components) component.at.z() += 0.02;
   fails_only(assess(sentence(stool_words), made(lifted)), {Check::grounded});
 
-  lifted = program(seat + "," + four_legs);
+  lifted = program(seat_part + "," + four_legs);
   lifted.components[1].at.z() += 0.025;
   fails_only(assess(sentence(stool_words), made(lifted)), {Check::grounded});
 }
@@ -94,18 +94,18 @@ TEST_CASE("A thing in the air, or a leg of it, has no contact with the ground") 
 TEST_CASE("Legs of two lengths, in one place or askew are not symmetric") {
   const std::string three = leg("leg-1", -0.17, -0.17) + "," + leg("leg-2", 0.17, -0.17) + "," +
                             leg("leg-3", -0.17, 0.17) + ",";
-  fails_only(assessed(seat + "," + three + leg("leg-4", 0.17, 0.1)), {Check::symmetric});
-  fails_only(assessed(seat + "," + three + leg("leg-4", -0.17, 0.17)), {Check::symmetric});
-  fails_only(assessed(seat + "," + three + leg("leg-4", 0.17, 0.17, 0.44)), {Check::symmetric});
+  fails_only(assessed(seat_part + "," + three + leg("leg-4", 0.17, 0.1)), {Check::symmetric});
+  fails_only(assessed(seat_part + "," + three + leg("leg-4", -0.17, 0.17)), {Check::symmetric});
+  fails_only(assessed(seat_part + "," + three + leg("leg-4", 0.17, 0.17, 0.44)), {Check::symmetric});
   // Three in a ring are even.
   const std::string ring =
-      seat + R"(,{"name": "leg", "label": "leg", "cylinder": {"radius": 0.02, "height": 0.42},
+      seat_part + R"(,{"name": "leg", "label": "leg", "cylinder": {"radius": 0.02, "height": 0.42},
                   "at": [0.15, 0, 0], "operations": [{"radial": {"count": 3}}]})";
   CHECK(assessed(ring)[Check::symmetric] == true);
 }
 
 TEST_CASE("A leg that ends beside what it carries is no support") {
-  const std::string beside = seat + "," + leg("leg-1", -0.17, -0.17) + "," +
+  const std::string beside = seat_part + "," + leg("leg-1", -0.17, -0.17) + "," +
                              leg("leg-2", 0.17, -0.17) + "," + leg("leg-3", -0.23, 0.17, 0.425) +
                              "," + leg("leg-4", 0.23, 0.17, 0.425);
   const auto found = assessed(beside);
@@ -152,7 +152,7 @@ TEST_CASE("Pieces that were joined to one body must touch all the same") {
 }
 
 TEST_CASE("Triangles without a program are judged like those of one") {
-  auto object = made(program(seat + "," + four_legs));
+  auto object = made(program(seat_part + "," + four_legs));
   object.program = {};
   fails_only(assess(sentence(stool_words), object), {});
   for (auto& position : object.shape.bodies.front().mesh.positions) position.z() += 0.01f;
@@ -161,7 +161,7 @@ TEST_CASE("Triangles without a program are judged like those of one") {
 
 TEST_CASE("A sentence that was made as two things is not one body") {
   Creation creation;
-  creation.objects = {made(program(seat + "," + four_legs))};
+  creation.objects = {made(program(seat_part + "," + four_legs))};
   fails_only(assess(sentence(stool_words), creation), {});
   creation.objects.front().description.count = 2;
   fails_only(assess(sentence(stool_words), creation), {Check::connected});
@@ -219,7 +219,7 @@ TEST_CASE("A result comes back from its line, and tables count what was not made
   good.number = 1;
   good.prompt = "a stool on four legs";
   good.group = "common";
-  good.assessment = assessed(seat + "," + four_legs);
+  good.assessment = assessed(seat_part + "," + four_legs);
   good.size = Vec3(0.4, 0.4, 0.45);
   good.scores = Scores{{5, "firm"}, {4, ""}, {3, "no oak"}};
   SuiteResult bad = good;

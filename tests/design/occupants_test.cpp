@@ -5,16 +5,13 @@
 #include "brief/prompt.h"
 #include "brief/room_kinds.h"
 #include "catch.h"
+#include "read_brief.h"
 #include "roomgen/kinds/kind_table.h"
 
 using namespace roomgen;
 using namespace roomgen::design;
 
 namespace {
-
-Brief read(const std::string& prompt) {
-  return read_prompt(prompt, *built_in_room_kinds(), KindTable::built_in());
-}
 
 int count_of(const Brief& brief, const std::string& kind) {
   int count = 0;
@@ -52,7 +49,7 @@ TEST_CASE("Each activity brings what it is empty without") {
   for (const auto& [name, occupant] : Occupants::built_in()->all()) {
     if (!occupant.is_activity || Occupants::built_in()->find(name) != &occupant) continue;
     INFO(name);
-    const Brief brief = read("a large hall for " + name);
+    const Brief brief = read_brief("a large hall for " + name);
     ++total;
     brought += is_heard(brief, Heard::As::activity) &&
                count_of(brief, occupant.things.front().kind) > 0;
@@ -63,29 +60,29 @@ TEST_CASE("Each activity brings what it is empty without") {
 }
 
 TEST_CASE("So many things come as there are people") {
-  CHECK(count_of(read("a bedroom for my twin boys"), "bed") == 2);
-  CHECK(count_of(read("a bedroom for three teenagers"), "bed") == 3);
-  CHECK(count_of(read("a home gym where eight of us do yoga, for eight people"), "yoga mat") == 8);
+  CHECK(count_of(read_brief("a bedroom for my twin boys"), "bed") == 2);
+  CHECK(count_of(read_brief("a bedroom for three teenagers"), "bed") == 3);
+  CHECK(count_of(read_brief("a home gym where eight of us do yoga, for eight people"), "yoga mat") == 8);
 }
 
 TEST_CASE("What the prompt names itself comes once, and a thing for somebody is only that") {
-  const Brief named = read("a living room with a green armchair in the reading corner");
+  const Brief named = read_brief("a living room with a green armchair in the reading corner");
   CHECK(count_of(named, "armchair") == 1);
-  const Brief office = read("a manager's office with a large desk and a swivel chair");
+  const Brief office = read_brief("a manager's office with a large desk and a swivel chair");
   CHECK(count_of(office, "desk") == 1);
   CHECK(count_of(office, "chair") == 1);
-  const Brief nursery = read("a nursery for a baby with a soft grey rocking chair");
+  const Brief nursery = read_brief("a nursery for a baby with a soft grey rocking chair");
   CHECK(count_of(nursery, "rocking chair") == 1);
-  const Brief chair = read("a hallway with a chair for guests");
+  const Brief chair = read_brief("a hallway with a chair for guests");
   CHECK(chair.mentions.size() == 1);
   CHECK(is_heard(chair, Heard::As::person));
-  const Brief lamp = read("a bedroom with a reading lamp");
+  const Brief lamp = read_brief("a bedroom with a reading lamp");
   CHECK(lamp.mentions.size() == 1);
   CHECK_FALSE(is_heard(lamp, Heard::As::activity));
 }
 
 TEST_CASE("Things that are needed say for whom or what") {
-  const Brief brief = read("a bedroom with a reading corner");
+  const Brief brief = read_brief("a bedroom with a reading corner");
   const auto chair = std::find_if(
       brief.mentions.begin(), brief.mentions.end(),
       [](const Mention& mention) { return mention.category == "armchair"; });
@@ -97,10 +94,10 @@ TEST_CASE("Things that are needed say for whom or what") {
 }
 
 TEST_CASE("Ceilings, lengths behind a name and least numbers are heard") {
-  CHECK(read("a bedroom with a ceiling of 2.9 m").height == Approx(2.9));
-  CHECK(read("a loft with 4 m high ceilings").height == Approx(4.0));
-  CHECK_FALSE(read("a bedroom with a wardrobe of 2.4 m height").height);
-  const Brief brief = read("An office with a desk, 180 x 90 cm, and at least five plants.");
+  CHECK(read_brief("a bedroom with a ceiling of 2.9 m").height == Approx(2.9));
+  CHECK(read_brief("a loft with 4 m high ceilings").height == Approx(4.0));
+  CHECK_FALSE(read_brief("a bedroom with a wardrobe of 2.4 m height").height);
+  const Brief brief = read_brief("An office with a desk, 180 x 90 cm, and at least five plants.");
   CHECK_FALSE(brief.size);
   REQUIRE(brief.mentions.size() == 2);
   CHECK(brief.mentions[0].size.x() == Approx(1.8));

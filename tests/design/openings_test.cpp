@@ -5,6 +5,7 @@
 #include "brief/brief.h"
 #include "brief/prompt.h"
 #include "catch.h"
+#include "read_brief.h"
 #include "plan/room_openings.h"
 #include "plans.h"
 #include "roomgen/base/json.h"
@@ -16,10 +17,6 @@ using namespace roomgen;
 using namespace roomgen::design;
 
 namespace {
-
-Brief read(const std::string& prompt) {
-  return read_prompt(prompt, *built_in_room_kinds(), KindTable::built_in());
-}
 
 Room room_of(const std::string& prompt, std::uint64_t seed = 0) {
   return test::plan_of(prompt, seed).room;
@@ -149,10 +146,10 @@ TEST_CASE("Doors of furniture, mats and seats are no doors and windows of the ro
         "a bedroom with a two-door wardrobe", "a desk by the window", "a sofa facing the door",
         "a plant to the left of the door", "a bed opposite the window"}) {
     INFO(prompt);
-    CHECK(read(prompt).openings.empty());
+    CHECK(read_brief(prompt).openings.empty());
   }
-  CHECK(read("a bedroom with two large windows").windows == 2);
-  CHECK(read("a bedroom with two large windows").openings.empty());
+  CHECK(read_brief("a bedroom with two large windows").windows == 2);
+  CHECK(read_brief("a bedroom with two large windows").openings.empty());
 }
 
 TEST_CASE("What does not fit is made narrower, put elsewhere or left out, and a note says so") {
@@ -199,7 +196,7 @@ TEST_CASE("Whatever is asked for, the room is sound, and equal questions have eq
                 random.pick(sizes) + " " + random.pick(kinds) + (random.chance(0.5) ? "s " : " ") +
                 random.pick(places) + (random.chance(0.3) ? "." : "");
     const auto seed = static_cast<std::uint64_t>(round);
-    const Brief brief = read(prompt);
+    const Brief brief = read_brief(prompt);
     const RoomKind& kind = built_in_room_kinds()->get(brief.type);
     Room room;
     room.height = random.uniform(1.6, 4.0);

@@ -4,6 +4,7 @@
 
 #include "brief/room_kinds.h"
 #include "catch.h"
+#include "read_brief.h"
 #include "plans.h"
 #include "roomgen/kinds/kind_table.h"
 
@@ -11,10 +12,6 @@ using namespace roomgen;
 using namespace roomgen::design;
 
 namespace {
-
-Brief read(const std::string& prompt) {
-  return read_prompt(prompt, *built_in_room_kinds(), KindTable::built_in());
-}
 
 // "2 armchair, 1 sofa"
 std::string things(const Brief& brief) {
@@ -70,41 +67,41 @@ TEST_CASE("the kind of room is found by any of its names") {
   };
   for (const auto& one : cases) {
     INFO(one.prompt);
-    CHECK(read(one.prompt).type == one.type);
+    CHECK(read_brief(one.prompt).type == one.type);
   }
 }
 
 TEST_CASE("a room's name that only says what a thing is like names no room") {
-  CHECK(read("a theatre poster above the sofa in the living room").type == "living room");
-  CHECK(read("a gym bag lies on the bench in the hallway").type == "hallway");
-  CHECK(read("a kitchen garden on the balcony").type == "balcony");
-  CHECK(read("a doctor's office waiting room").type == "waiting room");
-  CHECK(read("a cafe table and two chairs on the balcony").type == "balcony");
+  CHECK(read_brief("a theatre poster above the sofa in the living room").type == "living room");
+  CHECK(read_brief("a gym bag lies on the bench in the hallway").type == "hallway");
+  CHECK(read_brief("a kitchen garden on the balcony").type == "balcony");
+  CHECK(read_brief("a doctor's office waiting room").type == "waiting room");
+  CHECK(read_brief("a cafe table and two chairs on the balcony").type == "balcony");
 }
 
 TEST_CASE("names that mean things as well mean rooms where the prompt begins with them") {
-  CHECK(read("a cosy bar with four stools").type == "bar");
-  CHECK(read("Design a sauna.").type == "sauna");
-  CHECK(read("a pantry").type == "pantry room");
-  CHECK(read("a living room with a bar").type == "living room");
-  CHECK(read("a kitchen with a pantry").type == "kitchen");
-  CHECK(read("a bar, two stools and a lamp").type != "bar");
-  CHECK(read("a bar stool and a lamp").type != "bar");
+  CHECK(read_brief("a cosy bar with four stools").type == "bar");
+  CHECK(read_brief("Design a sauna.").type == "sauna");
+  CHECK(read_brief("a pantry").type == "pantry room");
+  CHECK(read_brief("a living room with a bar").type == "living room");
+  CHECK(read_brief("a kitchen with a pantry").type == "kitchen");
+  CHECK(read_brief("a bar, two stools and a lamp").type != "bar");
+  CHECK(read_brief("a bar stool and a lamp").type != "bar");
 }
 
 TEST_CASE("a room of no name is known by what tells of it") {
-  CHECK(read("a bed and a wardrobe").type == "bedroom");
-  CHECK(read("two single beds").type == "bedroom");
-  CHECK(read("a bunk bed and a wardrobe").type == "kids room");
-  CHECK(read("a hospital bed and an iv stand").type == "hospital ward");
-  CHECK(read("a crib and a changing table").type == "nursery");
-  CHECK(read("a desk and a bookshelf").type == "study");
-  CHECK(read("a dental chair and a cabinet").type == "dental surgery");
-  CHECK(read("a pew and an altar").type == "chapel");
+  CHECK(read_brief("a bed and a wardrobe").type == "bedroom");
+  CHECK(read_brief("two single beds").type == "bedroom");
+  CHECK(read_brief("a bunk bed and a wardrobe").type == "kids room");
+  CHECK(read_brief("a hospital bed and an iv stand").type == "hospital ward");
+  CHECK(read_brief("a crib and a changing table").type == "nursery");
+  CHECK(read_brief("a desk and a bookshelf").type == "study");
+  CHECK(read_brief("a dental chair and a cabinet").type == "dental surgery");
+  CHECK(read_brief("a pew and an altar").type == "chapel");
 }
 
 TEST_CASE("sizes are read in metres, feet and areas") {
-  const auto size = [](const char* prompt) { return read(prompt).size.value_or(Vec2::Zero()); };
+  const auto size = [](const char* prompt) { return read_brief(prompt).size.value_or(Vec2::Zero()); };
   CHECK(size("a 4x5 m bedroom") == Vec2(4, 5));
   CHECK(size("bedroom, 4.5 by 3.2 metres") == Vec2(4.5, 3.2));
   CHECK(size("kitchen 4 m x 3 m") == Vec2(4, 3));
@@ -112,11 +109,11 @@ TEST_CASE("sizes are read in metres, feet and areas") {
   CHECK(size("a bedroom of 12 by 15 feet").isApprox(Vec2(12, 15) * 0.3048));
   CHECK(size("a bedroom of 10\u2019 x 12\u2019").isApprox(Vec2(10, 12) * 0.3048));
   CHECK(size("a 3\u00d74 bedroom") == Vec2(3, 4));
-  CHECK(read("a bedroom of 20 square metres").area == 20.0);
-  CHECK(read("18 m\u00b2 bedroom").area == 18.0);
-  CHECK(read("200 sq ft office").area.value_or(0) == Approx(18.58).margin(0.01));
-  CHECK_FALSE(read("a bedroom with a 2 x 3 m rug").size);
-  CHECK_FALSE(read("a 5000 x 2 m bedroom").size);
+  CHECK(read_brief("a bedroom of 20 square metres").area == 20.0);
+  CHECK(read_brief("18 m\u00b2 bedroom").area == 18.0);
+  CHECK(read_brief("200 sq ft office").area.value_or(0) == Approx(18.58).margin(0.01));
+  CHECK_FALSE(read_brief("a bedroom with a 2 x 3 m rug").size);
+  CHECK_FALSE(read_brief("a 5000 x 2 m bedroom").size);
 }
 
 TEST_CASE("things are read with their numbers") {
@@ -151,27 +148,27 @@ TEST_CASE("things are read with their numbers") {
   };
   for (const auto& one : cases) {
     INFO(one.prompt);
-    CHECK(things(read(one.prompt)) == one.expected);
+    CHECK(things(read_brief(one.prompt)) == one.expected);
   }
 }
 
 TEST_CASE("nouns that no kind is called by are another word for one, a slip, or get a stand-in") {
-  CHECK(things(read("a hall with a fishbowl and two bonnets")) == "1 fish bowl, 2 hat");
-  CHECK(things(read("an office with a bokshelf")) == "1 bookshelf");
-  CHECK(things(read("a temple with two tubas and an altar")) == "2 tuba, 1 altar");
-  CHECK(things(read("a garage with a generator and a catamaran")) == "1 generator, 1 catamaran");
-  CHECK(things(read("a bedroom with a wolf, a dentist and a sadness")) == "");
-  CHECK(things(read("Office. Shredder in the corner.")) == "1 paper shredder");
-  CHECK(things(read("a bedroom in oak, linen and verdigris")) == "");
-  CHECK(excluded(read("a cafe with no cash register")) == "cash register");
-  const Brief brief = read("an office with a bokshelf and a bonnet");
+  CHECK(things(read_brief("a hall with a fishbowl and two bonnets")) == "1 fish bowl, 2 hat");
+  CHECK(things(read_brief("an office with a bokshelf")) == "1 bookshelf");
+  CHECK(things(read_brief("a temple with two tubas and an altar")) == "2 tuba, 1 altar");
+  CHECK(things(read_brief("a garage with a generator and a catamaran")) == "1 generator, 1 catamaran");
+  CHECK(things(read_brief("a bedroom with a wolf, a dentist and a sadness")) == "");
+  CHECK(things(read_brief("Office. Shredder in the corner.")) == "1 paper shredder");
+  CHECK(things(read_brief("a bedroom in oak, linen and verdigris")) == "");
+  CHECK(excluded(read_brief("a cafe with no cash register")) == "cash register");
+  const Brief brief = read_brief("an office with a bokshelf and a bonnet");
   REQUIRE(brief.notes.size() == 2);
   CHECK(brief.notes[0] == "read \"bokshelf\" as \"bookshelf\"");
   CHECK(brief.notes[1] == "\"bonnet\" is taken for a hat");
 }
 
 TEST_CASE("what is said of a stand-in is asked for as of anything") {
-  const Brief brief = read("A tuba stands in the corner. A catamaran lies on a red rack next to the tuba.");
+  const Brief brief = read_brief("A tuba stands in the corner. A catamaran lies on a red rack next to the tuba.");
   REQUIRE(things(brief) == "1 tuba, 1 catamaran, 1 rack");
   CHECK(places(brief, 0) == "corner");
   CHECK(places(brief, 1).find("next to, tuba") != std::string::npos);
@@ -181,13 +178,13 @@ TEST_CASE("what is said of a stand-in is asked for as of anything") {
 }
 
 TEST_CASE("what a word means depends on the room") {
-  CHECK(things(read("a kitchen with a sink")) == "1 kitchen sink");
-  CHECK(things(read("a bathroom with a sink")) == "1 washbasin");
-  CHECK(things(read("a balcony with two chairs")) == "2 outdoor chair");
+  CHECK(things(read_brief("a kitchen with a sink")) == "1 kitchen sink");
+  CHECK(things(read_brief("a bathroom with a sink")) == "1 washbasin");
+  CHECK(things(read_brief("a balcony with two chairs")) == "2 outdoor chair");
 }
 
 TEST_CASE("looks and sizes stay in the description") {
-  const auto brief = read("a large blue velvet sofa and a 1.8 m oak desk");
+  const auto brief = read_brief("a large blue velvet sofa and a 1.8 m oak desk");
   REQUIRE(brief.mentions.size() == 2);
   CHECK(brief.mentions[0].description == "large blue velvet sofa");
   CHECK(brief.mentions[0].size.x() > KindTable::built_in().get("sofa").size.x());
@@ -212,20 +209,20 @@ TEST_CASE("absences are read") {
   };
   for (const auto& one : cases) {
     INFO(one.prompt);
-    CHECK(excluded(read(one.prompt)) == one.expected);
+    CHECK(excluded(read_brief(one.prompt)) == one.expected);
   }
-  CHECK(read("a bedroom without windows").windows == 0);
-  CHECK(read("a bedroom with only a bed").bare);
-  CHECK(read("a bed and a desk, nothing else").bare);
+  CHECK(read_brief("a bedroom without windows").windows == 0);
+  CHECK(read_brief("a bedroom with only a bed").bare);
+  CHECK(read_brief("a bed and a desk, nothing else").bare);
 }
 
 TEST_CASE("people are counted") {
-  CHECK(read("a bedroom for two").people == 2);
-  CHECK(read("a dining room for a family of four").people == 4);
-  CHECK(read("a bedroom for a couple").people == 2);
-  CHECK(read("a table for eight people").people == 8);
-  CHECK(read("a dining table that seats six").people == 6);
-  CHECK(read("room for two chairs").people == 0);
+  CHECK(read_brief("a bedroom for two").people == 2);
+  CHECK(read_brief("a dining room for a family of four").people == 4);
+  CHECK(read_brief("a bedroom for a couple").people == 2);
+  CHECK(read_brief("a table for eight people").people == 8);
+  CHECK(read_brief("a dining table that seats six").people == 6);
+  CHECK(read_brief("room for two chairs").people == 0);
 }
 
 TEST_CASE("placements become demands") {
@@ -305,24 +302,24 @@ TEST_CASE("placements become demands") {
   };
   for (const auto& one : cases) {
     INFO(one.prompt);
-    const auto brief = read(one.prompt);
+    const auto brief = read_brief(one.prompt);
     REQUIRE(brief.mentions.size() > one.mention);
     CHECK(places(brief, one.mention) == one.expected);
   }
 }
 
 TEST_CASE("what is built in or said again is no further thing, and what is further is one") {
-  CHECK(things(read("a bathroom vanity with an integrated sink and a built-in shelf")) ==
+  CHECK(things(read_brief("a bathroom vanity with an integrated sink and a built-in shelf")) ==
         "1 bathroom vanity");
-  CHECK(things(read("a plant stands near the door")) == "1 plant");
-  CHECK(things(read("A stool holds a towel. A cabinet holds extra towels.")) ==
+  CHECK(things(read_brief("a plant stands near the door")) == "1 plant");
+  CHECK(things(read_brief("A stool holds a towel. A cabinet holds extra towels.")) ==
         "1 stool, 1 towel, 1 cabinet, 2 towel");
-  CHECK(things(read("a wardrobe with two wicker baskets in total")) == "1 wardrobe, 2 basket");
+  CHECK(things(read_brief("a wardrobe with two wicker baskets in total")) == "1 wardrobe, 2 basket");
 }
 
 TEST_CASE("how things are put up is heard in and behind their names") {
   const auto mount = [](const std::string& prompt, std::size_t mention) {
-    return read(prompt).mentions.at(mention).mount;
+    return read_brief(prompt).mentions.at(mention).mount;
   };
   CHECK(mount("a sofa facing a wall-mounted 65-inch flat-screen TV", 1) == Mount::wall);
   CHECK(mount("a projector hangs from the ceiling", 0) == Mount::ceiling);
@@ -346,7 +343,7 @@ TEST_CASE("seats on the long sides of a table are before and behind it in turn")
 
 TEST_CASE("what carries many things is larger") {
   const auto tray = [](const std::string& prompt) {
-    const auto brief = read(prompt);
+    const auto brief = read_brief(prompt);
     return brief.mentions.front().size.head<2>().prod();
   };
   CHECK(tray("a tray with six mugs") > 1.2 * tray("a tray with one mug"));
@@ -354,30 +351,30 @@ TEST_CASE("what carries many things is larger") {
 }
 
 TEST_CASE("of two numbers of the same things the first is built, and the other is told") {
-  const auto brief = read("exactly two chairs and exactly three chairs");
+  const auto brief = read_brief("exactly two chairs and exactly three chairs");
   REQUIRE(brief.mentions.size() == 2);
   CHECK_FALSE(brief.mentions[0].contradicts);
   CHECK(brief.mentions[1].contradicts);
   CHECK_FALSE(brief.notes.empty());
-  const auto apart = read("two chairs by the window and three chairs by the door");
+  const auto apart = read_brief("two chairs by the window and three chairs by the door");
   CHECK_FALSE(apart.mentions[1].contradicts);
 }
 
 TEST_CASE("a thing on each of several makes as many") {
-  const auto brief = read("a sofa, two side tables and a lamp on each side table");
+  const auto brief = read_brief("a sofa, two side tables and a lamp on each side table");
   REQUIRE(brief.mentions.size() == 3);
   CHECK(brief.mentions[2].quantity == 2);
   CHECK(places(brief, 2) == "on, side table");
 }
 
 TEST_CASE("a thing on each side makes two") {
-  const auto brief = read("a bed with a nightstand on each side");
+  const auto brief = read_brief("a bed with a nightstand on each side");
   CHECK(things(brief) == "1 bed, 2 nightstand");
   CHECK(brief.mentions[1].demands.front().flank);
 }
 
 TEST_CASE("two kinds of things that flank one are one each, on either side") {
-  CHECK(things(read("a bed flanked by a plant and a lamp")).find("2 ") == std::string::npos);
+  CHECK(things(read_brief("a bed flanked by a plant and a lamp")).find("2 ") == std::string::npos);
   const auto plan = test::plan_of("a bedroom with a bed flanked by a plant and a nightstand");
   int left = 0, right = 0;
   for (const auto& item : plan.items)
@@ -390,24 +387,24 @@ TEST_CASE("two kinds of things that flank one are one each, on either side") {
 }
 
 TEST_CASE("what is in a thing is no thing, and pairs of one piece are one") {
-  CHECK(things(read("a shelf with a bowl of soup")) == things(read("a shelf with a bowl")));
-  CHECK(read("a desk with headphones").mentions.back().quantity == 1);
-  CHECK(read("a desk with a pair of headphones").mentions.back().quantity == 1);
-  CHECK(read("a room with a pair of armchairs").mentions.back().quantity == 2);
+  CHECK(things(read_brief("a shelf with a bowl of soup")) == things(read_brief("a shelf with a bowl")));
+  CHECK(read_brief("a desk with headphones").mentions.back().quantity == 1);
+  CHECK(read_brief("a desk with a pair of headphones").mentions.back().quantity == 1);
+  CHECK(read_brief("a room with a pair of armchairs").mentions.back().quantity == 2);
 }
 
 TEST_CASE("words of style are heard where they speak of the room") {
   const auto has = [](const Brief& brief, const std::string& style) {
     return std::find(brief.styles.begin(), brief.styles.end(), style) != brief.styles.end();
   };
-  CHECK(has(read("a cosy, modern bedroom"), "modern"));
-  CHECK(has(read("a bedroom in a rustic style"), "rustic"));
-  CHECK_FALSE(has(read("a bedroom with a modern lamp"), "modern"));
+  CHECK(has(read_brief("a cosy, modern bedroom"), "modern"));
+  CHECK(has(read_brief("a bedroom in a rustic style"), "rustic"));
+  CHECK_FALSE(has(read_brief("a bedroom with a modern lamp"), "modern"));
 }
 
 TEST_CASE("what floor, walls and ceiling are covered with") {
   const auto materials = [](const std::string& prompt) {
-    const RoomMaterials m = read(prompt).materials;
+    const RoomMaterials m = read_brief(prompt).materials;
     return m.floor + "|" + m.walls + "|" + m.ceiling + "|" + m.accent;
   };
   CHECK(materials("A bedroom with an oak floor and sage walls") == "oak floor|sage walls||");
@@ -434,20 +431,20 @@ TEST_CASE("things of those materials are no floors and walls") {
         "an office with an oak desk and a white wall shelf", "a bedroom with no carpet",
         "a study with walls and white bookshelves", "a room with wall with white shelves"}) {
     INFO(prompt);
-    const RoomMaterials m = read(prompt).materials;
+    const RoomMaterials m = read_brief(prompt).materials;
     CHECK((m.floor + m.walls + m.ceiling + m.accent).empty());
   }
-  CHECK(things(read("a bedroom with a bed, oak floors, a striped wallpaper and a wardrobe")) ==
+  CHECK(things(read_brief("a bedroom with a bed, oak floors, a striped wallpaper and a wardrobe")) ==
         "1 bed, 1 wardrobe");
-  CHECK(things(read("a bedroom with a ceiling light, white walls and a bed")) ==
-        things(read("a bedroom with a ceiling light and a bed")));
+  CHECK(things(read_brief("a bedroom with a ceiling light, white walls and a bed")) ==
+        things(read_brief("a bedroom with a ceiling light and a bed")));
 }
 
 TEST_CASE("things still stand where the wall is spoken of") {
-  const Brief brief = read("a bedroom with a picture on the white wall");
+  const Brief brief = read_brief("a bedroom with a picture on the white wall");
   CHECK(brief.materials.accent == "white wall");
   REQUIRE(brief.mentions.size() == 1);
-  CHECK(places(brief, 0) == places(read("a bedroom with a picture on the wall"), 0));
+  CHECK(places(brief, 0) == places(read_brief("a bedroom with a picture on the wall"), 0));
 }
 
 TEST_CASE("each and every give each of the owners as many as are said of one") {
@@ -463,16 +460,16 @@ TEST_CASE("each and every give each of the owners as many as are said of one") {
   };
   for (const auto& [prompt, expected] : cases) {
     INFO(prompt);
-    CHECK(things(read(prompt)) == expected);
+    CHECK(things(read_brief(prompt)) == expected);
   }
 }
 
 TEST_CASE("between takes two things, or two of a kind") {
-  CHECK(places(read("a lamp between the bed and the desk"), 0) == "between, bed | between, desk");
-  const auto beds = read("a bedroom with two beds and a nightstand between them");
+  CHECK(places(read_brief("a lamp between the bed and the desk"), 0) == "between, bed | between, desk");
+  const auto beds = read_brief("a bedroom with two beds and a nightstand between them");
   CHECK(places(beds, 1) == "between, bed");
-  CHECK(places(read("a plant between the windows"), 0) == "between, window-0 | between, window-1");
-  CHECK(places(read("a bed and a rug between the bed and the wall"), 1).find("between") ==
+  CHECK(places(read_brief("a plant between the windows"), 0) == "between, window-0 | between, window-1");
+  CHECK(places(read_brief("a bed and a rug between the bed and the wall"), 1).find("between") ==
         std::string::npos);
 }
 
@@ -490,12 +487,12 @@ TEST_CASE("parts of the room are places") {
   };
   for (const auto& [prompt, expected] : cases) {
     INFO(prompt);
-    CHECK(places(read(prompt), 0) == expected);
+    CHECK(places(read_brief(prompt), 0) == expected);
   }
 }
 
 TEST_CASE("a heading says where what follows is, unless it has a place of its own") {
-  const auto brief = read("Eastern half: a table with a vase on it; a sofa by the window. A desk.");
+  const auto brief = read_brief("Eastern half: a table with a vase on it; a sofa by the window. A desk.");
   REQUIRE(things(brief) == "1 table, 1 vase, 1 sofa, 1 desk");
   CHECK(places(brief, 0) == "in part, east-half");
   CHECK(places(brief, 1) == "on, table");
@@ -504,17 +501,17 @@ TEST_CASE("a heading says where what follows is, unless it has a place of its ow
 }
 
 TEST_CASE("the sides of the room may be said one by one, before any thing") {
-  const auto brief = read("A garage, 9 m deep, 6 m wide, 3.4 m high, with a workbench 2 m wide.");
+  const auto brief = read_brief("A garage, 9 m deep, 6 m wide, 3.4 m high, with a workbench 2 m wide.");
   REQUIRE(brief.size);
   CHECK(brief.size->x() == Approx(6));
   CHECK(brief.size->y() == Approx(9));
   CHECK(brief.height == Approx(3.4));
-  CHECK_FALSE(read("a study with a desk 2 m wide and a shelf 2 m deep").size);
-  CHECK_FALSE(read("a study with a 2 m wide desk").size);
+  CHECK_FALSE(read_brief("a study with a desk 2 m wide and a shelf 2 m deep").size);
+  CHECK_FALSE(read_brief("a study with a 2 m wide desk").size);
 }
 
 TEST_CASE("what a thing is in may be its material or colour") {
-  const auto look = [](const char* prompt) { return read(prompt).mentions.at(0).description; };
+  const auto look = [](const char* prompt) { return read_brief(prompt).mentions.at(0).description; };
   CHECK(look("a wardrobe in pale ash") == "pale ash wardrobe");
   CHECK(look("a stool in black vinyl") == "black vinyl stool");
   CHECK(look("a trolley in aluminium") == "aluminium trolley");
@@ -523,49 +520,49 @@ TEST_CASE("what a thing is in may be its material or colour") {
 }
 
 TEST_CASE("the entrance is a door to what is near it, and a room to what is in it") {
-  CHECK(places(read("a shop with a counter facing the entrance"), 0) == "face to, door-0");
-  CHECK(places(read("a shop with a coat stand next to the entrance"), 0) == "next to, door-0");
-  CHECK(places(read("a bench in the entrance"), 0).find("door") == std::string::npos);
+  CHECK(places(read_brief("a shop with a counter facing the entrance"), 0) == "face to, door-0");
+  CHECK(places(read_brief("a shop with a coat stand next to the entrance"), 0) == "next to, door-0");
+  CHECK(places(read_brief("a bench in the entrance"), 0).find("door") == std::string::npos);
 }
 
 TEST_CASE("on each side comes before what each carries") {
-  CHECK(things(read("A nightstand stands on each side of the bed, each carrying a lamp.")) ==
+  CHECK(things(read_brief("A nightstand stands on each side of the bed, each carrying a lamp.")) ==
         "2 nightstand, 1 bed, 2 table lamp");
 }
 
 TEST_CASE("what is added behind a thing between marks is said of it") {
-  const auto racks = read("Racks, 2 m tall, anthracite, along the wall and a desk (blue).").mentions;
+  const auto racks = read_brief("Racks, 2 m tall, anthracite, along the wall and a desk (blue).").mentions;
   REQUIRE(racks.size() == 2);
   REQUIRE(racks[0].lengths.size() == 1);
   CHECK(racks[0].lengths[0].side == "height");
   CHECK(racks[0].lengths[0].metres == Catch::Detail::Approx(2.0));
   CHECK(racks[0].looks == std::vector<std::string>{"anthracite"});
   CHECK(racks[1].looks == std::vector<std::string>{"blue"});
-  CHECK(things(read("Office chairs: ten, black.")) == "10 office chair");
-  CHECK(things(read("Filing cabinets, four in number, and a desk")) == "4 filing cabinet, 1 desk");
+  CHECK(things(read_brief("Office chairs: ten, black.")) == "10 office chair");
+  CHECK(things(read_brief("Filing cabinets, four in number, and a desk")) == "4 filing cabinet, 1 desk");
   // What is no addition as a whole is none.
-  CHECK(read("A desk, white lies told on Sundays.").mentions[0].looks.empty());
-  CHECK(things(read("A desk. Ten.")) == "1 desk");
+  CHECK(read_brief("A desk, white lies told on Sundays.").mentions[0].looks.empty());
+  CHECK(things(read_brief("A desk. Ten.")) == "1 desk");
 }
 
 TEST_CASE("lengths and numbers may be bounded") {
   using Limit = language::Measure::Limit;
-  const auto wardrobe = read("a bedroom with a wardrobe no taller than 1.8 m").mentions.at(0);
+  const auto wardrobe = read_brief("a bedroom with a wardrobe no taller than 1.8 m").mentions.at(0);
   REQUIRE(wardrobe.lengths.size() == 1);
   CHECK(wardrobe.lengths[0].side == "height");
   CHECK(wardrobe.lengths[0].limit == Limit::most);
   CHECK(wardrobe.size.z() == Catch::Detail::Approx(1.8));
-  const auto table = read("a table at least 2 m long").mentions.at(0);
+  const auto table = read_brief("a table at least 2 m long").mentions.at(0);
   REQUIRE(table.lengths.size() == 1);
   CHECK(table.lengths[0].limit == Limit::least);
   CHECK(table.size.x() >= 2.0);
-  CHECK(read("no more than three chairs and a table").mentions.at(0).at_most);
-  CHECK(read("at least three chairs and a table").mentions.at(0).at_least);
+  CHECK(read_brief("no more than three chairs and a table").mentions.at(0).at_most);
+  CHECK(read_brief("at least three chairs and a table").mentions.at(0).at_least);
 }
 
 TEST_CASE("several things may stand in rows") {
   const auto formation = [](const std::string& prompt) {
-    const Brief brief = read(prompt);
+    const Brief brief = read_brief(prompt);
     for (const auto& mention : brief.mentions)
       if (mention.formation)
         return std::to_string(mention.quantity) + " " + mention.category + " " +
@@ -584,7 +581,7 @@ TEST_CASE("several things may stand in rows") {
 }
 
 TEST_CASE("a heading may name a thing on which, or beside which, what follows is") {
-  const Brief brief = read("A study with a desk and a plant. On the desk: a monitor, a keyboard and a lamp. A sofa.");
+  const Brief brief = read_brief("A study with a desk and a plant. On the desk: a monitor, a keyboard and a lamp. A sofa.");
   REQUIRE(things(brief) == "1 desk, 1 plant, 1 monitor, 1 keyboard, 1 table lamp, 1 sofa");
   for (const std::size_t thing : {2u, 3u, 4u}) CHECK(places(brief, thing) == "on, desk");
   CHECK(places(brief, 5).empty());
@@ -592,48 +589,48 @@ TEST_CASE("a heading may name a thing on which, or beside which, what follows is
 
 TEST_CASE("a side may have an owner, and left goes with right") {
   // The sides of who looks at the thing, as "left of" has them.
-  const auto said = [](const char* prompt, std::size_t mention) { return places(read(prompt), mention); };
+  const auto said = [](const char* prompt, std::size_t mention) { return places(read_brief(prompt), mention); };
   CHECK(said("A nursery with a crib. To the crib's left, a changing table.", 1) ==
         said("A nursery with a crib. To the left of the crib, a changing table.", 1));
   CHECK(said("A study with a desk. A cabinet stands to the desk's right side.", 1) ==
         said("A study with a desk. A cabinet stands to the right of the desk.", 1));
   CHECK(said("A bathroom with a bathtub and a stool at its right.", 1) ==
         said("A bathroom with a bathtub and a stool to the right of the bathtub.", 1));
-  const Brief both = read("A living room with a sofa. Left of the sofa stands an armchair; to its right, a plant.");
+  const Brief both = read_brief("A living room with a sofa. Left of the sofa stands an armchair; to its right, a plant.");
   CHECK(places(both, 1).ends_with("of, sofa"));
   CHECK(places(both, 2).ends_with("of, sofa"));
   CHECK(places(both, 1) != places(both, 2));
 }
 
 TEST_CASE("what is above it hangs above what the clause is about") {
-  CHECK(places(read("A bedroom with a bed. A dresser faces the bed with a mirror hung above it."), 2) == "above, dresser");
-  CHECK(places(read("A bedroom with a bed. A bench stands by the wall with a picture over it."), 2).starts_with("above, bench"));
+  CHECK(places(read_brief("A bedroom with a bed. A dresser faces the bed with a mirror hung above it."), 2) == "above, dresser");
+  CHECK(places(read_brief("A bedroom with a bed. A bench stands by the wall with a picture over it."), 2).starts_with("above, bench"));
 }
 
 TEST_CASE("what a thing does behind its name is no part of the name") {
-  CHECK(places(read("A nursery with a crib with a mobile hanging above it and a dresser."), 1) == "above, crib");
-  CHECK(places(read("A bedroom with a bed and a blanket lying on it."), 1) == "on, bed");
-  CHECK(things(read("A hallway with a bench and a wall hanging above it.")).find("tapestry") != std::string::npos);
-  CHECK(things(read("A hallway with a painting above the bench.")).find("picture") != std::string::npos);
+  CHECK(places(read_brief("A nursery with a crib with a mobile hanging above it and a dresser."), 1) == "above, crib");
+  CHECK(places(read_brief("A bedroom with a bed and a blanket lying on it."), 1) == "on, bed");
+  CHECK(things(read_brief("A hallway with a bench and a wall hanging above it.")).find("tapestry") != std::string::npos);
+  CHECK(things(read_brief("A hallway with a painting above the bench.")).find("picture") != std::string::npos);
 }
 
 TEST_CASE("parts that only some kinds have tell what is meant") {
-  const Brief brief = read("A bedroom. A nightstand stands on each side of the bed. At the foot lies a bench.");
+  const Brief brief = read_brief("A bedroom. A nightstand stands on each side of the bed. At the foot lies a bench.");
   CHECK(things(brief).find("bench") != std::string::npos);
   CHECK(places(brief, brief.mentions.size() - 1).find("in front of, bed") != std::string::npos);
-  CHECK(places(read("A meeting room with a table. A phone lies at the table's centre."), 1) == "on, conference table");
+  CHECK(places(read_brief("A meeting room with a table. A phone lies at the table's centre."), 1) == "on, conference table");
 }
 
 TEST_CASE("several things side by side are a row") {
-  const Brief brief = read("A study with a bunk bed and two desks side by side.");
+  const Brief brief = read_brief("A study with a bunk bed and two desks side by side.");
   REQUIRE(brief.mentions.size() == 2);
   CHECK(brief.mentions[1].formation);
   CHECK(brief.mentions[1].demands.empty());
-  CHECK(!read("A study with a desk and a cabinet side by side.").mentions[1].formation);
+  CHECK(!read_brief("A study with a desk and a cabinet side by side.").mentions[1].formation);
 }
 
 TEST_CASE("racks are what the room has racks for") {
-  CHECK(things(read("a server room with eight racks")) == "8 server rack");
-  CHECK(things(read("a gym with a rack")) == "1 dumbbell rack");
-  CHECK(things(read("a boutique with two rails")) == "2 clothes rack");
+  CHECK(things(read_brief("a server room with eight racks")) == "8 server rack");
+  CHECK(things(read_brief("a gym with a rack")) == "1 dumbbell rack");
+  CHECK(things(read_brief("a boutique with two rails")) == "2 clothes rack");
 }

@@ -8,7 +8,7 @@ using namespace roomgen;
 
 namespace {
 
-const std::string folder = ROOMGEN_TEST_DATA "/floor-plans/";
+const std::string dxf_files = ROOMGEN_TEST_DATA "/floor-plans/";
 
 // The entities of a drawing in metres.
 std::string dxf(const std::string& entities, int units = 6) {
@@ -21,14 +21,14 @@ std::string line(double ax, double ay, double bx, double by, const std::string& 
          "\n11\n" + std::to_string(bx) + "\n21\n" + std::to_string(by) + "\n";
 }
 
-std::string refusal(const std::string& text) {
+std::string refusal_of_dxf(const std::string& text) {
   return error_of(room_from_dxf(text, "plan.dxf"));
 }
 
 }  // namespace
 
 TEST_CASE("A polyline with a bulge is a room with a rounded end, wherever it is drawn") {
-  const auto room = read_floor_plan(folder + "round-end.dxf");
+  const auto room = read_floor_plan(dxf_files + "round-end.dxf");
   REQUIRE(room);
   CHECK(check(*room));
   CHECK(bounds(room->polygon).low.norm() == Approx(0.0).margin(1e-6));
@@ -41,7 +41,7 @@ TEST_CASE("A polyline with a bulge is a room with a rounded end, wherever it is 
 }
 
 TEST_CASE("Lines in any order and direction close to an outline") {
-  const auto room = read_floor_plan(folder + "lines-r12.dxf");
+  const auto room = read_floor_plan(dxf_files + "lines-r12.dxf");
   REQUIRE(room);
   CHECK(room->polygon.size() == 6);
   constexpr double foot = 0.3048;
@@ -51,7 +51,7 @@ TEST_CASE("Lines in any order and direction close to an outline") {
 }
 
 TEST_CASE("A polyline of the old kind, without units, is in metres") {
-  const auto room = read_floor_plan(folder + "polyline-r12.dxf");
+  const auto room = read_floor_plan(dxf_files + "polyline-r12.dxf");
   REQUIRE(room);
   CHECK(room->polygon.size() == 4);
   CHECK(area(room->polygon) == Approx(0.5 * (4.5 + 3.0) * 3.4));
@@ -76,12 +76,12 @@ TEST_CASE("Units of a DXF") {
 
 TEST_CASE("What is wrong with a DXF is told with its line and the way out") {
   const std::string open = dxf(line(0, 0, 4, 0) + line(4, 0, 4, 3) + line(4, 3, 0, 3));
-  CHECK(contains_text(refusal(open), "the outline is open: it ends at (0, 3)"));
-  CHECK(contains_text(refusal(dxf(line(0, 0, 3000, 0) + line(3000, 0, 3000, 4000) + line(3000, 4000, 0, 0))),
+  CHECK(contains_text(refusal_of_dxf(open), "the outline is open: it ends at (0, 3)"));
+  CHECK(contains_text(refusal_of_dxf(dxf(line(0, 0, 3000, 0) + line(3000, 0, 3000, 4000) + line(3000, 4000, 0, 0))),
                       "$INSUNITS"));
-  CHECK(contains_text(refusal(dxf("")), "draws no outline"));
-  CHECK(contains_text(refusal("0\nSECTION\nx\n"), "plan.dxf:3: expected the number of a group"));
-  CHECK(contains_text(refusal("0\nSECTION\n2"), "plan.dxf:3: the file ends within a group"));
-  CHECK(contains_text(refusal(dxf("0\nLINE\n8\n0\n10\nabc\n")), "plan.dxf:20: \"abc\" is no coordinate"));
-  CHECK(contains_text(refusal("AutoCAD Binary DXF\r\n\x1a"), "save it as ASCII"));
+  CHECK(contains_text(refusal_of_dxf(dxf("")), "draws no outline"));
+  CHECK(contains_text(refusal_of_dxf("0\nSECTION\nx\n"), "plan.dxf:3: expected the number of a group"));
+  CHECK(contains_text(refusal_of_dxf("0\nSECTION\n2"), "plan.dxf:3: the file ends within a group"));
+  CHECK(contains_text(refusal_of_dxf(dxf("0\nLINE\n8\n0\n10\nabc\n")), "plan.dxf:20: \"abc\" is no coordinate"));
+  CHECK(contains_text(refusal_of_dxf("AutoCAD Binary DXF\r\n\x1a"), "save it as ASCII"));
 }

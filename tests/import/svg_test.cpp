@@ -8,20 +8,20 @@ using namespace roomgen;
 
 namespace {
 
-const std::string folder = ROOMGEN_TEST_DATA "/floor-plans/";
+const std::string svg_files = ROOMGEN_TEST_DATA "/floor-plans/";
 
 std::string svg(const std::string& body, const std::string& head = "width='6m' viewBox='0 0 600 600'") {
   return "<svg " + head + ">\n" + body + "\n</svg>\n";
 }
 
-std::string refusal(const std::string& text) {
+std::string refusal_of_svg(const std::string& text) {
   return error_of(room_from_svg(text, "plan.svg"));
 }
 
 }  // namespace
 
 TEST_CASE("An SVG in millimetres is a room with its doors and windows") {
-  const auto room = read_floor_plan(folder + "l-room.svg");
+  const auto room = read_floor_plan(svg_files + "l-room.svg");
   REQUIRE(room);
   CHECK(check(*room));
   CHECK(room->polygon.size() == 6);
@@ -43,7 +43,7 @@ TEST_CASE("An SVG in millimetres is a room with its doors and windows") {
 }
 
 TEST_CASE("Groups may move, turn and mirror what they hold") {
-  const auto room = read_floor_plan(folder + "bay.svg");
+  const auto room = read_floor_plan(svg_files + "bay.svg");
   REQUIRE(room);
   CHECK(room->polygon.size() == 8);
   CHECK(bounds(room->polygon).size().y() == Approx(4.1));
@@ -67,8 +67,8 @@ TEST_CASE("The scale of an SVG follows its width, height and viewBox") {
   CHECK(size("width='500cm'") == Approx(4.0));
   CHECK(size("width='500mm'") == 0.0);  // 0.4 m wide: no room
   CHECK(room_from_svg(svg("<rect width='4' height='3'/>", ""), "plan.svg"));
-  CHECK(contains_text(refusal(svg(box, "")), "400 x 300 m"));
-  CHECK(contains_text(refusal(svg(box, "")), "width="));
+  CHECK(contains_text(refusal_of_svg(svg(box, "")), "400 x 300 m"));
+  CHECK(contains_text(refusal_of_svg(svg(box, "")), "width="));
 }
 
 TEST_CASE("Curves of a path become walls") {
@@ -90,30 +90,30 @@ TEST_CASE("Curves of a path become walls") {
 }
 
 TEST_CASE("What is wrong with an SVG is told with its line and the way out") {
-  CHECK(contains_text(refusal(svg("<path d='M0 0 H400 V300 H0'/>")), "plan.svg:2: the outline is open"));
-  CHECK(contains_text(refusal(svg("<polygon points='0,0 400,300 400,0 0,300'/>")), "plan.svg:2: polygon"));
-  CHECK(contains_text(refusal(svg("<polygon points='0,0 400,0 400,300 400,500 400,300 0,300'/>")), "spike"));
-  CHECK(contains_text(refusal(svg("<polygon points='0,0 400,0 200,3'/>")), "a room"));
-  CHECK(contains_text(refusal(svg("<rect width='400000' height='300000'/>")), "4000 x 3000 m"));
-  CHECK(contains_text(refusal(svg("<rect width='400' height='300'/><rect x='500' width='90' height='90'/>")),
+  CHECK(contains_text(refusal_of_svg(svg("<path d='M0 0 H400 V300 H0'/>")), "plan.svg:2: the outline is open"));
+  CHECK(contains_text(refusal_of_svg(svg("<polygon points='0,0 400,300 400,0 0,300'/>")), "plan.svg:2: polygon"));
+  CHECK(contains_text(refusal_of_svg(svg("<polygon points='0,0 400,0 400,300 400,500 400,300 0,300'/>")), "spike"));
+  CHECK(contains_text(refusal_of_svg(svg("<polygon points='0,0 400,0 200,3'/>")), "a room"));
+  CHECK(contains_text(refusal_of_svg(svg("<rect width='400000' height='300000'/>")), "4000 x 3000 m"));
+  CHECK(contains_text(refusal_of_svg(svg("<rect width='400' height='300'/><rect x='500' width='90' height='90'/>")),
                       "second outline"));
-  CHECK(contains_text(refusal(svg("<rect width='400' height='300'/>\n"
+  CHECK(contains_text(refusal_of_svg(svg("<rect width='400' height='300'/>\n"
                                   "<line id='door' x1='100' y1='100' x2='190' y2='100'/>")),
                       "plan.svg:3: \"door\" lies along no wall"));
-  CHECK(contains_text(refusal(svg("<rect width='400' height='300'/><line id='door' x1='0' x2='90'/>"
+  CHECK(contains_text(refusal_of_svg(svg("<rect width='400' height='300'/><line id='door' x1='0' x2='90'/>"
                                   "<line id='door' x1='50' x2='150'/>")),
                       "overlaps"));
-  CHECK(contains_text(refusal(svg("<text>room</text>")), "draws no outline"));
-  CHECK(contains_text(refusal(svg("<rect width='4x' height='300'/><path d='M0 0 L 5'/>")), "plan.svg:2"));
-  CHECK(contains_text(refusal("<svg><g></svg>"), "closes nothing"));
-  CHECK(contains_text(refusal("<svg>\n<rect width='1'"), "plan.svg:2"));
-  CHECK(contains_text(refusal("<html></html>"), "no SVG"));
-  CHECK(contains_text(refusal("<!DOCTYPE svg [<!ENTITY a 'aaaa'>]><svg/>"), "document type"));
+  CHECK(contains_text(refusal_of_svg(svg("<text>room</text>")), "draws no outline"));
+  CHECK(contains_text(refusal_of_svg(svg("<rect width='4x' height='300'/><path d='M0 0 L 5'/>")), "plan.svg:2"));
+  CHECK(contains_text(refusal_of_svg("<svg><g></svg>"), "closes nothing"));
+  CHECK(contains_text(refusal_of_svg("<svg>\n<rect width='1'"), "plan.svg:2"));
+  CHECK(contains_text(refusal_of_svg("<html></html>"), "no SVG"));
+  CHECK(contains_text(refusal_of_svg("<!DOCTYPE svg [<!ENTITY a 'aaaa'>]><svg/>"), "document type"));
   std::string corners;
   for (int i = 0; i < 2000; ++i)
     corners += std::to_string(300 + 200 * std::cos(i * pi / 1000)) + "," +
                std::to_string(300 + 200 * std::sin(i * pi / 1000)) + " ";
-  CHECK(contains_text(refusal(svg("<polygon points='" + corners + "'/>")), "at most 500"));
+  CHECK(contains_text(refusal_of_svg(svg("<polygon points='" + corners + "'/>")), "at most 500"));
 }
 
 TEST_CASE("Numbered entities and other encodings are read, foreign files are not") {
@@ -126,19 +126,19 @@ TEST_CASE("Numbered entities and other encodings are read, foreign files are not
   std::string wide = "\xFF\xFE";
   for (const char c : head + "</svg>") wide += {c, '\0'};
   CHECK(room_from_svg(wide, "plan.svg"));
-  CHECK(contains_text(refusal("<!DOCTYPE svg [<!ENTITY a SYSTEM 'file:///etc/passwd'>]><svg id='&a;'/>"),
+  CHECK(contains_text(refusal_of_svg("<!DOCTYPE svg [<!ENTITY a SYSTEM 'file:///etc/passwd'>]><svg id='&a;'/>"),
                       "document type"));
-  CHECK(contains_text(refusal("<svg>\n<g a='1' a='2'/></svg>"), "plan.svg:2: attribute \"a\" is there twice"));
+  CHECK(contains_text(refusal_of_svg("<svg>\n<g a='1' a='2'/></svg>"), "plan.svg:2: attribute \"a\" is there twice"));
   std::string deep;
   for (int i = 0; i < 100; ++i) deep += "<g>";
   CHECK(error_of(room_from_svg("<svg>" + deep, "plan.svg")) != "");
   for (int i = 0; i < 100; ++i) deep += "</g>";
-  CHECK(contains_text(refusal("<svg>" + deep + "</svg>"), "nested too deeply"));
+  CHECK(contains_text(refusal_of_svg("<svg>" + deep + "</svg>"), "nested too deeply"));
 }
 
 TEST_CASE("A file of JSON is still a room") {
   const auto room = read_floor_plan(ROOMGEN_TEST_DATA "/floor-plans/alcove.json");
   REQUIRE(room);
   CHECK(room->polygon.size() == 8);
-  CHECK_FALSE(read_floor_plan(folder + "missing.svg"));
+  CHECK_FALSE(read_floor_plan(svg_files + "missing.svg"));
 }

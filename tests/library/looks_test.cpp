@@ -6,10 +6,6 @@ using namespace roomgen;
 
 namespace {
 
-const Vocabulary& vocabulary() {
-  return Vocabulary::built_in();
-}
-
 AssetInfo asset(const std::string& category, std::vector<std::string> colors) {
   AssetInfo info;
   info.name = info.category = category;
@@ -18,7 +14,7 @@ AssetInfo asset(const std::string& category, std::vector<std::string> colors) {
 }
 
 bool contradicts(const AssetInfo& info, const std::vector<std::string>& words) {
-  return contradiction(info, wanted_looks(words), vocabulary(),
+  return contradiction(info, wanted_looks(words), Vocabulary::built_in(),
                        [](const std::string&) { return false; }) != Contradiction::none;
 }
 
@@ -56,12 +52,12 @@ TEST_CASE("A material is contradicted by another one's name, and wood by a colou
 
 TEST_CASE("Texts are believed of materials, but not against a colour that was measured") {
   const auto says_all = [](const std::string&) { return true; };
-  CHECK(contradiction(asset("desk", {"white"}), wanted_looks({"black"}), vocabulary(), says_all) != Contradiction::none);
-  CHECK(contradiction(asset("desk", {"beige"}), wanted_looks({"mahogany"}), vocabulary(), says_all) != Contradiction::none);
+  CHECK(contradiction(asset("desk", {"white"}), wanted_looks({"black"}), Vocabulary::built_in(), says_all) != Contradiction::none);
+  CHECK(contradiction(asset("desk", {"beige"}), wanted_looks({"mahogany"}), Vocabulary::built_in(), says_all) != Contradiction::none);
   AssetInfo both = asset("coffee table", {"brown", "grey"});
   both.tags = {"glass"};
   CHECK(contradicts(both, {"oak"}));
-  CHECK(contradiction(both, wanted_looks({"oak"}), vocabulary(), says_all) == Contradiction::none);
+  CHECK(contradiction(both, wanted_looks({"oak"}), Vocabulary::built_in(), says_all) == Contradiction::none);
 }
 
 TEST_CASE("A round table is asked for, or a square one") {

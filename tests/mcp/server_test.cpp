@@ -188,7 +188,7 @@ TEST_CASE("No bytes end the server, and what it answers has the id that was aske
   const auto below = [&](std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(random); };
   const std::string pieces = "{}[]\",:0123456789-eE.\\nulltrue \x01\xff";
   std::size_t answered = 0;
-  for (int round = 0; round < 5'000; ++round) {
+  for (int round = 0; round < 1'500; ++round) {
     std::string line = sound[below(sound.size())];
     for (std::size_t changes = 1 + below(4); changes > 0 && !line.empty(); --changes) {
       const std::size_t at = below(line.size());
@@ -210,5 +210,5 @@ TEST_CASE("No bytes end the server, and what it answers has the id that was aske
       CHECK(each.contains("result") != each.contains("error"));
     }
   }
-  CHECK(answered > 3'000);
+  CHECK(answered > 900);
 }

@@ -12,8 +12,6 @@ using namespace roomgen;
 
 namespace {
 
-const KindTable& kinds() { return KindTable::built_in(); }
-
 ConstraintProgram program_of(const std::string& text) {
   const auto json = parse_json(text, "test");
   REQUIRE(json);
@@ -26,7 +24,7 @@ Optimisation furnish(const ConstraintProgram& program, const OptimiseOptions& op
   std::vector<std::string> notes;
   const auto room = room_of(program, options.seed, notes);
   REQUIRE(room);
-  auto result = optimise(program, *room, box_stock(program, kinds()), kinds(), options);
+  auto result = optimise(program, *room, box_stock(program, KindTable::built_in()), KindTable::built_in(), options);
   if (!result) FAIL(result.error().message);
   return *result;
 }
@@ -45,7 +43,7 @@ TEST_CASE("Every room is valid, early and late") {
     for (const int steps : {50, 500, 5000}) {
       INFO(path << ", " << steps << " steps");
       const auto result = furnish(*read_program(path), quick(static_cast<std::uint64_t>(steps), steps));
-      const auto report = examine(result.scene, {}, kinds());
+      const auto report = examine(result.scene, {}, KindTable::built_in());
       for (const auto& violation : report.violations)
         UNSCOPED_INFO(name(violation.fault) << " " << violation.object << " " << violation.other);
       CHECK(report.violations.empty());
@@ -105,13 +103,13 @@ TEST_CASE("Stopping keeps a valid room and says that it is not all") {
   options.cancel = CancelToken().within(std::chrono::duration<double>(0.3));
   const auto result = furnish(*read_program(example_programs().front()), options);
   CHECK(result.scene.incomplete);
-  CHECK(examine(result.scene, {}, kinds()).violations.empty());
+  CHECK(examine(result.scene, {}, KindTable::built_in()).violations.empty());
 }
 
 TEST_CASE("An unsound program is refused") {
   const auto program = program_of(R"({"room": {"type": "bedroom"}, "sets": {},
     "constraints": {"beds": ["==", ["count", "bed"], 3]}})");
-  const auto result = optimise(program, Room{"bedroom", *make_polygon({{0, 0}, {4, 0}, {4, 4}, {0, 4}})}, {}, kinds());
+  const auto result = optimise(program, Room{"bedroom", *make_polygon({{0, 0}, {4, 0}, {4, 4}, {0, 4}})}, {}, KindTable::built_in());
   REQUIRE_FALSE(result);
   CHECK(result.error().message.find("bed") != std::string::npos);
 }
@@ -125,7 +123,7 @@ TEST_CASE("Of constraints that conflict those that are innocent are left out") {
   std::vector<std::string> notes;
   const auto room = room_of(program, 1, notes);
   REQUIRE(room);
-  const auto names = conflict(program, *room, box_stock(program, kinds()), kinds(), quick(1));
+  const auto names = conflict(program, *room, box_stock(program, KindTable::built_in()), KindTable::built_in(), quick(1));
   REQUIRE(names);
   CHECK(std::ranges::find(*names, "a picture") == names->end());
   CHECK(std::ranges::find(*names, "desks") != names->end());

@@ -13,8 +13,6 @@ using namespace roomgen;
 
 namespace {
 
-const KindTable& kinds() { return KindTable::built_in(); }
-
 Room room_of_size(double width, double depth) {
   Room room;
   room.type = "living room";
@@ -30,8 +28,8 @@ PackThing thing(const std::string& category, int number, bool edge) {
   PackThing result;
   result.object.category = category;
   result.object.id = category + "-" + std::to_string(number);
-  result.object.size = kinds().get(category).size;
-  result.object.traits = kinds().get(category).traits;
+  result.object.size = KindTable::built_in().get(category).size;
+  result.object.traits = KindTable::built_in().get(category).traits;
   if (edge) result.object.relations = {{RelationKind::edge, ""}};
   result.asked = true;
   return result;
@@ -63,10 +61,10 @@ TEST_CASE("Packed rooms are valid and hold what they hold exactly once") {
     options.seed = static_cast<std::uint64_t>(round);
     options.steps = 4000;
     options.anew = true;
-    const Packing packing = pack(room, things, {}, kinds(), options);
+    const Packing packing = pack(room, things, {}, KindTable::built_in(), options);
     CHECK(packing.is_better);
     CHECK_FALSE(packing.objects.empty());
-    const auto report = examine(scene_of(room, packing.objects), {}, kinds());
+    const auto report = examine(scene_of(room, packing.objects), {}, KindTable::built_in());
     for (const auto& violation : report.violations)
       UNSCOPED_INFO(name(violation.fault) << " " << violation.object << " " << violation.other);
     CHECK(report.violations.empty());
@@ -85,12 +83,12 @@ TEST_CASE("What may not move stays to the bit, and what stood is not lost for no
     PackOptions options;
     options.steps = 3000;
     options.anew = true;
-    const Packing first = pack(room, things, {}, kinds(), options);
+    const Packing first = pack(room, things, {}, KindTable::built_in(), options);
     for (auto& each : things)
       for (const auto& object : first.objects)
         if (object.id == each.object.id) each.object = object, each.stands = true, each.movable = random.chance(0.5);
     options.anew = false;
-    const Packing second = pack(room, things, {}, kinds(), options);
+    const Packing second = pack(room, things, {}, KindTable::built_in(), options);
     CHECK((!second.is_better || second.objects.size() >= first.objects.size()));
     for (const auto& each : things) {
       if (!each.stands || each.movable) continue;
@@ -99,6 +97,6 @@ TEST_CASE("What may not move stays to the bit, and what stood is not lost for no
       CHECK(found->position == each.object.position);
       CHECK(found->yaw == each.object.yaw);
     }
-    CHECK(examine(scene_of(room, second.objects), {}, kinds()).violations.empty());
+    CHECK(examine(scene_of(room, second.objects), {}, KindTable::built_in()).violations.empty());
   }
 }

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "catch.h"
+#include "drawing.h"
 #include "roomgen/assets/catalogue.h"
 #include "roomgen/base/file.h"
 #include "roomgen/base/json.h"
@@ -18,12 +19,6 @@
 using namespace roomgen;
 
 namespace {
-
-std::unique_ptr<Renderer> make_renderer() {
-  auto renderer = make_osmesa_renderer();
-  REQUIRE(renderer);
-  return std::move(*renderer);
-}
 
 Json json_of(const std::filesystem::path& path) {
   const auto text = read_file(path);

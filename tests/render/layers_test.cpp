@@ -4,6 +4,7 @@
 #include <set>
 
 #include "catch.h"
+#include "drawing.h"
 #include "geometry/mesh_tree.h"
 #include "roomgen/render/pictures.h"
 #include "scene/box_model.h"
@@ -14,12 +15,6 @@
 using namespace roomgen;
 
 namespace {
-
-std::unique_ptr<Renderer> make_renderer() {
-  auto renderer = make_osmesa_renderer();
-  REQUIRE(renderer);
-  return std::move(*renderer);
-}
 
 Layers layers_of(Renderer& renderer, const Scene& scene, const Shot& shot, const ModelTable& models = {}) {
   auto layers = renderer.layers(scene, models, shot);

@@ -1,6 +1,7 @@
 #include "roomgen/render/pictures.h"
 
 #include "catch.h"
+#include "drawing.h"
 #include "support/furnished_room.h"
 #include "view/camera.h"
 
@@ -14,12 +15,6 @@ View view_of(View::Kind kind, int pixels = 256, bool marks = false) {
   view.pixels = pixels;
   view.marks = marks;
   return view;
-}
-
-std::unique_ptr<Renderer> make_renderer() {
-  auto renderer = make_osmesa_renderer();
-  REQUIRE(renderer);
-  return std::move(*renderer);
 }
 
 Image draw(Renderer& renderer, const Scene& scene, const View& view,

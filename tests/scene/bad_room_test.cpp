@@ -8,7 +8,7 @@ using namespace roomgen;
 
 namespace {
 
-std::string complaint(const std::string& text) {
+std::string room_complaint(const std::string& text) {
   const TemporaryFolder folder;
   REQUIRE(write_file(folder / "room.json", text));
   const auto room = read_room_file(folder / "room.json");
@@ -20,23 +20,23 @@ std::string complaint(const std::string& text) {
 
 std::string with_opening(const std::string& opening,
                          const std::string& polygon = "[[0,0],[4,0],[4,3],[0,3]]") {
-  return complaint("{\"polygon\": " + polygon + ", \"openings\": [" + opening + "]}");
+  return room_complaint("{\"polygon\": " + polygon + ", \"openings\": [" + opening + "]}");
 }
 
 }  // namespace
 
 TEST_CASE("A sound room is read") {
-  CHECK(complaint(R"({"polygon": [[0,0],[4,0],[4,3],[0,3]]})").empty());
+  CHECK(room_complaint(R"({"polygon": [[0,0],[4,0],[4,3],[0,3]]})").empty());
   CHECK(with_opening(R"({"id": "door-0", "wall": 0, "from": 0, "to": 4})").empty());
 }
 
 TEST_CASE("Each mistake in a room gives one located line") {
-  CHECK(contains_text(complaint("{}"), "/polygon: missing"));
-  CHECK(contains_text(complaint(R"({"polygon": [[0,0],[4,0]]})"), "/polygon: polygon: "));
-  CHECK(contains_text(complaint(R"({"polygon": [[0,0],[4,0],[0,4],[5,6]]})"), "crosses"));
-  CHECK(contains_text(complaint(R"({"polygon": [[0,0],[4,0],[4]]})"), "/polygon/2"));
-  CHECK(contains_text(complaint(R"({"polygon": [[0,0],[4,0],[4,3],[0,3]], "height": 0.5})"), "/height"));
-  CHECK(contains_text(complaint(R"({"polygon": [[0,0],[4,0],[4,3],[0,3]], "hight": 3})"),
+  CHECK(contains_text(room_complaint("{}"), "/polygon: missing"));
+  CHECK(contains_text(room_complaint(R"({"polygon": [[0,0],[4,0]]})"), "/polygon: polygon: "));
+  CHECK(contains_text(room_complaint(R"({"polygon": [[0,0],[4,0],[0,4],[5,6]]})"), "crosses"));
+  CHECK(contains_text(room_complaint(R"({"polygon": [[0,0],[4,0],[4]]})"), "/polygon/2"));
+  CHECK(contains_text(room_complaint(R"({"polygon": [[0,0],[4,0],[4,3],[0,3]], "height": 0.5})"), "/height"));
+  CHECK(contains_text(room_complaint(R"({"polygon": [[0,0],[4,0],[4,3],[0,3]], "hight": 3})"),
                       "did you mean \"height\"?"));
 }
 

@@ -12,7 +12,7 @@ using namespace roomgen;
 
 namespace {
 
-Plan sample() {
+Plan sample_plan() {
   Plan plan;
   plan.prompt = "a bedroom, no TV";
   plan.seed = 7;
@@ -42,18 +42,18 @@ Plan sample() {
 }  // namespace
 
 TEST_CASE("A plan that is written and read has the same bytes when written again") {
-  const std::string text = dump_json(to_json(sample()));
+  const std::string text = dump_json(to_json(sample_plan()));
   const auto again = plan_from_json(*parse_json(text, "p"), "p");
   REQUIRE(again);
   CHECK(dump_json(to_json(*again)) == text);
-  CHECK(again->items[0].relations == sample().items[0].relations);
+  CHECK(again->items[0].relations == sample_plan().items[0].relations);
   CHECK(*again->items[0].location == Vec2(2, 1.5));
   CHECK(again->items[2].on == "bed");
 }
 
 TEST_CASE("Ids count over the whole plan, in the order of the items") {
   std::vector<std::string> ids;
-  for (const auto& object : planned_objects(sample())) ids.push_back(object.id);
+  for (const auto& object : planned_objects(sample_plan())) ids.push_back(object.id);
   CHECK(ids == std::vector<std::string>{"bed-0", "chair-0", "chair-1", "chair-2", "table lamp-0",
                                         "chair-3", "chair-4", "chair-5"});
 }
@@ -74,7 +74,7 @@ TEST_CASE("Each mistake in a plan gives one located line") {
       {[](Json& j) { j["room"]["polygon"] = Json::array(); }, "/room/polygon"},
   };
   for (const auto& [change, expected] : cases) {
-    Json json = to_json(sample());
+    Json json = to_json(sample_plan());
     change(json);
     const auto plan = plan_from_json(json, "p.json");
     INFO("expecting " << expected);

@@ -14,7 +14,7 @@ using namespace roomgen;
 
 namespace {
 
-Json sample() {
+Json sample_problem() {
   return *parse_json(R"({"name": "x", "room_type": "bedroom", "room": [[0,0],[4,0],[4,3],[0,3]],
     "doors": [{"segment": [[1.4,0],[0.5,0]]}], "windows": [{"segment": [[1,3],[2,3]]}],
     "objects": [{"name": "Office Chair-0", "size": [0.5, 0.6], "location": [1, 2], "facing": 90},
@@ -36,7 +36,7 @@ std::vector<PlacementTask> tasks(const std::vector<std::pair<std::string, std::v
 }  // namespace
 
 TEST_CASE("A problem is read with the documented defaults") {
-  const auto problem = problem_from_json(sample(), "p");
+  const auto problem = problem_from_json(sample_problem(), "p");
   REQUIRE(problem);
   REQUIRE(problem->tasks.size() == 2);
   const auto& chair = problem->tasks[0];
@@ -96,7 +96,7 @@ TEST_CASE("Each mistake in a problem gives one located line") {
       {[](Json& j) { j["objects"][1]["traits"] = {"round"}; }, "/objects/1: unknown key \"traits\""},
   };
   for (const auto& [change, expected] : cases) {
-    Json json = sample();
+    Json json = sample_problem();
     change(json);
     const auto problem = problem_from_json(json, "p.json");
     INFO("expecting " << expected);

@@ -25,7 +25,7 @@ RelationKind kind_of(const std::string& text) {
   return relation->kind;
 }
 
-std::string complaint(std::string_view text) {
+std::string relation_complaint(std::string_view text) {
   const auto relations = parse_relations(text);
   if (relations) return "";
   CHECK(is_one_line(relations.error().message));
@@ -118,14 +118,14 @@ TEST_CASE("A list as text parses back to the list") {
 }
 
 TEST_CASE("An unknown word suggests the nearest known one") {
-  CHECK(contains_text(complaint("neer, bed-0"), "\"neer\"; did you mean \"near\"?"));
-  CHECK(contains_text(complaint("edge | in fron of, bed-0"), "did you mean \"in front of\"?"));
-  CHECK(contains_text(complaint("levitating, bed-0"), "unknown constraint \"levitating\""));
-  CHECK_FALSE(contains_text(complaint("levitating, bed-0"), "did you mean"));
+  CHECK(contains_text(relation_complaint("neer, bed-0"), "\"neer\"; did you mean \"near\"?"));
+  CHECK(contains_text(relation_complaint("edge | in fron of, bed-0"), "did you mean \"in front of\"?"));
+  CHECK(contains_text(relation_complaint("levitating, bed-0"), "unknown constraint \"levitating\""));
+  CHECK_FALSE(contains_text(relation_complaint("levitating, bed-0"), "did you mean"));
 }
 
 TEST_CASE("A target too few and one too many are errors") {
-  CHECK(contains_text(complaint("near"), "needs a target"));
-  CHECK(contains_text(complaint("near,"), "needs a target"));
-  CHECK(contains_text(complaint("edge, wall-0"), "takes no target"));
+  CHECK(contains_text(relation_complaint("near"), "needs a target"));
+  CHECK(contains_text(relation_complaint("near,"), "needs a target"));
+  CHECK(contains_text(relation_complaint("edge, wall-0"), "takes no target"));
 }

@@ -17,7 +17,7 @@ namespace {
 // More are asked for by the environment: ROOMGEN_FAULT_SEEDS=10000.
 int seeds() {
   const char* wanted = std::getenv("ROOMGEN_FAULT_SEEDS");
-  return wanted ? std::atoi(wanted) : 1500;
+  return wanted ? std::atoi(wanted) : 500;
 }
 
 Scene scene_in(const History& history) { return *scene_from_json(history.state().document, "state"); }

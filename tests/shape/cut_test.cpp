@@ -9,8 +9,6 @@ using namespace roomgen::shape;
 
 namespace {
 
-constexpr double tolerance = 0.001;
-
 Mesh tube() {
   const auto profile = straight(std::vector<Vec2>{{0.3, 0}, {0.4, 0}, {0.4, 1}, {0.3, 1}}, true);
   return *mesh(Lathe{profile}, tolerance);

@@ -16,8 +16,6 @@ using namespace roomgen::shape;
 
 namespace {
 
-constexpr double tolerance = 0.001;
-
 using Points = std::vector<Vec2>;
 
 Curve<Vec2> star(Random& random, int points, double inner, double outer) {

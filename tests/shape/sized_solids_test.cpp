@@ -12,8 +12,6 @@ using namespace roomgen::shape;
 
 namespace {
 
-constexpr double tolerance = 0.001;
-
 Vec3 random_size(Random& random) {
   const double scale = random.uniform(0.02, 1.5);
   return scale * Vec3(random.uniform(0.05, 1), random.uniform(0.05, 1), random.uniform(0.05, 1));

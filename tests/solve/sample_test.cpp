@@ -65,7 +65,7 @@ void check_layouts(const Samples& samples, int least_held) {
   }
 }
 
-PlacementTask task(const std::string& id, const std::string& category, const Vec3& size, const std::string& relations) {
+PlacementTask wish(const std::string& id, const std::string& category, const Vec3& size, const std::string& relations) {
   PlacementTask task;
   task.object = rooms::thing(id, category, size);
   task.object.relations = *parse_relations(relations);
@@ -109,7 +109,7 @@ TEST_CASE("Every two layouts are distinct") {
 TEST_CASE("Things that change places make no new layout") {
   Problem problem;
   problem.room = rooms::box(2.0, 1.6);
-  for (const char* id : {"box-0", "box-1", "box-2"}) problem.tasks.push_back(task(id, "box", {0.5, 0.5, 0.5}, "edge"));
+  for (const char* id : {"box-0", "box-1", "box-2"}) problem.tasks.push_back(wish(id, "box", {0.5, 0.5, 0.5}, "edge"));
   const auto scenes = scenes_of(sampled(problem, options_of(200)));
   REQUIRE(scenes.size() > 20);
   for (std::size_t i = 0; i < scenes.size(); ++i)
@@ -144,7 +144,7 @@ TEST_CASE("What there is to find in a small room is found") {
   Problem problem;
   problem.room = rooms::box(2.4, 1.8);
   problem.room.openings.push_back(rooms::door("door-0", 0, 0.2, 1.0));
-  problem.tasks = {task("shelf-0", "shelf", {0.8, 0.3, 1.2}, "edge"), task("box-0", "box", {0.5, 0.4, 0.4}, "edge")};
+  problem.tasks = {wish("shelf-0", "shelf", {0.8, 0.3, 1.2}, "edge"), wish("box-0", "box", {0.5, 0.4, 0.4}, "edge")};
   const auto samples = sampled(problem, options_of(5000));
   const auto scenes = scenes_of(samples);
   CHECK(scenes.size() < 1000);

@@ -52,3 +52,8 @@ inline roomgen::ChatRequest asking(const std::string& text) {
   request.max_tokens = 100;
   return request;
 }
+
+/// What was answered, nothing if nothing was.
+inline std::string text_of(const roomgen::Result<roomgen::ChatReply>& reply) {
+  return reply ? reply->text : "";
+}
