@@ -18,6 +18,9 @@ constexpr double hub_ratio = 1.3;         // long to short side of a living room
 constexpr std::size_t most_around = 4;    // such a hub and rooms around it; more need a hall
 constexpr std::size_t most_owned = 2;     // rooms that belong to one alone; more are everybody's
 constexpr double longest_row_ratio = 1.35;
+constexpr double least_hall = 2.0;        // long
+constexpr double least_depth = 2.4, greatest_depth = 4.8;  // of a row of rooms
+constexpr double least_stretched = 2.2;   // deep, of a row that is drawn out to the length of the other
 constexpr double narrowest = 1.2;         // a room that is less wide is laid out anew
 const char* const hallway = "hallway";
 
@@ -206,7 +209,7 @@ class Packer {
     // The shorter row becomes shallower rather than larger.
     const double day_length = stretch(day, day_depth, length);
     const double night_length = stretch(night, night_depth, length);
-    const double hall = to_centimetres(std::max({day_length, night_length, 2.0}));
+    const double hall = to_centimetres(std::max({day_length, night_length, least_hall}));
     Bounds2& box = rooms_[hub_].box;
     box.low = {0.0, 0.0};
     box.high = {hall, hall_width};
@@ -236,7 +239,7 @@ class Packer {
     if (blocks.empty()) return 0.0;
     double squares = 0.0;
     for (const auto& block : blocks) squares += block.area * block.area;
-    return std::clamp(1.02 * std::sqrt(squares / total(blocks)), 2.4, 4.8);
+    return std::clamp(1.02 * std::sqrt(squares / total(blocks)), least_depth, greatest_depth);
   }
 
   // Small rooms in a deep row become larger rather than corridors.
@@ -253,7 +256,7 @@ class Packer {
     if (blocks.empty()) return 0.0;
     const double own = length_of(blocks, depth);
     if (length / own > longest_row_ratio) return own;
-    depth = std::max(2.2, total(blocks) / (length - walls(blocks)));
+    depth = std::max(least_stretched, total(blocks) / (length - walls(blocks)));
     return length;
   }
 

@@ -123,13 +123,14 @@ class Completion {
 
   // Styles make some kinds more and others less likely.
   double taste(const std::string& category) const {
+    constexpr double liked = 4.0, disliked = 0.1;  // by judgement
     double factor = 1.0;
     for (const Style* style : styles_) {
-      if (table_.is_any_of(category, style->more)) factor *= 4.0;
-      if (table_.is_any_of(category, style->fewer)) factor *= 0.1;
+      if (table_.is_any_of(category, style->more)) factor *= liked;
+      if (table_.is_any_of(category, style->fewer)) factor *= disliked;
     }
-    if (meaning_ && table_.is_any_of(category, meaning_->more)) factor *= 4.0;
-    if (meaning_ && table_.is_any_of(category, meaning_->fewer)) factor *= 0.1;
+    if (meaning_ && table_.is_any_of(category, meaning_->more)) factor *= liked;
+    if (meaning_ && table_.is_any_of(category, meaning_->fewer)) factor *= disliked;
     return factor;
   }
 

@@ -22,6 +22,11 @@ constexpr double eject_pitch = 0.3;
 constexpr int patience = 12;
 // Rounds for one object before its wishes are given up.
 constexpr int most_vain_tries = 4;
+// What is drawn, and how often: by judgement, so that no round is always in vain.
+constexpr double share_with_targets = 0.6;  // what a chosen thing relates to is put elsewhere too
+constexpr double share_of_wishes = 0.7;     // those whose wishes may still be gained come before other trouble
+constexpr double share_wishes_only = 0.5;   // only the wishes need hold where a thing is put by force
+constexpr double burden_noise = 1.5;        // a thing in the way weighs 1 or 2: so chains differ
 
 int constraints_of(const PlacementTask& task) {
   return static_cast<int>(task.object.relations.size());
@@ -198,7 +203,7 @@ class Search {
     const PlacementTask& chosen = choose_troubled();
     ruin.insert(chosen.object.id);
     for (const auto& relation : chosen.object.relations)
-      if (layout_.find(relation.target) && random_.chance(0.6)) ruin.insert(relation.target);
+      if (layout_.find(relation.target) && random_.chance(share_with_targets)) ruin.insert(relation.target);
     for (int others = random_.integer(0, 3); others > 0; --others)
       ruin.insert(random_.pick(tasks_).object.id);
     add_dependants(ruin);
@@ -227,7 +232,7 @@ class Search {
   // Those whose wishes are not fulfilled come first, mostly.
   const PlacementTask& choose_troubled() {
     auto troubled = movable_that([this](const auto& task) { return may_gain_wishes(task); });
-    if (troubled.empty() || !random_.chance(0.7))
+    if (troubled.empty() || !random_.chance(share_of_wishes))
       troubled = movable_that([this](const auto& task) { return is_troubled(task); });
     const PlacementTask& chosen = troubled.empty() ? random_.pick(tasks_) : *random_.pick(troubled);
     chosen_ = chosen.object.id;
@@ -239,7 +244,7 @@ class Search {
   void eject() {
     const PlacementTask& task = choose_troubled();
     if (is_fixed(task.object.id)) return;
-    const bool for_wishes = lacks_wishes(task) && random_.chance(0.5);
+    const bool for_wishes = lacks_wishes(task) && random_.chance(share_wishes_only);
     layout_.remove(task.object.id);
     const auto pose = pose_with_least_in_the_way(for_wishes ? with_wishes_only(task) : task);
     std::set<std::string> ruin = {task.object.id};
@@ -299,7 +304,7 @@ class Search {
       const auto blockers = in_the_way(task, pose);
       const bool fixed = std::any_of(blockers.begin(), blockers.end(),
                                      [this](const std::string& id) { return is_fixed(id); });
-      const double cost = burden_of(blockers) + 1.5 * random_.uniform();
+      const double cost = burden_of(blockers) + burden_noise * random_.uniform();
       if (!fixed && cost < best_cost) best = pose, best_cost = cost;
     }
     return best;

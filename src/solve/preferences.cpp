@@ -9,6 +9,8 @@ namespace roomgen {
 
 namespace {
 
+// The ranges below are by judgement, in metres: over which a preference (data/arrangements.json) goes from all to
+// nothing. What they are worth against each other is `Weights` and the kind's own weight.
 constexpr double far_away = 1e9;
 
 double falling(double value, double full, double none) {
@@ -37,13 +39,13 @@ double in_door_line(const Surroundings& around, const Footprint& own) {
 }
 
 double back_at_window(const Surroundings& around, const Footprint& own) {
-  constexpr double at_wall = 0.6;
+  constexpr double at_wall = 0.6, full = 0.4;
   double most = 0.0;
   for (const auto& window : around.windows) {
     const Vec2 local = window.to_local(back_of(own)).cwiseAbs();
     if (local.y() > at_wall) continue;
     const double reach = window.half().x() + own.half().x();
-    most = std::max(most, falling(local.x(), 0.4 * reach, reach));
+    most = std::max(most, falling(local.x(), full * reach, reach));
   }
   return most;
 }
@@ -110,28 +112,31 @@ double wall_beside(const Surroundings& around, const Footprint& own) {
 }
 
 double side_at_wall(const Surroundings& around, const Footprint& own) {
+  constexpr double along = -0.9, touching = 0.05, lost = 1.2;
   const Polygon& polygon = around.room.polygon;
   double nearest = far_away;
   for (double sign : {1.0, -1.0}) {
     const Vec2 side = own.to_world({sign * own.half().x(), 0});
     for (std::size_t k = 0; k < polygon.size(); ++k)
-      if (polygon.inward(k).dot(sign * own.x_axis()) < -0.9)
+      if (polygon.inward(k).dot(sign * own.x_axis()) < along)
         nearest = std::min(nearest, distance(polygon.edge(k), side));
   }
-  return falling(nearest, 0.05, 1.2);
+  return falling(nearest, touching, lost);
 }
 
 double near_corner(const Surroundings& around, const Footprint& own) {
+  constexpr double in_corner = 0.15, lost = 1.0;
   double nearest = far_away;
   for (const Vec2& point : around.room.polygon.points) nearest = std::min(nearest, gap(own, point));
-  return falling(nearest, 0.15, 1.0);
+  return falling(nearest, in_corner, lost);
 }
 
 // Nothing tall stands and nothing hangs before this part of the wall.
 double bare(const Surroundings& around, const Footprint& own, double bottom) {
+  constexpr double below = 0.3, before = 0.25;
   return std::none_of(around.neighbours.begin(), around.neighbours.end(),
                       [&](const auto& one) {
-                        return !one.flat && one.top > bottom - 0.3 && gap(one.footprint, own) < 0.25;
+                        return !one.flat && one.top > bottom - below && gap(one.footprint, own) < before;
                       })
              ? 1.0
              : 0.0;
@@ -217,13 +222,15 @@ double in_middle(const Surroundings& around, const Footprint& own) {
 
 double degree(const Surroundings& around, const Footprint& own, double bottom,
               Preference preference) {
+  // As good as at it up to here, of no worth from there.
+  constexpr double beside = 0.3, window_light = 2.5, door_share = 0.7, at_wall = 0.06, off_wall = 0.8;
   switch (preference) {
     case Preference::door:
-      return 1.0 - falling(nearest_gap(around.doors, own), 0.3, 0.7 * around.span);
+      return 1.0 - falling(nearest_gap(around.doors, own), beside, door_share * around.span);
     case Preference::door_line:
       return in_door_line(around, own);
     case Preference::window:
-      return falling(nearest_gap(around.windows, own), 0.3, 2.5);
+      return falling(nearest_gap(around.windows, own), beside, window_light);
     case Preference::window_behind:
       return back_at_window(around, own);
     case Preference::window_ahead:
@@ -237,7 +244,7 @@ double degree(const Surroundings& around, const Footprint& own, double bottom,
     case Preference::corner:
       return near_corner(around, own);
     case Preference::wall_near:
-      return falling(distance_to_boundary(around.room.polygon, own), 0.06, 0.8);
+      return falling(distance_to_boundary(around.room.polygon, own), at_wall, off_wall);
     case Preference::run:
       return wall_beside(around, own);
     case Preference::bare_wall:

@@ -146,6 +146,7 @@ void propose_facing(const ProposalContext& context, const Footprint& target,
                     std::vector<Pose>& poses) {
   constexpr int directions = 16;
   const double reach = 0.5 * size_of(context).y();
+  // From a step away to across a room, coarser the farther.
   for (double distance : {0.4, 0.8, 1.2, 1.8, 2.4, 3.0})
     for (int i = 0; i < directions; ++i) {
       const Vec2 direction = rotated({1, 0}, target.yaw() + 2 * pi * i / directions);
