@@ -7,7 +7,7 @@
 #include "loose_parser.h"
 #include "roomgen/base/text.h"
 
-namespace roomgen::design {
+namespace roomgen {
 
 namespace {
 
@@ -118,4 +118,4 @@ Result<LooseJson> find_json(std::string_view text, const WantedKeys& wanted) {
   return *std::move(found);
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen

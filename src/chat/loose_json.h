@@ -8,7 +8,7 @@
 #include "roomgen/base/json.h"
 #include "roomgen/base/result.h"
 
-namespace roomgen::design {
+namespace roomgen {
 
 /// Longest answer that is read.
 inline constexpr std::size_t max_reply_bytes = std::size_t{1} << 20;
@@ -33,4 +33,4 @@ Result<LooseJson> find_json(std::string_view text, const WantedKeys& wanted);
 /// cm" finds "Size_CM"); null if there is none or its value is null.
 const Json* member(const Json& object, const std::vector<std::string>& names);
 
-}  // namespace roomgen::design
+}  // namespace roomgen

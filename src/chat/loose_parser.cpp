@@ -9,7 +9,7 @@
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 
-namespace roomgen::design {
+namespace roomgen {
 
 namespace {
 
@@ -335,4 +335,4 @@ Json LooseParser::bare() {
   return std::string(word);
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen

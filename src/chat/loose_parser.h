@@ -9,7 +9,7 @@
 
 #include "roomgen/base/json.h"
 
-namespace roomgen::design {
+namespace roomgen {
 
 /// Reads a value that is nearly JSON: comments, trailing and missing commas, quotes of any kind,
 /// bare keys and words, Python's literals, round brackets, brackets that are missing or of the
@@ -55,4 +55,4 @@ class LooseParser {
   std::vector<std::string> repairs_;
 };
 
-}  // namespace roomgen::design
+}  // namespace roomgen

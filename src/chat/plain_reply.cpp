@@ -7,7 +7,7 @@
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 
-namespace roomgen::design {
+namespace roomgen {
 
 namespace {
 
@@ -85,4 +85,4 @@ std::optional<Json> read_plain_reply(std::string_view text) {
   return answer;
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen

@@ -20,8 +20,8 @@ Result<Json> patched(const Json& before, const Json& patch) {
 }
 
 Result<Json> program_json_of(const Json& answer, const Json& before) {
-  if (const Json* program = design::member(answer, {"program"}); program && program->is_object()) return *program;
-  if (const Json* patch = design::member(answer, {"patch", "operations"}); patch && patch->is_array()) {
+  if (const Json* program = member(answer, {"program"}); program && program->is_object()) return *program;
+  if (const Json* patch = member(answer, {"patch", "operations"}); patch && patch->is_array()) {
     if (before.is_null())
       return Error{Error::Kind::invalid_input, "a patch needs a program before it; answer with a whole \"program\""};
     return patched(before, *patch);
@@ -43,7 +43,7 @@ Status check_for_model(const ConstraintProgram& program, const KindTable& kinds)
 
 Result<ProgramAnswer> read_program_answer(const std::string& text, const Json& before, const KindTable& kinds) {
   const auto found =
-      design::find_json(text, {{"program", "patch", "constraints"}, {"reasoning", "sets", "operations"}});
+      find_json(text, {{"program", "patch", "constraints"}, {"reasoning", "sets", "operations"}});
   if (!found) return found.error();
   const auto json = program_json_of(found->json, before);
   if (!json) return json.error();
@@ -51,7 +51,7 @@ Result<ProgramAnswer> read_program_answer(const std::string& text, const Json& b
   if (!program) return program.error();
   if (auto sound = check_for_model(*program, kinds); !sound) return sound.error();
   ProgramAnswer answer{*std::move(program), {}, found->repairs};
-  if (const Json* why = design::member(found->json, {"reasoning", "thoughts"}); why && why->is_string())
+  if (const Json* why = member(found->json, {"reasoning", "thoughts"}); why && why->is_string())
     answer.reasoning = why->get<std::string>();
   return answer;
 }

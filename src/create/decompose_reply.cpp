@@ -14,7 +14,7 @@ namespace roomgen::create {
 
 namespace {
 
-using design::member;
+using member;
 
 constexpr std::size_t max_objects = 20;
 constexpr double centimetre = 0.01;
@@ -279,7 +279,7 @@ Json objects_in(const Json& answer) {
 Result<Reading<std::vector<Description>>> read_decompose_reply(
     const std::string& text, const std::string& prompt, const std::vector<std::string>& kinds) {
   auto loose =
-      design::find_json(text, {{"objects"}, {"items", "furniture", "parts", "components"}});
+      find_json(text, {{"objects"}, {"items", "furniture", "parts", "components"}});
   if (!loose) return loose.error();
   Reading<std::vector<Description>> reading{{}, std::move(loose->repairs)};
   ObjectReader reader(prompt, kinds, reading.repairs);

@@ -14,7 +14,7 @@ namespace roomgen::create {
 
 namespace {
 
-using design::member;
+using member;
 using Keys = std::vector<std::string>;
 
 constexpr int least_points = 1, most_points = 5;
@@ -49,7 +49,7 @@ Result<Score> read_score(const Json& json, const Keys& names) {
 
 Result<Reading<Scores>> read_scores(const std::string& text) {
   auto loose =
-      design::find_json(text, {{"structure", "realism", "alignment"},
+      find_json(text, {{"structure", "realism", "alignment"},
                                {"structural coherence", "visual realism", "prompt alignment"}});
   if (!loose) return loose.error();
   const auto structure = read_score(loose->json, {"structure", "structural coherence"});

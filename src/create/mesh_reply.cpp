@@ -184,7 +184,7 @@ class BodyMaker {
 }  // namespace
 
 Result<Reading<shape::Shape>> read_mesh_reply(const std::string& text, const std::string& noun) {
-  auto loose = design::find_json(text, {{"vertices", "triangles"}, {"faces"}});
+  auto loose = find_json(text, {{"vertices", "triangles"}, {"faces"}});
   if (!loose) return loose.error();
   JsonReader::Problems problems("the mesh");
   const JsonReader root(loose->json, problems);

@@ -356,8 +356,8 @@ class Repair {
   static std::optional<std::pair<std::string, std::string>> ends_of(const Json& pair) {
     if (pair.is_array() && pair.size() == 2 && pair[0].is_string() && pair[1].is_string())
       return std::pair(pair[0].get<std::string>(), pair[1].get<std::string>());
-    const Json* from = design::member(pair, {"from", "a", "first", "part"});
-    const Json* to = design::member(pair, {"to", "b", "second", "with"});
+    const Json* from = member(pair, {"from", "a", "first", "part"});
+    const Json* to = member(pair, {"to", "b", "second", "with"});
     if (!from || !to || !from->is_string() || !to->is_string()) return std::nullopt;
     return std::pair(from->get<std::string>(), to->get<std::string>());
   }

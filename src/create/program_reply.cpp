@@ -110,7 +110,7 @@ std::string complaint_about(const shape::Program& program, const shape::Shape& s
 
 Result<Reading<shape::Program>> read_program_reply(const std::string& text,
                                                    const Description& wanted, std::uint64_t seed) {
-  auto loose = design::find_json(text, {{"components"}, {"format", "parts"}});
+  auto loose = find_json(text, {{"components"}, {"format", "parts"}});
   if (!loose) return loose.error();
   Reading<shape::Program> reading{{}, std::move(loose->repairs)};
   repair_program(loose->json, reading.repairs);

@@ -31,17 +31,17 @@ std::optional<bool> yes_or_no(const Json& value) {
 }  // namespace
 
 Result<Reading<Verdict>> read_verdict_reply(const std::string& text) {
-  auto loose = design::find_json(
+  auto loose = find_json(
       text, {{"passes", "reason"}, {"pass", "verdict", "classification", "result"}});
   if (!loose) return loose.error();
-  const Json* passes = design::member(
+  const Json* passes = member(
       loose->json, {"passes", "pass", "verdict", "classification", "result", "is furniture"});
   const auto answer = passes ? yes_or_no(*passes) : std::nullopt;
   if (!answer) return Error{Error::Kind::invalid_input, "\"passes\" must be true or false"};
   Reading<Verdict> reading;
   reading.repairs = std::move(loose->repairs);
   reading.value.passes = *answer;
-  const Json* reason = design::member(loose->json, {"reason", "explanation", "why", "reasoning"});
+  const Json* reason = member(loose->json, {"reason", "explanation", "why", "reasoning"});
   if (reason && reason->is_string())
     reading.value.reason =
         shortened(std::string(trim(reason->get_ref<const std::string&>())), most_reason);

@@ -28,12 +28,12 @@ Json answer_schema() {
 }
 
 Result<Answer> read_answer(const std::string& text) {
-  const auto found = design::find_json(text, {{"operations"}, {"operation", "edits", "unclear"}});
+  const auto found = find_json(text, {{"operations"}, {"operation", "edits", "unclear"}});
   if (!found) return found.error();
   Answer answer;
-  if (const Json* why = design::member(found->json, {"unclear"}); why && why->is_string())
+  if (const Json* why = member(found->json, {"unclear"}); why && why->is_string())
     answer.unclear = why->get<std::string>();
-  const Json* list = design::member(found->json, {"operations", "operation", "edits"});
+  const Json* list = member(found->json, {"operations", "operation", "edits"});
   const bool is_empty = !list || (list->is_array() && list->empty());
   if (is_empty && !answer.unclear.empty()) return answer;
   if (is_empty) return Error{Error::Kind::invalid_input, "it holds no \"operations\""};
