@@ -38,6 +38,24 @@ Language language_of(const ConstraintProgram& program) {
   return language;
 }
 
+// Does it say the same wherever things are, as long as they are the same, put up against the same?
+bool is_structural(const TermNode& term) {
+  switch (term.op) {
+    case ProgramOp::footprint: case ProgramOp::area: case ProgramOp::occupancy: case ProgramOp::distance:
+    case ProgramOp::gap: case ProgramOp::access: case ProgramOp::angle: case ProgramOp::focus: case ProgramOp::center:
+    case ProgramOp::reflection: case ProgramOp::rotation: case ProgramOp::coplanarity: return false;
+    default: return std::ranges::all_of(term.operands, is_structural);
+  }
+}
+
+// The largest such parts of a term that no variable is in force for.
+void number_structural(TermNode& term, int& count) {
+  if (term.op == ProgramOp::constant) return;
+  if (is_structural(term)) term.structure_memo = count++;
+  else if (term.variable < 0)
+    for (auto& operand : term.operands) number_structural(operand, count);
+}
+
 }  // namespace
 
 int Language::number_of(std::string_view name) const {
@@ -66,6 +84,8 @@ void Compiler::compile() {
     result_.constraints.push_back({name, this->term(term, {}), to_text(term)});
   for (const auto& [name, term] : program_.scores)
     result_.scores.push_back({name, this->term(term, {}), to_text(term)});
+  for (auto* terms : {&result_.constraints, &result_.scores})
+    for (auto& named : *terms) number_structural(named.term, result_.structure_memos);
 }
 
 int Compiler::filter(const ProgramSet& set) {

@@ -59,6 +59,7 @@ struct TermNode {
   std::vector<Face> directions;
   double depth = 1.0;
   int memo = -1;              ///< of pairs, for access
+  int structure_memo = -1;    ///< of what depends on no pose and on no variable in force
 };
 
 struct NamedTerm {
@@ -85,6 +86,7 @@ struct Compiled {
   std::vector<NamedTerm> scores;
   std::vector<Tie> ties;
   int access_memos = 0;
+  int structure_memos = 0;
 };
 
 /// Draws the parameters from `random`. Precondition: check() finds no error in the program.

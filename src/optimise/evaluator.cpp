@@ -18,7 +18,8 @@ Evaluator::Evaluator(const Compiled& program, const World& world)
       world_(world),
       area_(area(world.room().polygon)),
       accesses_(static_cast<std::size_t>(program.access_memos)),
-      known_sets_(program.sets.size()) {}
+      sets_(program.sets.size()),
+      counts_(static_cast<std::size_t>(program.structure_memos)) {}
 
 Worth Evaluator::worth() {
   const int things = world_.things().size();
@@ -42,9 +43,7 @@ Worth Evaluator::worth() {
 SlotSet Evaluator::members(int set) {
   const SetNode& node = program_.sets[static_cast<std::size_t>(set)];
   if (!node.is_closed) return find_members(node);
-  Known& known = known_sets_[static_cast<std::size_t>(set)];
-  if (known.structure != world_.structure()) known = {world_.structure(), find_members(node)};
-  return known.set;
+  return of_structure(sets_, set, [&] { return find_members(node); });
 }
 
 SlotSet Evaluator::members(int set, const std::vector<Slot>& variables) {
@@ -156,6 +155,11 @@ double Evaluator::arithmetic(const TermNode& node) {
 }
 
 double Evaluator::value(const TermNode& node) {
+  if (node.structure_memo < 0) return find_value(node);
+  return of_structure(counts_, node.structure_memo, [&] { return find_value(node); });
+}
+
+double Evaluator::find_value(const TermNode& node) {
   switch (node.op) {
     case ProgramOp::constant: return node.number;
     case ProgramOp::count: return members(node.sets[0]).size();
@@ -211,6 +215,11 @@ double Evaluator::comparison(const TermNode& node) {
 }
 
 double Evaluator::violation(const TermNode& node) {
+  if (node.structure_memo < 0) return find_violation(node);
+  return of_structure(counts_, node.structure_memo, [&] { return find_violation(node); });
+}
+
+double Evaluator::find_violation(const TermNode& node) {
   switch (node.op) {
     case ProgramOp::all_of: {
       double sum = 0.0;

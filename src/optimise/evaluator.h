@@ -5,6 +5,7 @@
 
 #include "compiled.h"
 #include "pair_memo.h"
+#include "structure_memo.h"
 #include "world.h"
 
 namespace roomgen::annealing {
@@ -72,11 +73,14 @@ class Evaluator {
   std::optional<Slot> slot_of(int kind_number) const;
   Held judge_tie(const Tie& tie, Slot slot, const std::vector<Slot>& targets) const;
   PairMemo<Held> ties_;
-  struct Known {
-    std::uint64_t structure = ~std::uint64_t{0};
-    SlotSet set;
-  };
-  std::vector<Known> known_sets_;
+  template <typename Memo, typename Find>
+  const auto& of_structure(std::vector<Memo>& memos, int number, Find&& find) {
+    return memos[static_cast<std::size_t>(number)].get(world_.structure(), world_.marked_structure(), find);
+  }
+  double find_value(const TermNode& node);
+  double find_violation(const TermNode& node);
+  std::vector<StructureMemo<SlotSet>> sets_;
+  std::vector<StructureMemo<double>> counts_;  ///< what depends on the structure alone
 };
 
 }  // namespace roomgen::annealing

@@ -44,8 +44,9 @@ World::World(const Room& room, const KindTable& kinds, const std::vector<Article
       solids_(models),
       support_poses_(models),
       items_(most_things),
-      empty_grid_(room),
-      zones_(most_things) {
+      zones_(most_things),
+      walkways_(room),
+      obstacles_(most_things) {
   for (const auto& opening : room.openings) {
     if (openings_.size() == static_cast<std::size_t>(most_slots - first_opening_slot)) break;
     const Slot slot = first_opening_slot + static_cast<Slot>(openings_.size());
@@ -90,23 +91,26 @@ void World::add_at(Slot slot, int article, const Stance& stance, int bound) {
   place->bound = bound;
   put(*place, stance);
   things_.insert(slot);
+  judged_.erase(slot);
   disturb(place->body.footprint.bounds());
   changes_.push_back({Change::Kind::added, slot});
-  ++structure_;
+  change_structure();
 }
 
 void World::remove(Slot slot) {
+  judged_.erase(slot);
   disturb(item(slot).body.footprint.bounds());
   changes_.push_back({Change::Kind::removed, slot});
   changes_.back().item = std::move(items_[static_cast<std::size_t>(slot)]);
   things_.erase(slot);
-  ++structure_;
+  change_structure();
 }
 
 void World::set_stance(Slot slot, const Stance& stance) {
   Item& item = at(slot);
-  if (!std::ranges::equal(item.stance.held(), stance.held())) ++structure_;
+  if (!std::ranges::equal(item.stance.held(), stance.held())) change_structure();
   changes_.push_back({Change::Kind::posed, slot, item.stance, item.body, item.version});
+  judged_.erase(slot);
   disturb(item.body.footprint.bounds());
   put(item, stance);
   disturb(item.body.footprint.bounds());
@@ -117,32 +121,35 @@ void World::set_article(Slot slot, int article) {
   changes_.push_back({Change::Kind::replaced, slot});
   changes_.back().item = std::make_unique<Item>(item);
   const Stance stance = item.stance;
+  judged_.erase(slot);
   disturb(item.body.footprint.bounds());
   dress(item, article);
   put(item, stance);
   disturb(item.body.footprint.bounds());
-  ++structure_;
+  change_structure();
 }
 
+void World::mark() {
+  changes_.clear();
+  marked_ = {structure_, judged_, useless_};
+}
+
+// With the old poses all that was known of them holds again.
 void World::undo() {
   for (; !changes_.empty(); changes_.pop_back()) {
     Change& change = changes_.back();
     auto& place = items_[static_cast<std::size_t>(change.slot)];
-    if (place) disturb(place->body.footprint.bounds());
     switch (change.kind) {
       case Change::Kind::added:
         place.reset();
         things_.erase(change.slot);
-        ++structure_;
         break;
       case Change::Kind::removed:
       case Change::Kind::replaced:
         place = std::move(change.item);
         things_.insert(change.slot);
-        ++structure_;
         break;
       case Change::Kind::posed:
-        if (!std::ranges::equal(place->stance.held(), change.stance.held())) ++structure_;
         place->stance = change.stance;
         place->body = change.body;
         place->version = change.version;
@@ -150,8 +157,9 @@ void World::undo() {
         place->object.yaw = change.stance.yaw;
         break;
     }
-    if (place) disturb(place->body.footprint.bounds());
   }
+  structure_ = marked_.structure;
+  judged_ = marked_.judged, useless_ = marked_.useless;
 }
 
 const SlotSet& World::supporters() {
@@ -266,9 +274,9 @@ bool World::meshes_admit() {
 }
 
 void World::disturb(const Bounds2& part) {
-  things_.each([&](Slot slot) {
-    Zones& zones = zones_[static_cast<std::size_t>(slot)];
-    if (zones.is_judged && zones.reach.overlaps(part)) zones.is_judged = false;
+  judged_.each([&](Slot slot) {
+    find_zones(slot);  // a move that was taken back leaves those of another pose
+    if (zones_[static_cast<std::size_t>(slot)].reach.overlaps(part)) judged_.erase(slot);
   });
 }
 
@@ -276,7 +284,7 @@ void World::find_zones(Slot slot) {
   Zones& zones = zones_[static_cast<std::size_t>(slot)];
   const Item& thing = item(slot);
   if (zones.version == thing.version) return;
-  zones = {thing.version, {}, {}, {}, false, false};
+  zones = {thing.version, {}, {}, {}};
   const FloorThing own = floor_thing_of(thing);
   if (needs_no_zone(own)) return;
   for (const auto& zone : thing.kind->zones) {
@@ -287,43 +295,70 @@ void World::find_zones(Slot slot) {
   }
 }
 
-bool World::all_zones_taken(Slot slot) const {
+bool World::is_zone_free(Slot slot, std::size_t zone) const {
   const Zones& zones = zones_[static_cast<std::size_t>(slot)];
+  if (!zones.inside[zone]) return false;
   const Item& thing = item(slot);
   const FloorThing own = floor_thing_of(thing);
-  for (std::size_t z = 0; z < zones.areas.size(); ++z) {
-    if (!zones.inside[z]) continue;
-    bool taken = false;
-    things_.each([&](Slot other) {
-      if (taken || other == slot || !item(other).body.footprint.bounds().overlaps(zones.areas[z].bounds())) return;
-      taken = blocks_zone(floor_thing_of(item(other)), own, thing.kind->zones[z], zones.areas[z]);
-    });
-    if (!taken) return false;
-  }
-  return !zones.areas.empty();
+  const Footprint& area = zones.areas[zone];
+  bool taken = false;
+  things_.each([&](Slot other) {
+    if (taken || other == slot || !item(other).body.footprint.bounds().overlaps(area.bounds())) return;
+    taken = blocks_zone(floor_thing_of(item(other)), own, thing.kind->zones[zone], area);
+  });
+  return !taken;
+}
+
+bool World::all_zones_taken(Slot slot) const {
+  const std::size_t count = zones_[static_cast<std::size_t>(slot)].areas.size();
+  for (std::size_t zone = 0; zone < count; ++zone)
+    if (is_zone_free(slot, zone)) return false;
+  return count > 0;
 }
 
 int World::useless() {
-  int count = 0;
   things_.each([&](Slot slot) {
+    if (judged_.has(slot)) return;
     find_zones(slot);
-    Zones& zones = zones_[static_cast<std::size_t>(slot)];
-    if (!zones.is_judged) zones.is_useless = all_zones_taken(slot), zones.is_judged = true;
-    count += zones.is_useless;
+    judged_.insert(slot);
+    useless_.erase(slot);
+    if (all_zones_taken(slot)) useless_.insert(slot);
   });
-  return count;
+  SlotSet useless = useless_;
+  useless &= things_;
+  return useless.size();
 }
 
-bool World::is_reachable() const {
-  std::vector<FloorThing> things;
-  things_.each([&](Slot slot) { things.push_back(floor_thing_of(item(slot))); });
-  OccupancyGrid grid = empty_grid_;
-  for (const auto& thing : things)
-    if (blocks_floor(*thing.object, *thing.category)) grid.add(thing.footprint);
-  grid.flood();
-  return grid.doors_connected() && std::ranges::all_of(things, [&](const FloorThing& thing) {
-           return is_usable(room_, things, thing, grid);
-         });
+// Stamps what has come, gone or moved since the last time.
+void World::map_walkways() {
+  for (Slot slot = 0; slot < most_things; ++slot) {
+    Obstacle& known = obstacles_[static_cast<std::size_t>(slot)];
+    const bool stands = things_.has(slot) && blocks_floor(item(slot).object, *item(slot).kind);
+    const Version version = stands ? item(slot).version : 0;
+    if (known.version == version) continue;
+    if (known.version != 0) walkways_.remove(known.footprint);
+    if (stands) walkways_.add(item(slot).body.footprint);
+    known.version = version;
+    if (stands) known.footprint = item(slot).body.footprint;
+  }
+  walkways_.flood();
+}
+
+bool World::reaches_free_zone(Slot slot) const {
+  const Zones& zones = zones_[static_cast<std::size_t>(slot)];
+  for (std::size_t zone = 0; zone < zones.areas.size(); ++zone)
+    if (walkways_.reaches(zones.areas[zone]) && is_zone_free(slot, zone)) return true;
+  return zones.areas.empty();
+}
+
+bool World::is_reachable() {
+  map_walkways();
+  if (!walkways_.doors_connected()) return false;
+  bool reachable = true;
+  things_.each([&](Slot slot) {
+    if (reachable) find_zones(slot), reachable = reaches_free_zone(slot);
+  });
+  return reachable;
 }
 
 }  // namespace roomgen::annealing

@@ -48,8 +48,6 @@ struct Zones {
   std::vector<Footprint> areas;  ///< none: it needs none
   std::vector<char> inside;      ///< of the room
   Bounds2 reach;                 ///< of all areas
-  bool is_judged = false;        ///< nothing has come or gone within reach since
-  bool is_useless = false;
 };
 
 /// A thing in the room.
@@ -86,8 +84,11 @@ class World {
   /// Of a thing, a door or a window.
   const Body& body(Slot slot) const { return slot < most_things ? item(slot).body : openings_[opening(slot)]; }
   Version version(Slot slot) const { return slot < most_things ? item(slot).version : static_cast<Version>(slot); }
-  /// Number of the room's structural changes: additions, removals, other articles and attachments.
+  /// Changes with the room's structure: what is there, of which articles, put up against what. Structures of one
+  /// number are one; what is taken back has its old number.
   std::uint64_t structure() const { return structure_; }
+  /// That at mark().
+  std::uint64_t marked_structure() const { return marked_.structure; }
 
   // Changes.
   std::optional<Slot> add(int article, const Stance& stance, int bound);
@@ -99,7 +100,7 @@ class World {
   void set_article(Slot slot, int article);
 
   /// Forgets how to take back what was done.
-  void mark() { changes_.clear(); }
+  void mark();
   /// Takes back all changes since mark().
   void undo();
 
@@ -127,8 +128,8 @@ class World {
 
   /// How many things have no free use zone.
   int useless();
-  /// Is each use zone that counts within reach of every door? Dearer.
-  bool is_reachable() const;
+  /// Is a free use zone of each thing within reach of every door? Dearer.
+  bool is_reachable();
 
  private:
   struct Change {
@@ -147,7 +148,11 @@ class World {
   enum class Meeting { apart, clash, meshes_decide };
   Meeting meeting(Slot a, Slot b) const;
   void find_zones(Slot slot);
+  bool is_zone_free(Slot slot, std::size_t zone) const;
   bool all_zones_taken(Slot slot) const;
+  bool reaches_free_zone(Slot slot) const;
+  void map_walkways();
+  void change_structure() { structure_ = ++last_structure_; }
   /// Something came to, or left, this part of the floor.
   void disturb(const Bounds2& part);
   FloorThing floor_thing_of(const Item& item) const { return {&item.object, item.kind, item.body.footprint}; }
@@ -165,11 +170,22 @@ class World {
   std::vector<Change> changes_;
   std::vector<std::pair<Slot, Slot>> undecided_;  ///< by the boxes of the last move
   Version last_version_ = most_slots;  // doors and windows have their slots for versions
-  std::uint64_t structure_ = 0;
+  std::uint64_t structure_ = 0, last_structure_ = 0;
   std::uint64_t supporters_of_ = ~std::uint64_t{0};  ///< the structure for which they are known
   SlotSet supporters_;
-  OccupancyGrid empty_grid_;
-  std::vector<Zones> zones_;  ///< by slot
+  std::vector<Zones> zones_;   ///< by slot
+  SlotSet judged_, useless_;   ///< things of which it is known whether all their zones are taken
+  OccupancyGrid walkways_;
+  /// What stands in the way there, by slot; no version: nothing does.
+  struct Obstacle {
+    Version version = 0;
+    Footprint footprint;
+  };
+  std::vector<Obstacle> obstacles_;
+  struct Marked {
+    std::uint64_t structure = 0;
+    SlotSet judged, useless;
+  } marked_;
 };
 
 }  // namespace roomgen::annealing
