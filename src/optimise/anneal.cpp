@@ -14,6 +14,7 @@ constexpr double narrowest = 0.02;
 // Violations weigh this much against temperature: a step back is taken early and hardly ever late.
 constexpr double violation_weight = 6.0;
 constexpr double same = 1e-9;
+constexpr double crowded = 0.25;  // share of the floor
 constexpr std::size_t most_points = 400;
 constexpr int steps_between_looks = 25;
 
@@ -92,11 +93,15 @@ class Annealer {
     if (!moved || !world_.boxes_admit(*moved)) return world_.undo();
     const Worth next = worth();
     if (!accepts(next, temperature) || !world_.meshes_admit()) return world_.undo();
-    if (options_.always_usable && (world_.useless() > 0 || !world_.is_reachable())) return world_.undo();
+    if (options_.always_usable && world_.useless() > 0) return world_.undo();
+    if ((options_.always_usable || is_crowded()) && !world_.is_reachable()) return world_.undo();
     ++result_.accepted[static_cast<std::size_t>(kind)];
     current_ = next;
     keep_if_best(step);
   }
+
+  // On a full floor nearly all that is better leaves somebody no way, and what is gone through would never lead back.
+  bool is_crowded() { return evaluator_.occupancy() > crowded; }
 
   bool is_better() const {
     if (result_.curve.empty()) return true;

@@ -13,6 +13,7 @@ namespace {
 constexpr double neat = 0.3;       // share of draws that take an end or the middle of a stretch
 constexpr double snugly = 0.4, snug = 0.005;  // share of draws beside another thing; metres
 constexpr double along_walls = 0.5, wall_gap = 0.02;  // of free things that are put there; metres
+constexpr double against_others = 0.5, alike = 0.6;  // of the rest, beside another; of these, turned as it is
 constexpr double slanted = 0.01;   // share of free things that stand at 45 degrees
 constexpr double elevation_deviation = 0.15;  // metres
 constexpr int looks = 3;           // places on a carrier that are tried at once
@@ -85,6 +86,28 @@ Stance Settler::along_a_wall(int article, const Stance& stance) {
   if (!track) return there;
   there.position = track->at(place_along(*track, world_.articles()[static_cast<std::size_t>(article)].object));
   there.yaw = track->yaw;
+  return there;
+}
+
+// Touching another thing, in line with it at an end or in the middle: rows, and what stands back to back, fill
+// floors best.
+std::optional<Stance> Settler::against_another(int article, const Stance& stance) {
+  std::vector<Slot> others;
+  world_.things().each([&](Slot slot) {
+    const Object& object = world_.item(slot).object;
+    if (object.mount == Mount::floor && !object.traits.flat) others.push_back(slot);
+  });
+  if (others.empty()) return std::nullopt;
+  const Footprint& its = world_.body(random_.pick(others)).footprint;
+  const Object& object = world_.articles()[static_cast<std::size_t>(article)].object;
+  Stance there = stance;
+  const int turn = random_.chance(alike) ? 0 : random_.chance(alike) ? 2 : random_.chance(0.5) ? 1 : 3;
+  there.yaw = wrap_angle(its.yaw() + turn * pi / 2);
+  const Vec2 towards = rotated(its.x_axis(), random_.integer(0, 3) * pi / 2), along = left_of(towards);
+  const Footprint own(Vec2::Zero(), object.size.head<2>(), there.yaw, object.traits.round);
+  const double away = reach_along(its, towards) + reach_along(own, towards) + snug;
+  const double shift = random_.integer(-1, 1) * (reach_along(its, along) - reach_along(own, along));
+  there.position = its.center() + away * towards + shift * along;
   return there;
 }
 
@@ -169,6 +192,8 @@ std::optional<Stance> Settler::anywhere(int article, std::span<const Attachment>
     return stance;
   }
   if (random_.chance(along_walls)) return along_a_wall(article, stance);
+  if (random_.chance(against_others))
+    if (const auto there = against_another(article, stance)) return there;
   const Bounds2 box = bounds(world_.room().polygon);
   stance.position.x() = random_.uniform(box.low.x(), box.high.x());
   stance.position.y() = random_.uniform(box.low.y(), box.high.y());

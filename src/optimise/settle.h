@@ -26,6 +26,7 @@ class Settler {
   double place_along(const Track& track, const Object& object);
   std::optional<double> beside_another(const Track& track, const Object& object);
   Stance along_a_wall(int article, const Stance& stance);
+  std::optional<Stance> against_another(int article, const Stance& stance);
   SupportPoses::Place any_place(std::span<const SupportSurface> surfaces);
   std::optional<Stance> on_carrier(int article, const Stance& wanted, bool anywhere);
   double level(int article, const Stance& stance);
