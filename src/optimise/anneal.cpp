@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace roomgen::annealing {
 
@@ -13,6 +14,8 @@ constexpr double coldest = 0.001, cooling_share = 0.85;
 constexpr double narrowest = 0.02;
 // Violations weigh this much against temperature: a step back is taken early and hardly ever late.
 constexpr double violation_weight = 6.0;
+// What a thing counts that cannot be used, at the beginning and at the end: then more than that it is missing.
+constexpr double first_useless = 1.0, last_useless = 10.0;
 constexpr double same = 1e-9;
 constexpr double crowded = 0.25;  // share of the floor
 constexpr std::size_t most_points = 400;
@@ -42,7 +45,9 @@ class Annealer {
       : world_(world), evaluator_(evaluator), moves_(moves), random_(random), options_(options) {}
 
   AnnealResult run() {
-    current_ = worth();
+    result_.worth.violation = std::numeric_limits<double>::infinity();
+    current_ = evaluator_.worth();
+    useless_ = world_.useless();
     keep_if_best(0);
     for (int step = 1; step <= options_.steps; ++step) {
       if (options_.cancel.cancelled()) {
@@ -57,13 +62,6 @@ class Annealer {
   }
 
  private:
-  // Useless things are what a room may pass through, but not end with.
-  Worth worth() {
-    Worth worth = evaluator_.worth();
-    worth.violation += world_.useless();
-    return worth;
-  }
-
   MoveKind choose(double progress) {
     std::vector<double> weights;
     for (std::size_t i = 0; i < move_kinds; ++i) {
@@ -74,8 +72,10 @@ class Annealer {
     return static_cast<MoveKind>(random_.weighted(weights));
   }
 
-  bool accepts(const Worth& next, double temperature) {
-    const double worse = next.violation - current_.violation;
+  // Useless things are what a room may pass through, but not end with: they count ever more.
+  bool accepts(const Worth& next, int useless, double progress, double temperature) {
+    const double each = first_useless + progress * (last_useless - first_useless);
+    const double worse = next.violation - current_.violation + each * (useless - useless_);
     if (worse < -same) return true;
     if (worse > same) return random_.chance(std::exp(-violation_weight * worse / temperature));
     const double dearer = next.loss - current_.loss;
@@ -91,12 +91,13 @@ class Annealer {
     world_.mark();
     const auto moved = moves_.propose(kind, reach);
     if (!moved || !world_.boxes_admit(*moved)) return world_.undo();
-    const Worth next = worth();
-    if (!accepts(next, temperature) || !world_.meshes_admit()) return world_.undo();
-    if (options_.always_usable && world_.useless() > 0) return world_.undo();
+    const Worth next = evaluator_.worth();
+    const int useless = world_.useless();
+    if (!accepts(next, useless, progress, temperature) || !world_.meshes_admit()) return world_.undo();
+    if (options_.always_usable && useless > 0) return world_.undo();
     if ((options_.always_usable || is_crowded()) && !world_.is_reachable()) return world_.undo();
     ++result_.accepted[static_cast<std::size_t>(kind)];
-    current_ = next;
+    current_ = next, useless_ = useless;
     keep_if_best(step);
   }
 
@@ -116,7 +117,7 @@ class Annealer {
     const bool fewer = current_.violation < result_.worth.violation - same;
     if (!fewer && step < last_look_ + steps_between_looks && step < options_.steps) return;
     last_look_ = step;
-    if (world_.useless() > 0 || !world_.is_reachable()) return;
+    if (useless_ > 0 || !world_.is_reachable()) return;
     result_.worth = current_;
     result_.best.clear();
     world_.things().each([&](Slot slot) {
@@ -132,6 +133,7 @@ class Annealer {
   Random& random_;
   const AnnealOptions& options_;
   Worth current_;
+  int useless_ = 0;  ///< things of the current state without a free use zone
   int last_look_ = 0;
   AnnealResult result_;
 };

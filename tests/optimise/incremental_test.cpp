@@ -111,3 +111,34 @@ TEST_CASE("A move that is taken back leaves nothing behind") {
     }
   }
 }
+
+TEST_CASE("What is known of use zones and ways is what a new look finds") {
+  for (const auto& path : example_programs()) {
+    INFO(path);
+    Trial trial(path);
+    const auto empty = [&] {
+      return World(trial.room, KindTable::built_in(), trial.articles, trial.stock.models,
+                   trial.compiled.language.relations);
+    };
+    World world = empty();
+    Evaluator evaluator(trial.compiled, world);
+    Random random(7);
+    Moves moves(world, evaluator, trial.bounds, trial.articles_of_kind, trial.compiled.language, random);
+    int unreachable = 0, useless = 0;
+    for (int step = 0; step < 1500; ++step) {
+      world.mark();
+      const auto kind = static_cast<MoveKind>(random.integer(0, static_cast<int>(move_kinds) - 1));
+      const auto moved = moves.propose(random.chance(0.3) ? MoveKind::add : kind, 0.5);
+      if (random.chance(0.5)) (void)world.useless();
+      if (random.chance(0.2)) (void)world.is_reachable();
+      if (!moved || !world.admits(*moved) || random.chance(0.3)) world.undo();
+      if (random.chance(0.6)) continue;
+      World anew = empty();
+      world.things().each([&](Slot slot) { anew.add_at(slot, world.item(slot).article, world.item(slot).stance, -1); });
+      REQUIRE(world.useless() == anew.useless());
+      REQUIRE(world.is_reachable() == anew.is_reachable());
+      unreachable += !world.is_reachable(), useless += world.useless();
+    }
+    CHECK(unreachable + useless > 0);
+  }
+}
