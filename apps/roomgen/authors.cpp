@@ -25,7 +25,7 @@ Authors::Authors(ComposedModel& model, const DesignerOptions& options, const Ass
 }
 
 ProgramAuthor Authors::author() const {
-  return model_.model ? model_author(*model_.model, model_.prompts, {.kinds = kinds_}) : rule_author();
+  return model_.model ? model_author(*model_.model, model_.prompts, {.thinking = options_.thinking, .kinds = kinds_}) : rule_author();
 }
 
 void Authors::show(ComposeOptions& options) {

@@ -149,6 +149,14 @@ void add_chat_options(CLI::App& command, DesignerOptions& options) {
       ->capture_default_str();
 }
 
+void add_thinking_option(CLI::App& command, DesignerOptions& options) {
+  command
+      .add_option("--thinking", options.thinking,
+                  "Tokens that the model may think before each answer, where its endpoint has that (default: as it does)")
+      ->group(designer_group)
+      ->check(CLI::Range(0, 1'000'000));
+}
+
 void add_designer_options(CLI::App& command, DesignerOptions& options) {
   add_chat_options(command, options);
   add_text(command, "--mode", options.mode, "What the model sees and says: constraints (text only), image, fused")

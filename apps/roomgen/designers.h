@@ -27,6 +27,7 @@ struct DesignerOptions {
   int place_tokens = ModelDesignerOptions().place_tokens;
   double lost_step = FusionOptions().lost_step;
   double seconds_per_call = 300.0;
+  int thinking = 0;
   std::string improve = "minimal", repair = "on";
 
   ModelMode model_mode() const;
@@ -35,6 +36,8 @@ struct DesignerOptions {
 
 /// Adds --designer and how a language model is reached.
 void add_chat_options(CLI::App& command, DesignerOptions& options);
+/// Adds --thinking, for commands whose models write programs.
+void add_thinking_option(CLI::App& command, DesignerOptions& options);
 /// These, and what a model is asked while it designs a room.
 void add_designer_options(CLI::App& command, DesignerOptions& options);
 

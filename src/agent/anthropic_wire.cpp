@@ -35,11 +35,21 @@ std::string system_text(const ChatRequest& request) {
   return text;
 }
 
-void add_tool(const ChatRequest& request, Json& body) {
+// The budget is part of the bound on the answer, and has a least of its own.
+void add_thinking(const ChatRequest& request, Json& body) {
+  constexpr int least_budget = 1024;
+  const int budget = std::max(least_budget, request.thinking);
+  body["thinking"] = {{"type", "enabled"}, {"budget_tokens", budget}};
+  body["max_tokens"] = request.max_tokens + budget;
+}
+
+// A model that thinks cannot be made to use a tool, only offered it.
+void add_tool(const ChatRequest& request, bool thinks, Json& body) {
   body["tools"] = Json::array({{{"name", request.schema_name},
                                 {"description", "Give the answer in this form."},
                                 {"input_schema", request.schema}}});
-  body["tool_choice"] = {{"type", "tool"}, {"name", request.schema_name}};
+  if (thinks) body["tool_choice"] = {{"type", "auto"}};
+  else body["tool_choice"] = {{"type", "tool"}, {"name", request.schema_name}};
 }
 
 // A tool's input is the answer; prose beside it is not.
@@ -63,9 +73,11 @@ Json anthropic_body(const ChatRequest& request, const std::string& model, const 
     if (message.role == ChatMessage::Role::system) continue;
     body["messages"].push_back({{"role", name(message.role)}, {"content", content_of(message)}});
   }
-  // Its scale ends at 1, that of others at 2.
-  if (dialect.temperature) body["temperature"] = std::min(request.temperature, 1.0);
-  if (dialect.schema && !request.schema.is_null()) add_tool(request, body);
+  const bool thinks = dialect.thinking && request.thinking > 0;
+  if (thinks) add_thinking(request, body);
+  // Its scale ends at 1, that of others at 2; what thinks keeps its own.
+  else if (dialect.temperature) body["temperature"] = std::min(request.temperature, 1.0);
+  if (dialect.schema && !request.schema.is_null()) add_tool(request, thinks, body);
   return body;
 }
 

@@ -25,6 +25,10 @@ std::optional<Dialect> concede(const Dialect& refused, const ChatRequest& reques
     next.token_limit_settled = true;
     return next;
   }
+  if (refused.thinking && request.thinking > 0 && (names("reasoning") || names("thinking"))) {
+    next.thinking = false;
+    return next;
+  }
   if (refused.temperature && names("temperature")) {
     next.temperature = false;
     return next;

@@ -13,6 +13,7 @@ struct Dialect {
 
   bool schema = true;
   bool temperature = true;
+  bool thinking = true;
   TokenLimit token_limit = TokenLimit::max_tokens;
   bool token_limit_settled = false;  ///< the other name was tried already, or there is none
 };

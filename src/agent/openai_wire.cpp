@@ -43,6 +43,12 @@ Json response_format(const ChatRequest& request) {
   return {{"type", "json_schema"}, {"json_schema", schema}};
 }
 
+// The protocol has words for it: low, medium, high. Gateways take them for about 1,000, 8,000 and 24,000 tokens.
+const char* effort_for(int thinking) {
+  constexpr int little = 2000, some = 12000;
+  return thinking <= little ? "low" : thinking <= some ? "medium" : "high";
+}
+
 std::string text_of(const JsonReader& content) {
   if (!content.is_array()) return content.text_or("", max_answer_text);
   std::string text;
@@ -57,7 +63,9 @@ Json openai_body(const ChatRequest& request, const std::string& model, const Dia
   for (const auto& message : request.messages)
     body["messages"].push_back({{"role", name(message.role)}, {"content", content_of(message)}});
   const bool completion = dialect.token_limit == Dialect::TokenLimit::max_completion_tokens;
-  body[completion ? "max_completion_tokens" : "max_tokens"] = request.max_tokens;
+  const bool thinks = dialect.thinking && request.thinking > 0;
+  body[completion ? "max_completion_tokens" : "max_tokens"] = request.max_tokens + (thinks ? request.thinking : 0);
+  if (thinks) body["reasoning_effort"] = effort_for(request.thinking);
   if (dialect.temperature) body["temperature"] = request.temperature;
   if (dialect.schema && !request.schema.is_null())
     body["response_format"] = response_format(request);

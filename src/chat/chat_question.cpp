@@ -24,11 +24,13 @@ Json message_json(const ChatMessage& message) {
 Json question_json(const ChatRequest& request) {
   Json messages = Json::array();
   for (const auto& message : request.messages) messages.push_back(message_json(message));
-  return {{"messages", std::move(messages)},
-          {"schema", request.schema},
-          {"schema_name", request.schema_name},
-          {"max_tokens", request.max_tokens},
-          {"temperature", request.temperature}};
+  Json json = {{"messages", std::move(messages)},
+               {"schema", request.schema},
+               {"schema_name", request.schema_name},
+               {"max_tokens", request.max_tokens},
+               {"temperature", request.temperature}};
+  if (request.thinking > 0) json["thinking"] = request.thinking;
+  return json;
 }
 
 std::string question_key(const Json& question) {

@@ -32,6 +32,7 @@ Result<ChatRequest> Interview::first_request(const Question& question) const {
   request.schema = question.schema;
   request.schema_name = question.schema_name;
   request.max_tokens = question.max_tokens;
+  request.thinking = question.thinking;
   request.cancel = question.cancel;
   return request;
 }

@@ -28,6 +28,7 @@ struct Question {
   Json schema = {};
   std::string schema_name = "answer";
   int max_tokens = 4096;
+  int thinking = 0;  ///< ChatRequest::thinking
   std::vector<std::string> images = {};
   CancelToken cancel = {};
 };

@@ -29,6 +29,11 @@ Error limit_error(const std::string& used, const std::string& limit) {
           "the next question might go beyond the limit of " + limit + ": " + used + " used so far"};
 }
 
+// What a model thinks is paid for like what it says.
+long long longest_answer(const ChatRequest& request) {
+  return static_cast<long long>(request.max_tokens) + request.thinking;
+}
+
 }  // namespace
 
 LimitedModel::LimitedModel(std::unique_ptr<ChatModel> inner, const ChatLimits& limits,
@@ -57,10 +62,10 @@ std::optional<Error> LimitedModel::refusal(const ChatRequest& request) const {
     return limit_error(std::to_string(totals_.calls), std::to_string(*limits_.calls) + " calls");
   const long long input = estimated_input(request);
   const long long used = totals_.input_tokens + totals_.output_tokens;
-  if (limits_.tokens && used + input + request.max_tokens > *limits_.tokens)
+  if (limits_.tokens && used + input + longest_answer(request) > *limits_.tokens)
     return limit_error(std::to_string(used), std::to_string(*limits_.tokens) + " tokens");
   if (limits_.dollars && price_ &&
-      *totals_.dollars + price_->of(input, request.max_tokens) > *limits_.dollars)
+      *totals_.dollars + price_->of(input, longest_answer(request)) > *limits_.dollars)
     return limit_error(format_number(*totals_.dollars, 4),
                        format_number(*limits_.dollars, 4) + " dollars");
   return std::nullopt;
@@ -77,7 +82,7 @@ void LimitedModel::count(const ChatRequest& request, const ChatReply& reply) {
 }
 
 void LimitedModel::count_worst(const ChatRequest& request) {
-  add(estimated_input(request), request.max_tokens);
+  add(estimated_input(request), longest_answer(request));
 }
 
 void LimitedModel::add(long long input_tokens, long long output_tokens) {

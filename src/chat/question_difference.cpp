@@ -103,7 +103,7 @@ std::string describe_difference(const Json& recorded, const Json& asked) {
     const std::string role = text_of(member(b.is_null() ? a : b, "role"));
     return "message " + std::to_string(i + 1) + " (" + role + "): " + message_difference(a, b);
   }
-  for (const char* key : {"schema", "schema_name", "max_tokens", "temperature"})
+  for (const char* key : {"schema", "schema_name", "max_tokens", "temperature", "thinking"})
     if (member(recorded, key) != member(asked, key))
       return std::string(key) + ": " + both(member(recorded, key), member(asked, key));
   return "nothing but the recorded key";

@@ -18,10 +18,10 @@ using Tokens = std::span<const Token>;
 constexpr double about_share = 0.05, exact_share = 0.03;
 constexpr std::size_t longest_gap = 3, longest_phrase = 4, look_back = 2;
 
-/// A measure that is said at some tokens.
+/// A measure that is said at some tokens: the first, and one past the last.
 struct Said {
   Range range;
-  std::size_t end = 0;  ///< one past the last token
+  std::size_t begin = 0, end = 0;
 };
 
 // How many tokens from `at` on are one of the phrases; the longest.
@@ -58,11 +58,11 @@ class Reader {
       : tokens_(tokens), measure_(measure), is_share_(name == "occupancy") {}
 
   // The first that the text says; a later one only where there is none.
-  std::optional<Range> read() const {
+  std::optional<Said> read() const {
     for (std::size_t at = 0; at < tokens_.size(); ++at)
-      if (const auto said = said_at(at); said && !is_denied(at)) return said->range;
+      if (const auto said = said_at(at); said && !is_denied(at)) return said;
     for (std::size_t at = 0; at < tokens_.size(); ++at)
-      if (const auto range = word_at(at)) return range;
+      if (const auto said = word_at(at)) return said;
     return std::nullopt;
   }
 
@@ -76,7 +76,7 @@ class Reader {
     std::optional<Said> best;
     for (const auto& pattern : measure_.patterns)
       if (const auto end = match(pattern, 0, {at, {}}); end && end->range && (!best || end->at > best->end))
-        best = Said{*end->range, end->at};
+        best = Said{*end->range, at, end->at};
     return best;
   }
 
@@ -143,12 +143,11 @@ class Reader {
     return false;
   }
 
-  std::optional<Range> word_at(std::size_t at) const {
-    std::optional<Range> best;
-    std::size_t longest = 0;
+  std::optional<Said> word_at(std::size_t at) const {
+    std::optional<Said> best;
     for (const auto& [level, words] : measure_.words)
-      if (const std::size_t length = phrase_at(words, tokens_, at); length > longest)
-        best = measure_.levels.at(level), longest = length;
+      if (const std::size_t length = phrase_at(words, tokens_, at); length > 0 && (!best || at + length > best->end))
+        best = Said{measure_.levels.at(level), at, at + length};
     return best;
   }
 
@@ -156,6 +155,12 @@ class Reader {
   const ComplexityWords::Measure& measure_;
   bool is_share_;
 };
+
+std::optional<Said> said_of(const std::string& name, Tokens tokens) {
+  const auto& measures = compose::complexity_words().measures;
+  const auto measure = measures.find(name);
+  return measure == measures.end() ? std::nullopt : Reader(tokens, name, measure->second).read();
+}
 
 }  // namespace
 
@@ -171,10 +176,18 @@ Complexity complexity_of(std::string_view text) {
   const auto tokens = language::tokenize(text);
   Complexity complexity;
   for (const auto& [name, range] : complexity_measures())
-    if (const auto measure = compose::complexity_words().measures.find(name);
-        measure != compose::complexity_words().measures.end())
-      complexity.*range = Reader(tokens, name, measure->second).read();
+    if (const auto said = said_of(name, tokens)) complexity.*range = said->range;
   return complexity;
+}
+
+std::vector<language::Span> compose::complexity_spans(std::string_view text) {
+  const auto tokens = language::tokenize(text);
+  std::vector<language::Span> spans;
+  for (const auto& [name, range] : complexity_measures())
+    if (const auto said = said_of(name, tokens))
+      spans.push_back({tokens[said->begin].span.begin, tokens[said->end - 1].span.end});
+  std::ranges::sort(spans, {}, &language::Span::begin);
+  return spans;
 }
 
 Complexity overridden(Complexity asked, const Complexity& told) {

@@ -27,4 +27,7 @@ struct ComplexityWords {
 };
 const ComplexityWords& complexity_words();
 
+/// Where a text says what complexity_of() reads of it, in order.
+std::vector<language::Span> complexity_spans(std::string_view text);
+
 }  // namespace roomgen::compose

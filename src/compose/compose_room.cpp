@@ -2,11 +2,14 @@
 
 #include "evaluate/attributes.h"
 #include "evaluate/ledger.h"
+#include "heard_measures.h"
 #include "roomgen/compose/compose.h"
 
 namespace roomgen {
 
 namespace {
+
+constexpr std::size_t most_explained = 40;  // constraints, each of them a short search
 
 /// Goes on from round to round.
 class Composer {
@@ -57,11 +60,20 @@ class Composer {
     round.models = stock_.models;
     keep_ledger(round);
     round.report = error_report(round.result, round.written.asked, round.models, kinds_);
+    look_for_conflict(round);
     if (options_.picture)
       if (auto picture = options_.picture(round.result.scene, round.models)) round.picture = *std::move(picture);
     composition_.rounds.push_back(std::move(round));
     if (options_.on_round) options_.on_round(last());
     return {};
+  }
+
+  void look_for_conflict(ComposeRound& round) const {
+    const bool is_worth_it = author_.wants_conflict && !round.report.unmet.empty() &&
+                             round.written.program.constraints.size() <= most_explained;
+    if (!is_worth_it || options_.optimise.cancel.cancelled()) return;
+    auto names = conflict(round.written.program, round.written.plan.room, stock_, kinds_, options_.optimise);
+    if (names) round.report.conflict = *std::move(names);
   }
 
   // Most revisions want the meshes that are there.
@@ -83,7 +95,7 @@ class Composer {
           return judge_attribute(known_looks(object, round.models), word);
         },
         [](const Object&) { return 1.0; });
-    scene.heard = round.written.plan.heard;
+    scene.heard = compose::with_measures_heard(round.written.plan.heard, request_.plan.prompt);
   }
 
   const ComposeRequest& request_;

@@ -118,6 +118,7 @@ class ModelAuthor {
     question.schema = answer_schema();
     question.schema_name = "program";
     question.max_tokens = options_.max_tokens;
+    question.thinking = options_.thinking;
     question.cancel = request_.plan.cancel;
     return question;
   }
@@ -180,7 +181,7 @@ class ModelAuthor {
 ProgramAuthor model_author(ChatModel& model, Prompts prompts, ModelAuthorOptions options) {
   const auto author = std::make_shared<ModelAuthor>(model, std::move(prompts), std::move(options));
   return {"model", [author](const ComposeRequest& request) { return author->write(request); },
-          [author](const std::vector<ComposeRound>& rounds) { return author->revise(rounds); }};
+          [author](const std::vector<ComposeRound>& rounds) { return author->revise(rounds); }, true};
 }
 
 }  // namespace roomgen

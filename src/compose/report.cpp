@@ -80,6 +80,7 @@ Json to_json(const ErrorReport& report) {
                                 {"reached", std::round(measure.reached * 1e6) / 1e6},
                                 {"missed", std::round(measure.missed * 1e6) / 1e6}});
   json["colliding"] = report.colliding;
+  if (!report.conflict.empty()) json["conflict"] = report.conflict;
   json["things"] = report.things;
   json["occupancy"] = std::round(report.occupancy * 1e6) / 1e6;
   json["counts"] = report.counts;
@@ -96,6 +97,10 @@ std::string to_text(const ErrorReport& report) {
     line("- " + measure.name + ": " + range_text(measure.asked) + " asked for, " + format_number(measure.reached, 2) +
          " reached" + (measure.missed > exact ? ", missed by " + format_number(measure.missed, 2) : ""));
   for (const auto& pair : report.colliding) line("- " + pair + " share space");
+  if (!report.conflict.empty())
+    line("- as far as short searches tell, " +
+         std::string(report.conflict.size() == 1 ? "this room cannot have " : "no room like this has together ") +
+         join(report.conflict, ", "));
   std::vector<std::string> counts;
   for (const auto& [kind, count] : report.counts) counts.push_back(std::to_string(count) + " " + kind);
   line("- in the room: " + (counts.empty() ? "nothing" : join(counts, ", ")) + "; " +

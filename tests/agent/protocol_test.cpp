@@ -100,6 +100,45 @@ TEST_CASE("What an endpoint refuses is left out, and not tried again") {
   CHECK(requests[1]["body"].contains("max_completion_tokens") == (option == "max_tokens"));
 }
 
+TEST_CASE("Thinking is asked for in OpenAI's words, beside the answer, and given up where it is unknown") {
+  REQUIRE_PYTHON();
+  const Environment environment;
+  const Server server;
+  ChatRequest request = question();
+  request.thinking = 4000;
+  CHECK(ask(quick_options(server.url("ok")), request).text() == "hello");
+  const auto model = make_http_model(quick_options(server.url("no-thinking")));
+  REQUIRE(model);
+  CHECK(ask(**model, request).text() == "hello");
+  CHECK(ask(**model, request).text() == "hello");
+  const auto requests = server.requests();
+  REQUIRE(requests.size() == 4);
+  CHECK(requests[0]["body"]["reasoning_effort"] == "medium");
+  CHECK(requests[0]["body"]["max_tokens"] == request.max_tokens + 4000);
+  for (const std::size_t later : {2u, 3u}) {
+    CHECK_FALSE(requests[later]["body"].contains("reasoning_effort"));
+    CHECK(requests[later]["body"]["max_tokens"] == request.max_tokens);
+  }
+}
+
+TEST_CASE("With Anthropic thinking has a budget of its own, and a schema is offered") {
+  REQUIRE_PYTHON();
+  const Environment environment("ANTHROPIC_API_KEY");
+  const Server server;
+  auto options = quick_options(server.url("anthropic"));
+  options.protocol = ChatProtocol::anthropic;
+  ChatRequest request = question_with_schema();
+  request.thinking = 100;
+  ask(options, request);
+  const auto requests = server.requests();
+  REQUIRE(requests.size() == 1);
+  const Json& body = requests[0]["body"];
+  CHECK(body["thinking"] == Json({{"type", "enabled"}, {"budget_tokens", 1024}}));
+  CHECK(body["max_tokens"] == request.max_tokens + 1024);
+  CHECK_FALSE(body.contains("temperature"));
+  CHECK(body["tool_choice"]["type"] == "auto");
+}
+
 TEST_CASE("A question goes out as Anthropic's protocol has it") {
   REQUIRE_PYTHON();
   const Environment environment("ANTHROPIC_API_KEY");

@@ -210,6 +210,7 @@ SCENARIOS = {
     "no-grammar": lambda h: h.unless("response_format", "failed to parse grammar", 500),
     "no-old-limit": lambda h: h.unless("max_tokens", "use max_completion_tokens"),
     "no-temperature": lambda h: h.unless("temperature", "temperature: only 1 is supported"),
+    "no-thinking": lambda h: h.unless("reasoning_effort", "Unrecognized request argument: reasoning_effort"),
     "schema": Handler.schema,
     "image": Handler.image,
     "anthropic": Handler.anthropic,

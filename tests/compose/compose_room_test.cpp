@@ -108,8 +108,27 @@ TEST_CASE("A model writes a program, and patches it when the report says what is
   const auto& second = script->questions.at(1).messages;
   CHECK(contains_text(second.back().text, "is missed by"));
   CHECK(contains_text(second.back().text, "\"desks\""));
+  CHECK(contains_text(second.back().text, "this room cannot have desks"));
   REQUIRE(second.back().images.size() == 1);
   CHECK(second.back().images[0] == "\x89PNG picture");
+}
+
+TEST_CASE("What is said of seats, shelves, things and the floor is heard", "[compose]") {
+  const std::string prompt = "a lounge with seating for six and 20 to 30 % of the floor covered, zxqv as well";
+  const auto result = composed(prompt, rule_author(), quick(1));
+  const auto& heard = result.chosen().result.scene.heard;
+  std::size_t end = 0;
+  std::string unheard;
+  for (const auto& words : heard) {
+    CHECK(words.begin >= end);
+    CHECK(words.text == prompt.substr(words.begin, words.end - words.begin));
+    end = words.end;
+    if (words.as == Heard::As::not_understood) unheard += words.text + "; ";
+  }
+  CHECK_FALSE(contains_text(unheard, "six"));
+  CHECK_FALSE(contains_text(unheard, "30"));
+  CHECK_FALSE(contains_text(unheard, "floor"));
+  CHECK(contains_text(unheard, "zxqv"));
 }
 
 TEST_CASE("A model that answers Python is asked again, then the work ends with what was wrong", "[compose]") {

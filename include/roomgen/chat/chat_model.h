@@ -35,6 +35,8 @@ struct ChatRequest {
   std::string schema_name = "answer";
   int max_tokens = 4096;  ///< of the answer
   double temperature = 0.0;
+  /// Tokens that the model may spend on thinking before it answers, beside max_tokens; 0: as the endpoint does it unasked.
+  int thinking = 0;
   CancelToken cancel;  ///< ends the call at once
 };
 

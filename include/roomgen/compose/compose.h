@@ -85,6 +85,8 @@ struct ErrorReport {
   double occupancy = 0.0;
   double violation = 0.0;                 ///< the sum of what constraints miss
   std::map<std::string, int> counts;      ///< things of each kind
+  /// Names of constraints that cannot be had together, as far as conflict() tells; empty if nobody looked.
+  std::vector<std::string> conflict;
 
   bool is_met() const;
   /// The less, the better: what constraints miss, and 1 for each measure that is missed.
@@ -130,6 +132,7 @@ struct ProgramAuthor {
   std::function<Result<WrittenProgram>(const ComposeRequest&)> write;
   /// Of the rounds so far; nothing when there is nothing left to try.
   std::function<Result<std::optional<Revision>>(const std::vector<ComposeRound>&)> revise;
+  bool wants_conflict = false;  ///< the report shall name constraints that cannot be had together: takes searches
 };
 ProgramAuthor rule_author();
 
@@ -141,6 +144,7 @@ struct KindOffer {
 struct ModelAuthorOptions {
   int answers = 3;          ///< asked for at most, for one program
   int max_tokens = 8192;    ///< of an answer
+  int thinking = 0;         ///< tokens to think before each answer: ChatRequest::thinking
   std::vector<KindOffer> kinds;
 };
 /// A language model that is shown the language, the kinds, three examples, and for a revision the error report with a
