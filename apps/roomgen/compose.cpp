@@ -41,43 +41,6 @@ struct ComposeCommand {
   DesignerOptions designer;
 };
 
-Json round_json(const ComposeRound& round) {
-  Json json = {{"report", to_json(round.report)},
-               {"loss", rounded(round.result.loss)},
-               {"moves", round.result.moves},
-               {"notes", round.written.notes}};
-  if (!round.reason.empty()) json["reason"] = round.reason;
-  if (!round.patch.is_null()) json["patch"] = round.patch;
-  return json;
-}
-
-// How the program came about: the first one whole, then what changed.
-Json rounds_json(const Composition& composition, const std::string& author) {
-  Json json = {{"format", "roomgen-rounds"}, {"version", 1}, {"author", author}, {"chosen", composition.best}};
-  json["program"] = to_json(composition.rounds.front().written.program);
-  for (const auto& round : composition.rounds) json["rounds"].push_back(round_json(round));
-  json["notes"] = composition.notes;
-  return json;
-}
-
-// The files of the room that was chosen, and of each round what its author was shown.
-Status write_all(const ComposeCommand& command, OutputFolder& folder, const Composition& composition,
-                 const std::string& author) {
-  const ComposeRound& chosen = composition.chosen();
-  if (auto status = folder.write("rounds.json", dump_json(rounds_json(composition, author))); !status) return status;
-  for (std::size_t i = 0; i < composition.rounds.size(); ++i)
-    if (const auto& picture = composition.rounds[i].picture; !picture.empty())
-      if (auto status = folder.write(
-              "rounds/round-" + std::to_string(i + 1) + (picture.starts_with("\xFF\xD8") ? ".jpg" : ".png"), picture);
-          !status)
-        return status;
-  if (auto status = write_optimised_room(folder, chosen.written.program, chosen.result, chosen.models,
-                                         command.no_pictures ? 0 : command.pixels);
-      !status)
-    return status;
-  return folder.commit();
-}
-
 void print_summary(const Context& context, const fs::path& folder, const Composition& composition,
                    const std::string& author, double seconds) {
   const ComposeRound& chosen = composition.chosen();
@@ -99,12 +62,7 @@ void print_summary(const Context& context, const fs::path& folder, const Composi
   print_lines(composition.notes);
   std::printf("%s: %s (%zu rounds, %.1f s)\n", folder.string().c_str(),
               optimisation_headline(chosen.result).c_str(), composition.rounds.size(), seconds);
-  std::vector<std::string> lines = unmet_lines(chosen.result);
-  for (const auto& measure : chosen.report.measures)
-    lines.push_back(measure.name + ": " + range_text(measure.asked) + " asked for, " +
-                    format_number(measure.reached, 2) + (measure.missed > 0.0 ? " reached: not met" : " reached"));
-  for (const auto& line : lack_lines(chosen.result.scene)) lines.push_back(line);
-  print_lines(lines);
+  print_lines(composed_lines(composition));
 }
 
 Status read_wishes(ComposeCommand& command) {
@@ -156,7 +114,9 @@ Result<int> run(const Context& context, ComposeCommand& command) {
   auto composition = compose_room(command.request, author, **library, kinds, command.options);
   if (!composition) return composition.error();
   if (context.cancel.cancelled() && holds_whole_scene(folder / "scene.json")) return older_stays(folder);
-  if (auto status = write_all(command, *output, *composition, author.name); !status) return status.error();
+  const int pixels = command.no_pictures ? 0 : command.pixels;
+  if (auto status = write_composed_room(*output, *composition, author.name, pixels); !status) return status.error();
+  if (auto status = output->commit(); !status) return status.error();
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   print_summary(context, folder, *composition, author.name, elapsed.count());
   if (context.cancel.cancelled()) return exit_interrupted;
@@ -199,6 +159,7 @@ void add_compose_command(CLI::App& app, Context& context) {
   sub->add_flag("--no-pictures", command->no_pictures, "Leave out the pictures");
   sub->add_option("--pixels", command->pixels, "Length of the pictures' longer side")->capture_default_str();
   add_chat_options(*sub, command->designer);
+  add_thinking_option(*sub, command->designer);
   add_library_options(*sub, command->libraries);
   sub->callback([command, &context] { context.run = [command, &context] { return run(context, *command); }; });
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "roomgen/base/file.h"
+#include "roomgen/compose/compose.h"
 #include "roomgen/optimise/optimise.h"
 #include "roomgen/program/program.h"
 
@@ -14,9 +15,15 @@ Json optimisation_json(const Optimisation& result);
 Status write_optimised_room(const OutputFolder& folder, const ConstraintProgram& program, const Optimisation& result,
                             const ModelTable& models, int pixels);
 
+/// These of the round that was chosen, rounds.json and of each round what its author was shown.
+Status write_composed_room(const OutputFolder& folder, const Composition& composition, const std::string& author,
+                           int pixels);
+
 /// "12 things, 5 of 5 constraints held, 31 % of the floor covered"
 std::string optimisation_headline(const Optimisation& result);
 /// What does not hold, a line each.
 std::vector<std::string> unmet_lines(const Optimisation& result);
+/// The same of a composed room, with the measures that were asked for and what of the prompt is not so.
+std::vector<std::string> composed_lines(const Composition& composition);
 
 }  // namespace roomgen::cli

@@ -14,7 +14,7 @@ from pathlib import Path
 import anyio
 from mcp import Client, MCPError, StdioServerParameters
 
-TOOLS = {"plan", "generate", "edit", "preview", "check", "explain", "undo", "redo", "history", "render", "export"}
+TOOLS = {"plan", "generate", "compose", "optimise", "edit", "preview", "check", "explain", "undo", "redo", "history", "render", "export"}
 
 
 def text_of(result):
@@ -156,6 +156,28 @@ async def wrong_calls(client, root):
     os.unlink(root / "link")
 
 
+async def programs(client, root):
+    """Rooms by numbers and by programs, which are rooms like others; wrong programs come back with the place."""
+    made = (await done(client, "compose", folder="reading", prompt="a reading room with two bookshelves", seats="3..4",
+                       steps=4000, rounds=2)).structured_content
+    seats = next(measure for measure in made["measures"] if measure["name"] == "seats")
+    assert seats["asked"] == [3, 4] and (not made["met"] or 3 <= seats["reached"] <= 4), made
+    assert (await done(client, "check", room="reading")).structured_content["valid"]
+    program = json.loads((root / "reading/program.json").read_text())
+    again = await done(client, "optimise", folder="again", program=program, steps=3000)
+    assert {each["name"] for each in again.structured_content["constraints"]} == set(program["constraints"])
+    assert max(picture_of(again)) == 512
+    await done(client, "optimise", folder="third", file="reading/program.json", steps=500, picture="none")
+    await done(client, "edit", room="again", change="remove one bookshelf")
+    await refused(client, "optimise", "holds a room already", folder="again", program=program)
+    await refused(client, "optimise", "either program or file", folder="fourth")
+    await refused(client, "optimise", "leads out of the root folder", folder="fourth", file="../program.json")
+    program["sets"]["bookshelf"]["factory"] = "bokshelf"
+    await refused(client, "optimise", "/sets/bookshelf/factory", folder="fourth", program=program)
+    await refused(client, "compose", "/seats", folder="fourth", prompt="a study", seats="many")
+    assert not (root / "fourth").exists()
+
+
 async def give_up(client, root):
     """A call that is cancelled while it works writes nothing, and the next one is answered."""
     with anyio.CancelScope() as scope:
@@ -180,6 +202,7 @@ async def talk(roomgen, root, mode):
         await look(client, root)
         await resources(client, root)
         await wrong_calls(client, root)
+        await programs(client, root)
         await give_up(client, root)
         await done(client, "check", room="study")
 

@@ -33,7 +33,7 @@ async function refused(name, args, part) {
 }
 
 const { tools } = await client.listTools();
-assert.equal(tools.length, 11);
+assert.equal(tools.length, 13);
 
 const made = await done('generate', { folder: 'study', prompt: 'a small study with a desk and a chair' });
 assert.equal(made.structuredContent.room, 'study');
@@ -56,6 +56,10 @@ assert.equal(resources.length, 2);
 const ledger = await client.readResource({ uri: 'roomgen:///study/ledger.json' });
 assert.ok(JSON.parse(ledger.contents[0].text).requirements.length > 0);
 await assert.rejects(client.readResource({ uri: 'roomgen:///none/scene.json' }));
+
+const composed = await done('compose', { folder: 'waiting', prompt: 'a waiting room', seats: '4', steps: 2000, rounds: 1 });
+assert.equal(composed.structuredContent.measures[0].name, 'seats');
+await refused('optimise', { folder: 'other', program: { format: 'roomgen-program' } }, /program/);
 
 await refused('check', { room: '..' }, /leads out of the root folder/);
 await refused('check', { room: 7 }, /expected a text/);

@@ -45,6 +45,26 @@ Result<cli::PlanWish> plan_wish(const Workplace& place, const Json& arguments) {
   return wish;
 }
 
+Result<fs::path> new_room_folder(const Workplace& place, const Json& arguments) {
+  const std::string path = arguments["folder"].get<std::string>();
+  auto folder = place.root.find(path);
+  if (!folder) return with_context(folder.error(), "/folder");
+  if (*folder == place.root.path())
+    return Error{Error::Kind::invalid_input, "/folder: name a folder below the root, such as \"bedroom\""};
+  std::error_code code;
+  if (fs::exists(*folder / "scene.json", code) && !arguments.value("replace", false))
+    return Error{Error::Kind::invalid_input,
+                 "\"" + path + "\" holds a room already; choose another folder, or set replace to true"};
+  return folder;
+}
+
+std::vector<std::string> not_understood(const Scene& scene) {
+  std::vector<std::string> texts;
+  for (const auto& words : scene.heard)
+    if (words.as == Heard::As::not_understood) texts.push_back(words.text);
+  return texts;
+}
+
 Result<fs::path> new_file(const Workplace& place, const std::string& path, const std::string& ending) {
   auto file = place.root.find(path);
   if (!file) return file.error();

@@ -12,8 +12,6 @@ namespace roomgen::mcp {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 Result<cli::AnyPlan> wanted_plan(const Workplace& place, const ToolCall& call, Designer& designer) {
   const bool has_prompt = call.arguments.contains("prompt");
   if (has_prompt == call.arguments.contains("plan"))
@@ -26,19 +24,6 @@ Result<cli::AnyPlan> wanted_plan(const Workplace& place, const ToolCall& call, D
   const auto wish = plan_wish(place, call.arguments);
   if (!wish) return wish.error();
   return cli::make_plan(*wish, designer, call.cancel);
-}
-
-Result<fs::path> wanted_folder(const Workplace& place, const ToolCall& call) {
-  const std::string path = call.arguments["folder"].get<std::string>();
-  auto folder = place.root.find(path);
-  if (!folder) return with_context(folder.error(), "/folder");
-  if (*folder == place.root.path())
-    return Error{Error::Kind::invalid_input, "/folder: name a folder below the root, such as \"bedroom\""};
-  std::error_code code;
-  if (fs::exists(*folder / "scene.json", code) && !call.arguments.value("replace", false))
-    return Error{Error::Kind::invalid_input,
-                 "\"" + path + "\" holds a room already; choose another folder, or set replace to true"};
-  return folder;
 }
 
 Result<Generation> furnish(const Workplace& place, const ToolCall& call, const cli::AnyPlan& plan, Designer& designer) {
@@ -60,18 +45,16 @@ Json answer_json(const std::string& name, const Generation& made) {
                {"met", std::count_if(scene.requirements.begin(), scene.requirements.end(),
                                      [](const RequirementVerdict& verdict) { return verdict.met(); })},
                {"not_met", cli::unmet(scene)},
-               {"not_understood", Json::array()},
+               {"not_understood", not_understood(scene)},
                {"left_out", Json::array()},
                {"notes", made.notes},
                {"incomplete", scene.incomplete}};
-  for (const auto& words : scene.heard)
-    if (words.as == Heard::As::not_understood) json["not_understood"].push_back(words.text);
   for (const auto& missing : scene.unplaced) json["left_out"].push_back(missing.id + ": " + missing.reason);
   return json;
 }
 
 Result<ToolAnswer> make_room(Workplace& place, const ToolCall& call) {
-  const auto folder = wanted_folder(place, call);
+  const auto folder = new_room_folder(place, call.arguments);
   if (!folder) return folder.error();
   const auto designer = make_rule_designer();
   const auto plan = wanted_plan(place, call, *designer);

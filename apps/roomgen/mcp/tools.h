@@ -7,6 +7,8 @@ namespace roomgen::mcp {
 
 Tool plan_tool(Workplace& place);
 Tool generate_tool(Workplace& place);
+Tool compose_tool(Workplace& place);
+Tool optimise_tool(Workplace& place);
 Tool edit_tool(Workplace& place);
 Tool undo_tool(Workplace& place);
 Tool redo_tool(Workplace& place);
