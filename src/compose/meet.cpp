@@ -14,11 +14,13 @@ constexpr const char* any_seat = "seat";  // the kind of which all seats are
 constexpr double headroom = 2.0;        // beyond the least, where nobody said how many at most
 constexpr std::size_t most_fillers = 8; // kinds; each is loaded
 constexpr double most_of_one = 12.0;    // things of a kind that fills the room up
+constexpr double most_of_own = 4.0;     // of one that just such rooms hold: a dozen ladders are nobody's workshop
 constexpr double crowded = 0.3;         // share of the floor beyond which walls alone do not do
+constexpr double packed = 0.48, larger = 1.2;  // share from which things are chosen larger than usual, by this factor
 // A room may hardly be fuller (docs/benchmarks.md), nor does anybody want it emptier.
 constexpr double fullest = 0.55, emptiest = 0.04;
 // So full a room of any size still has the floor that use and ways need.
-constexpr double fullest_chosen = 0.36;
+constexpr double fullest_chosen = 0.42;
 
 double most_of(const Range& range) { return std::isinf(range.high) ? range.low + headroom : range.high; }
 
@@ -55,10 +57,19 @@ class Opener {
       std::ranges::stable_sort(names, std::greater(), [&](const auto& name) { return filling(name); });
     for (std::size_t i = 0; i < std::min(names.size(), most_fillers); ++i) {
       const Vec3& size = kinds_.get(names[i]).size;
-      add(names[i], std::clamp(std::ceil(missing / (size.x() * size.y())), 1.0, most_of_one));
+      const auto& anywhere = complexity_words().made_up_with.at("floor");
+      const double most = std::ranges::find(anywhere, names[i]) == anywhere.end() ? most_of_own : most_of_one;
+      add(names[i], std::clamp(std::ceil(missing / (size.x() * size.y())), 1.0, most));
     }
-    if (middle > crowded)
-      for (auto& stand : stands_) stand.at_wall = stand.at_wall && stand.asked;
+    if (middle <= crowded) return;
+    for (auto& stand : stands_) stand.at_wall = stand.at_wall && stand.asked;
+  }
+
+  // People need as much floor beside large things as beside small ones, so large ones fill a floor better.
+  void enlarge(const Range& wanted) {
+    if (middle_share(wanted) < packed) return;
+    for (auto& stand : stands_)
+      if (footprint_of(stand, kinds_) > 0.0 && !is_seat(stand.kind)) stand.size.head<2>() *= larger;
   }
 
  private:
@@ -211,7 +222,9 @@ double middle_share(const Range& range) { return 0.5 * (range.low + std::min(1.0
 
 void meet_numbers(const Complexity& asked, const Means& means, std::vector<Stand>& stands,
                   std::vector<std::string>& notes) {
-  Opener(asked, means, stands, notes).open_numbers();
+  Opener opener(asked, means, stands, notes);
+  opener.open_numbers();
+  if (asked.occupancy) opener.enlarge(*asked.occupancy);
 }
 
 void meet_occupancy(const Complexity& asked, const Means& means, double area, std::vector<Stand>& stands) {

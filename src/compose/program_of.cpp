@@ -13,7 +13,7 @@ namespace {
 using namespace roomgen::programs;
 
 constexpr double liked = 0.5;  // weight of having what such rooms usually hold
-constexpr double straight = 0.5, middling = 0.5;
+constexpr double straight = 2.0, middling = 0.5;
 
 ProgramTerm bound(ProgramTerm value, const Range& range) {
   if (std::isinf(range.high)) return term(ProgramOp::at_least, {}, {std::move(value), number(range.low)});

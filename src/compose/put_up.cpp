@@ -62,6 +62,19 @@ class HabitReader {
     score(weak, mean("v", set(subject_.set), hinge(way, 0.0, good)));
   }
 
+  void near(const TargetSet& target) {
+    if (subject_.kind.traits.flat && target.kind && is_of(*target.kind, "table")) return lie_under(target);
+    keep_within(target.set, near_good, near_most);
+  }
+
+  // As little of it as can be beside the rug, and the rug as it is turned.
+  void lie_under(const TargetSet& target) {
+    const ProgramSet rugs = set(subject_.set);
+    score(strong, term(ProgramOp::subtract, {},
+                       {term(ProgramOp::footprint, {either({target.set, rugs})}), term(ProgramOp::footprint, {rugs})}));
+    score(weak, term(ProgramOp::angle, {rugs, target.set}));
+  }
+
   void look_at(const ProgramSet& target) { score(strong, term(ProgramOp::focus, {set(subject_.set), target})); }
 
   void take(const Relation& relation) {
@@ -91,7 +104,7 @@ class HabitReader {
         return;
       case RelationKind::around: return around(target);
       case RelationKind::side_of: return beside(target);
-      case RelationKind::near: return keep_within(target.set, near_good, near_most);
+      case RelationKind::near: return near(target);
       case RelationKind::next_to: return keep_within(target.set, next_good, next_most);
       case RelationKind::under: return keep_within(target.set, 0.0, near_most);
       case RelationKind::face_to: return look_at(target.set);
