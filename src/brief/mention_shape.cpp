@@ -108,7 +108,7 @@ void shape(Mention& mention, const ThingPhrase& phrase, const Vocabulary& words,
   mention.varied = said("different") || said("mismatched") || said("various") || said("assorted");
   if (said("ceiling"))
     hang(mention, Mount::ceiling, table);
-  else if (said("mounted") || said("wall"))
+  else if (said("mounted") || said("wall") || said("floating"))
     hang(mention, Mount::wall, table);
 }
 
