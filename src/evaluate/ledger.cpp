@@ -6,6 +6,7 @@
 
 #include "finding.h"
 #include "formation_clause.h"
+#include "identity.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "room_clause.h"
@@ -16,6 +17,8 @@ namespace roomgen {
 
 namespace {
 
+constexpr int least_kind_rank = 3;   // of identity_rank(): it or a kind of it
+constexpr double as_good = 0.75;     // of Vocabulary::fit(): a thing that serves who asks for it
 constexpr double length_tolerance = 0.05, least_tolerance = 0.02;  // share, metres
 
 // Put together from words that nobody knows (create.h): it may be anything.
@@ -68,7 +71,8 @@ class Checker {
   Finding judge_absence(const Requirement& requirement) const {
     Finding finding;
     for (const auto& object : scene_.objects) {
-      if (!categories_.is_a(object.category, requirement.category)) continue;
+      if (!categories_.is_a(object.category, requirement.category) && !is_shown_to_be(object, requirement.category))
+        continue;
       if (requirement.attribute.empty()) return by_fault("there is " + object.id);
       const auto verdict = has_attribute_(object, requirement.attribute);
       if (verdict.held) return by_fault(object.id + " is " + requirement.attribute);
@@ -158,13 +162,31 @@ class Checker {
     return "there are " + std::to_string(there) + " instead of " + std::to_string(requirement.count);
   }
 
-  // Nothing shows that what stands in for a thing is one.
+  // By what made it, whatever it was placed as.
+  bool is_shown_to_be(const Object& object, const std::string& category) const {
+    return identity_rank(identify(object), category) >= least_kind_rank;
+  }
+
+  // Is its mesh of another kind, and of none that would do? What nobody knows is no other kind.
+  std::string other_kind(const Object& object, const std::string& category) const {
+    const Identity identity = identify(object);
+    const Vocabulary& vocabulary = Vocabulary::built_in();
+    const bool known = vocabulary.kinds().named(identity.kind) && vocabulary.kinds().named(category);
+    const bool serves = identity_rank(identity, category) > 0 || vocabulary.fit(identity.kind, category) >= as_good;
+    return known && !serves ? identity.kind : "";
+  }
+
+  // Nothing shows that what stands in for a thing is one, and a mesh of another kind is none.
   Finding judge_count(const Requirement& requirement) const {
     Finding finding = by_fault(count_fault(requirement));
     if (finding.compliance != Compliance::met) return finding;
-    for (const auto& object : scene_.objects)
-      if ((object.stand_in || is_approximate(object.asset)) && categories_.is_a(object.category, requirement.category))
+    for (const auto& object : scene_.objects) {
+      if (!categories_.is_a(object.category, requirement.category)) continue;
+      if (object.stand_in || is_approximate(object.asset))
         return {Compliance::not_judged, "nothing shows that " + object.id + " is one"};
+      if (const std::string other = other_kind(object, requirement.category); !other.empty())
+        return by_fault(object.id + " is a " + other);
+    }
     if (!requirement.attribute.empty()) return judge_sort(requirement);
     return finding;
   }

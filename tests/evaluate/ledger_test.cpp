@@ -1,6 +1,7 @@
 #include "evaluate/ledger.h"
 
 #include "catch.h"
+#include "evaluate/attributes.h"
 #include "evaluate/identity.h"
 #include "support/rooms.h"
 
@@ -58,6 +59,48 @@ TEST_CASE("Numbers are met exactly unless more are as good") {
   const auto rug = check(about(Requirement::Kind::count, "rug", {"rug-0"}));
   CHECK_FALSE(rug.met());
   CHECK(rug.reason == "rug-0 was left out: no room");
+}
+
+TEST_CASE("What its mesh shows to be of another kind does not count, whatever it was placed as") {
+  Scene scene = bedroom();
+  const auto verdict = [&](const std::string& kind, const Requirement& wanted) {
+    scene.objects[1].asset.procedural = ProceduralSource{"words", "{\"kind\": \"" + kind + "\"}", 0};
+    return check_requirements(std::vector{wanted}, scene, KindTable::built_in(), {})[0];
+  };
+  const auto wanted = about(Requirement::Kind::count, "nightstand", {"nightstand-0"});
+  CHECK(verdict("nightstand", wanted).met());
+  CHECK(verdict("floating nightstand", wanted).met());
+  CHECK_FALSE(verdict("bathtub", wanted).met());
+  CHECK(verdict("bathtub", wanted).reason == "nightstand-0 is a bathtub");
+  // Nor is a thing away because it was placed as another.
+  CHECK_FALSE(verdict("bathtub", about(Requirement::Kind::absence, "bathtub", {})).met());
+  CHECK(verdict("nightstand", about(Requirement::Kind::absence, "bathtub", {})).met());
+}
+
+TEST_CASE("What a description asks for is evidence of nothing: blanked, it changes no verdict") {
+  Scene scene = bedroom();
+  for (auto& object : scene.objects) object.description = "huge red velvet canopy four drawer " + object.category;
+  std::vector<Requirement> all;
+  for (const auto& object : scene.objects) {
+    all.push_back(about(Requirement::Kind::count, object.category, {object.id}));
+    all.push_back(about(Requirement::Kind::absence, object.category, {}));
+    for (const char* look : {"red", "velvet", "canopy", "four drawer", "huge", "glass"})
+      for (const auto kind : {Requirement::Kind::attribute, Requirement::Kind::absence}) {
+        all.push_back(about(kind, object.category, {object.id}));
+        all.back().attribute = look;
+      }
+  }
+  const AttributeJudge judge = [](const Object& object, const std::string& word) {
+    return judge_attribute(known_looks(object, ModelTable()), word);
+  };
+  const auto described = check_requirements(all, scene, KindTable::built_in(), judge);
+  for (auto& object : scene.objects) object.description.clear();
+  const auto blanked = check_requirements(all, scene, KindTable::built_in(), judge);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    INFO(all[i].category << " " << all[i].attribute);
+    CHECK(described[i].compliance == blanked[i].compliance);
+    CHECK(described[i].reason == blanked[i].reason);
+  }
 }
 
 TEST_CASE("Things of which another number speaks are not counted") {
