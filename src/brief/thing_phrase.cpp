@@ -7,6 +7,7 @@
 #include "language/amount.h"
 #include "language/inflection.h"
 #include "language/lexicon.h"
+#include "scene/finish_words.h"
 
 namespace roomgen::design {
 
@@ -238,6 +239,7 @@ class ThingPhraseReader {
   }
 
   void modifiers() {
+    joined_looks();
     for (auto i = said_.modifiers.begin; i < said_.modifiers.end; ++i) {
       const auto& modifier = parse_.modifiers[i];
       add_words(modifier.tokens, start_);
@@ -246,6 +248,18 @@ class ThingPhraseReader {
         for (auto token = modifier.tokens.begin; token < modifier.tokens.end; ++token)
           phrase_.naming.push_back(word(token));
     }
+  }
+  // "a striped navy and white rug": what stands before "and" is no phrase of its own.
+  void joined_looks() {
+    const std::uint32_t first = said_.tokens.begin;
+    if (said_.determiner != Determiner::absent || first < 2 || !text_.plain[first - 1].is_word("and")) return;
+    std::uint32_t begin = first - 1;
+    while (begin > 0 && finish_words().describes(word(begin - 1))) --begin;
+    const bool is_introduced_before = begin > 0 && (is_number(begin - 1) || is_article(begin - 1));
+    if (is_introduced_before) add_words({begin, first - 1}, start_);
+  }
+  bool is_article(std::size_t token) const {
+    return word(token) == "a" || word(token) == "an" || word(token) == "the";
   }
   // "oak", "corner", "kitchen": of what it is, or where.
   bool tells_look(const language::Modifier& modifier) const {
