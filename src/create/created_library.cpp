@@ -10,8 +10,11 @@
 #include "base/sha256.h"
 #include "kinds.h"
 #include "kinds/noun_kind.h"
+#include "library/attribute_words.h"
+#include "library/looks.h"
 #include "library/ranking.h"
 #include "library/vocabulary.h"
+#include "parts.h"
 #include "phrase.h"
 #include "roomgen/base/json.h"
 #include "roomgen/create/maker.h"
@@ -97,6 +100,17 @@ Description describe(const Order& order) {
   return description;
 }
 
+// What is round or square is as deep as wide.
+bool has_equal_sides(const std::string& description) {
+  const auto& table = AttributeWords::built_in();
+  const auto phrases = table.phrases(words(description));
+  return std::any_of(phrases.begin(), phrases.end(), [&](const std::string& phrase) {
+    const AttributeMeaning* meaning = table.find(phrase);
+    if (!meaning || meaning->outlines.size() != 1) return false;
+    return meaning->outlines.front() == "round" || meaning->outlines.front() == "square";
+  });
+}
+
 // Fills the box exactly: what is left to do is below a hundredth.
 void fit(Model& model, const Vec3& size) {
   const Vec3 actual = bounds(model).size();
@@ -115,6 +129,7 @@ Result<Model> build(const Order& order) {
   if (!object) return object.error();
   Model model = to_model(object->shape);
   fit(model, order.size);
+  model.making = {all_parts(object->program), object->program.ways};
   return model;
 }
 
@@ -132,7 +147,9 @@ class CreatedLibrary final : public AssetLibrary {
     // Who asks for a lantern at the ceiling gets it there.
     if (!query.asked && mount_fit(kind->mount, mount, also, order.size.z()) <= 0.0) return matches;
     order.seed = seed_of(query.category + "\n" + query.description);
-    matches.push_back({info_of(order, kind->name, mount), created_score});
+    AssetMatch match{info_of(order, kind->name, mount), created_score};
+    if (query.asked && !is_as_wanted(match.asset.ref, query.description)) match.contradicts = Contradiction::form;
+    matches.push_back(std::move(match));
     return matches;
   }
 
@@ -152,6 +169,14 @@ class CreatedLibrary final : public AssetLibrary {
   }
 
  private:
+  // Drawers that nobody counts need not be made to be counted.
+  bool is_as_wanted(const AssetRef& ref, const std::string& description) const {
+    const WantedLooks wanted = wanted_looks(words(description));
+    if (wanted.making.empty()) return true;
+    const auto model = load(ref);
+    return model && is_made_as_wanted((*model)->making, wanted);
+  }
+
   // The kind that the description names, if it is one of the category's, else the category's own: an
   // armoire where a wardrobe is asked. By its own name, or by another that the vocabulary has for it.
   static const ShapeKind* kind_asked(const AssetQuery& query) {
@@ -207,8 +232,9 @@ class CreatedLibrary final : public AssetLibrary {
   }
 
   static Vec3 size_for(const AssetQuery& query, const ShapeKind& kind) {
-    const Vec3 size =
-        query.size.value_or(kind.size).cwiseMax(kind.least).cwiseMin(kind.most);
+    Vec3 size = query.size.value_or(kind.size).cwiseMax(kind.least).cwiseMin(kind.most);
+    if (kind.mount != Mount::wall && has_equal_sides(query.description))
+      size.x() = size.y() = std::min(size.x(), size.y());
     return {rounded(size.x()), rounded(size.y()), rounded(size.z())};
   }
 

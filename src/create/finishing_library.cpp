@@ -24,16 +24,24 @@ bool says_any(const AssetInfo& asset, const std::vector<std::string>& wanted) {
   });
 }
 
+// "wooden" is no sort of wood: it looks like wood.
+bool says_stuff(const std::string& word, const std::string& stuff) {
+  return word == stuff || finish_table().substances.at(word).color == finish_table().substances.at(stuff).color;
+}
+
 bool has_pattern(const AssetInfo& asset, const PartLook& look) {
   for (const auto& said : look.said)
     if (finish_table().patterns.count(said)) return says_any(asset, Vocabulary::built_in().family(said));
   return true;
 }
 
+// Names are believed of stuffs, not of their sorts: what is called oak may be as dark as walnut.
 bool has_substance(const AssetInfo& asset, const PartLook& look) {
   if (!look.substance) return true;
+  const bool has_own_color = look.stuff == "wood" || look.stuff == "metal";
   for (const auto& said : look.said)
-    if (finish_table().stuffs.count(said) && !says_any(asset, {said})) return false;
+    if (const auto stuff = finish_table().stuffs.find(said); stuff != finish_table().stuffs.end())
+      if (!says_any(asset, {said}) || (has_own_color && !says_stuff(said, stuff->second))) return false;
   return true;
 }
 
@@ -73,14 +81,16 @@ std::string words_of_looks(const AssetQuery& query) {
   return join(all, " ");
 }
 
-// A style says how its things look where the words say neither tone nor substance: a "rustic chest".
+// A style says how its things look where the words say neither tone nor substance: a "rustic chest". Where they say
+// but the tone, or nothing is known of such things, it says how they shine: a "sleek black dresser".
 std::string in_style(const std::string& looks, const std::string& kind) {
   const StyleMeaning* style = StyleWords::built_in().named_in(looks);
   const PartLook said = read_look(looks);
-  if (!style || said.substance || !said.tones.empty()) return looks;
+  if (!style || said.substance) return looks;
   for (const auto& look : style->looks)
-    if (KindTable::built_in().is_any_of(kind, look.kinds)) return look.words.front() + " " + looks;
-  return looks;
+    if (said.tones.empty() && KindTable::built_in().is_any_of(kind, look.kinds))
+      return look.words.front() + " " + looks;
+  return said.gloss || style->sheen.empty() ? looks : style->sheen + " " + looks;
 }
 
 class FinishingLibrary final : public AssetLibrary {
@@ -119,7 +129,10 @@ class FinishingLibrary final : public AssetLibrary {
     bool needs_glass = false;
     std::erase_if(wanted, [&](const auto& entry) {
       const PartLook look = read_look(entry.second);
-      const bool is_new_glass = look.stuff == "glass" && !has_substance(asset, look);
+      const bool is_glass = look.stuff == "glass" && look.substance;
+      // What is made from words is made of the glass that they name.
+      if (is_glass && asset.ref.procedural) return true;
+      const bool is_new_glass = is_glass && !has_substance(asset, look);
       needs_glass = needs_glass || is_new_glass;
       return look.empty() || is_known_to_look(asset, look);
     });

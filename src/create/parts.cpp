@@ -169,6 +169,15 @@ int count_parts(const shape::Program& program, std::string_view label) {
   return static_cast<int>(std::unique(wholes.begin(), wholes.end()) - wholes.begin());
 }
 
+std::map<std::string, int> all_parts(const shape::Program& program) {
+  std::vector<std::pair<std::string, std::string>> names;
+  collect_names(program.components, "", "", names);
+  std::map<std::string, int> counts;
+  for (const auto& [name, label] : names)
+    if (!counts.count(label)) counts[label] = count_parts(program, label);
+  return counts;
+}
+
 Vec3 part_size(const shape::Program& program, std::string_view label) {
   Vec3 largest = Vec3::Zero();
   const auto shape = shape::evaluate(program, shape::for_measuring);

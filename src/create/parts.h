@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <string>
 #include <string_view>
 
@@ -21,6 +22,9 @@ void filter_wholes(shape::Program& program, std::string_view label,
 /// Bodies of this label that the program makes, whole groups counted once where their solids share
 /// the label.
 int count_parts(const shape::Program& program, std::string_view label);
+
+/// That of every label in the program.
+std::map<std::string, int> all_parts(const shape::Program& program);
 
 /// Of the largest body of this label; 0 when there is none.
 Vec3 part_size(const shape::Program& program, std::string_view label);

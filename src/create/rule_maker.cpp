@@ -121,6 +121,7 @@ class RuleMaker final : public Maker {
       fit_height(description.parts[i].label, settings.unmet[i].size.z(), *parameters, *program, settings.values, make);
     program->name = description.noun;
     program->about = description.prompt;
+    program->ways = ways_of(*parameters, settings.values);
     if (description.approximate)
       notes_.push_back("\"" + description.noun + "\" is no known kind: made like a " + kind.name);
     if (!description.material.empty())
@@ -128,6 +129,18 @@ class RuleMaker final : public Maker {
                      description.color, words);
     finish(*program, description, settings.unmet);
     return program;
+  }
+
+  static std::map<std::string, std::string> ways_of(const std::vector<shape::Parameter>& parameters,
+                                                    const shape::Values& values) {
+    std::map<std::string, std::string> ways;
+    for (const auto& parameter : parameters) {
+      const auto set = values.find(parameter.name);
+      const auto& value = set == values.end() ? parameter.value : set->second;
+      const auto* word = std::get_if<std::string>(&value);
+      if (word && !parameter.choices.empty()) ways[parameter.name] = *word;
+    }
+    return ways;
   }
 
   // Who says something of the legs means that there are some: no trestle, unless it was asked for.

@@ -123,6 +123,9 @@ class Chooser {
     for (const auto& parameter : parameters_)
       if (parameter.name.ends_with("_shape"))
         labels.push_back(parameter.name.substr(0, parameter.name.size() - std::string_view("_shape").size()));
+    for (const auto& parameter : parameters_)
+      if (parameter.name.ends_with("_style"))
+        labels.push_back(parameter.name.substr(0, parameter.name.size() - std::string_view("_style").size()));
     return labels;
   }
 
@@ -142,6 +145,12 @@ class Chooser {
     }
   }
 
+  bool build(const std::string& label, const std::string& construction) {
+    if (!set_word(label + "_style", construction)) return false;
+    asked_.insert(label + "_style");
+    return true;
+  }
+
   Settings::Unmet say(const PartWish& part) {
     Settings::Unmet unmet;
     const auto labels = labels_of(part);
@@ -154,11 +163,9 @@ class Chooser {
                     !set_word("shape", part.shape);
     }
     if (!part.construction.empty())
-      (void)any([&](const auto& label) {
-        if (!set_word(label + "_style", part.construction)) return false;
-        asked_.insert(label + "_style");
-        return true;
-      });
+      (void)(any([&](const auto& label) { return build(label, part.construction); }) ||
+             // Arms that are rolled are round.
+             (part.construction == "rolled" && any([&](const auto& label) { return build(label, "round"); })));
     if (part.lean)
       unmet.lean = !any([&](const auto& label) {
         if (!set_number(label + "_lean", *part.lean)) return false;

@@ -15,6 +15,7 @@ namespace {
 constexpr double shown_share = 0.3;     // of a colour that a thing has in a viewer's eyes
 constexpr double material_share = 0.2;  // of a colour that fits the material
 constexpr double counted_share = 0.08;  // of each colour of something colourful
+constexpr int most_counted = 1000;
 constexpr int least_rank = 3;           // of identity_rank(): it or a kind of it
 
 AttributeVerdict yes(std::string reason) { return {true, true, std::move(reason)}; }
@@ -45,6 +46,10 @@ class Judge {
     if (const auto* kind = first_of(meaning->kinds)) return yes("as any " + *kind);
     for (const auto& word : meaning->said)
       if (has_word(looks_.identity.words, word)) return yes("its label says " + word);
+    if (meaning->of_making()) {
+      AttributeVerdict made = making(text, *meaning);
+      if (made.held || !meaning->measured()) return made;
+    }
     if (!meaning->drawings.empty()) return drawing(text, *meaning);
     if (!meaning->materials.empty()) return material(text, *meaning);
     if (meaning->measured()) return measured(*meaning);
@@ -60,8 +65,24 @@ class Judge {
     return found == kinds.end() ? nullptr : &*found;
   }
 
-  // Only the label can tell; another word of the same family is as good.
+  // Its parts and how they are built; of a mesh from a file the label tells them, or nothing.
+  AttributeVerdict making(const std::string& text, const AttributeMeaning& meaning) const {
+    if (is_made_so(looks_.making, meaning)) return yes("it is made so");
+    for (const auto& counts : meaning.parts)
+      for (const auto& [label, range] : counts)
+        if (const auto told = looks_.identity.parts.find(label); told != looks_.identity.parts.end())
+          return range.contains(told->second) ? yes("its label counts them")
+                                              : no("its label counts " + std::to_string(told->second));
+    const AttributeVerdict told = unlisted(text);
+    return told.judged || !looks_.making.known() ? told : no("it is not made so");
+  }
+
+  // Only its kind, a choice of its recipe or the label can tell; another word of the same family is as good.
   AttributeVerdict unlisted(const std::string& text) const {
+    const auto& ways = looks_.making.ways;
+    if (std::any_of(ways.begin(), ways.end(), [&](const auto& way) { return way.second == text; }))
+      return yes("it is made so");
+    if (is_special_sort(looks_.identity, text)) return yes("as such things are");
     const auto pieces = words(text);
     const auto& vocabulary = Vocabulary::built_in();
     const bool said = std::all_of(pieces.begin(), pieces.end(), [&](const std::string& word) {
@@ -74,15 +95,21 @@ class Judge {
     return said ? yes("its label says so") : unknown("\"" + text + "\" cannot be judged");
   }
 
-  // A thing is of a style when it shows the style's colours and is of one of its materials.
+  // A thing is of a style when it is of one of its materials, or shines as things of that style do in its colours.
   AttributeVerdict of_style(const StyleMeaning& style) const {
     if (has_word(looks_.identity.words, style.name)) return yes("its label says so");
     if (looks_.colors.empty()) return unknown("its colour is not known");
-    for (const auto& color : looks_.colors)
-      if (color.share >= shown_share && std::find(style.colors.begin(), style.colors.end(), color.name) == style.colors.end())
-        return no(color.name + " is no colour of that style");
     for (const auto& material : style.materials)
-      if (phrase(material).held) return yes("of " + material + " in a colour of that style");
+      if (phrase(material).held) return yes("of " + material);
+    const auto is_of_it = [&](const std::string& name) {
+      return std::find(style.colors.begin(), style.colors.end(), name) != style.colors.end();
+    };
+    for (const auto& color : looks_.colors)
+      if (color.share >= shown_share && !is_of_it(color.name))
+        return no(color.name + " is no colour of that style, nor of one of its materials");
+    const AttributeMeaning* sheen = table_.find(style.sheen);
+    if (sheen && sheen->roughness && sheen->roughness->contains(looks_.roughness))
+      return yes(style.sheen + ", in a colour of that style");
     return no("of no material of that style");
   }
 
@@ -104,6 +131,7 @@ class Judge {
     const bool is_named = std::any_of(materials.begin(), materials.end(), [&](const std::string& name) {
       return is_surface(name, meaning.roughness);
     });
+    if (is_of_member(meaning)) return yes("of a sort of " + text);
     if (!agrees && is_named && is_painted()) return yes("a surface is called so, in the colour that it is called");
     if (!agrees) return no(shown_text(looks_));
     if (std::any_of(materials.begin(), materials.end(),
@@ -117,6 +145,15 @@ class Judge {
           family && material(meaning.family, *family).held)
         return yes("of " + meaning.family + " and of its colour");
     return no("nothing says " + text);
+  }
+
+  // A surface is called by a sort of the material, and shows its colour: gold is metal, though yellow.
+  bool is_of_member(const AttributeMeaning& material) const {
+    return std::any_of(looks_.surfaces.begin(), looks_.surfaces.end(), [&](const auto& surface) {
+      const AttributeMeaning* member = table_.find(surface.first);
+      const AttributeMeaning* family = member && !member->family.empty() ? table_.find(member->family) : nullptr;
+      return family && family->materials == material.materials && shows(*member, material_share);
+    });
   }
 
   // A colour by which a surface is called, and that shows.
@@ -144,7 +181,9 @@ class Judge {
   }
 
   AttributeVerdict measured(const AttributeMeaning& meaning) const {
-    if (meaning.mount && looks_.mount != *meaning.mount) return no("it is put up otherwise");
+    if (!meaning.mounts.empty() &&
+        std::find(meaning.mounts.begin(), meaning.mounts.end(), looks_.mount) == meaning.mounts.end())
+      return no("it is put up otherwise");
     if (meaning.roughness && !meaning.roughness->contains(looks_.roughness))
       return no("its surface is of roughness " + format_number(looks_.roughness, 2));
     if (!meaning.outlines.empty() &&
@@ -155,11 +194,10 @@ class Judge {
         std::none_of(meaning.sizes.begin(), meaning.sizes.end(),
                      [&](const auto& ranges) { return is_sized(ranges); }))
       return no("it measures " + size_text(looks_.size) + " m");
-    if (meaning.least_colors) {
-      const auto there = std::count_if(looks_.colors.begin(), looks_.colors.end(),
-                                       [](const auto& color) { return color.share >= counted_share; });
-      if (there < *meaning.least_colors) return no(std::to_string(there) + " colours");
-    }
+    const auto colors = std::count_if(looks_.colors.begin(), looks_.colors.end(),
+                                      [](const auto& color) { return color.share >= counted_share; });
+    if (colors < meaning.least_colors.value_or(0) || colors > meaning.most_colors.value_or(most_counted))
+      return no(std::to_string(colors) + " colours");
     if (!meaning.colors.empty()) {
       if (looks_.colors.empty()) return unknown("its colour is not known");
       if (!shows(meaning, shown_share)) return no(shown_text(looks_));
@@ -188,6 +226,7 @@ class Judge {
       case SizeMeasure::usual_volume: return share.prod();
       case SizeMeasure::slimness: return have.z() / std::max(1e-6, longer);
       case SizeMeasure::elongation: return longer / std::max(1e-6, shorter);
+      case SizeMeasure::steadiness: return looks_.steadiness;
     }
     return 0.0;
   }

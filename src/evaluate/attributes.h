@@ -27,6 +27,8 @@ struct KnownLooks {
   Vec3 usual = Vec3::Ones();       ///< size of the kind
   Mount mount = Mount::floor;
   Outline outline = Outline::other;
+  double steadiness = 0.0;         ///< degrees by which it may be tilted before it tips over
+  Making making;                   ///< of what a recipe made
 };
 KnownLooks known_looks(const Object& object, const ModelTable& models);
 

@@ -14,6 +14,7 @@ namespace roomgen {
 namespace {
 
 constexpr int name_rank = 5, synonym_rank = 4, descendant_rank = 3;
+constexpr int most_ancestors = 8;
 
 // "Coffee_Tables" is "coffee table".
 std::string key(std::string_view name) {
@@ -80,11 +81,22 @@ int kinship_rank(const std::string& kind, const std::string& category, const Voc
   return descends(*have, *want, vocabulary) ? descendant_rank : 0;
 }
 
+void read_label(const std::vector<std::string>& said, Identity& identity) {
+  for (std::size_t i = 0; i < said.size(); ++i) {
+    identity.words.insert(singular(said[i]));
+    const bool is_number = said[i].size() <= 3 && said[i].find_first_not_of("0123456789") == std::string::npos;
+    if (is_number && i + 1 < said.size()) identity.parts[singular(said[i + 1])] = std::stoi(said[i]);
+  }
+}
+
 }  // namespace
 
 Identity identify(const Object& object, const Vocabulary& vocabulary) {
   Identity identity;
-  if (object.stand_in) return {"", {}, "a plain stand-in, which is no thing's model"};
+  if (object.stand_in) {
+    identity.basis = "a plain stand-in, which is no thing's model";
+    return identity;
+  }
   const AssetRef& asset = object.asset;
   if (asset.is_box()) {
     identity.kind = key(object.category);
@@ -97,8 +109,7 @@ Identity identify(const Object& object, const Vocabulary& vocabulary) {
              label != known_labels().end()) {
     const auto parts = split(label->second, '|');
     identity.kind = key(parts.front());
-    if (parts.size() > 1)
-      for (auto& word : words(parts[1])) identity.words.insert(singular(word));
+    if (parts.size() > 1) read_label(words(parts[1]), identity);
     identity.basis = "label of " + asset.library + "/" + asset.id;
   } else {
     std::string name = asset.id;
@@ -134,6 +145,23 @@ int identity_rank(const Identity& identity, std::string_view name, const Vocabul
   }
   if (is_kind_of_something(identity, pieces)) return 2;
   return ends_with_kind(kind, category) ? 1 : 0;
+}
+
+bool is_special_sort(const Identity& identity, std::string_view sort, const Vocabulary& vocabulary) {
+  const KindTable& table = vocabulary.kinds();
+  const std::string first = key(sort) + " ";
+  const auto says = [&](const Kind& kind, const std::string& name) {
+    const std::string called = key(name);
+    return called.starts_with(first) && table.named(called.substr(first.size())) != &kind;
+  };
+  const Kind* kind = table.named(identity.kind);
+  for (int i = 0; kind && i < most_ancestors; ++i) {
+    if (says(*kind, kind->name) || std::any_of(kind->names.begin(), kind->names.end(),
+                                               [&](const std::string& name) { return says(*kind, name); }))
+      return true;
+    kind = kind->parent.empty() ? nullptr : table.by_name(kind->parent);
+  }
+  return false;
 }
 
 std::map<std::string, std::vector<std::size_t>> identified_as(

@@ -16,6 +16,7 @@ namespace roomgen {
 struct Identity {
   std::string kind;             ///< "dining chair"
   std::set<std::string> words;  ///< of the kind and of the mesh's label, in the singular
+  std::map<std::string, int> parts;  ///< that the label counts: "6 drawers"
   std::string basis;            ///< "label of Scopia/chair", "recipe kind"
 };
 
@@ -27,6 +28,11 @@ Identity identify(const Object& object, const Vocabulary& vocabulary = Vocabular
 /// plate"), or merely without the rest of its name (a lamp for "floor lamp"), 1: a compound of it ("lava lamp" for "lamp").
 int identity_rank(const Identity& identity, std::string_view category,
                   const Vocabulary& vocabulary = Vocabulary::built_in());
+
+/// Is the thing of the sort because its kind is: a standing desk is a "sit stand" desk, since that is one of its
+/// names and a desk is more than that. A candle is no "scented" one by being called so, for all candles are.
+bool is_special_sort(const Identity& identity, std::string_view sort,
+                     const Vocabulary& vocabulary = Vocabulary::built_in());
 
 /// Which objects are which category, by index. An object is one category at most: the one of the
 /// highest rank; among equals the one that it was placed as, then the one of which fewer were found.

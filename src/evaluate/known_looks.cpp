@@ -1,3 +1,5 @@
+#include <Eigen/Geometry>
+#include <cmath>
 #include <map>
 
 #include "attributes.h"
@@ -41,6 +43,27 @@ void look_at_surfaces(const Model& model, KnownLooks& looks) {
     if (covered >= least_surface * whole) looks.drawings.insert(name);
 }
 
+// The least angle from below the centre of the surface to the edge of what it stands on, the box around its feet.
+double steadiness_of(const Mesh& mesh) {
+  constexpr double feet = 0.02;  // metres
+  const double floor = bounds(mesh).low.z();
+  Bounds3 base;
+  for (const auto& position : mesh.positions)
+    if (position.z() <= floor + feet) base.add(position.cast<double>());
+  Vec3 center = Vec3::Zero();
+  double area = 0.0;
+  for (const auto& t : mesh.triangles) {
+    const auto corner = [&](std::size_t k) -> Vec3 { return mesh.positions[t[k]].cast<double>(); };
+    const Vec3 a = corner(0), b = corner(1), c = corner(2);
+    const double part = (b - a).cross(c - a).norm();
+    center += part * (a + b + c) / 3.0, area += part;
+  }
+  if (area <= 0.0) return 0.0;
+  center /= area;
+  const Vec3 inside = (center - base.low).cwiseMin(base.high - center);
+  return degrees(std::atan2(std::min(inside.x(), inside.y()), std::max(1e-6, center.z() - floor)));
+}
+
 }  // namespace
 
 KnownLooks known_looks(const Object& object, const ModelTable& models) {
@@ -49,7 +72,10 @@ KnownLooks known_looks(const Object& object, const ModelTable& models) {
   if (const auto model = models.find(asset_key(object.asset))) {
     looks.colors = shown_colors(*model);
     look_at_surfaces(*model, looks);
-    looks.outline = outline_of(merged_mesh(*model));
+    const Mesh mesh = merged_mesh(*model);
+    looks.outline = outline_of(mesh);
+    looks.steadiness = steadiness_of(mesh);
+    looks.making = model->making;
   }
   looks.size = object.size;
   const Kind* category = KindTable::built_in().find(looks.identity.kind);

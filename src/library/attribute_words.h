@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "roomgen/base/result.h"
+#include "roomgen/geometry/model.h"
 #include "roomgen/scene/object.h"
 
 namespace roomgen {
@@ -25,7 +26,8 @@ enum class SizeMeasure {
   width, depth, height, longest,  ///< metres; longest: of the three
   usual_width, usual_depth, usual_height, usual_volume,  ///< as a multiple of the usual one
   slimness,   ///< height over the longer side of the footprint
-  elongation  ///< longer side of the footprint over the shorter
+  elongation,  ///< longer side of the footprint over the shorter
+  steadiness   ///< degrees by which it may be tilted before it tips over
 };
 std::optional<SizeMeasure> parse_size_measure(std::string_view text);
 
@@ -36,25 +38,34 @@ struct AttributeMeaning {
   /// have by nature.
   std::vector<std::string> colors;
   std::optional<Interval> lightness;      ///< of the shown colour, in [0, 1]
-  std::optional<int> least_colors;     ///< so many must be shown
+  std::optional<int> least_colors, most_colors;  ///< so many must, no more may be shown
   std::vector<std::string> materials;  ///< words that name this material
   std::string family;                  ///< of an oak: "wood"
   std::vector<std::string> outlines;   ///< round, oval, square, rectangular, l-shaped
   std::vector<std::map<SizeMeasure, Interval>> sizes;  ///< alternatives; of one all must hold
   std::optional<Interval> roughness;      ///< of the surface (with `materials`: of that one), in [0, 1]
   std::vector<std::string> drawings;   ///< names of this pattern
-  std::optional<Mount> mount;
+  std::vector<Mount> mounts;           ///< of which it is put up in one
   std::vector<std::string> kinds;      ///< that are so by nature: a pillow is soft
   std::vector<std::string> kinds_of_its_color;  ///< that are of this material when they have its colour: a
                                                 ///< grey fridge is of steel, a brown desk of wood
   std::vector<std::string> said;       ///< words of a label that say the same
+  /// How many parts of each name who made it gave it; alternatives, of one all must hold.
+  std::vector<std::map<std::string, Interval>> parts;
+  std::vector<std::string> ways;       ///< choices of recipes, of which one must be made: "spindles"
+
+  /// Does who made the thing know it?
+  bool of_making() const { return !parts.empty() || !ways.empty(); }
 
   /// Can it be seen on the mesh, whatever texts say?
   bool measured() const {
-    return !colors.empty() || !outlines.empty() || !sizes.empty() || least_colors || roughness || mount ||
-           lightness;
+    return !colors.empty() || !outlines.empty() || !sizes.empty() || least_colors || most_colors || roughness ||
+           !mounts.empty() || lightness;
   }
 };
+
+/// Has what was made the parts, or was it built in one of the ways?
+bool is_made_so(const Making& making, const AttributeMeaning& meaning);
 
 /// The words of attributes: one table for what is looked for and for the judgement of what was found.
 class AttributeWords {

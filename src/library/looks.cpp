@@ -60,6 +60,33 @@ bool contradicts_outline(const AssetInfo& asset, WantedLooks::Outline outline,
   return asset.round != (outline == WantedLooks::Outline::round);
 }
 
+// "6 drawers"
+bool counts_parts(const std::vector<std::string>& told, const AttributeMeaning& meaning) {
+  for (std::size_t i = 0; i + 1 < told.size(); ++i)
+    for (const auto& counts : meaning.parts) {
+      const auto wanted = counts.find(singular(told[i + 1]));
+      const bool is_number = told[i].size() <= 3 && told[i].find_first_not_of("0123456789") == std::string::npos;
+      if (is_number && wanted != counts.end() && wanted->second.contains(std::stoi(told[i]))) return true;
+    }
+  return false;
+}
+
+// Neither its kind nor its texts tell that it is made so.
+bool contradicts_making(const AssetInfo& asset, const std::vector<std::string>& wanted, const Vocabulary& vocabulary,
+                        const std::function<bool(const std::string&)>& says) {
+  return std::any_of(wanted.begin(), wanted.end(), [&](const std::string& phrase) {
+    const AttributeMeaning& meaning = *AttributeWords::built_in().find(phrase);
+    const auto told = words(asset.name + " " + join(asset.tags, " "));
+    const bool is_so = std::any_of(meaning.kinds.begin(), meaning.kinds.end(),
+                                   [&](const std::string& kind) { return vocabulary.is_a(asset.category, kind); });
+    const bool is_said = std::any_of(meaning.said.begin(), meaning.said.end(), [&](const std::string& word) {
+      return std::find(told.begin(), told.end(), word) != told.end();
+    });
+    const auto pieces = words(phrase);
+    return !is_so && !is_said && !counts_parts(told, meaning) && !std::all_of(pieces.begin(), pieces.end(), says);
+  });
+}
+
 bool far_off(double have, double want) {
   return std::max(have, want) > least_said && std::max(have / want, want / have) > most_off;
 }
@@ -82,10 +109,17 @@ WantedLooks wanted_looks(const std::vector<std::string>& words) {
     };
     if (!meaning->materials.empty()) wanted.materials.push_back(phrase);
     else if (!meaning->colors.empty()) wanted.colors.push_back(phrase);
+    else if (meaning->of_making()) wanted.making.push_back(phrase);
     else if (has("round")) wanted.outline = WantedLooks::Outline::round;
     else if (has("square")) wanted.outline = WantedLooks::Outline::angular;
   }
   return wanted;
+}
+
+bool is_made_as_wanted(const Making& making, const WantedLooks& wanted) {
+  return std::all_of(wanted.making.begin(), wanted.making.end(), [&](const std::string& phrase) {
+    return is_made_so(making, *AttributeWords::built_in().find(phrase));
+  });
 }
 
 Contradiction contradiction(const AssetInfo& asset, const WantedLooks& wanted, const Vocabulary& vocabulary,
@@ -97,6 +131,7 @@ Contradiction contradiction(const AssetInfo& asset, const WantedLooks& wanted, c
     });
   };
   if (contradicts_outline(asset, wanted.outline, vocabulary)) return Contradiction::form;
+  if (contradicts_making(asset, wanted.making, vocabulary, says)) return Contradiction::form;
   if (contradicts_color(asset, wanted.colors)) return Contradiction::looks;
   if (wanted.materials.empty()) return Contradiction::none;
   // Painted wood is asked for by its colour.

@@ -15,10 +15,14 @@ struct WantedLooks {
   std::vector<std::string> colors;     ///< "navy blue", as AttributeWords has them
   std::vector<std::string> materials;  ///< "oak"
   Outline outline = Outline::any;
+  std::vector<std::string> making;     ///< "six drawer", "tufted": what only who makes it can give it
 };
 
 /// Of single words in lower case, in the order in which they were said.
 WantedLooks wanted_looks(const std::vector<std::string>& words);
+
+/// Has what was made all that was wanted of its making?
+bool is_made_as_wanted(const Making& making, const WantedLooks& wanted);
 
 /// In what does the asset look otherwise than wanted? Only what is known can disagree: its outline, its largest
 /// colour, whether any main colour is one of the material, the materials that its name and tags tell.

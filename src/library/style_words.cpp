@@ -28,7 +28,7 @@ StyleWords::Groups read_groups(const JsonReader& json) {
 }
 
 StyleMeaning read_style_meaning(const std::string& name, const JsonReader& json) {
-  json.allow_only({"names", "walls", "floors", "accents", "looks", "more", "fewer", "colors", "materials"});
+  json.allow_only({"names", "walls", "floors", "accents", "looks", "more", "fewer", "sheen", "colors", "materials"});
   StyleMeaning style;
   style.name = name;
   style.walls = read_names(json["walls"]);
@@ -41,6 +41,7 @@ StyleMeaning read_style_meaning(const std::string& name, const JsonReader& json)
   }
   style.more = read_names(json["more"]);
   style.fewer = read_names(json["fewer"]);
+  style.sheen = json["sheen"].text_or("", 40);
   style.colors = read_names(json["colors"]);
   style.materials = read_names(json["materials"]);
   return style;

@@ -20,6 +20,7 @@ struct StyleMeaning {
   std::vector<std::string> walls, floors, accents;  ///< of which one is chosen; none: whatever there is
   std::vector<Look> looks;                          ///< the first whose kinds fit counts
   std::vector<std::string> more, fewer;             ///< kinds that go with it, and that do not
+  std::string sheen;  ///< a word of gloss, which its things have where nothing else was said
   std::vector<std::string> colors, materials;       ///< by which a thing is judged to be of it
 };
 

@@ -88,7 +88,7 @@ std::shared_ptr<const Model> joinery_to_show(const Opening& opening, double heig
 
 Model fitted_joinery(const Room& room, const Opening& opening, const Model& model) {
   const Bounds3 box = bounds(model);
-  Model fitted{{}, model.materials};
+  Model fitted{{}, model.materials, {}};
   for (int i = 0; i < opening.joinery.side_by_side; ++i) {
     const Fitting fitting(room, opening, box, i);
     for (const auto& part : model.parts)

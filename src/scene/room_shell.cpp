@@ -67,7 +67,7 @@ Model floor_slab(const Room& room, const std::vector<Loop>& outline, const Shell
   Material edge;
   edge.name = "slab";
   edge.base_color = material_color({150, 142, 132});
-  return {{{std::move(upper), 0}, {std::move(rest), 1}}, {finish.material, edge}};
+  return {{{std::move(upper), 0}, {std::move(rest), 1}}, {finish.material, edge}, {}};
 }
 
 Model ceiling_sheet(const Room& room) {
@@ -80,7 +80,7 @@ Model ceiling_sheet(const Room& room) {
     sheet.uvs.push_back((p / finish.extent).cast<float>());
   }
   for (const auto& t : triangulate(outline)) sheet.triangles.push_back({t[0], t[2], t[1]});
-  return {{{std::move(sheet), 0}}, {finish.material}};
+  return {{{std::move(sheet), 0}}, {finish.material}, {}};
 }
 
 // The faces of one wall, sorted by what they are made of.

@@ -67,7 +67,7 @@ TEST_CASE("A table with mistakes is refused") {
   CHECK_FALSE(parse(R"({"sizes": [{"weight": [1, 2]}]})"));
   CHECK_FALSE(parse(R"({"sizes": [{"height": [1]}]})"));
   CHECK_FALSE(parse(R"({"colour": ["red"]})"));
-  CHECK_FALSE(parse(R"({"mount": "sky"})"));
+  CHECK_FALSE(parse(R"({"mounts": ["sky"]})"));
   CHECK_FALSE(parse(R"("y")"));
 }
 
@@ -160,6 +160,71 @@ TEST_CASE("A style is judged by the colours and materials that its definition ha
   CHECK_FALSE(has(desk, "coastal"));
   desk.colors = {shown("pink", 1.0, 230, 160, 180)};
   CHECK_FALSE(has(desk, "industrial"));
+}
+
+TEST_CASE("A style's sheen in one of its colours is enough where nothing is known of the material") {
+  KnownLooks dresser = plain("dresser", {1.1, 0.5, 0.8});
+  dresser.colors = {shown("black", 1.0, 20, 20, 20)};
+  dresser.roughness = 0.35;
+  CHECK(has(dresser, "sleek"));
+  dresser.roughness = 0.8;
+  CHECK_FALSE(has(dresser, "sleek"));
+  dresser.roughness = 0.35;
+  dresser.colors = {shown("pink", 1.0, 230, 160, 180)};
+  CHECK_FALSE(has(dresser, "sleek"));
+}
+
+TEST_CASE("Parts are those that a recipe made, or that a label counts") {
+  KnownLooks dresser = plain("dresser", {1.1, 0.5, 0.8});
+  const auto unknown = judge_attribute(dresser, "six_drawer");
+  CHECK_FALSE(unknown.held);
+  CHECK_FALSE(unknown.judged);
+  CHECK_FALSE(has(dresser, "frameless"));
+  dresser.making.parts = {{"drawer", 6}, {"leg", 4}};
+  dresser.making.ways = {{"leg_style", "turned"}, {"door_style", "sliding"}};
+  for (const char* held : {"six_drawer", "6 drawers", "with_drawers", "four_legs", "turned", "sliding", "frameless",
+                           "storage"}) {
+    INFO(held << ": " << judge_attribute(dresser, held).reason);
+    CHECK(has(dresser, held));
+  }
+  for (const char* not_held : {"five_drawer", "on_wheels", "tufted", "mirrored", "sliding_doors"}) {
+    INFO(not_held);
+    CHECK_FALSE(has(dresser, not_held));
+    CHECK(judge_attribute(dresser, not_held).judged);
+  }
+  KnownLooks sofa = plain("sofa", {2, 0.9, 0.8});
+  sofa.identity.parts = {{"seat", 3}};
+  CHECK(has(sofa, "three_seat"));
+  CHECK(has(sofa, "three-seater"));
+  CHECK_FALSE(has(sofa, "two_seat"));
+  CHECK(judge_attribute(sofa, "two_seat").judged);
+}
+
+TEST_CASE("A kind that a sort's name stands for is of that sort, a mere synonym tells nothing") {
+  CHECK(has(plain("mini fridge", {0.5, 0.5, 0.85}), "bar"));
+  CHECK_FALSE(has(plain("candle", {0.1, 0.1, 0.2}), "scented"));
+}
+
+TEST_CASE("What may be painted may be judged: tones, substances, shades") {
+  KnownLooks chair = plain("chair", {0.5, 0.5, 0.9});
+  chair.colors = {shown("red", 0.9, 126, 36, 48)};
+  CHECK(has(chair, "claret"));
+  CHECK_FALSE(has(chair, "aquamarine"));
+  chair.colors = {shown("brown", 0.9, 120, 90, 60)};
+  CHECK_FALSE(has(chair, "weathered"));
+  chair.surfaces = {{"weathered", 0.8}, {"oak", 0.8}};
+  CHECK(has(chair, "weathered"));
+}
+
+TEST_CASE("Sturdy is what does not tip over") {
+  ModelTable models;
+  const auto is_sturdy = [&](const Vec3& size, const std::string& mesh) {
+    Object object = rooms::thing(mesh, "table", size, {1, 1});
+    test::use_model(object, models, mesh, test::colored_box(size, {90, 60, 40}));
+    return judge_attribute(known_looks(object, models), "sturdy").held;
+  };
+  CHECK(is_sturdy({1.2, 0.7, 0.75}, "low"));
+  CHECK_FALSE(is_sturdy({0.3, 0.3, 1.8}, "tower"));
 }
 
 TEST_CASE("Sizes in numbers are those of the box") {

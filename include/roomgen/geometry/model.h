@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -99,11 +100,20 @@ struct ModelPart {
   int material = 0;  ///< index into Model::materials
 };
 
+/// What is known of a thing by who made it from a recipe; of meshes from files nothing is.
+struct Making {
+  std::map<std::string, int> parts;         ///< how many there are of each: "drawer"
+  std::map<std::string, std::string> ways;  ///< what was chosen where there was a choice: "leg_style": "pedestal"
+
+  bool known() const { return !parts.empty(); }
+};
+
 /// A thing to be placed. Frame: origin at the bottom centre of its box, width along X, depth along Y,
 /// height along Z, front towards -Y, metres.
 struct Model {
   std::vector<ModelPart> parts;
   std::vector<Material> materials;
+  Making making;
 };
 
 Bounds3 bounds(const Model& model);

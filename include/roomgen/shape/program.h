@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -152,6 +153,8 @@ struct Program {
   /// Names or labels of components that must touch; the second may be "floor" or "wall". Parts of a
   /// group are named "group.part".
   std::vector<std::pair<std::string, std::string>> connections;
+  /// What the recipe that it was made by was told where it offers a choice: "leg_style": "pedestal". Not written.
+  std::map<std::string, std::string> ways = {};
 };
 
 /// The patterns of surfaces and the themes of pictures.
