@@ -95,18 +95,26 @@ class Judge {
     return said ? yes("its label says so") : unknown("\"" + text + "\" cannot be judged");
   }
 
-  // A thing is of a style when it is of one of its materials, or shines as things of that style do in its colours.
+  // A thing is of a style when it is of a sort of material that the style has; or in its colours, and of one of its
+  // materials or shining as its things do.
   AttributeVerdict of_style(const StyleMeaning& style) const {
     if (has_word(looks_.identity.words, style.name)) return yes("its label says so");
     if (looks_.colors.empty()) return unknown("its colour is not known");
-    for (const auto& material : style.materials)
-      if (phrase(material).held) return yes("of " + material);
+    const auto made_of = [&](bool special) -> const std::string* {
+      const auto found = std::find_if(style.materials.begin(), style.materials.end(), [&](const std::string& material) {
+        const AttributeMeaning* meaning = table_.find(material);
+        return meaning && meaning->family.empty() != special && phrase(material).held;
+      });
+      return found == style.materials.end() ? nullptr : &*found;
+    };
+    if (const auto* material = made_of(true)) return yes("of " + *material);
     const auto is_of_it = [&](const std::string& name) {
       return std::find(style.colors.begin(), style.colors.end(), name) != style.colors.end();
     };
     for (const auto& color : looks_.colors)
       if (color.share >= shown_share && !is_of_it(color.name))
         return no(color.name + " is no colour of that style, nor of one of its materials");
+    if (const auto* material = made_of(false)) return yes("of " + *material + " in a colour of that style");
     const AttributeMeaning* sheen = table_.find(style.sheen);
     if (sheen && sheen->roughness && sheen->roughness->contains(looks_.roughness))
       return yes(style.sheen + ", in a colour of that style");
