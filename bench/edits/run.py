@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """How many of the edit sentences are understood as meant.
 
-    run.py ROOMGEN open|more|kept [--rooms FOLDER] [--jobs N] [--show]
+    run.py ROOMGEN open|more|learned|held-out|kept [--rooms FOLDER] [--jobs N] [--show]
 
 For each sentence the room of its scene is made (once, in FOLDER), what comes `before` is carried out, and
 `roomgen edit --dry-run` says which operations it takes the sentence for. What should be done counts when these
@@ -19,6 +19,9 @@ import subprocess
 import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
+MARKED = HERE.parent.parent / "data" / "language" / "edits"
+FILES = {**{part: HERE / f"{part}.jsonl" for part in ("open", "more", "kept")},
+         **{part: MARKED / f"{part}.jsonl" for part in ("learned", "held-out")}}
 SAME_DEED = {"put": "move", "shift": "move", "turn": "rotate", "face": "rotate", "recolor": "recolour",
              "cover": "recolour", "reform": "edit form", "open": "room", "close": "room", "refit": "room",
              "reshape": "room"}
@@ -76,9 +79,17 @@ def things_of(operation, objects, document):
     return [(deed, name(i), target) for i in operation.get("objects", [operation.get("object", "")])]
 
 
+def is_covering(meant):
+    """Of the room, but a colour or a stuff for what is there."""
+    parts = words_of("floor walls ceiling")
+    return meant["op"] == "room" and bool(meant.get("to")) and not meant.get("amount") and \
+        bool(words_of(meant["kind"]) & parts)
+
+
 def is_meant(operations, meaning, objects, document):
     # To stand around something, or in a line, is to be moved there.
     meaning = [{**m, "op": "move" if m["op"] == "rearrange" and m.get("relation") else m["op"]} for m in meaning]
+    meaning = [{**m, "op": "recolour" if is_covering(m) else m["op"]} for m in meaning]
     said = [thing for operation in operations for thing in things_of(operation, objects, document)]
     # With a group go the chairs around it.
     for operation in operations:
@@ -86,7 +97,7 @@ def is_meant(operations, meaning, objects, document):
             said += [(operation["do"], "chairs stools", "around " + said[0][1])]
             meaning = [{**m, "target": None} if m["op"] == "move" else m for m in meaning]
     if any(operation["do"] == "revert" for operation in operations):
-        return any("former place" in str(m.get("relation")) for m in meaning)
+        return any(m["op"] == "undo" or "former place" in str(m.get("relation")) for m in meaning)
     everything = [m for m in meaning if m.get("kind") in (None, "everything")]
     for m in meaning:
         mine = [s for s in said if s[0] == m["op"] and (m in everything or alike(m["kind"], s[1]))]
@@ -136,26 +147,26 @@ def judge(program, rooms, case):
         return outcome(program, copy, case)
 
 
-def lines_of(name):
-    return list(map(json.loads, (HERE / name).read_text().splitlines()))
+def lines_of(path):
+    return list(map(json.loads, path.read_text().splitlines()))
 
 
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("program")
-    parser.add_argument("part", choices=["open", "more", "kept"])
+    parser.add_argument("part", choices=list(FILES))
     parser.add_argument("--rooms", type=pathlib.Path, default=pathlib.Path(tempfile.gettempdir()) / "roomgen-edit-rooms")
     parser.add_argument("--jobs", type=int, default=2, help="sentences at a time")
     parser.add_argument("--show", action="store_true")
     options = parser.parse_args()
-    cases = lines_of(f"{options.part}.jsonl")
-    make_rooms(options.program, options.rooms, lines_of("scenes.jsonl"))
+    cases = lines_of(FILES[options.part])
+    make_rooms(options.program, options.rooms, lines_of(HERE / "scenes.jsonl"))
     counts = {"as meant": 0, "not understood": 0, "wrong": 0}
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as workers:
         verdicts = list(workers.map(lambda case: judge(options.program, options.rooms, case), cases))
     for case, (verdict, said) in zip(cases, verdicts):
         counts[verdict] += 1
-        if options.show and options.part != "kept" and verdict != "as meant":
+        if options.show and options.part not in ("kept", "held-out") and verdict != "as meant":
             print(f"{case['id']} {verdict}: {case['sentence']}\n    {' '.join(said.split())[:400]}")
     share = 100.0 * counts["as meant"] / len(cases)
     print(f"{options.part}: {counts['as meant']} of {len(cases)} as meant ({share:.0f} %), "

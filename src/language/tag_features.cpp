@@ -5,30 +5,13 @@
 #include <initializer_list>
 #include <set>
 
+#include "feature_hash.h"
 #include "inflection.h"
 #include "lexicon.h"
 
 namespace roomgen::language {
 
 namespace {
-
-// FNV-1a.
-class Hash {
- public:
-  explicit Hash(std::size_t which) { add(static_cast<char>('A' + which)); }
-  Hash& add(char c) {
-    value_ = (value_ ^ static_cast<unsigned char>(c)) * 16777619u;
-    return *this;
-  }
-  Hash& add(std::string_view text) {
-    for (const char c : text) add(c);
-    return add('\x1f');
-  }
-  std::uint32_t value() const { return value_; }
-
- private:
-  std::uint32_t value_ = 2166136261u;
-};
 
 std::string form_of(const Candidates& may_be) {
   if (!may_be.verb) return "";
@@ -209,9 +192,8 @@ TagFeatures tag_features(const std::vector<UnitFacts>& facts, std::size_t at,
   TagFeatures result;
   std::size_t n = 0;
   const auto put = [&](std::initializer_list<std::string_view> parts) {
-    Hash hash(n);
-    for (const auto part : parts) hash.add(part);
-    result[n++] = hash.value();
+    result[n] = FeatureHash(n, parts).value();
+    ++n;
   };
   const std::string_view t1(&last, 1), t2(&before_last, 1);
   put({});

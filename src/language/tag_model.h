@@ -6,21 +6,16 @@
 #include <string_view>
 #include <vector>
 
+#include "linear_model.h"
 #include "tag_features.h"
 #include "word_tag.h"
 
 namespace roomgen::language {
 
-/// The weights of an averaged perceptron (Collins, "Discriminative training methods for hidden
-/// Markov models", 2002), read in place from bytes that are part of the program.
-///
-/// The bytes: magic; the number of slots, a power of two (4 bytes); that many slots of a feature's
-/// hash (4 bytes, 0: free) and its first weight (3) and number of weights (1); then weights of a
-/// tag (1) and a signed value (2). Little end first; a feature is at the first slot from its hash
-/// on.
+/// Which tag a word has, learned from the corpus by an averaged perceptron.
 class TagModel {
  public:
-  explicit TagModel(std::string_view bytes);
+  explicit TagModel(std::string_view bytes) : weights_(bytes, magic) {}
 
   /// The sums of the weights by tag.
   std::array<int, word_tag_count> scores(const TagFeatures& features) const;
@@ -29,11 +24,9 @@ class TagModel {
                const TagContext& context) const;
 
   static constexpr std::string_view magic = "roomgen tagger 1\n";
-  static constexpr std::size_t slot_size = 8, weight_size = 3;
 
  private:
-  std::string_view slots_, weights_;
-  std::uint32_t mask_ = 0;
+  LinearModel weights_;
 };
 
 /// Small words belong to closed classes: they are no nouns and no verbs behind one.

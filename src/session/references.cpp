@@ -269,6 +269,8 @@ Result<std::vector<std::string>> meant(const EditText& text, const NamedThing& t
   if (thing.other) leave_out_those_spoken_of(text, ids);
   const std::string words = text.words_from(thing.begin, thing.end);
   if (ids.empty()) return not_understood("there is no \"" + words + "\" in the room");
+  if (thing.nth && thing.which == Which::definite && *thing.nth > static_cast<int>(ids.size()))
+    return not_understood("\"" + words + "\": there are no more than " + joined_ids(ids));
   ids = described(text, thing, std::move(ids));
   if (ids.empty()) return not_understood("nothing in the room is known to be \"" + words + "\"");
   auto few = narrowed(text, thing, std::move(ids));

@@ -27,8 +27,9 @@ ReadClause read_remove(const EditText& text, std::size_t at) {
   const auto what = things(text, at, true);
   if (!what) return what.error();
   const auto thing = named_thing_at(text, at);
-  const bool is_all_of_room =
-      thing && thing->which == Which::everything && what->value.size() == text.scene.objects.size();
+  // "all but one of the plants", where "all" alone was read
+  const bool is_all_of_room = thing && thing->which == Which::everything && what->end == thing->end &&
+                              2 * what->value.size() > text.scene.objects.size();
   if (is_all_of_room) return not_understood("that would empty the room; name what shall go");
   return Clause{{edit::Remove{what->value, false}}, {}, {}, what->end, what->value};
 }
