@@ -52,7 +52,7 @@ void Attacher::end_clause() {
   fronted_.clear();
   verb_ = relative_ = participle_ = auxiliary_ = outer_verb_ = none;
   last_ = main_ = pending_ = each_ = none;
-  is_joined_ = is_denied_ = denies_list_ = is_auxiliary_denied_ = false;
+  is_joined_ = is_denied_ = denies_list_ = is_auxiliary_denied_ = is_parting_ = false;
 }
 
 // A comma or a conjunction: what comes may be a further member of a list, or another clause.

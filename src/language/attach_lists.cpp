@@ -1,10 +1,11 @@
 // Lists: which of those that are open a noun phrase continues.
 #include "attacher.h"
+#include "lexicon.h"
 
 namespace roomgen::language {
 
 void Attacher::open(Opened by, std::int32_t id, std::int32_t attachment) {
-  open_.push_back({by, id, id, attachment, false});
+  open_.push_back({by, id, id, attachment});
   is_joined_ = has_comma_ = ended_by_conjunction_ = false;
 }
 
@@ -26,6 +27,7 @@ void Attacher::further_member(std::int32_t id) {
 
 // Whether the noun phrase is another member of the list, rather than of one around it.
 bool Attacher::takes(const OpenList& list, std::int32_t id) {
+  if (list.by != Opened::subject && list.by != Opened::object && is_share(id)) return false;
   // "two chairs facing a sofa, a lamp and ...": the sofa ends the clause.
   if (list.by == Opened::clause) return !has_comma_;
   // "..., a table holding a mug, and a lamp": the last of the outer list.
@@ -41,6 +43,8 @@ bool Attacher::takes(const OpenList& list, std::int32_t id) {
   const std::string& relation =
       parse_.attachments[static_cast<std::size_t>(list.attachment)].relation;
   if (relation == "between" && list.first == list.last && !at(list.first).is_plural) return true;
+  // "a sink at one end and four stools"
+  if (names_part(list.last) != names_part(id)) return false;
   if (ahead() == Tag::preposition || has_comma_)
     return list.by == Opened::of && open_.size() == 2 && is_bare(id) && is_adjectival(list);
   return at(id).determiner == at(list.last).determiner &&
@@ -70,7 +74,30 @@ bool Attacher::resembles(const OpenList& list, std::int32_t id) {
          (at(id).count > 0) == (at(list.last).count > 0);
 }
 
+// "two facing the door": some of several, of which something of their own is said.
+bool Attacher::is_share(std::int32_t id) {
+  const bool is_told = ahead() == Tag::participle ||
+                       (ahead() == Tag::preposition && !is_with(chunks_[at_ + 1].piece->base) &&
+                        chunks_[at_ + 1].piece->base != "of");
+  return at(id).is_pronoun && (at(id).count > 0 || at(id).determiner == Determiner::another) && is_told;
+}
+
+// "end", "side": where something is, rather than a thing.
+bool Attacher::names_part(std::int32_t id) {
+  constexpr double some = 0.3;
+  const std::string noun = parse_.head_of(at(id));
+  const auto& english = lexicon();
+  return english.share(noun, WordClass::artefact) < some &&
+         english.share(noun, WordClass::place) + english.share(noun, WordClass::body_part) >= some;
+}
+
 void Attacher::link(OpenList& list, std::int32_t id) {
+  // "a pot and a pan on the stove, a toaster and a kettle on the counter"
+  if (list.is_placed) {
+    list.first = list.last = id;
+    list.is_placed = list.has_own_place = false;
+    return;
+  }
   NounPhrase& first = at(list.first);
   if (first.list == none) {
     first.list = static_cast<std::int32_t>(parse_.lists.size());

@@ -63,6 +63,9 @@ void Attacher::phrase(std::uint32_t number) {
   } else if (is_joined_ && !open_.empty() && (is_clause_without_verb(id) || takes_up_each(id))) {
     end_clause();
     begin_main(id);
+  } else if (is_joined_ && !open_.empty() && is_share(id) && (before_ == Tag::comma || is_parting_)) {
+    is_joined_ = has_comma_ = false;
+    is_parting_ = true;
   } else if (is_joined_ && !open_.empty()) {
     further_member(id);
   } else {

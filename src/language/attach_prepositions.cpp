@@ -7,6 +7,7 @@
 namespace roomgen::language {
 
 void Attacher::preposition(const Piece& piece) {
+  if (is_joined_ && begins_with_place()) end_clause();
   Attachment attachment;
   attachment.tokens = piece.tokens;
   attachment.relation = piece.base;
@@ -16,6 +17,18 @@ void Attacher::preposition(const Piece& piece) {
   preposition_ = attachment;
   is_joined_ = has_comma_ = false;
   pending_ = none;
+}
+
+// ", on the south side a plain one": a place and right behind it what is there make a clause of their own.
+bool Attacher::begins_with_place() const {
+  std::size_t i = at_ + 1;
+  if (i >= chunks_.size() || chunks_[i].tag != Tag::noun) return false;
+  while (i + 2 < chunks_.size() && chunks_[i + 1].tag == Tag::preposition && chunks_[i + 1].piece->base == "of" &&
+         chunks_[i + 2].tag == Tag::noun)
+    i += 2;
+  if (i + 1 >= chunks_.size() || chunks_[i + 1].tag != Tag::noun) return false;
+  const NounPhrase& what = parse_.phrases[chunks_[i + 1].phrase];
+  return !what.is_pronoun || what.count > 0;
 }
 
 void Attacher::set_from(Attachment& attachment) {
@@ -59,11 +72,10 @@ void Attacher::from_nearest(Attachment& attachment) {
     attachment.from = what_is_told_of();
   if (main_ != none && small_words().exceptions.count(attachment.relation))
     attachment.from = main_;
-  // "a room for twelve with a screen"; "under the desk, but not in front of it"
+  // "a room for twelve with a screen", "a cabinet for jackets in the corner"; "under the desk, but not in front of it"
   const Attachment* last = parse_.attachments.empty() ? nullptr : &parse_.attachments.back();
   const bool goes_on = last && last->to == last_ && !last->is_verb && last->relation != "of" &&
-                       ((is_with(attachment.relation) && last->relation == "for") ||
-                        before_ == Tag::conjunction || before_ == Tag::negation);
+                       (last->relation == "for" || before_ == Tag::conjunction || before_ == Tag::negation);
   if (goes_on) {
     attachment.from = last->from;
     attachment.is_of_list = last->is_of_list;
@@ -74,6 +86,7 @@ void Attacher::from_nearest(Attachment& attachment) {
   const bool is_whole = list.last == attachment.from && list.first != list.last &&
                         list.by != Opened::with && !list.has_own_place && ended_by_conjunction_;
   attachment.is_of_list = is_whole;
+  list.is_placed = list.is_placed || is_whole;
   if (!is_whole && list.last == attachment.from) list.has_own_place = true;
 }
 

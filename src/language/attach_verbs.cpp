@@ -1,4 +1,6 @@
 // Verbs: whose they are, and what they are done to.
+#include <set>
+#include <string_view>
 #include <utility>
 
 #include "attacher.h"
@@ -84,7 +86,9 @@ void Attacher::verb(const Piece& piece) {
     is_imperative_ = true;
     auxiliary_ = none;
   } else {
-    is_auxiliary_denied_ = is_auxiliary_denied_ || piece.is_denied;
+    // "he hates televisions"
+    static const std::set<std::string_view> dislikes = {"hate", "dislike", "detest", "loathe"};
+    is_auxiliary_denied_ = is_auxiliary_denied_ || piece.is_denied || dislikes.count(piece.base) > 0;
     begin_finite(piece.tokens, piece.base);
     denies_list_ = verb_at(verb_).is_denied;
     auxiliary_ = none;

@@ -18,6 +18,7 @@ struct OpenList {
   std::int32_t first = none, last = none;  ///< noun phrases
   std::int32_t attachment = none;          ///< that further members repeat
   bool has_own_place = false;              ///< a member before the last is somewhere already
+  bool is_placed = false;                  ///< all members so far are somewhere: who follows begins another list
 };
 
 /// Reads chunks from left to right and keeps what is open: the clause with its verb, lists, a
@@ -74,6 +75,7 @@ class Attacher {
   bool is_with(const std::string& relation) const {
     return relation == "with" || relation == "without";
   }
+  bool begins_with_place() const;
   void set_from(Attachment& attachment);
   bool governs_places();
   void from_nearest(Attachment& attachment);
@@ -99,6 +101,8 @@ class Attacher {
   bool is_bare(std::int32_t id);
   bool is_adjectival(const OpenList& list);
   bool resembles(const OpenList& list, std::int32_t id);
+  bool names_part(std::int32_t id);
+  bool is_share(std::int32_t id);
   void link(OpenList& list, std::int32_t id);
 
   const std::vector<Chunk>& chunks_;
@@ -118,6 +122,7 @@ class Attacher {
   std::int32_t auxiliary_ = none;
   bool has_existential_ = false, is_imperative_ = false, is_joined_ = false, has_comma_ = false;
   bool ended_by_conjunction_ = false;
+  bool is_parting_ = false;  ///< "five tables, three by the wall": the shares of several are read
   bool is_denied_ = false, is_auxiliary_denied_ = false, denies_list_ = false;
 };
 

@@ -39,7 +39,11 @@ class Chunker {
     std::size_t i = at_;
     if (tag_at(i) == Tag::pronoun) return {i, i + 1, true};
     while (tag_at(i) == Tag::determiner && i < last) ++i;
-    if (tag_at(i) == Tag::pronoun && i > at_) return {i, i + 1, true};
+    if (tag_at(i) == Tag::pronoun && i > at_) {
+      // "the other two"
+      const std::size_t head = tag_at(i + 1) == Tag::number && tag_at(i + 2) != Tag::noun ? i + 1 : i;
+      return {head, head + 1, true};
+    }
     const std::size_t first = i;
     while (i < last && (is_modifier_at(i) || tag_at(i) == Tag::noun || joins_modifiers(i))) {
       // An owner begins what it owns anew: nouns before it are part of its name.
@@ -152,6 +156,7 @@ class Chunker {
     switch (piece.tag) {
       case Tag::pronoun:
         phrase.is_pronoun = true;
+        if (word == "one") phrase.count = 1.0;
         if (const auto found = small_words().determiners.find(word);
             found != small_words().determiners.end())
           phrase.determiner = found->second;
