@@ -18,6 +18,32 @@ bool is_word_char(char c) {
   return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || static_cast<unsigned char>(c) > 127;
 }
 
+// The bytes of the UTF-8 character that the text begins with; 0 if there is none.
+std::size_t utf8_size(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const std::size_t size = byte(0) < 0x80   ? 1
+                           : byte(0) < 0xC2 ? 0
+                           : byte(0) < 0xE0 ? 2
+                           : byte(0) < 0xF0 ? 3
+                           : byte(0) < 0xF5 ? 4
+                                            : 0;
+  if (size > text.size()) return 0;
+  for (std::size_t i = 1; i < size; ++i)
+    if ((byte(i) & 0xC0) != 0x80) return 0;
+  return size;
+}
+
+// Control characters (C0 but line ends, DEL, C1) and those that turn the direction of writing (Unicode
+// Standard Annex 9: U+202A to U+202E, U+2066 to U+2069).
+bool steers_terminal(std::string_view character) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(character[i]); };
+  if (character.size() == 1) return (byte(0) < 32 && character != "\n" && character != "\t") || byte(0) == 127;
+  if (character.size() == 2) return byte(0) == 0xC2 && byte(1) < 0xA0;
+  if (character.size() != 3 || byte(0) != 0xE2) return false;
+  return (byte(1) == 0x80 && byte(2) >= 0xAA && byte(2) <= 0xAE) ||
+         (byte(1) == 0x81 && byte(2) >= 0xA6 && byte(2) <= 0xA9);
+}
+
 }  // namespace
 
 std::string lower(std::string_view text) {
@@ -79,6 +105,17 @@ std::string format_number(double value, int decimals) {
   }
   std::string result = (negative ? "-" : "") + std::to_string(digits);
   return fraction.empty() ? result : result + "." + fraction;
+}
+
+std::string printable(std::string_view text) {
+  std::string result;
+  while (!text.empty()) {
+    const std::size_t size = utf8_size(text);
+    const auto character = text.substr(0, std::max<std::size_t>(size, 1));
+    result += size > 0 && !steers_terminal(character) ? character : "?";
+    text.remove_prefix(character.size());
+  }
+  return result;
 }
 
 std::string shortened(std::string text, std::size_t limit) {

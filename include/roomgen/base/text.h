@@ -13,6 +13,9 @@ std::string lower(std::string_view text);
 std::string_view trim(std::string_view text);
 /// The pieces between separators, each trimmed; empty pieces are kept.
 std::vector<std::string> split(std::string_view text, char separator);
+/// What a terminal may be given, whoever wrote it: control characters but line ends, characters that turn
+/// the direction of writing, and bytes that are no UTF-8 become '?'.
+std::string printable(std::string_view text);
 /// At most `limit` bytes, ending with a whole UTF-8 character.
 std::string shortened(std::string text, std::size_t limit);
 std::string join(const std::vector<std::string>& pieces, std::string_view separator);
