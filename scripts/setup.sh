@@ -17,7 +17,7 @@ build_packages="g++ cmake ninja-build ccache pkg-config libeigen3-dev libfcl-dev
   libpolyclipping-dev libmeshoptimizer-dev
   nlohmann-json3-dev libosmesa6-dev libopencv-core-dev libopencv-imgproc-dev libpng-dev libjpeg-dev
   libsqlite3-dev libzip-dev libcli11-dev catch2 sweethome3d-furniture libcurl4-openssl-dev libssl-dev
-  libpugixml-dev libedit-dev
+  libpugixml-dev libedit-dev libseccomp-dev
   dpkg-dev wordnet-base"
 test_packages="python3 python3-venv"
 

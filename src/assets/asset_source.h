@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "file_tree.h"
 #include "frame.h"
+#include "open_tree.h"
 #include "roomgen/base/result.h"
 #include "roomgen/library/library.h"
 
@@ -33,9 +33,6 @@ struct AssetSource {
 
 /// "Scopia" for /some/where/Scopia.sh3f, the folder's name for a folder.
 std::string library_name(const std::filesystem::path& path);
-
-/// A .sh3f or .zip file, or a folder.
-Result<FileTree> open_tree(const std::filesystem::path& path, const LogSink& log);
 
 /// Lists the meshes of a library: by its PluginFurnitureCatalog.properties if it has one, else
 /// every mesh file with the sidecar beside it. Entries that cannot be used are left out with a

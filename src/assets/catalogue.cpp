@@ -7,7 +7,8 @@
 #include <optional>
 
 #include "asset_source.h"
-#include "import_mesh.h"
+#include "base/private_folder.h"
+#include "decode/image_decode.h"
 #include "index.h"
 #include "index_file.h"
 #include "search.h"
@@ -25,7 +26,7 @@ struct Shelf {
   std::string library;
   fs::path path;
   Database database;
-  std::optional<FileTree> tree;
+  std::unique_ptr<FileTree> tree;  // stays where it is while the decoder reads from it
 };
 
 // The models that were asked for last.
@@ -70,6 +71,9 @@ struct Catalogue::Impl {
   mutable std::vector<Shelf> shelves;
   mutable ModelCache models;
   LogSink log;
+  mutable decode::Decoder decoder;
+
+  explicit Impl(const CatalogueOptions& options) : log(options.log), decoder(decoder_options(options)) {}
 
   Result<std::shared_ptr<const Model>> read_model(Shelf& shelf, const IndexedAsset& asset) const;
 };
@@ -79,9 +83,9 @@ Result<std::shared_ptr<const Model>> Catalogue::Impl::read_model(Shelf& shelf,
   if (!shelf.tree) {
     auto tree = open_tree(shelf.path, {});  // warnings were given while indexing
     if (!tree) return tree.error();
-    shelf.tree = *std::move(tree);
+    shelf.tree = std::make_unique<FileTree>(*std::move(tree));
   }
-  auto model = import_mesh(*shelf.tree, asset.mesh, {});
+  auto model = decoder.decode(*shelf.tree, asset.mesh, {});
   if (!model) return with_context(model.error(), shelf.library);
   SourceFrame frame;
   frame.ours_from_source = asset.ours_from_source;
@@ -132,6 +136,17 @@ Result<std::vector<AssetInfo>> Catalogue::all() const {
   return result;
 }
 
+Result<std::vector<LeftOutMesh>> Catalogue::left_out() const {
+  const std::lock_guard lock(impl_->mutex);
+  std::vector<LeftOutMesh> result;
+  for (const auto& shelf : impl_->shelves) {
+    auto rows = read_left_out(shelf.database, shelf.library);
+    if (!rows) return with_context(rows.error(), shelf.library);
+    result.insert(result.end(), rows->begin(), rows->end());
+  }
+  return result;
+}
+
 Result<AssetInfo> Catalogue::find(std::string_view name) const {
   const std::string whole(name);
   const std::lock_guard lock(impl_->mutex);
@@ -158,17 +173,17 @@ std::vector<fs::path> installed_libraries() {
 }
 
 fs::path default_cache_dir() {
-  if (const auto cache = environment_folder("XDG_CACHE_HOME"); !cache.empty())
-    return cache / "roomgen";
-  if (const auto home = environment_folder("HOME"); !home.empty())
-    return home / ".cache" / "roomgen";
-  std::error_code code;
-  return fs::temp_directory_path(code) / "roomgen-cache";
+  const fs::path cache = environment_folder("XDG_CACHE_HOME"), home = environment_folder("HOME");
+  const fs::path usual = !cache.empty()  ? cache / "roomgen"
+                         : !home.empty() ? home / ".cache" / "roomgen"
+                                         : fs::path();
+  if (!usual.empty() && may_write_below(usual)) return usual;
+  const auto closed = private_folder("roomgen");
+  return closed ? *closed : usual;
 }
 
 Result<std::unique_ptr<Catalogue>> open_catalogue(const CatalogueOptions& options) {
-  auto impl = std::make_unique<Catalogue::Impl>();
-  impl->log = options.log;
+  auto impl = std::make_unique<Catalogue::Impl>(options);
   for (const auto& path : options.libraries) {
     const std::string name = library_name(path);
     const bool doubled = std::any_of(impl->shelves.begin(), impl->shelves.end(),
@@ -180,9 +195,17 @@ Result<std::unique_ptr<Catalogue>> open_catalogue(const CatalogueOptions& option
     if (!index) return index.error();
     auto database = Database::open_read_only(*index);
     if (!database) return database.error();
-    impl->shelves.push_back({name, path, *std::move(database), std::nullopt});
+    impl->shelves.push_back({name, path, *std::move(database), nullptr});
   }
   return std::make_unique<Catalogue>(std::move(impl));
+}
+
+Result<std::vector<std::string>> decoder_report(const CatalogueOptions& options) {
+  return decode::decoder_confinement(decoder_options(options));
+}
+
+Result<Image> decode_image(std::string_view bytes, int max_side) {
+  return decode::decode_image(bytes, max_side);
 }
 
 }  // namespace roomgen::assets

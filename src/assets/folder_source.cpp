@@ -2,7 +2,7 @@
 // itself, described by the JSON file of the same name if there is one.
 
 #include "asset_source.h"
-#include "import_mesh.h"
+#include "decode/import_mesh.h"
 #include "roomgen/base/text.h"
 #include "sidecar.h"
 
@@ -38,7 +38,7 @@ std::vector<SourceAsset> list_folder(const FileTree& tree, const std::string& li
                                      const LogSink& log) {
   std::vector<SourceAsset> assets;
   for (const auto& mesh : tree.names) {
-    if (!is_mesh_file(mesh)) continue;
+    if (!decode::is_mesh_file(mesh)) continue;
     const std::string stem = without_extension(mesh);
     SourceAsset asset;
     asset.mesh = mesh;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <map>
 #include <mutex>
 #include <thread>
 
@@ -9,7 +10,6 @@
 #include "base/resource.h"
 #include "base/sha256.h"
 #include "classify.h"
-#include "import_mesh.h"
 #include "index_file.h"
 #include "library/shown_colors.h"
 #include "roomgen/base/file.h"
@@ -21,8 +21,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int format_version = 4;  // of the catalogue's tables and of what is worked out for them
+constexpr int format_version = 5;  // of the catalogue's tables and of what is worked out for them
 constexpr int sample_side = 32;    // pixels: enough of a texture to know its colour
+constexpr std::size_t most_catalogue_bytes = std::size_t{1} << 30;
 
 std::string stamp_of_file(const fs::path& path) {
   std::error_code code;
@@ -45,6 +46,22 @@ Result<std::string> stamp_of(const fs::path& library) {
   return sha256_hex(text);
 }
 
+fs::path seal_of(const fs::path& catalogue) {
+  return fs::path(catalogue).replace_extension(".sha256");
+}
+
+// A hash beside the catalogue tells later whether its bytes are still those that were written.
+Status seal(const fs::path& catalogue) {
+  const auto bytes = read_file(catalogue, most_catalogue_bytes);
+  if (!bytes) return bytes.error();
+  return write_file(seal_of(catalogue), sha256_hex(*bytes) + "\n");
+}
+
+bool is_whole(const fs::path& catalogue) {
+  const auto bytes = read_file(catalogue, most_catalogue_bytes), seal = read_file(seal_of(catalogue));
+  return bytes && seal && *seal == sha256_hex(*bytes) + "\n";
+}
+
 // Words for materials, as the author called them.
 std::string material_words(const Model& model, const Vocabulary& vocabulary) {
   std::string result;
@@ -54,14 +71,12 @@ std::string material_words(const Model& model, const Vocabulary& vocabulary) {
   return result;
 }
 
-Result<IndexedAsset> index_asset(const AssetSource& source, const SourceAsset& asset,
-                                 const LogSink& sink) {
-  const auto bytes = source.tree.read(asset.mesh);
-  if (!bytes) return bytes.error();
-  ImportOptions options;
+Result<IndexedAsset> index_asset(const AssetSource& source, const SourceAsset& asset, const std::string& sha256,
+                                 decode::Decoder& decoder, const LogSink& sink) {
+  decode::ImportOptions options;
   options.max_texture_side = sample_side;
   options.log = sink;
-  auto model = import_mesh(source.tree, asset.mesh, options);
+  auto model = decoder.decode(source.tree, asset.mesh, options);
   if (!model) return model.error();
   const auto size = fit_to_frame(*model, asset.frame, Normals::leave);
   if (!size) return with_context(size.error(), asset.mesh);
@@ -69,7 +84,7 @@ Result<IndexedAsset> index_asset(const AssetSource& source, const SourceAsset& a
   SourceAsset measured = asset;
   measured.info.size = *size;
   measured.info.triangles = triangle_count(*model);
-  measured.info.ref.sha256 = sha256_hex(*bytes);
+  measured.info.ref.sha256 = sha256;
   measured.info.colors = main_colors(*model);
   const auto& vocabulary = Vocabulary::built_in();
   const Label* label = Labels::built_in().find(source.library, asset.info.ref.id);
@@ -81,63 +96,96 @@ Result<IndexedAsset> index_asset(const AssetSource& source, const SourceAsset& a
   return row;
 }
 
+// What came of one mesh; neither when it is not to be used at all.
+struct IndexedMesh {
+  std::optional<IndexedAsset> asset;
+  std::optional<LeftOutMesh> left_out;
+};
+
 // Reads all meshes of a library, several at a time; the result is in the library's order whoever
 // was first.
 class Indexer {
  public:
-  Indexer(const AssetSource& source, const CatalogueOptions& options)
-      : source_(source), options_(options), rows_(source.assets.size()) {
-    log_ = [this](LogLevel level, std::string_view message) {
+  // `too_much`: reasons not to try again, by content.
+  Indexer(const AssetSource& source, const CatalogueOptions& options,
+          const std::map<std::string, std::string>& too_much)
+      : source_(source), options_(options), too_much_(too_much), results_(source.assets.size()) {
+    log_ = [this](LogLevel, std::string_view message) {
       const std::lock_guard lock(mutex_);
-      log(options_.log, level, source_.library + ": " + std::string(message));
+      log(options_.log, LogLevel::info, source_.library + ": " + std::string(message));
     };
   }
 
-  std::vector<IndexedAsset> run() {
+  // Fails only when there can be no decoder.
+  Result<std::vector<IndexedMesh>> run() {
     const unsigned count = std::clamp(std::thread::hardware_concurrency(), 1u, max_threads);
     std::vector<std::thread> threads;
     for (unsigned i = 1; i < count; ++i) threads.emplace_back([this] { work(); });
     work();
     for (auto& thread : threads) thread.join();
-    std::vector<IndexedAsset> result;
-    for (auto& row : rows_)
-      if (row) result.push_back(*std::move(row));
-    return result;
+    if (!failure_.ok()) return failure_.error();
+    return std::move(results_);
   }
 
  private:
   static constexpr unsigned max_threads = 4;
 
   void work() {
-    for (std::size_t i; (i = next_++) < rows_.size() && !options_.cancel.cancelled();) {
+    decode::Decoder decoder(decoder_options(options_));
+    for (std::size_t i; (i = next_++) < results_.size() && !options_.cancel.cancelled();) {
       const Label* label =
           Labels::built_in().find(source_.library, source_.assets[i].info.ref.id);
-      if (label && label->unsteady) {
-        report();
-        continue;
-      }
-      auto row = index_asset(source_, source_.assets[i], log_);
-      if (row)
-        rows_[i] = *std::move(row);
-      else
-        log_(LogLevel::warning, row.error().message + "; left out");
+      if (!label || !label->unsteady) read(source_.assets[i], decoder, results_[i]);
       report();
     }
+  }
+
+  void read(const SourceAsset& asset, decode::Decoder& decoder, IndexedMesh& result) {
+    const auto bytes = source_.tree.read(asset.mesh);
+    const std::string sha256 = bytes ? sha256_hex(*bytes) : std::string();
+    auto row = !bytes ? Result<IndexedAsset>(bytes.error()) : known_as_too_much(sha256);
+    if (bytes && !too_much_.contains(sha256)) row = index_asset(source_, asset, sha256, decoder, log_);
+    if (row)
+      result.asset = *std::move(row);
+    else if (row.error().kind == Error::Kind::unavailable)
+      stop(row.error());
+    else
+      leave_out(asset, sha256, row.error(), result);
+  }
+
+  Error known_as_too_much(const std::string& sha256) const {
+    const auto known = too_much_.find(sha256);
+    return {Error::Kind::limit, known == too_much_.end() ? std::string() : known->second};
+  }
+
+  void leave_out(const SourceAsset& asset, const std::string& sha256, const Error& error,
+                 IndexedMesh& result) {
+    log_(LogLevel::info, error.message + "; left out");
+    result.left_out = LeftOutMesh{source_.library, asset.mesh, error.message, sha256,
+                                  error.kind == Error::Kind::limit};
+  }
+
+  void stop(const Error& error) {
+    const std::lock_guard lock(mutex_);
+    failure_ = error;
+    next_ = results_.size();
   }
 
   void report() {
     const std::lock_guard lock(mutex_);
     ++done_;
-    if (options_.progress) options_.progress({source_.library, done_, rows_.size()});
+    if (options_.progress) options_.progress({source_.library, done_, results_.size()});
   }
 
   const AssetSource& source_;
   const CatalogueOptions& options_;
+  const std::map<std::string, std::string>& too_much_;
   LogSink log_;
   std::mutex mutex_;
   std::atomic<std::size_t> next_ = 0;
   std::size_t done_ = 0;
-  std::vector<std::optional<IndexedAsset>> rows_;
+  std::vector<IndexedMesh> results_;
+  Status failure_;
 };
 
 void drop_doubled_ids(std::vector<IndexedAsset>& rows) {
@@ -151,20 +199,61 @@ void drop_doubled_ids(std::vector<IndexedAsset>& rows) {
   rows.erase(std::unique(rows.begin(), rows.end(), same_id), rows.end());
 }
 
+// What an older catalogue of the same library knows to be too much for whoever reads it.
+std::map<std::string, std::string> known_as_too_much(const fs::path& catalogue) {
+  std::map<std::string, std::string> reasons;
+  std::error_code code;
+  if (!fs::exists(catalogue, code)) return reasons;
+  const auto database = Database::open_read_only(catalogue);
+  const auto rows = database ? read_left_out(*database, "") : Result<std::vector<LeftOutMesh>>(database.error());
+  if (!rows) return reasons;
+  for (const auto& mesh : *rows)
+    if (mesh.too_much && !mesh.sha256.empty()) reasons[mesh.sha256] = mesh.reason;
+  return reasons;
+}
+
+void tell_of_left_out(const std::string& library, const std::vector<LeftOutMesh>& left_out,
+                      const LogSink& sink) {
+  if (left_out.empty()) return;
+  log(sink, LogLevel::warning,
+      library + ": " + std::to_string(left_out.size()) +
+          (left_out.size() == 1 ? " mesh is" : " meshes are") + " left out; roomgen assets check says why");
+}
+
 Status build_index(const fs::path& library, const fs::path& target, const std::string& stamp,
                    const CatalogueOptions& options) {
   const auto source = open_source(library, options.log);
   if (!source) return source.error();
-  auto rows = Indexer(*source, options).run();
+  auto meshes = Indexer(*source, options, known_as_too_much(target)).run();
   if (options.cancel.cancelled()) return Error{Error::Kind::cancelled, "indexing was stopped"};
+  if (!meshes) return meshes.error();
+  std::vector<IndexedAsset> rows;
+  std::vector<LeftOutMesh> left_out;
+  for (auto& mesh : *meshes) {
+    if (mesh.asset) rows.push_back(*std::move(mesh.asset));
+    if (mesh.left_out) left_out.push_back(*std::move(mesh.left_out));
+  }
   if (rows.empty())
     return Error{Error::Kind::invalid_input, library.string() + ": none of its meshes is usable"};
   drop_doubled_ids(rows);
+  tell_of_left_out(source->library, left_out, options.log);
 
-  return replace_file(target, [&](const fs::path& aside) { return write_index(aside, stamp, rows); });
+  if (auto status = replace_file(target, [&](const fs::path& aside) { return write_index(aside, stamp, rows, left_out); });
+      !status)
+    return status;
+  return seal(target);
 }
 
 }  // namespace
+
+decode::DecoderOptions decoder_options(const CatalogueOptions& options) {
+  decode::DecoderOptions decoder;
+  decoder.program = options.decoder;
+  decoder.in_process = options.trusted;
+  decoder.require_sandbox = options.require_sandbox;
+  decoder.cancel = options.cancel;
+  return decoder;
+}
 
 fs::path index_path(const fs::path& library, const CatalogueOptions& options) {
   std::error_code code;
@@ -180,7 +269,10 @@ Result<fs::path> ensure_index(const fs::path& library, const CatalogueOptions& o
   const auto stamp = stamp_of(library);
   if (!stamp) return stamp.error();
   const fs::path path = index_path(library, options);
-  if (!options.rebuild && read_stamp(path) == *stamp) return path;
+  const bool whole = is_whole(path);
+  if (!options.rebuild && whole && read_stamp(path) == *stamp) return path;
+  if (!whole && fs::exists(seal_of(path), code))
+    log(options.log, LogLevel::warning, path.string() + " is damaged, and made anew");
   if (auto status = make_folder(options.cache_dir); !status)
     return Error{status.error().kind, status.error().message + "; choose another cache folder"};
   if (auto status = build_index(library, path, *stamp, options); !status) return status.error();

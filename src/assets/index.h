@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "decode/decoder.h"
 #include "roomgen/assets/catalogue.h"
 
 namespace roomgen::assets {
@@ -11,6 +12,9 @@ namespace roomgen::assets {
 /// renamed, so that a process reading the old one keeps it and two that build at once do no harm.
 Result<std::filesystem::path> ensure_index(const std::filesystem::path& library,
                                            const CatalogueOptions& options);
+
+/// How the options want meshes to be read.
+decode::DecoderOptions decoder_options(const CatalogueOptions& options);
 
 /// Where ensure_index() keeps the catalogue of a library.
 std::filesystem::path index_path(const std::filesystem::path& library,

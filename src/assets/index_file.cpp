@@ -22,6 +22,7 @@ constexpr const char* schema = R"sql(
     grp TEXT, width REAL, depth REAL, height REAL, mount TEXT, elevation REAL, support REAL,
     front INTEGER, round INTEGER, colors TEXT, triangles INTEGER, sha256 TEXT, license TEXT,
     creator TEXT, mesh TEXT, frame TEXT, wall_fit TEXT);
+  CREATE TABLE left_out (mesh TEXT, reason TEXT, sha256 TEXT, too_much INTEGER);
   CREATE VIRTUAL TABLE texts USING fts5(name, tags, category, grp, words, looks,
                                         tokenize = 'porter unicode61');
 )sql";
@@ -178,7 +179,7 @@ IndexedAsset row_of(const Statement& row) {
 }
 
 Status write_index(const std::filesystem::path& path, const std::string& stamp,
-                   const std::vector<IndexedAsset>& assets) {
+                   const std::vector<IndexedAsset>& assets, const std::vector<LeftOutMesh>& left_out) {
   auto database = Database::create(path);
   if (!database) return database.error();
   if (auto status = database->run(schema); !status) return status;
@@ -193,9 +194,25 @@ Status write_index(const std::filesystem::path& path, const std::string& stamp,
     insert_asset(rows, ++number, asset);
     insert_texts(texts, number, asset);
   }
-  for (const auto& status : {meta.status(), rows.status(), texts.status()})
+  Statement others = database->prepare("INSERT INTO left_out VALUES (?,?,?,?)");
+  for (const auto& mesh : left_out)
+    others.bind(1, mesh.mesh)
+        .bind(2, mesh.reason)
+        .bind(3, mesh.sha256)
+        .bind(4, static_cast<long long>(mesh.too_much))
+        .run();
+  for (const auto& status : {meta.status(), rows.status(), texts.status(), others.status()})
     if (!status) return status;
   return database->run(finish);
+}
+
+Result<std::vector<LeftOutMesh>> read_left_out(const Database& database, const std::string& library) {
+  Statement rows = database.prepare("SELECT mesh, reason, sha256, too_much FROM left_out ORDER BY mesh");
+  std::vector<LeftOutMesh> result;
+  while (rows.step())
+    result.push_back({library, rows.text(0), rows.text(1), rows.text(2), rows.integer(3) != 0});
+  if (auto status = rows.status(); !status) return status.error();
+  return result;
 }
 
 std::string read_stamp(const std::filesystem::path& path) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "database.h"
+#include "roomgen/assets/catalogue.h"
 #include "roomgen/library/library.h"
 
 namespace roomgen::assets {
@@ -20,7 +21,10 @@ struct IndexedAsset {
 
 /// Writes the catalogue of one library to a new file. `stamp` says what it was made from.
 Status write_index(const std::filesystem::path& path, const std::string& stamp,
-                   const std::vector<IndexedAsset>& assets);
+                   const std::vector<IndexedAsset>& assets, const std::vector<LeftOutMesh>& left_out);
+
+/// The meshes that the catalogue of `library` had to leave out.
+Result<std::vector<LeftOutMesh>> read_left_out(const Database& database, const std::string& library);
 
 /// The stamp of a catalogue; empty if there is none or it is not readable.
 std::string read_stamp(const std::filesystem::path& path);

@@ -4,7 +4,7 @@
 #include <memory>
 #include <mutex>
 
-#include "file_tree.h"
+#include "open_tree.h"
 
 namespace roomgen::assets {
 

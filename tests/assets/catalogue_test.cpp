@@ -193,7 +193,61 @@ TEST_CASE("Several openers at once all get a whole catalogue and leave no rubbis
     });
   for (auto& thread : threads) thread.join();
   CHECK(good == 4);
-  CHECK(std::distance(fs::directory_iterator(options.cache_dir), fs::directory_iterator()) == 1);
+  // The catalogue and its seal.
+  CHECK(std::distance(fs::directory_iterator(options.cache_dir), fs::directory_iterator()) == 2);
+}
+
+TEST_CASE("A catalogue with any damaged bytes is made anew") {
+  const TemporaryFolder folder;
+  for (int i = 0; i < 5; ++i) folder.write("mine/table" + std::to_string(i) + ".obj", cube_obj());
+  auto options = options_for(folder.path() / "mine", folder);
+  REQUIRE(assets::open_catalogue(options));
+  fs::path file;
+  for (const auto& entry : fs::directory_iterator(options.cache_dir))
+    if (entry.path().extension() == ".sqlite") file = entry.path();
+  std::string told;
+  options.log = [&](LogLevel level, std::string_view text) {
+    if (level == LogLevel::warning) told += text;
+  };
+  const auto size = fs::file_size(file);
+  for (std::uintmax_t at = 64; at < size; at += size / 12) {
+    std::fstream stream(file, std::ios::in | std::ios::out | std::ios::binary);
+    stream.seekp(static_cast<std::streamoff>(at));
+    stream << std::string(40, '\x5a');
+    stream.close();
+    told.clear();
+    const auto catalogue = assets::open_catalogue(options);
+    REQUIRE(catalogue);
+    CHECK((*catalogue)->all()->size() == 5);
+    CHECK(told.find("damaged") != std::string::npos);
+  }
+}
+
+TEST_CASE("A mesh that was too much for its reader is named, and tried again only when it changes") {
+  const TemporaryFolder folder;
+  folder.write("mine/table.obj", cube_obj());
+  folder.write("mine/cut.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty floa");
+  auto options = options_for(folder.path() / "mine", folder);
+  auto catalogue = assets::open_catalogue(options);
+  REQUIRE(catalogue);
+  auto left_out = (*catalogue)->left_out();
+  REQUIRE(left_out);
+  REQUIRE(left_out->size() == 1);
+  CHECK(left_out->front().mesh == "cut.ply");
+  CHECK(left_out->front().too_much);
+  CHECK((*catalogue)->all()->size() == 1);
+
+  folder.write("mine/table2.obj", cube_obj());
+  catalogue = assets::open_catalogue(options);
+  REQUIRE(catalogue);
+  CHECK((*catalogue)->left_out()->size() == 1);
+  folder.write("mine/cut.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+                               "property float z\nelement face 1\nproperty list uchar int vertex_indices\n"
+                               "end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  catalogue = assets::open_catalogue(options);
+  REQUIRE(catalogue);
+  CHECK((*catalogue)->left_out()->empty());
+  CHECK((*catalogue)->all()->size() == 3);
 }
 
 TEST_CASE("Indexing that was stopped leaves no catalogue") {

@@ -20,13 +20,13 @@ const std::map<std::string, double> floors = {
     {"library", 3},
     {"collision", 3}, {"export", 3}, {"import", 3}, {"view", 3}, {"chat", 3}, {"brief", 4}, {"plan", 4.25}, {"optimise", 4.5}, {"design", 4.5}, {"compose", 4.75},
     {"evaluate", 4}, {"solve", 4}, {"create", 5},
-    {"generate", 6}, {"tour", 6.25}, {"questions", 6.375}, {"session", 6.5}, {"assets", 7},   {"render", 7}, {"agent", 7},   {"c", 8}};
+    {"generate", 6}, {"tour", 6.25}, {"questions", 6.375}, {"session", 6.5}, {"decode", 6.75}, {"assets", 7},   {"render", 7}, {"agent", 7},   {"c", 8}};
 
 // Headers of libraries that a user of the core must not need, and the modules that may include them.
 const std::map<std::string, std::vector<std::string>> adapters = {
     {"fcl/", {"collision"}}, {"polyclipping/", {"geometry"}}, {"meshoptimizer.h", {"geometry"}},
-    {"assimp/", {"assets"}}, {"sqlite3.h", {"assets"}}, {"zip.h", {"assets"}},
-    {"png.h", {"assets", "render"}}, {"jpeglib.h", {"assets", "render"}}, {"GL/", {"render"}},
+    {"assimp/", {"decode"}}, {"sqlite3.h", {"assets"}}, {"zip.h", {"assets"}},
+    {"png.h", {"decode", "render"}}, {"jpeglib.h", {"decode", "render"}}, {"GL/", {"render"}},
     {"opencv2/", {"render", "assets"}}, {"pugixml", {"import"}}, {"cpr/", {"agent"}}, {"curl/", {"agent"}}, {"CLI/", {}}};
 
 const fs::path source = ROOMGEN_SOURCE_DIR;

@@ -23,7 +23,8 @@ struct IndexProgress {
 /// The furniture packages that this system has, in order; empty if it has none.
 std::vector<std::filesystem::path> installed_libraries();
 
-/// $XDG_CACHE_HOME/roomgen, else ~/.cache/roomgen, else a folder of the system's temporary one.
+/// $XDG_CACHE_HOME/roomgen, else ~/.cache/roomgen; where these cannot be written, a folder below the system's
+/// temporary one that is closed to others (made now).
 std::filesystem::path default_cache_dir();
 
 struct CatalogueOptions {
@@ -32,10 +33,28 @@ struct CatalogueOptions {
   std::vector<std::filesystem::path> libraries = installed_libraries();
   std::filesystem::path cache_dir = default_cache_dir();
   bool rebuild = false;  ///< even if the cached catalogue still holds
+  /// Meshes are read by the program roomgen-decode, in a process that can do nothing else, since a broken one
+  /// may crash what reads it. Empty: the one that $ROOMGEN_DECODER names, beside the running program, or where
+  /// this library was installed.
+  std::filesystem::path decoder;
+  bool trusted = false;          ///< meshes are read in this process: only for files of your own
+  bool require_sandbox = false;  ///< Error::Kind::unavailable where the decoder cannot be shut in wholly
   LogSink log;           ///< what was repaired or left out while indexing
   std::function<void(const IndexProgress&)> progress;  ///< after each mesh, one call at a time
   CancelToken cancel;
 };
+
+/// A mesh of a library that cannot be used.
+struct LeftOutMesh {
+  std::string library;
+  std::string mesh;    ///< its file
+  std::string reason;
+  std::string sha256;  ///< of the file; empty if it could not be read
+  bool too_much = false;  ///< it crashed or overran what read it: not tried again while it stays the same
+};
+
+/// What holds the decoder on this machine, a line each, for people.
+Result<std::vector<std::string>> decoder_report(const CatalogueOptions& options);
 
 /// Furniture libraries as one AssetLibrary. Safe to use from several threads.
 class Catalogue final : public AssetLibrary {
@@ -49,6 +68,8 @@ class Catalogue final : public AssetLibrary {
   Result<std::shared_ptr<const Model>> load(const AssetRef& ref) const override;
   /// All assets, by library and id.
   Result<std::vector<AssetInfo>> all() const;
+  /// Meshes that were left out when the libraries were read, and why.
+  Result<std::vector<LeftOutMesh>> left_out() const;
   /// One asset, by "Scopia/leather_sofa", or by its id alone: the first library that has it.
   Result<AssetInfo> find(std::string_view name) const;
 

@@ -4,7 +4,7 @@
 #include <assimp/IOStream.hpp>
 #include <cstring>
 
-namespace roomgen::assets {
+namespace roomgen::decode {
 
 namespace {
 
@@ -61,4 +61,4 @@ void MemoryIo::Close(Assimp::IOStream* stream) {
   delete stream;
 }
 
-}  // namespace roomgen::assets
+}  // namespace roomgen::decode

@@ -6,7 +6,7 @@
 
 #include "file_tree.h"
 
-namespace roomgen::assets {
+namespace roomgen::decode {
 
 /// Gives assimp the files of a mesh's own folder, and nothing else: whatever path a mesh file names
 /// is looked up there (FileTree::resolve).
@@ -26,4 +26,4 @@ class MemoryIo final : public Assimp::IOSystem {
   std::string folder_;
 };
 
-}  // namespace roomgen::assets
+}  // namespace roomgen::decode

@@ -1,4 +1,4 @@
-#include "roomgen/assets/catalogue.h"
+#include "image_decode.h"
 
 #include <png.h>
 
@@ -11,7 +11,7 @@
 
 #include <jpeglib.h>
 
-namespace roomgen::assets {
+namespace roomgen::decode {
 
 namespace {
 
@@ -154,4 +154,4 @@ Result<Image> decode_image(std::string_view bytes, int max_side) {
   return shrunk(*image, scaled(image->width), scaled(image->height));
 }
 
-}  // namespace roomgen::assets
+}  // namespace roomgen::decode

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -9,11 +8,10 @@
 
 #include "roomgen/base/result.h"
 
-namespace roomgen::assets {
+namespace roomgen::decode {
 
 /// Largest file that is taken out of a library. The furniture packages stay below 9 MB.
 inline constexpr std::size_t max_asset_bytes = 96u << 20;
-inline constexpr std::size_t max_tree_files = 200000;
 
 /// The files of a library, be it an archive or a folder: all that its meshes can refer to. Nothing
 /// outside can be named: paths are relative, with '/' between their parts and no "..".
@@ -42,9 +40,4 @@ std::string file_name_of(std::string_view path);
 /// Lower case, without the dot: "jpg".
 std::string extension_of(std::string_view name);
 
-/// A ZIP archive. Entries with unsafe names are left out, with a warning.
-Result<FileTree> open_zip(const std::filesystem::path& path, const LogSink& log);
-/// A folder and those below it. Links that lead outside are left out.
-Result<FileTree> open_folder(const std::filesystem::path& path);
-
-}  // namespace roomgen::assets
+}  // namespace roomgen::decode

@@ -11,7 +11,7 @@
 #include "import_mesh.h"
 #include "roomgen/geometry/model.h"
 
-namespace roomgen::assets {
+namespace roomgen::decode {
 
 /// Turns assimp's materials into ours, decoding each picture once.
 class MaterialReader {
@@ -37,4 +37,4 @@ class MaterialReader {
   std::map<std::string, std::shared_ptr<const Image>> decoded_;
 };
 
-}  // namespace roomgen::assets
+}  // namespace roomgen::decode

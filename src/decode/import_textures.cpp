@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "roomgen/assets/catalogue.h"
+#include "image_decode.h"
 #include "roomgen/base/text.h"
 
-namespace roomgen::assets {
+namespace roomgen::decode {
 
 namespace {
 
@@ -144,4 +144,4 @@ std::string MaterialReader::lone_picture() const {
   return meshes == 1 ? picture : std::string();
 }
 
-}  // namespace roomgen::assets
+}  // namespace roomgen::decode

@@ -7,12 +7,12 @@
 #include "roomgen/base/result.h"
 #include "roomgen/geometry/model.h"
 
-namespace roomgen::assets {
+namespace roomgen::decode {
 
 struct ImportOptions {
   int max_texture_side = 1024;         ///< larger pictures are shrunk
   std::size_t max_triangles = 500000;  ///< more are refused: nothing in a room needs them
-  LogSink log;
+  LogSink log{};
 };
 
 /// Reads a mesh file of the tree with assimp, its scene flattened: positions in the file's own axes
@@ -24,4 +24,4 @@ Result<Model> import_mesh(const FileTree& tree, const std::string& mesh,
 /// True for file names that import_mesh() is worth trying on.
 bool is_mesh_file(const std::string& name);
 
-}  // namespace roomgen::assets
+}  // namespace roomgen::decode

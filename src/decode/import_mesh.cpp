@@ -1,5 +1,7 @@
 #include "import_mesh.h"
 
+#include <assimp/BaseImporter.h>
+#include <assimp/importerdesc.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
@@ -7,22 +9,16 @@
 #include <array>
 #include <assimp/Importer.hpp>
 #include <cmath>
+#include <new>
 #include <string_view>
 
+#include "import_limits.h"
 #include "import_textures.h"
 #include "memory_io.h"
 
-namespace roomgen::assets {
+namespace roomgen::decode {
 
 namespace {
-
-constexpr int max_depth = 64;
-
-std::size_t face_count(const aiScene& scene) {
-  std::size_t count = 0;
-  for (unsigned i = 0; i < scene.mNumMeshes; ++i) count += scene.mMeshes[i]->mNumFaces;
-  return count;
-}
 
 bool same_surface(const Material& a, const Material& b) {
   return a.base_color == b.base_color && a.texture == b.texture && a.roughness == b.roughness &&
@@ -32,8 +28,7 @@ bool same_surface(const Material& a, const Material& b) {
 // Scene nodes to parts, one for each distinct material.
 class Flattener {
  public:
-  Flattener(const aiScene& scene, MaterialReader& materials, std::size_t max_triangles)
-      : scene_(scene), max_triangles_(max_triangles) {
+  Flattener(const aiScene& scene, MaterialReader& materials) : scene_(scene) {
     for (unsigned i = 0; i < scene.mNumMaterials; ++i)
       add_material(materials.read(*scene.mMaterials[i]));
     model_.parts.resize(model_.materials.size());
@@ -41,13 +36,11 @@ class Flattener {
       model_.parts[i].material = static_cast<int>(i);
   }
 
-  bool add_node(const aiNode& node, const aiMatrix4x4& parent, int depth = 0) {
+  void add_node(const aiNode& node, const aiMatrix4x4& parent) {
     const aiMatrix4x4 transform = parent * node.mTransformation;
     for (unsigned i = 0; i < node.mNumMeshes; ++i)
-      if (!add_mesh(*scene_.mMeshes[node.mMeshes[i]], transform)) return false;
-    for (unsigned i = 0; i < node.mNumChildren && depth < max_depth; ++i)
-      if (!add_node(*node.mChildren[i], transform, depth + 1)) return false;
-    return true;
+      add_mesh(*scene_.mMeshes[node.mMeshes[i]], transform);
+    for (unsigned i = 0; i < node.mNumChildren; ++i) add_node(*node.mChildren[i], transform);
   }
 
   // The parts that have triangles, with their materials.
@@ -70,12 +63,10 @@ class Flattener {
     model_.materials.push_back(std::move(material));
   }
 
-  bool add_mesh(const aiMesh& source, const aiMatrix4x4& transform);
+  void add_mesh(const aiMesh& source, const aiMatrix4x4& transform);
   void add_vertices(Mesh& mesh, const aiMesh& source, const aiMatrix4x4& transform) const;
 
   const aiScene& scene_;
-  std::size_t max_triangles_;
-  std::size_t triangles_ = 0;
   std::vector<std::size_t> part_of_material_;
   Model model_;
 };
@@ -97,10 +88,8 @@ void Flattener::add_vertices(Mesh& mesh, const aiMesh& source, const aiMatrix4x4
   }
 }
 
-bool Flattener::add_mesh(const aiMesh& source, const aiMatrix4x4& transform) {
-  triangles_ += source.mNumFaces;
-  if (triangles_ > max_triangles_) return false;
-  if (source.mMaterialIndex >= part_of_material_.size()) return true;
+void Flattener::add_mesh(const aiMesh& source, const aiMatrix4x4& transform) {
+  if (source.mMaterialIndex >= part_of_material_.size()) return;
   Mesh& mesh = model_.parts[part_of_material_[source.mMaterialIndex]].mesh;
   const auto first = static_cast<std::uint32_t>(mesh.positions.size());
   add_vertices(mesh, source, transform);
@@ -112,13 +101,6 @@ bool Flattener::add_mesh(const aiMesh& source, const aiMatrix4x4& transform) {
     if (mirrored) std::swap(t[1], t[2]);
     mesh.triangles.push_back(t);
   }
-  return true;
-}
-
-Error too_many(const std::string& mesh, std::size_t count, std::size_t limit) {
-  return {Error::Kind::limit, mesh + ": " + std::to_string(count) +
-                                  " faces or more are over the limit of " + std::to_string(limit) +
-                                  " triangles; simplify the mesh"};
 }
 
 // Each face line of a Wavefront file is a face: counting them is much faster than parsing.
@@ -129,52 +111,82 @@ bool has_too_many_faces(std::string_view obj, std::size_t limit) {
   return false;
 }
 
+// The formats that a folder of furniture may hold, and assimp's reader of each; its others stay off.
+struct Format {
+  std::string_view extension, reader;
+};
+constexpr std::array<Format, 9> formats = {{{"glb", "glTF2 Importer"},
+                                            {"gltf", "glTF2 Importer"},
+                                            {"obj", "Wavefront Object Importer"},
+                                            {"fbx", "Autodesk FBX Importer"},
+                                            {"dae", "Collada Importer"},
+                                            {"stl", "Stereolithography (STL) Importer"},
+                                            {"ply", "Stanford Polygon Library (PLY) Importer"},
+                                            {"3ds", "Discreet 3DS Importer"},
+                                            {"off", "OFF Importer"}}};
+
+std::string_view reader_for(const std::string& mesh) {
+  const std::string extension = extension_of(mesh);
+  const auto format = std::find_if(formats.begin(), formats.end(),
+                                   [&](const Format& f) { return f.extension == extension; });
+  return format == formats.end() ? std::string_view() : format->reader;
+}
+
+// Else assimp asks every reader it has whether the bytes look like theirs.
+void keep_only(Assimp::Importer& importer, std::string_view reader) {
+  for (std::size_t i = importer.GetImporterCount(); i-- > 0;)
+    if (importer.GetImporterInfo(i)->mName != reader) {
+      Assimp::BaseImporter* other = importer.GetImporter(i);
+      importer.UnregisterLoader(other);
+      delete other;
+    }
+}
+
 Result<Model> import_checked(const FileTree& tree, const std::string& mesh,
                              const ImportOptions& options) {
   const auto bytes = tree.read(mesh);
   if (!bytes) return bytes.error();
   if (extension_of(mesh) == "obj" && has_too_many_faces(*bytes, options.max_triangles))
-    return too_many(mesh, options.max_triangles, options.max_triangles);
+    return too_many_faces(options.max_triangles, options.max_triangles);
 
   Assimp::Importer importer;
+  keep_only(importer, reader_for(mesh));
   importer.SetIOHandler(new MemoryIo(tree, folder_of(mesh)));  // the importer deletes it
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
                               aiPrimitiveType_POINT | aiPrimitiveType_LINE);
   const aiScene* scene = importer.ReadFile(mesh, 0);
   if (!scene || !scene->mRootNode)
-    return Error{Error::Kind::invalid_input, mesh + ": " + importer.GetErrorString()};
-  // Counted before the costly steps.
-  if (const auto faces = face_count(*scene); faces > options.max_triangles)
-    return too_many(mesh, faces, options.max_triangles);
+    return Error{Error::Kind::invalid_input, importer.GetErrorString()};
+  if (auto status = check_limits(*scene, options.max_triangles); !status) return status.error();
   scene = importer.ApplyPostProcessing(aiProcess_Triangulate | aiProcess_SortByPType |
                                        aiProcess_JoinIdenticalVertices);
-  if (!scene) return Error{Error::Kind::invalid_input, mesh + ": has no triangles"};
+  if (!scene) return Error{Error::Kind::invalid_input, "has no triangles"};
 
   MaterialReader materials(tree, mesh, *scene, options);
-  Flattener flattener(*scene, materials, options.max_triangles);
-  if (!flattener.add_node(*scene->mRootNode, aiMatrix4x4()))
-    return too_many(mesh, options.max_triangles, options.max_triangles);
+  Flattener flattener(*scene, materials);
+  flattener.add_node(*scene->mRootNode, aiMatrix4x4());
   Model model = flattener.take();
-  if (model.parts.empty()) return Error{Error::Kind::invalid_input, mesh + ": has no triangles"};
+  if (model.parts.empty()) return Error{Error::Kind::invalid_input, "has no triangles"};
+  if (const auto count = triangle_count(model); count > options.max_triangles)
+    return too_many_faces(count, options.max_triangles);
   return model;
 }
 
 }  // namespace
 
-bool is_mesh_file(const std::string& name) {
-  static constexpr std::array<std::string_view, 10> known = {"glb", "gltf", "obj", "fbx", "dae",
-                                                             "stl", "ply",  "3ds", "off", "x3d"};
-  const std::string extension = extension_of(name);
-  return std::find(known.begin(), known.end(), extension) != known.end();
-}
+bool is_mesh_file(const std::string& name) { return !reader_for(name).empty(); }
 
 Result<Model> import_mesh(const FileTree& tree, const std::string& mesh,
                           const ImportOptions& options) {
   try {
-    return import_checked(tree, mesh, options);
-  } catch (const std::exception& error) {  // assimp, and memory
+    auto model = import_checked(tree, mesh, options);
+    if (!model) return with_context(model.error(), mesh);
+    return model;
+  } catch (const std::bad_alloc&) {
+    return Error{Error::Kind::limit, mesh + ": takes more memory than a mesh may"};
+  } catch (const std::exception& error) {  // assimp's
     return Error{Error::Kind::invalid_input, mesh + ": " + error.what()};
   }
 }
 
-}  // namespace roomgen::assets
+}  // namespace roomgen::decode

@@ -1,0 +1,240 @@
+#include "decoder.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <optional>
+
+#include "base/child_process.h"
+#include "bytes.h"
+#include "find_decoder.h"
+#include "model_bytes.h"
+#include "roomgen/base/text.h"
+#include "wire.h"
+
+namespace roomgen::decode {
+
+namespace {
+
+using namespace std::chrono_literals;
+using Clock = std::chrono::steady_clock;
+
+constexpr auto most_time = 30s;            // by the clock, for machines that have much else to do
+constexpr auto most_start_time = 10s;      // until a new process says that it is ready
+constexpr auto glance = 20ms;              // between two looks at the clock and the cancel token
+constexpr auto farewell = 500ms;           // for a process that crashed to be gone
+constexpr std::size_t most_wants = 1000;   // files that one mesh may ask for
+constexpr std::size_t most_warnings = 100;
+constexpr std::size_t piece = 1 << 20;
+constexpr std::size_t most_text_bytes = 1000;
+
+struct Message {
+  MessageKind kind;
+  std::string body;
+};
+
+Error cancelled() { return {Error::Kind::cancelled, "reading meshes was stopped"}; }
+
+// What a decoder says is for people, and may be anybody's words.
+std::string plain(std::string_view text) { return printable(text.substr(0, most_text_bytes)); }
+
+// A running decoder while it works on one mesh: every wait ends at the job's limits.
+class Conversation {
+ public:
+  Conversation(detail::ChildProcess& process, const DecoderOptions& options, std::chrono::seconds most)
+      : process_(process),
+        options_(options),
+        most_(most),
+        began_(Clock::now()),
+        used_(process.processor_time()) {}
+
+  Status send(MessageKind kind, std::string_view body) {
+    if (auto status = send_bytes(header_of(kind, body.size())); !status) return status;
+    return send_bytes(body);
+  }
+
+  Result<Message> receive() {
+    auto bytes = receive_bytes(header_bytes);
+    if (!bytes) return bytes.error();
+    const auto header = header_from(*bytes);
+    if (!header) return Error{Error::Kind::limit, "its reader answered nonsense"};
+    auto body = receive_bytes(header->size);
+    if (!body) return body.error();
+    return Message{header->kind, *std::move(body)};
+  }
+
+ private:
+  Status in_time() const {
+    if (options_.cancel.cancelled()) return cancelled();
+    if (process_.processor_time() - used_ > std::chrono::duration<double>(options_.seconds))
+      return Error{Error::Kind::limit, "takes more than " + format_number(options_.seconds) +
+                                           " s of processor time to read"};
+    if (Clock::now() - began_ > most_)
+      return Error{Error::Kind::limit, "takes more than " + std::to_string(most_.count()) + " s to read"};
+    return {};
+  }
+
+  Error gone() const {
+    const std::string how = process_.end(farewell);
+    return {Error::Kind::limit, "its reader crashed" + (how.empty() ? how : ": " + how)};
+  }
+
+  Status send_bytes(std::string_view bytes) {
+    while (!bytes.empty()) {
+      const auto count = process_.send(bytes.substr(0, piece), glance);
+      if (!count) return gone();
+      bytes.remove_prefix(*count);
+      if (auto status = in_time(); !status) return status;
+    }
+    return {};
+  }
+
+  // Grows with what comes, whatever was announced.
+  Result<std::string> receive_bytes(std::size_t size) {
+    std::string bytes;
+    while (bytes.size() < size) {
+      const std::size_t have = bytes.size();
+      bytes.resize(have + std::min(piece, size - have));
+      const auto count = process_.receive(bytes.data() + have, bytes.size() - have, glance);
+      bytes.resize(have + count.value_or(0));
+      if (!count) return gone();
+      if (auto status = in_time(); !status) return status.error();
+    }
+    return bytes;
+  }
+
+  detail::ChildProcess& process_;
+  const DecoderOptions& options_;
+  std::chrono::seconds most_;
+  Clock::time_point began_;
+  std::chrono::nanoseconds used_;
+};
+
+Error failure_from(std::string_view body) {
+  ByteReader reader(body);
+  const bool limit = reader.take<std::uint32_t>() == static_cast<std::uint32_t>(Error::Kind::limit);
+  body.remove_prefix(std::min(body.size(), sizeof(std::uint32_t)));
+  return {limit ? Error::Kind::limit : Error::Kind::invalid_input, plain(body)};
+}
+
+// Only what the library lists, whatever the decoder wants.
+Status hand_out(Conversation& conversation, const FileTree& tree, const std::string& name) {
+  if (!tree.contains(name)) return conversation.send(MessageKind::absent, "no such file");
+  const auto bytes = tree.read(name);
+  return bytes ? conversation.send(MessageKind::content, *bytes)
+               : conversation.send(MessageKind::absent, bytes.error().message);
+}
+
+}  // namespace
+
+struct Decoder::Impl {
+  struct Running {
+    detail::ChildProcess process;
+    std::string held;
+    std::vector<const FileTree*> told;  // whose names it knows
+  };
+
+  DecoderOptions options;
+  std::optional<Running> running;
+
+  static Result<Running> start(const DecoderOptions& options);
+  Status ensure_running();
+  Result<std::uint32_t> ensure_told(const FileTree& tree);
+  Result<Model> ask(const FileTree& tree, const std::string& mesh, const ImportOptions& import);
+};
+
+Result<Decoder::Impl::Running> Decoder::Impl::start(const DecoderOptions& options) {
+  auto program = options.program.empty() ? find_decoder() : Result<std::filesystem::path>(options.program);
+  if (!program) return program.error();
+  auto process = detail::ChildProcess::start(*program);
+  if (!process) return process.error();
+  const auto ready = Conversation(*process, options, most_start_time).receive();
+  if (!ready && ready.error().kind == Error::Kind::cancelled) return ready.error();
+  if (!ready || ready->kind != MessageKind::ready)
+    return Error{Error::Kind::unavailable,
+                 program->string() + " does not answer" + (ready ? "" : " (" + ready.error().message + ")")};
+  if (options.require_sandbox && ready->body.find("calls") == std::string::npos)
+    return Error{Error::Kind::unavailable,
+                 "this machine or this build cannot filter the system calls of " + program->string() +
+                     ", which --require-sandbox asks for"};
+  return Running{*std::move(process), ready->body, {}};
+}
+
+Status Decoder::Impl::ensure_running() {
+  if (running) return {};
+  auto started = start(options);
+  if (!started) return started.error();
+  running = *std::move(started);
+  return {};
+}
+
+Result<std::uint32_t> Decoder::Impl::ensure_told(const FileTree& tree) {
+  auto& told = running->told;
+  const auto known = std::find(told.begin(), told.end(), &tree);
+  const auto number = static_cast<std::uint32_t>(known - told.begin());
+  if (known != told.end()) return number;
+  Conversation conversation(running->process, options, most_time);
+  if (auto status = conversation.send(MessageKind::files, join(tree.names, "\n")); !status)
+    return status.error();
+  told.push_back(&tree);
+  return number;
+}
+
+Result<Model> Decoder::Impl::ask(const FileTree& tree, const std::string& mesh,
+                                 const ImportOptions& import) {
+  if (auto status = ensure_running(); !status) return status.error();
+  const auto library = ensure_told(tree);
+  if (!library) return library.error();
+  Conversation conversation(running->process, options, most_time);
+  const Job job{*library, mesh, static_cast<std::uint32_t>(import.max_texture_side), import.max_triangles};
+  if (auto status = conversation.send(MessageKind::decode, bytes_of(job)); !status) return status.error();
+  std::size_t wants = 0, warnings = 0;
+  while (true) {
+    auto message = conversation.receive();
+    if (!message) return message.error();
+    if (message->kind == MessageKind::model) return model_from(message->body, import);
+    if (message->kind == MessageKind::failed) return failure_from(message->body);
+    if (message->kind == MessageKind::want && ++wants <= most_wants) {
+      if (auto status = hand_out(conversation, tree, message->body); !status) return status.error();
+    } else if (message->kind == MessageKind::warning && ++warnings <= most_warnings) {
+      log(import.log, LogLevel::warning, plain(message->body));
+    } else {
+      return Error{Error::Kind::limit, "its reader asks for too much"};
+    }
+  }
+}
+
+Decoder::Decoder(DecoderOptions options)
+    : impl_(std::make_unique<Impl>(Impl{std::move(options), std::nullopt})) {}
+Decoder::Decoder(Decoder&&) noexcept = default;
+Decoder::~Decoder() = default;
+
+Result<Model> Decoder::decode(const FileTree& tree, const std::string& mesh,
+                              const ImportOptions& options) {
+  if (impl_->options.in_process) return import_mesh(tree, mesh, options);
+  auto model = impl_->ask(tree, mesh, options);
+  if (model) return model;
+  const Error& error = model.error();
+  // Only a decoder that gave its reason itself goes on: of any other, nobody knows what state it is in.
+  const bool says_why = error.message.starts_with(mesh + ": ");
+  if (!says_why) impl_->running.reset();
+  const bool of_the_file = error.kind == Error::Kind::limit || error.kind == Error::Kind::invalid_input;
+  return says_why || !of_the_file ? error : with_context(error, mesh);
+}
+
+Result<std::vector<std::string>> decoder_confinement(const DecoderOptions& options) {
+  const auto running = Decoder::Impl::start(options);
+  if (!running) return running.error();
+  const auto says = [&](const char* word, const char* held, const char* not_held) {
+    return std::string(running->held.find(word) != std::string::npos ? held : not_held);
+  };
+  return std::vector<std::string>{
+      says("limits", "memory, processor time, stack and files written: limited",
+           "memory: not limited (a build with a sanitizer)"),
+      says("calls", "system calls: reading, writing and memory only (seccomp)",
+           "system calls: not filtered (no libseccomp when built, or none in this kernel)"),
+      says("files", "files: none can be opened (Landlock)",
+           "files: not closed by Landlock (not in this kernel)")};
+}
+
+}  // namespace roomgen::decode

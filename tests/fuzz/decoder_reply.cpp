@@ -1,0 +1,19 @@
+// What a decoder may answer, whoever it is.
+#include <cstddef>
+#include <cstdint>
+
+#include "decode/model_bytes.h"
+#include "decode/wire.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string_view bytes(reinterpret_cast<const char*>(data), size);
+  (void)roomgen::decode::header_from(bytes);
+  (void)roomgen::decode::job_from(bytes);
+  const auto model = roomgen::decode::model_from(bytes, {});
+  if (!model) return 0;
+  for (const auto& part : model->parts)
+    for (const auto& triangle : part.mesh.triangles)
+      for (const auto index : triangle)
+        if (index >= part.mesh.positions.size()) __builtin_trap();
+  return 0;
+}
