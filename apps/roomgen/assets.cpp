@@ -29,6 +29,7 @@ struct AssetsOptions {
   std::string asset;
   std::string picture;
   bool rebuild = false;
+  bool strict = false;
 };
 
 Json to_json(const AssetInfo& info) {
@@ -171,6 +172,31 @@ Result<int> index(const AssetsOptions& options, const Context& context) {
   return exit_ok;
 }
 
+Json to_json(const assets::LeftOutMesh& mesh) {
+  return {{"library", mesh.library}, {"mesh", mesh.mesh}, {"reason", mesh.reason}, {"sha256", mesh.sha256},
+          {"too_much", mesh.too_much}};
+}
+
+// Fails with --strict if a mesh was left out, so that scripts can ask.
+Result<int> check(const AssetsOptions& options, const Context& context) {
+  auto catalogue = open_libraries(options.libraries, context);
+  if (!catalogue) return catalogue.error();
+  const auto left_out = (*catalogue)->left_out();
+  const auto all = (*catalogue)->all();
+  if (!left_out) return left_out.error();
+  if (!all) return all.error();
+  if (context.json) {
+    Json list = Json::array();
+    for (const auto& mesh : *left_out) list.push_back(to_json(mesh));
+    std::fputs(dump_json(Json{{"assets", all->size()}, {"left_out", list}}).c_str(), stdout);
+  } else {
+    for (const auto& mesh : *left_out)
+      std::printf("%s: %s\n", printable(mesh.library).c_str(), printable(mesh.reason).c_str());
+    std::printf("%zu assets can be used, %zu meshes cannot\n", all->size(), left_out->size());
+  }
+  return options.strict && !left_out->empty() ? exit_failure : exit_ok;
+}
+
 }  // namespace
 
 void add_assets_command(CLI::App& app, Context& context) {
@@ -196,6 +222,11 @@ void add_assets_command(CLI::App& app, Context& context) {
   find->add_option("--limit", options->limit, "At most so many answers")->capture_default_str();
   find->callback(
       [=, &context] { context.run = [=, &context] { return search(*options, context); }; });
+
+  CLI::App* whole = command->add_subcommand("check", "Which meshes cannot be used, and why");
+  whole->add_flag("--strict", options->strict, "Exit code 1 if there are any");
+  whole->callback(
+      [=, &context] { context.run = [=, &context] { return check(*options, context); }; });
 
   CLI::App* one = command->add_subcommand("show", "All that is known about an asset");
   one->add_option("asset", options->asset, "Library/id, or the id alone")->required();

@@ -39,6 +39,7 @@ struct GenerateCommand {
   int pixels = 1024;
   LayoutSearch layout = LayoutSearch::steps;
   double alpha = 0.5, rrf_c = 60.0, pitch = 0.10;
+  double seconds = 0.0;  // 0: usual_seconds()
   LibraryOptions libraries;
   DesignerOptions designer;
 };
@@ -199,6 +200,17 @@ Result<std::unique_ptr<Renderer>> renderer_for(const GenerateCommand& command,
   return make_osmesa_renderer();
 }
 
+// How long a whole run may take (docs/limits.md): far above what rooms take, so that only one that would
+// not end is cut.
+constexpr double seconds_a_room = 60.0;
+constexpr double seconds_a_room_with_model = 900.0;
+
+double usual_seconds(const AnyPlan& plan, bool model) {
+  const auto* dwelling = std::get_if<DwellingPlan>(&plan);
+  const auto rooms = static_cast<double>(dwelling ? std::max<std::size_t>(dwelling->rooms.size(), 1) : 1);
+  return rooms * (model ? seconds_a_room_with_model : seconds_a_room);
+}
+
 Result<int> run(const Context& context, const GenerateCommand& command) {
   const auto start = std::chrono::steady_clock::now();
   const fs::path folder =
@@ -222,7 +234,8 @@ Result<int> run(const Context& context, const GenerateCommand& command) {
 
   BuildOptions options;
   options.seed = std::visit([](const auto& each) { return each.seed; }, *plan);
-  options.cancel = context.cancel;
+  const double seconds = command.seconds > 0.0 ? command.seconds : usual_seconds(*plan, composed->model != nullptr);
+  options.cancel = context.cancel.within(std::chrono::duration<double>(seconds));
   options.place.fusion.alpha = command.alpha;
   options.place.fusion.c = command.rrf_c;
   apply(command.designer, options);
@@ -249,6 +262,9 @@ Result<int> run(const Context& context, const GenerateCommand& command) {
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   print_summary(context, folder, *plan, *generation, *composed, elapsed.count());
   if (context.cancel.cancelled()) return exit_interrupted;
+  if (options.cancel.cancelled() && generation->scene.incomplete)
+    std::fprintf(stderr, "roomgen: cut after %s s: this is the room so far; --seconds gives it more time\n",
+                 format_number(seconds, 1).c_str());
   return command.strict && !is_as_asked(generation->scene) ? exit_failure : exit_ok;
 }
 
@@ -280,6 +296,9 @@ void add_generate_command(CLI::App& app, Context& context) {
       ->capture_default_str();
   sub->add_option("--rrf-c", command->rrf_c, "The fusion's constant")->capture_default_str();
   sub->add_option("--pitch", command->pitch, "Grid pitch in metres")->capture_default_str();
+  sub->add_option("--seconds", command->seconds,
+                  "Most time for all, after which the room so far is written (default: 60 a room, 900 with a model)")
+      ->check(CLI::PositiveNumber);
   const std::map<std::string, LayoutSearch> layouts{
       {"steps", LayoutSearch::steps}, {"both", LayoutSearch::both}, {"optimise", LayoutSearch::optimise}};
   sub->add_option("--layout", command->layout,

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <optional>
 
+#include "roomgen/base/text.h"
 #include "roomgen/create/create.h"
 #include "roomgen/library/library.h"
 
@@ -54,6 +55,8 @@ void add_library_options(CLI::App& command, LibraryOptions& options) {
   command.add_flag("--no-default-libraries", options.only_these,
                    "Leave out the libraries that the system has");
   command.add_option("--cache", options.cache, "Where the catalogue is kept");
+  command.add_flag("--require-sandbox", options.require_sandbox,
+                   "Read meshes only where the process that does so can be shut in wholly");
 }
 
 Result<std::unique_ptr<assets::Catalogue>> open_libraries(const LibraryOptions& options,
@@ -68,9 +71,11 @@ Result<std::unique_ptr<assets::Catalogue>> open_libraries(const LibraryOptions& 
   catalogue.rebuild = options.rebuild;
   catalogue.cancel = context.cancel;
   if (!context.quiet && ::isatty(STDERR_FILENO)) catalogue.progress = print_progress;
-  if (options.verbose && !context.quiet)
-    catalogue.log = [](LogLevel, std::string_view message) {
-      std::fprintf(stderr, "%.*s\n", static_cast<int>(message.size()), message.data());
+  catalogue.require_sandbox = options.require_sandbox;
+  if (!context.quiet)
+    catalogue.log = [verbose = options.verbose](LogLevel level, std::string_view message) {
+      if (verbose || level == LogLevel::warning)
+        std::fprintf(stderr, "roomgen: %s\n", printable(message).c_str());
     };
   return assets::open_catalogue(catalogue);
 }

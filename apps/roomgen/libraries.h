@@ -17,6 +17,7 @@ struct LibraryOptions {
   bool only_these = false;
   std::string cache;  ///< empty: the user's cache folder
   bool rebuild = false;
+  bool require_sandbox = false;  ///< fail where the decoder of meshes cannot be shut in
   bool verbose = false;  ///< tell what was repaired or left out
 };
 

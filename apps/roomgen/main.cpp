@@ -2,6 +2,10 @@
 #include <cstdio>
 
 #include "command.h"
+#include "roomgen/base/text.h"
+#ifdef ROOMGEN_HAS_ASSETS
+#include "roomgen/assets/catalogue.h"
+#endif
 
 namespace {
 
@@ -25,14 +29,34 @@ int exit_code_of(const roomgen::Error& error) {
   }
 }
 
+// What goes to a full disk or a closed pipe is lost when it is flushed, not when it is printed.
+bool all_was_written() {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return true;
+  std::fputs("roomgen: the output could not be written whole\n", stderr);
+  return false;
+}
+
+// With --verbose, what holds the process that reads meshes.
+void print_confinement() {
+#ifdef ROOMGEN_HAS_ASSETS
+  const auto report = roomgen::assets::decoder_report({});
+  if (!report) std::printf("meshes cannot be read: %s\n", roomgen::printable(report.error().message).c_str());
+  if (!report) return;
+  std::puts("the process that reads meshes:");
+  for (const auto& line : *report) std::printf("  %s\n", line.c_str());
+#endif
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   using namespace roomgen::cli;
   Context context;
   CLI::App app("roomgen furnishes 3D rooms from a sentence.", "roomgen");
-  app.set_version_flag("--version", std::string("roomgen ") + ROOMGEN_VERSION);
-  app.require_subcommand(1);
+  bool version = false, verbose = false;
+  app.add_flag("--version", version, "What this is; with --verbose, how it reads what strangers made");
+  app.add_flag("--verbose", verbose)->group("");
+  app.require_subcommand(0, 1);
   app.fallthrough();
   app.add_flag("--json", context.json, "Print a summary for scripts");
   app.add_flag("--quiet", context.quiet, "No progress");
@@ -67,7 +91,18 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
-    std::fprintf(stderr, "roomgen: %s\n", error.what());
+    std::fprintf(stderr, "roomgen: %s\n", roomgen::printable(error.what()).c_str());
+    return exit_usage;
+  }
+
+  if (version) {
+    std::printf("roomgen %s\n", ROOMGEN_VERSION);
+    if (verbose) print_confinement();
+    return exit_ok;
+  }
+  if (!context.run) {
+    std::fputs("roomgen: what shall be done? roomgen generate \"a small kitchen\" furnishes a room, "
+               "roomgen --help lists all commands\n", stderr);
     return exit_usage;
   }
 
@@ -75,7 +110,7 @@ int main(int argc, char** argv) {
   std::signal(SIGINT, on_interrupt);
   std::signal(SIGTERM, on_interrupt);
   const auto result = context.run();
-  if (result) return *result;
-  std::fprintf(stderr, "roomgen: %s\n", result.error().message.c_str());
+  if (result) return all_was_written() ? *result : exit_failure;
+  std::fprintf(stderr, "roomgen: %s\n", roomgen::printable(result.error().message).c_str());
   return exit_code_of(result.error());
 }
