@@ -31,6 +31,7 @@ Result<std::unique_ptr<ChatModel>> open_endpoint(const DesignerOptions& options,
   if (options.protocol == "anthropic" && options.base_url.empty())
     http.base_url = "https://api.anthropic.com";
   http.key_file = options.key_file;
+  http.limits.idle = HttpLimits::Seconds(options.idle_seconds);
   http.limits.call = HttpLimits::Seconds(options.seconds_per_call);
   http.retry.total = RetryPolicy::Seconds(options.seconds_per_call);
   if (!context.quiet)
@@ -142,6 +143,11 @@ void add_chat_options(CLI::App& command, DesignerOptions& options) {
   command.add_option("--max-tokens", options.max_tokens, "Tokens for one room, in and out")->group(designer_group);
   command.add_option("--max-dollars", options.max_dollars, "Money for one room (data/prices.json)")->group(designer_group);
   add_text(command, "--prices", options.prices, "A price table of your own, in the form of data/prices.json");
+  command
+      .add_option("--idle-seconds", options.idle_seconds, "Longest silence of the endpoint, for models that think without a word")
+      ->group(designer_group)
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
   command
       .add_option("--call-seconds", options.seconds_per_call, "Longest time for one question, retries included")
       ->group(designer_group)

@@ -26,7 +26,8 @@ struct DesignerOptions {
   int plan_tokens = ModelDesignerOptions().plan_tokens;
   int place_tokens = ModelDesignerOptions().place_tokens;
   double lost_step = FusionOptions().lost_step;
-  double seconds_per_call = 300.0;
+  double seconds_per_call = 120.0;
+  double idle_seconds = 30.0;
   int thinking = 0;
   std::string improve = "minimal", repair = "on";
 

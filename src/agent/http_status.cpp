@@ -67,6 +67,8 @@ Error failure_error(const HttpFailure& failure, const Endpoint& endpoint) {
               at + "no trusted TLS connection" + detail + "; check the server's certificate"};
     case Kind::timed_out:
       return {Error::Kind::limit, at + "too slow" + detail + "; allow more time, or try later"};
+    case Kind::silent:
+      return {Error::Kind::limit, at + "silent" + detail + "; give a model that thinks longer more idle time"};
     case Kind::too_long:
       return {Error::Kind::limit, at + failure.what + "; this is hardly a model's answer"};
     case Kind::cancelled:

@@ -145,7 +145,7 @@ class Transport::Connections {
       if (now - start > limits.call)
         return HttpFailure{Kind::timed_out, within("no whole answer within", limits.call)};
       if (now - inbox.last_moved() > limits.idle)
-        return HttpFailure{Kind::timed_out, within("not a byte for", limits.idle)};
+        return HttpFailure{Kind::silent, within("not a byte for", limits.idle)};
       curl_multi_poll(multi_, nullptr, 0, poll_ms, nullptr);
     }
   }

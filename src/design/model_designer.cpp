@@ -216,9 +216,12 @@ class ModelDesigner : public Designer {
     }
   }
 
+  // What ran out of time has kept everybody waiting.
+  static int weight(const Error& failure) { return failure.kind == Error::Kind::limit ? 2 : 1; }
+
   // A model that cannot be used, or fails again and again, is not asked any more.
   void note_success(const Result<ChatReply>& reply) {
-    failures_ = reply ? 0 : failures_ + 1;
+    failures_ = reply ? 0 : failures_ + weight(reply.error());
     if (reply || reply.error().kind == Error::Kind::cancelled) return;
     if (reply.error().kind == Error::Kind::unavailable || failures_ >= most_failures)
       model_is_lost_ = reply.error().message;

@@ -45,6 +45,6 @@ TEST_CASE("What may pass is tried again, what will not is not") {
   using Kind = HttpFailure::Kind;
   for (Kind kind : {Kind::refused, Kind::timed_out, Kind::broken})
     CHECK(is_transient(HttpFailure{kind, ""}));
-  for (Kind kind : {Kind::no_such_host, Kind::tls, Kind::too_long, Kind::cancelled})
+  for (Kind kind : {Kind::no_such_host, Kind::tls, Kind::silent, Kind::too_long, Kind::cancelled})
     CHECK_FALSE(is_transient(HttpFailure{kind, ""}));
 }

@@ -125,6 +125,16 @@ TEST_CASE("After three failures in a row the model is not asked any more") {
   CHECK(talk.script->questions.size() == 6);
 }
 
+TEST_CASE("After two calls that ran out of time the model is not asked any more") {
+  Conversation talk({failure(Error::Kind::limit), failure(Error::Kind::limit), reply_saying(good_place)});
+  for (int i = 0; i < 3; ++i) {
+    const auto advice = talk.place();
+    REQUIRE(advice);
+    CHECK(advice->consultation.fell_back);
+  }
+  CHECK(talk.script->questions.size() == 2);
+}
+
 TEST_CASE("A model that cannot be used at all is asked once") {
   Conversation talk({failure(Error::Kind::unavailable)});
   REQUIRE(talk.place());

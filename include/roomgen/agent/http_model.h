@@ -23,13 +23,13 @@ enum class ChatProtocol {
 struct HttpLimits {
   using Seconds = std::chrono::duration<double>;
   Seconds connect{10};  ///< name look-up, TCP and TLS handshakes
-  Seconds idle{180};    ///< without a byte in either direction; models think in silence
-  Seconds call{300};    ///< from start to the last byte
+  Seconds idle{30};     ///< without a byte in either direction; a model that thinks longer streams, or needs more
+  Seconds call{120};    ///< from start to the last byte
   std::size_t answer_bytes = 16u << 20;  ///< of the body, unpacked
 };
 
 /// When a request that failed for the moment is sent again: after 408, 409, 429, 5xx, a time limit,
-/// or a broken connection. Waits double from `first_wait` to `longest_wait`, each shortened by up
+/// or a broken connection; not after silence, which would only last as long again. Waits double from `first_wait` to `longest_wait`, each shortened by up
 /// to a half at random, so that many clients do not come back at once.
 struct RetryPolicy {
   using Seconds = std::chrono::duration<double>;
