@@ -7,8 +7,8 @@
 #include <thread>
 
 #include "asset_source.h"
-#include "base/resource.h"
 #include "base/sha256.h"
+#include "catalogue_file.h"
 #include "classify.h"
 #include "index_file.h"
 #include "library/shown_colors.h"
@@ -21,46 +21,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int format_version = 5;  // of the catalogue's tables and of what is worked out for them
 constexpr int sample_side = 32;    // pixels: enough of a texture to know its colour
-constexpr std::size_t most_catalogue_bytes = std::size_t{1} << 30;
-
-std::string stamp_of_file(const fs::path& path) {
-  std::error_code code;
-  const auto size = fs::file_size(path, code);
-  const auto time = fs::last_write_time(path, code).time_since_epoch().count();
-  return std::to_string(size) + " " + std::to_string(time);
-}
-
-// Changes when a file of the library does, or what this program knows.
-Result<std::string> stamp_of(const fs::path& library) {
-  std::string text = std::to_string(format_version);
-  for (const auto* name : {"data/furniture-labels.json", "data/vocabulary.json"})
-    text += "\n" + sha256_hex(resource(name).value_or(""));
-  for (const auto name : resources("data/kinds/")) text += "\n" + sha256_hex(*resource(name));
-  std::error_code code;
-  if (!fs::is_directory(library, code)) return sha256_hex(text + "\n" + stamp_of_file(library));
-  auto tree = open_folder(library);
-  if (!tree) return tree.error();
-  for (const auto& name : tree->names) text += "\n" + name + " " + stamp_of_file(library / name);
-  return sha256_hex(text);
-}
-
-fs::path seal_of(const fs::path& catalogue) {
-  return fs::path(catalogue).replace_extension(".sha256");
-}
-
-// A hash beside the catalogue tells later whether its bytes are still those that were written.
-Status seal(const fs::path& catalogue) {
-  const auto bytes = read_file(catalogue, most_catalogue_bytes);
-  if (!bytes) return bytes.error();
-  return write_file(seal_of(catalogue), sha256_hex(*bytes) + "\n");
-}
-
-bool is_whole(const fs::path& catalogue) {
-  const auto bytes = read_file(catalogue, most_catalogue_bytes), seal = read_file(seal_of(catalogue));
-  return bytes && seal && *seal == sha256_hex(*bytes) + "\n";
-}
 
 // Words for materials, as the author called them.
 std::string material_words(const Model& model, const Vocabulary& vocabulary) {
@@ -255,27 +216,21 @@ decode::DecoderOptions decoder_options(const CatalogueOptions& options) {
   return decoder;
 }
 
-fs::path index_path(const fs::path& library, const CatalogueOptions& options) {
-  std::error_code code;
-  const fs::path whole = fs::weakly_canonical(library, code);
-  const std::string key = sha256_hex((code ? library : whole).string()).substr(0, 16);
-  return options.cache_dir / ("catalogue-" + library_name(library) + "-" + key + ".sqlite");
-}
-
 Result<fs::path> ensure_index(const fs::path& library, const CatalogueOptions& options) {
   std::error_code code;
   if (!fs::exists(library, code))
     return Error{Error::Kind::not_found, library.string() + ": no such furniture library"};
   const auto stamp = stamp_of(library);
   if (!stamp) return stamp.error();
-  const fs::path path = index_path(library, options);
+  const fs::path path = catalogue_path(library, options.cache_dir);
   const bool whole = is_whole(path);
   if (!options.rebuild && whole && read_stamp(path) == *stamp) return path;
-  if (!whole && fs::exists(seal_of(path), code))
+  if (!whole && is_sealed(path))
     log(options.log, LogLevel::warning, path.string() + " is damaged, and made anew");
   if (auto status = make_folder(options.cache_dir); !status)
     return Error{status.error().kind, status.error().message + "; choose another cache folder"};
   if (auto status = build_index(library, path, *stamp, options); !status) return status.error();
+  drop_older(path);
   return path;
 }
 

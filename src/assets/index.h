@@ -16,8 +16,4 @@ Result<std::filesystem::path> ensure_index(const std::filesystem::path& library,
 /// How the options want meshes to be read.
 decode::DecoderOptions decoder_options(const CatalogueOptions& options);
 
-/// Where ensure_index() keeps the catalogue of a library.
-std::filesystem::path index_path(const std::filesystem::path& library,
-                                 const CatalogueOptions& options);
-
 }  // namespace roomgen::assets
