@@ -31,7 +31,8 @@ Result<std::unique_ptr<ChatModel>> open_endpoint(const DesignerOptions& options,
   if (options.protocol == "anthropic" && options.base_url.empty())
     http.base_url = "https://api.anthropic.com";
   http.key_file = options.key_file;
-  http.limits.idle = HttpLimits::Seconds(options.idle_seconds);
+  // Who thinks is silent for as long as the call may take.
+  http.limits.idle = HttpLimits::Seconds(options.thinking > 0 ? options.seconds_per_call : options.idle_seconds);
   http.limits.call = HttpLimits::Seconds(options.seconds_per_call);
   http.retry.total = RetryPolicy::Seconds(options.seconds_per_call);
   if (!context.quiet)
