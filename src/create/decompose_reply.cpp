@@ -14,7 +14,6 @@ namespace roomgen::create {
 
 namespace {
 
-using member;
 
 constexpr std::size_t max_objects = 20;
 constexpr double centimetre = 0.01;

@@ -14,7 +14,6 @@ namespace roomgen::create {
 
 namespace {
 
-using member;
 using Keys = std::vector<std::string>;
 
 constexpr int least_points = 1, most_points = 5;
