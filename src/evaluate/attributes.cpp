@@ -103,7 +103,8 @@ class Judge {
     const auto made_of = [&](bool special) -> const std::string* {
       const auto found = std::find_if(style.materials.begin(), style.materials.end(), [&](const std::string& material) {
         const AttributeMeaning* meaning = table_.find(material);
-        return meaning && meaning->family.empty() != special && phrase(material).held;
+        if (!meaning || meaning->family.empty() == special) return false;
+        return special ? is_called(*meaning) && shows(*meaning, material_share) : phrase(material).held;
       });
       return found == style.materials.end() ? nullptr : &*found;
     };
@@ -153,6 +154,13 @@ class Judge {
           family && material(meaning.family, *family).held)
         return yes("of " + meaning.family + " and of its colour");
     return no("nothing says " + text);
+  }
+
+  // Its label or a surface names the material.
+  bool is_called(const AttributeMeaning& meaning) const {
+    return std::any_of(meaning.materials.begin(), meaning.materials.end(), [&](const std::string& name) {
+      return is_surface(name, meaning.roughness) || has_word(looks_.identity.words, name);
+    });
   }
 
   // A surface is called by a sort of the material, and shows its colour: gold is metal, though yellow.
