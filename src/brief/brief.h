@@ -77,6 +77,7 @@ struct Mention {
   std::size_t mount_heard = HeardWords::none;  ///< of Brief::heard: "on the wall"
   std::vector<Demand> demands;
   int sentence = 0;  ///< of the prompt in which it is named first
+  std::size_t part_of = Demand::none;  ///< the mention of which these are some: index into Brief::mentions
   std::vector<std::string> parts;  ///< what it has: "drawers", "a glass top"
   std::vector<SaidLength> lengths;
   std::optional<Formation> formation = {};

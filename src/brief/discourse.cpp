@@ -55,6 +55,19 @@ std::optional<std::size_t> Discourse::known(const ThingPhrase& phrase) const {
   return std::nullopt;
 }
 
+std::optional<std::size_t> Discourse::one_of(const ThingPhrase& phrase) const {
+  if (phrase.definite || phrase.kind.length == 0) return known(phrase);
+  const std::string name = category_name(phrase.kind);
+  for (std::size_t i = made(); i-- > 0;) {
+    const auto& looks = mention(i).looks;
+    const bool is_so = std::all_of(phrase.modifiers.begin(), phrase.modifiers.end(), [&](const std::string& word) {
+      return std::find(looks.begin(), looks.end(), word) != looks.end();
+    });
+    if (is_so && (mention(i).category == name || lexicon_.table.is_a(mention(i).category, name))) return i;
+  }
+  return std::nullopt;
+}
+
 // "The bench" is the workbench, "the cabinet" the filing cabinet.
 std::optional<std::size_t> Discourse::last_compound(std::string_view noun) const {
   for (std::size_t i = made(); i-- > 0;)
@@ -80,6 +93,28 @@ void Discourse::note_reading(const KindMention& kind) {
     brief_.notes.push_back("read \"" + kind.misspelt + "\" as \"" + kind.name + "\"");
   else if (kind.is_inferred() && !kind.is_stand_in())
     brief_.notes.push_back("\"" + kind.name + "\" is taken for a " + kind.category->name);
+}
+
+std::size_t Discourse::part(std::size_t whole, int count) {
+  if (this->count() >= max_mentions) return whole;
+  Mention part = mention(whole);
+  part.quantity = count;
+  part.part_of = whole;
+  brief_.mentions[whole].quantity -= count;
+  brief_.mentions.push_back(std::move(part));
+  return this->count() - 1;
+}
+
+void Discourse::adopt(std::size_t part, std::size_t whole) {
+  brief_.mentions[part].part_of = whole;
+  brief_.mentions[whole].quantity -= mention(part).quantity;
+}
+
+std::vector<std::size_t> Discourse::with_parts(std::size_t index) const {
+  std::vector<std::size_t> all{index};
+  for (std::size_t i = 0; i < count(); ++i)
+    if (mention(i).part_of == index) all.push_back(i);
+  return all;
 }
 
 void Discourse::multiply(std::size_t mention, int factor) {
@@ -133,10 +168,12 @@ Mention Discourse::new_mention(const ThingPhrase& phrase, int sentence) const {
   return mention;
 }
 
-std::optional<std::size_t> Discourse::antecedent(const std::vector<std::size_t>& subjects) const {
+std::optional<std::size_t> Discourse::antecedent(const std::vector<std::size_t>& subjects, bool is_one) const {
   std::optional<std::size_t> best;
-  for (std::size_t i = 0; i < made(); ++i)
-    if (!is_among(subjects, i) && (mention(i).mount == Mount::floor || !best)) best = i;
+  for (std::size_t i = 0; i < made(); ++i) {
+    if (is_among(subjects, i) || (is_one && best && mention(i).counted && mention(i).quantity > 1)) continue;
+    if (mention(i).mount == Mount::floor || !best) best = i;
+  }
   return best;
 }
 

@@ -34,19 +34,28 @@ class Discourse {
   void look_back_from(std::size_t mention) { horizon_ = mention; }
   /// The words (of Brief::heard) that say the demands which follow.
   void told_by(std::size_t heard) { told_by_ = heard; }
+  std::size_t told() const { return told_by_; }
 
   /// The thing spoken of before that a phrase means.
   std::optional<std::size_t> known(const ThingPhrase& phrase) const;
+  /// What was spoken of that a phrase such as "a nightstand" may mean: of that kind, and as it says.
+  std::optional<std::size_t> one_of(const ThingPhrase& phrase) const;
   /// That, if the phrase is definite, else a new mention; none when there are too many.
   std::optional<std::size_t> refer(const ThingPhrase& phrase, int sentence);
+  /// Some of several, as a mention of their own.
+  std::size_t part(std::size_t whole, int count);
+  /// Things that were taken for others are some of several.
+  void adopt(std::size_t part, std::size_t whole);
+  /// The mention, and those that are parts of it.
+  std::vector<std::size_t> with_parts(std::size_t mention) const;
   void multiply(std::size_t mention, int factor);
   /// How many there are, said behind them.
   void set_count(std::size_t mention, int count);
   /// Another word of what it is like.
   void describe(std::size_t mention, const std::string& look);
 
-  /// What "it" means: the last floor thing that is none of the subjects.
-  std::optional<std::size_t> antecedent(const std::vector<std::size_t>& subjects) const;
+  /// What "it" means: the last floor thing that is none of the subjects; of what is one, where there is such.
+  std::optional<std::size_t> antecedent(const std::vector<std::size_t>& subjects, bool is_one = false) const;
   /// What a placement of the subjects (at least one) without a target is relative to.
   std::optional<std::size_t> antecedent(RelationKind kind,
                                         const std::vector<std::size_t>& subjects) const;

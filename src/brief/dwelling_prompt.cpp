@@ -117,12 +117,21 @@ SaidRoom said_room(const DwellingText& text, const FoundRoom& room,
   return said;
 }
 
+// "The flat has a kitchen", "... and a bathroom": what only says that the room is there.
+std::optional<std::size_t> verb_before(const DwellingText& text, const NamedRoom& name) {
+  static const WordSet verbs = {"has", "have", "contains", "includes", "comprises", "features", "offers", "needs", "is"};
+  std::size_t i = name.begin;
+  while (i > 0 && (text.tokens[i - 1].is_word("a") || text.tokens[i - 1].is_word("an") || text.tokens[i - 1].is_word("the"))) --i;
+  return i > 0 && verbs.count(text.tokens[i - 1].text) ? std::optional(i - 1) : std::nullopt;
+}
+
 // The names of rooms, how many they are, and words of size and style before them.
 void hear_names(const DwellingText& text, const std::vector<NamedRoom>& names,
                 const RoomKinds& kinds, std::vector<HeardWords>& heard) {
   for (const auto& name : names) {
     heard.push_back({source_of(text.tokens, name.noun, name.end - name.noun), Heard::As::room,
                      name.type});
+    if (const auto verb = verb_before(text, name)) heard.push_back({text.tokens[*verb].source, Heard::As::room, name.type});
     for (std::size_t i = name.begin; i < name.noun; ++i) {
       const Token& token = text.tokens[i];
       const bool counts =

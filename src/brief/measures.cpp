@@ -213,6 +213,14 @@ People people_at(const std::vector<Token>& tokens, std::size_t at, const Vocabul
   return i == at ? People{*count, end - at} : People{};
 }
 
+// "max 12 people": so many, wherever it is said.
+People counted_people(const std::vector<Token>& tokens, std::size_t at, const Vocabulary& words) {
+  static const WordSet anybody = {"people", "persons", "adults"};
+  const auto count = number_at(tokens, at, words);
+  if (!count || *count < 2 || !anybody.count(tokens[at + 1].text)) return {};
+  return {*count, 2};
+}
+
 }  // namespace
 
 void read_measures(std::vector<Token>& tokens, const std::vector<language::Token>& prompt,
@@ -251,16 +259,15 @@ void read_measures(std::vector<Token>& tokens, const std::vector<language::Token
 
 void read_people(std::vector<Token>& tokens, const Vocabulary& words, const KindTable& table,
                  Brief& brief) {
+  static const WordSet leads = {"for", "seats", "seating", "sleeps"};
   for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
-    if (!tokens[i].is_word("for") && !tokens[i].is_word("seats") && !tokens[i].is_word("seating") &&
-        !tokens[i].is_word("sleeps"))
-      continue;
-    const People people = people_at(tokens, i + 1, words, table);
+    const std::size_t lead = leads.count(tokens[i].text) ? 1 : 0;
+    const People people = lead ? people_at(tokens, i + 1, words, table) : counted_people(tokens, i, words);
     if (people.length == 0) continue;
     if (brief.people == 0) brief.people = std::min(people.count, 40);
     if (brief.people == people.count)
-      hear(brief, source_of(tokens, i, people.length + 1), Heard::As::person);
-    replace(tokens, i, people.length + 1);
+      hear(brief, source_of(tokens, i, people.length + lead), Heard::As::person);
+    replace(tokens, i, people.length + lead);
     if (i > 0) --i;
   }
 }

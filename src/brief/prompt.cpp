@@ -10,6 +10,7 @@
 #include "prompt_occupants.h"
 #include "prompt_openings.h"
 #include "prompt_palette.h"
+#include "prompt_partitions.h"
 #include "prompt_places.h"
 #include "prompt_reading.h"
 #include "prompt_remarks.h"
@@ -80,6 +81,7 @@ Brief read_prompt(std::string_view prompt, const RoomKinds& kinds, const KindTab
   // What the prompt names itself comes before what people need.
   for (const auto phrase : read_things(reading)) read_occupants(reading, phrase);
   read_additions(reading);
+  read_partitions(reading);
   read_formations(reading);
   read_places(reading);
   read_headings(reading);

@@ -8,7 +8,7 @@ namespace {
 
 using language::Run;
 
-constexpr std::uint32_t words_before = 3;  ///< "Along the", "On the very"
+constexpr std::uint32_t words_before = 4;  ///< "Along the", "On the very", "Main room, "
 
 /// A place, and the tokens of which it is said.
 struct Heading {

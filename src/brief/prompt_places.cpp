@@ -51,7 +51,7 @@ class PlaceReader {
     return reading_.mention_of(said->target) ? none : said->target;
   }
   void read_attachment(const Attachment& attachment) {
-    if (attachment.is_denied || attachment.from == none) return;
+    if (attachment.is_denied || attachment.from == none || is_nothing(reading_.phrase(attachment.from))) return;
     const auto said = reading_.placement(attachment);
     reading_.talk.told_by(said || reading_.owns(attachment)
                               ? reading_.hearing.relation(attachment, place_of(attachment, said))
@@ -69,6 +69,8 @@ class PlaceReader {
     if (said->target == none) return relate_to_implied(subjects, *said->placement);
     read_target(attachment, *said, subjects);
   }
+  // "nothing in front of them"
+  static bool is_nothing(const NounPhrase& phrase) { return phrase.is_pronoun && phrase.is_denied; }
   // "a stool for each potter's wheel", "one chair per desk"
   bool is_for_each(const Attachment& attachment) const {
     if (!reading_.mention_of(attachment.to)) return false;
@@ -79,7 +81,8 @@ class PlaceReader {
   // "left", "right end": the side that a phrase names, as the placement "left of" has it.
   const Placement* side_named(const NounPhrase& phrase) const {
     for (std::uint32_t i = phrase.tokens.begin; i <= phrase.head; ++i) {
-      const bool is_side = i == phrase.head || reading_.words.portions.count(reading_.word(phrase.head)) > 0;
+      const bool is_side = i == phrase.head || (reading_.words.portions.count(reading_.word(phrase.head)) > 0 &&
+                                                !reading_.is_word(phrase.head, "corner") && !reading_.is_word(phrase.head, "edge"));
       const auto found = reading_.words.placements.find(reading_.word(i) + " of");
       if (is_side && found != reading_.words.placements.end() && is_beside(found->second)) return &found->second;
     }
@@ -128,9 +131,20 @@ class PlaceReader {
     if (!place) return;
     if (target.determiner == Determiner::possessive && is_portion(*place))
       return lie_on_owner(subjects);
+    if (target.determiner == Determiner::each) give_each_place(*place, subjects);
     if (place->place == Place::middle)
       return locate_in_middle(attachment, subjects, *said.placement, *place);
     reading_.talk.locate(subjects, *said.placement, *place);
+  }
+  // "a plant in each corner", "a bench under every window"
+  void give_each_place(const PlacePhrase& place, const Indices& things) {
+    constexpr int corners = 4;
+    const int number = place.place == Place::corner   ? corners
+                       : place.place == Place::window ? std::max(2, reading_.brief.windows.value_or(0))
+                                                      : 1;
+    for (const std::size_t thing : things)
+      if (number > 1 && reading_.talk.mention(thing).quantity == 1 && given_.insert(thing).second)
+        reading_.talk.multiply(thing, number);
   }
   // "facing the entrance" means the door, "in the entrance" the room.
   bool is_way_in(const NounPhrase& target, const Placement& placement) const {
@@ -168,32 +182,55 @@ class PlaceReader {
           return reading_.talk.mention(i).mount == Mount::surface;
         });
     if (lies_on_part) return reading_.talk.demand(subjects, {RelationKind::on, target, "", false});
+    // "two speakers on the console, one at either end": not beside it.
+    const bool is_on_it = said.placement->flank && std::all_of(subjects.begin(), subjects.end(), [&](std::size_t i) {
+      return stands_on(i, target);
+    });
+    if (is_on_it) return;
     for (auto kind : said.placement->relations)
       reading_.talk.demand(subjects, {kind, target, "", said.placement->flank});
     if (is_beside(*said.placement)) last_side_ = {said.placement->relations.front(), target};
+  }
+  bool stands_on(std::size_t mention, std::size_t target) const {
+    const auto& demands = reading_.talk.mention(mention).demands;
+    return std::any_of(demands.begin(), demands.end(), [&](const Demand& demand) {
+      return demand.kind == RelationKind::on && demand.mention == target;
+    });
   }
   // "a lamp on each nightstand", "desks, each with two drawers": as many for each of the owners as
   // were said of one.
   void give_each(std::size_t owner, const Indices& things) {
     for (const std::size_t thing : things)
-      if (thing != owner && given_.insert(thing).second)
-        reading_.talk.multiply(thing, reading_.talk.mention(owner).quantity);
+      if (thing != owner && reading_.talk.mention(thing).part_of != owner && given_.insert(thing).second)
+        reading_.talk.multiply(thing, number_of(owner));
+  }
+  int number_of(std::size_t owner) const {
+    int number = 0;
+    for (const std::size_t one : reading_.talk.with_parts(owner)) number += reading_.talk.mention(one).quantity;
+    return number;
   }
   // "each with", "every desk has", "each of them holding"
   bool says_each(const Attachment& attachment) const {
     const auto begin = attachment.tokens.begin;
+    const NounPhrase& from = reading_.phrase(attachment.from);
     return (begin > 0 && reading_.is_word(begin - 1, "each")) ||
-           reading_.phrase(attachment.from).determiner == Determiner::each;
+           (from.determiner == Determiner::each && !is_reciprocal(from));
+  }
+  // "each other"
+  bool is_reciprocal(const NounPhrase& phrase) const {
+    return phrase.is_pronoun && reading_.is_word(phrase.head, "other") && phrase.determiner == Determiner::each;
   }
   // "flanked by two lamps", "holds a vase": the subject is the target.
   void read_inverse(const Attachment& attachment, const SaidPlacement& said) {
     const auto owner = reading_.mention_of(attachment.from),
                thing = reading_.mention_of(attachment.to);
     if (!owner || !thing || *owner == *thing) return;
-    if (says_each(attachment)) give_each(*owner, {*thing});
-    for (auto kind : said.placement->relations)
-      reading_.talk.add(*thing, {kind, *owner, "", said.placement->flank,
-                                 is_among_several(attachment), nth_of(attachment.from)});
+    const Indices things = reading_.all_of(attachment.to);
+    if (says_each(attachment)) give_each(*owner, things);
+    for (const std::size_t one : things)
+      for (auto kind : said.placement->relations)
+        reading_.talk.add(one, {kind, *owner, "", said.placement->flank, is_among_several(attachment),
+                                nth_of(attachment.from)});
   }
   // "flanked by a dishwasher and a pantry": each takes a side.
   bool is_among_several(const Attachment& attachment) const {
@@ -207,16 +244,26 @@ class PlaceReader {
     const auto thing = reading_.mention_of(attachment.to);
     if (!thing) return;
     for (const std::size_t owner : reading_.subjects_of(attachment)) {
-      if (owner == *thing) continue;
-      if (says_each(attachment)) give_each(owner, {*thing});
-      reading_.talk.own(owner, *thing);
+      if (owner == *thing || reading_.talk.mention(owner).part_of != Demand::none) continue;
+      if (says_each(attachment)) give_each(owner, reading_.all_of(attachment.to));
+      for (const std::size_t one : reading_.all_of(attachment.to)) reading_.talk.own(owner, one);
       owner_of_[*thing] = owner;
     }
+  }
+  // Subjects, and what they are some of: none of them is what they stand beside.
+  Indices with_kin(const Indices& subjects) const {
+    Indices all = subjects;
+    for (const std::size_t subject : subjects) {
+      const std::size_t whole = reading_.talk.mention(subject).part_of;
+      for (const std::size_t kin : reading_.talk.with_parts(whole == Demand::none ? subject : whole))
+        if (!is_among(all, kin)) all.push_back(kin);
+    }
+    return all;
   }
   // "to its left", "overhead": of what was spoken of before.
   void relate_to_implied(const Indices& subjects, const Placement& placement) {
     const RelationKind first = placement.relations.front();
-    auto target = reading_.talk.antecedent(first, subjects);
+    auto target = reading_.talk.antecedent(first, with_kin(subjects));
     if (placement.owner.empty()) {
       if (const auto other = other_side_of(placement, subjects)) target = other;
     } else if (const auto owner = reading_.talk.last_of_category(placement.owner, subjects)) {
@@ -288,6 +335,10 @@ class PlaceReader {
   // "a desk and a shelf side by side"; "two desks side by side" are a row.
   void relate_listed(std::size_t token, const Placement& placement, std::size_t heard) {
     Indices things;
+    for (const auto& verb : reading_.parse.verbs)
+      if (verb.tokens.begin == token && verb.subject != none) things = reading_.mentions_of_list(verb.subject);
+    if (things.size() == 1) return relate_each_other(things.front(), placement);
+    if (things.size() > 1) return relate_mutually(things, placement);
     for (std::size_t i = 0; i < reading_.parse.phrases.size(); ++i)
       if (reading_.parse.phrases[i].head < token && reading_.mentions[i] &&
           reading_.sentence_of(reading_.parse.phrases[i].head) == reading_.sentence_of(token))
@@ -302,11 +353,28 @@ class PlaceReader {
     mention.formation_heard = heard;
     return true;
   }
-  // The last two of a list.
+  // The last two of a list; "two sofas facing each other": the second and the first.
   void relate_mutually(const Indices& things, const Placement& placement) {
+    if (things.size() == 1) relate_each_other(things.front(), placement);
     if (things.size() < 2) return;
     for (auto kind : placement.relations)
       reading_.talk.add(things.back(), {kind, things[things.size() - 2], "", false});
+  }
+
+  void relate_each_other(std::size_t things, const Placement& placement) {
+    const bool is_facing = std::count(placement.relations.begin(), placement.relations.end(), RelationKind::face_to) > 0;
+    const Mention& mention = reading_.talk.mention(things);
+    if (!is_facing) {
+      if (mention.mount == Mount::floor) stand_in_row(things, reading_.talk.told());
+      return;
+    }
+    // On both sides of something they face it.
+    for (const auto& demand : mention.demands)
+      if (demand.flank && demand.mention != Demand::none)
+        return reading_.talk.add(things, {RelationKind::face_to, demand.mention, "", false});
+    if (mention.quantity != 2 || !mention.counted) return;
+    const std::size_t second = reading_.talk.part(things, 1);
+    for (auto kind : placement.relations) reading_.talk.add(second, {kind, things, "", false});
   }
 
   PromptReading& reading_;

@@ -33,7 +33,8 @@ PromptReading::PromptReading(const PromptText& said, std::vector<Token> untaken,
       lexicon(names),
       talk(names, result),
       hearing(said, result),
-      mentions(parse.phrases.size()) {
+      mentions(parse.phrases.size()),
+      is_share(parse.phrases.size(), false) {
   for (std::size_t i = 0; i < parse.phrases.size(); ++i)
     things.push_back(read_thing_phrase(text, i));
   for (const auto& attachment : parse.attachments)
@@ -81,7 +82,7 @@ std::vector<bool> PromptReading::heard_tokens() const {
 void PromptReading::look_back_from(std::size_t token) {
   std::size_t made = 0;
   for (std::size_t i = 0; i < parse.phrases.size() && parse.phrases[i].head < token; ++i)
-    if (mentions[i]) made = std::max(made, *mentions[i] + 1);
+    if (mentions[i] && talk.mention(*mentions[i]).part_of == Demand::none) made = std::max(made, *mentions[i] + 1);
   talk.look_back_from(made);
 }
 
@@ -94,8 +95,13 @@ Indices PromptReading::subjects_of(const Attachment& attachment) const {
   const Attachment& said = of_thing(attachment);
   if (said.from == none) return {};
   if (said.is_of_list) return mentions_of_list(said.from);
-  const auto mention = mention_of(said.from);
-  return mention ? Indices{*mention} : Indices{};
+  return all_of(said.from);
+}
+
+Indices PromptReading::all_of(std::int32_t phrase) const {
+  const auto mention = mention_of(phrase);
+  if (!mention) return {};
+  return is_share[static_cast<std::size_t>(phrase)] ? Indices{*mention} : talk.with_parts(*mention);
 }
 
 // "in the corner next to the door": what is said of a place is said of what is there.
@@ -115,9 +121,8 @@ const Attachment& PromptReading::of_thing(const Attachment& attachment) const {
 Indices PromptReading::mentions_of_list(std::int32_t phrase) const {
   Indices subjects;
   for (const auto one : parse.with_list(static_cast<std::uint32_t>(phrase)))
-    if (const auto mention = mentions[one];
-        mention && std::find(subjects.begin(), subjects.end(), *mention) == subjects.end())
-      subjects.push_back(*mention);
+    for (const std::size_t mention : all_of(static_cast<std::int32_t>(one)))
+      if (std::find(subjects.begin(), subjects.end(), mention) == subjects.end()) subjects.push_back(mention);
   return subjects;
 }
 

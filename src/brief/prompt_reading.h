@@ -65,6 +65,8 @@ struct PromptReading {
   void look_back_from(std::size_t token);
   /// "with", "has": what follows is the first one's.
   bool owns(const language::Attachment& attachment) const;
+  /// What a noun phrase means, with the parts of which more is said elsewhere.
+  std::vector<std::size_t> all_of(std::int32_t phrase) const;
   /// The mentions of which a place is said.
   std::vector<std::size_t> subjects_of(const language::Attachment& attachment) const;
   std::vector<std::size_t> mentions_of_list(std::int32_t phrase) const;
@@ -83,6 +85,7 @@ struct PromptReading {
   std::vector<std::optional<SaidPlacement>> placements;  ///< by attachment
   std::vector<std::optional<OccupantPhrase>> occupants;  ///< by the first token of the name
   std::vector<std::optional<std::size_t>> mentions;      ///< by noun phrase
+  std::vector<bool> is_share;  ///< by noun phrase: means some of several things, no more
 
  private:
   const language::Attachment& of_thing(const language::Attachment& attachment) const;

@@ -2,7 +2,11 @@
 
 #include <algorithm>
 
+#include "kinds/noun_kind.h"
 #include "language/function_word.h"
+#include "language/inflection.h"
+#include "language/lexicon.h"
+#include "scene/finish_words.h"
 
 namespace roomgen::design {
 
@@ -13,9 +17,39 @@ using language::none;
 using language::NounPhrase;
 using language::Run;
 
+// Words of clauses that no verdict covers: where one can pass, what one can reach or see, gaps and aisles, and the
+// figures in which things stand.
+bool tells_what_nothing_shows(const std::string& word) {
+  static const WordSet words = {"clear",   "free",       "empty",    "unobstructed", "unblocked", "passable", "reach",   "reachable",
+                                "reaches", "visible",    "invisible", "accessible",  "escape",    "see",      "apart",   "away",
+                                "aisle",   "aisles",     "passage",  "gap",          "gaps",      "path",     "walkway", "clearance",
+                                "circle",  "semicircle", "horseshoe", "arc",         "arcs",      "staggered"};
+  return words.count(word) > 0;
+}
+
+// Whether words that say where something is said it of anything: "in winter" does not.
+bool is_said_of_anything(const Brief& brief, std::size_t heard) {
+  return std::any_of(brief.mentions.begin(), brief.mentions.end(), [&](const Mention& mention) {
+    return mention.mount_heard == heard || mention.formation_heard == heard ||
+           std::any_of(mention.demands.begin(), mention.demands.end(),
+                       [&](const Demand& demand) { return demand.heard == heard; });
+  });
+}
+
+// By token: whether it was heard as something that comes of it.
+std::vector<bool> tokens_with_sense(const PromptReading& reading) {
+  std::vector<bool> used(reading.text.plain.size(), false);
+  const auto& heard = reading.brief.heard;
+  for (std::size_t i = 0; i < heard.size(); ++i) {
+    if (heard[i].as == Heard::As::relation && !is_said_of_anything(reading.brief, i)) continue;
+    for (auto token = heard[i].tokens.begin; token < heard[i].tokens.end && token < used.size(); ++token) used[token] = true;
+  }
+  return used;
+}
+
 class RemarkReader {
  public:
-  explicit RemarkReader(PromptReading& reading) : reading_(reading), used_(reading.heard_tokens()) {}
+  explicit RemarkReader(PromptReading& reading) : reading_(reading), used_(tokens_with_sense(reading)) {}
 
   void run() {
     for (std::size_t i = 0; i < reading_.parse.phrases.size(); ++i)
@@ -23,6 +57,8 @@ class RemarkReader {
     for (const auto& verb : reading_.parse.verbs)
       if (verb.subject != none && !verb.is_denied && is_somebody(reading_.phrase(verb.subject)))
         remark_on_deed(verb);
+    remark_on_what_nothing_shows();
+    remark_on_moods();
   }
 
  private:
@@ -62,6 +98,95 @@ class RemarkReader {
     const auto index = static_cast<std::int32_t>(&verb - reading_.parse.verbs.data());
     for (const Attachment& attachment : reading_.parse.attachments)
       if (attachment.verb == index && !attachment.is_denied) about(attachment.to);
+  }
+
+  // "Keep 90 cm clear from the door to the balcony": from the verb or the mark before to the mark behind.
+  void remark_on_what_nothing_shows() {
+    for (std::uint32_t i = 0; i < used_.size(); ++i) {
+      if (used_[i] || !tells_what_nothing_shows(reading_.word(i))) continue;
+      Run clause{i, i + 1};
+      while (clause.begin > 0 && !is_mark(clause.begin - 1)) --clause.begin;
+      while (clause.end < used_.size() && !is_mark(clause.end)) ++clause.end;
+      for_each_left(clause, [&](const Run& piece) { remark(piece, Heard::As::activity); });
+    }
+  }
+
+  // "Unfussy, windblown", "time forgets to pass", "a silence you'd pay for": where no word of what is left between two
+  // marks names anything that one could touch, count or measure, nothing in a room can show it.
+  void remark_on_moods() {
+    for (std::uint32_t begin = 0; begin < used_.size();) {
+      std::uint32_t end = begin;
+      while (end < used_.size() && !is_mark(end)) ++end;
+      for_each_left({begin, end}, [&](const Run& piece) {
+        if (is_untouchable(piece)) remark(piece, tells_deed(piece) ? Heard::As::activity : Heard::As::room);
+      });
+      begin = end + 1;
+    }
+  }
+
+  bool is_mark(std::uint32_t token) const {
+    const auto kind = reading_.text.plain[token].kind;
+    return kind != Token::Kind::word && kind != Token::Kind::number && kind != Token::Kind::room;
+  }
+  // The stretches of a run that nobody heard.
+  template <typename Each>
+  void for_each_left(const Run& run, const Each& each) {
+    for (auto i = run.begin; i < run.end;) {
+      auto end = i;
+      while (end < run.end && !used_[end]) ++end;
+      if (end > i) each(Run{i, end});
+      i = std::max(end, i + 1);
+    }
+  }
+  bool is_untouchable(const Run& run) const {
+    bool says_something = false;
+    for (auto i = run.begin; i < run.end; ++i) {
+      if (language::is_function_word(reading_.parse.tokens[i]) || reading_.words.negations.count(reading_.word(i)))
+        continue;
+      if (!is_untouchable(i)) return false;
+      says_something = true;
+    }
+    return says_something;
+  }
+  bool is_untouchable(std::uint32_t token) const {
+    const std::string& word = reading_.word(token);
+    if (reading_.text.plain[token].kind != Token::Kind::word || reading_.taken[token] == Taken::yes || is_of_place(word) ||
+        reading_.text.table.named(word) || finish_words().describes(word))
+      return false;
+    if (reading_.words.no_things.count(word)) return true;
+    const auto verb = language::verb(word);
+    const std::string noun = language::singular(word);
+    // "unfussy"
+    if (word.starts_with("un") && language::lexicon().has(word.substr(2), language::PartOfSpeech::adjective)) return true;
+    const double said = said_as(noun, language::PartOfSpeech::noun);
+    const double other = said_as(word, language::PartOfSpeech::adjective) + said_as(word, language::PartOfSpeech::adverb) +
+                         (verb ? said_as(verb->base, language::PartOfSpeech::verb) : 0.0);
+    if (other > said && !is_introduced(token)) return true;
+    return said > 0.0 && !is_physical(noun);
+  }
+  // "a stand", "two locks": whatever else the word may be, here it is a noun.
+  bool is_introduced(std::uint32_t token) const {
+    return std::any_of(reading_.parse.phrases.begin(), reading_.parse.phrases.end(), [&](const NounPhrase& phrase) {
+      return phrase.head == token && !phrase.is_pronoun &&
+             (phrase.determiner != language::Determiner::absent || phrase.count > 0);
+    });
+  }
+  // Places, numbers, sizes and what stands for several are never moods.
+  bool is_of_place(const std::string& word) const {
+    const Vocabulary& words = reading_.words;
+    return words.room_parts.count(word) || words.walls.count(word) || words.shares.count(word) || words.portions.count(word) ||
+           words.parts.count(word) || words.groups.count(word) || words.sizes.count(word) || words.numbers.count(word) ||
+           words.placements.count(word) || words.materials.count(word) || words.measured.count(word);
+  }
+  // How often a word is met so, at least once for what the lexicon has at all.
+  static double said_as(const std::string& word, language::PartOfSpeech part) {
+    const auto& english = language::lexicon();
+    return english.has(word, part) ? 0.5 + english.tagged(word, part) : 0.0;
+  }
+  bool tells_deed(const Run& run) const {
+    return std::any_of(reading_.parse.verbs.begin(), reading_.parse.verbs.end(), [&](const auto& verb) {
+      return verb.tokens.begin >= run.begin && verb.tokens.begin < run.end;
+    });
   }
 
   // The words of a run that nobody heard, without function words at its ends.

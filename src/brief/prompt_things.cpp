@@ -38,10 +38,12 @@ class ThingReader {
       hear(reading_.brief, {said.head, said.head + 1}, Heard::As::room);
     const auto id = static_cast<std::int32_t>(number);
     if (said.is_pronoun) {
-      reading_.mentions[number] = stands_for(id);
+      // "the northern half"
+      if (!read_place(reading_.text.plain, said.tokens.begin, reading_.words)) reading_.mentions[number] = stands_for(id);
       return;
     }
-    const ThingPhrase& thing = reading_.things[number];
+    ThingPhrase& thing = reading_.things[number];
+    if (thing.kind.length == 0) name_by_what_it_holds(id, thing);
     if (thing.kind.length == 0 && reading_.is_somebody(said))
       hear(reading_.brief, {said.tokens.begin, said.head + 1}, Heard::As::person);
     if (said.is_denied) return exclude(id, thing);
@@ -69,16 +71,43 @@ class ThingReader {
     }
     skip_to_ = std::max(skip_to_, thing.end);
   }
+  // "a TV on a stand": a stand for that, where there is such a kind.
+  void name_by_what_it_holds(std::int32_t id, ThingPhrase& thing) const {
+    const NounPhrase& said = reading_.phrase(id);
+    if (said.determiner == Determiner::definite) return;
+    for (const Attachment& attachment : reading_.parse.attachments) {
+      const auto& place = reading_.placement(attachment);
+      if (attachment.to != id || !place || place->placement->relations.front() != RelationKind::on) continue;
+      const auto held = reading_.mention_of(attachment.from);
+      if (!held) continue;
+      const Mention& mention = reading_.talk.mention(*held);
+      for (const std::string& what : {mention.noun, mention.category})
+        if (const Kind* kind = reading_.text.table.named(what + " " + reading_.parse.head_of(said))) {
+          thing.kind = {kind, 1, said.is_plural, kind->name, NounBasis::name, ""};
+          return;
+        }
+    }
+  }
   // "three rows of five seats"
   void read_rows(std::int32_t id, std::size_t mention) {
     for (const Attachment& attachment : reading_.parse.attachments) {
       if (attachment.to != id || attachment.relation != "of" || attachment.from == none) continue;
       const NounPhrase& rows = reading_.phrase(attachment.from);
+      if (counts_new(id, rows, mention)) {
+        reading_.talk.set_count(mention, static_cast<int>(rows.count));
+        reading_.hearing.number(attachment.from, mention);
+      }
       if (!reading_.words.groups.count(reading_.word(rows.head))) continue;
+      reading_.mentions[static_cast<std::size_t>(attachment.from)] = mention;
       if (rows.count > 1 && reading_.phrase(id).count > 0)
         reading_.talk.multiply(mention, static_cast<int>(rows.count));
       reading_.hearing.number(attachment.from, mention);
     }
+  }
+  // "3 of those recliners", which nothing was said of before
+  bool counts_new(std::int32_t id, const NounPhrase& number, std::size_t mention) const {
+    return number.is_pronoun && number.count >= 1 && !reading_.talk.mention(mention).counted &&
+           mention + 1 == reading_.talk.count() && reading_.phrase(id).is_plural;
   }
   // "bed desk wardrobe": things of their own, though they stand like "oak" before the last.
   void read_listed_without_commas(const NounPhrase& said, const ThingPhrase& last) {
@@ -98,14 +127,23 @@ class ThingReader {
   // "a stack of books": what comes behind is part of the name.
   bool names_thing(std::int32_t id, const ThingPhrase& thing) const {
     const NounPhrase& said = reading_.phrase(id);
-    if (said.tokens.begin < skip_to_ || names_tone(said, thing) || is_talked_about(id)) return false;
+    if (said.tokens.begin < skip_to_ || names_tone(said, thing) || is_talked_about(id) || is_formation(id)) return false;
     if (thing.kind.length == 0)
       return is_new_thing(id, thing) || (thing.definite && reading_.talk.known(thing));
     if (thing.kind.length == 1 && (is_bare_material(thing) || is_light(said, thing))) return false;
     return !is_of_owner(id, thing) && !is_inside(id) && !tells_what_it_is_of(id, thing);
   }
-  // "relatives who argue about football", "light strips like a racing grid"
+  // "in two columns of four"
+  bool is_formation(std::int32_t id) const {
+    if (!reading_.words.rows.count(reading_.word(reading_.phrase(id).head))) return false;
+    return std::any_of(reading_.parse.attachments.begin(), reading_.parse.attachments.end(), [&](const Attachment& one) {
+      return (one.to == id && one.relation == "in") || (one.from == id && one.relation == "of");
+    });
+  }
+  // "relatives who argue about football", "light strips like a racing grid", "if I see a desk"
   bool is_talked_about(std::int32_t id) const {
+    for (auto i = reading_.phrase(id).tokens.begin; i-- > 0 && reading_.text.plain[i].kind == Token::Kind::word;)
+      if (reading_.is_word(i, "if")) return true;
     return std::any_of(reading_.parse.attachments.begin(), reading_.parse.attachments.end(),
                        [&](const Attachment& one) {
                          return one.to == id && (one.relation == "about" || one.relation == "like");
@@ -131,13 +169,34 @@ class ThingReader {
   bool is_new_thing(std::int32_t id, const ThingPhrase& thing) const {
     const NounPhrase& said = reading_.phrase(id);
     const bool introduced = thing.article || (said.list != none && !may_be_stuff(thing.noun));
-    if (!introduced || (thing.definite && !thing.article) ||
-        !may_be_thing(reading_.text, thing.noun) || !is_physical(thing.noun) ||
+    const bool names_thing = may_be_thing(reading_.text, thing.noun) && is_physical(thing.noun);
+    if (!introduced || (thing.definite && !thing.article) || !(names_thing || may_stand_there(id, thing.noun)) ||
         reading_.text.words.room_parts.count(thing.noun) || is_of_owner(id, thing) || is_inside(id))
       return false;
     for (const Attachment& attachment : reading_.parse.attachments)
       if (attachment.to == id && !introduces(attachment)) return false;
     return true;
+  }
+  // "a branch in a vase", "a shelf holding a dollhouse miniature": whatever its noun means else, it is a thing where
+  // it is put to one.
+  bool may_stand_there(std::int32_t id, const std::string& noun) const {
+    const Vocabulary& words = reading_.words;
+    if (noun.size() < 3 || words.no_things.count(noun) || words.parts.count(noun) || words.portions.count(noun) ||
+        words.room_words.count(noun) || words.groups.count(noun) || words.shares.count(noun) ||
+        words.walls.count(noun) || words.stops.count(noun) || words.placements.count(noun))
+      return false;
+    using language::WordClass;
+    const auto& english = language::lexicon();
+    for (const auto other : {WordClass::person, WordClass::animal, WordClass::activity, WordClass::time, WordClass::feeling,
+                             WordClass::event, WordClass::room, WordClass::building, WordClass::body_part})
+      if (english.is(noun, other) && !english.may_be(noun, WordClass::artefact)) return false;
+    return std::any_of(reading_.parse.attachments.begin(), reading_.parse.attachments.end(), [&](const Attachment& one) {
+      const auto& said = reading_.placement(one);
+      if (!said || one.to == none) return false;
+      if (one.to == id) return said->placement->inverse && reading_.mention_of(one.from);
+      return one.from == id && !said->placement->inverse && said->target != none &&
+             reading_.thing(said->target).kind.length > 0;
+    });
   }
   static bool names_artefact(const std::string& noun) {
     using language::WordClass;
@@ -214,8 +273,26 @@ class ThingReader {
   std::optional<std::size_t> refer(std::int32_t id, const ThingPhrase& thing) {
     // "on a nightstand" means one of those that are there.
     if (thing.count == 1 && !thing.another && is_target(id))
-      if (const auto known = reading_.talk.known(thing)) return known;
-    return reading_.talk.refer(thing, reading_.sentence_of(reading_.phrase(id).head));
+      if (const auto known = reading_.talk.one_of(thing)) return known;
+    ThingPhrase own = thing;
+    if (is_of_somebody_else(id, thing)) own.definite = false, own.article = true;
+    return reading_.talk.refer(own, reading_.sentence_of(reading_.phrase(id).head));
+  }
+  // "the teacher's desk" is none of the students'.
+  bool is_of_somebody_else(std::int32_t id, const ThingPhrase& thing) const {
+    const auto known = thing.definite ? reading_.talk.known(thing) : std::nullopt;
+    if (!known) return false;
+    const NounPhrase& said = reading_.phrase(id);
+    const auto& looks = reading_.talk.mention(*known).looks;
+    for (auto i = said.modifiers.begin; i < said.modifiers.end; ++i) {
+      const auto& modifier = reading_.parse.modifiers[i];
+      const std::string& owner = reading_.word(modifier.tokens.begin);
+      if (modifier.kind == language::Modifier::Kind::owner &&
+          language::lexicon().is(language::singular(owner), language::WordClass::person) &&
+          std::find(looks.begin(), looks.end(), owner) == looks.end())
+        return true;
+    }
+    return false;
   }
   bool is_target(std::int32_t id) const {
     for (const Attachment& attachment : reading_.parse.attachments) {
@@ -276,7 +353,8 @@ class ThingReader {
   std::optional<std::size_t> stands_for(std::int32_t id) const {
     const NounPhrase& said = reading_.phrase(id);
     const std::string& noun = reading_.word(said.head);
-    const bool is_reciprocal = said.tokens.size() > 1 && said.determiner != Determiner::definite;
+    const bool is_reciprocal = (noun == "other" && said.determiner == Determiner::each) ||
+                               (noun == "another" && said.tokens.size() > 1);
     if (noun == "i" || noun == "we" || noun == "you" || is_reciprocal) return std::nullopt;
     const bool is_one_of_several = noun == "one" || noun == "other" || noun == "others" ||
                                    said.determiner == Determiner::each || said.count > 0;
@@ -286,9 +364,31 @@ class ThingReader {
       if (attachment.to != id) continue;
       if (const auto owner = owner_of(attachment.from)) return owner;
       if (const auto picture = what_hangs_over(attachment)) return picture;
-      return reading_.talk.antecedent(reading_.subjects_of(attachment));
+      const auto subjects = reading_.subjects_of(attachment);
+      if (const auto neighbour = small_neighbour(attachment, subjects)) return neighbour;
+      if (const auto carrier = carrier_before(attachment)) return carrier;
+      return reading_.talk.antecedent(subjects, noun == "it");
     }
     return topic_before(id);
+  }
+  // "The desk is by the door with a lamp behind it; on it are ...": nothing stands on a lamp.
+  std::optional<std::size_t> carrier_before(const Attachment& attachment) const {
+    const auto& said = reading_.placement(attachment);
+    const auto topic = topic_before(attachment.to);
+    if (!said || !topic || said->placement->inverse || said->placement->relations.front() != RelationKind::on)
+      return std::nullopt;
+    const auto& table = reading_.text.table;
+    return table.is_any_of(reading_.talk.mention(*topic).category, {"table", "storage", "seat", "bed"}) ? topic : std::nullopt;
+  }
+  // "A bowl sits on the island, and a coffee maker is placed near it": what small things stand beside is small.
+  std::optional<std::size_t> small_neighbour(const Attachment& attachment, const Indices& subjects) const {
+    const auto& said = reading_.placement(attachment);
+    if (!said || subjects.empty() || !reading_.talk.is_small(subjects.front())) return std::nullopt;
+    const RelationKind first = said->placement->relations.front();
+    if (first == RelationKind::on || first == RelationKind::under || first == RelationKind::above) return std::nullopt;
+    const auto other = topic_before(attachment.to);
+    const bool is_beside = other && *other != subjects.front() && reading_.talk.is_small(*other);
+    return is_beside ? other : std::nullopt;
   }
   // "On the wall a tapestry; below it an altar"
   std::optional<std::size_t> what_hangs_over(const Attachment& attachment) const {
@@ -302,7 +402,7 @@ class ThingReader {
   // "a table with four chairs around it and a lamp above it": what a thing is with is "it".
   std::optional<std::size_t> owner_of(std::int32_t id) const {
     for (const Attachment& attachment : reading_.parse.attachments)
-      if (id != none && attachment.to == id && attachment.relation == "with") {
+      if (id != none && attachment.to == id && (attachment.relation == "with" || attachment.relation == "have")) {
         if (const auto subject = subject_before(attachment)) return subject;
         return reading_.mention_of(attachment.from);
       }

@@ -57,6 +57,16 @@ class ThingPhraseReader {
     known_name();
     misspelt_name();
     if (phrase_.kind.length == 0) inferred_name();
+    if (phrase_.kind.length == 0) toy_name();
+  }
+  // "a pink plush bunny": no animal.
+  void toy_name() {
+    static const WordSet stuffs = {"plush", "stuffed", "toy", "cuddly", "crocheted", "knitted", "felt", "foam", "rubber"};
+    const std::string noun = in_singular(said_.head);
+    if (!language::lexicon().is(noun, WordClass::animal)) return;
+    for (std::uint32_t i = said_.tokens.begin; i < said_.head; ++i)
+      if (const Kind* kind = stuffs.count(word(i)) ? text_.table.named("stuffed animal") : nullptr)
+        return take_name(said_.head, {kind, NounBasis::hyponym, noun}, noun);
   }
   // The longest name that ends in the head: of "bedside table lamp" that of the lamp.
   void known_name() {

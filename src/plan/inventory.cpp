@@ -260,6 +260,7 @@ std::vector<Draft> asked_items(const Brief& brief, const KindTable& table) {
     if (mention.contradicts) continue;
     Draft draft;
     draft.mention = i;
+    draft.part_of = mention.part_of;
     draft.demands = mention.demands;
     draft.formation = mention.formation;
     draft.item.category = mention.category;

@@ -16,6 +16,7 @@ namespace roomgen::design {
 struct Draft {
   PlanItem item;
   std::size_t mention = Demand::none;  ///< index into Brief::mentions, none for what was added
+  std::size_t part_of = Demand::none;  ///< the mention of which these are some
   std::vector<Demand> demands;
   std::optional<Formation> formation;  ///< of its things
   bool core = false;  ///< the room is hardly one of its kind without it

@@ -167,7 +167,7 @@ class Ledger {
     requirement.relation = kind;
     requirement.clause = mention.category + " " + std::string(name(kind));
     if (demand.mention != Demand::none) {
-      requirement.targets = ids_[demand.mention];
+      requirement.targets = with_parts(demand.mention);
       requirement.clause += " " + brief_.mentions[demand.mention].category;
       // Rows face what is before their middle.
       if (mention.formation && demand.kind == RelationKind::face_to)
@@ -177,6 +177,14 @@ class Ledger {
       requirement.clause += " " + demand.part;
     }
     add(std::move(requirement), {demand.heard});
+  }
+
+  // Of several of which some are told of apart, all are meant.
+  std::vector<std::string> with_parts(std::size_t mention) {
+    std::vector<std::string> ids = ids_[mention];
+    for (std::size_t i = 0; i < brief_.mentions.size(); ++i)
+      if (brief_.mentions[i].part_of == mention) ids.insert(ids.end(), ids_[i].begin(), ids_[i].end());
+    return ids;
   }
 
   static std::vector<std::string> middle_of_rows(const std::vector<std::string>& ids,

@@ -18,9 +18,12 @@ constexpr int tied_stage = 2;
 // Furniture waits for furniture; what is to be on top of some comes after it in any case.
 bool waits_for(const Draft& draft, const Draft& other) {
   if (draft.item.mount == Mount::floor && other.item.mount == Mount::surface) return false;
+  const bool are_kin = draft.part_of != Demand::none && draft.part_of == other.part_of;
   return other.mention != Demand::none &&
-         std::any_of(draft.demands.begin(), draft.demands.end(),
-                     [&](const Demand& demand) { return demand.mention == other.mention; });
+         std::any_of(draft.demands.begin(), draft.demands.end(), [&](const Demand& demand) {
+           return demand.mention == other.mention ||
+                  (!are_kin && demand.mention != Demand::none && demand.mention == other.part_of);
+         });
 }
 
 double floor_of(const Draft& draft) {
@@ -112,7 +115,8 @@ std::vector<Draft> after_targets(std::vector<Draft> left, Plan& plan) {
 std::vector<Draft> split_pairs(const std::vector<Draft>& drafts) {
   std::map<std::size_t, int> quantity;
   for (const auto& draft : drafts)
-    if (draft.mention != Demand::none) quantity[draft.mention] += draft.item.quantity;
+    for (const std::size_t mention : {draft.mention, draft.part_of})
+      if (mention != Demand::none) quantity[mention] += draft.item.quantity;
   std::vector<Draft> result;
   for (const auto& draft : drafts) {
     const bool pairs =
@@ -135,8 +139,13 @@ std::vector<Draft> split_pairs(const std::vector<Draft>& drafts) {
 class Ids {
  public:
   Ids(const std::vector<Draft>& drafts, const Plan& plan) {
-    for (const auto& planned : planned_objects(plan))
-      ids_[drafts[planned.item].mention].push_back(planned.id);
+    for (const auto& planned : planned_objects(plan)) {
+      const Draft& draft = drafts[planned.item];
+      ids_[draft.mention].push_back(planned.id);
+      if (draft.part_of != Demand::none) parts_[draft.part_of].push_back(planned.id);
+    }
+    for (const auto& [mention, ids] : ids_) all_[mention] = ids;
+    for (const auto& [mention, ids] : parts_) all_[mention].insert(all_[mention].end(), ids.begin(), ids.end());
   }
 
   // Two neighbours in turn, for what is between them; fewer if there are not two.
@@ -149,15 +158,16 @@ class Ids {
 
   const std::vector<std::string>& of(std::size_t mention) { return ids_[mention]; }
 
-  std::string next(std::size_t asking, std::size_t mention, int nth) {
-    const auto& ids = ids_[mention];
+  // One of a mention's things, or of its parts; for its own parts one of those that are left of it.
+  std::string next(const Draft& asking, std::size_t mention, int nth) {
+    const auto& ids = asking.part_of == mention ? ids_[mention] : all_[mention];
     if (ids.empty()) return "";
     if (nth >= 0) return ids[static_cast<std::size_t>(nth) % ids.size()];
-    return ids[static_cast<std::size_t>(turn_[{asking, mention}]++) % ids.size()];
+    return ids[static_cast<std::size_t>(turn_[{asking.mention, mention}]++) % ids.size()];
   }
 
  private:
-  std::map<std::size_t, std::vector<std::string>> ids_;
+  std::map<std::size_t, std::vector<std::string>> ids_, parts_, all_;  ///< by mention
   std::map<std::pair<std::size_t, std::size_t>, int> turn_;
 };
 
@@ -182,7 +192,7 @@ class Resolver {
       }
       if (demand.mention != Demand::none) {
         if (!targets.count(demand.mention))
-          targets[demand.mention] = ids_.next(draft.mention, demand.mention, demand.nth);
+          targets[demand.mention] = ids_.next(draft, demand.mention, demand.nth);
         relation.target = targets[demand.mention];
         if (relation.target.empty()) continue;
         if (demand.flank) {

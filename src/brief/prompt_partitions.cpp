@@ -1,0 +1,161 @@
+#include "prompt_partitions.h"
+
+#include <algorithm>
+
+#include "language/lexicon.h"
+#include "scene/finish_words.h"
+
+namespace roomgen::design {
+
+namespace {
+
+using language::Attachment;
+using language::Determiner;
+using language::none;
+using language::NounPhrase;
+using language::Run;
+
+class PartitionReader {
+ public:
+  explicit PartitionReader(PromptReading& reading) : reading_(reading) {}
+
+  void run() {
+    for (std::size_t i = 0; i < reading_.parse.phrases.size(); ++i) read_phrase(static_cast<std::int32_t>(i));
+  }
+
+ private:
+  void read_phrase(std::int32_t id) {
+    const auto whole = whole_of(id);
+    if (!whole || reading_.talk.mention(*whole).formation) return;
+    const auto looks = looks_of(id);
+    const auto* place = place_of(id);
+    if (looks.empty() && !place) return;
+    const int all = reading_.talk.mention(*whole).quantity, few = share_of(id, place, all);
+    if (few < 1 || few > all) return;
+    const auto own = reading_.phrase(id).is_pronoun ? std::nullopt : reading_.mention_of(id);
+    if (own) reading_.talk.adopt(*own, *whole);
+    const auto part = own ? *own : few == all ? *whole : reading_.talk.part(*whole, few);
+    reading_.mentions[static_cast<std::size_t>(id)] = part;
+    reading_.is_share[static_cast<std::size_t>(id)] = true;
+    const NounPhrase& said = reading_.phrase(id);
+    reading_.hearing.number({said.tokens.begin, said.head + 1}, part);
+    for (const auto& look : looks) {
+      reading_.talk.describe(part, reading_.word(look.begin));
+      reading_.hearing.look(look, part, reading_.word(look.begin));
+    }
+  }
+
+  // "three" of five, "the other two", "another", "two of the chairs"; "two bunk beds" of three, where "one" follows.
+  std::optional<std::size_t> whole_of(std::int32_t id) const {
+    const NounPhrase& said = reading_.phrase(id);
+    if (is_rest(said)) return rest_of(id);
+    if (!said.is_pronoun) return named_again(id);
+    if (said.count < 1 || said.determiner == Determiner::each || said.determiner == Determiner::all ||
+        said.determiner == Determiner::both || is_of_row(id) || is_bounded(said))
+      return std::nullopt;
+    for (const Attachment& one : reading_.parse.attachments)
+      if (one.from == id && one.relation == "of")
+        if (const auto named = reading_.mention_of(one.to)) return whole(*named);
+    const auto before = reading_.mention_of(id);
+    if (!before) return std::nullopt;
+    const std::size_t known = reading_.talk.mention(*before).part_of;
+    return whole(known == Demand::none ? *before : known);
+  }
+  // "never more than three at a round one"
+  bool is_bounded(const NounPhrase& said) const {
+    const auto begin = said.tokens.begin;
+    return said.is_denied || (begin > 0 && (reading_.is_word(begin - 1, "than") || reading_.is_word(begin - 1, "most")));
+  }
+  // "two columns of four"
+  bool is_of_row(std::int32_t id) const {
+    return std::any_of(reading_.parse.attachments.begin(), reading_.parse.attachments.end(), [&](const Attachment& one) {
+      return one.to == id && one.relation == "of" && one.from != none &&
+             reading_.words.groups.count(reading_.word(reading_.phrase(one.from).head));
+    });
+  }
+  // Several of which the number is known.
+  std::optional<std::size_t> whole(std::size_t mention) const {
+    const Mention& things = reading_.talk.mention(mention);
+    return things.counted && things.quantity > 0 && things.most == 0 ? std::optional(mention) : std::nullopt;
+  }
+  bool is_rest(const NounPhrase& said) const {
+    const std::string& noun = reading_.word(said.head);
+    return noun == "rest" || noun == "others" || noun == "remaining" ||
+           (noun == "other" && said.determiner == Determiner::definite);
+  }
+  // What was parted before in the text keeps what is left of it.
+  std::optional<std::size_t> rest_of(std::int32_t id) const {
+    for (std::int32_t i = id; i-- > 0;)
+      if (reading_.is_share[static_cast<std::size_t>(i)])
+        return reading_.talk.mention(*reading_.mention_of(i)).part_of;
+    return std::nullopt;
+  }
+  // "three metal bunk beds. Two bunk beds are against the left wall and one ...": the numbers make up the whole.
+  std::optional<std::size_t> named_again(std::int32_t id) const {
+    const NounPhrase& said = reading_.phrase(id);
+    const auto own = reading_.mention_of(id);
+    if (!own || said.count < 1 || said.determiner != Determiner::absent || !reading_.thing(id).modifiers.empty())
+      return std::nullopt;
+    for (std::size_t other = *own; other-- > 0;) {
+      const Mention& before = reading_.talk.mention(other);
+      if (before.noun != reading_.talk.mention(*own).noun || !whole(other)) continue;
+      return adds_up(id, before.quantity) ? std::optional(other) : std::nullopt;
+    }
+    return std::nullopt;
+  }
+  bool adds_up(std::int32_t id, int all) const {
+    int sum = static_cast<int>(reading_.phrase(id).count);
+    for (auto i = id + 1; i < std::ssize(reading_.parse.phrases) && is_same_sentence(id, i); ++i)
+      if (const NounPhrase& next = reading_.phrase(i); next.is_pronoun && next.count >= 1)
+        sum += static_cast<int>(next.count);
+    return sum == all && sum > reading_.phrase(id).count;
+  }
+  bool is_same_sentence(std::int32_t a, std::int32_t b) const {
+    return reading_.sentence_of(reading_.phrase(a).head) == reading_.sentence_of(reading_.phrase(b).head);
+  }
+
+  // The first place of its own.
+  const Attachment* place_of(std::int32_t id) const {
+    for (const Attachment& one : reading_.parse.attachments) {
+      const auto& said = reading_.placement(one);
+      if (one.from == id && said && !said->placement->inverse) return &one;
+    }
+    return nullptr;
+  }
+  // "four on each long side" are eight; "one in each corner" are all, each in its own.
+  int share_of(std::int32_t id, const Attachment* place, int all) const {
+    const NounPhrase& said = reading_.phrase(id);
+    if (is_rest(said) && said.count == 0) return all;
+    const int count = static_cast<int>(said.count);
+    const bool is_each = place && place->to != none &&
+                         (reading_.phrase(place->to).determiner == Determiner::each || reading_.placement(*place)->placement->flank);
+    if (is_each && count == 1) return all;
+    return is_each ? 2 * count : count;
+  }
+
+  // "four are square", "one red and one black"
+  std::vector<Run> looks_of(std::int32_t id) const {
+    std::vector<Run> looks;
+    for (const auto& verb : reading_.parse.verbs)
+      if (verb.subject == id && !verb.is_denied)
+        for (auto i = verb.complement.begin; i < verb.complement.end; ++i)
+          if (!reading_.parse.modifiers[i].is_denied) looks.push_back(reading_.parse.modifiers[i].tokens);
+    for (auto i = reading_.phrase(id).head + 1; is_look(i); ++i) looks.push_back({i, i + 1});
+    return looks;
+  }
+  bool is_look(std::uint32_t token) const {
+    if (token >= reading_.text.plain.size() || reading_.text.plain[token].kind != Token::Kind::word) return false;
+    const std::string& word = reading_.word(token);
+    const auto& english = language::lexicon();
+    return finish_words().describes(word) || english.is(word, language::WordClass::color) ||
+           english.may_be(word, language::WordClass::shape);
+  }
+
+  PromptReading& reading_;
+};
+
+}  // namespace
+
+void read_partitions(PromptReading& reading) { PartitionReader(reading).run(); }
+
+}  // namespace roomgen::design
