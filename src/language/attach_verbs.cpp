@@ -46,7 +46,9 @@ void Attacher::begin_finite(const Run& tokens, const std::string& base) {
   if (relative_ != none && !is_relative) leave_relative();
   const auto kind = is_relative ? VerbPhrase::Kind::relative : VerbPhrase::Kind::finite;
   VerbPhrase& verb = add_verb(kind, tokens, base);
-  verb.subject = is_relative ? relative_ : main_;
+  // "a shop with seven tables, four are square"
+  const bool is_of_share = last_ != none && before_ == Tag::noun && at(last_).is_pronoun && at(last_).count > 0;
+  verb.subject = is_relative ? relative_ : is_of_share ? last_ : main_;
   if (is_relative) outer_verb_ = verb_;
   verb_ = static_cast<std::int32_t>(&verb - parse_.verbs.data());
   participle_ = none;
