@@ -13,22 +13,22 @@ namespace {
 
 constexpr int clear_lead = 4000;  // of the sums of weights, 256 for each mistake that was learned from
 
-using Deeds = std::vector<Deed>;
+using Deeds = std::vector<EditDeed>;
 
 // What verbs of data/edits.json that mean one thing only may be for.
 const std::map<std::string, Deeds, std::less<>>& deeds_of_verbs() {
   static const std::map<std::string, Deeds, std::less<>> all = {
-      {"turn", {Deed::turn, Deed::face}},       {"swap", {Deed::swap, Deed::replace}},
-      {"lock", {Deed::lock}},                   {"unlock", {Deed::unlock}},
-      {"replace", {Deed::replace, Deed::swap}}, {"paint", {Deed::recolour, Deed::room}},
-      {"remove", {Deed::remove, Deed::room}},   {"resize", {Deed::resize, Deed::room}},
-      {"rearrange", {Deed::rearrange}},         {"revert", {Deed::undo}}};
+      {"turn", {EditDeed::turn, EditDeed::face}},       {"swap", {EditDeed::swap, EditDeed::replace}},
+      {"lock", {EditDeed::lock}},                   {"unlock", {EditDeed::unlock}},
+      {"replace", {EditDeed::replace, EditDeed::swap}}, {"paint", {EditDeed::recolour, EditDeed::room}},
+      {"remove", {EditDeed::remove, EditDeed::room}},   {"resize", {EditDeed::resize, EditDeed::room}},
+      {"rearrange", {EditDeed::rearrange}},         {"revert", {EditDeed::undo}}};
   return all;
 }
 
 enum class Evidence { none, against, for_it };
 
-Evidence evidence_of_verbs(const EditText& text, const SpokenOrder& order, Deed deed) {
+Evidence evidence_of_verbs(const EditText& text, const SpokenOrder& order, EditDeed deed) {
   Evidence evidence = Evidence::none;
   for (const auto& part : order.parts)
     for (std::size_t i = part.begin; part.role == EditRole::order && i < part.end; ++i) {
@@ -43,14 +43,14 @@ Evidence evidence_of_verbs(const EditText& text, const SpokenOrder& order, Deed 
 }
 
 // The others need words that say where to, how much or what like, which an order by mistake does not have.
-bool needs_no_more(Deed deed) {
+bool needs_no_more(EditDeed deed) {
   switch (deed) {
-    case Deed::remove:
-    case Deed::lock:
-    case Deed::unlock:
-    case Deed::swap:
-    case Deed::rearrange:
-    case Deed::undo: return true;
+    case EditDeed::remove:
+    case EditDeed::lock:
+    case EditDeed::unlock:
+    case EditDeed::swap:
+    case EditDeed::rearrange:
+    case EditDeed::undo: return true;
     default: return false;
   }
 }
@@ -65,11 +65,11 @@ bool is_negative(const std::string& word) {
 namespace {
 
 // "everything stays put", where "stays" is no move; "strip everything off", where everything is what it is about.
-bool says_otherwise(const EditText& text, const SpokenOrder& order, Deed deed) {
+bool says_otherwise(const EditText& text, const SpokenOrder& order, EditDeed deed) {
   for (const auto& part : order.parts)
     for (std::size_t i = part.begin; part.role == EditRole::order && i < part.end; ++i) {
       const auto verb = language::verb(text.tokens[i].text);
-      if (verb && verb->base == "stay" && deed != Deed::lock) return true;
+      if (verb && verb->base == "stay" && deed != EditDeed::lock) return true;
       if (longest_in(text.edits.everything, text.tokens, i) > 0) return true;
     }
   return false;

@@ -26,7 +26,7 @@ inline constexpr std::array<std::string_view, edit_role_count> edit_role_names =
     "do", "thing", "place", "target", "amount", "look", "next", "idle", "keep"};
 
 /// What an order is for.
-enum class Deed : std::uint8_t {
+enum class EditDeed : std::uint8_t {
   add, remove, move, turn, face, swap, replace, resize, recolour, lock, unlock, rearrange, room, undo
 };
 inline constexpr std::size_t deed_count = 14;

@@ -120,31 +120,31 @@ bool is_whole(const EditText& text, const ReadClause& clause) {
 
 // ---- What an order asks for --------------------------------------------------------------------
 
-bool is_for(const edit::Operation& operation, Deed deed) {
+bool is_for(const edit::Operation& operation, EditDeed deed) {
   const auto is_one_of = [&]<typename... T>() { return (std::holds_alternative<T>(operation) || ...); };
   switch (deed) {
-    case Deed::add: return is_one_of.operator()<edit::Add>();
-    case Deed::remove: return is_one_of.operator()<edit::Remove>();
-    case Deed::move: return is_one_of.operator()<edit::Move, edit::Put, edit::Shift>();
-    case Deed::turn: return is_one_of.operator()<edit::Turn, edit::Face>();
-    case Deed::face: return is_one_of.operator()<edit::Face, edit::Turn>();
-    case Deed::swap: return is_one_of.operator()<edit::Swap>();
-    case Deed::replace: return is_one_of.operator()<edit::Replace>();
-    case Deed::resize: return is_one_of.operator()<edit::Resize, edit::Refit, edit::Reform>();
-    case Deed::recolour: return is_one_of.operator()<edit::Recolor, edit::Cover>();
-    case Deed::lock:
-    case Deed::unlock: {
+    case EditDeed::add: return is_one_of.operator()<edit::Add>();
+    case EditDeed::remove: return is_one_of.operator()<edit::Remove>();
+    case EditDeed::move: return is_one_of.operator()<edit::Move, edit::Put, edit::Shift>();
+    case EditDeed::turn: return is_one_of.operator()<edit::Turn, edit::Face>();
+    case EditDeed::face: return is_one_of.operator()<edit::Face, edit::Turn>();
+    case EditDeed::swap: return is_one_of.operator()<edit::Swap>();
+    case EditDeed::replace: return is_one_of.operator()<edit::Replace>();
+    case EditDeed::resize: return is_one_of.operator()<edit::Resize, edit::Refit, edit::Reform>();
+    case EditDeed::recolour: return is_one_of.operator()<edit::Recolor, edit::Cover>();
+    case EditDeed::lock:
+    case EditDeed::unlock: {
       const auto* lock = std::get_if<edit::Lock>(&operation);
-      return lock && lock->locked == (deed == Deed::lock);
+      return lock && lock->locked == (deed == EditDeed::lock);
     }
-    case Deed::rearrange: return is_one_of.operator()<edit::Rearrange, edit::Arrange, edit::Move>();
-    case Deed::room: return is_one_of.operator()<edit::Open, edit::Close, edit::Refit, edit::Reshape, edit::Cover>();
-    case Deed::undo: return is_one_of.operator()<edit::Revert>();
+    case EditDeed::rearrange: return is_one_of.operator()<edit::Rearrange, edit::Arrange, edit::Move>();
+    case EditDeed::room: return is_one_of.operator()<edit::Open, edit::Close, edit::Refit, edit::Reshape, edit::Cover>();
+    case EditDeed::undo: return is_one_of.operator()<edit::Revert>();
   }
   return false;
 }
 
-bool are_for(const std::vector<edit::Operation>& operations, std::size_t first, Deed deed) {
+bool are_for(const std::vector<edit::Operation>& operations, std::size_t first, EditDeed deed) {
   return operations.size() > first &&
          std::all_of(operations.begin() + static_cast<std::ptrdiff_t>(first), operations.end(),
                      [&](const edit::Operation& operation) { return is_for(operation, deed); });
@@ -170,7 +170,7 @@ class LearnedReader {
       if (order.parts.empty()) continue;
       const bool is_taken_up = i + 1 < orders.size() && speaks_of_it(orders[i + 1]);
       const ReadDeed said = read_deed(model_, text_, signs_, order, previous_);
-      const bool is_denial = is_denied(text_, order) && said.deed != Deed::lock && said.deed != Deed::remove;
+      const bool is_denial = is_denied(text_, order) && said.deed != EditDeed::lock && said.deed != EditDeed::remove;
       if (is_taken_up && (is_mere_mention(order) || is_denial)) {
         hear({EditRole::idle, order.parts.front().begin, order.parts.back().end});
         continue;
@@ -222,7 +222,7 @@ class LearnedReader {
     clear_words(words);
   }
 
-  std::optional<Error> read(const SpokenOrder& spoken, Deed deed) {
+  std::optional<Error> read(const SpokenOrder& spoken, EditDeed deed) {
     auto said = read_as_said(spoken, deed);
     if (said) return so_far_.emplace(*std::move(said)), std::nullopt;
     auto by_parts = read_by_parts(spoken, deed);
@@ -234,7 +234,7 @@ class LearnedReader {
   OrderWords words(const SpokenOrder& spoken) const { return {text_, so_far_->text, spoken}; }
   ReadSoFar with_words(EditText text) const { return {std::move(text), so_far_->gathered, so_far_->remarks}; }
 
-  Result<ReadSoFar> read_as_said(const SpokenOrder& spoken, Deed deed) const {
+  Result<ReadSoFar> read_as_said(const SpokenOrder& spoken, EditDeed deed) const {
     OrderWords all = words(spoken);
     for (const auto& part : spoken.parts) all.add(part);
     auto read = read_on(with_words(all.taken()));
@@ -245,14 +245,14 @@ class LearnedReader {
     return read;
   }
 
-  Result<ReadSoFar> read_by_parts(const SpokenOrder& spoken, Deed deed) const {
+  Result<ReadSoFar> read_by_parts(const SpokenOrder& spoken, EditDeed deed) const {
     Error failed = not_understood("it is not clear what shall be done");
     for (EditText& said : wordings(spoken, deed)) {
       auto clause = read_parts(said, deed);
       if (is_whole(said, clause) && are_for(clause->operations, 0, deed)) return taken(std::move(said), *clause);
       failed = clause ? what_at(said, clause->end, "not understood") : clause.error();
     }
-    if (deed == Deed::add) return read_addition(spoken, std::move(failed));
+    if (deed == EditDeed::add) return read_addition(spoken, std::move(failed));
     if (auto cover = read_cover(text_, spoken); cover && are_for(cover->operations, 0, deed))
       return taken(without_words(so_far_->text), *cover);
     auto things = words(spoken).add_things().taken();
@@ -267,11 +267,11 @@ class LearnedReader {
     using enum EditRole;
     const std::string looks = looks_apart(text_, spoken);
     std::vector<EditText> all = {words(spoken).add_all({thing, place, target}).taken()};
-    const auto where = spoken.has(target) ? read_place_words(model_, text_, signs_, spoken, Deed::add) : std::nullopt;
+    const auto where = spoken.has(target) ? read_place_words(model_, text_, signs_, spoken, EditDeed::add) : std::nullopt;
     if (where) all.push_back(words(spoken).add_all({thing}).say_all(place_words[*where]).add_all({target}).taken());
     for (EditText& said : all) {
       auto clause = read_add(said, 0);
-      if (!is_whole(said, clause) || !are_for(clause->operations, 0, Deed::add)) continue;
+      if (!is_whole(said, clause) || !are_for(clause->operations, 0, EditDeed::add)) continue;
       for (auto& operation : clause->operations)
         if (auto& add = std::get<edit::Add>(operation); !looks.empty()) add.description += " " + looks;
       return taken(std::move(said), *clause);
@@ -286,22 +286,22 @@ class LearnedReader {
     return next;
   }
 
-  std::vector<EditText> wordings(const SpokenOrder& spoken, Deed deed) const {
+  std::vector<EditText> wordings(const SpokenOrder& spoken, EditDeed deed) const {
     using enum EditRole;
     switch (deed) {
-      case Deed::add: return {words(spoken).add_all({thing, look, amount, place, target}).taken()};
-      case Deed::remove:
-      case Deed::lock:
-      case Deed::unlock: return {words(spoken).add_things().add_all({place, target}).taken()};
-      case Deed::face:
+      case EditDeed::add: return {words(spoken).add_all({thing, look, amount, place, target}).taken()};
+      case EditDeed::remove:
+      case EditDeed::lock:
+      case EditDeed::unlock: return {words(spoken).add_things().add_all({place, target}).taken()};
+      case EditDeed::face:
         return {words(spoken).add_things().say("facing").add_all({target}).taken(),
                 words(spoken).add_things().add_all({place, target, amount}).taken()};
-      case Deed::swap: return {words(spoken).add_things().say("and").add_all({target, look}).taken(),
+      case EditDeed::swap: return {words(spoken).add_things().say("and").add_all({target, look}).taken(),
                                words(spoken).add_things().taken()};
-      case Deed::replace: return {words(spoken).add_things().say("with").add_all({look}).taken()};
-      case Deed::resize:
-      case Deed::recolour: return {words(spoken).add_things().add_all({amount, look, place, target}).taken()};
-      case Deed::move: return wordings_of_move(spoken);
+      case EditDeed::replace: return {words(spoken).add_things().say("with").add_all({look}).taken()};
+      case EditDeed::resize:
+      case EditDeed::recolour: return {words(spoken).add_things().add_all({amount, look, place, target}).taken()};
+      case EditDeed::move: return wordings_of_move(spoken);
       default:
         return {words(spoken).add_things().add_all({amount, place, target, look}).taken(),
                 words(spoken).add_things().add_all({place, target}).add_all({amount}).taken()};
@@ -313,28 +313,28 @@ class LearnedReader {
     std::vector<EditText> all = {words(spoken).add_things().add_all({amount, place, target, look}).taken(),
                                  words(spoken).add_things().add_all({place, target}).add_all({amount}).taken(),
                                  words(spoken).add_things().add_lengths().add_all({place, target}).taken()};
-    const auto place_said = spoken.has(target) ? read_place_words(model_, text_, signs_, spoken, Deed::move) : std::nullopt;
+    const auto place_said = spoken.has(target) ? read_place_words(model_, text_, signs_, spoken, EditDeed::move) : std::nullopt;
     if (place_said)
       all.push_back(words(spoken).add_things().add_lengths().say_all(place_words[*place_said]).add_all({target}).taken());
     return all;
   }
 
-  ReadClause read_parts(const EditText& said, Deed deed) const {
+  ReadClause read_parts(const EditText& said, EditDeed deed) const {
     switch (deed) {
-      case Deed::add: return read_add(said, 0);
-      case Deed::remove: return read_verb(said, "remove", "remove", 0);
-      case Deed::move: return read_put(said, 0, false);
-      case Deed::turn:
-      case Deed::face: return read_turn(said, 0);
-      case Deed::swap: return read_swap(said, 0);
-      case Deed::replace: return read_replace(said, 0);
-      case Deed::resize: return read_verb(said, "make", "make", 0);
-      case Deed::recolour: return read_looks(said, 0);
-      case Deed::lock:
-      case Deed::unlock: return read_lock(said, 0, deed == Deed::lock, false);
-      case Deed::rearrange: return read_verb(said, "rearrange", "rearrange", 0);
-      case Deed::room: return what_at(said, 0, "it is not clear how the room shall change");
-      case Deed::undo: return Clause{{edit::Revert{}}, {}, {}, said.tokens.size()};
+      case EditDeed::add: return read_add(said, 0);
+      case EditDeed::remove: return read_verb(said, "remove", "remove", 0);
+      case EditDeed::move: return read_put(said, 0, false);
+      case EditDeed::turn:
+      case EditDeed::face: return read_turn(said, 0);
+      case EditDeed::swap: return read_swap(said, 0);
+      case EditDeed::replace: return read_replace(said, 0);
+      case EditDeed::resize: return read_verb(said, "make", "make", 0);
+      case EditDeed::recolour: return read_looks(said, 0);
+      case EditDeed::lock:
+      case EditDeed::unlock: return read_lock(said, 0, deed == EditDeed::lock, false);
+      case EditDeed::rearrange: return read_verb(said, "rearrange", "rearrange", 0);
+      case EditDeed::room: return what_at(said, 0, "it is not clear how the room shall change");
+      case EditDeed::undo: return Clause{{edit::Revert{}}, {}, {}, said.tokens.size()};
     }
     return what_at(said, 0, "not understood");
   }

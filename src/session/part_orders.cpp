@@ -92,13 +92,13 @@ ReadClause recoloured(const EditText& text, const SpokenOrder& order, const Ids&
 
 }  // namespace
 
-ReadClause read_order_of(const EditText& text, const SpokenOrder& order, Deed deed, const Ids& things) {
+ReadClause read_order_of(const EditText& text, const SpokenOrder& order, EditDeed deed, const Ids& things) {
   switch (deed) {
-    case Deed::turn: return turned(text, order, things);
-    case Deed::face: return faced(text, order, things);
-    case Deed::resize: return resized(text, order, things);
-    case Deed::replace: return replaced(text, order, things);
-    case Deed::recolour: return recoloured(text, order, things);
+    case EditDeed::turn: return turned(text, order, things);
+    case EditDeed::face: return faced(text, order, things);
+    case EditDeed::resize: return resized(text, order, things);
+    case EditDeed::replace: return replaced(text, order, things);
+    case EditDeed::recolour: return recoloured(text, order, things);
     default: return not_understood("it is not clear what shall be done");
   }
 }

@@ -360,7 +360,7 @@ Features deed_features(const EditText& text, const std::vector<WordSigns>& signs
   return list.taken();
 }
 
-Features place_features(const EditText&, const std::vector<WordSigns>& signs, const SpokenOrder& order, Deed deed) {
+Features place_features(const EditText&, const std::vector<WordSigns>& signs, const SpokenOrder& order, EditDeed deed) {
   const std::string what(deed_names[static_cast<std::size_t>(deed)]);
   const auto places = words_with(signs, order, EditRole::place, "");
   const auto orders = words_with(signs, order, EditRole::order, "");

@@ -36,6 +36,6 @@ Features context_features(const std::vector<WordSigns>& signs, std::size_t at, c
 Features deed_features(const EditText& text, const std::vector<WordSigns>& signs, const SpokenOrder& order,
                        std::string_view previous);
 /// Of where an order says that something shall go.
-Features place_features(const EditText& text, const std::vector<WordSigns>& signs, const SpokenOrder& order, Deed deed);
+Features place_features(const EditText& text, const std::vector<WordSigns>& signs, const SpokenOrder& order, EditDeed deed);
 
 }  // namespace roomgen

@@ -99,7 +99,7 @@ ReadDeed read_deed(const RoleModel& model, const EditText& text, const std::vect
   int second = std::numeric_limits<int>::min();
   for (auto other = first; other != end; ++other)
     if (other != best) second = std::max(second, *other);
-  return {static_cast<Deed>(best - first), *best - second};
+  return {static_cast<EditDeed>(best - first), *best - second};
 }
 
 namespace {
@@ -109,7 +109,7 @@ constexpr int clear_lead = 512;  // twice the weight of what is learned from one
 }  // namespace
 
 std::optional<std::size_t> read_place_words(const RoleModel& model, const EditText& text,
-                                            const std::vector<WordSigns>& signs, const SpokenOrder& order, Deed deed) {
+                                            const std::vector<WordSigns>& signs, const SpokenOrder& order, EditDeed deed) {
   const auto sums = model.sums(place_features(text, signs, order, deed));
   const auto best = std::max_element(sums.begin() + first_place, sums.end());
   for (auto other = sums.begin() + first_place; other != sums.end(); ++other)

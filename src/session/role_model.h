@@ -41,13 +41,13 @@ extern template std::vector<EditRole> best_roles<double>(const EditText&, const 
 
 std::vector<EditRole> read_roles(const RoleModel& model, const EditText& text, const std::vector<WordSigns>& signs);
 struct ReadDeed {
-  Deed deed = Deed::move;
+  EditDeed deed = EditDeed::move;
   int lead = 0;  ///< over the second best
 };
 ReadDeed read_deed(const RoleModel& model, const EditText& text, const std::vector<WordSigns>& signs,
                    const SpokenOrder& order, std::string_view previous);
 /// The number of the place in `place_names` that an order's words of place say, where one is clearly the likeliest.
 std::optional<std::size_t> read_place_words(const RoleModel& model, const EditText& text,
-                                            const std::vector<WordSigns>& signs, const SpokenOrder& order, Deed deed);
+                                            const std::vector<WordSigns>& signs, const SpokenOrder& order, EditDeed deed);
 
 }  // namespace roomgen

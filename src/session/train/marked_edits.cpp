@@ -24,7 +24,7 @@ std::optional<std::size_t> number_of(const Names& names, std::string_view name) 
 
 struct Mark {
   EditRole role = EditRole::idle;
-  std::optional<Deed> deed;
+  std::optional<EditDeed> deed;
   std::size_t end = 0;  ///< bytes
 };
 
@@ -33,7 +33,7 @@ Mark read_mark(const std::string& name) {
   const auto role = number_of(edit_role_names, is_order ? "do" : std::string_view(name));
   const auto deed = is_order ? number_of(deed_names, std::string_view(name).substr(order_prefix.size())) : std::nullopt;
   if (!role || (is_order && !deed)) throw std::runtime_error("no role: " + name);
-  return {static_cast<EditRole>(*role), deed ? std::optional(static_cast<Deed>(*deed)) : std::nullopt};
+  return {static_cast<EditRole>(*role), deed ? std::optional(static_cast<EditDeed>(*deed)) : std::nullopt};
 }
 
 // The marks cover the sentence but for white space between them.
@@ -61,11 +61,11 @@ const Mark& mark_at(const std::vector<Mark>& marks, std::size_t byte) {
 }
 
 // Where no words order, what is meant says what for; where nothing is meant either, the order before.
-std::optional<Deed> deed_meant(const json& line, std::size_t order) {
+std::optional<EditDeed> deed_meant(const json& line, std::size_t order) {
   const auto& meaning = line.at("meaning");
   if (!meaning.is_array() || meaning.size() <= order || !meaning[order].at("op").is_string()) return std::nullopt;
   const auto number = number_of(deed_names, meaning[order].at("op").get<std::string>());
-  return number ? std::optional(static_cast<Deed>(*number)) : std::nullopt;
+  return number ? std::optional(static_cast<EditDeed>(*number)) : std::nullopt;
 }
 
 // Only where each order means one thing is it clear which is whose.
@@ -80,11 +80,11 @@ void read_orders(const json& line, const std::vector<Mark>& marks, MarkedEdit& e
   const auto orders = orders_of(edit.text, stretches_of(edit.roles));
   std::string previous;
   for (std::size_t i = 0; i < orders.size(); ++i) {
-    std::optional<Deed> deed;
+    std::optional<EditDeed> deed;
     for (const auto& part : orders[i].parts)
       if (part.role == EditRole::order && !deed) deed = mark_at(marks, edit.text.raw[part.begin].span.begin).deed;
     if (!deed) deed = deed_meant(line, i);
-    if (!deed && !previous.empty()) deed = static_cast<Deed>(*number_of(deed_names, previous));
+    if (!deed && !previous.empty()) deed = static_cast<EditDeed>(*number_of(deed_names, previous));
     if (!deed) continue;
     edit.orders.push_back({orders[i], *deed, previous, place_meant(line, orders.size(), i)});
     previous = deed_names[static_cast<std::size_t>(*deed)];

@@ -17,7 +17,7 @@ struct MarkedEdit {
   std::vector<EditRole> roles;  ///< of the tokens
   struct Order {
     SpokenOrder order;
-    Deed deed = Deed::move;
+    EditDeed deed = EditDeed::move;
     std::string previous;       ///< the deed before, as deed_features() has it
     std::optional<std::size_t> place;  ///< of place_names
   };
