@@ -159,7 +159,9 @@ class Handler(http.server.BaseHTTPRequestHandler):
         elif any(message["role"] == "system" for message in ask["messages"]):
             self.answer(400, failure("a system message is no message"))
         elif "tools" in ask:
-            assert ask["tool_choice"] == {"type": "tool", "name": ask["tools"][0]["name"]}
+            named = {"type": "tool", "name": ask["tools"][0]["name"]}
+            assert ask["tool_choice"] == ({"type": "auto"} if "thinking" in ask else named)
+            assert "thinking" not in ask or ask["max_tokens"] > ask["thinking"]["budget_tokens"] >= 1024
             block = {"type": "tool_use", "name": "answer", "input": {"size": [4, 3]}}
             self.answer(200, anthropic(block, stop_reason="tool_use"))
         else:

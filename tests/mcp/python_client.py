@@ -168,12 +168,14 @@ async def programs(client, root):
     assert {each["name"] for each in again.structured_content["constraints"]} == set(program["constraints"])
     assert max(picture_of(again)) == 512
     await done(client, "optimise", folder="third", file="reading/program.json", steps=500, picture="none")
-    await done(client, "edit", room="again", change="remove one bookshelf")
+    first = (await done(client, "explain", room="again")).structured_content["objects"][0]["id"]
+    await done(client, "edit", room="again", operations=[{"do": "lock", "objects": [first]}], picture="none")
     await refused(client, "optimise", "holds a room already", folder="again", program=program)
     await refused(client, "optimise", "either program or file", folder="fourth")
     await refused(client, "optimise", "leads out of the root folder", folder="fourth", file="../program.json")
-    program["sets"]["bookshelf"]["factory"] = "bokshelf"
-    await refused(client, "optimise", "/sets/bookshelf/factory", folder="fourth", program=program)
+    name = next(iter(program["sets"]))
+    program["sets"][name]["factory"] = "bokshelf"
+    await refused(client, "optimise", "bokshelf", folder="fourth", program=program)
     await refused(client, "compose", "/seats", folder="fourth", prompt="a study", seats="many")
     assert not (root / "fourth").exists()
 
