@@ -18,9 +18,9 @@ using Which = NamedThing::Which;
 
 class EditReader {
  public:
-  explicit EditReader(ReadSoFar so_far) : read_(std::move(so_far)) {}
+  explicit EditReader(EditText text) : text_(std::move(text)) {}
 
-  Result<ReadSoFar> run() {
+  Result<Understanding> run() {
     for (skip_between(); at_ < text_.tokens.size(); skip_between()) {
       if (take_complaint()) continue;
       auto clause = read_clause();
@@ -30,11 +30,12 @@ class EditReader {
         if (skip_remark()) continue;
         return clause ? what_at(text_, clause->end, "not understood") : clause.error();
       }
-      take(*clause);
+      take(*std::move(clause));
     }
     // What is wrong is put right by what is asked for; where nothing is, by its opposite.
     if (gathered_.operations.empty() && complaint_) gathered_.add(*complaint_);
-    return std::move(read_);
+    if (gathered_.operations.empty()) return not_understood("nothing in it says what to change");
+    return Understanding{gathered_.settled(), std::move(remarks_)};
   }
 
  private:
@@ -80,13 +81,15 @@ class EditReader {
     return named_thing_at(text_, at + length) || !ends_of_subject(text_, at + length).empty() ? length : 0;
   }
 
+  void note_remark(std::size_t begin, std::size_t end) { remarks_.push_back(text_.words_from(begin, end)); }
+
   // "now that we own a dryer" is told, "please" is not.
   std::size_t skip_tail(std::size_t at) {
     const std::size_t end = end_of_tail(text_, at);
     for (std::size_t i = at; i < end;) {
       const auto closer = longest_in(text_.edits.closers, text_.tokens, i);
       if (closer > 0 && longest_in(text_.edits.substitutes, text_.tokens, i) == 0) i += closer;
-      else return read_.note_remark(i, end), end;
+      else return note_remark(i, end), end;
     }
     return end;
   }
@@ -95,10 +98,24 @@ class EditReader {
   bool skip_remark() {
     const std::size_t end = end_of_remark(text_, at_, gathered_.operations.empty());
     if (end == at_) return false;
-    read_.note_remark(at_, end);
-    read_.speak_of(at_, end);
+    note_remark(at_, end);
+    speak_of(at_, end);
     at_ = end;
     return true;
+  }
+
+  // "our toddler bumps his head on the table": it is the table. Of several things it is the one that comes first, if
+  // all is about that; else it may be any.
+  void speak_of(std::size_t begin, std::size_t end) {
+    const std::size_t known = text_.mentioned.size();
+    const auto first = named_thing_at(text_, begin);
+    remember_names(end);
+    Ids named(text_.mentioned.begin() + static_cast<std::ptrdiff_t>(known), text_.mentioned.end());
+    std::sort(named.begin(), named.end());
+    named.erase(std::unique(named.begin(), named.end()), named.end());
+    if (named.empty()) return;
+    const bool is_about_first = first && first->kind.category && first->which == Which::definite;
+    text_.latest = is_about_first ? Ids{text_.mentioned[known]} : named;
   }
 
   // "the sofa is too close to the TV": what is said of it then comes first.
@@ -106,8 +123,8 @@ class EditReader {
     const auto complaint = complaint_at(text_, at_);
     if (!complaint || !*complaint) return false;
     const std::size_t end = end_of_tail(text_, (*complaint)->end);
-    read_.note_remark(at_, end);
-    read_.remember_names(at_, end);
+    note_remark(at_, end);
+    remember_names(end);
     if (!complaint_) complaint_ = **complaint;
     else
       complaint_->operations.insert(complaint_->operations.end(), (*complaint)->operations.begin(),
@@ -248,29 +265,41 @@ class EditReader {
 
   // ---- What was read ---------------------------------------------------------------------------
 
-  void take(const Clause& clause) {
-    const std::size_t begin = at_;
-    at_ = clause.end;
-    read_.take(clause, begin);
+  // All that the clause spoke of by name: "the table" behind it is one of these.
+  void remember_names(std::size_t end) {
+    for (std::size_t i = at_; i < end; ++i) {
+      const auto thing = named_thing_at(text_, i);
+      if (!thing || thing->which != Which::definite || thing->end > end) continue;
+      for (const bool with_places : {true, false}) {
+        const auto ids = things_at(text_, i, with_places);
+        if (!ids || !*ids || (*ids)->value.size() != 1 || (*ids)->end > end) continue;
+        text_.mentioned.push_back((*ids)->value.front());
+        break;
+      }
+    }
   }
 
-  ReadSoFar read_;
-  EditText& text_ = read_.text;
-  GatheredEdits& gathered_ = read_.gathered;
+  void take(Clause clause) {
+    remember_names(clause.end);
+    at_ = clause.end;
+    if (gathered_.fold_looks(clause, text_) || gathered_.fold_place(clause, text_)) return;
+    gathered_.add(clause);
+    if (!clause.gone.empty()) text_.gone = clause.gone;
+    text_.mentioned.insert(text_.mentioned.end(), clause.about.begin(), clause.about.end());
+    if (!clause.about.empty()) text_.latest = clause.about;
+    text_.coming.insert(text_.coming.end(), clause.coming.begin(), clause.coming.end());
+  }
+
+  EditText text_;
   std::size_t at_ = 0;
   std::string last_meaning_, last_verb_;
   std::optional<Clause> complaint_;
+  GatheredEdits gathered_;
+  std::vector<std::string> remarks_;
 };
 
 }  // namespace
 
-Result<ReadSoFar> read_on(ReadSoFar so_far) { return EditReader(std::move(so_far)).run(); }
-
-Result<Understanding> read_clauses(EditText text) {
-  auto all = read_on({std::move(text), {}, {}});
-  if (!all) return all.error();
-  if (all->gathered.operations.empty()) return not_understood("nothing in it says what to change");
-  return Understanding{all->gathered.settled(), std::move(all->remarks)};
-}
+Result<Understanding> read_clauses(EditText text) { return EditReader(std::move(text)).run(); }
 
 }  // namespace roomgen

@@ -5,7 +5,6 @@
 #include "corrections.h"
 #include "edit_reader.h"
 #include "edit_spelling.h"
-#include "learned_reader.h"
 #include "plain_wording.h"
 
 namespace roomgen {
@@ -65,8 +64,8 @@ bool has_measure_below_zero(const std::vector<language::Token>& tokens) {
 
 }  // namespace
 
-Result<EditText> written_edit(std::string_view sentence, const Scene& scene, const KindTable& kinds,
-                              const Recall& recall) {
+Result<Understanding> read_edit(std::string_view sentence, const Scene& scene, const KindTable& kinds,
+                                const Recall& recall) {
   const auto& edits = edit_vocabulary();
   if (!edits) return edits.error();
   const auto& words = design::built_in_vocabulary();
@@ -81,25 +80,10 @@ Result<EditText> written_edit(std::string_view sentence, const Scene& scene, con
     return token.kind == language::Token::Kind::quote || token.kind == language::Token::Kind::symbol;
   });
   auto tokens = design::plain_tokens(raw);
-  return EditText{scene, kinds, *edits, *words, std::move(raw), std::move(tokens), {}, {}, {}, {}, recall, 0};
-}
-
-Result<Understanding> read_by_rules(EditText text) {
+  EditText text{scene, kinds, *edits, *words, std::move(raw), std::move(tokens), {}, {}, {}, {}, recall, 0};
   word_plainly(text);
   correct_spelling(text);
   return read_text(text);
-}
-
-Result<Understanding> read_edit(std::string_view sentence, const Scene& scene, const KindTable& kinds,
-                                const Recall& recall) {
-  const auto written = written_edit(sentence, scene, kinds, recall);
-  if (!written) return written.error();
-  auto by_rules = read_by_rules(*written);
-  if (by_rules || by_rules.error().kind != Error::Kind::not_understood) return by_rules;
-  EditText spelled = *written;
-  correct_spelling(spelled);
-  auto by_roles = read_by_roles(spelled);
-  return by_roles ? by_roles : by_rules;
 }
 
 }  // namespace roomgen

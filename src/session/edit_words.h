@@ -13,11 +13,4 @@ namespace roomgen {
 Result<Understanding> read_edit(std::string_view sentence, const Scene& scene, const KindTable& kinds,
                                 const Recall& recall);
 
-/// The same by the rules alone.
-Result<Understanding> read_by_rules(EditText text);
-
-/// The words of a sentence, before anything is read.
-Result<EditText> written_edit(std::string_view sentence, const Scene& scene, const KindTable& kinds,
-                              const Recall& recall);
-
 }  // namespace roomgen
