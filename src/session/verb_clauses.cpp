@@ -27,10 +27,11 @@ ReadClause read_remove(const EditText& text, std::size_t at) {
   const auto what = things(text, at, true);
   if (!what) return what.error();
   const auto thing = named_thing_at(text, at);
+  const std::size_t count = what->value.size(), all = text.scene.objects.size();
   // "all but one of the plants", where "all" alone was read
-  const bool is_all_of_room = thing && thing->which == Which::everything && what->end == thing->end &&
-                              2 * what->value.size() > text.scene.objects.size();
-  if (is_all_of_room) return not_understood("that would empty the room; name what shall go");
+  const bool is_most_of_room = thing && what->end == thing->end && 2 * count > all;
+  if (thing && thing->which == Which::everything && (count == all || is_most_of_room))
+    return not_understood("that would empty the room; name what shall go");
   return Clause{{edit::Remove{what->value, false}}, {}, {}, what->end, what->value};
 }
 
