@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "catch.h"
+#include "json_of.h"
 #include "roomgen/base/file.h"
 #include "roomgen/base/text.h"
 #include "roomgen/render/pictures.h"
@@ -53,8 +54,6 @@ FrameFigures drawn(const std::filesystem::path& folder, int threads = 1, const T
   if (!figures) FAIL(figures.error().message);
   return *figures;
 }
-
-Json json_of(const std::filesystem::path& path) { return *parse_json(*read_file(path), path.string()); }
 
 }  // namespace
 

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "catch.h"
+#include "json_of.h"
 #include "drawing.h"
 #include "roomgen/assets/catalogue.h"
 #include "roomgen/base/file.h"
@@ -19,14 +20,6 @@
 using namespace roomgen;
 
 namespace {
-
-Json json_of(const std::filesystem::path& path) {
-  const auto text = read_file(path);
-  REQUIRE(text);
-  auto json = parse_json(*text, path.string());
-  REQUIRE(json);
-  return *json;
-}
 
 Eigen::Matrix4d matrix_of(const Json& rows) {
   Eigen::Matrix4d m;
