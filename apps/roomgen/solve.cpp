@@ -98,7 +98,7 @@ void add_solve_command(CLI::App& app, Context& context) {
       ->check(CLI::Range(std::uint64_t{0}, max_seed))
       ->capture_default_str();
   sub->add_option("--rounds", command->options.rounds, "Rounds of improvement at most")
-      ->check(CLI::Range(0, 100000))
+      ->check(CLI::Range(0, 1000000))
       ->capture_default_str();
   sub->add_option("--pitch", command->options.place.pitch, "Grid pitch in metres")
       ->capture_default_str();
