@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "descriptor.h"
 #include "roomgen/base/result.h"
@@ -18,8 +19,13 @@ namespace roomgen::detail {
 class ChildProcess {
  public:
   static Result<ChildProcess> start(const std::filesystem::path& program);
-  ChildProcess(ChildProcess&& other) noexcept;
-  ChildProcess& operator=(ChildProcess&& other) noexcept;
+  ChildProcess(ChildProcess&& other) noexcept
+      : id_(std::exchange(other.id_, 0)), channel_(std::move(other.channel_)) {}
+  ChildProcess& operator=(ChildProcess&& other) noexcept {
+    std::swap(id_, other.id_);
+    std::swap(channel_, other.channel_);
+    return *this;
+  }
   ~ChildProcess();
 
   /// How many bytes were taken within `patience`; none if the program reads no more.

@@ -91,15 +91,6 @@ Result<ChildProcess> ChildProcess::start(const std::filesystem::path& program) {
   return ChildProcess(id, std::move(ours));
 }
 
-ChildProcess::ChildProcess(ChildProcess&& other) noexcept
-    : id_(std::exchange(other.id_, 0)), channel_(std::move(other.channel_)) {}
-
-ChildProcess& ChildProcess::operator=(ChildProcess&& other) noexcept {
-  std::swap(id_, other.id_);
-  std::swap(channel_, other.channel_);
-  return *this;
-}
-
 ChildProcess::~ChildProcess() { (void)end(); }
 
 std::optional<std::size_t> ChildProcess::send(std::string_view bytes,

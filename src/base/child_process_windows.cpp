@@ -8,15 +8,6 @@ Result<ChildProcess> ChildProcess::start(const std::filesystem::path& program) {
   return Error{Error::Kind::unavailable, program.string() + " cannot be run on this system"};
 }
 
-ChildProcess::ChildProcess(ChildProcess&& other) noexcept
-    : id_(std::exchange(other.id_, 0)), channel_(std::move(other.channel_)) {}
-
-ChildProcess& ChildProcess::operator=(ChildProcess&& other) noexcept {
-  std::swap(id_, other.id_);
-  std::swap(channel_, other.channel_);
-  return *this;
-}
-
 ChildProcess::~ChildProcess() = default;
 
 std::optional<std::size_t> ChildProcess::send(std::string_view, std::chrono::milliseconds) const {

@@ -1,5 +1,6 @@
 #include <nlohmann/json.hpp>
 
+#include "base/json_lines.h"
 #include "base/json_reader.h"
 #include "roomgen/base/file.h"
 #include "roomgen/questions/questions.h"
@@ -56,20 +57,14 @@ Json to_json(const SpatialQuestion& question) {
 }
 
 Result<std::vector<SpatialQuestion>> read_questions(const std::filesystem::path& path) {
-  const auto text = read_file(path, most_question_bytes);
-  if (!text) return text.error();
   std::vector<SpatialQuestion> questions;
-  std::size_t line = 0;
-  for (std::size_t begin = 0; begin < text->size(); ++line) {
-    const std::size_t end = std::min(text->find('\n', begin), text->size());
-    const std::string source = path.string() + ": line " + std::to_string(line + 1);
-    const auto json = parse_json(std::string_view(*text).substr(begin, end - begin), source);
-    if (!json) return json.error();
+  const auto take = [&](const Json& json, const std::string& source) -> Status {
     JsonReader::Problems problems{source};
-    questions.push_back(question_from(JsonReader(*json, problems)));
+    questions.push_back(question_from(JsonReader(json, problems)));
     if (auto error = problems.first()) return *error;
-    begin = end + 1;
-  }
+    return {};
+  };
+  if (auto status = read_json_lines(path, most_question_bytes, take); !status) return status.error();
   return questions;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "base/json_lines.h"
 #include "base/json_reader.h"
 #include "pose_json.h"
 #include "roomgen/base/file.h"
@@ -130,20 +131,14 @@ Json to_json(const FrameRecord& record, const Scene& scene, const Camera& camera
 }
 
 Result<std::vector<FrameRecord>> read_frames(const std::filesystem::path& path) {
-  const auto text = read_file(path, most_frame_bytes);
-  if (!text) return text.error();
   std::vector<FrameRecord> records;
-  std::size_t line = 0;
-  for (std::size_t begin = 0; begin < text->size(); ++line) {
-    const std::size_t end = std::min(text->find('\n', begin), text->size());
-    const std::string source = path.string() + ": line " + std::to_string(line + 1);
-    const auto json = parse_json(std::string_view(*text).substr(begin, end - begin), source);
-    if (!json) return json.error();
-    auto record = record_from(*json, source);
+  const auto take = [&](const Json& json, const std::string& source) -> Status {
+    auto record = record_from(json, source);
     if (!record) return record.error();
-    records.push_back(std::move(*record));
-    begin = end + 1;
-  }
+    records.push_back(*std::move(record));
+    return {};
+  };
+  if (auto status = read_json_lines(path, most_frame_bytes, take); !status) return status.error();
   return records;
 }
 
