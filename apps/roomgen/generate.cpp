@@ -297,7 +297,7 @@ void add_generate_command(CLI::App& app, Context& context) {
   sub->add_option("--rrf-c", command->rrf_c, "The fusion's constant")->capture_default_str();
   sub->add_option("--pitch", command->pitch, "Grid pitch in metres")->capture_default_str();
   sub->add_option("--seconds", command->seconds,
-                  "Most time for all, after which the room so far is written (default: 60 a room, 900 with a model)")
+                  "Most time once there is a plan, after which the room so far is written (default: 60 a room, 900 with a model)")
       ->check(CLI::PositiveNumber);
   const std::map<std::string, LayoutSearch> layouts{
       {"steps", LayoutSearch::steps}, {"both", LayoutSearch::both}, {"optimise", LayoutSearch::optimise}};

@@ -40,8 +40,10 @@ bool all_was_written() {
 void print_confinement() {
 #ifdef ROOMGEN_HAS_ASSETS
   const auto report = roomgen::assets::decoder_report({});
-  if (!report) std::printf("meshes cannot be read: %s\n", roomgen::printable(report.error().message).c_str());
-  if (!report) return;
+  if (!report) {
+    std::printf("meshes cannot be read: %s\n", roomgen::printable(report.error().message).c_str());
+    return;
+  }
   std::puts("the process that reads meshes:");
   for (const auto& line : *report) std::printf("  %s\n", line.c_str());
 #endif

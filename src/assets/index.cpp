@@ -103,20 +103,17 @@ class Indexer {
 
   void read(const SourceAsset& asset, decode::Decoder& decoder, IndexedMesh& result) {
     const auto bytes = source_.tree.read(asset.mesh);
-    const std::string sha256 = bytes ? sha256_hex(*bytes) : std::string();
-    auto row = !bytes ? Result<IndexedAsset>(bytes.error()) : known_as_too_much(sha256);
-    if (bytes && !too_much_.contains(sha256)) row = index_asset(source_, asset, sha256, decoder, log_);
+    if (!bytes) return leave_out(asset, "", bytes.error(), result);
+    const std::string sha256 = sha256_hex(*bytes);
+    if (const auto known = too_much_.find(sha256); known != too_much_.end())
+      return leave_out(asset, sha256, {Error::Kind::limit, known->second}, result);
+    auto row = index_asset(source_, asset, sha256, decoder, log_);
     if (row)
       result.asset = *std::move(row);
     else if (row.error().kind == Error::Kind::unavailable)
       stop(row.error());
     else
       leave_out(asset, sha256, row.error(), result);
-  }
-
-  Error known_as_too_much(const std::string& sha256) const {
-    const auto known = too_much_.find(sha256);
-    return {Error::Kind::limit, known == too_much_.end() ? std::string() : known->second};
   }
 
   void leave_out(const SourceAsset& asset, const std::string& sha256, const Error& error,

@@ -7,6 +7,7 @@
 
 #include "image_decode.h"
 #include "roomgen/base/text.h"
+#include "unit.h"
 
 namespace roomgen::decode {
 
@@ -20,10 +21,6 @@ float get(const aiMaterial& source, const char* key, unsigned type, unsigned ind
   float value = fallback;
   return source.Get(key, type, index, value) == aiReturn_SUCCESS && std::isfinite(value) ? value
                                                                                          : fallback;
-}
-
-float unit(float value) {
-  return std::isfinite(value) ? std::clamp(value, 0.0f, 1.0f) : 0.5f;
 }
 
 // Wavefront shininess to microfacet roughness (Walter et al. 2007, section 5.2: Ns = 2 / a^2 - 2,

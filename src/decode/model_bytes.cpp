@@ -1,11 +1,11 @@
 #include "model_bytes.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 #include "bytes.h"
 #include "import_limits.h"
+#include "unit.h"
 
 namespace roomgen::decode {
 
@@ -70,10 +70,6 @@ Textures take_textures(ByteReader& reader, int max_side) {
   for (std::uint32_t i = 0; i < count && reader.whole(); ++i)
     textures.push_back(take_texture(reader, max_side));
   return textures;
-}
-
-float unit(float value) {
-  return std::isfinite(value) ? std::clamp(value, 0.0f, 1.0f) : 0.5f;
 }
 
 Material take_material(ByteReader& reader, const Textures& textures) {

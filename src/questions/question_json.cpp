@@ -2,7 +2,6 @@
 
 #include "base/json_lines.h"
 #include "base/json_reader.h"
-#include "roomgen/base/file.h"
 #include "roomgen/questions/questions.h"
 
 namespace roomgen {

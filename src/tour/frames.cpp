@@ -7,7 +7,6 @@
 #include "base/json_lines.h"
 #include "base/json_reader.h"
 #include "pose_json.h"
-#include "roomgen/base/file.h"
 #include "roomgen/base/text.h"
 #include "view/camera_json.h"
 
