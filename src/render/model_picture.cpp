@@ -72,8 +72,9 @@ Result<std::vector<Image>> draw_views(const Model& model, int pixels) {
     const Sun sun = make_sun(sun_direction(camera, View::Kind::isometric), lit);
     shadows.update(*painter, items, sun, ShadowMap::whole());
     Image image(camera.width, camera.height);
-    picture->draw(*painter, items, camera, {&sun, shadows.texture(), model_shadow_width / sun.extent},
-                  {0, 0, camera.width, camera.height}, false, image);
+    auto status = picture->draw(*painter, items, camera, {&sun, shadows.texture(), model_shadow_width / sun.extent},
+                                {0, 0, camera.width, camera.height}, false, image);
+    if (!status) return status.error();
     images.push_back(std::move(image));
   }
   return images;

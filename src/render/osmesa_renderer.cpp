@@ -105,9 +105,9 @@ class OsmesaRenderer : public Renderer {
     if (!camera) return camera.error();
     if (auto status = context_->make_current(); !status) return status.error();
 
-    Image image = picture_of(scene, models, view, *camera);
-    if (view.kind == View::Kind::top)
-      if (auto drawn = draw_over(image, scene, view, *camera); !drawn) return drawn.error();
+    auto image = picture_of(scene, models, view, *camera);
+    if (image && view.kind == View::Kind::top)
+      if (auto drawn = draw_over(*image, scene, view, *camera); !drawn) return drawn.error();
     return image;
   }
 
@@ -123,7 +123,11 @@ class OsmesaRenderer : public Renderer {
     layers.things = std::move(*things);
     View view;
     view.kind = shot.kind;
-    if (shot.color) layers.color = picture_of(scene, models, view, shot.camera);
+    if (shot.color) {
+      auto color = picture_of(scene, models, view, shot.camera);
+      if (!color) return color.error();
+      layers.color = std::move(*color);
+    }
     const auto items = numbered_items(scene, models, view, shot.camera, layers.things);
     layer_pass_.draw(items, layers);
     count_pixels(layers);
@@ -174,10 +178,13 @@ class OsmesaRenderer : public Renderer {
     return frames_.front();
   }
 
-  Image picture_of(const Scene& scene, const ModelTable& models, const View& view, const Camera& camera) {
+  Result<Image> picture_of(const Scene& scene, const ModelTable& models, const View& view, const Camera& camera) {
     const std::string shell = shell_key(rooms_of(scene), view, camera);
     Frame& frame = frame_for(frame_key(shell, camera), camera);
-    update(frame, scene, models, view, camera, shell);
+    if (auto status = update(frame, scene, models, view, camera, shell); !status) {
+      frames_.pop_front();  // half drawn
+      return status.error();
+    }
     return frame.image;
   }
 
@@ -205,8 +212,8 @@ class OsmesaRenderer : public Renderer {
   }
 
   // Brings the frame to what the scene shows now, drawing no more than what changed.
-  void update(Frame& frame, const Scene& scene, const ModelTable& models, const View& view,
-              const Camera& camera, const std::string& shell) {
+  Status update(Frame& frame, const Scene& scene, const ModelTable& models, const View& view,
+                const Camera& camera, const std::string& shell) {
     DrawList items = draw_list(scene, models, view, camera, shell);
     const bool fresh = frame.items.empty();
     PixelRect damage = fresh ? PixelRect{0, 0, camera.width, camera.height} : PixelRect{};
@@ -219,13 +226,14 @@ class OsmesaRenderer : public Renderer {
       update_shadows(is_marked(view) ? none : items, frame.sun);
       // A picture that was partly drawn after another one has strange depths around that part.
       if (!continued) depth_owner_ = fresh ? frame.key : std::string();
-      picture_.draw(painter_, items, camera,
-                    {&frame.sun, shadows_.texture(), shadow_width / frame.sun.extent,
-                     camera.eye ? room_lights(scene) : std::vector<RoomLight>{}},
-                    damage, continued, frame.image);
+      const SceneLight light{&frame.sun, shadows_.texture(), shadow_width / frame.sun.extent,
+                             camera.eye ? room_lights(scene) : std::vector<RoomLight>{}};
+      auto status = picture_.draw(painter_, items, camera, light, damage, continued, frame.image);
+      if (!status) return status;
     }
     frame.items = std::move(items);
     cache_.drop_unused();
+    return {};
   }
 
   // The shadows of a room are the same for every camera in it.

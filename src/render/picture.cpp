@@ -34,6 +34,9 @@ Eigen::Matrix4d clip_from_pixel(const Camera& camera, const PixelRect& area) {
   return m;
 }
 
+// Units of the maps that are lit.
+constexpr GLint paint_unit = 0, facing_unit = 1, depth_unit = 2, glass_unit = 3, occlusion_unit = 4;
+
 // What a picture of nothing looks like: paper_background, and before the window a bright sky_background.
 constexpr float paper_background[3] = {0.955f, 0.948f, 0.935f}, sky_background[3] = {0.94f, 0.97f, 0.995f};
 
@@ -53,17 +56,20 @@ PixelRect covered_pixels(const Camera& camera, const Bounds3& box) {
           down(extent.high.y()) + 2};
 }
 
+Picture::Picture(const Gl& gl)
+    : gl_(&gl),
+      light_programs_(gl, "", shaders::screen_vertex, shaders::light_fragment,
+                      {{"paint_map", paint_unit},
+                       {"facing_map", facing_unit},
+                       {"depth_map", depth_unit},
+                       {"glass_map", glass_unit},
+                       {"occlusion_map", occlusion_unit}}) {}
+
 Result<Picture> Picture::create(const Gl& gl) {
   Picture picture(gl);
   auto occlusion = GlProgram::build(gl, shaders::screen_vertex, shaders::occlusion_fragment);
   if (!occlusion) return occlusion.error();
-  auto resolve = GlProgram::build(gl, shaders::screen_vertex, shaders::resolve_fragment);
-  if (!resolve) return resolve.error();
   picture.occlusion_program_ = std::move(*occlusion);
-  picture.resolve_program_ = std::move(*resolve);
-  picture.resolve_program_.use();
-  gl.Uniform1i(picture.resolve_program_.location("color_map"), 0);
-  gl.Uniform1i(picture.resolve_program_.location("occlusion_map"), 1);
   picture.screen_ = make_vertex_array(gl);
   return picture;
 }
@@ -76,26 +82,34 @@ void Picture::reserve(int width, int height) {
   if (width <= width_ && height <= height_) return;
   width_ = std::max(width, width_);
   height_ = std::max(height, height_);
-  color_ = make_target_texture(*gl_, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 2 * width_, 2 * height_);
+  paint_ = make_target_texture(*gl_, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 2 * width_, 2 * height_);
+  facing_ = make_target_texture(*gl_, GL_RGB10_A2, GL_RGBA, GL_UNSIGNED_INT_2_10_10_10_REV, 2 * width_, 2 * height_);
+  glass_ = make_target_texture(*gl_, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 2 * width_, 2 * height_);
   depth_ = make_target_texture(*gl_, GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT,
                                2 * width_, 2 * height_);
   occlusion_ = make_target_texture(*gl_, GL_RG32F, GL_RG, GL_FLOAT, width_, height_);
   result_ = make_target_texture(*gl_, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, width_, height_);
-  const auto attach = [&](GlName& framebuffer, const GlName& texture) {
+  const auto attach = [&](GLenum point, const GlName& texture) {
+    gl_->FramebufferTexture2D(GL_FRAMEBUFFER, point, GL_TEXTURE_2D, texture.get(), 0);
+  };
+  const auto begin = [&](GlName& framebuffer, const GlName& texture) {
     framebuffer = make_framebuffer(*gl_);
     gl_->BindFramebuffer(GL_FRAMEBUFFER, framebuffer.get());
-    gl_->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture.get(),
-                              0);
+    attach(GL_COLOR_ATTACHMENT0, texture);
   };
-  attach(surface_buffer_, color_);
-  gl_->FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth_.get(), 0);
-  attach(occlusion_buffer_, occlusion_);
-  attach(result_buffer_, result_);
+  begin(surface_buffer_, paint_);
+  attach(GL_COLOR_ATTACHMENT1, facing_);
+  attach(GL_DEPTH_ATTACHMENT, depth_);
+  constexpr GLenum buffers[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
+  gl_->DrawBuffers(2, buffers);
+  begin(glass_buffer_, glass_);
+  attach(GL_DEPTH_ATTACHMENT, depth_);
+  begin(occlusion_buffer_, occlusion_);
+  begin(result_buffer_, result_);
 }
 
-void Picture::draw(const ScenePainter& painter, const DrawList& items, const Camera& camera,
-                   const ScenePainter::Light& light, const PixelRect& part, bool continued,
-                   Image& image) {
+Status Picture::draw(ScenePainter& painter, const DrawList& items, const Camera& camera,
+                   const SceneLight& light, const PixelRect& part, bool continued, Image& image) {
   const int margin = reach(camera);
   // Ambient occlusion looks at depths around; those of a picture in one piece are still there.
   const bool one_tile = std::max(camera.width, camera.height) <= tile_side;
@@ -109,10 +123,12 @@ void Picture::draw(const ScenePainter& painter, const DrawList& items, const Cam
       tile.area = square.grown(margin).clipped(whole(camera));
       tile.painted = tile.wanted.grown(redrawn_margin).clipped(tile.area);
       reserve(tile.area.width(), tile.area.height());
-      paint(painter, items, camera, light, tile);
+      const Sight sight(camera, light, clip_from_pixel(camera, tile.area));
+      if (auto status = paint(painter, items, sight, tile); !status) return status;
       add_occlusion(camera, tile);
-      resolve(tile, image);
+      if (auto status = this->light(sight, tile, image); !status) return status;
     }
+  return {};
 }
 
 void Picture::set_scissor(const PixelRect& part, const PixelRect& area, int scale) const {
@@ -121,19 +137,24 @@ void Picture::set_scissor(const PixelRect& part, const PixelRect& area, int scal
                scale * part.height());
 }
 
-void Picture::paint(const ScenePainter& painter, const DrawList& items, const Camera& camera,
-                    const ScenePainter::Light& light, const Tile& tile) {
+Status Picture::paint(ScenePainter& painter, const DrawList& items, const Sight& sight, const Tile& tile) {
+  const Camera& camera = *sight.camera;
+  const auto visible = [&](const DrawItem& item) { return covered_pixels(camera, item.box).meets(tile.painted); };
+  constexpr float nothing[] = {0.0f, 0.0f, 0.0f, 0.0f}, farthest[] = {1.0f};
   gl_->BindFramebuffer(GL_FRAMEBUFFER, surface_buffer_.get());
   gl_->Viewport(-2 * tile.area.x0, -2 * tile.area.y0, 2 * camera.width, 2 * camera.height);
   set_scissor(tile.painted, tile.area, 2);
   gl_->Enable(GL_DEPTH_TEST);
-  const auto& background = camera.eye ? sky_background : paper_background;
-  gl_->ClearColor(background[0], background[1], background[2], 1.0f);
-  gl_->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  painter.paint_surfaces(
-      items, camera, light, clip_from_pixel(camera, tile.area),
-      [&](const DrawItem& item) { return covered_pixels(camera, item.box).meets(tile.painted); });
+  gl_->DepthFunc(GL_LESS);
+  gl_->ClearBufferfv(GL_COLOR, 0, nothing);
+  gl_->ClearBufferfv(GL_COLOR, 1, nothing);
+  gl_->ClearBufferfv(GL_DEPTH, 0, farthest);
+  painter.paint_surfaces(items, sight, visible);
+  gl_->BindFramebuffer(GL_FRAMEBUFFER, glass_buffer_.get());
+  gl_->ClearBufferfv(GL_COLOR, 0, nothing);
+  auto status = painter.paint_glass(items, sight, visible);
   gl_->Disable(GL_DEPTH_TEST);
+  return status;
 }
 
 void Picture::add_occlusion(const Camera& camera, const Tile& tile) {
@@ -175,22 +196,33 @@ void Picture::set_depths(const GlProgram& program, const Camera& camera, const T
   set2("radius", occlusion_radius, largest_radius);
 }
 
-void Picture::resolve(const Tile& tile, Image& image) {
+void Picture::bind(GLint unit, const GlName& texture) const {
+  gl_->ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+  gl_->BindTexture(GL_TEXTURE_2D, texture.get());
+}
+
+Status Picture::light(const Sight& sight, const Tile& tile, Image& image) {
   gl_->BindFramebuffer(GL_FRAMEBUFFER, result_buffer_.get());
   gl_->Viewport(0, 0, tile.area.width(), tile.area.height());
   set_scissor(tile.wanted, tile.area, 1);
-  resolve_program_.use();
-  gl_->Uniform2i(resolve_program_.location("limit"), tile.area.width(), tile.area.height());
-  gl_->ActiveTexture(GL_TEXTURE1);
-  gl_->BindTexture(GL_TEXTURE_2D, occlusion_.get());
-  gl_->ActiveTexture(GL_TEXTURE0);
-  gl_->BindTexture(GL_TEXTURE_2D, color_.get());
+  const auto program = light_programs_.of(sight);
+  if (!program) return program.error();
+  (*program)->use(sight);
+  const auto& background = sight.camera->eye ? sky_background : paper_background;
+  gl_->Uniform3f((*program)->location("background"), background[0], background[1], background[2]);
+  gl_->Uniform2i((*program)->location("limit"), tile.area.width(), tile.area.height());
+  bind(occlusion_unit, occlusion_);
+  bind(glass_unit, glass_);
+  bind(depth_unit, depth_);
+  bind(facing_unit, facing_);
+  bind(paint_unit, paint_);
   gl_->BindVertexArray(screen_.get());
   gl_->DrawArrays(GL_TRIANGLES, 0, 3);
   gl_->PixelStorei(GL_PACK_ROW_LENGTH, image.width);
   gl_->ReadPixels(tile.wanted.x0 - tile.area.x0, tile.wanted.y0 - tile.area.y0, tile.wanted.width(),
                   tile.wanted.height(), GL_RGBA, GL_UNSIGNED_BYTE,
                   image.at(tile.wanted.x0, tile.wanted.y0));
+  return {};
 }
 
 }  // namespace roomgen::detail

@@ -4,16 +4,16 @@
 
 namespace roomgen::detail {
 
-/// Turns what the painter draws into pixels: draws at twice the size, adds ambient occlusion and
-/// brings it down. Large pictures are made tile by tile, so memory does not grow with them.
+/// Turns what the painter draws into pixels: draws surfaces at twice the size, finds ambient occlusion, and lights them
+/// while it brings them down. Large pictures are made tile by tile, so memory does not grow with them.
 class Picture {
  public:
   static Result<Picture> create(const Gl& gl);
 
   /// Replaces the pixels of `part` of the image, which has the camera's size. `continued` says that
   /// the last call drew this picture too and that depths outside `part` are as they were.
-  void draw(const ScenePainter& painter, const DrawList& items, const Camera& camera,
-            const ScenePainter::Light& light, const PixelRect& part, bool continued, Image& image);
+  Status draw(ScenePainter& painter, const DrawList& items, const Camera& camera,
+            const SceneLight& light, const PixelRect& part, bool continued, Image& image);
 
   /// How far an object changes pixels around it.
   static int reach(const Camera& camera);
@@ -24,20 +24,22 @@ class Picture {
     PixelRect wanted;   ///< what is read
     PixelRect painted;  ///< what must be drawn for that
   };
-  explicit Picture(const Gl& gl) : gl_(&gl) {}
+  explicit Picture(const Gl& gl);
   void reserve(int width, int height);
-  void paint(const ScenePainter& painter, const DrawList& items, const Camera& camera,
-             const ScenePainter::Light& light, const Tile& tile);
+  Status paint(ScenePainter& painter, const DrawList& items, const Sight& sight, const Tile& tile);
   void add_occlusion(const Camera& camera, const Tile& tile);
   void set_depths(const GlProgram& program, const Camera& camera, const Tile& tile) const;
-  void resolve(const Tile& tile, Image& image);
+  Status light(const Sight& sight, const Tile& tile, Image& image);
+  void bind(GLint unit, const GlName& texture) const;
   void set_scissor(const PixelRect& part, const PixelRect& area, int scale) const;
 
   const Gl* gl_;
-  GlProgram occlusion_program_, resolve_program_;
+  GlProgram occlusion_program_;
+  LitPrograms light_programs_;
   GlName screen_;  ///< a vertex array without attributes
   int width_ = 0, height_ = 0;
-  GlName color_, depth_, surface_buffer_;
+  GlName paint_, facing_, depth_, surface_buffer_;  ///< at twice the size
+  GlName glass_, glass_buffer_;
   GlName occlusion_, occlusion_buffer_;
   GlName result_, result_buffer_;
 };
