@@ -21,7 +21,10 @@ std::size_t lamps_of(const Sight& sight) { return std::min(sight.light->lamps.si
 
 std::string defines_of(const Sight& sight) {
   if (!sight.camera->eye) return "";
-  return "#define INDOORS\n#define LIGHTS " + std::to_string(lamps_of(sight)) + "\n";
+  const auto& lamps = sight.light->lamps;
+  const auto windows = std::count_if(lamps.begin(), lamps.end(), [](const RoomLight& lamp) { return lamp.is_window; });
+  return "#define INDOORS\n#define LIGHTS " + std::to_string(lamps_of(sight)) + "\n#define WINDOWS " +
+         std::to_string(windows) + "\n";
 }
 
 }  // namespace

@@ -139,7 +139,7 @@ class OsmesaRenderer : public Renderer {
   }
 
   Result<Visibility> visibility(const Scene& scene, const ModelTable& models, const Camera& camera,
-                                std::size_t object) override {
+                                std::size_t object, std::size_t least_alone) override {
     if (auto sound = check_camera(camera); !sound) return sound.error();
     const auto things = layer_things(scene);
     if (!things) return things.error();
@@ -151,8 +151,8 @@ class OsmesaRenderer : public Renderer {
                                    [&](const NumberedItem& one) { return one.number == object + 1; });
     Visibility seen;
     if (item != items.end()) {
-      seen.pixels = layer_pass_.count(*item, items, camera);
       seen.pixels_alone = layer_pass_.count_alone(*item, camera);
+      if (seen.pixels_alone >= least_alone) seen.pixels = layer_pass_.count(*item, items, camera);
     }
     cache_.drop_unused();
     return seen;

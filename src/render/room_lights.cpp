@@ -29,7 +29,7 @@ std::vector<RoomLight> windows(const Room& room) {
     RoomLight light;
     light.place << middle, 0.5 * (opening->sill + opening->head);
     light.axis << in, 0.0;
-    light.cosine = 2.0;
+    light.is_window = true;
     light.color = static_cast<float>(window_light * area(*opening)) * Eigen::Vector3f(0.92f, 0.97f, 1.0f);
     lights.push_back(light);
   }

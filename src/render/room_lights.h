@@ -11,7 +11,8 @@ struct RoomLight {
   Vec3 place = Vec3::Zero();
   Eigen::Vector3f color = Eigen::Vector3f::Zero();  ///< of what faces it 1 m away
   Vec3 axis = -Vec3::UnitZ();
-  double cosine = -2.0;  ///< of the half angle of its cone about the axis; above 1: shines as a plane does
+  bool is_window = false;  ///< shines as a plane does
+  double cosine = -2.0;    ///< of a lamp: of the half angle of its cone about the axis
 };
 
 /// What the shader takes at most.

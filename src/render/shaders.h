@@ -52,7 +52,8 @@ void main() {
 )";
 
 /// Before fragments that are lit: a sun with soft shadows, light from all sides, a hint of gloss. INDOORS has an eye in
-/// the room, and the light of LIGHTS lamps and windows.
+/// the room, and the light of LIGHTS windows and lamps, the first WINDOWS of
+/// which are windows.
 inline constexpr std::string_view lighting = R"(
 uniform mat4 sun_from_pixel;
 uniform mat4 room_from_pixel;
@@ -63,7 +64,7 @@ uniform vec3 eye;
 #if LIGHTS > 0
 uniform vec3 light_places[LIGHTS];
 uniform vec3 light_colors[LIGHTS];  // times the light that falls on what faces it at 1 m
-uniform vec4 light_axes[LIGHTS];    // w: cosine of the cone's half angle; above 1: as a plane shines
+uniform vec4 light_axes[LIGHTS];    // w: cosine of the cone's half angle
 #endif
 #else
 uniform vec3 to_viewer;
@@ -84,25 +85,39 @@ float sunlight(vec3 sample_place, float facing) {
 #ifdef INDOORS
 const vec3 darkest = vec3(0.46, 0.45, 0.43), brightest = vec3(0.70, 0.70, 0.69);
 
+#if LIGHTS > 0
+// As a plane shines.
+vec3 light_of_window(int i, vec3 room, vec3 n) {
+  vec3 way = light_places[i] - room;
+  float squared = dot(way, way);
+  float facing = max(dot(n, way), 0.0) * max(-dot(way, light_axes[i].xyz), 0.0);
+  return light_colors[i] * (facing / (squared * (squared + 0.05)));
+}
+
+// smoothstep() without divisions.
+float smooth_between(float x) {
+  float t = clamp(x, 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
+}
+
+vec3 light_of_lamp(int i, vec3 room, vec3 n) {
+  vec3 way = light_places[i] - room;
+  float squared = dot(way, way);
+  way *= inversesqrt(squared);
+  float down = -dot(way, light_axes[i].xyz);
+  float facing = max(dot(n, way), 0.0) * smooth_between((down - light_axes[i].w + 0.15) * 3.333333);
+  // Shades let the light through: what is around the bulb glows, whichever way it faces.
+  facing = max(facing, 0.16 * smooth_between(1.4 - 20.0 * squared));
+  return light_colors[i] * (facing / (squared + 0.05));
+}
+#endif
+
 // Lamps and windows cast no shadows of their own: what they leave in the dark, occlusion finds.
 vec3 light_of_the_room(vec3 room, vec3 n) {
   vec3 sum = vec3(0.0);
 #if LIGHTS > 0
-  for (int i = 0; i < LIGHTS; ++i) {
-    vec3 way = light_places[i] - room;
-    float squared = dot(way, way);
-    way *= inversesqrt(squared);
-    float facing = max(dot(n, way), 0.0);
-    float down = -dot(way, light_axes[i].xyz);
-    if (light_axes[i].w > 1.0) {
-      facing *= max(down, 0.0);
-    } else {
-      facing *= smoothstep(light_axes[i].w - 0.15, light_axes[i].w + 0.15, down);
-      // Shades let the light through: what is around the bulb glows, whichever way it faces.
-      facing = max(facing, 0.16 * (1.0 - smoothstep(0.02, 0.07, squared)));
-    }
-    sum += light_colors[i] * (facing / (squared + 0.05));
-  }
+  for (int i = 0; i < WINDOWS; ++i) sum += light_of_window(i, room, n);
+  for (int i = WINDOWS; i < LIGHTS; ++i) sum += light_of_lamp(i, room, n);
 #endif
   return sum;
 }
@@ -115,9 +130,10 @@ vec3 place_in_room(vec3 sample_place) {
   return here.xyz / here.w;
 }
 
+// Of any length.
 vec3 way_to_viewer(vec3 room) {
 #ifdef INDOORS
-  return normalize(eye - room);
+  return eye - room;
 #else
   return to_viewer;
 #endif
@@ -139,7 +155,7 @@ Light light_at(vec3 sample_place, vec3 room, vec3 n) {
 #ifdef INDOORS
   diffuse += light_of_the_room(room, n);
 #endif
-  float highlight = max(dot(n, normalize(way_to_viewer(room) + to_sun)), 0.0);
+  float highlight = max(dot(n, normalize(normalize(way_to_viewer(room)) + to_sun)), 0.0);
   highlight *= highlight; highlight *= highlight; highlight *= highlight; highlight *= highlight;
   return Light(diffuse, 0.35 * highlight * sun);
 }
@@ -310,6 +326,12 @@ out vec4 pixel;
 const float alike = 0.98;  // cosine between normals
 const float flush = 0.03;  // metres beside each other's plane
 
+// A normal as it is stored is nearly a unit long: one step of Newton's makes it one.
+vec3 facing_of(vec4 stored, vec3 room) {
+  vec3 n = 2.0 * stored.xyz - 1.0;
+  return turned_to_viewer(n * (1.5 - 0.5 * dot(n, n)), room);
+}
+
 vec3 sample_place(ivec2 q) { return vec3(vec2(q) + 0.5, texelFetch(depth_map, q, 0).r); }
 
 float sky_seen(ivec2 p) {
@@ -334,10 +356,8 @@ void main() {
        room_d = place_in_room(at_d);
   vec4 facing_a = texelFetch(facing_map, a, 0), facing_b = texelFetch(facing_map, b, 0),
        facing_c = texelFetch(facing_map, c, 0), facing_d = texelFetch(facing_map, d, 0);
-  vec3 n_a = turned_to_viewer(normalize(2.0 * facing_a.xyz - 1.0), room_a),
-       n_b = turned_to_viewer(normalize(2.0 * facing_b.xyz - 1.0), room_b),
-       n_c = turned_to_viewer(normalize(2.0 * facing_c.xyz - 1.0), room_c),
-       n_d = turned_to_viewer(normalize(2.0 * facing_d.xyz - 1.0), room_d);
+  vec3 n_a = facing_of(facing_a, room_a), n_b = facing_of(facing_b, room_b), n_c = facing_of(facing_c, room_c),
+       n_d = facing_of(facing_d, room_d);
   vec4 paint_a = texelFetch(paint_map, a, 0), paint_b = texelFetch(paint_map, b, 0),
        paint_c = texelFetch(paint_map, c, 0), paint_d = texelFetch(paint_map, d, 0);
   vec4 glass_a = texelFetch(glass_map, a, 0), glass_b = texelFetch(glass_map, b, 0),

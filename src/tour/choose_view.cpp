@@ -12,15 +12,16 @@ namespace roomgen::detail {
 
 namespace {
 
-// Once so many are accepted the best of them will do: the most promising ones were tried first.
-constexpr int enough_accepted = 12;
+// Once so many are accepted, or are too small to be better than one that was, the best of them will do: the most
+// promising ones were tried first.
+constexpr int enough_judged = 12;
 
 std::string metres_text(double metres) { return format_number(metres) + " m"; }
 std::string percent_text(double share) { return format_number(100.0 * share, 1) + " %"; }
 
 // What the pictures from all viewpoints said.
 struct Tally {
-  int accepted = 0, too_small = 0;
+  int judged = 0;
   double least_hidden = 2.0, most_hidden = -1.0;
 
   void add_hidden(double share) {
@@ -65,28 +66,35 @@ class ViewChooser {
   Status look_from(const Viewpoint& point) {
     const auto camera = tour_camera(point.pose, site_.intrinsics());
     if (!camera) return camera.error();
-    const auto seen = renderer_.visibility(site_.scene, site_.models, *camera, index_);
+    const std::size_t least = std::max(pixels_to_be_best(point), static_cast<std::size_t>(site_.options.least_pixels));
+    const auto seen = renderer_.visibility(site_.scene, site_.models, *camera, index_, least);
     if (!seen) return seen.error();
-    judge(point, *seen);
+    if (seen->pixels_alone >= least)
+      judge(point, *seen);
+    else if (best_)
+      ++tally_.judged;
     return {};
   }
 
   bool is_done(const Viewpoint& next) const {
-    return tally_.accepted >= enough_accepted || (best_ && best_->view.score >= next.most_score);
+    return tally_.judged >= enough_judged || (best_ && best_->view.score >= next.most_score);
   }
   const std::optional<ChosenView>& best() const { return best_; }
   const Tally& tally() const { return tally_; }
 
  private:
+  // With fewer pixels alone it cannot score as much as the best one.
+  std::size_t pixels_to_be_best(const Viewpoint& point) const {
+    if (!best_) return 0;
+    const double pixels = pixels_that_score(site_.options, best_->view.score, point.fixed_score);
+    return static_cast<std::size_t>(std::ceil(pixels / std::max(1.0 - site_.options.least_hidden, 1e-6)));
+  }
+
   void judge(const Viewpoint& point, const Visibility& seen) {
-    if (seen.pixels_alone < static_cast<std::size_t>(site_.options.least_pixels)) {
-      ++tally_.too_small;
-      return;
-    }
     const double hidden = 1.0 - static_cast<double>(seen.pixels) / static_cast<double>(seen.pixels_alone);
     tally_.add_hidden(hidden);
     if (hidden < site_.options.least_hidden || hidden > site_.options.greatest_hidden) return;
-    ++tally_.accepted;
+    ++tally_.judged;
     const double score = view_score(site_.options, static_cast<double>(seen.pixels), point.fixed_score);
     if (best_ && best_->view.score >= score) return;
     best_ = ChosenView{{target_.id, point.pose, seen.pixels, seen.pixels_alone, score}, point.node};

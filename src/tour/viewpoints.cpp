@@ -132,6 +132,11 @@ double view_score(const TourOptions& options, double pixels, double fixed_score)
   return std::sqrt(pixels / (static_cast<double>(options.width) * options.height)) + fixed_score;
 }
 
+double pixels_that_score(const TourOptions& options, double score, double fixed_score) {
+  const double root = std::max(0.0, score - fixed_score);
+  return root * root * options.width * options.height;
+}
+
 DrawnViewpoints draw_viewpoints(const TourSite& site, const Object& target, const ShortestWays& ways) {
   return Drawer(site, target, ways).draw();
 }

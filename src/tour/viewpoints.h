@@ -24,5 +24,7 @@ DrawnViewpoints draw_viewpoints(const TourSite& site, const Object& target, cons
 
 /// TourView::score of so many pixels.
 double view_score(const TourOptions& options, double pixels, double fixed_score);
+/// The other way round; 0 if even none score as much.
+double pixels_that_score(const TourOptions& options, double score, double fixed_score);
 
 }  // namespace roomgen::detail

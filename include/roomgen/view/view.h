@@ -114,9 +114,10 @@ class Renderer {
   virtual Result<Image> render(const Scene& scene, const ModelTable& models, const View& view) = 0;
   /// The same of what each pixel shows.
   virtual Result<Layers> layers(const Scene& scene, const ModelTable& models, const Shot& shot) = 0;
-  /// What layers() counts of scene.objects[object], without the layers: only what may hide it is drawn.
+  /// What layers() counts of scene.objects[object], without the layers: only what may hide it is drawn. An object with
+  /// less than `least_alone` pixels alone is of no interest: its `pixels` are not counted and are 0.
   virtual Result<Visibility> visibility(const Scene& scene, const ModelTable& models, const Camera& camera,
-                                        std::size_t object) = 0;
+                                        std::size_t object, std::size_t least_alone) = 0;
 };
 
 }  // namespace roomgen
