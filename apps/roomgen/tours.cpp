@@ -17,7 +17,7 @@ Status read_picture_size(const std::string& text, int& width, int& height) {
 Result<Tour> read_tour(const std::string& folder, const Scene& scene) {
   const std::string path = (std::filesystem::path(folder) / "tour.json").string();
   const auto text = read_file(path);
-  if (!text) return with_context(text.error(), "make it with `roomgen tour`");
+  if (!text) return Error{text.error().kind, text.error().message + ": `roomgen tour` makes it"};
   const auto json = parse_json(*text, path);
   if (!json) return json.error();
   auto tour = tour_from_json(*json, path);

@@ -8,6 +8,7 @@ Shares no code with roomgen. Prints what differs; exit code 1 if anything does.
 
 import json
 import math
+import re
 import struct
 import sys
 import zlib
@@ -162,6 +163,8 @@ def expect(room, q):
         if frame.get("target") != arguments["a"] or angle_from_view(room, frame, right) < 119.9:
             return "not behind"
         row = room.row(arguments["frame"])
+        if room.shares[row, room.numbers[right]] > 0:
+            return "in the picture"
         others = [name for name in q["objects"] if name not in (right, arguments["a"])]
         wrong = [n for n in others if n in room.objects and room.shares[row, room.numbers[n]] < CLEAR and angle_from_view(room, frame, n) > 90]
         # Things that descriptions name besides are no choices.
@@ -211,6 +214,21 @@ def expect(room, q):
     return "unknown form"
 
 
+def doubtful_neighbour(room, q):
+    """A description "the KIND nearest to the OTHER" that does not mean one thing, or not one of the question's."""
+    categories = Counter(o["category"] for o in room.objects.values())
+    kinds = "|".join(re.escape(kind) for kind in sorted(categories, key=len, reverse=True))
+    for text in [q["question"], *q.get("choices", [])]:
+        for kind, other in re.findall(rf"the ({kinds}) nearest to the ({kinds})(?![\w-])", text):
+            if categories[other] != 1:
+                continue
+            beside = next(o for o in room.objects.values() if o["category"] == other)
+            near = sorted((gap(o, beside), name) for name, o in room.objects.items() if o["category"] == kind)
+            if near[0][1] not in q["objects"] or (len(near) > 1 and near[1][0] < near[0][0] + 0.39):
+                return f"which {kind} is nearest to the {other}?"
+    return None
+
+
 def agrees(q, truth):
     if "choices" not in q:
         # Round things are many-sided here.
@@ -226,7 +244,7 @@ def main():
         for line in (folder / "questions.jsonl").read_text().splitlines():
             q = json.loads(line)
             checked[q["form"]] += 1
-            truth = expect(room, q)
+            truth = doubtful_neighbour(room, q) or expect(room, q)
             if not agrees(q, truth):
                 wrong += 1
                 print(f"{folder}: {q['id']}: {q['question']} {q.get('choices', '')} {q['answer']}; here {truth}")

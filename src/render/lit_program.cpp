@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "shaders.h"
+#include "lit_shaders.h"
 
 namespace roomgen::detail {
 

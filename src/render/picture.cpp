@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "lit_shaders.h"
 #include "shaders.h"
 
 namespace roomgen::detail {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string>
 
+#include "lit_shaders.h"
 #include "shaders.h"
 
 namespace roomgen::detail {

@@ -20,6 +20,13 @@ struct Rule {
   const char* text;
 };
 
+std::string no_object(const Scene& scene, const std::string& id) {
+  const std::string missing = "tour: the scene has no object " + id;
+  if (scene.objects.empty()) return missing + ", nor any other";
+  return missing + "; it has " + scene.objects.front().id + (scene.objects.size() > 1 ? " and others" : "") +
+         ", as its file names them";
+}
+
 }  // namespace
 
 double lowest_ceiling(const Scene& scene) {
@@ -57,7 +64,7 @@ Status check_tour_options(const Scene& scene, const TourOptions& o) {
     if (auto status = check_picture_side(side); !status) return with_context(status.error(), "tour");
   for (const auto* ids : {&o.targets, &o.first, &o.last})
     for (const auto& id : *ids)
-      if (!find_object(scene, id)) return Error{Error::Kind::not_found, "tour: the scene has no object " + id};
+      if (!find_object(scene, id)) return Error{Error::Kind::not_found, no_object(scene, id)};
   return {};
 }
 

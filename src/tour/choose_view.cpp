@@ -33,7 +33,8 @@ struct Tally {
 
 std::string hidden_text(const TourOptions& options, const Tally& tally) {
   const std::string wanted = percent_text(options.least_hidden) + " to " + percent_text(options.greatest_hidden);
-  return "others hide " + percent_text(tally.least_hidden) + " to " + percent_text(tally.most_hidden) +
+  const std::string least = percent_text(tally.least_hidden), most = percent_text(tally.most_hidden);
+  return "others hide " + (least == most ? most : least + " to " + most) +
          " of it, from wherever it was looked at; " + wanted + " are asked for";
 }
 

@@ -156,7 +156,7 @@ void report_all(const Scene& scene, const TourOptions& options, Tour& tour) {
   const std::string reason =
       has_entrance(scene) ? "inside no door is there room for somebody " + format_number(2.0 * options.agent_radius) +
                                 " m wide: a smaller agent may get in"
-                          : "there is no door or passage to come in by";
+                          : "there is no door or passage to come in by: give the room one";
   for (const Object* target : targets_of(scene, options))
     tour.unseen.push_back({target->id, UnseenTarget::Cause::no_way_in, reason});
 }
