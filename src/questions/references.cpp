@@ -11,10 +11,20 @@ namespace roomgen::detail {
 namespace {
 
 constexpr double darkest_hue = 0.28, lightest_hue = 0.85;  // lightness of what has another name than black or white
+constexpr float green_slack = 0.1f, lit = 1.25f;  // how much more or less green, and light, may be without another name
 constexpr double most_of_it = 0.6;          // share of what is seen that has the colour
 constexpr double sure_height = 1.15;        // times the next height
 constexpr double sure_metres = 0.4, sure_times = 1.5;  // nearer than the next one
 constexpr std::size_t sure_frames = 2;      // earlier than the next one
+
+// Between yellow and brown, or orange and red, people differ; and lamps make things look lighter.
+bool is_sure_hue(const ShownColor& color) {
+  const auto is_named = [&](float green, float all) {
+    const auto [r, g, b] = color.mean;
+    return color_name(std::min(255.0f, all * r), std::min(255.0f, all * green * g), std::min(255.0f, all * b)) == color.name;
+  };
+  return is_named(1.0f - green_slack, 1.0f) && is_named(1.0f + green_slack, 1.0f) && is_named(1.0f, lit);
+}
 
 std::string main_color(const Object& object, const ModelTable& models) {
   const auto model = models.find(asset_key(object.asset));
@@ -25,7 +35,7 @@ std::string main_color(const Object& object, const ModelTable& models) {
   const double light = lightness(colors.front().mean);
   const std::string& name = colors.front().name;
   const bool sure = (light >= darkest_hue || name == "black") && (light <= lightest_hue || name == "white");
-  return sure ? name : "";
+  return sure && is_sure_hue(colors.front()) ? name : "";
 }
 
 std::string last_word(const std::string& name) { return name.substr(name.rfind(' ') + 1); }
