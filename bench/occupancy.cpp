@@ -83,7 +83,6 @@ Search packing(int steps, bool anew) {
     }
     PackOptions options;
     options.steps = steps;
-    options.anew = anew;
     const Packing found = pack(room.room, things, ModelTable(), KindTable::built_in(), options);
     if (!found.is_better) return Placed{start->scene.objects.size()};
     Scene scene;

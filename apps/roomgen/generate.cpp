@@ -300,9 +300,9 @@ void add_generate_command(CLI::App& app, Context& context) {
                   "Most time once there is a plan, after which the room so far is written (default: 60 a room, 900 with a model)")
       ->check(CLI::PositiveNumber);
   const std::map<std::string, LayoutSearch> layouts{
-      {"steps", LayoutSearch::steps}, {"both", LayoutSearch::both}, {"optimise", LayoutSearch::optimise}};
+      {"steps", LayoutSearch::steps}, {"both", LayoutSearch::both}};
   sub->add_option("--layout", command->layout,
-                  "How things find their places: steps, one after the other; both, and annealing where something is left out; optimise, annealing")
+                  "How things find their places: steps, one after the other; both, and annealing where something is left out")
       ->transform(CLI::CheckedTransformer(layouts, CLI::ignore_case))
       ->option_text("TEXT=steps");
   add_designer_options(*sub, command->designer);

@@ -3,8 +3,8 @@
 
     bench/programs/layouts.py ROOMGEN FOLDER [--seeds 3]
 
-`generate --layout steps`, `both` and `optimise` with the same plans, and the best of several seeds of `steps`, of as many as
-take as long as the way that takes longest. Things left out, clauses of the prompt that are met, processor seconds."""
+`generate --layout steps` and `both` with the same plans, and the best of several seeds of `steps`, of as many as take as
+long as `both`. Things left out, clauses of the prompt that are met, processor seconds."""
 import argparse
 import json
 import os
@@ -65,16 +65,13 @@ def main():
     print("| layout | left out | clauses met | valid | s a room |\n|---|---|---|---|---|")
     cases = [(prompt, size, seed) for seed in range(1, known.seeds + 1) for prompt, size in ROOMS]
     seconds = {}
-    for layout in ("steps", "both", "optimise"):
+    for layout in ("steps", "both"):
         runs = [furnish(known.roomgen, known.folder / "room", *case[:2], layout, case[2]) for case in cases]
         seconds[layout] = row(layout, runs)
-    for layout in ("both", "optimise"):
-        tries = max(2, round(seconds[layout] / seconds["steps"]))
-        if layout == "optimise" and tries == max(2, round(seconds["both"] / seconds["steps"])):
-            continue
-        runs = [best([furnish(known.roomgen, known.folder / "room", prompt, size, "steps", 100 * seed + k) for k in range(tries)])
-                for prompt, size, seed in cases]
-        row(f"steps, best of {tries} seeds", runs)
+    tries = max(2, round(seconds["both"] / seconds["steps"]))
+    runs = [best([furnish(known.roomgen, known.folder / "room", prompt, size, "steps", 100 * seed + k) for k in range(tries)])
+            for prompt, size, seed in cases]
+    row(f"steps, best of {tries} seeds", runs)
 
 
 if __name__ == "__main__":

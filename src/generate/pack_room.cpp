@@ -35,12 +35,10 @@ std::vector<PackThing> things_of(const Work& work) {
 
 void pack_room(Work& work) {
   const BuildOptions& options = work.place.options;
-  if (options.layout == LayoutSearch::steps) return;
-  if (options.layout == LayoutSearch::both && !is_left_out(work)) return;
+  if (options.layout == LayoutSearch::steps || !is_left_out(work)) return;
   PackOptions how;
   how.seed = options.seed;
   how.steps = options.pack_steps;
-  how.anew = options.layout == LayoutSearch::optimise;
   how.cancel = work.cancel;
   const Packing packing = pack(work.place.room, things_of(work), work.place.models, work.place.categories, how);
   if (!packing.is_better) return;

@@ -191,7 +191,7 @@ Stance stance_of(const Object& object, std::size_t number, const std::map<std::s
 }
 
 // What stands, carriers first.
-void furnish(World& world, const std::vector<PackThing>& things, PackProgram& program, bool only_fixed) {
+void furnish(World& world, const std::vector<PackThing>& things, PackProgram& program) {
   std::map<std::string, Slot> slots;
   std::vector<char> done(things.size(), 0);
   for (bool grown = true; grown;) {
@@ -199,7 +199,7 @@ void furnish(World& world, const std::vector<PackThing>& things, PackProgram& pr
     for (std::size_t i = 0; i < things.size(); ++i) {
       const PackThing& thing = things[i];
       const bool waits = thing.object.mount == Mount::surface && !slots.contains(thing.object.on);
-      if (done[i] || !thing.stands || (only_fixed && thing.movable) || waits) continue;
+      if (done[i] || !thing.stands || waits) continue;
       const Slot slot = static_cast<Slot>(slots.size());
       world.add_at(slot, static_cast<int>(i), stance_of(thing.object, i, slots, world, program), static_cast<int>(i));
       if (!thing.movable) world.fix(slot);
@@ -237,19 +237,15 @@ Packing pack(const Room& room, const std::vector<PackThing>& things, const Model
   PackProgram program = program_of(things, kinds);
   World world(room, kinds, program.articles, models, program.relations);
   Evaluator evaluator(program.compiled, world);
-  furnish(world, things, program, false);
+  furnish(world, things, program);
   const double before = evaluator.worth().violation;
-  if (options.anew) {
-    world.undo();
-    furnish(world, things, program, true);
-  }
   Random random = Random(options.seed).fork("pack");
   Moves moves(world, evaluator, program.bounds, program.articles_of_kind, program.compiled.language, random);
   AnnealOptions how;
   how.steps = options.steps;
   how.cancel = options.cancel;
   how.always_usable = true;
-  if (!options.anew) how.hottest = warm, how.widest = near_by;
+  if (std::ranges::any_of(things, &PackThing::stands)) how.hottest = warm, how.widest = near_by;
   const AnnealResult found = anneal(world, evaluator, moves, random, how);
   Packing packing;
   packing.is_better = !found.curve.empty() && found.worth.violation < before - 1e-6;

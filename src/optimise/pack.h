@@ -23,7 +23,6 @@ struct PackThing {
 struct PackOptions {
   std::uint64_t seed = 0;
   int steps = 30000;
-  bool anew = false;     ///< start with what cannot move alone, whatever stands
   CancelToken cancel;
 };
 

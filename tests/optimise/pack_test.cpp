@@ -60,7 +60,6 @@ TEST_CASE("Packed rooms are valid and hold what they hold exactly once") {
     PackOptions options;
     options.seed = static_cast<std::uint64_t>(round);
     options.steps = 4000;
-    options.anew = true;
     const Packing packing = pack(room, things, {}, KindTable::built_in(), options);
     CHECK(packing.is_better);
     CHECK_FALSE(packing.objects.empty());
@@ -82,12 +81,10 @@ TEST_CASE("What may not move stays to the bit, and what stood is not lost for no
     auto things = crowd(random);
     PackOptions options;
     options.steps = 3000;
-    options.anew = true;
     const Packing first = pack(room, things, {}, KindTable::built_in(), options);
     for (auto& each : things)
       for (const auto& object : first.objects)
         if (object.id == each.object.id) each.object = object, each.stands = true, each.movable = random.chance(0.5);
-    options.anew = false;
     const Packing second = pack(room, things, {}, KindTable::built_in(), options);
     CHECK((!second.is_better || second.objects.size() >= first.objects.size()));
     for (const auto& each : things) {

@@ -125,9 +125,8 @@ struct BuildEvent {
 
 /// How a room's things find their places.
 enum class LayoutSearch {
-  steps,     ///< one after the other, then improvement
-  both,      ///< the same; when something is left out, or lost its relations, all that may move is annealed (roomgen/optimise/optimise.h)
-  optimise,  ///< steps choose the things, and annealing arranges them from the start
+  steps,  ///< one after the other, then improvement
+  both,   ///< the same; when something is left out, all that may move is annealed (roomgen/optimise/optimise.h)
 };
 
 struct BuildOptions {
