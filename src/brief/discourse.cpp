@@ -84,7 +84,15 @@ std::optional<std::size_t> Discourse::refer(const ThingPhrase& phrase, int sente
   if (count() >= max_mentions) return std::nullopt;
   brief_.mentions.push_back(new_mention(phrase, sentence));
   note_reading(phrase.kind);
+  note_bound(phrase);
   return count() - 1;
+}
+
+// Numbers beyond what is planned of one kind.
+void Discourse::note_bound(const ThingPhrase& phrase) {
+  if (phrase.beyond <= 0.0) return;
+  brief_.notes.push_back(format_number(phrase.beyond, 0) + " of \"" + brief_.mentions.back().noun + "\" are asked for; at most " +
+                         std::to_string(phrase.count) + " of one kind are planned");
 }
 
 // What a noun was read as that is no kind's name.
@@ -194,9 +202,9 @@ std::optional<std::size_t> Discourse::antecedent(RelationKind kind,
   return antecedent(subjects);
 }
 
-std::optional<std::size_t> Discourse::last_of_several() const {
+std::optional<std::size_t> Discourse::last_of_several(const std::vector<std::size_t>& but) const {
   for (std::size_t i = made(); i-- > 0;)
-    if (mention(i).quantity >= 2) return i;
+    if (mention(i).quantity >= 2 && !is_among(but, i)) return i;
   return std::nullopt;
 }
 

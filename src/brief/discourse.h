@@ -60,7 +60,7 @@ class Discourse {
   std::optional<std::size_t> antecedent(RelationKind kind,
                                         const std::vector<std::size_t>& subjects) const;
   /// The last of several that were spoken of: "one holds …, the other …".
-  std::optional<std::size_t> last_of_several() const;
+  std::optional<std::size_t> last_of_several(const std::vector<std::size_t>& but = {}) const;
   /// The thing of that kind that was spoken of last.
   std::optional<std::size_t> last_of(const KindMention& kind) const;
   /// The last thing of a kind that is none of the subjects.
@@ -86,6 +86,7 @@ class Discourse {
 
  private:
   Mention new_mention(const ThingPhrase& phrase, int sentence) const;
+  void note_bound(const ThingPhrase& phrase);
   void note_reading(const KindMention& kind);
   std::optional<std::size_t> same_noun(const ThingPhrase& phrase) const;
   std::optional<std::size_t> last_compound(std::string_view noun) const;

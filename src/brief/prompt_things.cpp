@@ -350,6 +350,14 @@ class ThingReader {
         reading_.brief.excluded.end())
       reading_.brief.excluded.push_back(category);
   }
+  // "three tables with two chairs at each": the chairs.
+  Indices what_stands_at(std::int32_t id) const {
+    Indices all;
+    for (const Attachment& attachment : reading_.parse.attachments)
+      if (attachment.to == id && reading_.phrase(id).determiner == Determiner::each && reading_.placement(attachment))
+        std::ranges::copy(reading_.subjects_of(attachment), std::back_inserter(all));
+    return all;
+  }
   std::optional<std::size_t> stands_for(std::int32_t id) const {
     const NounPhrase& said = reading_.phrase(id);
     const std::string& noun = reading_.word(said.head);
@@ -359,7 +367,7 @@ class ThingReader {
     const bool is_one_of_several = noun == "one" || noun == "other" || noun == "others" ||
                                    said.determiner == Determiner::each || said.count > 0;
     if (is_one_of_several)
-      if (const auto several = reading_.talk.last_of_several()) return several;
+      if (const auto several = reading_.talk.last_of_several(what_stands_at(id))) return several;
     for (const Attachment& attachment : reading_.parse.attachments) {
       if (attachment.to != id) continue;
       if (const auto owner = owner_of(attachment.from)) return owner;

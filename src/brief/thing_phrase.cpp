@@ -49,8 +49,8 @@ class ThingPhraseReader {
   }
   // "three-drawer", "six seater": no count of things.
   bool is_measured(std::size_t token) const {
-    return is_number(token) && token < said_.head &&
-           text_.words.measured.count(word(token + 1)) > 0;
+    const bool is_name = phrase_.kind.length > 0 && token + 1 == start_;  // "three light stands"
+    return is_number(token) && token < said_.head && !is_name && text_.words.measured.count(word(token + 1)) > 0;
   }
 
   void name() {
@@ -166,7 +166,7 @@ class ThingPhraseReader {
     if (phrase_.article || said_.count <= 0) return;
     // Numbers of several words.
     const bool part_of_name = is_number(start_) || measured_;
-    if (!part_of_name) set_count(static_cast<int>(std::min<double>(said_.count, max_count)), true);
+    if (!part_of_name) set_count(said_.count, true);
   }
 
   // "8 to 12", "two or three", "about a dozen": what stands before the noun is a range.
@@ -176,7 +176,7 @@ class ThingPhraseReader {
       if (!amount || amount->is_share || first + amount->length > start_) continue;
       const auto [least, most] = language::counted_bounds(*amount);
       if (most > max_count || most <= least || least < 1.0) return;
-      set_count(static_cast<int>(std::lround(0.5 * (least + most))), true);
+      set_count(std::round(0.5 * (least + most)), true);
       phrase_.least = static_cast<int>(least), phrase_.most = static_cast<int>(most);
       for (auto i = first; i < first + amount->length; ++i) phrase_.count_tokens.push_back(i);
       return;
@@ -219,19 +219,19 @@ class ThingPhraseReader {
     } else if (text_.plain[token].kind == Token::Kind::number) {
       phrase_.count_tokens.push_back(token);
       if (said_.measure == language::none)
-        set_count(static_cast<int>(std::min<double>(said_.count, max_count)), true);
+        set_count(said_.count, true);
     } else if (const auto number = text_.words.numbers.find(here);
                number != text_.words.numbers.end() && !is_modifier(token)) {
       // "a dozen", "twenty-four": what the parse makes of the words counts.
       phrase_.count_tokens.push_back(token);
       const bool exact = !text_.words.vague.count(here);
-      const int said =
-          is_number(start_) ? 0 : static_cast<int>(std::min<double>(said_.count, max_count));
-      set_count(exact && said > 0 ? said : number->second, exact);
+      const double said = is_number(start_) ? 0.0 : said_.count;
+      set_count(exact && said >= 1.0 ? said : number->second, exact);
     }
   }
-  void set_count(int number, bool exact) {
-    phrase_.count = std::clamp(number, 1, max_count);
+  void set_count(double number, bool exact) {
+    phrase_.count = static_cast<int>(std::clamp<double>(number, 1, max_count));
+    phrase_.beyond = number > max_count ? number : 0.0;
     phrase_.counted = exact;
     phrase_.article = true;
   }

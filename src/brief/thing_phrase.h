@@ -16,6 +16,7 @@ namespace roomgen::design {
 struct ThingPhrase {
   int count = 1;
   bool counted = false;   ///< an exact number was given
+  double beyond = 0.0;    ///< that number, if it is more than is planned of one kind; else 0
   bool at_least = false, at_most = false;  ///< of the count
   int least = 0, most = 0;  ///< of a range; the count is between both. 0: none
   bool article = false;   ///< "a", a number, "some": introduces something

@@ -73,16 +73,21 @@ class Reviser {
     return say(changed, "more of what may be added");
   }
 
-  // What has no room along the walls may stand freely.
-  bool leave_walls() {
+  // What has no room along the walls may stand freely, and that of which nothing found a place, anywhere.
+  bool leave_usual_places() {
     std::vector<std::string> freed;
     for (auto& [name, members] : written_.program.sets) {
       const bool is_missed =
           std::ranges::any_of(report_.unmet, [&](const auto& verdict) { return verdict.name == name; });
+      if (!is_missed) continue;
       const auto wall = [](const SetRelation& relation) { return relation.relation.ends_with("against_wall"); };
-      if (is_missed && std::erase_if(members.relations, wall) > 0) freed.push_back(name);
+      const std::size_t before = members.relations.size();
+      std::erase_if(members.relations, wall);
+      // The first says what carries it.
+      if (!report_.counts.contains(members.factory) && members.relations.size() > 1) members.relations.resize(1);
+      if (members.relations.size() < before) freed.push_back(name);
     }
-    return say(!freed.empty(), "away from the walls: " + join(freed, ", "));
+    return say(!freed.empty(), "away from where such things usually stand: " + join(freed, ", "));
   }
 
   bool smaller_things() {
@@ -181,7 +186,7 @@ class Reviser {
 
 std::optional<Revision> revise(const WrittenProgram& written, const ErrorReport& report, int last_rule) {
   using Rule = bool (Reviser::*)();
-  static constexpr Rule rules[] = {&Reviser::fit_floor,     &Reviser::leave_walls, &Reviser::grow_room,
+  static constexpr Rule rules[] = {&Reviser::fit_floor,     &Reviser::leave_usual_places, &Reviser::grow_room,
                                    &Reviser::drop_optional, &Reviser::permit_more, &Reviser::smaller_things,
                                    &Reviser::weaken_scores};
   constexpr int count = static_cast<int>(std::size(rules));

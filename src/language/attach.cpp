@@ -69,7 +69,8 @@ void Attacher::join(const Chunk& chunk) {
   } else if (relative_ != none && chunk.tag == Tag::comma) {
     leave_relative();
   }
-  if (chunk.tag == Tag::conjunction && chunk.piece->base == "nor") is_denied_ = true;
+  conjunction_ = chunk.tag == Tag::conjunction ? chunk.piece->base : "";
+  if (conjunction_ == "nor") is_denied_ = true;
 }
 
 // "..., the other faces the door": a noun phrase with a verb of its own, prepositions between

@@ -1,6 +1,7 @@
 // Lists: which of those that are open a noun phrase continues.
 #include "attacher.h"
 #include "lexicon.h"
+#include "small_words.h"
 
 namespace roomgen::language {
 
@@ -38,6 +39,7 @@ bool Attacher::takes(const OpenList& list, std::int32_t id) {
   if (list.by == Opened::with && is_bare(list.last) && !is_bare(id) && open_.size() > 1 &&
       resembles(open_[open_.size() - 2], id))
     return false;
+  if (list.by == Opened::with && is_past_each(list, id)) return false;
   if (list.by == Opened::subject || list.by == Opened::object || list.by == Opened::with)
     return true;
   const std::string& relation =
@@ -50,6 +52,18 @@ bool Attacher::takes(const OpenList& list, std::int32_t id) {
   return at(id).determiner == at(list.last).determiner &&
          (at(id).count > 0) == (at(list.last).count > 0) &&
          !resembles(open_[open_.size() - 2], id);
+}
+
+// "desks, each with a chair, plus a lectern"; "16 desks each with a chair, 4 plants": what is added to all, and
+// what is counted as they are, is none of what each of them has.
+bool Attacher::is_past_each(const OpenList& list, std::int32_t id) {
+  if (!has_comma_ || open_.size() < 2) return false;
+  const Attachment& with = parse_.attachments[static_cast<std::size_t>(list.attachment)];
+  if (with.tokens.begin == 0 || !parse_.tokens[with.tokens.begin - 1].is("each")) return false;
+  if (small_words().additions.contains(conjunction_)) return true;
+  const bool is_apart = with.tokens.begin > 1 && parse_.tokens[with.tokens.begin - 2].kind == Token::Kind::comma;
+  const auto is_counted = [&](std::int32_t one) { return at(one).determiner == Determiner::absent && at(one).count > 0; };
+  return !is_apart && is_counted(with.from) && is_counted(id) && !is_counted(list.last);
 }
 
 // Whether a list around the innermost one has several members by now.

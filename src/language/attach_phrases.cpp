@@ -3,10 +3,10 @@
 
 namespace roomgen::language {
 
-// ", each with a lamp": the members of what was said before.
+// ", each with a lamp", "six desks each with a lamp": the members of what was said before.
 bool Attacher::is_floating(std::int32_t id) {
-  return at(id).is_pronoun && at(id).determiner == Determiner::each && is_joined_ &&
-         last_ != none;
+  return at(id).is_pronoun && at(id).determiner == Determiner::each && last_ != none &&
+         (is_joined_ || (before_ == Tag::noun && at(last_).is_plural && ahead() == Tag::preposition));
 }
 
 // Of several that the clause is about, else of several to which what was said last belongs: "a bakery with

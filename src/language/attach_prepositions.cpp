@@ -60,6 +60,11 @@ bool Attacher::governs_places() {
   const auto kind = verb_at(verb_).kind;
   if (kind != VerbPhrase::Kind::finite && kind != VerbPhrase::Kind::relative) return false;
   if (before_ == Tag::noun && !open_.empty() && open_.back().by == Opened::with) return false;
+  // "so that nine can sit, and a projector on the ceiling": not where they sit.
+  const auto& verb = verb_at(verb_);
+  const bool is_new = before_ == Tag::noun && last_ != none && !open_.empty() && open_.back().last == last_ &&
+                      open_.back().by == Opened::subject && at(last_).tokens.begin >= verb.tokens.end;
+  if (is_new) return false;
   return verb_at(verb_).object == none;
 }
 

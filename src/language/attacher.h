@@ -97,6 +97,7 @@ class Attacher {
   void open(Opened by, std::int32_t id, std::int32_t attachment);
   void further_member(std::int32_t id);
   bool takes(const OpenList& list, std::int32_t id);
+  bool is_past_each(const OpenList& list, std::int32_t id);
   bool is_within_list() const;
   bool is_bare(std::int32_t id);
   bool is_adjectival(const OpenList& list);
@@ -122,6 +123,7 @@ class Attacher {
   std::int32_t auxiliary_ = none;
   bool has_existential_ = false, is_imperative_ = false, is_joined_ = false, has_comma_ = false;
   bool ended_by_conjunction_ = false;
+  std::string conjunction_;  ///< that was read last in the clause
   bool is_parting_ = false;  ///< "five tables, three by the wall": the shares of several are read
   bool is_denied_ = false, is_auxiliary_denied_ = false, denies_list_ = false;
 };

@@ -69,6 +69,7 @@ SmallWords read(const JsonReader& root) {
   read(root["negative pronouns"], words.negative_pronouns);
   read(root["relatives"], words.relatives);
   read(root["conjunctions"], words.conjunctions);
+  read(root["additions"], words.additions);
   read(root["subordinators"], words.subordinators);
   read(root["negations"], words.negations);
   read(root["be"], words.be);

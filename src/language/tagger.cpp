@@ -227,7 +227,8 @@ class Tagger {
 
   void conjunction(std::size_t length) {
     Piece& piece = add(Tag::conjunction, length);
-    piece.base = token(at_).text;
+    for (auto i = piece.tokens.begin; i < piece.tokens.end; ++i)
+      piece.base += (piece.base.empty() ? "" : " ") + tokens_[i].text;
   }
 
   std::size_t preposition() {

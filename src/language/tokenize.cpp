@@ -241,6 +241,7 @@ class Splitter {
       text = "with";
       ++at_;
     }
+    if (text == "x" && multiplies(begin)) return;
     std::string clitic = clitic_behind(text);
     if (is_abbreviated(text)) ++at_;
     add(Token::Kind::word, begin, std::move(text)).clitic = std::move(clitic);
@@ -261,6 +262,18 @@ class Splitter {
       clitic = "n't";
     }
     return clitic;
+  }
+
+  bool is_behind(Token::Kind kind) const {
+    return !tokens_.empty() && tokens_.back().kind == kind && joint_ == Token::Joint::none;
+  }
+  // The "x" of "2x chair" says nothing; "chair x2" is "chair (2)". True if it was either.
+  bool multiplies(std::size_t begin) {
+    if (is_behind(Token::Kind::number) && is(Sign::space) && is(Sign::letter, 1)) return true;
+    const bool is_number_behind = !tokens_.empty() && tokens_.back().kind == Token::Kind::word &&
+                                  joint_ == Token::Joint::apart && is(Sign::digit);
+    if (is_number_behind) add(Token::Kind::open, begin, "x");
+    return is_number_behind;
   }
 
   // The point of "approx." or "sq." ends nothing.
@@ -301,7 +314,7 @@ class Splitter {
         add(Token::Kind::close, begin, written);
         return;
       case Sign::times:
-        add(Token::Kind::word, begin, "x");
+        if (!multiplies(begin)) add(Token::Kind::word, begin, "x");
         return;
       case Sign::quote:
         is_open_ = !is_open_;
@@ -312,6 +325,8 @@ class Splitter {
         add(Token::Kind::quote, begin, "'");
         return;
       default:
+        if (written == "+" && is_behind(Token::Kind::number) && is(Sign::space))  // "3+ chairs"
+          return static_cast<void>(add(Token::Kind::symbol, begin, written));
         add(written == "&" || written == "+" ? Token::Kind::word : Token::Kind::symbol, begin,
             written == "&" || written == "+" ? "and" : written);
     }

@@ -28,6 +28,7 @@ TEST_CASE("How much a room shall hold is read from its description", "[compose]"
       {.text = "a dining room with seating for 12", .seats = Range{12, 12}},
       {.text = "Seats for exactly 14, one table", .seats = Range{14, 14}},
       {.text = "a lounge where nine people can sit", .seats = Range{9, 9}},
+      {.text = "a dining hall where forty people can eat at once", .seats = Range{40, 40}},
       {.text = "a table for two and 8 to 12 comfortable seats", .seats = Range{8, 12}},
       {.text = "a room with few seats and many shelves", .seats = Range{1, 4}, .shelves = Range{9, any}},
       {.text = "twelve tall bookshelves", .shelves = Range{12, 12}},

@@ -103,3 +103,23 @@ TEST_CASE("A request's numbers come before the prompt's", "[compose]") {
   CHECK(result.asked.seats->low == 3.0);
   CHECK(result.asked.seats->high == 4.0);
 }
+
+TEST_CASE("What found no place at all leaves its usual places, what found some only the walls", "[compose]") {
+  const WrittenProgram before = written("a dining room with a dining table and four dining chairs around it");
+  const auto relations_of = [](const WrittenProgram& program) {
+    const auto chairs = std::ranges::find(program.program.sets, "dining chair", &NamedSets::value_type::first);
+    REQUIRE(chairs != program.program.sets.end());
+    return chairs->second.relations;
+  };
+  REQUIRE(relations_of(before).size() > 1);
+  ErrorReport report;
+  report.unmet.push_back({.name = "dining chair", .held = false, .amount = 4.0});
+  const auto freed = revise(before, report, 1);
+  REQUIRE(freed);
+  CHECK(freed->reason == "away from where such things usually stand: dining chair");
+  CHECK(relations_of(freed->written) == std::vector{relations_of(before).front()});
+  report.counts["dining chair"] = 2;
+  const auto kept = revise(before, report, 1);
+  REQUIRE(kept);
+  CHECK(relations_of(kept->written) == relations_of(before));
+}

@@ -138,6 +138,9 @@ TEST_CASE("things are read with their numbers") {
       {"a bed. The bed is red. Next to the bed is a lamp.", "1 bed, 1 lamp"},
       {"two nightstands, each with a lamp on it", "2 nightstand, 2 table lamp"},
       {"an armchair and another armchair", "1 armchair, 1 armchair"},
+      {"a bed, wardrobe x2, 3x chair, 2 × desk", "1 bed, 2 wardrobe, 3 chair, 2 desk"},
+      {"3+ chairs", "3 chair"},
+      {"three light stands", "3 studio light"},
       {"a bedroom with a samovar", "1 urn"},
       {"a bedroom with a frobnicator", "1 frobnicator"},
       {"a room with a modern feel and a view", ""},
@@ -150,6 +153,12 @@ TEST_CASE("things are read with their numbers") {
     INFO(one.prompt);
     CHECK(things(read_brief(one.prompt)) == one.expected);
   }
+}
+
+TEST_CASE("a number beyond what is planned is said") {
+  const auto notes = read_brief("a hall with 500 chairs and 20 tables").notes;
+  REQUIRE(notes.size() == 1);
+  CHECK(notes.front() == "500 of \"chair\" are asked for; at most 200 of one kind are planned");
 }
 
 TEST_CASE("nouns that no kind is called by are another word for one, a slip, or get a stand-in") {
@@ -450,6 +459,9 @@ TEST_CASE("things still stand where the wall is spoken of") {
 TEST_CASE("each and every give each of the owners as many as are said of one") {
   const std::pair<const char*, const char*> cases[] = {
       {"an office with three desks, each with a chair and two lamps", "3 desk, 3 office chair, 6 table lamp"},
+      {"we need five tables, each with four chairs, plus a lectern", "5 table, 20 chair, 1 lectern"},
+      {"6 desks each with an office chair, 4 potted plants, 2 printers", "6 desk, 6 office chair, 4 plant, 2 printer"},
+      {"a hall with three tables with two chairs at each", "3 table, 6 chair"},
       {"a workshop with four stools; a bucket stands beside each stool", "4 stool, 4 bucket"},
       {"a canteen with four tables and six chairs at each table", "4 table, 24 chair"},
       {"a classroom with ten desks, one chair per desk", "10 student desk, 10 student chair"},

@@ -35,6 +35,15 @@ TEST_CASE("Every kind of the vocabulary exists, and every word covers one") {
     }
 }
 
+TEST_CASE("A factory that has the name of a kind makes that kind") {
+  for (const auto& [factory, listed] : ProgramVocabulary::built_in().factories) {
+    const Kind* kind = kinds().find(factory);
+    INFO(factory);
+    if (kind && kind->name == factory) CHECK(made_by(kind->name, factory));
+  }
+  CHECK_FALSE(made_by("stove", "oven"));
+}
+
 TEST_CASE("A tag covers kinds with their descendants, but for those that it takes out") {
   CHECK(tagged("bookshelf", "storage"));
   CHECK(tagged("display cabinet", "storage"));
