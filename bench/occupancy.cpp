@@ -116,9 +116,9 @@ int main() {
   one_by_one.rounds = 0;
   const std::pair<const char*, Search> searches[] = {{"one by one", solving(one_by_one)},
                                                      {"with repairs", solving(repaired)},
-                                                     {"search for a whole layout, then repairs", solving(whole)},
+                                                     {"whole layout, then repairs", solving(whole)},
                                                      {"repairs, then annealing", packing(30000, false)},
-                                                     {"annealing", packing(100000, true)}};
+                                                     {"annealing from nothing", packing(100000, true)}};
   std::string head = "| things would cover |", rule = "|---|";
   for (const auto& [name, search] : searches) head += std::string(" ") + name + " |", rule += "---|";
   std::printf("%s\n%s\n", head.c_str(), rule.c_str());
