@@ -27,7 +27,7 @@ def read_kinds():
         for name, kind in document.get("kinds", document).items():
             if isinstance(kind, dict):
                 kinds[name] = kind
-                for other in [name, *kind.get("names", []), *kind.get("loose_names", [])]:
+                for other in [name, *kind.get("names", []), *kind.get("loose_names", []), *kind.get("resembles", [])]:
                     names.setdefault(other, name)
     return kinds, names
 

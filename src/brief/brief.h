@@ -37,6 +37,7 @@ struct Demand {
   int nth = -1;                ///< which of the mention's things; -1: in turn
   bool listed = false;         ///< said of another thing of the same list
   std::size_t heard = HeardWords::none;  ///< of Brief::heard: the words that say it
+  std::optional<RelationKind> said = {};  ///< what was asked for, where this is only the next best: the clause is that
 };
 
 /// The word of what is heard as a length of a thing.
@@ -91,6 +92,7 @@ struct Mention {
 struct Brief {
   std::string type;  ///< "bedroom", or words that no room kind is known by
   bool type_known = false;
+  bool type_inferred = false;  ///< by WordNet: the prompt's word is no name of the kind
   std::optional<Vec2> size;    ///< width and depth, metres
   std::optional<double> area;  ///< square metres
   std::optional<double> height;  ///< of the ceiling, metres

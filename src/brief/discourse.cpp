@@ -158,6 +158,7 @@ Mention Discourse::new_mention(const ThingPhrase& phrase, int sentence) const {
     mention.noun = phrase.kind.name;
     mention.known = !phrase.kind.is_stand_in() || mention.category != phrase.kind.name;
     description.push_back(phrase.kind.name);
+    if (names_more_than(phrase.kind)) mention.naming.push_back(phrase.kind.name);
     const bool at_windows = lexicon_.table.get(mention.category).covers_window;
     // "Curtains" are a name of their own, in the plural.
     const bool open = (phrase.kind.plural || at_windows) && !phrase.article;
@@ -176,6 +177,11 @@ Mention Discourse::new_mention(const ThingPhrase& phrase, int sentence) const {
   return mention;
 }
 
+// "a harp", which a guitar stands for, "a beanie", which is some hat: not every one of the kind is what was named.
+bool Discourse::names_more_than(const KindMention& kind) const {
+  return kind.basis == NounBasis::hyponym || lexicon_.table.only_resembles(kind.name);
+}
+
 std::optional<std::size_t> Discourse::antecedent(const std::vector<std::size_t>& subjects, bool is_one) const {
   std::optional<std::size_t> best;
   for (std::size_t i = 0; i < made(); ++i) {
@@ -188,7 +194,8 @@ std::optional<std::size_t> Discourse::antecedent(const std::vector<std::size_t>&
 std::optional<std::size_t> Discourse::antecedent(RelationKind kind,
                                                  const std::vector<std::size_t>& subjects) const {
   const Mention& one = mention(subjects.front());
-  if (one.mount == Mount::ceiling || kind == RelationKind::above || kind == RelationKind::under)
+  if (one.mount == Mount::ceiling || kind == RelationKind::above || kind == RelationKind::under ||
+      kind == RelationKind::on)
     if (const auto carrier = last_carrier(); carrier && !is_among(subjects, *carrier))
       return carrier;
   // Chairs stand before desks and tables.

@@ -88,6 +88,7 @@ class Discourse {
   Mention new_mention(const ThingPhrase& phrase, int sentence) const;
   void note_bound(const ThingPhrase& phrase);
   void note_reading(const KindMention& kind);
+  bool names_more_than(const KindMention& kind) const;
   std::optional<std::size_t> same_noun(const ThingPhrase& phrase) const;
   std::optional<std::size_t> last_compound(std::string_view noun) const;
   /// Chairs and benches at a table, not at a desk.

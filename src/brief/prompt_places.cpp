@@ -216,6 +216,11 @@ class PlaceReader {
     return (begin > 0 && reading_.is_word(begin - 1, "each")) ||
            (from.determiner == Determiner::each && !is_reciprocal(from));
   }
+  // "three desks with a chair each"
+  bool is_each_behind(const NounPhrase& thing) const {
+    return reading_.is_word(thing.head + 1, "each") && !reading_.is_word(thing.head + 2, "of") &&
+           !reading_.is_word(thing.head + 2, "with");
+  }
   // "each other"
   bool is_reciprocal(const NounPhrase& phrase) const {
     return phrase.is_pronoun && reading_.is_word(phrase.head, "other") && phrase.determiner == Determiner::each;
@@ -245,7 +250,8 @@ class PlaceReader {
     if (!thing) return;
     for (const std::size_t owner : reading_.subjects_of(attachment)) {
       if (owner == *thing || reading_.talk.mention(owner).part_of != Demand::none) continue;
-      if (says_each(attachment)) give_each(owner, reading_.all_of(attachment.to));
+      if (says_each(attachment) || is_each_behind(reading_.phrase(attachment.to)))
+        give_each(owner, reading_.all_of(attachment.to));
       for (const std::size_t one : reading_.all_of(attachment.to)) reading_.talk.own(owner, one);
       owner_of_[*thing] = owner;
     }

@@ -275,8 +275,14 @@ class ThingReader {
     if (thing.count == 1 && !thing.another && is_target(id))
       if (const auto known = reading_.talk.one_of(thing)) return known;
     ThingPhrase own = thing;
+    // "one mirror per chair": of the chairs that are there
+    if (!thing.article && is_shared_out(id)) own.definite = true;
     if (is_of_somebody_else(id, thing)) own.definite = false, own.article = true;
     return reading_.talk.refer(own, reading_.sentence_of(reading_.phrase(id).head));
+  }
+  bool is_shared_out(std::int32_t id) const {
+    return std::any_of(reading_.parse.attachments.begin(), reading_.parse.attachments.end(),
+                       [&](const Attachment& one) { return one.to == id && one.relation == "per"; });
   }
   // "the teacher's desk" is none of the students'.
   bool is_of_somebody_else(std::int32_t id, const ThingPhrase& thing) const {
@@ -412,8 +418,19 @@ class ThingReader {
     for (const Attachment& attachment : reading_.parse.attachments)
       if (id != none && attachment.to == id && (attachment.relation == "with" || attachment.relation == "have")) {
         if (const auto subject = subject_before(attachment)) return subject;
-        return reading_.mention_of(attachment.from);
+        if (const auto owner = reading_.mention_of(attachment.from)) return owner;
+        return what_was_placed(attachment);
       }
+    return std::nullopt;
+  }
+  // "a room with a desk opposite the bed, with a mirror above it": what was placed is talked of, not the bed.
+  std::optional<std::size_t> what_was_placed(const Attachment& with) const {
+    std::int32_t last = none;
+    for (std::int32_t i = 0; i < static_cast<std::int32_t>(reading_.parse.phrases.size()); ++i)
+      if (reading_.phrase(i).head < with.tokens.begin) last = i;
+    for (const Attachment& one : reading_.parse.attachments)
+      if (last != none && one.to == last && reading_.placement(one) && !reading_.placement(one)->placement->inverse)
+        return reading_.mention_of(one.from);
     return std::nullopt;
   }
   // "A dresser faces the bed from the wall, with a mirror above it": it is the dresser's mirror.

@@ -52,6 +52,8 @@ struct RoomKind {
   std::vector<std::string> names;  ///< others than its type
   /// Names that mean the room only where the prompt begins with them: "a bar" may be a thing.
   std::vector<std::string> leading;
+  /// Names that mean the room only where no other noun stands before: a post office is no office.
+  std::vector<std::string> alone;
   /// What tells that a room of no name is of this kind; the first piece of its core unless told.
   std::optional<std::vector<std::string>> known_by;
   Range width, depth;

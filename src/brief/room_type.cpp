@@ -1,8 +1,11 @@
 #include "room_type.h"
 
 #include <algorithm>
+#include <set>
 
+#include "language/lexicon.h"
 #include "roomgen/base/text.h"
+#include "stated_room.h"
 #include "style_phrase.h"
 
 namespace roomgen::design {
@@ -85,10 +88,18 @@ void read_compound_rooms(std::vector<Token>& tokens, const Vocabulary& words,
   }
 }
 
+// "police" of a police station.
+bool is_noun_before(const Token& token, const language::Parse& parse) {
+  return std::any_of(parse.modifiers.begin(), parse.modifiers.end(), [&](const auto& modifier) {
+    return modifier.kind == language::Modifier::Kind::noun && modifier.tokens.begin == token.source.begin &&
+           modifier.tokens.end == token.source.end;
+  });
+}
+
 // "A bakery with …": the last word of the prompt's first phrase, when it is neither a thing nor a
 // room in general.
-void read_leading_noun(std::vector<Token>& tokens, const Vocabulary& words, const KindTable& table,
-                       const RoomKinds& kinds, Brief& brief) {
+void read_leading_noun(std::vector<Token>& tokens, const language::Parse& parse, const Vocabulary& words,
+                       const KindTable& table, const RoomKinds& kinds, Brief& brief) {
   std::size_t end = 0;
   while (end < tokens.size() && end < 6 && tokens[end].kind == Token::Kind::word &&
          (end == 0 || !words.stops.count(tokens[end].text)))
@@ -104,10 +115,14 @@ void read_leading_noun(std::vector<Token>& tokens, const Vocabulary& words, cons
     return;
   for (std::size_t i = 0; i < end; ++i)
     if (mention_at(table, tokens, i).length > 0) return;
-  brief.type = noun;
-  hear(brief, tokens[end - 1].source, Heard::As::room, "kind");
-  collect_styles(tokens, end - 1, kinds, words, brief);
-  make_room_token(tokens, end - 1, 1);
+  using language::WordClass;
+  if (language::lexicon().is(noun, WordClass::person) || language::lexicon().is(noun, WordClass::animal)) return;
+  std::size_t first = end - 1;
+  while (first > 0 && tokens[first - 1].kind == Token::Kind::word && is_noun_before(tokens[first - 1], parse)) --first;
+  make_room_token(tokens, first, end - first);
+  brief.type = tokens[first].text;
+  hear(brief, tokens[first].source, Heard::As::room, "kind");
+  collect_styles(tokens, first, kinds, words, brief);
 }
 
 using RoomNames = std::map<std::string, std::string, std::less<>>;
@@ -122,6 +137,16 @@ struct NamedRoom {
 bool is_head(const Token& token, const language::Parse& parse) {
   return std::any_of(parse.phrases.begin(), parse.phrases.end(), [&](const auto& phrase) {
     return phrase.head + 1 == token.source.end;
+  });
+}
+
+// "post office", "data hall": another noun makes it another kind of room, unless it says whose it is.
+bool is_compound(const Token& token, const language::Parse& parse) {
+  return std::any_of(parse.phrases.begin(), parse.phrases.end(), [&](const auto& phrase) {
+    if (phrase.head + 1 != token.source.end || phrase.modifiers.empty()) return false;
+    const auto& before = parse.modifiers[phrase.modifiers.end - 1];
+    return before.kind == language::Modifier::Kind::noun && before.tokens.end == token.source.begin &&
+           !language::lexicon().is(parse.tokens[before.tokens.begin].text, language::WordClass::person);
   });
 }
 
@@ -148,6 +173,48 @@ void keep_leading(std::vector<NamedRoom>& rooms, const std::vector<Token>& token
     return first == parse.phrases.end() || first->list != language::none || first->is_plural ||
            tokens[room.at + room.length - 1].source.end != first->head + 1;
   });
+}
+
+std::set<std::string> names_alone(const RoomKinds& kinds) {
+  std::set<std::string> names;
+  for (const auto& [type, kind] : kinds.types) names.insert(kind.alone.begin(), kind.alone.end());
+  return names;
+}
+
+void drop_compounds(std::vector<NamedRoom>& rooms, const std::vector<Token>& tokens, const language::Parse& parse,
+                    const RoomKinds& kinds) {
+  const auto alone = names_alone(kinds);
+  std::erase_if(rooms, [&](const NamedRoom& room) {
+    return room.length == 1 && alone.count(tokens[room.at].text) && is_compound(tokens[room.at], parse);
+  });
+}
+
+// One room is made; of the others that the prompt names it is said that they are not.
+void note_other_rooms(const std::vector<NamedRoom>& rooms, const std::string& type, Brief& brief) {
+  std::set<std::string> others;
+  for (const auto& room : rooms)
+    if (room.is_head && room.type != type) others.insert(room.type);
+  if (others.empty()) return;
+  brief.notes.push_back("one room is made, a " + type + "; the prompt also names: " +
+                        join({others.begin(), others.end()}, ", "));
+}
+
+// What no kind of room is called by, or what WordNet takes it for.
+void take_stated(const StatedRoom& stated, std::vector<Token>& tokens, const RoomNames& names, const RoomKinds& kinds,
+                 const Vocabulary& words, Brief& brief) {
+  const auto first = std::find_if(tokens.begin(), tokens.end(), [&](const Token& token) {
+    return token.source.begin == stated.tokens.begin;
+  });
+  const std::size_t length = stated.tokens.size();
+  if (tokens.end() - first < static_cast<std::ptrdiff_t>(length)) return;
+  const auto at = static_cast<std::size_t>(first - tokens.begin());
+  const std::string near = near_room(stated.name, names);
+  make_room_token(tokens, at, length);
+  brief.type = near.empty() ? stated.name : near;
+  brief.type_known = brief.type_inferred = !near.empty();
+  if (!near.empty()) brief.notes.push_back("\"" + stated.name + "\" is taken for a " + near);
+  hear(brief, tokens[at].source, Heard::As::room, "kind");
+  collect_styles(tokens, at, kinds, words, brief);
 }
 
 // One that is a head is what the prompt is about; other kinds are only named where they are heads.
@@ -189,12 +256,25 @@ std::map<std::string, std::string, std::less<>> room_names(const RoomKinds& kind
 void read_room_type(std::vector<Token>& tokens, const language::Parse& parse,
                     const Vocabulary& words, const KindTable& table, const RoomKinds& kinds,
                     Brief& brief) {
-  auto rooms = named_rooms(tokens, parse, table, room_names(kinds));
+  const RoomNames names = room_names(kinds);
+  auto rooms = named_rooms(tokens, parse, table, names);
+  drop_compounds(rooms, tokens, parse, kinds);
   if (rooms.empty()) {
     rooms = named_rooms(tokens, parse, table, names_by(kinds, &RoomKind::leading));
     keep_leading(rooms, tokens, parse);
   }
+  const auto is_named = [&](std::uint32_t head) {
+    return std::any_of(rooms.begin(), rooms.end(), [&](const NamedRoom& room) {
+      return tokens[room.at + room.length - 1].source.end == head + 1;
+    });
+  };
+  const auto stated = stated_room({parse, plain_tokens(parse.tokens), words, table}, is_named);
+  if (stated && (stated->is_told || rooms.empty())) {
+    rooms.clear();
+    take_stated(*stated, tokens, names, kinds, words, brief);
+  }
   const std::string type = choose_type(rooms);
+  if (!type.empty()) note_other_rooms(rooms, type, brief);
   make_room_tokens(tokens, rooms);
   auto room = rooms.begin();
   for (std::size_t i = 0; i < tokens.size(); ++i) {
@@ -208,8 +288,10 @@ void read_room_type(std::vector<Token>& tokens, const language::Parse& parse,
     brief.type_known = true;
     collect_styles(tokens, i, kinds, words, brief);
   }
-  if (!brief.type_known) read_compound_rooms(tokens, words, table, kinds, brief);
-  if (brief.type.empty()) read_leading_noun(tokens, words, table, kinds, brief);
+  if (brief.type.empty()) read_compound_rooms(tokens, words, table, kinds, brief);
+  if (brief.type.empty()) read_leading_noun(tokens, parse, words, table, kinds, brief);
+  if (!brief.type.empty() && !brief.type_known)
+    brief.notes.push_back("no kind of room is called \"" + brief.type + "\"; little was added to what the prompt names");
   for (std::size_t i = 0; brief.type.empty() && i < tokens.size(); ++i)
     if (tokens[i].kind == Token::Kind::word && words.generic_rooms.count(tokens[i].text))
       collect_styles(tokens, i, kinds, words, brief);

@@ -19,10 +19,11 @@ void put_on(Mention& mention, std::size_t support) {
   mention.demands.insert(mention.demands.begin(), {RelationKind::on, support, "", false});
 }
 
-// A model railway on a large table.
+// A model railway on a large table; whatever finds room on a platform.
 bool stands_easily_on(const Mention& mention, const Mention& carrier, const KindTable& table) {
-  return mention.size.x() < 0.95 * carrier.size.x() && mention.size.y() < 0.95 * carrier.size.y() &&
-         mention.size.z() <= small_side &&
+  const bool fits = mention.size.x() < 0.95 * carrier.size.x() && mention.size.y() < 0.95 * carrier.size.y();
+  if (table.is_a(carrier.category, "stage platform")) return fits;
+  return fits && mention.size.z() <= small_side &&
          !table.is_any_of(mention.category, {"seat", "table", "storage", "bed"});
 }
 
@@ -51,7 +52,7 @@ void stand_on_things(Mention& mention, const Brief& brief, const KindTable& tabl
   if (mention.size.maxCoeff() <= small_side || stands_easily_on(mention, carrier, table))
     mention.mount = Mount::surface;
   else
-    on->kind = RelationKind::near;
+    on->kind = RelationKind::near, on->said = RelationKind::on;
 }
 
 // "a tray with two cups on the table": the tray is on the table, the cups are on the tray.

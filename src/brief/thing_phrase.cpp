@@ -50,11 +50,14 @@ class ThingPhraseReader {
   // "three-drawer", "six seater": no count of things.
   bool is_measured(std::size_t token) const {
     const bool is_name = phrase_.kind.length > 0 && token + 1 == start_;  // "three light stands"
-    return is_number(token) && token < said_.head && !is_name && text_.words.measured.count(word(token + 1)) > 0;
+    const bool is_article = word(token) == "a" || word(token) == "an";    // "a shelf" is one
+    return is_number(token) && !is_name && !is_article && token < said_.head &&
+           text_.words.measured.count(word(token + 1)) > 0;
   }
 
   void name() {
     known_name();
+    other_compound();
     misspelt_name();
     if (phrase_.kind.length == 0) inferred_name();
     if (phrase_.kind.length == 0) toy_name();
@@ -83,6 +86,24 @@ class ThingPhraseReader {
       return;
     }
     phrase_.noun = parse_.head_of(said_);
+  }
+  // "a grab bar", which is none of the bars that the table calls so: English has a word of its own for it.
+  void other_compound() {
+    if (phrase_.kind.length == 0) return;
+    for (std::uint32_t i = said_.tokens.begin; i < start_; ++i) {
+      const std::string noun = in_singular(i);
+      if (!is_noun_before(i) || !language::lexicon().has(noun, language::PartOfSpeech::noun)) continue;
+      const NounKind meant = inferred_kind(text_.table, noun);
+      if (!meant.kind || meant.kind == phrase_.kind.category || is_of(*meant.kind, phrase_.kind.category->name)) return;
+      if (meant.basis == NounBasis::hyponym && text_.table.named(phrase_.kind.name) == text_.table.named(meant.name)) return;
+      return take_name(i, meant, noun);
+    }
+  }
+  bool is_noun_before(std::uint32_t token) const {
+    return std::any_of(parse_.modifiers.begin() + said_.modifiers.begin, parse_.modifiers.begin() + said_.modifiers.end,
+                       [&](const auto& one) {
+                         return one.tokens.begin == token && one.kind == language::Modifier::Kind::noun;
+                       });
   }
   // A longer one with a slip in it: "bokshelf", "cofee table".
   void misspelt_name() {
@@ -351,12 +372,18 @@ class ThingPhraseReader {
       if (n <= measure && language::bound_at(parse_.tokens, measure - n).length == n) return measure - n;
     return measure;
   }
+  // "a shelf 1.5 m above the floor", "2 m from the wall": where it is, and no size.
+  bool is_distance(std::size_t behind) const {
+    static const WordSet words = {"above", "below", "beneath", "from", "off", "away", "behind", "under"};
+    return behind < text_.plain.size() && words.count(word(behind)) > 0;
+  }
   // The first that begins there.
   void add_measure_in(const Run& run) {
     for (auto first = run.begin; first < std::min<std::size_t>(run.end, parse_.tokens.size()); ++first) {
       const auto i = with_bound(first);
       const auto measure = language::bounded_measure_at(parse_.tokens, i);
       if (!measure) continue;
+      if (is_distance(i + measure->length)) return;
       phrase_.measures.push_back(*measure);
       phrase_.measure_tokens.push_back({i, i + static_cast<std::uint32_t>(measure->length)});
       return;

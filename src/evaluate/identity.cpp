@@ -72,11 +72,11 @@ bool descends(const Kind& have, const Kind& want, const Vocabulary& vocabulary) 
          is_of(kinds.planned(have), kinds.planned(want).name);
 }
 
-// Of two names; 0 unless both name kinds of one line.
+// Of two names; 0 unless both name kinds of one line. A guitar is no harp, however much one stands for it.
 int kinship_rank(const std::string& kind, const std::string& category, const Vocabulary& vocabulary) {
   const Kind* have = vocabulary.kinds().named(kind);
   const Kind* want = vocabulary.kinds().named(category);
-  if (!have || !want) return 0;
+  if (!have || !want || vocabulary.kinds().only_resembles(category)) return 0;
   if (same_kind(*have, *want, vocabulary.kinds())) return synonym_rank;
   return descends(*have, *want, vocabulary) ? descendant_rank : 0;
 }
@@ -87,6 +87,10 @@ void read_label(const std::vector<std::string>& said, Identity& identity) {
     const bool is_number = said[i].size() <= 3 && said[i].find_first_not_of("0123456789") == std::string::npos;
     if (is_number && i + 1 < said.size()) identity.parts[singular(said[i + 1])] = std::stoi(said[i]);
   }
+}
+
+bool is_in_label(const std::vector<std::string>& name, const Identity& identity) {
+  return std::all_of(name.begin(), name.end(), [&](const std::string& word) { return identity.words.count(word) > 0; });
 }
 
 }  // namespace
@@ -127,9 +131,10 @@ int identity_rank(const Identity& identity, std::string_view name, const Vocabul
   if (kind.empty() || category.empty()) return 0;
   if (kind == category) return name_rank;
   if (const int kin = kinship_rank(kind, category, vocabulary); kin > 0) return kin;
+  const auto pieces = words(category);
+  if (vocabulary.kinds().only_resembles(category) && is_in_label(pieces, identity)) return synonym_rank;
   // "wooden desk": the words before a kind may only say how it is, or stand in the label; those of a name
   // that nobody knows ("sushi plate") tell nothing.
-  const auto pieces = words(category);
   // A table lamp is no floor lamp by being a lamp, but a mere lamp may be one.
   const bool compound = vocabulary.kinds().named(category) != nullptr;
   for (std::size_t first = 1; first < pieces.size(); ++first) {

@@ -34,7 +34,36 @@ class Checker {
           const AttributeJudge& has_attribute, const SizeShare& size_share)
       : all_(all), scene_(scene), categories_(categories), has_attribute_(has_attribute), size_share_(size_share) {}
 
+  // What is said of a thing is not met by another one that stands there in its place.
   Finding check(const Requirement& requirement) const {
+    Finding finding = check_clause(requirement);
+    const bool is_of_things =
+        requirement.kind == Requirement::Kind::attribute || requirement.kind == Requirement::Kind::relation;
+    if (!is_of_things || finding.compliance != Compliance::met) return finding;
+    const auto doubtful = [&](const std::string& id) { return is_doubtful(id); };
+    const auto subject = std::find_if(requirement.subjects.begin(), requirement.subjects.end(), doubtful);
+    if (subject != requirement.subjects.end()) return not_shown(*subject);
+    const auto& targets = requirement.targets;
+    if (!targets.empty() && std::all_of(targets.begin(), targets.end(), doubtful)) return not_shown(targets.front());
+    return finding;
+  }
+
+ private:
+  static Finding not_shown(const std::string& id) {
+    return {Compliance::not_judged, "nothing shows that " + id + " is what was asked for"};
+  }
+  // Is it counted as something that nothing shows it to be?
+  bool is_doubtful(const std::string& id) const {
+    const Object* object = find_object(scene_, id);
+    return object && std::any_of(all_.begin(), all_.end(), [&](const Requirement& count) {
+      return count.kind == Requirement::Kind::count &&
+             std::find(count.subjects.begin(), count.subjects.end(), id) != count.subjects.end() &&
+             (judge_identity(*object, count.category).compliance != Compliance::met ||
+              !is_of_sort(*object, count.attribute));
+    });
+  }
+
+  Finding check_clause(const Requirement& requirement) const {
     switch (requirement.kind) {
       case Requirement::Kind::count:
         return judge_count(requirement);
@@ -57,7 +86,6 @@ class Checker {
     return {};
   }
 
- private:
   Finding count_rooms(const Requirement& requirement) const {
     const auto rooms = rooms_of(scene_);
     const auto there =
@@ -182,23 +210,30 @@ class Checker {
     if (finding.compliance != Compliance::met) return finding;
     for (const auto& object : scene_.objects) {
       if (!categories_.is_a(object.category, requirement.category)) continue;
-      if (object.stand_in || is_approximate(object.asset))
-        return {Compliance::not_judged, "nothing shows that " + object.id + " is one"};
-      if (const std::string other = other_kind(object, requirement.category); !other.empty())
-        return by_fault(object.id + " is a " + other);
+      if (Finding identity = judge_identity(object, requirement.category); identity.compliance != Compliance::met)
+        return identity;
     }
-    if (!requirement.attribute.empty()) return judge_sort(requirement);
-    return finding;
+    return judge_sort(requirement);
+  }
+
+  Finding judge_identity(const Object& object, const std::string& category) const {
+    if (object.stand_in || is_approximate(object.asset))
+      return {Compliance::not_judged, "nothing shows that " + object.id + " is one"};
+    const std::string other = other_kind(object, category);
+    return by_fault(other.empty() ? "" : object.id + " is a " + other);
   }
 
   // A coffee grinder is no grinder of another sort: what nothing shows to be one, may be none.
   Finding judge_sort(const Requirement& requirement) const {
-    for (const auto& id : requirement.subjects) {
-      const auto verdict = has_attribute_(*find_object(scene_, id), requirement.attribute);
-      if (!verdict.judged || !verdict.held)
+    for (const auto& id : requirement.subjects)
+      if (const Object* object = find_object(scene_, id); object && !is_of_sort(*object, requirement.attribute))
         return {Compliance::not_judged, id + ": nothing shows that it is of the sort \"" + requirement.attribute + "\""};
-    }
     return {};
+  }
+  bool is_of_sort(const Object& object, const std::string& sort) const {
+    if (sort.empty()) return true;
+    const auto verdict = has_attribute_(object, sort);
+    return verdict.judged && verdict.held;
   }
 
   std::string missing(const std::string& id) const {

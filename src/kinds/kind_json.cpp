@@ -114,6 +114,7 @@ Kind child_of(const Kind& parent) {
   kind.parent = parent.name;
   kind.names.clear();
   kind.loose_names.clear();
+  kind.resembles.clear();
   kind.also.clear();
   kind.forms = {};
   kind.supports = false;
@@ -123,11 +124,12 @@ Kind child_of(const Kind& parent) {
 }
 
 void read_kind(const JsonReader& json, Kind& kind) {
-  json.allow_only({"is", "names", "loose_names", "size", "mount", "also", "elevation", "traits", "supports",
+  json.allow_only({"is", "names", "loose_names", "resembles", "size", "mount", "also", "elevation", "traits", "supports",
                    "covers_window", "zones", "gaps", "tucks_under", "lamp", "forms", "variant", "stocked_as",
                    "built_as", "serves", "usual", "substitutes", "hyponyms", "stands_for", "source"});
   kind.names = read_texts(json["names"]);
   kind.loose_names = read_texts(json["loose_names"]);
+  kind.resembles = read_texts(json["resembles"]);
   if (const auto size = json["size"]; size.exists()) {
     const auto v = size.numbers(3, 0.001, 20.0);
     kind.size = {v[0], v[1], v[2]};

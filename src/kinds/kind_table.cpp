@@ -158,6 +158,8 @@ void KindTable::index_names() {
       for (const auto& other : kind.names) add_name(other, {name, false, derived});
     for (const auto& [name, kind] : kinds_)
       for (const auto& other : kind.loose_names) add_name(other, {name, true, derived});
+    for (const auto& [name, kind] : kinds_)
+      for (const auto& other : kind.resembles) add_name(other, {name, true, derived, true});
   }
 }
 
@@ -217,6 +219,11 @@ const Kind* KindTable::named(std::string_view name) const {
 const Kind* KindTable::called(std::string_view name) const {
   const Name* found = look_up(name);
   return found && !found->loose ? by_name(found->kind) : nullptr;
+}
+
+bool KindTable::only_resembles(std::string_view name) const {
+  const Name* found = look_up(name);
+  return found && found->resembling;
 }
 
 const Kind* KindTable::spelled(std::string_view name) const {

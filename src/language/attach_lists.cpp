@@ -28,6 +28,7 @@ void Attacher::further_member(std::int32_t id) {
 
 // Whether the noun phrase is another member of the list, rather than of one around it.
 bool Attacher::takes(const OpenList& list, std::int32_t id) {
+  if (is_all_there_is(id) && at(list.last).is_denied) return false;
   if (list.by != Opened::subject && list.by != Opened::object && is_share(id)) return false;
   // "two chairs facing a sofa, a lamp and ...": the sofa ends the clause.
   if (list.by == Opened::clause) return !has_comma_;
@@ -86,6 +87,15 @@ bool Attacher::is_adjectival(const OpenList& list) {
 bool Attacher::resembles(const OpenList& list, std::int32_t id) {
   return list.by != Opened::subject && at(list.last).determiner == at(id).determiner &&
          (at(id).count > 0) == (at(list.last).count > 0);
+}
+
+// "without a desk or a chair, only a bed": the bed is wanted.
+bool Attacher::is_all_there_is(std::int32_t id) {
+  const std::uint32_t first = at(id).tokens.begin;
+  const auto says = [&](std::uint32_t token) {
+    return parse_.tokens[token].is("only") || parse_.tokens[token].is("just");
+  };
+  return says(first) || (first > 0 && says(first - 1));
 }
 
 // "two facing the door": some of several, of which something of their own is said.

@@ -70,6 +70,8 @@ bool Attacher::governs_places() {
 
 void Attacher::from_nearest(Attachment& attachment) {
   attachment.from = top_of(last_);
+  // "a statue on a plinth, facing the door": the statue.
+  if (before_ == Tag::comma && !is_with(attachment.relation)) attachment.from = what_is_told_of();
   const bool is_known = last_ != none && (at(last_).is_pronoun
                                               ? at(last_).determiner != Determiner::each
                                               : at(last_).determiner == Determiner::definite);
@@ -89,7 +91,8 @@ void Attacher::from_nearest(Attachment& attachment) {
   if (open_.empty() || is_with(attachment.relation)) return;
   OpenList& list = open_.back();
   const bool is_whole = list.last == attachment.from && list.first != list.last &&
-                        list.by != Opened::with && !list.has_own_place && ended_by_conjunction_;
+                        (list.by != Opened::with || attachment.relation == "along") && !list.has_own_place &&
+                        ended_by_conjunction_;
   attachment.is_of_list = is_whole;
   list.is_placed = list.is_placed || is_whole;
   if (!is_whole && list.last == attachment.from) list.has_own_place = true;

@@ -104,6 +104,7 @@ class Attacher {
   bool resembles(const OpenList& list, std::int32_t id);
   bool names_part(std::int32_t id);
   bool is_share(std::int32_t id);
+  bool is_all_there_is(std::int32_t id);
   void link(OpenList& list, std::int32_t id);
 
   const std::vector<Chunk>& chunks_;

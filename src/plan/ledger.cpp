@@ -155,7 +155,7 @@ class Ledger {
     // Of those that share the long sides half are behind the target.
     if (demand.flank && demand.kind == RelationKind::in_front_of) return;
     if (demand.kind == RelationKind::between) return between(index, mention, demand);
-    relation_of_kind(index, mention, demand, demand.kind);
+    relation_of_kind(index, mention, demand, demand.said.value_or(demand.kind));
     // What is on each side of a thing is not behind it, however close.
     if (demand.flank && demand.kind == RelationKind::next_to)
       relation_of_kind(index, mention, demand, RelationKind::side_of);
@@ -251,8 +251,10 @@ class Ledger {
   }
 
   void room() {
+    // A room of a kind that nobody knows may be anything.
+    const bool is_kind = brief_.type_known && !brief_.type_inferred;
     if (const auto words = words_of(Heard::As::room, "kind"); !words.empty())
-      of_room("kind", brief_.type, 0.0, "a " + brief_.type, words);
+      of_room(is_kind ? "kind" : "character", brief_.type, 0.0, "a " + brief_.type, words);
     if (brief_.size) {
       const auto words = words_of(Heard::As::room, "size");
       const double longer = brief_.size->maxCoeff(), shorter = brief_.size->minCoeff();

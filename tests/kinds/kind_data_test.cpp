@@ -41,6 +41,12 @@ TEST_CASE("Every kind is found by its own name and by its other names") {
       CHECK(table.named(other) == &kind);
       CHECK_FALSE(table.called(other) == &kind);
     }
+    for (const auto& other : kind.resembles) {
+      INFO(other);
+      CHECK(table.named(other) == &kind);
+      CHECK(table.only_resembles(other));
+      CHECK_FALSE(table.called(other) == &kind);
+    }
   }
 }
 
@@ -55,6 +61,7 @@ TEST_CASE("No name stands for two kinds") {
     claim(name, name);
     for (const auto& other : kind.names) claim(other, name);
     for (const auto& other : kind.loose_names) claim(other, name);
+    for (const auto& other : kind.resembles) claim(other, name);
   }
 }
 

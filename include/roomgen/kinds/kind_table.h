@@ -78,6 +78,8 @@ struct Kind {
   /// Other names among furniture only: a "screen" is a room divider in a list of what a room holds, and
   /// part of many things in a description of one.
   std::vector<std::string> loose_names;
+  /// Loose names of what it only looks like: who asks for a harp gets a guitar, and nothing shows that it is a harp.
+  std::vector<std::string> resembles;
   std::vector<std::string> lineage;  ///< itself and its ancestors; empty for an unknown kind
 
   Vec3 size{0.6, 0.6, 0.9};  ///< usual width, depth, height
@@ -141,6 +143,8 @@ class KindTable {
   const Kind* by_name(std::string_view name) const;
   /// Like named(), but by no loose name.
   const Kind* called(std::string_view name) const;
+  /// Whether the kind of this name only looks like what is called so (Kind::resembles).
+  bool only_resembles(std::string_view name) const;
   /// The planned kind of a name as the data spell it, in lower case: "lamps" means nothing.
   const Kind* spelled(std::string_view name) const;
   /// The kind as which plans and scenes know this one: itself unless it is a variant.
@@ -160,6 +164,7 @@ class KindTable {
     std::string kind;
     bool loose = false;
     bool derived = false;  ///< the singular of a name
+    bool resembling = false;
   };
   class Reader;
 

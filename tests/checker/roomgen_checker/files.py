@@ -304,7 +304,7 @@ class Categories:
         self.entries = {name: entry for name, entry in kinds.items() if not entry.get("variant")}
         self.names = {}
         for name, entry in kinds.items():
-            for other in entry.get("names", []) + entry.get("loose_names", []):
+            for other in entry.get("names", []) + entry.get("loose_names", []) + entry.get("resembles", []):
                 self.names[other.lower()] = self.planned(kinds, name)
         self.names.update({name: self.planned(kinds, name) for name in kinds})
 
