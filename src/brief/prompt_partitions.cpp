@@ -86,8 +86,10 @@ class PartitionReader {
   // What was parted before in the text keeps what is left of it.
   std::optional<std::size_t> rest_of(std::int32_t id) const {
     for (std::int32_t i = id; i-- > 0;)
-      if (reading_.is_share[static_cast<std::size_t>(i)])
-        return reading_.talk.mention(*reading_.mention_of(i)).part_of;
+      if (reading_.is_share[static_cast<std::size_t>(i)]) {
+        const std::size_t whole = reading_.talk.mention(*reading_.mention_of(i)).part_of;
+        return whole == Demand::none ? std::nullopt : std::optional(whole);  // all of them leave no rest
+      }
     return std::nullopt;
   }
   // "three metal bunk beds. Two bunk beds are against the left wall and one ...": the numbers make up the whole.

@@ -26,7 +26,8 @@ class Finder {
       if (verb.base == "be" && !verb.is_denied && verb.subject != language::none && verb.object != language::none &&
           is_the_room(parse_.phrases[static_cast<std::size_t>(verb.subject)]))
         if (auto found = room(parse_.phrases[static_cast<std::size_t>(verb.object)], true)) return found;
-    const bool begins = !parse_.phrases.empty() && parse_.phrases.front().list == language::none;
+    const bool begins = !parse_.phrases.empty() && parse_.phrases.front().list == language::none &&
+                        parse_.phrases.front().tokens.begin == 0;
     return begins ? room(parse_.phrases.front(), false) : std::nullopt;
   }
 
@@ -42,7 +43,8 @@ class Finder {
 
   std::optional<StatedRoom> room(const NounPhrase& phrase, bool is_told) const {
     if (phrase.is_pronoun || phrase.is_denied || phrase.is_plural || phrase.count > 1.0 ||
-        text_.words.generic_rooms.count(word(phrase.head)) || is_named_(phrase.head))
+        text_.words.generic_rooms.count(word(phrase.head)) || text_.words.room_parts.count(word(phrase.head)) ||
+        is_named_(phrase.head))
       return std::nullopt;
     std::uint32_t first = phrase.head;
     while (first > phrase.tokens.begin && is_noun_before(phrase, first - 1)) --first;

@@ -73,7 +73,8 @@ NounKind called_by(const KindTable& table, std::uint32_t synset, int steps) {
   for (const auto word : lexicon().members(synset)) {
     const Kind* kind = table.named(word);
     if (!kind || kind->hyponyms == 0 || steps > kind->hyponyms || !is_sense_of(*kind, word, synset)) continue;
-    const NounKind candidate{&table.planned(*kind), steps == 0 ? NounBasis::synonym : NounBasis::hyponym,
+    const bool is_it = steps == 0 && !table.only_resembles(word);
+    const NounKind candidate{&table.planned(*kind), is_it ? NounBasis::synonym : NounBasis::hyponym,
                              std::string(word)};
     if (kind->name == word) return candidate;
     if (!found.kind) found = candidate;
