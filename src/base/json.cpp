@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "json_builder.h"
 #include "json_literal.h"
 #include "json_reader.h"
 #include "roomgen/base/text.h"
@@ -78,20 +79,24 @@ std::string range(double low, double high) {
   return "from " + format_number(low) + " to " + format_number(high);
 }
 
+std::string below(const std::string& pointer, std::string_view key) {
+  std::string result;
+  result.reserve(pointer.size() + 1 + key.size());
+  return result.append(pointer).append(1, '/').append(key);
+}
+
 }  // namespace
 
 Result<Json> parse_json(std::string_view text, const std::string& source) {
   if (deeper_than(text, max_depth))
     return Error{Error::Kind::limit,
                  source + ": nested more than " + std::to_string(max_depth) + " deep"};
-  try {
-    return Json::parse(text);
-  } catch (const Json::parse_error& error) {
-    return Error{Error::Kind::invalid_input,
-                 source + ": not valid JSON at " + line_and_column(text, error.byte)};
-  } catch (const Json::exception&) {
+  detail::JsonBuilder builder;
+  if (Json::sax_parse(text, &builder)) return builder.take();
+  if (builder.fault() == detail::JsonBuilder::Fault::range)
     return Error{Error::Kind::invalid_input, source + ": JSON with a value out of range"};
-  }
+  return Error{Error::Kind::invalid_input,
+               source + ": not valid JSON at " + line_and_column(text, builder.fault_byte())};
 }
 
 Json json_literal(std::string_view text) {
@@ -123,15 +128,16 @@ bool JsonReader::is_array() const { return value_ && value_->is_array(); }
 bool JsonReader::is_string() const { return value_ && value_->is_string(); }
 
 JsonReader JsonReader::operator[](std::string_view key) const {
-  const std::string pointer = pointer_ + "/" + std::string(key);
-  if (!value_) return {nullptr, *problems_, pointer};
+  std::string pointer = below(pointer_, key);
+  if (!value_) return {nullptr, *problems_, std::move(pointer)};
   if (!value_->is_object()) {
     report("expected an object with the key \"" + std::string(key) + "\"");
-    return {nullptr, *problems_, pointer};
+    return {nullptr, *problems_, std::move(pointer)};
   }
-  const auto found = value_->find(std::string(key));
-  if (found == value_->end() || found->is_null()) return {nullptr, *problems_, pointer};
-  return {&*found, *problems_, pointer};
+  const auto& members = value_->get_ref<const Json::object_t&>();
+  const auto found = std::find_if(members.begin(), members.end(), [&](const auto& one) { return one.first == key; });
+  if (found == members.end() || found->second.is_null()) return {nullptr, *problems_, std::move(pointer)};
+  return {&found->second, *problems_, std::move(pointer)};
 }
 
 std::vector<JsonReader> JsonReader::elements(std::size_t limit) const {
@@ -144,8 +150,9 @@ std::vector<JsonReader> JsonReader::elements(std::size_t limit) const {
     report("more than " + std::to_string(limit) + " elements");
     return result;
   }
+  result.reserve(value_->size());
   for (std::size_t i = 0; i < value_->size(); ++i)
-    result.push_back(JsonReader(&(*value_)[i], *problems_, pointer_ + "/" + std::to_string(i)));
+    result.push_back(JsonReader(&(*value_)[i], *problems_, below(pointer_, std::to_string(i))));
   return result;
 }
 
@@ -161,8 +168,9 @@ std::vector<std::pair<std::string, JsonReader>> JsonReader::members() const {
     report("expected an object");
     return result;
   }
+  result.reserve(value_->size());
   for (const auto& [key, value] : value_->items())
-    result.emplace_back(key, JsonReader(&value, *problems_, pointer_ + "/" + key));
+    result.emplace_back(key, JsonReader(&value, *problems_, below(pointer_, key)));
   return result;
 }
 

@@ -97,3 +97,44 @@ TEST_CASE("Rounded numbers are the nearest and never minus zero") {
   CHECK(rounded(-1.23456789, 2) == -1.23);
   CHECK_FALSE(std::signbit(rounded(-0.00001)));
 }
+
+namespace {
+
+// Writes objects whose keys come again now and then.
+std::string text_with_repeats(Random& random, int depth) {
+  if (depth == 0 || random.chance(0.3)) return std::to_string(random.integer(-9, 9));
+  const bool is_object = random.chance(0.7);
+  const int most = random.chance(0.1) ? 90 : 6;
+  std::string text(1, is_object ? '{' : '[');
+  for (int i = 0, n = random.integer(0, most); i < n; ++i) {
+    if (i > 0) text += ", ";
+    if (is_object) text += "\"k" + std::to_string(random.integer(0, most)) + "\": ";
+    text += text_with_repeats(random, most > 6 ? 0 : depth - 1);
+  }
+  return text + (is_object ? '}' : ']');
+}
+
+}  // namespace
+
+TEST_CASE("Text is read as nlohmann's own parser reads it, keys that come twice included") {
+  Random random(11);
+  for (int i = 0; i < 400; ++i) {
+    const std::string text = text_with_repeats(random, 5);
+    const auto read = parse_json(text, "text");
+    REQUIRE(read);
+    REQUIRE(read->dump() == Json::parse(text).dump());
+    // Broken off anywhere, both say so.
+    const auto part = text.substr(0, static_cast<std::size_t>(random.integer(0, static_cast<int>(text.size()))));
+    const auto own = parse_json(part, "text");
+    REQUIRE(static_cast<bool>(own) == Json::accept(part));
+  }
+}
+
+TEST_CASE("An object of a hundred thousand members is read") {
+  std::string text = "{";
+  for (int i = 0; i < 100000; ++i) text += (i > 0 ? ",\"" : "\"") + std::to_string(i) + "\":" + std::to_string(i);
+  const auto read = parse_json(text + "}", "text");
+  REQUIRE(read);
+  CHECK(read->size() == 100000);
+  CHECK(read->back() == 99999);
+}
