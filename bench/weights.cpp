@@ -1,11 +1,12 @@
 // What half and twice of each weight of the score (Weights) changes. Prints a table in Markdown: for each,
 // how many rooms come out otherwise and how much more or less they hold.
 //
-//   bench_weights [STEP]   each STEP-th of the rooms (2)
+//   bench_weights [STEP [NAME...]]   each STEP-th of the rooms (2), these weights (all)
 
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -35,6 +36,7 @@ const std::vector<std::pair<const char*, double Weights::*>>& all_weights() {
       {"reserve_open", &Weights::reserve_open},
       {"reserve_taken", &Weights::reserve_taken},
       {"crowded", &Weights::crowded},
+      {"squareness", &Weights::squareness},
       {"pair_gap", &Weights::pair_gap},
       {"asked_pair_gap", &Weights::asked_pair_gap},
       {"asked_middle", &Weights::asked_middle},
@@ -89,6 +91,7 @@ void print(const char* name, double factor, const bench::Outcome& before, const 
 
 int main(int argc, char** argv) {
   const std::size_t step = argc > 1 ? static_cast<std::size_t>(std::max(1, std::atoi(argv[1]))) : 2;
+  const std::set<std::string> wanted(argv + std::min(argc, 2), argv + argc);
   const bench::RoomCases cases(step);
   const bench::Outcome before = make_all(cases, {});
   std::printf("%d rooms: %d of %d constraints held, %d of %d things placed, %d of %d requirements met\n\n",
@@ -96,10 +99,12 @@ int main(int argc, char** argv) {
               before.requirements);
   std::puts("| weight | times | rooms changed | things moved | constraints held | placed | requirements met |\n"
             "|---|---|---|---|---|---|---|");
-  for (const auto& [name, member] : all_weights())
+  for (const auto& [name, member] : all_weights()) {
+    if (!wanted.empty() && !wanted.contains(name)) continue;
     for (double factor : {0.5, 2.0}) {
       Weights weights;
       weights.*member *= factor;
       print(name, factor, before, make_all(cases, weights));
     }
+  }
 }

@@ -13,9 +13,10 @@ namespace {
 
 constexpr int max_ancestors = 8;
 
-constexpr std::array<std::pair<std::string_view, Preference>, 22> preference_names = {{
+constexpr std::array<std::pair<std::string_view, Preference>, 23> preference_names = {{
     {"door", Preference::door},
     {"door line", Preference::door_line},
+    {"door ahead", Preference::door_ahead},
     {"window", Preference::window},
     {"window behind", Preference::window_behind},
     {"window ahead", Preference::window_ahead},

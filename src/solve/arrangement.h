@@ -16,6 +16,7 @@ namespace roomgen {
 enum class Preference {
   door,           ///< far from the door
   door_line,      ///< in the line of sight through the door
+  door_ahead,     ///< looking towards the door
   window,         ///< near a window
   window_behind,  ///< with the back to a window
   window_ahead,   ///< looking at a window

@@ -38,6 +38,15 @@ double in_door_line(const Surroundings& around, const Footprint& own) {
   return most;
 }
 
+// 1 when the front looks at the nearest door, 0 when the back does.
+double looks_to_door(const Surroundings& around, const Footprint& own) {
+  const auto nearer = [&](const Footprint& a, const Footprint& b) { return gap(a, own) < gap(b, own); };
+  const auto door = std::min_element(around.doors.begin(), around.doors.end(), nearer);
+  if (door == around.doors.end()) return 0.0;
+  const Vec2 towards = door->center() - own.center();
+  return towards.norm() < 1e-9 ? 0.0 : 0.5 + 0.5 * own.front().dot(towards.normalized());
+}
+
 double back_at_window(const Surroundings& around, const Footprint& own) {
   constexpr double at_wall = 0.6, full = 0.4;
   double most = 0.0;
@@ -229,6 +238,8 @@ double degree(const Surroundings& around, const Footprint& own, double bottom,
       return 1.0 - falling(nearest_gap(around.doors, own), beside, door_share * around.span);
     case Preference::door_line:
       return in_door_line(around, own);
+    case Preference::door_ahead:
+      return looks_to_door(around, own);
     case Preference::window:
       return falling(nearest_gap(around.windows, own), beside, window_light);
     case Preference::window_behind:

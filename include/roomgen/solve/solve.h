@@ -64,6 +64,7 @@ struct Weights {
   double reserve_open = 2.4;   ///< the floor that its use will want is open
   double reserve_taken = 1.2;  ///< of another's, for each
   double crowded = 1.5;        ///< at the same side of the target as its like
+  double squareness = 0.5;     ///< parallel to the walls, of what its kind says nothing else
   double pair_gap = 0.6;       ///< as far from a partner as the pair prefers
   double asked_pair_gap = 8.0;
   double asked_middle = 4.0;     ///< what is to be in the middle is so by degrees
