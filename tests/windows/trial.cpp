@@ -1,5 +1,5 @@
 // What scripts/mingw runs under Wine: the half of base that is for Windows, the embedded data, and the floors
-// above it as far as they need no furniture.
+// above it as far as they need no furniture. Its argument is a problem to solve (docs/problem.schema.json).
 #include <cstdio>
 #include <filesystem>
 
@@ -8,6 +8,9 @@
 #include "roomgen/base/file.h"
 #include "roomgen/geometry/polygon.h"
 #include "roomgen/kinds/kind_table.h"
+#include "roomgen/scene/model_table.h"
+#include "roomgen/scene/problem.h"
+#include "roomgen/solve/solve.h"
 
 namespace fs = std::filesystem;
 using namespace roomgen;
@@ -61,11 +64,21 @@ void try_floors() {
   check(kinds.all().size() > 500 && kinds.is_a("writing desks", "table"), "the kinds are known");
 }
 
+void try_solver(const fs::path& file) {
+  const auto problem = read_problem(file);
+  check(static_cast<bool>(problem), "a problem is read");
+  if (!problem) return;
+  const auto solution = solve(*problem, {}, KindTable::built_in());
+  check(solution && solution->scene.unplaced.empty() && solution->held == solution->constraints,
+        "everything finds a place, and all constraints hold");
+}
+
 }  // namespace
 
-int main() {
+int main(int count, char** arguments) {
   try_files();
   try_folders();
   try_floors();
+  if (count > 1) try_solver(arguments[1]);
   return failures == 0 ? 0 : 1;
 }
