@@ -158,21 +158,6 @@ void propose_facing(const ProposalContext& context, const Footprint& target,
     }
 }
 
-// Parallel to the walls, so that what it looks at is the target, if not its middle: before a door in a corner a
-// long counter finds no place squarely before it.
-void propose_facing_squarely(const ProposalContext& context, const Footprint& target, std::vector<Pose>& poses) {
-  constexpr double aside[] = {0.0, 0.45, -0.45, 0.9, -0.9};  // of half the target's width
-  const double reach = 0.5 * size_of(context).y();
-  for (double yaw : context.layout.wall_yaws()) {
-    const Vec2 front = rotated({0, -1}, yaw), across = left_of(front);
-    const double rim = reach_along(target, front), half = reach_along(target, across);
-    for (double distance : {0.4, 0.8, 1.2, 1.8, 2.4, 3.0})
-      for (double share : aside)
-        poses.push_back({target.center() - (rim + distance + reach) * front + share * half * across,
-                         mounting_height(context), yaw});
-  }
-}
-
 // Along the line between the two and a little aside of it, each way round, along the line and along the walls.
 void propose_between(const ProposalContext& context, const Footprint& a, const Footprint& b,
                      std::vector<Pose>& poses) {
@@ -187,6 +172,7 @@ void propose_between(const ProposalContext& context, const Footprint& a, const F
       for (int turn = 0; turn < 4; ++turn)
         poses.push_back({at, mounting_height(context),
                          wrap_angle(yaw_facing(across) + turn * pi / 2)});
+      if (!context.surroundings) continue;  // nobody would prefer one that is parallel to the walls
       for (double yaw : context.layout.wall_yaws()) poses.push_back({at, mounting_height(context), yaw});
     }
 }
@@ -209,7 +195,6 @@ void propose_for_relation(const ProposalContext& context, const ResolvedRelation
       break;
     case RelationKind::face_to:
       propose_facing(context, target, poses);
-      propose_facing_squarely(context, target, poses);
       break;
     case RelationKind::between:
       if (relation.other) propose_between(context, target, *relation.other, poses);
