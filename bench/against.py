@@ -16,7 +16,7 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 PROMPTS = [
-    ("12 things", "a bedroom", 5),
+    ("a bedroom", "a bedroom", 5),
     ("a living room", "a living room", 3),
     ("a kitchen", "a kitchen", 3),
     ("44 things", (HERE / "rooms/full-living-room.txt").read_text().strip(), 2),

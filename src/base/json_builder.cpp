@@ -69,18 +69,18 @@ bool JsonBuilder::start_array(std::size_t size) {
   return start_object(size);
 }
 
-Members JsonBuilder::take_members() {
-  const auto first = values_.begin() + static_cast<std::ptrdiff_t>(opened_.back());
-  Members members(std::make_move_iterator(first), std::make_move_iterator(values_.end()));
-  values_.erase(first, values_.end());
+std::size_t JsonBuilder::close() {
+  const std::size_t first = opened_.back();
   opened_.pop_back();
   key_ = std::move(outer_keys_.back());
   outer_keys_.pop_back();
-  return members;
+  return first;
 }
 
 bool JsonBuilder::end_object() {
-  Members members = take_members();
+  const auto first = values_.begin() + static_cast<std::ptrdiff_t>(close());
+  Members members(std::make_move_iterator(first), std::make_move_iterator(values_.end()));
+  values_.erase(first, values_.end());
   if (members.size() <= few) unite_few(members);
   else unite_many(members);
   Json object = Json::object();
@@ -93,11 +93,12 @@ bool JsonBuilder::end_object() {
 }
 
 bool JsonBuilder::end_array() {
-  Members members = take_members();
+  const std::size_t first = close();
   Json array = Json::array();
   auto& elements = array.get_ref<Json::array_t&>();
-  elements.reserve(members.size());
-  for (auto& member : members) elements.push_back(std::move(member.second));
+  elements.reserve(values_.size() - first);
+  for (std::size_t i = first; i < values_.size(); ++i) elements.push_back(std::move(values_[i].second));
+  values_.resize(first);
   return add(std::move(array));
 }
 

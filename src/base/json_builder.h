@@ -36,7 +36,8 @@ class JsonBuilder : public nlohmann::json_sax<Json> {
 
  private:
   bool add(Json value);
-  std::vector<std::pair<std::string, Json>> take_members();
+  /// Ends the innermost container; where its values begin.
+  std::size_t close();
 
   // What is not yet part of a closed container, and where each open one begins in it.
   std::vector<std::pair<std::string, Json>> values_;

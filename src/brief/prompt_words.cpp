@@ -77,7 +77,7 @@ Result<Vocabulary> parse_vocabulary(std::string_view text, const std::string& so
   JsonReader::Problems problems(source);
   const JsonReader root(*json, problems);
   root.allow_only({"about",         "numbers",        "vague",    "definite",     "negations",
-                   "only",          "measured",       "stops",    "parts",        "no things",
+                   "only",          "measured",       "distances", "stops",    "parts",        "no things",
                    "materials",     "sizes",          "people",   "people words", "room words",
                    "generic rooms", "parts of rooms", "walls",    "placements",   "pairs",
                    "verbs",         "tops",           "portions", "built in", "asking",     "further",  "shares", "groups", "rows", "palette frames"});
@@ -101,6 +101,7 @@ Result<Vocabulary> parse_vocabulary(std::string_view text, const std::string& so
                                                    {"negations", &words.negations},
                                                    {"only", &words.only},
                                                    {"measured", &words.measured},
+                                                   {"distances", &words.distances},
                                                    {"stops", &words.stops},
                                                    {"parts", &words.parts},
                                                    {"no things", &words.no_things},

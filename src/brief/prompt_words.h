@@ -38,6 +38,7 @@ struct Vocabulary {
   std::map<std::string, Placement, std::less<>> placements;
   WordSet pairs;     ///< one thing though a plural: "headphones", "a pair of scissors"
   WordSet verbs;     ///< finite: what stands before begins a clause
+  WordSet distances;  ///< behind a length: "1.5 m above the floor" is where a thing is, and no size of it
   WordSet tops;      ///< "the countertop": of what was spoken of
   WordSet portions;  ///< "the edge of the bathtub", "the sofa cushion": stand for the whole
   WordSet groups;    ///< "two rows of desks": how often as many

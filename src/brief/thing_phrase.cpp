@@ -374,8 +374,7 @@ class ThingPhraseReader {
   }
   // "a shelf 1.5 m above the floor", "2 m from the wall": where it is, and no size.
   bool is_distance(std::size_t behind) const {
-    static const WordSet words = {"above", "below", "beneath", "from", "off", "away", "behind", "under"};
-    return behind < text_.plain.size() && words.count(word(behind)) > 0;
+    return behind < text_.plain.size() && text_.words.distances.count(word(behind)) > 0;
   }
   // The first that begins there.
   void add_measure_in(const Run& run) {

@@ -110,7 +110,7 @@ void Picture::reserve(int width, int height) {
 }
 
 Status Picture::draw(ScenePainter& painter, const DrawList& items, const Camera& camera,
-                   const SceneLight& light, const PixelRect& part, bool continued, Image& image) {
+                     const SceneLight& light, const PixelRect& part, bool continued, Image& image) {
   const int margin = reach(camera);
   // Ambient occlusion looks at depths around; those of a picture in one piece are still there.
   const bool one_tile = std::max(camera.width, camera.height) <= tile_side;

@@ -13,7 +13,7 @@ class Picture {
   /// Replaces the pixels of `part` of the image, which has the camera's size. `continued` says that
   /// the last call drew this picture too and that depths outside `part` are as they were.
   Status draw(ScenePainter& painter, const DrawList& items, const Camera& camera,
-            const SceneLight& light, const PixelRect& part, bool continued, Image& image);
+              const SceneLight& light, const PixelRect& part, bool continued, Image& image);
 
   /// How far an object changes pixels around it.
   static int reach(const Camera& camera);

@@ -130,14 +130,23 @@ void ScenePainter::paint_surfaces(const DrawList& items, const Sight& sight, con
 }
 
 Status ScenePainter::paint_glass(const DrawList& items, const Sight& sight, const Visible& visible) {
+  const auto parts = sorted_transparent(items, *sight.camera, visible);
+  // Before anything is switched: a program that cannot be built leaves nothing half done.
+  const LitProgram* programs[] = {nullptr, nullptr};  // plain, textured
+  const auto of = [&](const auto& part) -> const LitProgram*& { return programs[part.batch->texture ? 1 : 0]; };
+  for (const auto& part : parts) {
+    if (of(part)) continue;
+    const auto program = (part.batch->texture ? textured_glass_ : plain_glass_).of(sight);
+    if (!program) return program.error();
+    of(part) = *program;
+  }
   gl_->Enable(GL_BLEND);
   gl_->BlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   gl_->DepthMask(GL_FALSE);
-  for (const auto& part : sorted_transparent(items, *sight.camera, visible)) {
-    const auto program = (part.batch->texture ? textured_glass_ : plain_glass_).of(sight);
-    if (!program) return program.error();
-    (*program)->use(sight);
-    place((*program)->location("clip_from_model"), (*program)->location("room_from_normal"), *part.item, sight);
+  for (const auto& part : parts) {
+    const LitProgram& program = *of(part);
+    program.use(sight);
+    place(program.location("clip_from_model"), program.location("room_from_normal"), *part.item, sight);
     draw(*part.batch);
   }
   gl_->DepthMask(GL_TRUE);

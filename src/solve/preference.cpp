@@ -63,15 +63,6 @@ double beneath_degree(const Surroundings& around, const Footprint& own) {
   return best;
 }
 
-// Most furniture stands parallel to the walls; kinds that care more or less say so themselves.
-double square_degree(const Surroundings& around, const Footprint& own) {
-  const bool says_so = std::any_of(around.arrangement.preferences.begin(), around.arrangement.preferences.end(),
-                                   [](const WeightedPreference& one) {
-                                     return one.what == Preference::square || one.what == Preference::angle;
-                                   });
-  return says_so || around.arrangement.seats ? 0.0 : degree(around, own, 0.0, Preference::square);
-}
-
 bool is_at_seat(const Surroundings& around, const Footprint& own) {
   return std::any_of(around.seats.begin(), around.seats.end(),
                      [&](const SeatPlace& place) { return is_at(place, own); });
@@ -85,9 +76,9 @@ double preference(const Surroundings& around, const Footprint& own, double botto
     sum += one.weight * degree(around, own, bottom, one.what);
   if (!around.object.traits.flat && around.object.mount == Mount::floor) {
     sum -= around.weights.reserve_taken * reserves_taken(around, own);
-    sum += around.weights.squareness * square_degree(around, own);
     if (!around.arrangement.seats && is_on_crowded_side(around, own)) sum -= around.weights.crowded;
   }
+  if (around.may_be_square) sum += around.weights.squareness * degree(around, own, bottom, Preference::square);
   for (const auto& wish : around.wishes) sum += wish_degree(around, wish, own);
   if (!around.beneath.empty()) sum += around.weights.over_place * beneath_degree(around, own);
   if (is_at_seat(around, own)) sum += around.weights.seat_place;

@@ -83,6 +83,12 @@ std::vector<Surroundings::Wish> wishes_of(const Layout& layout, const PlacementT
   return wishes;
 }
 
+bool says_nothing_of_angles(const Arrangement& arrangement) {
+  return std::none_of(arrangement.preferences.begin(), arrangement.preferences.end(), [](const auto& one) {
+    return one.what == Preference::square || one.what == Preference::angle;
+  });
+}
+
 }  // namespace
 
 Vec2 middle_beneath(const Arrangement& rug, const Kind& kind, const Footprint& target) {
@@ -97,6 +103,8 @@ Surroundings::Surroundings(const Layout& layout, const PlacementTask& task,
       object(task.object),
       arrangement(kind_arrangement),
       weights(layout.weights()) {
+  may_be_square = object.mount == Mount::floor && !object.traits.flat && !arrangement.seats &&
+                  says_nothing_of_angles(arrangement);
   const Bounds2 box = bounds(room.polygon);
   middle = 0.5 * (box.low + box.high);
   span = box.size().norm();

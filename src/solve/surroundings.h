@@ -50,6 +50,7 @@ struct Surroundings {
   std::vector<Reserve> reserves;        ///< of neighbours that are no partners
   std::vector<Footprint> zones_in_use;  ///< in which the thing must not stand
   std::vector<Wish> wishes;
+  bool may_be_square = false;       ///< its kind says nothing of being parallel to the walls (Weights::squareness)
   std::vector<SeatPlace> seats;     ///< for a seat, at the tables that it is to stand around
   std::vector<Footprint> beneath;   ///< for a rug, where its groups want it
 };

@@ -108,10 +108,10 @@ struct Revision {
   Json patch;          ///< RFC 6902, from the program before to this one
   int rule = 0;        ///< which of the rules made it, from 1; 0: none
 };
-/// By rules, beginning behind the rule that made the last revision (0: none): a floor that suits the occupancy, what
-/// finds no wall away from walls and of what nothing found a place anywhere, a larger room if nobody gave its size, without what nobody asked for, more of what
-/// may be added, smaller things, weaker scores; the last is followed by the first. Nothing if the report is met or
-/// nothing is left to try.
+/// By rules, beginning behind the rule that made the last revision (0: none): a floor that suits the occupancy; what
+/// finds no wall stands freely, and anywhere if none of it found a place; a larger room if nobody gave its size; without
+/// what nobody asked for; more of what may be added; smaller things; weaker scores; the last is followed by the first.
+/// Nothing if the report is met or nothing is left to try.
 std::optional<Revision> revise(const WrittenProgram& written, const ErrorReport& report, int last_rule);
 
 /// One round of writing, optimising and judging.
