@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "command.h"
+#include "add_commands.h"
 #include "libraries.h"
 #include "options.h"
 #ifdef ROOMGEN_HAS_RENDER

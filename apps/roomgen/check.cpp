@@ -3,12 +3,11 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "add_commands.h"
 #include "check_program.h"
 #include "check_report.h"
-#include "command.h"
 #include "models.h"
 #include "print.h"
-#include "samples.h"
 #include "roomgen/base/file.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
@@ -19,6 +18,7 @@
 #include "roomgen/scene/problem.h"
 #include "roomgen/shape/evaluate.h"
 #include "roomgen/shape/recipe.h"
+#include "samples.h"
 
 namespace roomgen::cli {
 

@@ -20,7 +20,7 @@ std::string counted(std::size_t number, const std::string& noun) {
   return std::to_string(number) + " " + noun + (number == 1 ? "" : "s");
 }
 
-std::string headline(const ConstraintProgram& program, std::size_t errors) {
+std::string program_headline(const ConstraintProgram& program, std::size_t errors) {
   return (errors == 0 ? "sound program of " : counted(errors, "error") + " in the program of ") +
          counted(program.sets.size(), "set") + ", " + counted(program.constraints.size(), "constraint") + " and " +
          counted(program.scores.size(), "score");
@@ -35,7 +35,7 @@ Json findings_json(const Findings& findings) {
 
 void print_program(const std::string& file, const ConstraintProgram& program, const Findings& findings,
                    std::size_t errors) {
-  std::printf("%s: %s\n", file.c_str(), headline(program, errors).c_str());
+  std::printf("%s: %s\n", file.c_str(), program_headline(program, errors).c_str());
   for (const auto& finding : findings)
     std::printf("  %s: %s: %s\n", severity(finding).c_str(), finding.at.c_str(), finding.message.c_str());
   std::fputs(to_text(program).c_str(), stdout);

@@ -6,7 +6,7 @@
 #include <system_error>
 #include <vector>
 
-#include "command.h"
+#include "add_commands.h"
 #include "libraries.h"
 #include "made.h"
 #include "makers.h"

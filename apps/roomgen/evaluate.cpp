@@ -6,7 +6,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "command.h"
+#include "add_commands.h"
 #include "models.h"
 #include "roomgen/base/file.h"
 #include "roomgen/base/json.h"

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "command.h"
+#include "add_commands.h"
 #include "models.h"
 #include "room_files.h"
 #include "roomgen/base/json.h"

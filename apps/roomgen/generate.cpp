@@ -11,8 +11,8 @@
 #include <memory>
 #include <variant>
 
+#include "add_commands.h"
 #include "any_plan.h"
-#include "command.h"
 #include "designers.h"
 #include "libraries.h"
 #include "options.h"

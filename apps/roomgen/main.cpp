@@ -1,118 +1,65 @@
-#include <csignal>
-#include <cstdio>
+#include <unistd.h>
 
-#include "command.h"
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <string_view>
+
+#include "add_commands.h"
+#include "beside_program.h"
+#include "program.h"
 #include "roomgen/base/text.h"
-#ifdef ROOMGEN_HAS_ASSETS
-#include "roomgen/assets/catalogue.h"
-#endif
+#include "tool_commands.h"
 
 namespace {
 
-roomgen::CancelToken* interrupted = nullptr;
+using namespace roomgen::cli;
 
-// The first Ctrl-C asks the work to stop with what is whole; a second one ends the program.
-void on_interrupt(int signal) {
-  if (interrupted && !interrupted->cancelled()) return interrupted->cancel();
-  std::signal(signal, SIG_DFL);
-  std::raise(signal);
-}
-
-int exit_code_of(const roomgen::Error& error) {
-  switch (error.kind) {
-    case roomgen::Error::Kind::cancelled:
-      return roomgen::cli::exit_interrupted;
-    case roomgen::Error::Kind::not_understood:
-      return roomgen::cli::exit_usage;
-    default:
-      return roomgen::cli::exit_failure;
-  }
-}
-
-// What goes to a full disk or a closed pipe is lost when it is flushed, not when it is printed.
-bool all_was_written() {
-  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return true;
-  std::fputs("roomgen: the output could not be written whole\n", stderr);
-  return false;
-}
-
-// With --verbose, what holds the process that reads meshes.
-void print_confinement() {
-#ifdef ROOMGEN_HAS_ASSETS
-  const auto report = roomgen::assets::decoder_report({});
-  if (!report) {
-    std::printf("meshes cannot be read: %s\n", roomgen::printable(report.error().message).c_str());
-    return;
-  }
-  std::puts("the process that reads meshes:");
-  for (const auto& line : *report) std::printf("  %s\n", line.c_str());
+void add_commands(CLI::App& app, Context& context) {
+#if defined(ROOMGEN_HAS_ASSETS) && defined(ROOMGEN_HAS_RENDER)
+  add_generate_command(app, context);
+  add_create_command(app, context);
 #endif
+  add_plan_command(app, context);
+  add_solve_command(app, context);
+  add_check_command(app, context);
+  add_evaluate_command(app, context);
+#ifdef ROOMGEN_HAS_RENDER
+  add_render_command(app, context);
+  add_export_command(app, context);
+#endif
+#ifdef ROOMGEN_HAS_ASSETS
+  add_assets_command(app, context);
+#endif
+  list_tool_commands(app);
+}
+
+// Options before the command are flags, so the first word is the command.
+std::string_view command_of(int argc, char** argv) {
+  for (int i = 1; i < argc; ++i)
+    if (argv[i][0] != '-') return argv[i];
+  return {};
+}
+
+// Returns only when that fails.
+int hand_over(std::string_view command, char** argv) {
+  const auto tools = find_beside_program(
+      "roomgen-tools", "it does roomgen " + std::string(command) + " (scripts/roomgen builds it too)");
+  std::string reason;
+  if (tools) {
+    execv(tools->c_str(), argv);
+    reason = tools->string() + " cannot be run: " + std::strerror(errno);
+  } else {
+    reason = tools.error().message;
+  }
+  std::fprintf(stderr, "roomgen: %s\n", roomgen::printable(reason).c_str());
+  return exit_failure;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  using namespace roomgen::cli;
-  Context context;
-  CLI::App app("roomgen furnishes 3D rooms from a sentence.", "roomgen");
-  bool version = false, verbose = false;
-  app.add_flag("--version", version, "What this is; with --verbose, how it reads what strangers made");
-  app.add_flag("--verbose", verbose)->group("");
-  app.require_subcommand(0, 1);
-  app.fallthrough();
-  app.add_flag("--json", context.json, "Print a summary for scripts");
-  app.add_flag("--quiet", context.quiet, "No progress");
-  add_solve_command(app, context);
-  add_check_command(app, context);
-  add_evaluate_command(app, context);
-  add_plan_command(app, context);
-#ifdef ROOMGEN_HAS_ASSETS
-  add_assets_command(app, context);
-#endif
-#ifdef ROOMGEN_HAS_RENDER
-  add_export_command(app, context);
-  add_render_command(app, context);
-  add_tour_command(app, context);
-  add_frames_command(app, context);
-  add_questions_command(app, context);
-#endif
-#if defined(ROOMGEN_HAS_ASSETS) && defined(ROOMGEN_HAS_RENDER)
-  add_create_command(app, context);
-  add_generate_command(app, context);
-  add_optimise_command(app, context);
-  add_compose_command(app, context);
-  add_edit_commands(app, context);
-  add_import_command(app, context);
-  add_repl_command(app, context);
-  add_mcp_command(app, context);
-  add_experiment_command(app, context);
-  add_benchmark_command(app, context);
-#endif
-
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
-    std::fprintf(stderr, "roomgen: %s\n", roomgen::printable(error.what()).c_str());
-    return exit_usage;
-  }
-
-  if (version) {
-    std::printf("roomgen %s\n", ROOMGEN_VERSION);
-    if (verbose) print_confinement();
-    return exit_ok;
-  }
-  if (!context.run) {
-    std::fputs("roomgen: what shall be done? roomgen generate \"a small kitchen\" furnishes a room, "
-               "roomgen --help lists all commands\n", stderr);
-    return exit_usage;
-  }
-
-  interrupted = &context.cancel;
-  std::signal(SIGINT, on_interrupt);
-  std::signal(SIGTERM, on_interrupt);
-  const auto result = context.run();
-  if (result) return all_was_written() ? *result : exit_failure;
-  std::fprintf(stderr, "roomgen: %s\n", roomgen::printable(result.error().message).c_str());
-  return exit_code_of(result.error());
+  const std::string_view command = command_of(argc, argv);
+  if (is_tool_command(command)) return hand_over(command, argv);
+  return run_program(argc, argv, add_commands);
 }

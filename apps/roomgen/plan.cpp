@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "add_commands.h"
 #include "any_plan.h"
-#include "command.h"
 #include "options.h"
 #include "plan_text.h"
 #include "print.h"

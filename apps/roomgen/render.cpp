@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "command.h"
+#include "add_commands.h"
 #include "models.h"
 #include "roomgen/base/file.h"
 #include "roomgen/base/json.h"

@@ -45,7 +45,7 @@ Result<Varied> read_varied(const std::string& file, const ModelOptions& models, 
   return varied;
 }
 
-Json summary_json(const SampleWish& wish, const Samples& samples, double seconds) {
+Json samples_json(const SampleWish& wish, const Samples& samples, double seconds) {
   Json json = {{"output", wish.output},
                {"objects", samples.scene.objects.size()},
                {"unplaced", samples.scene.unplaced.size()},
@@ -60,7 +60,7 @@ Json summary_json(const SampleWish& wish, const Samples& samples, double seconds
   return json;
 }
 
-std::string summary_text(const SampleWish& wish, const Samples& samples, double seconds) {
+std::string samples_text(const SampleWish& wish, const Samples& samples, double seconds) {
   const double found = static_cast<double>(samples.layouts.size());
   const double share = samples.drawn == 0 ? 0.0 : 100.0 * found / static_cast<double>(samples.drawn);
   return std::to_string(samples.layouts.size()) + " of " + std::to_string(wish.options.count) +
@@ -73,10 +73,10 @@ std::string summary_text(const SampleWish& wish, const Samples& samples, double 
 void tell(const Context& context, const SampleWish& wish, const Samples& samples, double seconds) {
   std::FILE* stream = wish.output.empty() ? stderr : stdout;
   if (context.json) {
-    std::fputs(dump_json(summary_json(wish, samples, seconds)).c_str(), stream);
+    std::fputs(dump_json(samples_json(wish, samples, seconds)).c_str(), stream);
     return;
   }
-  std::fprintf(stream, "%s\n", summary_text(wish, samples, seconds).c_str());
+  std::fprintf(stream, "%s\n", samples_text(wish, samples, seconds).c_str());
   for (const auto& missing : samples.scene.unplaced) std::fprintf(stream, "  %s\n", missing.reason.c_str());
 }
 

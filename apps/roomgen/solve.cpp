@@ -3,13 +3,13 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "command.h"
+#include "add_commands.h"
 #include "options.h"
-#include "samples.h"
 #include "roomgen/base/file.h"
 #include "roomgen/base/json.h"
 #include "roomgen/generate/generate.h"
 #include "roomgen/solve/solve.h"
+#include "samples.h"
 
 namespace roomgen::cli {
 
@@ -25,7 +25,7 @@ struct SolveCommand {
   ModelOptions models;
 };
 
-void print_summary(const Context& context, const SolveCommand& command, const Solution& solution,
+void print_solution(const Context& context, const SolveCommand& command, const Solution& solution,
                    double seconds) {
   const Scene& scene = solution.scene;
   if (context.json) {
@@ -70,7 +70,7 @@ Result<int> run(const Context& context, SolveCommand& command) {
     return older_stays(command.output);
   if (auto written = write_file(command.output, dump_json(to_json(solution->scene))); !written)
     return written.error();
-  print_summary(context, command, *solution, elapsed.count());
+  print_solution(context, command, *solution, elapsed.count());
   if (solution->scene.incomplete) return exit_interrupted;
   return command.strict && !solution->scene.unplaced.empty() ? exit_failure : exit_ok;
 }

@@ -12,7 +12,7 @@ namespace roomgen {
 
 namespace {
 
-Json content_of(const ChatMessage& message) {
+Json anthropic_content(const ChatMessage& message) {
   if (message.images.empty()) return message.text;
   Json parts = Json::array({{{"type", "text"}, {"text", message.text}}});
   for (const auto& image : message.images)
@@ -71,7 +71,7 @@ Json anthropic_body(const ChatRequest& request, const std::string& model, const 
   if (auto system = system_text(request); !system.empty()) body["system"] = std::move(system);
   for (const auto& message : request.messages) {
     if (message.role == ChatMessage::Role::system) continue;
-    body["messages"].push_back({{"role", name(message.role)}, {"content", content_of(message)}});
+    body["messages"].push_back({{"role", name(message.role)}, {"content", anthropic_content(message)}});
   }
   const bool thinks = dialect.thinking && request.thinking > 0;
   if (thinks) add_thinking(request, body);

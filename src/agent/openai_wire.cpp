@@ -13,7 +13,7 @@ namespace roomgen {
 namespace {
 
 // A plain string where there are no images: the form that every server knows.
-Json content_of(const ChatMessage& message) {
+Json openai_content(const ChatMessage& message) {
   if (message.images.empty()) return message.text;
   Json parts = Json::array({{{"type", "text"}, {"text", message.text}}});
   for (const auto& image : message.images) {
@@ -61,7 +61,7 @@ std::string text_of(const JsonReader& content) {
 Json openai_body(const ChatRequest& request, const std::string& model, const Dialect& dialect) {
   Json body = {{"model", model}};
   for (const auto& message : request.messages)
-    body["messages"].push_back({{"role", name(message.role)}, {"content", content_of(message)}});
+    body["messages"].push_back({{"role", name(message.role)}, {"content", openai_content(message)}});
   const bool completion = dialect.token_limit == Dialect::TokenLimit::max_completion_tokens;
   const bool thinks = dialect.thinking && request.thinking > 0;
   body[completion ? "max_completion_tokens" : "max_tokens"] = request.max_tokens + (thinks ? request.thinking : 0);

@@ -24,7 +24,7 @@ constexpr double greatest_floor = 400.0;
 constexpr double most_at_table = 30.0;
 
 /// A request as far as it is understood.
-struct Reading {
+struct ProgramReading {
   PlanRequest request;
   Complexity asked;
   bool is_room_free = true;
@@ -102,7 +102,7 @@ void leave_unknown(const KindTable& kinds, Furnished& furnished) {
 }
 
 /// Plans, and plans again until the inventory and its floor agree.
-Result<Furnished> furnish(Reading& reading, const KindTable& kinds) {
+Result<Furnished> furnish(ProgramReading& reading, const KindTable& kinds) {
   const auto designer = make_rule_designer();
   Furnished furnished;
   for (int i = 0;; ++i) {
@@ -129,7 +129,7 @@ Result<Furnished> furnish(Reading& reading, const KindTable& kinds) {
 
 Result<WrittenProgram> write_program(const ComposeRequest& request) {
   const KindTable& kinds = KindTable::built_in();
-  Reading reading{request.plan, overridden(complexity_of(request.plan.prompt), request.complexity),
+  ProgramReading reading{request.plan, overridden(complexity_of(request.plan.prompt), request.complexity),
                   !is_size_said(request.plan)};
   auto result = furnish(reading, kinds);
   if (!result) return result.error();

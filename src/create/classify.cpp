@@ -7,12 +7,11 @@
 #include "language/measure.h"
 #include "part_forms.h"
 #include "roomgen/base/text.h"
+#include "sizing.h"
 
 namespace roomgen::create {
 
 namespace {
-
-constexpr double least_side = 0.01, greatest_side = 5.0;
 
 // "-3 legs", "minus two drawers".
 bool has_negative_count(const std::string& prompt) {

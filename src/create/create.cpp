@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t examples_shown = 2;
 constexpr double most_growth = 1.4;  // of the longest side, by repairs
 // Sides that differ by more than this from what was asked are made again.
-constexpr double size_tolerance = 0.004;
+constexpr double aim_tolerance = 0.004;
 constexpr int size_rounds = 3;
 constexpr double most_excess = 1.3;
 
@@ -40,7 +40,7 @@ Vec3 aim_of(const Description& description, const std::optional<Vec3>& said, con
   for (int axis = outline_is_said ? 2 : 0; axis < 3; ++axis) {
     const double nearest = std::clamp(size[axis], kind->least[axis], kind->most[axis]);
     const double excess = std::max(size[axis] / nearest, nearest / size[axis]);
-    if (std::isnan(aim[axis]) && std::abs(size[axis] - nearest) > size_tolerance && excess < most_excess)
+    if (std::isnan(aim[axis]) && std::abs(size[axis] - nearest) > aim_tolerance && excess < most_excess)
       aim[axis] = nearest;
   }
   return aim;
@@ -95,7 +95,7 @@ class Creator {
       if (!maker_.is_cheap()) break;
       const Vec3 size = bounds(object.shape).size();
       // What another aim did not change will not change.
-      if ((size - last).norm() < size_tolerance || !correct_size(aim_of(description, said, size, kind), size, description))
+      if ((size - last).norm() < aim_tolerance || !correct_size(aim_of(description, said, size, kind), size, description))
         break;
       last = size;
     }
@@ -165,7 +165,7 @@ class Creator {
     bool off = false;
     for (int axis = 0; axis < 3; ++axis) {
       const double error = wanted[axis] - size[axis];
-      if (std::isnan(error) || std::abs(error) <= size_tolerance) continue;
+      if (std::isnan(error) || std::abs(error) <= aim_tolerance) continue;
       off = true;
       if (!description.size) description.size = Vec3::Constant(std::nan(""));
       double& side = (*description.size)[axis];

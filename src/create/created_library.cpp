@@ -28,7 +28,7 @@ namespace {
 constexpr const char* recipe_name = "words";
 constexpr double created_score = 0.1;  // any real thing that fits is better
 constexpr double usual_elevation = 1.2;
-constexpr double least_side = 0.002, greatest_side = 20.0;
+constexpr double least_stored_side = 0.002, greatest_stored_side = 20.0;
 
 /// What is built.
 struct Order {
@@ -71,7 +71,7 @@ Result<Order> order_of(const AssetRef& ref) {
   order.description = params["description"].text_or("");
   order.approximate = params["approximate"].boolean_or(false);
   order.stand_in = params["stand_in"].boolean_or(false);
-  const auto sides = params["size"].numbers(3, least_side, greatest_side);
+  const auto sides = params["size"].numbers(3, least_stored_side, greatest_stored_side);
   if (const auto& problem = problems.first()) return *problem;
   order.size = Vec3(sides[0], sides[1], sides[2]);
   order.seed = ref.procedural->seed;

@@ -15,7 +15,7 @@ namespace {
 
 using shape::Component;
 
-constexpr int most_copies = 50;
+constexpr int most_of_piece = 50;
 
 std::string free_name(const shape::Program& program, std::string wanted) {
   std::replace(wanted.begin(), wanted.end(), ' ', '-');
@@ -96,7 +96,7 @@ Piece piece_of(const PartWish& wish) {
   if (const auto shaped = parts.shapes.find(wish.shape); shaped != parts.shapes.end())
     piece.form.form = shaped->second;
   piece.place = wish.place.value_or(piece.form.place);
-  piece.count = std::clamp(wish.count.value_or(wish.one ? 1 : piece.form.count), 0, most_copies);
+  piece.count = std::clamp(wish.count.value_or(wish.one ? 1 : piece.form.count), 0, most_of_piece);
   return piece;
 }
 

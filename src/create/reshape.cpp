@@ -13,7 +13,7 @@ namespace {
 
 using shape::Component;
 
-constexpr int most_copies = 200;
+constexpr int most_of_part = 200;
 
 bool stands_on_floor(const std::string& label) {
   return label == "leg" || label == "foot" || label == "wheel" || label == "post" || label == "pole";
@@ -172,7 +172,7 @@ shape::Surface painted(shape::Surface surface, const std::string& material, cons
 }  // namespace
 
 bool set_count(shape::Program& program, const std::string& label, int count) {
-  if (count < 0 || count > most_copies) return false;
+  if (count < 0 || count > most_of_part) return false;
   if (count == 0) {
     filter_wholes(program, label, [](Component&) { return false; });
     prune_connections(program);

@@ -11,7 +11,6 @@ namespace roomgen::create {
 namespace {
 
 constexpr double size_variation = 0.05;  // of the usual size, either way
-constexpr double least_side = 0.01, greatest_side = 5.0;
 constexpr double longish = 2.2;  // times as wide as deep: nobody means a square by "round"
 
 const shape::Parameter* find(const std::vector<shape::Parameter>& parameters, const std::string& name) {

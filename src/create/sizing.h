@@ -13,6 +13,9 @@ namespace roomgen::create {
 /// How recipes name the parameters of their size.
 inline constexpr const char* axes[] = {"width", "depth", "height"};
 
+/// Metres: what a created object may measure.
+inline constexpr double least_side = 0.01, greatest_side = 5.0;
+
 struct Sizing {
   Vec3 size;  ///< width, depth, height, metres
   std::vector<std::string> notes;

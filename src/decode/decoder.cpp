@@ -28,11 +28,6 @@ constexpr std::size_t most_warnings = 100;
 constexpr std::size_t piece = 1 << 20;
 constexpr std::size_t most_text_bytes = 1000;
 
-struct Message {
-  MessageKind kind;
-  std::string body;
-};
-
 Error cancelled() { return {Error::Kind::cancelled, "reading meshes was stopped"}; }
 
 // What a decoder says is for people, and may be anybody's words.

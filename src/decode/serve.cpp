@@ -16,11 +16,6 @@ namespace roomgen::decode {
 
 namespace {
 
-struct Message {
-  MessageKind kind;
-  std::string body;
-};
-
 bool read_whole(int channel, char* into, std::size_t size) {
   while (size > 0) {
     const auto count = ::read(channel, into, size);

@@ -31,6 +31,11 @@ struct Header {
 inline constexpr std::size_t header_bytes = 8;
 inline constexpr std::size_t most_message_bytes = std::size_t{1} << 30;
 
+struct Message {
+  MessageKind kind;
+  std::string body;
+};
+
 std::string header_of(MessageKind kind, std::size_t size);
 /// None for an unknown kind, or too many bytes.
 std::optional<Header> header_from(std::string_view bytes);

@@ -13,7 +13,7 @@ namespace roomgen::language {
 
 namespace {
 
-constexpr const char* path = "data/language/foreign.json";
+constexpr const char* foreign_path = "data/language/foreign.json";
 constexpr std::ptrdiff_t fewest = 2;
 
 struct SmallWordsOf {
@@ -23,9 +23,9 @@ struct SmallWordsOf {
 
 std::vector<SmallWordsOf> read_languages() {
   std::vector<SmallWordsOf> languages;
-  const auto json = parse_json(resource(path).value_or("{}"), path);
+  const auto json = parse_json(resource(foreign_path).value_or("{}"), foreign_path);
   if (!json) return languages;
-  JsonReader::Problems problems(path);
+  JsonReader::Problems problems(foreign_path);
   const JsonReader root(*json, problems);
   for (const auto& [name, entry] : root["languages"].members()) {
     SmallWordsOf one{{name, entry["refusal"].text(1000)}, {}};

@@ -10,7 +10,7 @@ namespace roomgen::language {
 
 namespace {
 
-constexpr const char* path = "data/language/words.json";
+constexpr const char* words_path = "data/language/words.json";
 
 constexpr std::pair<std::string_view, Measure::Side> side_names[] = {
     {"length", Measure::Side::length},       {"width", Measure::Side::width},
@@ -98,8 +98,8 @@ SmallWords read(const JsonReader& root) {
 
 const SmallWords& small_words() {
   static const SmallWords words = [] {
-    const auto json = parse_json(resource(path).value_or("{}"), path);
-    JsonReader::Problems problems{path};
+    const auto json = parse_json(resource(words_path).value_or("{}"), words_path);
+    JsonReader::Problems problems{words_path};
     return json ? read(JsonReader(*json, problems)) : SmallWords{};
   }();
   return words;

@@ -34,7 +34,7 @@ struct RowBlock {
 };
 
 /// Where a block stands: the wall that its front rows are nearest to, and how close its things are.
-struct Site {
+struct FormationSite {
   std::size_t wall = 0;
   Vec2 forward = Vec2::Zero(), center = Vec2::Zero();
   double closeness = 1.0;
@@ -92,11 +92,11 @@ class Formations {
 
   // Of the walls that the rows may face the one that was told, or one without a door or windows; the loosest
   // that there is room for.
-  std::optional<Site> site_for(const RowBlock& block, const Draft& draft) const {
+  std::optional<FormationSite> site_for(const RowBlock& block, const Draft& draft) const {
     const Bounds2 floor = floor_of(draft);
     for (const double closeness : closenesses) {
       const RowBlock closer = block.closer(closeness);
-      std::optional<Site> best;
+      std::optional<FormationSite> best;
       double least = 0.0;
       for (std::size_t wall = 0; wall < plan_.room.polygon.size(); ++wall) {
         const Vec2 forward = -plan_.room.polygon.inward(wall);
@@ -107,7 +107,7 @@ class Formations {
         if (((floor.size() - need).array() < 2.0 * margin).any()) continue;
         const double cost = cost_of(wall, draft);
         if (best && cost >= least) continue;
-        best = Site{wall, forward, 0.5 * (floor.low + floor.high - closer.before * forward), closeness};
+        best = FormationSite{wall, forward, 0.5 * (floor.low + floor.high - closer.before * forward), closeness};
         least = cost;
       }
       if (best) return best;
@@ -129,12 +129,12 @@ class Formations {
     return cost;
   }
 
-  static std::string wall_name(const Site& site) { return "wall-" + std::to_string(site.wall); }
+  static std::string wall_name(const FormationSite& site) { return "wall-" + std::to_string(site.wall); }
 
   // Who sits at a desk looks over it: its back is where the rows look.
   bool looks_backwards(const std::string& category) const { return table_.is_a(category, "table"); }
 
-  void stand(PlanItem& item, const RowBlock& block, const Site& site, std::size_t number) const {
+  void stand(PlanItem& item, const RowBlock& block, const FormationSite& site, std::size_t number) const {
     const bool backwards = looks_backwards(item.category);
     const Vec2 front = backwards ? Vec2(-site.forward) : site.forward;
     const Vec2 right(front.y(), -front.x());
@@ -151,7 +151,7 @@ class Formations {
   }
 
   // What the rows look at stands before the middle of the wall that they face, unless it was told where.
-  void turn_to_audience(const Draft& audience, const Site& site) {
+  void turn_to_audience(const Draft& audience, const FormationSite& site) {
     const auto wall = part_of_room(plan_.room, wall_name(site));
     for (const auto& demand : audience.demands) {
       if (demand.kind != RelationKind::face_to || demand.mention == Demand::none || !wall) continue;

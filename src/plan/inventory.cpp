@@ -11,7 +11,6 @@ namespace roomgen::design {
 
 namespace {
 
-constexpr int fewest = 8;             ///< things that a room holds where they fit
 constexpr double fullest = 0.45;      ///< share of the floor beyond which nothing is added
 constexpr double core_excess = 1.15;  ///< the core may take a little more than the usual share
 constexpr int max_added = 12;         ///< of one kind, unless the kind of room says more
@@ -51,7 +50,7 @@ class Completion {
         random_.uniform(0.6 * kind_.share.low + 0.4 * kind_.share.high, kind_.share.high);
     add_extras(wanted, share * area * fullness());
     // What is still missing is made up of whatever fits.
-    add_extras(fewest, fullest * area);
+    add_extras(fewest_things, fullest * area);
     for (const auto& piece : kind_.details)
       if (random_.chance(piece.chance)) add(piece, 1e9);
   }

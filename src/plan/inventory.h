@@ -12,6 +12,9 @@
 
 namespace roomgen::design {
 
+/// Things that a room holds where they fit.
+inline constexpr int fewest_things = 8;
+
 /// A plan item that is not yet in order: what it demands of others is still by mention.
 struct Draft {
   PlanItem item;

@@ -15,7 +15,7 @@ constexpr int in_its_place = 10;  // conflicts, and what one opening more costs 
 constexpr double across = 4.0;    // for a window: the wall towards which the door looks
 
 /// A stretch with the needs that have been assigned to it.
-struct Site {
+struct OpeningSite {
   WallStretch stretch;
   std::vector<std::size_t> needs;
 };
@@ -95,7 +95,7 @@ class OpeningPlanner {
   }
 
   // Is there room for one more, if all may become narrower?
-  bool takes(const Site& site, const OpeningNeed& need, bool narrower) const {
+  bool takes(const OpeningSite& site, const OpeningNeed& need, bool narrower) const {
     const double length = site.stretch.length() + 1e-9;
     if (site.needs.empty())
       return (narrower || need.yields ? need.least : need.opening.width()) + 2.0 * need.clear <=
@@ -192,7 +192,7 @@ class OpeningPlanner {
 
   // --- Where in its stretch ---------------------------------------------------------------------
 
-  void place_single(const Site& site) {
+  void place_single(const OpeningSite& site) {
     const std::size_t index = site.needs.front();
     OpeningNeed& need = needs_[index];
     if (need.middles.empty() && need.likes_corner()) {
@@ -209,12 +209,12 @@ class OpeningPlanner {
     room_.openings.push_back(opening);
   }
 
-  void place_several(const Site& site) {
+  void place_several(const OpeningSite& site) {
     shrink_to_fit(site);
     spread_along(site.stretch, order_along(site));
   }
 
-  void shrink_to_fit(const Site& site) {
+  void shrink_to_fit(const OpeningSite& site) {
     const double free =
         site.stretch.length() - least_gap * (static_cast<double>(site.needs.size()) + 1.0);
     double sum = 0.0, least = 0.0;
@@ -233,7 +233,7 @@ class OpeningPlanner {
   }
 
   // Doors that like corners at the ends, the others between them.
-  std::vector<std::size_t> order_along(const Site& site) {
+  std::vector<std::size_t> order_along(const OpeningSite& site) {
     std::vector<std::size_t> corner, middle;
     for (const std::size_t i : site.needs)
       (needs_[i].likes_corner() ? corner : middle).push_back(i);
@@ -291,7 +291,7 @@ class OpeningPlanner {
   std::vector<std::optional<Opening>> placed_;  ///< by need
   Random random_;
   std::vector<std::string>& notes_;
-  std::vector<Site> sites_;
+  std::vector<OpeningSite> sites_;
 };
 
 // An end of its wall beside a door is a corner of the room, or the wall goes round it.

@@ -23,7 +23,6 @@ namespace {
 constexpr int usual_attempts = 5;
 constexpr int max_attempts = 9;  ///< while something of the prompt is not heeded
 constexpr double growth = 1.05;  ///< of the sides from attempt to attempt
-constexpr int fewest = 8;
 constexpr std::size_t enough_things = 2;  ///< named, to furnish a room of no known kind
 constexpr std::size_t most_tried = 80;  ///< things; larger plans are taken as they are
 
@@ -184,7 +183,7 @@ class Planner {
       on_floor -= item.mount == Mount::floor;
       fault += item.asked ? 20.0 : attempt.drafts[object.item].core ? 5.0 : 1.0;
     }
-    return brief_.bare ? fault : fault + 3.0 * std::max(0, fewest - on_floor);
+    return brief_.bare ? fault : fault + 3.0 * std::max(0, fewest_things - on_floor);
   }
 
   // Drops what found no place and was not asked for.

@@ -30,6 +30,8 @@ struct Scope {
 class Expression {
  public:
   static constexpr std::size_t max_length = 500;
+  /// A bound formula is longer than what was written: numbers stand in place of names.
+  static constexpr std::size_t max_bound_length = 8000;
   static constexpr int max_depth = 64;
 
   static Result<Expression> compile(std::string_view text, std::size_t length_limit = max_length);

@@ -9,15 +9,15 @@ namespace roomgen::shape {
 
 namespace {
 
-using Grid = std::vector<std::vector<Vec3>>;
+using Heights = std::vector<std::vector<Vec3>>;
 
-Result<Grid> sampled_grid(const HeightField& solid) {
+Result<Heights> sampled_grid(const HeightField& solid) {
   const double cell = solid.size.maxCoeff() / solid.divisions;
   const auto count = [&](double length) {
     return std::max<std::size_t>(2, static_cast<std::size_t>(std::lround(length / cell)));
   };
   const std::size_t columns = count(solid.size.x()), rows = count(solid.size.y());
-  Grid grid(rows + 1, std::vector<Vec3>(columns + 1));
+  Heights grid(rows + 1, std::vector<Vec3>(columns + 1));
   for (std::size_t j = 0; j <= rows; ++j)
     for (std::size_t i = 0; i <= columns; ++i) {
       const double u = 2.0 * static_cast<double>(i) / static_cast<double>(columns) - 1.0;
@@ -45,7 +45,7 @@ void add_wall(SurfaceBuilder& surface, const std::vector<Vec3>& border, const Ve
   add_cap(surface, {loop}, points, normal);
 }
 
-std::vector<Vec3> column(const Grid& grid, std::size_t i) {
+std::vector<Vec3> column(const Heights& grid, std::size_t i) {
   std::vector<Vec3> result;
   for (const auto& row : grid) result.push_back(row[i]);
   return result;

@@ -14,8 +14,6 @@ namespace {
 
 // Of all formulas of a document and what it uses, in numbers, names and operators.
 constexpr std::size_t max_work = 4'000'000;
-// A bound formula is longer than what was written: numbers stand in place of names.
-constexpr std::size_t max_bound_length = 8000;
 
 // Names of materials of recipes that use each other are joined.
 constexpr std::size_t max_reference = 1000;
@@ -182,10 +180,10 @@ std::string Numbers::word(const JsonReader& json, std::string fallback) const {
 std::string Numbers::height(const JsonReader& json) const {
   Scope none;
   if (!json.is_string()) return Json(number(json, 0.0, greatest_length)).dump();
-  const auto expression = compiled(json, scope_ ? Expression::max_length : max_bound_length);
+  const auto expression = compiled(json, scope_ ? Expression::max_length : Expression::max_bound_length);
   if (!expression) return "0";
   auto text = expression->bound(scope_ ? *scope_ : none, {"u", "v"});
-  if (text && text->size() <= max_bound_length) return *std::move(text);
+  if (text && text->size() <= Expression::max_bound_length) return *std::move(text);
   json.report("\"" + json.text().substr(0, 60) +
               "\": " + (text ? "too long with all numbers put in" : text.error().message));
   return "0";

@@ -66,7 +66,7 @@ T read_flag(const JsonReader& json) {
   return {};
 }
 
-struct Writer {
+struct OperationWriter {
   Json operator()(const Cut& cut) const {
     return {{"cut", {{"point", to_json(cut.point)}, {"normal", to_json(cut.normal)}}}};
   }
@@ -111,7 +111,7 @@ Operation read_operation(const JsonReader& json, const Numbers& numbers) {
 }
 
 Json write_operation(const Operation& operation) {
-  return std::visit(Writer{}, operation);
+  return std::visit(OperationWriter{}, operation);
 }
 
 }  // namespace roomgen::shape::detail

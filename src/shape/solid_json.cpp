@@ -235,7 +235,7 @@ void write_unless(Json& json, const char* key, double value, double fallback) {
 
 using Written = std::pair<std::string, Json>;
 
-struct Writer {
+struct SolidWriter {
   Written operator()(const Box& box) const {
     Json json = {{"size", to_json(box.size)}};
     write_unless(json, "bevel", box.bevel, 0.0);
@@ -365,7 +365,7 @@ Solid read_solid(std::string_view key, const JsonReader& json, const Numbers& nu
 }
 
 std::pair<std::string, Json> write_solid(const Solid& solid) {
-  return std::visit(Writer{}, solid);
+  return std::visit(SolidWriter{}, solid);
 }
 
 double metres(double value) {

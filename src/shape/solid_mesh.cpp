@@ -12,8 +12,6 @@ namespace roomgen::shape::detail {
 
 namespace {
 
-constexpr std::size_t max_bound_length = 8000;
-
 Curve<Vec2> outline(const std::variant<Disc, Rectangle, Curve<Vec2>>& section, double tolerance) {
   if (const auto* disc = std::get_if<Disc>(&section))
     return ellipse(Vec2::Constant(2 * disc->radius), tolerance);
@@ -29,7 +27,7 @@ Curve<Vec2> outline(const std::variant<RoundedSize, Curve<Vec2>>& level, double 
 }
 
 Result<Mesh> height_mesh(const HeightPart& part, double tolerance) {
-  const auto formula = Expression::compile(part.height, max_bound_length);
+  const auto formula = Expression::compile(part.height, Expression::max_bound_length);
   if (!formula) return with_context(formula.error(), "\"height\"");
   Scope scope;
   double& u = std::get<double>(scope.values["u"]);

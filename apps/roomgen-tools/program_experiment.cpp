@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 constexpr std::array<int, 3> looked_at = {1, 3, 5};  // rounds, as in the source
 constexpr int most_rounds = looked_at.back();
 
-/// What a room was worth after so many rounds.
+/// What a room was worth after so many rounds, rounded as it is kept.
 struct Figures {
   double fidelity = 0.0, held = 0.0, seconds = 0.0;
 };
@@ -42,7 +42,7 @@ struct Run {
 Json to_json(const Run& run) {
   Json json = {{"id", run.id}, {"clusters", run.clusters}, {"after", Json::array()}};
   for (const auto& figures : run.after)
-    json["after"].push_back({rounded(figures.fidelity), rounded(figures.held), rounded(figures.seconds, 2)});
+    json["after"].push_back({figures.fidelity, figures.held, figures.seconds});
   return json;
 }
 
@@ -101,8 +101,10 @@ class ProgramExperiment {
       }
       const std::size_t played = std::min(made->rounds.size(), static_cast<std::size_t>(looked_at[i]));
       const ComposeRound& round = made->rounds[best_of({made->rounds.data(), played})];
-      result.after.push_back({fidelity(description, round.result.scene, round.result.occupancy, kinds).value_or(1.0),
-                              held_share(round.result), seconds[played - 1]});
+      // As they are kept, so that a report from the file says the same.
+      result.after.push_back(
+          {rounded(fidelity(description, round.result.scene, round.result.occupancy, kinds).value_or(1.0)),
+           rounded(held_share(round.result)), rounded(seconds[played - 1], 2)});
     }
     return result;
   }

@@ -10,10 +10,11 @@
 #include <utility>
 #include <vector>
 
-#include "command.h"
+#include "add_commands.h"
 #include "models.h"
 #include "roomgen/base/file.h"
 #include "roomgen/render/pictures.h"
+#include "tool_commands.h"
 #include "tours.h"
 
 namespace roomgen::cli {
@@ -146,7 +147,7 @@ void add_motion_options(CLI::App& app, TourCommand& command) {
 
 void add_tour_command(CLI::App& app, Context& context) {
   auto command = std::make_shared<TourCommand>();
-  CLI::App* tour = app.add_subcommand("tour", "Walk a camera through a scene so that it sees every object");
+  CLI::App* tour = add_tool_command(app, "tour");
   tour->add_option("scene", command->scene, "scene.json")->required()->check(CLI::ExistingFile);
   tour->add_option("-o,--output", command->output, "Folder for tour.json and path.png")->capture_default_str();
   add_view_options(*tour, *command);

@@ -4,13 +4,14 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "command.h"
+#include "add_commands.h"
 #include "libraries.h"
 #include "print.h"
-#include "roomgen/base/text.h"
-#include "roomgen/import/import.h"
 #include "room_options.h"
 #include "room_session.h"
+#include "roomgen/base/text.h"
+#include "roomgen/import/import.h"
+#include "tool_commands.h"
 
 namespace roomgen::cli {
 
@@ -79,7 +80,7 @@ Result<int> run_import(const Context& context, const ImportCommand& command) {
 
 void add_import_command(CLI::App& app, Context& context) {
   auto command = std::make_shared<ImportCommand>();
-  auto* sub = app.add_subcommand("import", "Take the poses of a scene.glb that another program has changed back into the room");
+  auto* sub = add_tool_command(app, "import");
   add_scene(*sub, *command);
   sub->add_option("file", command->file, "The .glb file; its nodes have the names of scene.glb")->required()->check(CLI::ExistingFile);
   sub->add_flag("--remove-missing", command->remove_missing, "Things without a node go");

@@ -1,8 +1,9 @@
 #include <memory>
 
+#include "add_commands.h"
 #include "benchmark_make.h"
 #include "benchmark_run.h"
-#include "command.h"
+#include "tool_commands.h"
 #include "tours.h"
 
 namespace roomgen::cli {
@@ -78,7 +79,7 @@ void add_score_command(CLI::App& app, Context& context) {
 }  // namespace
 
 void add_benchmark_command(CLI::App& app, Context& context) {
-  CLI::App* benchmark = app.add_subcommand("benchmark", "Sets of spatial questions, and how models answer them");
+  CLI::App* benchmark = add_tool_command(app, "benchmark");
   benchmark->require_subcommand(1);
   add_make_command(*benchmark, context);
   add_run_command(*benchmark, context);

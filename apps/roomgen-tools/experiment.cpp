@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "command.h"
+#include "add_commands.h"
 #include "insertions.h"
 #include "made.h"
 #include "makers.h"
@@ -21,6 +21,7 @@
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "roomgen/create/suite.h"
+#include "tool_commands.h"
 
 namespace roomgen::cli {
 
@@ -313,8 +314,7 @@ void check_experiment_usage(const ExperimentOptions& options) {
 
 void add_experiment_command(CLI::App& app, Context& context) {
   auto options = std::make_shared<ExperimentOptions>();
-  auto* sub = app.add_subcommand(
-      "experiment", "Make a suite of things in several variants and score them (docs/objects.md), or change rooms step by step");
+  auto* sub = add_tool_command(app, "experiment");
   auto* create = sub->add_option("--create", options->suite,
                                  "Sentences with what can be checked, as bench/create/prompts.json");
   auto* insertions = sub->add_option("--insertions", options->insertions,

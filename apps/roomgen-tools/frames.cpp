@@ -6,8 +6,9 @@
 #include <string>
 #include <thread>
 
-#include "command.h"
+#include "add_commands.h"
 #include "models.h"
+#include "tool_commands.h"
 #include "tours.h"
 
 namespace roomgen::cli {
@@ -57,7 +58,7 @@ void add_frames_command(CLI::App& app, Context& context) {
   auto command = std::make_shared<FramesCommand>();
   FrameOptions& options = command->frames;
   options.threads = std::max(1, static_cast<int>(std::min(16u, std::thread::hardware_concurrency())));
-  CLI::App* frames = app.add_subcommand("frames", "Draw the frames of a tour: pictures, layers, labels, a video");
+  CLI::App* frames = add_tool_command(app, "frames");
   frames->add_option("scene", command->scene, "scene.json")->required()->check(CLI::ExistingFile);
   frames->add_option("--tour", command->tour, "Folder of tour.json, where the frames go too")->capture_default_str();
   frames->add_option("--size", command->size, "Of the pictures")->capture_default_str();

@@ -7,11 +7,12 @@
 #include <memory>
 #include <string>
 
-#include "command.h"
+#include "add_commands.h"
 #include "libraries.h"
 #include "line_source.h"
 #include "mcp/server.h"
 #include "mcp/tools.h"
+#include "tool_commands.h"
 
 namespace roomgen::cli {
 
@@ -98,8 +99,7 @@ Result<int> run(const Context& context, const McpCommand& command) {
 
 void add_mcp_command(CLI::App& app, Context& context) {
   auto command = std::make_shared<McpCommand>();
-  auto* sub = app.add_subcommand(
-      "mcp", "Serve an agent: the Model Context Protocol on standard input and output (docs/agents.md)");
+  auto* sub = add_tool_command(app, "mcp");
   sub->add_option("--root", command->root, "The folder that the agent may read and write; nothing outside")
       ->capture_default_str();
   sub->add_flag("--no-pictures", command->no_pictures,

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "add_commands.h"
 #include "authors.h"
-#include "command.h"
 #include "designers.h"
 #include "libraries.h"
 #include "options.h"
@@ -22,6 +22,7 @@
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "summary.h"
+#include "tool_commands.h"
 
 namespace roomgen::cli {
 
@@ -127,8 +128,7 @@ Result<int> run(const Context& context, ComposeCommand& command) {
 
 void add_compose_command(CLI::App& app, Context& context) {
   auto command = std::make_shared<ComposeCommand>();
-  auto* sub = app.add_subcommand(
-      "compose", "Furnish a room for a sentence by a constraint program that is revised until it is met");
+  auto* sub = add_tool_command(app, "compose");
   sub->add_option("prompt", command->request.plan.prompt,
                   "What room: \"a reading room with twelve shelves and seating for ten\"")
       ->required();

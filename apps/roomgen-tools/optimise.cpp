@@ -8,7 +8,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "command.h"
+#include "add_commands.h"
 #include "libraries.h"
 #include "options.h"
 #include "print.h"
@@ -18,6 +18,7 @@
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "roomgen/generate/generate.h"
+#include "tool_commands.h"
 
 namespace roomgen::cli {
 
@@ -116,7 +117,7 @@ Result<int> run(const Context& context, OptimiseCommand& command) {
 
 void add_optimise_command(CLI::App& app, Context& context) {
   auto command = std::make_shared<OptimiseCommand>();
-  auto* sub = app.add_subcommand("optimise", "Furnish a room as a constraint program says, by simulated annealing");
+  auto* sub = add_tool_command(app, "optimise");
   sub->add_option("program", command->program, "program.json (docs/programs.md)")->required();
   sub->add_option("-o,--output", command->output, "Folder to write (default: out/ and the program's name)");
   auto* seed = sub->add_option("--seed", command->options.seed, "Seed of room and search (default: the program's)")

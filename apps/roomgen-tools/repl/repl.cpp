@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "command.h"
+#include "add_commands.h"
 #include "libraries.h"
 #include "line_source.h"
 #include "print.h"
@@ -14,6 +14,7 @@
 #include "repl/line_editor.h"
 #include "room_options.h"
 #include "roomgen/base/text.h"
+#include "tool_commands.h"
 
 namespace roomgen::cli {
 
@@ -145,9 +146,7 @@ Result<int> run(const Context& context, const RoomOptions& command) {
 
 void add_repl_command(CLI::App& app, Context& context) {
   auto command = std::make_shared<RoomOptions>();
-  auto* sub = app.add_subcommand(
-      "repl",
-      "Change a room line by line, at a prompt or over a pipe; the exit code is then that of the first line that failed");
+  auto* sub = add_tool_command(app, "repl");
   add_scene(*sub, *command);
   add_repair_option(*sub, *command);
   add_file_options(*sub, *command);

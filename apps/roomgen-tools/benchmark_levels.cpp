@@ -20,14 +20,14 @@ std::string built_in_levels() {
   return {reinterpret_cast<const char*>(roomgen_benchmark_levels), static_cast<std::size_t>(roomgen_benchmark_levels_size)};
 }
 
-LevelRange range_from(const Json& json) {
+LevelRange level_range(const Json& json) {
   const auto bound = [&](std::size_t k, double open) { return json.at(k).is_null() ? open : json.at(k).get<double>(); };
   return {bound(0, 0.0), bound(1, std::numeric_limits<double>::infinity())};
 }
 
 std::map<std::string, LevelRange> ranges_from(const Json& json) {
   std::map<std::string, LevelRange> ranges;
-  for (const auto& [level, range] : json.items()) ranges[level] = range_from(range);
+  for (const auto& [level, range] : json.items()) ranges[level] = level_range(range);
   return ranges;
 }
 

@@ -4,14 +4,15 @@
 #include <optional>
 #include <string>
 
-#include "command.h"
+#include "add_commands.h"
 #include "designers.h"
 #include "libraries.h"
 #include "print.h"
-#include "roomgen/base/json.h"
-#include "roomgen/session/session.h"
 #include "room_options.h"
 #include "room_session.h"
+#include "roomgen/base/json.h"
+#include "roomgen/session/session.h"
+#include "tool_commands.h"
 #include "views.h"
 
 namespace roomgen::cli {
@@ -157,8 +158,8 @@ Result<int> run_diff(const Context& context, const EditCommand& command) {
 
 using Command = std::shared_ptr<EditCommand>;
 
-CLI::App* add_scene_command(CLI::App& app, const char* name, const char* what, const Command& command) {
-  auto* sub = app.add_subcommand(name, what);
+CLI::App* add_scene_command(CLI::App& app, const char* name, const Command& command) {
+  auto* sub = add_tool_command(app, name);
   add_scene(*sub, *command);
   return sub;
 }
@@ -170,8 +171,7 @@ void run_with(CLI::App* sub, Context& context, const Command& command, Run run) 
 
 void add_edit_command(CLI::App& app, Context& context) {
   auto command = std::make_shared<EditCommand>();
-  auto* sub = add_scene_command(
-      app, "edit", "Change a room: exit 0 done, 1 not possible, 2 not understood; in 1 and 2 nothing changes", command);
+  auto* sub = add_scene_command(app, "edit", command);
   auto* sentence = sub->add_option("sentence", command->sentence, "What to change, in English");
   sub->add_option("--op", command->operation, "What to change, as JSON (docs/operation.schema.json)")->excludes(sentence);
   add_repair_option(*sub, *command);
@@ -191,7 +191,7 @@ void add_edit_commands(CLI::App& app, Context& context) {
   add_edit_command(app, context);
 
   auto undo = std::make_shared<EditCommand>();
-  auto* undo_sub = add_scene_command(app, "undo", "Take back the last edits of a room", undo);
+  auto* undo_sub = add_scene_command(app, "undo", undo);
   undo_sub->add_option("-n,--steps", undo->steps, "How many")->capture_default_str();
   add_file_options(*undo_sub, *undo);
   run_with(undo_sub, context, undo, [](const Context& all, const EditCommand& command) {
@@ -199,7 +199,7 @@ void add_edit_commands(CLI::App& app, Context& context) {
   });
 
   auto redo = std::make_shared<EditCommand>();
-  auto* redo_sub = add_scene_command(app, "redo", "Do again what was taken back", redo);
+  auto* redo_sub = add_scene_command(app, "redo", redo);
   redo_sub->add_option("-n,--steps", redo->steps, "How many")->capture_default_str();
   add_file_options(*redo_sub, *redo);
   run_with(redo_sub, context, redo, [](const Context& all, const EditCommand& command) {
@@ -207,18 +207,18 @@ void add_edit_commands(CLI::App& app, Context& context) {
   });
 
   auto history = std::make_shared<EditCommand>();
-  run_with(add_scene_command(app, "history", "List the edits of a room; * is the current state", history), context,
+  run_with(add_scene_command(app, "history", history), context,
            history, run_history);
 
   auto branch = std::make_shared<EditCommand>();
-  auto* branch_sub = add_scene_command(app, "branch", "List the branches of a room's history, or go to one", branch);
+  auto* branch_sub = add_scene_command(app, "branch", branch);
   branch_sub->add_option("name", branch->branch, "A new branch begins here, or at --at");
   branch_sub->add_option("--at", branch->from, "The state at which a new branch begins");
   add_file_options(*branch_sub, *branch);
   run_with(branch_sub, context, branch, run_branch);
 
   auto diff = std::make_shared<EditCommand>();
-  auto* diff_sub = add_scene_command(app, "diff", "Say what is different between two states of a room", diff);
+  auto* diff_sub = add_scene_command(app, "diff", diff);
   diff_sub->add_option("from", diff->from, "A state (see history); the one before unless given");
   diff_sub->add_option("to", diff->to, "A later one; the current one unless given");
   run_with(diff_sub, context, diff, run_diff);

@@ -6,10 +6,11 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "command.h"
+#include "add_commands.h"
 #include "models.h"
 #include "question_files.h"
 #include "roomgen/base/file.h"
+#include "tool_commands.h"
 
 namespace roomgen::cli {
 
@@ -60,7 +61,7 @@ std::string question_lines(const std::vector<SpatialQuestion>& questions) {
 void add_questions_command(CLI::App& app, Context& context) {
   auto command = std::make_shared<QuestionsCommand>();
   QuestionOptions& options = command->questions;
-  CLI::App* sub = app.add_subcommand("questions", "Ask what a tour's frames show, with the true answers");
+  CLI::App* sub = add_tool_command(app, "questions");
   sub->add_option("scene", command->scene, "scene.json")->required()->check(CLI::ExistingFile);
   sub->add_option("--tour", command->tour, "Folder of frames.jsonl")->capture_default_str();
   sub->add_option("-o,--output", command->output, "File to write (questions.jsonl in the tour's folder)");

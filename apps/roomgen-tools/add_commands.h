@@ -1,0 +1,22 @@
+#pragma once
+
+#include "command.h"
+
+namespace roomgen::cli {
+
+// One function a command, each in a file of its name.
+/// edit, undo, redo, history, branch and diff.
+void add_edit_commands(CLI::App& app, Context& context);
+/// Poses changed in another program.
+void add_import_command(CLI::App& app, Context& context);
+void add_repl_command(CLI::App& app, Context& context);
+void add_mcp_command(CLI::App& app, Context& context);
+void add_compose_command(CLI::App& app, Context& context);
+void add_optimise_command(CLI::App& app, Context& context);
+void add_tour_command(CLI::App& app, Context& context);
+void add_frames_command(CLI::App& app, Context& context);
+void add_questions_command(CLI::App& app, Context& context);
+void add_benchmark_command(CLI::App& app, Context& context);
+void add_experiment_command(CLI::App& app, Context& context);
+
+}  // namespace roomgen::cli
