@@ -1,13 +1,10 @@
 // Sentences from strangers: whatever they say, reading them ends.
-#include <cstddef>
-#include <cstdint>
-#include <string_view>
-
 #include "brief/prompt.h"
+#include "bytes.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const auto& kinds = roomgen::design::built_in_room_kinds();
-  roomgen::design::read_prompt({reinterpret_cast<const char*>(data), size}, *kinds,
+  roomgen::design::read_prompt(FuzzedBytes{data, size}.text(), *kinds,
                                roomgen::KindTable::built_in());
   return 0;
 }
