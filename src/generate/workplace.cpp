@@ -36,9 +36,28 @@ Result<std::unique_ptr<Workplace>> open_workplace(Plan plan, Designer& designer,
   return place;
 }
 
+namespace {
+
+// Beyond what a room may hold the last ones are left out, those first that nobody asked for.
+void leave_out_surplus(const Plan& plan, BuildState& state) {
+  const auto leave_out = [&](bool asked) {
+    for (std::size_t i = state.left.size(); i > 0 && state.left.size() > max_things_of_room; --i) {
+      const PlannedObject& planned = state.left[i - 1];
+      if (plan.items[planned.item].asked != asked) continue;
+      state.reasons[planned.id] = "a room holds at most " + std::to_string(max_things_of_room) + " things";
+      state.left.erase(state.left.begin() + static_cast<std::ptrdiff_t>(i - 1));
+    }
+  };
+  leave_out(false);
+  leave_out(true);
+}
+
+}  // namespace
+
 BuildState first_state(const Workplace& place) {
   BuildState state;
   state.left = planned_objects(place.plan);
+  leave_out_surplus(place.plan, state);
   state.models = place.models;
   state.random = Random(place.options.seed).fork("placement");
   return state;

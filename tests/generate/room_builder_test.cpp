@@ -91,6 +91,23 @@ TEST_CASE("Step by step a room becomes what is made at one go") {
   CHECK(text_of(site.builder.generation()) == made_at_one_go(bedroom()));
 }
 
+TEST_CASE("What is planned beyond what a room holds is left out with the reason, added things first") {
+  Plan plan = rooms::plan_of({rooms::item("chair", Mount::floor, 200), rooms::item("stool", Mount::floor, 150)},
+                             rooms::room_with_door(30, 30));
+  plan.items[0].asked = false;
+  plan.items[1].asked = true;
+  const Site site(std::move(plan));
+  const Generation before = site.builder.generation();
+  REQUIRE(before.scene.unplaced.size() == 350);
+  std::size_t beyond = 0;
+  for (const auto& missing : before.scene.unplaced) {
+    if (!contains_text(missing.reason, "at most 300")) continue;
+    ++beyond;
+    CHECK(missing.category == "chair");
+  }
+  CHECK(beyond == 50);
+}
+
 TEST_CASE("Any number of steps is taken back, and the same steps again give the same") {
   Site site(bedroom());
   RoomBuilder& builder = site.builder;

@@ -33,6 +33,9 @@ struct WantedPose {
   std::string on = {};                   ///< id of what carries it; else the highest thing below
 };
 
+/// Of a room that is built; what is planned beyond that stays unplaced, with the reason.
+inline constexpr std::size_t max_things_of_room = 300;
+
 /// Furnishes a room one step at a time: what generate() does at one go, and what a host may do its own way
 /// in between. Each planned object goes through retrieval of an asset, advice of the designer, proposal,
 /// score and fusion to its pose (docs/architecture.md).
