@@ -77,8 +77,7 @@ class Reviser {
   bool leave_usual_places() {
     std::vector<std::string> freed;
     for (auto& [name, members] : written_.program.sets) {
-      const bool is_missed =
-          std::ranges::any_of(report_.unmet, [&](const auto& verdict) { return verdict.name == name; });
+      const bool is_missed = std::ranges::find(report_.unmet, name, &ConstraintVerdict::name) != report_.unmet.end();
       if (!is_missed) continue;
       const auto wall = [](const SetRelation& relation) { return relation.relation.ends_with("against_wall"); };
       const std::size_t before = members.relations.size();

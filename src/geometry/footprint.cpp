@@ -7,6 +7,8 @@ namespace roomgen {
 
 namespace {
 
+constexpr double touching = 1e-9;  // metres
+
 // Interval of the outline's projections on an axis.
 std::pair<double, double> project(const Footprint& footprint, const Vec2& axis) {
   double low = std::numeric_limits<double>::max(), high = std::numeric_limits<double>::lowest();
@@ -71,9 +73,17 @@ bool clips(const Vec2& a, const Vec2& b, const Vec2& half) {
   return enter < leave;
 }
 
+Bounds2 box_of(const Segment& segment) {
+  Bounds2 box;
+  box.add(segment.a), box.add(segment.b);
+  return box;
+}
+
 }  // namespace
 
 bool passes_through(const Footprint& footprint, const Segment& segment, double margin) {
+  // Of a room's many walls most are far from any thing.
+  if (margin >= 0.0 && !footprint.bounds().overlaps(box_of(segment), touching)) return false;
   const Vec2 half = (footprint.half().array() - margin).max(1e-9).matrix();
   const Vec2 a = footprint.to_local(segment.a), b = footprint.to_local(segment.b);
   if (!footprint.round()) return clips(a, b, half);

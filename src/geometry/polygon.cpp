@@ -103,12 +103,16 @@ Result<Polygon> make_polygon(std::vector<Vec2> points) {
 }
 
 bool contains(const Polygon& polygon, const Vec2& point) {
+  if (polygon.points.empty()) return false;
   bool inside = false;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Segment e = polygon.edge(i);
-    if ((e.a.y() > point.y()) == (e.b.y() > point.y())) continue;
-    const double x = e.a.x() + (point.y() - e.a.y()) / (e.b.y() - e.a.y()) * (e.b.x() - e.a.x());
-    if (point.x() < x) inside = !inside;
+  // From the last corner to the first, and so on: asked of every pose, of every wall.
+  const Vec2* a = &polygon.points.back();
+  for (const Vec2& b : polygon.points) {
+    if ((a->y() > point.y()) != (b.y() > point.y())) {
+      const double x = a->x() + (point.y() - a->y()) / (b.y() - a->y()) * (b.x() - a->x());
+      if (point.x() < x) inside = !inside;
+    }
+    a = &b;
   }
   return inside;
 }
@@ -116,8 +120,11 @@ bool contains(const Polygon& polygon, const Vec2& point) {
 bool contains(const Polygon& polygon, const Footprint& footprint, double tolerance) {
   // Inside when the centre is and no edge enters the footprint.
   if (!contains(polygon, footprint.center())) return false;
-  for (std::size_t i = 0; i < polygon.size(); ++i)
-    if (passes_through(footprint, polygon.edge(i), tolerance)) return false;
+  const Vec2* a = &polygon.points.back();
+  for (const Vec2& b : polygon.points) {
+    if (passes_through(footprint, {*a, b}, tolerance)) return false;
+    a = &b;
+  }
   return true;
 }
 

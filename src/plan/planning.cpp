@@ -25,6 +25,7 @@ constexpr int max_attempts = 9;  ///< while something of the prompt is not heede
 constexpr double growth = 1.05;  ///< of the sides from attempt to attempt
 constexpr std::size_t enough_things = 2;  ///< named, to furnish a room of no known kind
 constexpr std::size_t most_tried = 80;  ///< things; larger plans are taken as they are
+constexpr std::size_t most_corners = 64;  ///< of a room in which plans are tried: each wall offers places, and each is held against all walls
 
 /// One plan and what was wrong with it.
 struct Attempt {
@@ -158,7 +159,7 @@ class Planner {
 
   void judge(Attempt& attempt, double bar) const {
     const auto planned = planned_objects(attempt.plan);
-    if (planned.size() > most_tried) return;
+    if (planned.size() > most_tried || attempt.plan.room.polygon.size() > most_corners) return;
     const auto on_floor = std::count_if(planned.begin(), planned.end(), [&](const auto& object) {
       return attempt.plan.items[object.item].mount == Mount::floor;
     });
