@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Works out the answers of questions anew, from scene.json and from the pixels of the frames' instance layers.
 
-    verify.py FOLDER...        each with scene.json, frames.jsonl, frames/*.instance.png and questions.jsonl
+    verify.py FOLDER...        each with scene.json (or beside it), frames.jsonl, frames/*.instance.png and questions.jsonl
 
 Shares no code with roomgen. Prints what differs; exit code 1 if anything does.
 """
@@ -66,7 +66,8 @@ def read_png16(path):
 
 class Room:
     def __init__(self, folder):
-        self.scene = json.loads((folder / "scene.json").read_text())
+        scene = folder / "scene.json"
+        self.scene = json.loads((scene if scene.exists() else folder.parent / "scene.json").read_text())
         self.objects = {o["id"]: o for o in self.scene["objects"]}
         self.numbers = {o["id"]: k for k, o in enumerate(self.scene["objects"])}
         self.frames = [json.loads(line) for line in (folder / "frames.jsonl").read_text().splitlines()]
@@ -236,6 +237,12 @@ def agrees(q, truth):
     return truth == q["answer"] and q["choices"][q["answer_index"]] == q["answer"] and len(set(q["choices"])) == len(q["choices"])
 
 
+def complaint(room, q):
+    """What is wrong with a question, or nothing."""
+    truth = doubtful_neighbour(room, q) or expect(room, q)
+    return None if agrees(q, truth) else f"{q['id']}: {q['question']} {q.get('choices', '')} {q['answer']}; here {truth}"
+
+
 def main():
     read_kinds(Path(__file__).resolve().parents[2] / "data" / "kinds")
     checked, wrong = Counter(), 0
@@ -244,10 +251,9 @@ def main():
         for line in (folder / "questions.jsonl").read_text().splitlines():
             q = json.loads(line)
             checked[q["form"]] += 1
-            truth = doubtful_neighbour(room, q) or expect(room, q)
-            if not agrees(q, truth):
+            if found := complaint(room, q):
                 wrong += 1
-                print(f"{folder}: {q['id']}: {q['question']} {q.get('choices', '')} {q['answer']}; here {truth}")
+                print(f"{folder}: {found}")
     print(f"{sum(checked.values())} questions, {wrong} wrong: " + ", ".join(f"{form} {count}" for form, count in sorted(checked.items())))
     return 1 if wrong else 0
 

@@ -1,6 +1,7 @@
 #include "picture.h"
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cmath>
 #include <cstring>
 
@@ -41,17 +42,32 @@ constexpr GLint paint_unit = 0, facing_unit = 1, depth_unit = 2, glass_unit = 3,
 // What a picture of nothing looks like: paper_background, and before the window a bright sky_background.
 constexpr float paper_background[3] = {0.955f, 0.948f, 0.935f}, sky_background[3] = {0.94f, 0.97f, 0.995f};
 
+// The box's corners as far as they lie before the near plane, and where its edges meet that plane.
+std::vector<Vec3> corners_before(const Camera& camera, const Bounds3& box) {
+  std::array<Vec3, 8> corners;
+  for (std::size_t k = 0; k < corners.size(); ++k)
+    corners[k] = {k & 1 ? box.high.x() : box.low.x(), k & 2 ? box.high.y() : box.low.y(), k & 4 ? box.high.z() : box.low.z()};
+  if (!camera.eye) return {corners.begin(), corners.end()};
+  std::vector<Vec3> before;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const double beyond = camera.near - camera.depth(corners[k]);
+    if (beyond >= 0) before.push_back(corners[k]);
+    for (const std::size_t bit : {1u, 2u, 4u}) {
+      const double other = camera.near - camera.depth(corners[k | bit]);
+      if ((beyond < 0) != (other < 0))
+        before.push_back(corners[k] + beyond / (beyond - other) * (corners[k | bit] - corners[k]));
+    }
+  }
+  return before;
+}
+
 }  // namespace
 
 PixelRect covered_pixels(const Camera& camera, const Bounds3& box) {
+  const auto corners = corners_before(camera, box);
+  if (corners.empty()) return {};
   Bounds2 extent;
-  for (int corner = 0; corner < 8; ++corner) {
-    const Vec3 p(corner & 1 ? box.high.x() : box.low.x(), corner & 2 ? box.high.y() : box.low.y(),
-                 corner & 4 ? box.high.z() : box.low.z());
-    // What reaches beside or behind the eye may be anywhere.
-    if (camera.eye && camera.depth(p) > camera.near) return whole(camera);
-    extent.add(camera.pixel(p));
-  }
+  for (const Vec3& p : corners) extent.add(camera.pixel(p));
   const auto down = [](double v) { return static_cast<int>(std::floor(std::clamp(v, -1e6, 1e6))); };
   return {down(extent.low.x()) - 1, down(extent.low.y()) - 1, down(extent.high.x()) + 2,
           down(extent.high.y()) + 2};

@@ -66,7 +66,7 @@ Status run_ffmpeg(const fs::path& path, const std::vector<fs::path>& pictures, d
   // Sides of H.264 are even.
   const std::string command = "ffmpeg -y -loglevel error -f image2pipe -c:v mjpeg -framerate " +
                               format_number(per_second) +
-                              " -i - -vf \"crop=trunc(iw/2)*2:trunc(ih/2)*2\" -c:v libx264 -pix_fmt yuv420p -f mp4 " +
+                              " -i - -vf \"crop=trunc(iw/2)*2:trunc(ih/2)*2\" -c:v libx264 -preset veryfast -pix_fmt yuv420p -f mp4 " +
                               quoted(path.string()) + " 2>" + nowhere;
   const IgnoredPipeSignal ignored;
   std::FILE* pipe = popen(command.c_str(), pipe_mode);
