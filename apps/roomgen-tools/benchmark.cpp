@@ -54,8 +54,11 @@ void add_run_command(CLI::App& app, Context& context) {
   run->add_option("-o,--output", options->output, "Folder for results.jsonl, report.md and plots")->required();
   run->add_option("--frames", options->frames, "Frames that are shown with a question at most")->capture_default_str();
   run->add_flag("--evidence", options->evidence, "Show only the frames that prove the answer");
+  run->add_flag("--video", options->video, "Show the whole video, and frames only where the endpoint takes no videos");
   run->add_option("--limit", options->limit, "Ask only the first so many")->capture_default_str();
   run->add_option("--answer-tokens", options->answer_tokens, "Tokens of an answer, its reasoning included")->capture_default_str();
+  run->add_option("--thinking", options->thinking, "Tokens for thinking besides, for models that can be told")
+      ->check(CLI::Range(0, 1000000))->capture_default_str();
   run->add_flag("--force", options->force, "Begin anew in a folder that holds other results");
   run->add_option("--cache", options->cache, "Folder for kept answers");
   add_chat_options(*run, options->model);

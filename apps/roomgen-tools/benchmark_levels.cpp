@@ -8,6 +8,7 @@
 #include <set>
 
 #include "roomgen/base/file.h"
+#include "roomgen/base/text.h"
 
 extern "C" const unsigned char roomgen_benchmark_levels[];
 extern "C" const std::uint64_t roomgen_benchmark_levels_size;
@@ -25,7 +26,7 @@ LevelRange level_range(const Json& json) {
   return {bound(0, 0.0), bound(1, std::numeric_limits<double>::infinity())};
 }
 
-std::map<std::string, LevelRange> ranges_from(const Json& json) {
+std::map<std::string, LevelRange> level_ranges(const Json& json) {
   std::map<std::string, LevelRange> ranges;
   for (const auto& [level, range] : json.items()) ranges[level] = level_range(range);
   return ranges;
@@ -71,21 +72,56 @@ void thin_out(Scene& scene, const LevelRange& range, const auto& value, const au
   }
 }
 
+// Of what stands on the floor those that take most of it a seat, as long as there are seats enough.
+void thin_out_seats(Scene& scene, double most_cover, double least_seats, const auto& seats) {
+  while (total(scene, cover_of) > most_cover) {
+    const double all = total(scene, seats);
+    const Object* widest = nullptr;
+    const auto floor_a_seat = [&](const Object& object) { return cover_of(object) / seats(object); };
+    for (const auto& object : scene.objects)
+      if (seats(object) > 0 && cover_of(object) > 0 && all - seats(object) >= least_seats &&
+          (!widest || floor_a_seat(object) >= floor_a_seat(*widest)))
+        widest = &object;
+    if (!widest) return;
+    remove_object(scene, std::string(widest->id));
+  }
+}
+
+bool within(double value, const LevelRange& range) { return value >= range[0] && value <= range[1]; }
+
+std::string range_text(const LevelRange& range, double unit, const char* name) {
+  const std::string least = format_number(unit * range[0], 0);
+  return std::isinf(range[1]) ? least + name + " and more" : least + " to " + format_number(unit * range[1], 0) + name;
+}
+
+std::string shortfall(const Reduced& made, const LevelRange& seats, const LevelRange& shares) {
+  std::vector<std::string> what;
+  if (!within(made.seats, seats))
+    what.push_back(format_number(made.seats, 0) + " seats where " + range_text(seats, 1.0, "") + " are asked for");
+  if (!within(made.occupancy, shares))
+    what.push_back(format_number(100.0 * made.occupancy, 1) + " % of the floor under furniture where " +
+                   range_text(shares, 100.0, " %") + " are asked for");
+  return join(what, "; ");
+}
+
 }  // namespace
 
 Result<BenchmarkLevels> read_levels(const std::string& file) {
   const auto text = file.empty() ? Result<std::string>(built_in_levels()) : read_file(file);
   if (!text) return text.error();
-  const std::string source = file.empty() ? "data/benchmark.json" : file;
+  const std::string source = file.empty() ? "data/benchmark/levels.json" : file;
   const auto json = parse_json(*text, source);
   if (!json) return json.error();
   try {
     BenchmarkLevels levels;
     levels.rooms = json->at("rooms").get<std::map<std::string, std::string>>();
-    levels.compositional = ranges_from(json->at("compositional"));
-    levels.relational = ranges_from(json->at("relational"));
+    levels.compositional = level_ranges(json->at("compositional"));
+    levels.relational = level_ranges(json->at("relational"));
     levels.observational = json->at("observational");
     levels.sofa_seats = json->at("seats of a sofa");
+    levels.tries = json->value("tries", levels.tries);
+    if (levels.tries < 1 || levels.tries > 1000)
+      return Error{Error::Kind::invalid_input, source + ": there must be 1 to 1000 tries for a base room"};
     return levels;
   } catch (const Json::exception& error) {
     return Error{Error::Kind::invalid_input, source + ": " + error.what()};
@@ -97,17 +133,17 @@ Reduced reduced(const Scene& base, const BenchmarkLevels& levels, const Benchmar
   const LevelRange seat_range = levels.compositional.at(cell.compositional);
   const LevelRange share_range = levels.relational.at(cell.relational);
   const double floor = floor_of(base);
-  Reduced result{base, 0.0, 0.0, false};
+  Reduced result{base, 0.0, 0.0, ""};
   thin_out(result.scene, seat_range, seats, [](const Object&) { return true; });
   const LevelRange cover_range = {share_range[0] * floor, share_range[1] * floor};
   thin_out(result.scene, cover_range, cover_of, [&](const Object& object) { return seats(object) == 0.0; });
+  thin_out_seats(result.scene, cover_range[1], seat_range[0], seats);
   result.scene.unplaced.clear();
   result.scene.requirements.clear();
   result.scene.heard.clear();
   result.seats = total(result.scene, seats);
   result.occupancy = total(result.scene, cover_of) / floor;
-  const auto within = [](double value, const LevelRange& range) { return value >= range[0] && value <= range[1]; };
-  result.reached = within(result.seats, seat_range) && within(result.occupancy, share_range);
+  result.shortfall = shortfall(result, seat_range, share_range);
   return result;
 }
 

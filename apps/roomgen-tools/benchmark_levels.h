@@ -16,12 +16,13 @@ namespace roomgen::cli {
 /// [least, most]
 using LevelRange = std::array<double, 2>;
 
-/// data/benchmark.json, or a file like it.
+/// data/benchmark/levels.json, or a file like it.
 struct BenchmarkLevels {
   std::map<std::string, std::string> rooms;  ///< prompts of the base rooms
   std::map<std::string, LevelRange> compositional, relational;
   Json observational;
   double sofa_seats = 3;
+  int tries = 1;  ///< rooms that are furnished for a base room, until one allows all levels
 };
 Result<BenchmarkLevels> read_levels(const std::string& file);
 
@@ -35,7 +36,9 @@ struct BenchmarkCell {
 struct Reduced {
   Scene scene;
   double seats = 0.0, occupancy = 0.0;
-  bool reached = false;  ///< both lie in the cell's ranges
+  std::string shortfall;  ///< what does not lie in the cell's ranges; empty: it is as defined
+
+  bool as_defined() const { return shortfall.empty(); }
 };
 
 /// The base room without so many of its seats and of its other furniture that it is of the cell's levels; what stands

@@ -6,16 +6,14 @@
 #include <filesystem>
 #include <mutex>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <thread>
 
-#include "any_plan.h"
+#include "benchmark_base.h"
 #include "benchmark_levels.h"
-#include "designers.h"
-#include "models.h"
 #include "question_files.h"
 #include "roomgen/base/file.h"
 #include "roomgen/base/text.h"
-#include "roomgen/generate/generate.h"
 #include "roomgen/render/pictures.h"
 #include "roomgen/tour/frames.h"
 
@@ -25,19 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct BaseRoom {
-  std::string name;  ///< "living-room-0"
-  Scene scene;
-  ModelTable models;
-};
-
 Error bad_benchmark(const std::string& what) { return {Error::Kind::invalid_input, "benchmark: " + what}; }
-
-std::string base_name(const std::string& room, int number) {
-  std::string name = room + "-" + std::to_string(number);
-  std::replace(name.begin(), name.end(), ' ', '-');
-  return name;
-}
 
 std::vector<std::string> names_of(const auto& map) {
   std::vector<std::string> names;
@@ -62,41 +48,6 @@ Status check_make(const BenchmarkMakeOptions& options, const BenchmarkLevels& le
   return check_names(options.tasks, question_tasks(), "task");
 }
 
-// The room of a file, or furnished now.
-Result<BaseRoom> base_room(const Context& context, const BenchmarkMakeOptions& options, const std::string& prompt,
-                           const std::string& name, std::uint64_t seed) {
-  const fs::path file = fs::path(options.output) / "base" / name / "scene.json";
-  std::error_code code;
-  if (!fs::exists(file, code)) {
-    auto composed = compose_designer({}, context, cache_folder(options.libraries).string());
-    if (!composed) return composed.error();
-    PlanWish wish;
-    wish.prompt = prompt;
-    wish.seed = seed;
-    const auto plan = make_plan(wish, *composed->designer, context.cancel);
-    if (!plan) return plan.error();
-    const auto* room = std::get_if<Plan>(&*plan);
-    if (!room) return bad_benchmark("\"" + prompt + "\" is a dwelling; base rooms are single rooms");
-    auto library = open_all_libraries(options.libraries, context);
-    if (!library) return library.error();
-    BuildOptions build;
-    build.seed = seed;
-    build.cancel = context.cancel;
-    const auto made = generate(*room, *composed->designer, **library, KindTable::built_in(), build);
-    if (!made) return made.error();
-    if (made->scene.incomplete) return Error{Error::Kind::cancelled, "benchmark: interrupted"};
-    if (auto status = make_folder(file.parent_path()); !status) return status.error();
-    if (auto status = write_file(file, dump_json(to_json(made->scene))); !status) return status.error();
-  }
-  auto scene = read_scene(file);
-  if (!scene) return scene.error();
-  ModelOptions models_from;
-  models_from.libraries = options.libraries;
-  auto models = models_of(*scene, file, models_from, context);
-  if (!models) return models.error();
-  return BaseRoom{name, std::move(*scene), std::move(*models)};
-}
-
 // One scene of the grid.
 struct Job {
   const BaseRoom* base;
@@ -108,7 +59,7 @@ struct Job {
 Json complexity_json(const Job& job, const Reduced& made) {
   return {{"compositional", job.cell.compositional}, {"relational", job.cell.relational},
           {"observational", job.cell.observational}, {"seats", made.seats}, {"occupancy", rounded(made.occupancy, 3)},
-          {"as_defined", made.reached}, {"room", job.base->name}, {"folder", job.folder()}};
+          {"as_defined", made.as_defined()}, {"room", job.base->name}, {"folder", job.folder()}};
 }
 
 class CellMaker {
@@ -203,7 +154,20 @@ std::string card_line(const std::vector<SpatialQuestion>& questions, const Job& 
          std::to_string(questions.size()) + " |\n";
 }
 
-Result<std::size_t> put_together(const BenchmarkMakeOptions& options, const std::vector<Job>& jobs) {
+// Cells whose base room does not allow their levels, once for all levels of the camera.
+std::string shortfall_list(const BenchmarkLevels& levels, const std::vector<Job>& jobs) {
+  std::string list;
+  std::set<std::string> told;
+  for (const auto& job : jobs) {
+    const std::string where = job.base->name + ", " + job.cell.compositional + " compositional, " + job.cell.relational + " relational";
+    const Reduced made = reduced(job.base->scene, levels, job.cell);
+    if (!made.as_defined() && told.insert(where).second) list += "- " + where + ": " + made.shortfall + "\n";
+  }
+  return list;
+}
+
+Result<std::size_t> put_together(const BenchmarkMakeOptions& options, const BenchmarkLevels& levels,
+                                 const std::vector<Job>& jobs) {
   std::string lines, table;
   std::map<std::string, int> forms;
   std::size_t count = 0;
@@ -219,10 +183,12 @@ Result<std::size_t> put_together(const BenchmarkMakeOptions& options, const std:
       "# Spatial questions about furnished rooms\n\nMade by `roomgen benchmark make`, seed " + std::to_string(options.seed) +
       ". Every answer follows from scene.json and the frames; docs/questions.md of roomgen defines forms, levels and "
       "scores. Rooms and assets of a base room are the same at all levels: lower levels leave things out. \"As defined\" "
-      "says whether seats and occupancy lie in the ranges of the levels; where not, the base room did not allow it.\n\n"
+      "says whether seats and occupancy lie in the ranges of the levels.\n\n"
       "The meshes have licences of their own: `asset` in each scene.json.\n\n"
-      "| scene | objects | seats | occupancy | as defined | questions |\n|---|---|---|---|---|---|\n" + table +
-      "\n| task / form | questions |\n|---|---|\n";
+      "| scene | objects | seats | occupancy | as defined | questions |\n|---|---|---|---|---|---|\n" + table;
+  if (const auto list = shortfall_list(levels, jobs); !list.empty())
+    card += "\nWhat the base rooms do not allow; these scenes are as near as they get:\n\n" + list;
+  card += "\n| task / form | questions |\n|---|---|\n";
   for (const auto& [form, number] : forms) card += "| " + form + " | " + std::to_string(number) + " |\n";
   if (auto status = write_file(fs::path(options.output) / "questions.jsonl", lines); !status) return status.error();
   if (auto status = write_file(fs::path(options.output) / "README.md", card); !status) return status.error();
@@ -262,8 +228,7 @@ Result<int> make_benchmark(const Context& context, const BenchmarkMakeOptions& o
   std::vector<BaseRoom> bases;
   for (const auto& room : rooms)
     for (int number = 0; number < options.scenes; ++number) {
-      auto base = base_room(context, options, levels->rooms.at(room), base_name(room, number),
-                            options.seed + static_cast<std::uint64_t>(number));
+      auto base = base_room(context, options, *levels, room, number);
       if (!base) return base.error();
       bases.push_back(std::move(*base));
     }
@@ -274,12 +239,13 @@ Result<int> make_benchmark(const Context& context, const BenchmarkMakeOptions& o
         for (const auto& observational : options.observational)
           jobs.push_back({&base, {compositional, relational, observational}});
   if (auto status = make_all(context, options, *levels, jobs); !status) return status.error();
-  const auto questions = put_together(options, jobs);
+  const auto questions = put_together(options, *levels, jobs);
   if (!questions) return questions.error();
   if (context.json)
     std::printf("%s\n", Json{{"folder", options.output}, {"scenes", jobs.size()}, {"questions", *questions}}.dump().c_str());
   else if (!context.quiet)
-    std::fprintf(stderr, "%zu questions about %zu scenes in %s\n", *questions, jobs.size(), options.output.c_str());
+    std::fprintf(stderr, "%s%zu questions about %zu scenes in %s\n", shortfall_list(*levels, jobs).c_str(), *questions,
+                 jobs.size(), options.output.c_str());
   return exit_ok;
 }
 

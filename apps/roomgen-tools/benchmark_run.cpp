@@ -20,6 +20,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t most_video_bytes = 256u << 20;
+
 Error bad_run(const std::string& what) { return {Error::Kind::invalid_input, "benchmark: " + what}; }
 
 // Of a scene of the set, where questions say; or of the set itself.
@@ -55,8 +57,23 @@ class Examiner {
   Examiner(const Context& context, const BenchmarkRunOptions& options, ChatModel& model, const Prompts& prompts)
       : context_(context), options_(options), model_(model), prompts_(prompts) {}
 
+  // Who has shown videos goes on with them, who has had to show frames too: all questions are asked in one way.
+  void go_on_with(const std::string& shown) { (shown == "video" ? took_video_ : refused_video_) = true; }
+  const char* shows() const { return options_.video && !refused_video_ ? "video" : "frames"; }
+
   Result<std::string> answer(const SpatialQuestion& question) {
     const fs::path folder = folder_of(options_.set, question);
+    if (options_.video && !refused_video_) {
+      auto request = video_request(question, folder);
+      if (!request) return request.error();
+      const auto reply = model_.chat(*request);
+      took_video_ = took_video_ || reply;
+      if (reply) return reply->text;
+      const auto kind = reply.error().kind;
+      if (took_video_ || kind == Error::Kind::cancelled || kind == Error::Kind::limit) return reply.error();
+      std::fprintf(stderr, "no video is taken: %s; frames are shown\n", reply.error().message.c_str());
+      refused_video_ = true;
+    }
     const auto frames = frames_in(folder);
     if (!frames) return frames.error();
     auto request = request_for(question, **frames, folder);
@@ -88,14 +105,29 @@ class Examiner {
       user.images.push_back(std::move(*picture));
       times.push_back(format_number(frames[k].frame.time, 1));
     }
-    const auto text = prompts_.render("question-user", {{"times", join(times, ", ")}, {"question", question.text}, {"choices", choices_text(question)}});
+    return request_of(std::move(user), question, "question-user", {{"times", join(times, ", ")}});
+  }
+
+  Result<ChatRequest> video_request(const SpatialQuestion& question, const fs::path& folder) const {
+    auto video = read_file(folder / "tour.mp4", most_video_bytes);
+    if (!video)
+      return bad_run(video.error().message + ": `benchmark make` makes it where ffmpeg is installed; without --video frames are shown");
+    return request_of({ChatMessage::Role::user, "", {std::move(*video)}}, question, "question-video-user", {});
+  }
+
+  Result<ChatRequest> request_of(ChatMessage user, const SpatialQuestion& question, const char* prompt,
+                                 Prompts::Slots values) const {
+    values["question"] = question.text;
+    values["choices"] = choices_text(question);
+    const auto text = prompts_.render(prompt, values);
     const auto system = prompts_.render("question-system", {{"answer_form", answer_form(question)}});
     if (!text) return text.error();
     if (!system) return system.error();
     user.text = *text;
     ChatRequest request;
-    request.messages = {{ChatMessage::Role::system, *system, {}}, user};
+    request.messages = {{ChatMessage::Role::system, *system, {}}, std::move(user)};
     request.max_tokens = options_.answer_tokens;
+    request.thinking = options_.thinking;
     request.cancel = context_.cancel;
     return request;
   }
@@ -126,11 +158,12 @@ class Examiner {
   ChatModel& model_;
   const Prompts& prompts_;
   std::map<std::string, std::vector<FrameRecord>> frames_;
+  bool took_video_ = false, refused_video_ = false;
 };
 
-Json line_json(const SpatialQuestion& question, const std::string& answer) {
+Json line_json(const SpatialQuestion& question, const std::string& answer, const char* shown) {
   const AnswerScore score = score_answer(question, answer);
-  return {{"id", question.id}, {"task", question.task}, {"answer", answer}, {"read", score.read}, {"exact", score.exact},
+  return {{"id", question.id}, {"task", question.task}, {"shown", shown}, {"answer", answer}, {"read", score.read}, {"exact", score.exact},
           {"mean_relative", rounded(score.mean_relative, 3)}, {"relative", rounded(score.relative, 3)}};
 }
 
@@ -164,20 +197,25 @@ Status write_results(const Context& context, const fs::path& folder, const std::
 
 Result<int> run_benchmark(const Context& context, const BenchmarkRunOptions& options) {
   if (options.frames < 1 || options.frames > 1000) return bad_run("there must be 1 to 1000 frames with a question");
+  if (options.video && options.evidence) return bad_run("--evidence shows single frames: leave out --video, or --evidence");
   auto questions = read_questions(fs::path(options.set) / "questions.jsonl");
   if (!questions) return questions.error();
   if (options.limit > 0) questions->resize(std::min(questions->size(), static_cast<std::size_t>(options.limit)));
   auto composed = compose_model(options.model, context, options.cache);
   if (!composed) return composed.error();
   if (!composed->model) return bad_run("name a model: --model, and --base-url for one of your own");
-  const Json head = {{"format", "roomgen-benchmark-answers"}, {"version", 1}, {"model", options.model.model},
-                     {"frames", options.frames}, {"evidence", options.evidence}};
+  Json head = {{"format", "roomgen-benchmark-answers"}, {"version", 1}, {"model", options.model.model},
+               {"frames", options.frames}, {"evidence", options.evidence}};
+  if (options.video) head["video"] = true;
+  if (options.thinking > 0) head["thinking"] = options.thinking;
   auto lines = ResumableLines::open(options.output, head, options.force);
   if (!lines) return lines.error();
   Answers answers;
-  for (const auto& line : lines->earlier())
-    if (auto status = add_answer(line.json, line.where, answers); !status) return status.error();
   Examiner examiner(context, options, *composed->model, composed->prompts);
+  for (const auto& line : lines->earlier()) {
+    if (auto status = add_answer(line.json, line.where, answers); !status) return status.error();
+    examiner.go_on_with(line.json.value("shown", "frames"));
+  }
   for (const auto& question : *questions) {
     if (answers.count(question.id)) continue;
     const auto answer = examiner.answer(question);
@@ -185,7 +223,7 @@ Result<int> run_benchmark(const Context& context, const BenchmarkRunOptions& opt
       return Error{answer.error().kind, answer.error().message + "; " + std::to_string(answers.size()) + " of " +
                                             std::to_string(questions->size()) +
                                             " are answered, the same command goes on from there"};
-    if (auto status = lines->add(line_json(question, *answer)); !status) return status.error();
+    if (auto status = lines->add(line_json(question, *answer, examiner.shows())); !status) return status.error();
     answers[question.id] = *answer;
     if (!context.quiet) std::fprintf(stderr, "[%zu/%zu] %s\n", answers.size(), questions->size(), question.id.c_str());
   }

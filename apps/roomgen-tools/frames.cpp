@@ -36,6 +36,16 @@ void report(const Context& context, const std::string& folder, const FrameFigure
     std::fprintf(stderr, "%zu frames in %s, %zu of them drawn now\n", figures.frames, folder.c_str(), figures.drawn);
 }
 
+// Tours that were written by hand may lead through walls.
+void warn_of_walls(const Context& context, const Scene& scene, const Tour& tour) {
+  std::size_t count = 0, first = 0;
+  for (std::size_t k = tour.keyframes.size(); k-- > 0;)
+    if (!is_indoors(scene, tour.keyframes[k].pose.eye.head<2>())) ++count, first = k;
+  if (count > 0 && !context.quiet)
+    std::fprintf(stderr, "in a wall or outdoors: the camera at %zu of %zu keyframes, first at /keyframes/%zu of tour.json\n",
+                 count, tour.keyframes.size(), first);
+}
+
 Result<int> draw(const Context& context, const FramesCommand& command) {
   FrameOptions options = command.frames;
   if (auto status = read_picture_size(command.size, options.width, options.height); !status) return status.error();
@@ -44,6 +54,7 @@ Result<int> draw(const Context& context, const FramesCommand& command) {
   if (!scene) return scene.error();
   const auto tour = read_tour(command.tour, *scene);
   if (!tour) return tour.error();
+  warn_of_walls(context, *scene, *tour);
   const auto models = models_of(*scene, command.scene, command.models, context);
   if (!models) return models.error();
   const auto figures = draw_frames(*scene, *models, *tour, options, command.tour);

@@ -9,6 +9,7 @@
 #include "roomgen/base/file.h"
 #include "roomgen/base/json.h"
 #include "roomgen/render/pictures.h"
+#include "roomgen/tour/tour.h"
 #include "roomgen/scene/scene.h"
 #include "views.h"
 
@@ -87,6 +88,8 @@ Result<int> write_all_layers(const Context& context, const RenderOptions& option
   Json names = Json::array();
   for (const auto& [name, shot] : *shots) {
     if (context.cancel.cancelled()) return Error{Error::Kind::cancelled, "interrupted; nothing was written"};
+    if (!options.cameras.empty() && !context.quiet && !is_indoors(scene, shot.camera.eye->head<2>()))
+      std::fprintf(stderr, "in a wall or outdoors: camera %s of %s\n", name.c_str(), options.cameras.c_str());
     const auto layers = renderer.layers(scene, models, shot);
     if (!layers) return layers.error();
     if (auto status = write_layers(*folder, name, *layers); !status) return status.error();

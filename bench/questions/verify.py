@@ -78,9 +78,9 @@ class Room:
             sums = np.bincount(pixels.reshape(-1), minlength=count + 1)[1 : count + 1]
             self.shares[f] = sums / pixels.size
 
-    def first(self, name, share):
-        found = np.nonzero(self.shares[:, self.numbers[name]] >= share)[0]
-        return int(found[0]) if len(found) else math.inf
+    def first(self, name, share, start=0):
+        found = np.nonzero(self.shares[start:, self.numbers[name]] >= share)[0]
+        return start + int(found[0]) if len(found) else math.inf
 
     def frame(self, number):
         return next(f for f in self.frames if f["frame"] == number)
@@ -178,8 +178,10 @@ def expect(room, q):
                 return f"{next_one} may come first"
         return q["answer"]
     if form == "first":
-        right = arguments["right"]
-        late = all(room.first(right, SEEN) < room.first(n, FAINT) for n in arguments["of"] if n != right)
+        right, row = arguments["right"], room.row(arguments["frame"])
+        if room.frames[row]["target"] != arguments["a"] or any(room.shares[row, room.numbers[n]] >= FAINT for n in arguments["of"]):
+            return "one is in sight at the stop"
+        late = all(room.first(right, SEEN, row + 1) < room.first(n, FAINT, row + 1) for n in arguments["of"] if n != right)
         return q["answer"] if late else "another may come first"
     if form == "between":
         a, b = arguments["a"], arguments["b"]
@@ -230,17 +232,22 @@ def doubtful_neighbour(room, q):
     return None
 
 
-def agrees(q, truth):
+def round_slack(room, q):
+    things = [room.objects[name] for name in q["arguments"].values() if name in room.objects]
+    return sum(0.5 * max(thing["size"][:2]) for thing in things if "round" in thing.get("traits", [])) * (1 / math.cos(math.pi / 24) - 1)
+
+
+def agrees(room, q, truth):
     if "choices" not in q:
-        # Round things are many-sided here.
-        return isinstance(truth, (int, float)) and abs(truth - q["answer"]) <= (0.002 if q["form"] == "gap" else 0.0006)
+        # Round things are circles here and have 24 sides there.
+        return isinstance(truth, (int, float)) and abs(truth - q["answer"]) <= (0.002 + round_slack(room, q) if q["form"] == "gap" else 0.0006)
     return truth == q["answer"] and q["choices"][q["answer_index"]] == q["answer"] and len(set(q["choices"])) == len(q["choices"])
 
 
 def complaint(room, q):
     """What is wrong with a question, or nothing."""
     truth = doubtful_neighbour(room, q) or expect(room, q)
-    return None if agrees(q, truth) else f"{q['id']}: {q['question']} {q.get('choices', '')} {q['answer']}; here {truth}"
+    return None if agrees(room, q, truth) else f"{q['id']}: {q['question']} {q.get('choices', '')} {q['answer']}; here {truth}"
 
 
 def main():

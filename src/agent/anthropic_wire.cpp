@@ -15,12 +15,15 @@ namespace {
 Json anthropic_content(const ChatMessage& message) {
   if (message.images.empty()) return message.text;
   Json parts = Json::array({{{"type", "text"}, {"text", message.text}}});
-  for (const auto& image : message.images)
-    parts.push_back({{"type", "image"},
+  for (const auto& image : message.images) {
+    // The protocol has no videos: the endpoint says so.
+    const std::string type = media_type(image);
+    parts.push_back({{"type", type.substr(0, type.find('/'))},
                      {"source",
                       {{"type", "base64"},
-                       {"media_type", media_type(image)},
+                       {"media_type", type},
                        {"data", base64(image)}}}});
+  }
   return parts;
 }
 

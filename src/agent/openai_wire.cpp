@@ -17,8 +17,10 @@ Json openai_content(const ChatMessage& message) {
   if (message.images.empty()) return message.text;
   Json parts = Json::array({{{"type", "text"}, {"text", message.text}}});
   for (const auto& image : message.images) {
-    const std::string url = "data:" + media_type(image) + ";base64," + base64(image);
-    parts.push_back({{"type", "image_url"}, {"image_url", {{"url", url}}}});
+    const std::string type = media_type(image), url = "data:" + type + ";base64," + base64(image);
+    // OpenAI's own models take no videos; servers of open models call them so.
+    const char* part = type.starts_with("video/") ? "video_url" : "image_url";
+    parts.push_back({{"type", part}, {part, {{"url", url}}}});
   }
   return parts;
 }

@@ -81,6 +81,7 @@ Error refused(const std::string& source, std::string_view why) {
 }
 
 std::string media_type(std::string_view image) {
+  if (image.substr(0, 12).find("ftyp") == 4) return "video/mp4";
   return image.starts_with("\xFF\xD8") ? "image/jpeg" : "image/png";
 }
 

@@ -43,6 +43,6 @@ struct AnswerReader {
 Error refused(const std::string& source, std::string_view why);
 
 /// "image/png" or "image/jpeg", as the file's first bytes say.
-std::string media_type(std::string_view image);
+std::string media_type(std::string_view file);
 
 }  // namespace roomgen

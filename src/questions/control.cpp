@@ -12,18 +12,6 @@ namespace {
 constexpr std::size_t most_ordinal = 8;
 constexpr const char* ordinals[most_ordinal] = {"first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth"};
 
-// Frames at which the camera has stopped to look at something, in their order.
-std::vector<std::size_t> stops(const QuestionSite& site) {
-  std::vector<std::size_t> list;
-  for (std::size_t frame = 0; frame < site.frames.size(); ++frame)
-    if (!site.frames[frame].frame.target.empty()) list.push_back(frame);
-  return list;
-}
-
-std::size_t index_of(const QuestionSite& site, const std::string& id) {
-  return static_cast<std::size_t>(find_object(site.scene, id) - site.scene.objects.data());
-}
-
 // Frames by whether they show the object, where the camera looks at something that can be named without it.
 struct Sightings {
   std::vector<std::pair<std::size_t, const Reference*>> with, without;
@@ -31,8 +19,8 @@ struct Sightings {
 
 Sightings sightings(const QuestionSite& site, const Reference& object) {
   Sightings result;
-  for (const std::size_t frame : stops(site)) {
-    const std::size_t target = index_of(site, site.frames[frame].frame.target);
+  for (const std::size_t frame : stops_of(site)) {
+    const std::size_t target = target_of(site, frame);
     const auto& looked_at = site.references.of(target);
     const bool named = looked_at && !looked_at->by_time && looked_at->other != site.object(object.object).id &&
                        object.other != site.frames[frame].frame.target;
@@ -69,11 +57,11 @@ std::vector<SpatialQuestion> color_questions(const QuestionSite& site, Random& r
 
 // The kind is drawn before the stop: what there are several of is no likelier.
 std::vector<SpatialQuestion> kind_questions(const QuestionSite& site, Random& random) {
-  auto all = stops(site);
+  auto all = stops_of(site);
   all.resize(std::min(all.size(), most_ordinal));
   std::map<std::string, std::vector<std::size_t>> places;  // counted from 0
   for (std::size_t nth = 0; nth < all.size(); ++nth) {
-    const Object& target = site.object(index_of(site, site.frames[all[nth]].frame.target));
+    const Object& target = site.object(target_of(site, all[nth]));
     if (!target.stand_in) places[target.category].push_back(nth);
   }
   std::vector<std::string> kinds;

@@ -54,6 +54,17 @@ double QuestionSite::share(std::size_t frame, std::size_t k) const {
   return static_cast<double>(record.objects[k].pixels) / (static_cast<double>(record.width) * record.height);
 }
 
+std::vector<std::size_t> stops_of(const QuestionSite& site) {
+  std::vector<std::size_t> stops;
+  for (std::size_t frame = 0; frame < site.frames.size(); ++frame)
+    if (!site.frames[frame].frame.target.empty()) stops.push_back(frame);
+  return stops;
+}
+
+std::size_t target_of(const QuestionSite& site, std::size_t frame) {
+  return static_cast<std::size_t>(find_object(site.scene, site.frames[frame].frame.target) - site.scene.objects.data());
+}
+
 bool says_no_place(const Reference& reference) {
   return !reference.by_time && reference.way != "on" && reference.way != "nearest";
 }

@@ -26,6 +26,7 @@ QuestionForms read_forms() {
     one.texts = form.at("texts").get<std::vector<std::string>>();
   }
   for (const auto& [name, words] : json.at("words").items()) result.words[name] = words;
+  result.no_color = json.at("no color").get<std::vector<std::string>>();
   return result;
 }
 

@@ -19,6 +19,7 @@ struct QuestionForms {
   SightLimits limits;
   std::map<std::string, QuestionForm> forms;
   std::map<std::string, std::string> words;
+  std::vector<std::string> no_color;  ///< kinds of which people name the colour of one part or another
 };
 
 const QuestionForms& question_forms();

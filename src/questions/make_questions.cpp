@@ -62,6 +62,14 @@ Json complexity_of(const Scene& scene, const Json& given) {
   return json;
 }
 
+// Scenes of one seed draw apart: else the first question of a form had its answer at one place in all of them.
+std::string fingerprint(const Scene& scene, const std::vector<FrameRecord>& frames) {
+  std::string text = std::to_string(frames.size());
+  for (const auto& object : scene.objects)
+    text += " " + object.id + " " + format_number(object.position.x()) + " " + format_number(object.position.y());
+  return text;
+}
+
 std::string id_of(const QuestionOptions& options, const SpatialQuestion& question, std::size_t number) {
   std::string form = question.form;
   std::replace(form.begin(), form.end(), ' ', '-');
@@ -78,11 +86,12 @@ Result<std::vector<SpatialQuestion>> make_questions(const Scene& scene, const Mo
   const References references(scene, models, kinds, seen);
   const QuestionSite site{scene, kinds, frames, seen, references, static_cast<std::size_t>(options.per_form)};
   const Json complexity = complexity_of(scene, options.complexity);
+  const std::string drawn_for = fingerprint(scene, frames);
   std::vector<SpatialQuestion> questions;
   for (const auto& [form, make] : makers) {
     const std::string& task = question_forms().forms.at(form).task;
     if (!options.tasks.empty() && std::count(options.tasks.begin(), options.tasks.end(), task) == 0) continue;
-    Random random = Random(options.seed).fork(form);
+    Random random = Random(options.seed).fork(drawn_for).fork(form);
     std::size_t number = 0;
     for (auto& question : make(site, random)) {
       question.id = id_of(options, question, ++number);
@@ -90,7 +99,7 @@ Result<std::vector<SpatialQuestion>> make_questions(const Scene& scene, const Mo
       questions.push_back(std::move(question));
     }
   }
-  Random order = Random(options.seed).fork("order");
+  Random order = Random(options.seed).fork(drawn_for).fork("order");
   order.shuffle(questions);
   return questions;
 }

@@ -59,9 +59,11 @@ bool stands_on_floor(const Object& object) { return object.mount == Mount::floor
 
 }  // namespace
 
+// Of what hangs from the ceiling nobody knows whether its cord counts.
 std::vector<SpatialQuestion> height_questions(const QuestionSite& site, Random& random) {
   return questions_of_one(site, random, "height", [](const Object& object) {
-    return object.size.z() >= least_height ? std::optional(object.size.z()) : std::nullopt;
+    const bool fits = object.mount != Mount::ceiling && object.size.z() >= least_height;
+    return fits ? std::optional(object.size.z()) : std::nullopt;
   });
 }
 

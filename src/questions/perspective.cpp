@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -36,12 +37,19 @@ std::optional<std::vector<std::size_t>> counted(const QuestionSite& site, const 
   return list;
 }
 
-// Of somebody at a who looks at b, in radians to the left; nothing if it is nearly ahead or behind.
-std::optional<double> side_of(const Vec2& a, const Vec2& b, const Vec2& c) {
-  if ((b - a).norm() < least_ahead || (c - a).norm() < least_aside) return std::nullopt;
-  const double angle = angle_between(b - a, c - a);
+// Of somebody at the middle of a who looks at b, in radians to the left; nothing if it is nearly ahead or behind, or on
+// another side for who stands at a corner of a.
+std::optional<double> side_of(const Object& a, const Vec2& b, const Vec2& c) {
+  const Footprint at = footprint(a);
+  if ((b - at.center()).norm() < least_ahead || (c - at.center()).norm() < least_aside) return std::nullopt;
+  const double angle = angle_between(b - at.center(), c - at.center());
   const bool sure = std::abs(angle) >= sure_side_low && std::abs(angle) <= sure_side_high;
-  return sure ? std::optional(angle) : std::nullopt;
+  const auto corners = at.outline();
+  const bool same = std::all_of(corners.begin(), corners.end(), [&](const Vec2& corner) {
+    const double seen = angle_between(b - corner, c - corner);
+    return (seen > 0) == (angle > 0);
+  });
+  return sure && same ? std::optional(angle) : std::nullopt;
 }
 
 // Around the camera of a frame.
@@ -101,14 +109,16 @@ std::vector<SpatialQuestion> side_questions(const QuestionSite& site, Random& ra
   const auto all = site.references.all();
   const auto& words = question_forms().words;
   std::vector<SpatialQuestion> questions;
+  std::set<std::array<std::size_t, 3>> asked;  // b and c in one order: the other question has the other answer
   if (all.size() < 3) return questions;
   for (std::size_t tries = tries_for_one * site.most; tries > 0 && questions.size() < site.most; --tries) {
     const Reference *a = random.pick(all), *b = random.pick(all), *c = random.pick(all);
     const bool differ = a != b && b != c && a != c && a->other.empty() && b->other.empty() && c->other.empty();
     if (!differ || !site.same_room(a->object, b->object) || !site.same_room(a->object, c->object)) continue;
-    if (site.object(a->object).mount != Mount::floor) continue;
-    const auto angle = side_of(place(site, *a), place(site, *b), place(site, *c));
-    if (!angle) continue;
+    if (site.object(a->object).mount != Mount::floor || site.object(a->object).traits.flat) continue;
+    const auto angle = side_of(site.object(a->object), place(site, *b), place(site, *c));
+    const auto [low, high] = std::minmax(b->object, c->object);
+    if (!angle || !asked.insert({a->object, low, high}).second) continue;
     const std::string &left = words.at("left"), &right = words.at("right");
     const bool is_left = *angle > 0;
     questions.push_back(choice_question(site, random, {"side", {{"a", a}, {"b", b}, {"c", c}}, {}, {}, {}},
@@ -118,9 +128,7 @@ std::vector<SpatialQuestion> side_questions(const QuestionSite& site, Random& ra
 }
 
 std::vector<SpatialQuestion> behind_questions(const QuestionSite& site, Random& random) {
-  std::vector<std::size_t> stops;
-  for (std::size_t frame = 0; frame < site.frames.size(); ++frame)
-    if (!site.frames[frame].frame.target.empty()) stops.push_back(frame);
+  auto stops = stops_of(site);
   random.shuffle(stops);
   std::vector<SpatialQuestion> questions;
   for (const std::size_t frame : stops) {

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "base/json_lines.h"
@@ -41,7 +42,8 @@ Json to_json(const SpatialQuestion& question) {
   Json json = {{"id", question.id}, {"task", question.task}, {"form", question.form}, {"question", question.text}};
   if (question.choices.empty()) {
     json["unit"] = question.unit;
-    json["answer"] = question.number;
+    // Counts are whole.
+    json["answer"] = question.unit.empty() ? Json(std::llround(question.number)) : Json(question.number);
     json["tolerance"] = question.tolerance;
   } else {
     json["choices"] = question.choices;

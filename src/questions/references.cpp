@@ -38,6 +38,11 @@ std::string main_color(const Object& object, const ModelTable& models) {
   return sure && is_sure_hue(colors.front()) ? name : "";
 }
 
+bool has_one_color(const KindTable& kinds, const std::string& kind) {
+  const auto& without = question_forms().no_color;
+  return std::none_of(without.begin(), without.end(), [&](const std::string& one) { return kinds.is_a(kind, one); });
+}
+
 std::string last_word(const std::string& name) { return name.substr(name.rfind(' ') + 1); }
 
 }  // namespace
@@ -49,7 +54,7 @@ References::References(const Scene& scene, const ModelTable& models, const KindT
   for (const auto& object : scene.objects) {
     const std::string key = asset_key(object.asset);
     if (!known.count(key)) known[key] = main_color(object, models);
-    colors_.push_back(known[key]);
+    colors_.push_back(has_one_color(kinds, object.category) ? known[key] : "");
   }
   for (std::size_t k = 0; k < scene.objects.size(); ++k) plain_.push_back(by_kind(k));
   for (std::size_t k = 0; k < scene.objects.size(); ++k) references_.push_back(find(k));

@@ -18,6 +18,13 @@ bool surely_before(const QuestionSite& site, const Reference* a, const Reference
   return seen(site, a).surely_before(seen(site, b));
 }
 
+// The first frame after `frame` at which an object fills so much of the picture.
+std::size_t next_with(const QuestionSite& site, std::size_t object, std::size_t frame, double share) {
+  for (std::size_t later = frame + 1; later < site.frames.size(); ++later)
+    if (site.share(later, object) >= share) return later;
+  return Appearance::never;
+}
+
 // Drawn without repetition, in the order of their words.
 Things drawn(const QuestionSite& site, Random& random, std::size_t count) {
   Things all = site.references.all();
@@ -61,6 +68,14 @@ std::vector<std::string> other_orders(Random& random, Things things) {
   return orders;
 }
 
+// Do they ask one thing, in other words or with other choices?
+bool same_question(const SpatialQuestion& one, const SpatialQuestion& other) {
+  const auto& a = one.arguments;
+  const auto& b = other.arguments;
+  if (a.contains("a") && a.contains("b")) return a.at("a") == b.at("a") && a.at("b") == b.at("b") && a.at("right") == b.at("right");
+  return one.text == other.text && one.objects == other.objects;
+}
+
 template <typename Make>
 std::vector<SpatialQuestion> tried(const QuestionSite& site, const Make& make) {
   std::vector<SpatialQuestion> questions;
@@ -68,7 +83,7 @@ std::vector<SpatialQuestion> tried(const QuestionSite& site, const Make& make) {
     auto question = make();
     if (!question) continue;
     const bool known = std::any_of(questions.begin(), questions.end(), [&](const SpatialQuestion& other) {
-      return other.text == question->text && other.objects == question->objects;
+      return same_question(other, *question);
     });
     if (!known) questions.push_back(std::move(*question));
   }
@@ -95,22 +110,34 @@ std::vector<SpatialQuestion> order_questions(const QuestionSite& site, Random& r
   });
 }
 
+// From the beginning on, large things come first, and who knows that needs no video. So it is asked of what comes after
+// a stop of the camera.
 std::vector<SpatialQuestion> first_questions(const QuestionSite& site, Random& random) {
+  auto stops = stops_of(site);
+  if (stops.size() < 2) return {};
+  stops.pop_back();
   return tried(site, [&]() -> std::optional<SpatialQuestion> {
-    Things things = drawn(site, random, offered);
-    if (things.empty()) return std::nullopt;
-    const auto first = std::min_element(things.begin(), things.end(), [&](const Reference* a, const Reference* b) {
-      return seen(site, a).first_seen < seen(site, b).first_seen;
+    const std::size_t stop = random.pick(stops);
+    const auto& looked_at = site.references.of(target_of(site, stop));
+    const Things things = drawn(site, random, offered);
+    if (!looked_at || looked_at->by_time || things.empty()) return std::nullopt;
+    const auto next = [&](const Reference* one, double share) { return next_with(site, one->object, stop, share); };
+    const auto& limits = question_forms().limits;
+    const Reference* right = *std::min_element(things.begin(), things.end(), [&](const Reference* a, const Reference* b) {
+      return next(a, limits.seen) < next(b, limits.seen);
     });
+    const std::size_t when = next(right, limits.seen);
+    if (when == Appearance::never) return std::nullopt;
     std::vector<std::string> wrong;
     for (const Reference* one : things) {
-      if (one == *first) continue;
-      if (!surely_before(site, *first, one)) return std::nullopt;
+      if (one->object == looked_at->object || site.share(stop, one->object) >= limits.faint) return std::nullopt;
+      if (one == right) continue;
+      if (next(one, limits.faint) <= when) return std::nullopt;
       wrong.push_back(one->text);
     }
-    const QuestionDraft draft{"first", {}, {}, things, first_frames(site, things),
-                      {{"right", site.object((*first)->object).id}, {"of", ids_of(site, things)}}};
-    return choice_question(site, random, draft, (*first)->text, wrong);
+    const QuestionDraft draft{"first", {{"a", &*looked_at}}, {}, things, {stop, when},
+                      {{"frame", site.frames[stop].frame.number}, {"right", site.object(right->object).id}, {"of", ids_of(site, things)}}};
+    return choice_question(site, random, draft, right->text, wrong);
   });
 }
 

@@ -28,6 +28,10 @@ struct QuestionSite {
   bool same_room(std::size_t a, std::size_t b) const { return object(a).room == object(b).room; }
 };
 
+/// Frames at which the camera has stopped to look at something, in their order; and at what, as an index of the scene.
+std::vector<std::size_t> stops_of(const QuestionSite& site);
+std::size_t target_of(const QuestionSite& site, std::size_t frame);
+
 /// A form's questions, at most `most`.
 using FormMaker = std::vector<SpatialQuestion> (*)(const QuestionSite& site, Random& random);
 

@@ -235,7 +235,7 @@ Result<FrameFigures> draw_frames(const Scene& scene, const ModelTable& models, c
   if (auto status = check_options(options); !status) return status.error();
   const auto frames = frames_of(tour, options.per_second);
   if (!frames) return frames.error();
-  if (frames->empty()) return bad_frames("the tour has no keyframes: it shows nothing");
+  if (frames->empty()) return bad_frames("the tour has no keyframes and shows nothing; its `unseen` says why");
   if (auto status = begin_job(folder, job_text(scene, models, tour, options)); !status) return status.error();
   const auto missing = missing_frames(*frames, folder);
   const TourIntrinsics intrinsics{options.width, options.height, tour.intrinsics.field_of_view};

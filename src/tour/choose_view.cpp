@@ -38,13 +38,26 @@ std::string hidden_text(const TourOptions& options, const Tally& tally) {
          " of it, from wherever it was looked at; " + wanted + " are asked for";
 }
 
-UnseenTarget unseen(const TourOptions& options, const Object& target, const DrawnViewpoints& drawn,
+// Of a room that nobody gets into, or of the ways inside.
+std::string out_of_reach_text(const TourSite& site, const Object& target, const ShortestWays& ways) {
+  const TourOptions& options = site.options;
+  const Room& room = room_of(site.scene, target);
+  bool entered = false;
+  for (GridNode node = 0; node < site.grid.size() && !entered; ++node)
+    entered = ways.reach(node) && contains(room.polygon, site.grid.place(node));
+  const std::string wide = "somebody " + metres_text(2.0 * options.agent_radius) + " wide";
+  if (!entered && !site.scene.rooms.empty())
+    return "its room, " + room.id + ", cannot be entered from where the tour begins by " + wide +
+           ": it needs an open way through doors, or a smaller agent";
+  return "there is no place to stand that can be walked to by " + wide + ", " + metres_text(options.least_distance) + " to " +
+         metres_text(options.greatest_distance) + " from it: a smaller agent or other distances may help";
+}
+
+UnseenTarget unseen(const TourSite& site, const Object& target, const ShortestWays& ways, const DrawnViewpoints& drawn,
                     const Tally& tally) {
   using Cause = UnseenTarget::Cause;
-  if (!drawn.any_place)
-    return {target.id, Cause::out_of_reach,
-            "there is no place to stand that can be walked to " + metres_text(options.least_distance) + " to " +
-                metres_text(options.greatest_distance) + " from it"};
+  const TourOptions& options = site.options;
+  if (!drawn.any_place) return {target.id, Cause::out_of_reach, out_of_reach_text(site, target, ways)};
   if (drawn.points.empty())
     return {target.id, Cause::out_of_picture,
             "from no place that can be walked to all of it is in the picture: a wider field of view or greater "
@@ -122,7 +135,7 @@ Result<std::variant<ChosenView, UnseenTarget>> choose_view(const TourSite& site,
     if (auto status = chooser.look_from(point); !status) return status.error();
   }
   if (chooser.best()) return Outcome(*chooser.best());
-  return Outcome(unseen(site.options, target, drawn, chooser.tally()));
+  return Outcome(unseen(site, target, ways, drawn, chooser.tally()));
 }
 
 }  // namespace roomgen::detail

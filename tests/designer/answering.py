@@ -22,6 +22,53 @@ LEVELS = {
 }
 
 
+def ask_with_videos(roomgen, folder, made, count):
+    """What goes wrong where an endpoint takes videos, takes none, or takes no pictures either."""
+    failures, asked, efforts = [], [], []
+    taken = {"video_url", "image_url"}
+
+    def answer(question):
+        message = question["messages"][-1]
+        asked.append((len(pictures_of(message, "video_url")), len(pictures_of(message))))
+        efforts.append(question.get("reasoning_effort"))
+        kinds = {part["type"] for part in message["content"]} - {"text"}
+        return "3" if kinds <= taken else (400, "this model does not take " + ", ".join(kinds - taken))
+
+    server, url = chat_server(answer, "viewer")
+    threading.Thread(target=server.serve_forever, daemon=True).start()
+
+    def run(name, *more):
+        asked.clear()
+        command = [roomgen, "benchmark", "run", str(made), "--model", "viewer", "--base-url", url, "--frames", "3", "-o", str(folder / name), *more]
+        return subprocess.run(command, capture_output=True, text=True)
+
+    done = run("no-frames-of-video", "--video", "--evidence")
+    if done.returncode != 1 or "--video" not in done.stderr:
+        failures.append(f"--video and --evidence: exit {done.returncode}: {done.stderr}")
+    if not list(made.rglob("tour.mp4")):
+        done = run("video", "--video")
+        return failures + ([] if done.returncode == 1 and "ffmpeg" in done.stderr else [f"no video: {done.stderr}"])
+    efforts.clear()
+    done = run("video", "--video", "--thinking", "4000")
+    if set(efforts) != {"medium"}:
+        failures.append(f"thinking: {efforts}")
+    if done.returncode != 0 or asked != [(1, 0)] * count:
+        failures.append(f"videos: exit {done.returncode}: {done.stderr[-300:]} {asked}")
+    taken.remove("video_url")
+    done = run("no-video", "--video", "--limit", "2")
+    again = run("no-video", "--video")
+    if done.returncode or again.returncode or "no video is taken: " not in done.stderr or any(videos for videos, _ in asked):
+        failures.append(f"no videos: exit {done.returncode}, {again.returncode}: {done.stderr[-300:]} {asked}")
+    lines = [json.loads(line) for line in (folder / "no-video" / "results.jsonl").read_text().splitlines()[1:]]
+    if len(lines) != count or {line["shown"] for line in lines} != {"frames"}:
+        failures.append(f"no videos: {len(lines)} answers, not all with frames")
+    taken.clear()
+    done = run("no-pictures", "--video")
+    if done.returncode == 0 or "does not take image_url" not in done.stderr or "0 of" not in done.stderr:
+        failures.append(f"no pictures: exit {done.returncode}: {done.stderr[-300:]}")
+    return failures
+
+
 def main():
     roomgen, folder = sys.argv[1], Path(sys.argv[2])
     shutil.rmtree(folder, ignore_errors=True)
@@ -93,6 +140,7 @@ def main():
     print(done.stdout)
     if done.returncode != 0:
         failures.append("answers are wrong: " + done.stdout[-800:] + done.stderr[-500:])
+    failures += ask_with_videos(roomgen, folder, made, len(questions))
     print("\n".join(failures) or f"{len(questions)} questions, {len(asked)} asked")
     return 1 if failures else 0
 

@@ -11,15 +11,16 @@ def text_of(message):
     return content if isinstance(content, str) else " ".join(part.get("text", "") for part in content)
 
 
-def pictures_of(message):
-    """The files of the pictures of a message."""
+def pictures_of(message, kind="image_url"):
+    """The files of the pictures of a message, or of its videos (video_url)."""
     content = message["content"]
-    urls = [part["image_url"]["url"] for part in content if not isinstance(content, str) and part["type"] == "image_url"]
+    urls = [part[kind]["url"] for part in content if not isinstance(content, str) and part["type"] == kind]
     return [base64.b64decode(url.split(",", 1)[1]) for url in urls]
 
 
 def chat_server(answer, model):
-    """A server on a free port of 127.0.0.1 that is ready to run, and its base URL. `answer` gets each question."""
+    """A server on a free port of 127.0.0.1 that is ready to run, and its base URL. `answer` gets each question
+    and gives the answer, or a status and a complaint."""
 
     class Handler(BaseHTTPRequestHandler):
         protocol_version = "HTTP/1.1"
@@ -27,6 +28,9 @@ def chat_server(answer, model):
         def do_POST(self):  # noqa: N802 - the name is http.server's
             question = json.loads(self.rfile.read(int(self.headers["Content-Length"])))
             content = answer(question)
+            if isinstance(content, tuple):
+                self.refuse(*content)
+                return
             asked = sum(len(text_of(message)) for message in question["messages"])
             body = json.dumps(
                 {
@@ -36,6 +40,14 @@ def chat_server(answer, model):
                 }
             ).encode("utf-8", "replace")
             self.send_response(200)
+            self.send_header("Content-Type", "application/json")
+            self.send_header("Content-Length", str(len(body)))
+            self.end_headers()
+            self.wfile.write(body)
+
+        def refuse(self, status, complaint):
+            body = json.dumps({"error": {"message": complaint}}).encode()
+            self.send_response(status)
             self.send_header("Content-Type", "application/json")
             self.send_header("Content-Length", str(len(body)))
             self.end_headers()

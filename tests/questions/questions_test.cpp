@@ -167,8 +167,17 @@ std::string wrong(const Scene& scene, const std::vector<FrameRecord>& frames, co
   }
   if (q.form == "first") {
     const std::string right = q.arguments.at("right");
-    for (const std::string id : q.arguments.at("of"))
-      if (id != right && first_with(scene, frames, id, 0.0002) <= first_with(scene, frames, right, 0.002)) return id + " is earlier";
+    const auto stop = q.arguments.at("frame").get<std::size_t>();
+    const auto after = [&](const std::string& id, double share) {
+      std::size_t f = stop + 1;
+      while (f < frames.size() && static_cast<double>(frames[f].objects[index_of(scene, id)].pixels) < share * 640 * 480) ++f;
+      return f;
+    };
+    if (frames.at(stop).frame.target != q.arguments.at("a").get<std::string>()) return "the camera looks at something else";
+    for (const std::string id : q.arguments.at("of")) {
+      if (static_cast<double>(frames[stop].objects[index_of(scene, id)].pixels) >= 0.0002 * 640 * 480) return id + " is in sight";
+      if (id != right && after(id, 0.0002) <= after(right, 0.002)) return id + " is earlier";
+    }
     return "";
   }
   if (q.form == "between") {
@@ -344,4 +353,71 @@ TEST_CASE("Frames of another scene and unknown tasks are refused") {
   const auto measured = make_questions(scene, {}, KindTable::built_in(), random_frames(scene, 1), options);
   REQUIRE(measured);
   for (const auto& question : *measured) CHECK(question.task == "measurement");
+}
+
+TEST_CASE("No two questions ask one thing") {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const Scene scene = random_scene(seed);
+    std::set<std::string> sides, between;
+    for (const auto& question : asked(scene, random_frames(scene, seed), seed, 40)) {
+      INFO(to_json(question).dump());
+      const auto& arguments = question.arguments;
+      if (question.form == "side") {
+        const std::string b = arguments.at("b"), c = arguments.at("c"), a = arguments.at("a");
+        CHECK(sides.insert(a + " " + std::min(b, c) + " " + std::max(b, c)).second);
+      }
+      if (question.form == "between")
+        CHECK(between.insert(arguments.at("a").dump() + arguments.at("b").dump() + arguments.at("right").dump()).second);
+    }
+  }
+}
+
+TEST_CASE("What is left of somebody is left of each corner of where they stand") {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const Scene scene = random_scene(seed);
+    for (const auto& question : asked(scene, random_frames(scene, seed), seed, 40)) {
+      if (question.form != "side") continue;
+      INFO(to_json(question).dump());
+      const Object& a = named(scene, question, "a");
+      const Vec2 b = named(scene, question, "b").position.head<2>(), c = named(scene, question, "c").position.head<2>();
+      for (const double x : {-0.5, 0.5})
+        for (const double y : {-0.5, 0.5}) {
+          const double cosine = std::cos(a.yaw), sine = std::sin(a.yaw), u = x * a.size.x(), v = y * a.size.y();
+          const Vec2 from = a.position.head<2>() + Vec2(cosine * u - sine * v, sine * u + cosine * v);
+          const Vec2 ahead = b - from, there = c - from;
+          const bool left = ahead.x() * there.y() - ahead.y() * there.x() > 0;
+          if (!round(a)) CHECK(left == (question.choices.at(question.right) == "on the left"));
+        }
+    }
+  }
+}
+
+TEST_CASE("Nobody is asked how tall a hanging lamp is, nor what colour a mirror is") {
+  Scene scene = random_scene(3);
+  for (const char* kind : {"pendant lamp", "mirror"}) {
+    auto object = rooms::thing(std::string(kind) + "-0", kind, {0.4, 0.4, 0.6}, {3, 3});
+    object.mount = std::string(kind) == "mirror" ? Mount::wall : Mount::ceiling;
+    object.position.z() = 1.8;
+    scene.objects.push_back(object);
+  }
+  int others = 0;
+  for (const auto& question : asked(scene, random_frames(scene, 3), 3, 40)) {
+    if (question.form != "height" && question.form != "color") continue;
+    const std::string id = named(scene, question, "a").id;
+    CHECK((question.form != "height" || id != "pendant lamp-0"));
+    CHECK((question.form != "color" || id != "mirror-0"));
+    ++others;
+  }
+  CHECK(others > 3);
+}
+
+TEST_CASE("Counts are whole in files") {
+  const Scene scene = random_scene(8);
+  int counts = 0;
+  for (const auto& question : asked(scene, random_frames(scene, 8), 8, 40))
+    if (question.form == "count") {
+      CHECK(to_json(question).at("answer").is_number_integer());
+      ++counts;
+    }
+  CHECK(counts > 0);
 }

@@ -394,3 +394,50 @@ TEST_CASE("tour.json reads as it was written, and frames fall on its keyframes")
   CHECK(!frames_of(*read, 0.0));
   CHECK(!tour_from_json(*parse_json(R"({"format": "roomgen-scene"})", "x"), "x"));
 }
+
+TEST_CASE("Behind a gap that is narrower than the agent, what is there is out of reach, and the reason says so") {
+  Scene scene = rooms::scene(rooms::box(4, 6), {rooms::thing("wardrobe-0", "wardrobe", {3.45, 0.4, 2.0}, {1.725, 3}),
+                                                rooms::thing("chair-0", "chair", {0.5, 0.5, 0.9}, {2, 5.5})});
+  scene.room.openings = {rooms::door("door-0", 0, 0.5, 1.4)};
+  TourOptions options;
+  options.greatest_distance = 1.5;
+  CHECK(cause_of(tour_of(scene, options), "chair-0") == "seen");
+  options.agent_radius = 0.35;
+  const Tour tour = tour_of(scene, options);
+  CHECK(cause_of(tour, "chair-0") == "out-of-reach");
+  REQUIRE(!tour.unseen.empty());
+  CHECK(tour.unseen.back().reason.find("0.7 m wide") != std::string::npos);
+}
+
+TEST_CASE("What stands in a room without a way in is out of reach, and the reason names the room") {
+  Scene scene;
+  Room hall = rooms::box(4, 3), vault = rooms::box(4, 3);
+  hall.id = "hall-0", vault.id = "vault-0";
+  for (auto& point : vault.polygon.points) point.x() += 4.0 + wall_thickness;
+  hall.openings = {rooms::door("door-0", 0, 0.5, 1.4)};
+  scene.rooms = {hall, vault};
+  scene.objects = {rooms::thing("chair-0", "chair", {0.5, 0.5, 0.9}, {2.0, 2.0}),
+                   rooms::thing("desk-0", "desk", {1.2, 0.6, 0.75}, {7.4, 2.6})};
+  scene.objects[0].room = "hall-0", scene.objects[1].room = "vault-0";
+  TourOptions options;
+  options.greatest_distance = 1.5;
+  const Tour tour = tour_of(scene, options);
+  CHECK(cause_of(tour, "chair-0") == "seen");
+  CHECK(cause_of(tour, "desk-0") == "out-of-reach");
+  REQUIRE(tour.unseen.size() == 1);
+  CHECK(tour.unseen[0].reason.find("vault-0") != std::string::npos);
+}
+
+TEST_CASE("A camera in a wall or outdoors is told from one in a room or in a doorway") {
+  Scene scene = rooms::scene(rooms::box(4, 3), {});
+  scene.room.openings = {rooms::door("door-0", 0, 0.5, 1.4)};
+  CHECK(is_indoors(scene, {2.0, 1.5}));
+  CHECK(is_indoors(scene, {1.0, -0.5 * wall_thickness}));   // in the doorway
+  CHECK(!is_indoors(scene, {3.0, -0.5 * wall_thickness}));  // in the wall beside it
+  CHECK(!is_indoors(scene, {1.0, -1.0}));
+  CHECK(!is_indoors(scene, {30.0, 1.5}));
+  for (std::uint64_t seed = 80; seed < 84; ++seed) {
+    const Scene room = random_room(seed);
+    for (const auto& keyframe : tour_of(room).keyframes) CHECK(is_indoors(room, keyframe.pose.eye.head<2>()));
+  }
+}

@@ -20,7 +20,7 @@ struct ChatMessage {
   enum class Role { system, user, assistant };
   Role role = Role::user;
   std::string text;                 ///< UTF-8
-  std::vector<std::string> images;  ///< whole PNG or JPEG files, shown after the text; only from the user
+  std::vector<std::string> images;  ///< whole PNG, JPEG or MP4 files, shown after the text; only from the user
 };
 
 /// "system", "user" or "assistant".

@@ -126,6 +126,10 @@ struct Tour {
 Result<Tour> make_tour(const Scene& scene, const ModelTable& models, const KindTable& kinds, Renderer& renderer,
                        const TourOptions& options = {});
 
+/// Does the place lie in a room, or where a door or passage goes through a wall? A camera elsewhere is in a wall or
+/// outdoors, and its pictures are of no use.
+bool is_indoors(const Scene& scene, const Vec2& place);
+
 /// tour.json (docs/tour.schema.json).
 Json to_json(const Tour& tour);
 /// Reports the first problem with its JSON pointer.
