@@ -42,6 +42,7 @@ TEST_CASE("Every prompt is rendered whole when its slots are filled, and not oth
       {"program-revise-user", {{"wish", "a study"}, {"measures", "seats 2"}, {"program", "{}"}, {"report", "r"}, {"earlier", "e"}}},
       {"question-system", {{"answer_form", "a number"}}},
       {"question-user", {{"times", "0 s"}, {"question", "How high is the desk?"}, {"choices", "0.7\n1.2"}}},
+      {"question-video-user", {{"question", "How high is the desk?"}, {"choices", "0.7\n1.2"}}},
       {"create-classify-system", {}},
       {"create-classify-user", {{"prompt", "a stool"}}},
       {"create-decompose-system", {}},
