@@ -38,6 +38,8 @@ struct Demand {
   bool listed = false;         ///< said of another thing of the same list
   std::size_t heard = HeardWords::none;  ///< of Brief::heard: the words that say it
   std::optional<RelationKind> said = {};  ///< what was asked for, where this is only the next best: the clause is that
+  std::size_t said_of = none;             ///< the mention that it was asked of, where this is of no other
+  bool is_means = false;                  ///< only serves another demand: no clause of its own
 };
 
 /// The word of what is heard as a length of a thing.

@@ -113,6 +113,17 @@ std::size_t Discourse::part(std::size_t whole, int count) {
   return this->count() - 1;
 }
 
+std::size_t Discourse::another(std::size_t first, int count) {
+  if (this->count() >= max_mentions) return first;
+  Mention further = mention(first);
+  further.quantity = count;
+  further.demands.clear();
+  further.heard.clear();
+  further.formation.reset();
+  brief_.mentions.push_back(std::move(further));
+  return this->count() - 1;
+}
+
 void Discourse::adopt(std::size_t part, std::size_t whole) {
   brief_.mentions[part].part_of = whole;
   brief_.mentions[whole].quantity -= mention(part).quantity;
@@ -209,9 +220,9 @@ std::optional<std::size_t> Discourse::antecedent(RelationKind kind,
   return antecedent(subjects);
 }
 
-std::optional<std::size_t> Discourse::last_of_several(const std::vector<std::size_t>& but) const {
+std::optional<std::size_t> Discourse::last_of_several(const std::vector<std::size_t>& but, bool is_open) const {
   for (std::size_t i = made(); i-- > 0;)
-    if (mention(i).quantity >= 2 && !is_among(but, i)) return i;
+    if ((mention(i).quantity >= 2 || (is_open && mention(i).quantity == 0)) && !is_among(but, i)) return i;
   return std::nullopt;
 }
 
@@ -344,13 +355,15 @@ void Discourse::mount(const std::vector<std::size_t>& subjects, Mount where) {
   }
 }
 
-void Discourse::own(std::size_t owner, std::size_t index) {
+void Discourse::own(std::size_t owner, std::size_t index, bool is_each, int nth) {
   if (owner == index) return;
   Demand what{RelationKind::on, owner, "", false};
+  what.nth = nth;
   if (!is_small(index)) {
-    // "a table with two benches"
-    if (!seats_at(index, owner)) return;
-    what.kind = RelationKind::around;
+    // "a table with two benches"; "beds, each with a locker", "a desk with a chair"
+    const bool is_beside = (is_each || works_at(index, owner)) && mention(index).mount == Mount::floor && mention(owner).mount == Mount::floor;
+    if (!seats_at(index, owner) && !is_beside) return;
+    what.kind = seats_at(index, owner) ? RelationKind::around : RelationKind::near;
   } else if (!may_carry(owner)) {
     return;
   }
@@ -364,6 +377,12 @@ bool Discourse::seats_at(std::size_t seat, std::size_t other) const {
          table.is_any_of(mention(seat).category, {"chair", "stool", "bench"}) &&
          table.is_a(mention(other).category, "table") &&
          !table.is_a(mention(other).category, "desk");
+}
+
+bool Discourse::works_at(std::size_t seat, std::size_t other) const {
+  const auto& table = lexicon_.table;
+  return table.is_any_of(mention(seat).category, {"chair", "stool", "bench"}) &&
+         !table.is_any_of(mention(other).category, {"seat", "bed"});
 }
 
 bool Discourse::is_small(std::size_t index) const {

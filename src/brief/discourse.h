@@ -44,6 +44,8 @@ class Discourse {
   std::optional<std::size_t> refer(const ThingPhrase& phrase, int sentence);
   /// Some of several, as a mention of their own.
   std::size_t part(std::size_t whole, int count);
+  /// As many more of the same, of which nothing is said yet.
+  std::size_t another(std::size_t first, int count);
   /// Things that were taken for others are some of several.
   void adopt(std::size_t part, std::size_t whole);
   /// The mention, and those that are parts of it.
@@ -59,8 +61,8 @@ class Discourse {
   /// What a placement of the subjects (at least one) without a target is relative to.
   std::optional<std::size_t> antecedent(RelationKind kind,
                                         const std::vector<std::size_t>& subjects) const;
-  /// The last of several that were spoken of: "one holds …, the other …".
-  std::optional<std::size_t> last_of_several(const std::vector<std::size_t>& but = {}) const;
+  /// The last of several that were spoken of: "one holds …, the other …"; also of a plural without a number.
+  std::optional<std::size_t> last_of_several(const std::vector<std::size_t>& but = {}, bool is_open = false) const;
   /// The thing of that kind that was spoken of last.
   std::optional<std::size_t> last_of(const KindMention& kind) const;
   /// The last thing of a kind that is none of the subjects.
@@ -76,7 +78,7 @@ class Discourse {
   void locate(const std::vector<std::size_t>& subjects, const Placement& placement,
               const PlacePhrase& place);
   /// "a desk with a lamp", "a table with four chairs": where what a thing has is.
-  void own(std::size_t owner, std::size_t mention);
+  void own(std::size_t owner, std::size_t mention, bool is_each = false, int nth = -1);
   /// What can hang from the ceiling and hangs over a table, hangs there: a lamp, a plant.
   void hang_from_ceiling(const std::vector<std::size_t>& subjects);
 
@@ -93,6 +95,8 @@ class Discourse {
   std::optional<std::size_t> last_compound(std::string_view noun) const;
   /// Chairs and benches at a table, not at a desk.
   bool seats_at(std::size_t seat, std::size_t other) const;
+  /// A chair that something to sit or work at is with: "a counter with six stools".
+  bool works_at(std::size_t seat, std::size_t other) const;
   void locate_at_window(const std::vector<std::size_t>& subjects, const Placement& placement);
   void locate_at_wall(const std::vector<std::size_t>& subjects, RelationKind first,
                       const PlacePhrase& place);

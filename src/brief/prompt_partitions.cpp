@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "language/lexicon.h"
+#include "language/number.h"
 #include "scene/finish_words.h"
 
 namespace roomgen::design {
@@ -25,6 +26,7 @@ class PartitionReader {
 
  private:
   void read_phrase(std::int32_t id) {
+    if (const auto first = what_is_added_to(id)) return add(id, *first);
     const auto whole = whole_of(id);
     if (!whole || reading_.talk.mention(*whole).formation) return;
     const auto looks = looks_of(id);
@@ -43,6 +45,33 @@ class PartitionReader {
       reading_.talk.describe(part, reading_.word(look.begin));
       reading_.hearing.look(look, part, reading_.word(look.begin));
     }
+  }
+
+  // "five chairs on each side and one at the head": one more, for the five have their place.
+  std::optional<std::size_t> what_is_added_to(std::int32_t id) const {
+    const NounPhrase& said = reading_.phrase(id);
+    const auto begin = said.tokens.begin;
+    if (!said.is_pronoun || said.count < 1 || said.determiner != Determiner::absent || !place_of(id) || begin == 0 ||
+        !(reading_.is_word(begin - 1, "and") || is_beyond(said)))
+      return std::nullopt;
+    for (std::int32_t i = id; i-- > 0 && is_same_sentence(id, i);) {
+      if (reading_.is_share[static_cast<std::size_t>(i)]) return std::nullopt;
+      const NounPhrase& before = reading_.phrase(i);
+      const auto named = before.is_pronoun ? std::nullopt : reading_.mention_of(i);
+      if (!named || before.count < 2) continue;
+      return place_of(i) && whole(*named) ? named : std::nullopt;
+    }
+    return std::nullopt;
+  }
+  // "two bikes in front, a third one ..."
+  bool is_beyond(const NounPhrase& said) const {
+    return language::ordinal_at(reading_.parse.tokens, said.tokens.begin).has_value();
+  }
+  void add(std::int32_t id, std::size_t first) {
+    const NounPhrase& said = reading_.phrase(id);
+    const auto further = reading_.talk.another(first, static_cast<int>(said.count));
+    reading_.mentions[static_cast<std::size_t>(id)] = further;
+    reading_.hearing.number({said.tokens.begin, said.head + 1}, further);
   }
 
   // "three" of five, "the other two", "another", "two of the chairs"; "two bunk beds" of three, where "one" follows.
@@ -142,14 +171,31 @@ class PartitionReader {
       if (verb.subject == id && !verb.is_denied)
         for (auto i = verb.complement.begin; i < verb.complement.end; ++i)
           if (!reading_.parse.modifiers[i].is_denied) looks.push_back(reading_.parse.modifiers[i].tokens);
-    for (auto i = reading_.phrase(id).head + 1; is_look(i); ++i) looks.push_back({i, i + 1});
+    for (const auto& verb : reading_.parse.verbs)
+      if (verb.subject == id && verb.base == "be" && !verb.is_denied && verb.object != none) add_looks(looks, verb.object);
+    if (reading_.phrase(id).is_pronoun && is_look(reading_.phrase(id).head)) add_looks(looks, id);
+    for (auto i = behind(id); is_look(i); ++i) looks.push_back({i, i + 1});
     return looks;
+  }
+  // "one of which is metal", "three round"
+  void add_looks(std::vector<Run>& looks, std::int32_t id) const {
+    const NounPhrase& said = reading_.phrase(id);
+    if (id != none && (said.determiner == Determiner::absent || said.is_pronoun))
+      for (auto i = said.tokens.begin; i <= said.head; ++i)
+        if (is_look(i)) looks.push_back({i, i + 1});
+  }
+  // The token behind "two", "two of them".
+  std::uint32_t behind(std::int32_t id) const {
+    const auto next = reading_.phrase(id).head + 1;
+    static const WordSet all = {"them", "these", "those", "which"};
+    const bool names_all = reading_.is_word(next, "of") && next + 1 < reading_.text.plain.size() && all.count(reading_.word(next + 1)) > 0;
+    return names_all ? next + 2 : next;
   }
   bool is_look(std::uint32_t token) const {
     if (token >= reading_.text.plain.size() || reading_.text.plain[token].kind != Token::Kind::word) return false;
     const std::string& word = reading_.word(token);
     const auto& english = language::lexicon();
-    return finish_words().describes(word) || english.is(word, language::WordClass::color) ||
+    return finish_words().describes(word) || reading_.words.materials.count(word) || english.is(word, language::WordClass::color) ||
            english.may_be(word, language::WordClass::shape);
   }
 

@@ -6,6 +6,9 @@
 #include <set>
 #include <utility>
 
+#include "view_from_door.h"
+#include "which_of.h"
+
 namespace roomgen::design {
 
 namespace {
@@ -20,27 +23,31 @@ using Indices = std::vector<std::size_t>;
 class PlaceReader {
  public:
   explicit PlaceReader(PromptReading& reading)
-      : reading_(reading), left_(words_left(reading.parse)) {}
+      : reading_(reading), left_(words_left(reading.parse)), views_(views_from_door(reading)) {}
 
   void run() {
     for (const auto& attachment : reading_.parse.attachments) {
       read_adverbs(attachment.tokens.begin);
       reading_.look_back_from(attachment.tokens.begin);
+      place_at_ = attachment.tokens.begin;
       read_attachment(attachment);
     }
     read_adverbs(reading_.text.plain.size());
+    note_lost_sides();
   }
 
  private:
+  // "On the left", of which nothing came.
+  void note_lost_sides() {
+    const std::vector<bool> heard = reading_.heard_tokens();
+    for (const auto& phrase : reading_.parse.phrases) {
+      const bool is_side = reading_.is_word(phrase.head, "left") || reading_.is_word(phrase.head, "right");
+      if (is_side && !heard[phrase.head])
+        hear(reading_.brief, {phrase.head, phrase.head + 1}, Heard::As::not_understood);
+    }
+  }
   static bool is_among(const Indices& subjects, std::size_t mention) {
     return std::find(subjects.begin(), subjects.end(), mention) != subjects.end();
-  }
-  // "one holds …, the other …": which of several is meant.
-  int nth_of(std::int32_t id) const {
-    if (id == none || !reading_.phrase(id).is_pronoun) return -1;
-    const std::string& noun = reading_.word(reading_.phrase(id).head);
-    if (noun == "one") return 0;
-    return noun == "other" ? 1 : -1;
   }
   // The noun phrase of a place that is no thing: "the corner", "the foot" of the bed.
   std::int32_t place_of(const Attachment& attachment,
@@ -66,6 +73,7 @@ class PlaceReader {
     const Indices subjects = reading_.subjects_of(attachment);
     if (subjects.empty()) return;
     if (said->placement->mutual) return relate_mutually(subjects, *said->placement);
+    if (said->placement->flank) give_each_side(attachment, reading_.all_of(attachment.from));
     if (said->target == none) return relate_to_implied(subjects, *said->placement);
     read_target(attachment, *said, subjects);
   }
@@ -119,7 +127,10 @@ class PlaceReader {
       if (target.determiner == Determiner::each &&
           said.placement->relations.front() != RelationKind::aligned)
         give_each(*thing, subjects);
-      return say(subjects, said, *thing);
+      say(subjects, said, *thing);
+      for (const std::size_t further : reading_.also[static_cast<std::size_t>(said.target)])
+        if (reaches_all(said.placement->relations.front()) && !is_among(subjects, further)) say(subjects, said, further);
+      return;
     }
     if (is_way_in(target, *said.placement))
       return reading_.talk.locate(subjects, *said.placement, PlacePhrase{.place = Place::door});
@@ -136,6 +147,11 @@ class PlaceReader {
       return locate_in_middle(attachment, subjects, *said.placement, *place);
     reading_.talk.locate(subjects, *said.placement, *place);
   }
+  // "a rug under them", but next to one of them.
+  static bool reaches_all(RelationKind kind) {
+    return kind == RelationKind::between || kind == RelationKind::under || kind == RelationKind::above ||
+           kind == RelationKind::face_to || kind == RelationKind::in_front_of;
+  }
   // "a plant in each corner", "a bench under every window"
   void give_each_place(const PlacePhrase& place, const Indices& things) {
     constexpr int corners = 4;
@@ -146,6 +162,22 @@ class PlaceReader {
       if (number > 1 && reading_.talk.mention(thing).quantity == 1 && given_.insert(thing).second)
         reading_.talk.multiply(thing, number);
   }
+  // "eight chairs on either side" are sixteen, but "two lamps on either side" are two; "two chairs on each side" of a
+  // table are four.
+  void give_each_side(const Attachment& attachment, const Indices& things) {
+    const NounPhrase& side = reading_.phrase(attachment.to), &from = reading_.phrase(attachment.from);
+    const bool is_each = side.determiner == Determiner::each;
+    if (!(is_each || side.determiner == Determiner::any) || side.is_plural || from.is_pronoun) return;
+    for (const std::size_t thing : things) {
+      const Mention& mention = reading_.talk.mention(thing);
+      const bool is_seat = reading_.text.table.is_any_of(mention.category, {"chair", "stool"});
+      const int fewest = is_each && is_seat ? 2 : 3;
+      if (mention.counted && mention.quantity >= fewest && mention.part_of == Demand::none && !has_parts(thing) &&
+          given_.insert(thing).second)
+        reading_.talk.multiply(thing, 2);
+    }
+  }
+  bool has_parts(std::size_t thing) const { return reading_.talk.with_parts(thing).size() > 1; }
   // "facing the entrance" means the door, "in the entrance" the room.
   bool is_way_in(const NounPhrase& target, const Placement& placement) const {
     const auto part = reading_.words.room_parts.find(reading_.word(target.head));
@@ -187,9 +219,23 @@ class PlaceReader {
       return stands_on(i, target);
     });
     if (is_on_it) return;
-    for (auto kind : said.placement->relations)
-      reading_.talk.demand(subjects, {kind, target, "", said.placement->flank});
+    const Placement& placement = at_long_sides(*said.placement, subjects, target);
+    for (auto kind : placement.relations)
+      reading_.talk.demand(subjects, {kind, target, "", placement.flank, false, which_of(reading_, said.target)});
     if (is_beside(*said.placement)) last_side_ = {said.placement->relations.front(), target};
+  }
+  // Seats on each side of a table stand at its long sides.
+  const Placement& at_long_sides(const Placement& placement, const Indices& subjects, std::size_t target) const {
+    const auto& table = reading_.text.table;
+    const auto found = reading_.words.placements.find("on each long side of");
+    const bool are_seats = placement.flank && placement.relations.front() == RelationKind::next_to &&
+                           std::all_of(subjects.begin(), subjects.end(), [&](std::size_t one) {
+                             return table.is_any_of(reading_.talk.mention(one).category, {"chair", "stool", "bench"});
+                           });
+    const std::string& what = reading_.talk.mention(target).category;
+    return are_seats && found != reading_.words.placements.end() && table.is_a(what, "table") && !table.is_a(what, "desk")
+               ? found->second
+               : placement;
   }
   bool stands_on(std::size_t mention, std::size_t target) const {
     const auto& demands = reading_.talk.mention(mention).demands;
@@ -235,7 +281,7 @@ class PlaceReader {
     for (const std::size_t one : things)
       for (auto kind : said.placement->relations)
         reading_.talk.add(one, {kind, *owner, "", said.placement->flank, is_among_several(attachment),
-                                nth_of(attachment.from)});
+                                which_of(reading_, attachment.from)});
   }
   // "flanked by a dishwasher and a pantry": each takes a side.
   bool is_among_several(const Attachment& attachment) const {
@@ -252,7 +298,8 @@ class PlaceReader {
       if (owner == *thing || reading_.talk.mention(owner).part_of != Demand::none) continue;
       if (says_each(attachment) || is_each_behind(reading_.phrase(attachment.to)))
         give_each(owner, reading_.all_of(attachment.to));
-      for (const std::size_t one : reading_.all_of(attachment.to)) reading_.talk.own(owner, one);
+      for (const std::size_t one : reading_.all_of(attachment.to))
+        reading_.talk.own(owner, one, says_each(attachment), which_of(reading_, attachment.from));
       owner_of_[*thing] = owner;
     }
   }
@@ -263,6 +310,9 @@ class PlaceReader {
       const std::size_t whole = reading_.talk.mention(subject).part_of;
       for (const std::size_t kin : reading_.talk.with_parts(whole == Demand::none ? subject : whole))
         if (!is_among(all, kin)) all.push_back(kin);
+      for (std::size_t other = 0; other < subject; ++other)
+        if (reading_.talk.mention(other).description == reading_.talk.mention(subject).description && !is_among(all, other))
+          all.push_back(other);
     }
     return all;
   }
@@ -270,6 +320,12 @@ class PlaceReader {
   void relate_to_implied(const Indices& subjects, const Placement& placement) {
     const RelationKind first = placement.relations.front();
     auto target = reading_.talk.antecedent(first, with_kin(subjects));
+    if (is_beside(placement) && !owner_of_.count(subjects.front()) && (!target || is_seen_from_door())) {
+      const int wall = first == RelationKind::left_of ? left_wall : right_wall;
+      PlacePhrase half;
+      half.place = Place::region, half.region = half_at(wall);
+      return reading_.talk.locate(subjects, placement, half);
+    }
     if (placement.owner.empty()) {
       if (const auto other = other_side_of(placement, subjects)) target = other;
     } else if (const auto owner = reading_.talk.last_of_category(placement.owner, subjects)) {
@@ -279,6 +335,13 @@ class PlaceReader {
     if (const auto owner = owner_of_.find(subjects.front()); owner != owner_of_.end())
       target = owner->second;
     if (target) say(subjects, {&placement, none, false}, *target);
+  }
+  // "On the left as you come in there is a rack, on the right a bench": of who enters, until the sentence ends.
+  bool is_seen_from_door() const {
+    return std::any_of(views_.begin(), views_.end(), [&](const Run& view) {
+      const auto here = reading_.sentence_of(place_at_);
+      return reading_.sentence_of(view.begin) == here || (view.begin < place_at_ && reading_.sentence_of(view.begin) + 1 == here);
+    });
   }
   // "Left of the sofa a lamp, to its right a plant": both stand beside one thing.
   std::optional<std::size_t> other_side_of(const Placement& placement, const Indices& subjects) const {
@@ -303,6 +366,7 @@ class PlaceReader {
       const std::size_t i = next_adverb_;
       if (!left_[i]) continue;
       reading_.look_back_from(i);
+      place_at_ = static_cast<std::uint32_t>(i);
       const auto match = longest(reading_.words.placements, reading_.text.plain, i);
       if (!match || (!match.value->pronoun && !match.value->adverb && !match.value->mutual))
         continue;
@@ -385,6 +449,8 @@ class PlaceReader {
 
   PromptReading& reading_;
   const std::vector<bool> left_;                 ///< by token
+  const std::vector<Run> views_;                 ///< "as you come in"
+  std::uint32_t place_at_ = 0;                   ///< the token of what is being read
   std::size_t next_adverb_ = 0;                  ///< token
   std::map<std::size_t, std::size_t> owner_of_;  ///< "a tray with cups": mentions
   std::optional<std::pair<RelationKind, std::size_t>> last_side_;  ///< left or right of which mention

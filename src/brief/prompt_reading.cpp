@@ -34,6 +34,7 @@ PromptReading::PromptReading(const PromptText& said, std::vector<Token> untaken,
       talk(names, result),
       hearing(said, result),
       mentions(parse.phrases.size()),
+      also(parse.phrases.size()),
       is_share(parse.phrases.size(), false) {
   for (std::size_t i = 0; i < parse.phrases.size(); ++i)
     things.push_back(read_thing_phrase(text, i));
@@ -101,7 +102,10 @@ Indices PromptReading::subjects_of(const Attachment& attachment) const {
 Indices PromptReading::all_of(std::int32_t phrase) const {
   const auto mention = mention_of(phrase);
   if (!mention) return {};
-  return is_share[static_cast<std::size_t>(phrase)] ? Indices{*mention} : talk.with_parts(*mention);
+  Indices all = is_share[static_cast<std::size_t>(phrase)] ? Indices{*mention} : talk.with_parts(*mention);
+  for (const std::size_t further : also[static_cast<std::size_t>(phrase)])
+    if (std::find(all.begin(), all.end(), further) == all.end()) all.push_back(further);
+  return all;
 }
 
 // "in the corner next to the door": what is said of a place is said of what is there.

@@ -85,6 +85,7 @@ struct PromptReading {
   std::vector<std::optional<SaidPlacement>> placements;  ///< by attachment
   std::vector<std::optional<OccupantPhrase>> occupants;  ///< by the first token of the name
   std::vector<std::optional<std::size_t>> mentions;      ///< by noun phrase
+  std::vector<std::vector<std::size_t>> also;  ///< by noun phrase: further mentions, of "them" and "both"
   std::vector<bool> is_share;  ///< by noun phrase: means some of several things, no more
 
  private:

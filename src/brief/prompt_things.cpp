@@ -4,6 +4,7 @@
 
 #include "language/inflection.h"
 #include "language/lexicon.h"
+#include "prompt_pronouns.h"
 #include "roomgen/base/text.h"
 #include "scene/finish_words.h"
 
@@ -19,7 +20,7 @@ using Indices = std::vector<std::size_t>;
 
 class ThingReader {
  public:
-  explicit ThingReader(PromptReading& reading) : reading_(reading) {}
+  explicit ThingReader(PromptReading& reading) : reading_(reading), pronouns_(reading) {}
 
   /// Gives back the noun phrases that are people or what they do.
   std::vector<std::int32_t> run() {
@@ -39,7 +40,7 @@ class ThingReader {
     const auto id = static_cast<std::int32_t>(number);
     if (said.is_pronoun) {
       // "the northern half"
-      if (!read_place(reading_.text.plain, said.tokens.begin, reading_.words)) reading_.mentions[number] = stands_for(id);
+      if (!read_place(reading_.text.plain, said.tokens.begin, reading_.words)) pronouns_.read(id);
       return;
     }
     ThingPhrase& thing = reading_.things[number];
@@ -195,7 +196,7 @@ class ThingReader {
       if (!said || one.to == none) return false;
       if (one.to == id) return said->placement->inverse && reading_.mention_of(one.from);
       return one.from == id && !said->placement->inverse && said->target != none &&
-             reading_.thing(said->target).kind.length > 0;
+             (reading_.thing(said->target).kind.length > 0 || reading_.phrase(said->target).is_pronoun);
     });
   }
   static bool names_artefact(const std::string& noun) {
@@ -331,7 +332,7 @@ class ThingReader {
     const bool has_place = std::any_of(
         reading_.parse.attachments.begin(), reading_.parse.attachments.end(),
         [&](const Attachment& one) { return one.from == id && reading_.placement(one); });
-    return has_place ? topic_before(id) : std::nullopt;
+    return has_place ? pronouns_.topic_before(id) : std::nullopt;
   }
 
   void exclude(std::int32_t id, const ThingPhrase& thing) {
@@ -356,106 +357,6 @@ class ThingReader {
         reading_.brief.excluded.end())
       reading_.brief.excluded.push_back(category);
   }
-  // "three tables with two chairs at each": the chairs.
-  Indices what_stands_at(std::int32_t id) const {
-    Indices all;
-    for (const Attachment& attachment : reading_.parse.attachments)
-      if (attachment.to == id && reading_.phrase(id).determiner == Determiner::each && reading_.placement(attachment))
-        std::ranges::copy(reading_.subjects_of(attachment), std::back_inserter(all));
-    return all;
-  }
-  std::optional<std::size_t> stands_for(std::int32_t id) const {
-    const NounPhrase& said = reading_.phrase(id);
-    const std::string& noun = reading_.word(said.head);
-    const bool is_reciprocal = (noun == "other" && said.determiner == Determiner::each) ||
-                               (noun == "another" && said.tokens.size() > 1);
-    if (noun == "i" || noun == "we" || noun == "you" || is_reciprocal) return std::nullopt;
-    const bool is_one_of_several = noun == "one" || noun == "other" || noun == "others" ||
-                                   said.determiner == Determiner::each || said.count > 0;
-    if (is_one_of_several)
-      if (const auto several = reading_.talk.last_of_several(what_stands_at(id))) return several;
-    for (const Attachment& attachment : reading_.parse.attachments) {
-      if (attachment.to != id) continue;
-      if (const auto owner = owner_of(attachment.from)) return owner;
-      if (const auto picture = what_hangs_over(attachment)) return picture;
-      const auto subjects = reading_.subjects_of(attachment);
-      if (const auto neighbour = small_neighbour(attachment, subjects)) return neighbour;
-      if (const auto carrier = carrier_before(attachment)) return carrier;
-      return reading_.talk.antecedent(subjects, noun == "it");
-    }
-    return topic_before(id);
-  }
-  // "The desk is by the door with a lamp behind it; on it are ...": nothing stands on a lamp.
-  std::optional<std::size_t> carrier_before(const Attachment& attachment) const {
-    const auto& said = reading_.placement(attachment);
-    const auto topic = topic_before(attachment.to);
-    if (!said || !topic || said->placement->inverse || said->placement->relations.front() != RelationKind::on)
-      return std::nullopt;
-    const auto& table = reading_.text.table;
-    return table.is_any_of(reading_.talk.mention(*topic).category, {"table", "storage", "seat", "bed"}) ? topic : std::nullopt;
-  }
-  // "A bowl sits on the island, and a coffee maker is placed near it": what small things stand beside is small.
-  std::optional<std::size_t> small_neighbour(const Attachment& attachment, const Indices& subjects) const {
-    const auto& said = reading_.placement(attachment);
-    if (!said || subjects.empty() || !reading_.talk.is_small(subjects.front())) return std::nullopt;
-    const RelationKind first = said->placement->relations.front();
-    if (first == RelationKind::on || first == RelationKind::under || first == RelationKind::above) return std::nullopt;
-    const auto other = topic_before(attachment.to);
-    const bool is_beside = other && *other != subjects.front() && reading_.talk.is_small(*other);
-    return is_beside ? other : std::nullopt;
-  }
-  // "On the wall a tapestry; below it an altar"
-  std::optional<std::size_t> what_hangs_over(const Attachment& attachment) const {
-    const auto& said = reading_.placement(attachment);
-    const auto last = topic_before(attachment.to);
-    const bool is_below = said && said->placement->relations.front() == RelationKind::under;
-    if (!is_below || !last) return std::nullopt;
-    const Mount mount = reading_.talk.mention(*last).mount;
-    return mount == Mount::wall || mount == Mount::ceiling ? last : std::nullopt;
-  }
-  // "a table with four chairs around it and a lamp above it": what a thing is with is "it".
-  std::optional<std::size_t> owner_of(std::int32_t id) const {
-    for (const Attachment& attachment : reading_.parse.attachments)
-      if (id != none && attachment.to == id && (attachment.relation == "with" || attachment.relation == "have")) {
-        if (const auto subject = subject_before(attachment)) return subject;
-        if (const auto owner = reading_.mention_of(attachment.from)) return owner;
-        return what_was_placed(attachment);
-      }
-    return std::nullopt;
-  }
-  // "a room with a desk opposite the bed, with a mirror above it": what was placed is talked of, not the bed.
-  std::optional<std::size_t> what_was_placed(const Attachment& with) const {
-    std::int32_t last = none;
-    for (std::int32_t i = 0; i < static_cast<std::int32_t>(reading_.parse.phrases.size()); ++i)
-      if (reading_.phrase(i).head < with.tokens.begin) last = i;
-    for (const Attachment& one : reading_.parse.attachments)
-      if (last != none && one.to == last && reading_.placement(one) && !reading_.placement(one)->placement->inverse)
-        return reading_.mention_of(one.from);
-    return std::nullopt;
-  }
-  // "A dresser faces the bed from the wall, with a mirror above it": it is the dresser's mirror.
-  std::optional<std::size_t> subject_before(const Attachment& with) const {
-    for (const auto& verb : reading_.parse.verbs) {
-      const bool is_around = verb.subject != none && verb.tokens.end <= with.tokens.begin &&
-                             verb.kind == language::VerbPhrase::Kind::finite &&
-                             reading_.sentence_of(verb.tokens.begin) == reading_.sentence_of(with.tokens.begin);
-      const bool is_behind_object = with.from != verb.subject &&
-                                    (with.from == verb.object || !reading_.mention_of(with.from));
-      if (is_around && is_behind_object && reading_.mention_of(verb.subject)) return reading_.mention_of(verb.subject);
-    }
-    return std::nullopt;
-  }
-  // What the clauses before were about.
-  std::optional<std::size_t> topic_before(std::int32_t id) const {
-    for (std::size_t i = reading_.parse.verbs.size(); i-- > 0;) {
-      const auto subject = reading_.parse.verbs[i].subject;
-      if (subject != none && subject < id && reading_.mention_of(subject))
-        return reading_.mention_of(subject);
-    }
-    for (std::int32_t i = id; i-- > 0;)
-      if (reading_.mention_of(i)) return reading_.mention_of(i);
-    return std::nullopt;
-  }
   // "for two children": how many there are was read with the room.
   bool heard_as_person(std::uint32_t token) const {
     return std::any_of(reading_.brief.heard.begin(), reading_.brief.heard.end(),
@@ -471,6 +372,7 @@ class ThingReader {
   }
 
   PromptReading& reading_;
+  PronounReader pronouns_;
   std::vector<std::int32_t> occupants_;
   std::size_t skip_to_ = 0;  ///< the token behind the last name
 };

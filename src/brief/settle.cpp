@@ -105,6 +105,13 @@ void draw_up_seats(Brief& brief, const KindTable& table) {
   }
 }
 
+// Serves what is said of another thing.
+Demand means(RelationKind kind, std::size_t target) {
+  Demand demand{kind, target, "", false};
+  demand.is_means = true;
+  return demand;
+}
+
 void turn_behind(Brief& brief, const KindTable& table) {
   for (std::size_t i = 0; i < brief.mentions.size(); ++i)
     for (auto& demand : brief.mentions[i].demands) {
@@ -116,10 +123,13 @@ void turn_behind(Brief& brief, const KindTable& table) {
         continue;
       }
       if (!needs_wall(brief.mentions[i], table) || stands_at_wall(other)) continue;
-      other.demands.push_back({RelationKind::in_front_of, i, "", false});
+      // What was said stays what is checked.
+      const Demand said = demand;
+      other.demands.push_back(means(RelationKind::in_front_of, i));
       if (!faces_something(other))
-        other.demands.push_back({RelationKind::face_same_as, i, "", false});
+        other.demands.push_back(means(RelationKind::face_same_as, i));
       demand = {RelationKind::edge, Demand::none, "", false};
+      demand.heard = said.heard, demand.said = RelationKind::behind, demand.said_of = said.mention;
     }
 }
 

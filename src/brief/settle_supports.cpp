@@ -81,13 +81,14 @@ void drop_listed_supports(Mention& mention) {
   const bool told =
       std::any_of(mention.demands.begin(), mention.demands.end(),
                   [&](const Demand& demand) { return is_support(demand) && !demand.listed; });
-  const auto is_beside_it = [&](const Demand& support) {
+  const auto is_told_of_it = [&](const Demand& listed) {
     return std::any_of(mention.demands.begin(), mention.demands.end(), [&](const Demand& demand) {
-      return demand.mention == support.mention && is_beside(demand.kind);
+      return !demand.listed && demand.mention == listed.mention;
     });
   };
   std::erase_if(mention.demands, [&](const Demand& demand) {
-    return is_support(demand) && demand.listed && (told || is_beside_it(demand));
+    const bool is_loose = is_support(demand) || demand.kind == RelationKind::near;
+    return demand.listed && demand.mention != Demand::none && is_loose && (is_told_of_it(demand) || (told && is_support(demand)));
   });
 }
 

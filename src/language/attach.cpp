@@ -1,5 +1,9 @@
 #include "attach.h"
 
+#include <set>
+#include <string_view>
+#include <utility>
+
 #include "attacher.h"
 
 namespace roomgen::language {
@@ -19,14 +23,12 @@ void Attacher::read(const Chunk& chunk) {
     case Tag::conjunction:
       return join(chunk);
     case Tag::subordinator:
-      return end_clause();
+      return view_length(at_ + 1) > 0 ? void() : end_clause();
     case Tag::negation:
       is_denied_ = true;
       return;
     case Tag::relative:
-      relative_ = last_;
-      verb_ = participle_ = none;
-      return;
+      return relative();
     case Tag::there:
       return existential();
     case Tag::preposition:
@@ -41,24 +43,64 @@ void Attacher::read(const Chunk& chunk) {
     case Tag::adjective:
       return complement(chunk);
     case Tag::noun:
+      if (const std::size_t length = view_length(at_); length > 0) return skip_view(length);
       return phrase(chunk.phrase);
     default:
       return;
   }
 }
 
+// "On the left as you come in there is a rack", "as you enter the room": from where it is seen, in the midst of a clause;
+// how many chunks it has, or 0.
+std::size_t Attacher::view_length(std::size_t first) const {
+  static const std::set<std::string_view> ways = {"enter", "come", "walk", "step"};
+  const auto tag = [&](std::size_t i) { return i < chunks_.size() ? chunks_[i].tag : Tag::stop; };
+  if (tag(first) != Tag::noun || tag(first + 1) != Tag::verb || !ways.contains(chunks_[first + 1].piece->base) ||
+      !parse_.phrases[chunks_[first].phrase].is_pronoun)
+    return 0;
+  std::size_t end = first + 2;
+  while (tag(end) == Tag::preposition || tag(end) == Tag::adverb) ++end;
+  const bool names_room = tag(end) == Tag::noun && parse_.phrases[chunks_[end].phrase].determiner == Determiner::definite;
+  return (names_room ? end + 1 : end) - first;
+}
+
+void Attacher::skip_view(std::size_t length) {
+  at_ += length - 1;
+  if (preposition_ && preposition_->relation == "as") preposition_.reset();
+  relative_ = none;
+}
+
+// "a rack that holds coats"; "stools, one of which is metal", "tables, of which four are round"; "a desk on which a
+// lamp stands": the place of what comes.
+void Attacher::relative() {
+  const auto preposition = std::exchange(preposition_, std::nullopt);
+  const bool is_of = preposition && preposition->relation == "of";
+  if (preposition && !is_of && preposition->from != none) {
+    Attachment place = *preposition;
+    // ", above which hangs a mirror": above what the clause is about.
+    const bool is_of_clause = at_ >= 2 && chunks_[at_ - 2].tag == Tag::comma && verb_ != none && verb_at(verb_).subject != none;
+    place.to = is_of_clause ? verb_at(verb_).subject : place.from;
+    place.from = none;
+    end_clause();
+    fronted_.push_back(place);
+    return;
+  }
+  relative_ = is_of && ahead() == Tag::noun ? none : last_;
+  verb_ = participle_ = none;
+}
+
 void Attacher::end_clause() {
   open_.clear();
   fronted_.clear();
   verb_ = relative_ = participle_ = auxiliary_ = outer_verb_ = none;
-  last_ = main_ = pending_ = each_ = none;
+  last_ = main_ = pending_ = each_ = share_ = none;
   is_joined_ = is_denied_ = denies_list_ = is_auxiliary_denied_ = is_parting_ = false;
 }
 
 // A comma or a conjunction: what comes may be a further member of a list, or another clause.
 void Attacher::join(const Chunk& chunk) {
   pending_ = none;
-  participle_ = none;
+  participle_ = share_ = none;
   if (chunk.tag == Tag::comma) has_comma_ = true;
   is_joined_ = true;
   // "At the foot of the bed, a rack ...": what was told beforehand is told.

@@ -15,7 +15,8 @@ void Attacher::further_member(std::int32_t id) {
   while (open_.size() > 1 && !takes(open_.back(), id)) open_.pop_back();
   OpenList& list = open_.back();
   // "no rug, desk or plant"
-  if (at(list.last).is_denied && is_bare(id)) at(id).is_denied = true;
+  const bool is_list_of_bare = is_bare(list.last) || at(list.last).determiner == Determiner::no || at(list.last).determiner == Determiner::any;
+  if (at(list.last).is_denied && is_list_of_bare && is_bare(id)) at(id).is_denied = true;
   link(list, id);
   if (list.attachment != none) {
     Attachment attachment = parse_.attachments[static_cast<std::size_t>(list.attachment)];
@@ -45,7 +46,9 @@ bool Attacher::takes(const OpenList& list, std::int32_t id) {
     return true;
   const std::string& relation =
       parse_.attachments[static_cast<std::size_t>(list.attachment)].relation;
-  if (relation == "between" && list.first == list.last && !at(list.first).is_plural) return true;
+  // "a shower instead of a tub, a toilet"
+  if ((relation == "instead of" || relation == "rather than") && has_comma_) return false;
+  if (relation == "between" && list.first == list.last && !means_several(list.first)) return true;
   // "a sink at one end and four stools"
   if (names_part(list.last) != names_part(id)) return false;
   if (ahead() == Tag::preposition || has_comma_)
@@ -78,6 +81,11 @@ bool Attacher::is_bare(std::int32_t id) {
   return at(id).determiner == Determiner::absent && at(id).count == 0.0 && !at(id).is_vague;
 }
 
+// "them" too
+bool Attacher::means_several(std::int32_t id) {
+  return at(id).is_plural || (at(id).is_pronoun && (parse_.tokens[at(id).head].is("them") || at(id).determiner == Determiner::both));
+}
+
 // "full of boxes"
 bool Attacher::is_adjectival(const OpenList& list) {
   const Attachment& attachment = parse_.attachments[static_cast<std::size_t>(list.attachment)];
@@ -100,10 +108,18 @@ bool Attacher::is_all_there_is(std::int32_t id) {
 
 // "two facing the door": some of several, of which something of their own is said.
 bool Attacher::is_share(std::int32_t id) {
-  const bool is_told = ahead() == Tag::participle ||
-                       (ahead() == Tag::preposition && !is_with(chunks_[at_ + 1].piece->base) &&
-                        chunks_[at_ + 1].piece->base != "of");
-  return at(id).is_pronoun && (at(id).count > 0 || at(id).determiner == Determiner::another) && is_told;
+  const bool is_told = ahead() == Tag::participle || leads_to_place(at_) || is_told_of_them();
+  const std::string& noun = parse_.tokens[at(id).head].text;
+  const bool is_rest = is_parting_ && (noun == "other" || noun == "others" || noun == "rest");
+  return at(id).is_pronoun && (at(id).count > 0 || at(id).determiner == Determiner::another || is_rest) && is_told;
+}
+
+// "two of them round", "one of which is metal"
+bool Attacher::is_told_of_them() const {
+  if (ahead() != Tag::preposition || chunks_[at_ + 1].piece->base != "of") return false;
+  const Tag what = ahead(2), behind = ahead(3);
+  if (what == Tag::relative) return behind == Tag::be || behind == Tag::verb;
+  return what == Tag::noun && parse_.phrases[chunks_[at_ + 2].phrase].is_pronoun;
 }
 
 // "end", "side": where something is, rather than a thing.

@@ -34,8 +34,16 @@ bool Attacher::begins_with_place() const {
 void Attacher::set_from(Attachment& attachment) {
   if (attachment.relation == "of" && before_ == Tag::noun) {
     attachment.from = last_;
+  } else if (share_ != none) {
+    attachment.from = share_;
+    if (participle_ != none) attachment.verb = std::exchange(participle_, none);
   } else if (each_ != none) {
     attachment.from = std::exchange(each_, none);
+    attachment.is_of_list = is_of_all_;
+  } else if (participle_ != none && before_ == Tag::noun && verb_at(participle_).object == last_ && attachment.relation == "on") {
+    // "facing the screen on the wall"
+    attachment.from = last_;
+    participle_ = none;
   } else if (participle_ != none) {
     attachment.verb = participle_;
     attachment.from = verb_at(participle_).subject;

@@ -107,6 +107,7 @@ void Attacher::participle(const Piece& piece) {
   VerbPhrase& verb = add_verb(VerbPhrase::Kind::participle, piece.tokens, piece.base);
   // "beside the sofa holding a mug": what is known already is not described.
   const bool is_known = at(last_).determiner == Determiner::definite;
+  is_told_of_all_ = each_ != none && is_of_all_;
   if (each_ != none)
     verb.subject = std::exchange(each_, none);
   else
@@ -165,7 +166,11 @@ void Attacher::under_verb(std::int32_t id) {
     pending_ = none;
     return;
   }
-  if (subject != none) attachment = add(between(verb, pending_, subject, id));
+  if (subject != none) {
+    Attachment said = between(verb, pending_, subject, id);
+    if (pending_ == participle_ && is_told_of_all_) said.is_of_list = true;
+    attachment = add(said);
+  }
   const bool is_main = verb.kind == VerbPhrase::Kind::imperative;
   if (is_main) main_ = id;
   pending_ = none;

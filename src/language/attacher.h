@@ -40,6 +40,9 @@ class Attacher {
 
   // Clauses.
   void read(const Chunk& chunk);
+  std::size_t view_length(std::size_t first) const;
+  void skip_view(std::size_t length);
+  void relative();
   void end_clause();
   void end_sentence() {
     end_clause();
@@ -87,9 +90,12 @@ class Attacher {
   // Noun phrases.
   bool is_floating(std::int32_t id);
   std::int32_t each_of();
+  bool leads_to_place(std::size_t chunk) const;
   bool is_clause_without_verb(std::int32_t id);
+  bool is_behind_place() const;
   bool takes_up_each(std::int32_t id);
   bool is_described() const;
+  bool is_second_of_between() const;
   void phrase(std::uint32_t number);
   void begin_main(std::int32_t id);
 
@@ -104,6 +110,8 @@ class Attacher {
   bool resembles(const OpenList& list, std::int32_t id);
   bool names_part(std::int32_t id);
   bool is_share(std::int32_t id);
+  bool is_told_of_them() const;
+  bool means_several(std::int32_t id);
   bool is_all_there_is(std::int32_t id);
   void link(OpenList& list, std::int32_t id);
 
@@ -121,6 +129,9 @@ class Attacher {
   std::int32_t verb_ = none, outer_verb_ = none, participle_ = none;
   std::int32_t pending_ = none;  ///< the verb that waits for its object
   std::int32_t each_ = none;     ///< what an "each" that stands alone and has just been read means
+  std::int32_t share_ = none;    ///< of several, of which something of its own is being said
+  bool is_of_all_ = false;        ///< and whether all of its list
+  bool is_told_of_all_ = false;   ///< so of the open participle
   std::int32_t auxiliary_ = none;
   bool has_existential_ = false, is_imperative_ = false, is_joined_ = false, has_comma_ = false;
   bool ended_by_conjunction_ = false;

@@ -14,7 +14,7 @@ constexpr std::size_t nobody = HeardWords::none;
 // Words of style, of people and of what is done steer choices; a room may be only called one.
 bool needs_requirement(Heard::As as) {
   return as != Heard::As::style && as != Heard::As::person && as != Heard::As::activity &&
-         as != Heard::As::room;
+         as != Heard::As::room && as != Heard::As::not_understood;
 }
 
 // Who heard each token: the shortest entry of those that are checked, since it says the most.
@@ -50,7 +50,8 @@ std::vector<Heard> runs_of(const std::string& prompt, const std::vector<language
   std::optional<std::size_t> last;  // whose the last entry is
   for (std::size_t i = 0; i < tokens.size(); ++i) {
     if (is_mark(tokens[i]) && owner[i] == nobody) last.reset();
-    if (language::is_function_word(tokens[i])) continue;
+    const bool is_lost = owner[i] != nobody && meanings[owner[i]].as == Heard::As::not_understood;
+    if (language::is_function_word(tokens[i]) && !is_lost) continue;
     if (last == owner[i]) {
       heard.back().end = tokens[i].span.end;
       continue;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "brief/prompt_remarks.h"
 #include "coverage.h"
@@ -152,6 +153,12 @@ class Ledger {
   }
 
   void relation(std::size_t index, const Mention& mention, const Demand& demand) {
+    if (demand.is_means) return;
+    if (demand.said_of != Demand::none) {
+      Demand said = demand;
+      said.mention = std::exchange(said.said_of, Demand::none);
+      return relation(index, mention, said);
+    }
     // Of those that share the long sides half are behind the target.
     if (demand.flank && demand.kind == RelationKind::in_front_of) return;
     if (demand.kind == RelationKind::between) return between(index, mention, demand);
@@ -168,6 +175,9 @@ class Ledger {
     requirement.clause = mention.category + " " + std::string(name(kind));
     if (demand.mention != Demand::none) {
       requirement.targets = with_parts(demand.mention);
+      // "the second bench"
+      if (const auto nth = static_cast<std::size_t>(demand.nth); demand.nth >= 0 && nth < requirement.targets.size())
+        requirement.targets = {requirement.targets[nth]};
       requirement.clause += " " + brief_.mentions[demand.mention].category;
       // Rows face what is before their middle.
       if (mention.formation && demand.kind == RelationKind::face_to)

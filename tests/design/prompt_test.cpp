@@ -308,6 +308,27 @@ TEST_CASE("placements become demands") {
       {"A desk with a swivel chair in front of it.", 1, "in front of, desk | around, desk"},
       {"A dining table with two benches", 1, "around, dining table"},
       {"A kitchen island stands under the window, where a kettle boils.", 1, "on, kitchen island"},
+      // A place, a comma, and what is at another place.
+      {"The bathtub is under the window, the toilet beside it, a basket next to the toilet.", 1,
+       "next to, bathtub | side of, bathtub"},
+      {"A laptop sits on the desk, a filing cabinet under it, and a chair in front of it.", 2, "under, desk"},
+      {"A laptop sits on the desk, a filing cabinet under it, and a chair in front of it.", 3,
+       "in front of, desk | around, desk"},
+      // Several that one word stands for.
+      {"A sofa faces a tv stand, and a rug lies between them.", 2, "between, sofa | between, tv stand"},
+      {"A sofa and an armchair stand by the window with a side table between them.", 2,
+       "between, sofa | between, armchair"},
+      {"A bedroom with two beds, a nightstand between them, and a wardrobe.", 1, "between, bed"},
+      {"A sofa and an armchair, both facing the fireplace.", 1, "face to, fireplace"},
+      {"Six desks, each with a laptop, all facing the whiteboard on the front wall.", 0, "face to, whiteboard"},
+      // Who is meant: what the clause before was about.
+      {"The TV hangs above a low sideboard, the sofa faces it.", 2, "face to, wall tv"},
+      // A place before its things.
+      {"Between the sofa and the fireplace lies a rug.", 2, "between, sofa | between, fireplace"},
+      {"A desk stands by the wall, on which there is a lamp.", 1, "on, desk"},
+      {"On the left as you come in there is a coat rack.", 0, "in part, west-half"},
+      {"A plant stands in the near left corner.", 0, "corner | in part, south-west-quarter"},
+      {"A desk and a workbench with two stools.", 2, "near, workbench"},
   };
   for (const auto& one : cases) {
     INFO(one.prompt);
@@ -380,6 +401,29 @@ TEST_CASE("a thing on each side makes two") {
   const auto brief = read_brief("a bed with a nightstand on each side");
   CHECK(things(brief) == "1 bed, 2 nightstand");
   CHECK(brief.mentions[1].demands.front().flank);
+}
+
+TEST_CASE("so many on each side are as many again, and what stands at the end is one more") {
+  const auto count_of = [](const char* prompt, std::size_t mention) {
+    const auto brief = read_brief(prompt);
+    return brief.mentions.size() > mention ? brief.mentions[mention].quantity : 0;
+  };
+  CHECK(count_of("a long table with five chairs on each side", 1) == 10);
+  CHECK(count_of("a table with eight chairs on either side", 1) == 16);
+  CHECK(count_of("a table with two chairs on each side", 1) == 4);
+  CHECK(count_of("a bed with two nightstands on either side", 1) == 2);
+  CHECK(count_of("a table with ten chairs, five on each side", 1) == 10);
+  CHECK(count_of("a long table with five chairs on each side and one at the head", 2) == 1);
+}
+
+TEST_CASE("first, second and last say which of several things is meant") {
+  const auto which = [](const char* prompt, std::size_t mention) {
+    return read_brief(prompt).mentions.at(mention).demands.at(0).nth;
+  };
+  CHECK(which("Three benches. On the second bench there is a tray.", 1) == 1);
+  CHECK(which("Two shelves hang on the wall. A clock stands on the first shelf.", 1) == 0);
+  CHECK(which("Four filing cabinets with a printer on top of the last one.", 1) == 3);
+  CHECK(which("Two beds. A lamp stands next to the bed.", 1) == -1);
 }
 
 TEST_CASE("two kinds of things that flank one are one each, on either side") {
@@ -663,6 +707,26 @@ TEST_CASE("what is said of some of several makes them things of their own") {
   const Brief colours = read_brief("A garage with two tool cabinets, one red and one black.");
   CHECK(colours.mentions.size() == 2);
   CHECK(colours.mentions[1].looks == std::vector<std::string>{"red"});
+}
+
+TEST_CASE("some of them may be told of behind a pronoun") {
+  for (const char* prompt : {"A bistro with five tables, two of them round.", "A room with five tables, two of which are round."}) {
+    INFO(prompt);
+    const auto brief = read_brief(prompt);
+    REQUIRE(brief.mentions.size() == 2);
+    CHECK(brief.mentions[0].quantity == 3);
+    CHECK(brief.mentions[1].quantity == 2);
+    CHECK(brief.mentions[1].looks == std::vector<std::string>{"round"});
+  }
+}
+
+TEST_CASE("what is behind a thing stays what is checked, however it is made") {
+  const auto brief = read_brief("A sofa with a bookshelf behind it.");
+  REQUIRE(brief.mentions.size() == 2);
+  const auto& demands = brief.mentions[1].demands;
+  REQUIRE(demands.size() == 1);
+  CHECK(demands[0].said == RelationKind::behind);
+  CHECK(demands[0].said_of == 0);
 }
 
 TEST_CASE("what things are to each other is said of one and the other") {

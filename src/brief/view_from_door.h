@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "prompt_reading.h"
+
+namespace roomgen::design {
+
+/// The walls to the left and the right of who comes in.
+inline constexpr int left_wall = 3, right_wall = 1;
+
+/// "as you come in", "when you enter": the words, which are heard as the room's.
+std::vector<language::Run> views_from_door(PromptReading& reading);
+
+/// The half of the room at a wall.
+std::string half_at(int wall);
+
+}  // namespace roomgen::design
