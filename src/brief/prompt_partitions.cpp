@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "language/function_word.h"
 #include "language/lexicon.h"
 #include "language/number.h"
 #include "scene/finish_words.h"
@@ -173,7 +174,8 @@ class PartitionReader {
           if (!reading_.parse.modifiers[i].is_denied) looks.push_back(reading_.parse.modifiers[i].tokens);
     for (const auto& verb : reading_.parse.verbs)
       if (verb.subject == id && verb.base == "be" && !verb.is_denied && verb.object != none) add_looks(looks, verb.object);
-    if (reading_.phrase(id).is_pronoun && is_look(reading_.phrase(id).head)) add_looks(looks, id);
+    if (reading_.phrase(id).is_pronoun && is_look(reading_.phrase(id).head) && is_last_word(reading_.phrase(id).head))
+      add_looks(looks, id);
     for (auto i = behind(id); is_look(i); ++i) looks.push_back({i, i + 1});
     return looks;
   }
@@ -183,6 +185,12 @@ class PartitionReader {
     if (id != none && (said.determiner == Determiner::absent || said.is_pronoun))
       for (auto i = said.tokens.begin; i <= said.head; ++i)
         if (is_look(i)) looks.push_back({i, i + 1});
+  }
+  // Not so of "a red emergency button", whose noun is not known.
+  bool is_last_word(std::uint32_t token) const {
+    const auto& tokens = reading_.parse.tokens;
+    return token + 1 >= tokens.size() || tokens[token + 1].kind != language::Token::Kind::word ||
+           language::is_function_word(tokens[token + 1]);
   }
   // The token behind "two", "two of them".
   std::uint32_t behind(std::int32_t id) const {
