@@ -51,7 +51,7 @@ class Repainter {
   // Legs of metal are for the metal that was named, before what is left over is shared out.
   void run(const std::map<std::string, std::string>& finish) {
     for (const auto& [stuff, text] : finish)
-      take(stuff, [&](std::size_t part) { return stuffs_[part] == stuff; });
+      take(stuff, [&, &wanted = stuff](std::size_t part) { return stuffs_[part] == wanted; });
     for (const auto& [stuff, text] : finish) {
       const PartLook look = read_look(text, table_);
       const bool is_shared = table_.untouched.count(stuff) || (is_metal(stuff) && finish.size() > 1);

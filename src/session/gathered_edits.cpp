@@ -88,7 +88,8 @@ ReadClause GatheredEdits::vice_versa(const EditText& text, std::size_t end) cons
 
 std::vector<edit::Operation> GatheredEdits::settled() const {
   std::vector<edit::Operation> all = operations;
-  for (const auto& [object, of] : taken_over_) {
+  for (const auto& taken : taken_over_) {
+    const std::string &object = taken.first, &of = taken.second;
     const bool is_mutual = taken_over_.count(of) && taken_over_.at(of) == object;
     std::erase_if(all, [&](const edit::Operation& operation) {
       const auto* put = std::get_if<edit::Put>(&operation);
