@@ -99,19 +99,20 @@ Result<int> run_edit(const Context& context, const EditCommand& command) {
   return exit_ok;
 }
 
+using Steps = Result<std::size_t> (Session::*)(std::size_t steps, const std::string& by);
+
 // Undo and redo.
-template <typename Step>
-Result<int> run_steps(const Context& context, const EditCommand& command, const char* end, Step step) {
+Result<int> run_steps(const Context& context, const EditCommand& command, const char* name, Steps take) {
   const auto library = make_later_library(command.libraries, context);
   auto session = open_session(command, *library, false);
   if (!session) return session.error();
   const Scene before = session->scene();
-  const auto taken = step(*session);
+  const auto taken = ((*session).*take)(command.steps, command.by);
   if (!taken) return taken.error();
   if (*taken == 0) {
     if (!session->is_saved())
       if (auto status = session->save(); !status) return status.error();
-    return Error{Error::Kind::not_found, std::string("there is nothing to ") + end};
+    return Error{Error::Kind::not_found, std::string("there is nothing to ") + name};
   }
   if (auto status = write_followers(command, *session); !status) return status.error();
   const auto changes = differences(before, session->scene());
@@ -185,30 +186,26 @@ void add_edit_command(CLI::App& app, Context& context) {
   });
 }
 
+void add_steps_command(CLI::App& app, Context& context, const char* name, Steps take) {
+  auto command = std::make_shared<EditCommand>();
+  auto* sub = add_scene_command(app, name, command);
+  sub->add_option("-n,--steps", command->steps, "How many")->capture_default_str();
+  add_file_options(*sub, *command);
+  run_with(sub, context, command, [name, take](const Context& all, const EditCommand& one) {
+    return run_steps(all, one, name, take);
+  });
+}
+
 }  // namespace
 
 void add_edit_commands(CLI::App& app, Context& context) {
   add_edit_command(app, context);
 
-  auto undo = std::make_shared<EditCommand>();
-  auto* undo_sub = add_scene_command(app, "undo", undo);
-  undo_sub->add_option("-n,--steps", undo->steps, "How many")->capture_default_str();
-  add_file_options(*undo_sub, *undo);
-  run_with(undo_sub, context, undo, [](const Context& all, const EditCommand& command) {
-    return run_steps(all, command, "undo", [&](Session& s) { return s.undo(command.steps, command.by); });
-  });
-
-  auto redo = std::make_shared<EditCommand>();
-  auto* redo_sub = add_scene_command(app, "redo", redo);
-  redo_sub->add_option("-n,--steps", redo->steps, "How many")->capture_default_str();
-  add_file_options(*redo_sub, *redo);
-  run_with(redo_sub, context, redo, [](const Context& all, const EditCommand& command) {
-    return run_steps(all, command, "redo", [&](Session& s) { return s.redo(command.steps, command.by); });
-  });
+  add_steps_command(app, context, "undo", &Session::undo);
+  add_steps_command(app, context, "redo", &Session::redo);
 
   auto history = std::make_shared<EditCommand>();
-  run_with(add_scene_command(app, "history", history), context,
-           history, run_history);
+  run_with(add_scene_command(app, "history", history), context, history, run_history);
 
   auto branch = std::make_shared<EditCommand>();
   auto* branch_sub = add_scene_command(app, "branch", branch);

@@ -20,11 +20,11 @@ RelationKind as_seen(RelationKind kind) {
   return kind == RelationKind::right_of ? RelationKind::left_of : kind;
 }
 
-bool is_among(const std::vector<std::size_t>& indices, std::size_t index) {
+}  // namespace
+
+bool is_among(const Indices& indices, std::size_t index) {
   return std::find(indices.begin(), indices.end(), index) != indices.end();
 }
-
-}  // namespace
 
 std::string Discourse::category_name(const KindMention& kind) const {
   const auto meant = lexicon_.kind.means.find(kind.name);

@@ -21,6 +21,10 @@ struct Lexicon {
   const RoomKind& kind;  ///< of the room: what a "sink" is depends on it
 };
 
+/// Mentions of a brief, by their index.
+using Indices = std::vector<std::size_t>;
+bool is_among(const Indices& indices, std::size_t index);
+
 /// What a text has spoken of so far: things, and what it says of their places.
 class Discourse {
  public:

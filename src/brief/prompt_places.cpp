@@ -18,7 +18,6 @@ using language::Determiner;
 using language::none;
 using language::NounPhrase;
 using language::Run;
-using Indices = std::vector<std::size_t>;
 
 class PlaceReader {
  public:
@@ -45,9 +44,6 @@ class PlaceReader {
       if (is_side && !heard[phrase.head])
         hear(reading_.brief, {phrase.head, phrase.head + 1}, Heard::As::not_understood);
     }
-  }
-  static bool is_among(const Indices& subjects, std::size_t mention) {
-    return std::find(subjects.begin(), subjects.end(), mention) != subjects.end();
   }
   // The noun phrase of a place that is no thing: "the corner", "the foot" of the bed.
   std::int32_t place_of(const Attachment& attachment,

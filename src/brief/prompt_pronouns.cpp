@@ -8,13 +8,6 @@ using language::Attachment;
 using language::Determiner;
 using language::none;
 using language::NounPhrase;
-using Indices = std::vector<std::size_t>;
-
-namespace {
-
-bool is_among(const Indices& all, std::size_t one) { return std::find(all.begin(), all.end(), one) != all.end(); }
-
-}  // namespace
 
 void PronounReader::read(std::int32_t id) {
   const NounPhrase& said = reading_.phrase(id);

@@ -19,8 +19,6 @@ class PronounReader {
   std::optional<std::size_t> topic_before(std::int32_t phrase) const;
 
  private:
-  using Indices = std::vector<std::size_t>;
-
   std::optional<std::size_t> stands_for(std::int32_t phrase) const;
   bool means_nothing(const language::NounPhrase& said) const;
   bool is_one_of_several(const language::NounPhrase& said) const;

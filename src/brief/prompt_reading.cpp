@@ -10,7 +10,6 @@ namespace roomgen::design {
 using language::Attachment;
 using language::none;
 using language::Run;
-using Indices = std::vector<std::size_t>;
 
 std::vector<Taken> taken_from(std::size_t count, const std::vector<Token>& left) {
   std::vector<Taken> taken(count, Taken::yes);
@@ -104,7 +103,7 @@ Indices PromptReading::all_of(std::int32_t phrase) const {
   if (!mention) return {};
   Indices all = is_share[static_cast<std::size_t>(phrase)] ? Indices{*mention} : talk.with_parts(*mention);
   for (const std::size_t further : also[static_cast<std::size_t>(phrase)])
-    if (std::find(all.begin(), all.end(), further) == all.end()) all.push_back(further);
+    if (!is_among(all, further)) all.push_back(further);
   return all;
 }
 
@@ -126,7 +125,7 @@ Indices PromptReading::mentions_of_list(std::int32_t phrase) const {
   Indices subjects;
   for (const auto one : parse.with_list(static_cast<std::uint32_t>(phrase)))
     for (const std::size_t mention : all_of(static_cast<std::int32_t>(one)))
-      if (std::find(subjects.begin(), subjects.end(), mention) == subjects.end()) subjects.push_back(mention);
+      if (!is_among(subjects, mention)) subjects.push_back(mention);
   return subjects;
 }
 

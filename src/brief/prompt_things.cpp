@@ -16,7 +16,6 @@ using language::Attachment;
 using language::Determiner;
 using language::none;
 using language::NounPhrase;
-using Indices = std::vector<std::size_t>;
 
 class ThingReader {
  public:

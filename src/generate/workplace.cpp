@@ -40,16 +40,15 @@ namespace {
 
 // Beyond what a room may hold the last ones are left out, those first that nobody asked for.
 void leave_out_surplus(const Plan& plan, BuildState& state) {
-  const auto leave_out = [&](bool asked) {
-    for (std::size_t i = state.left.size(); i > 0 && state.left.size() > max_things_of_room; --i) {
+  std::size_t kept = state.left.size();
+  for (const bool asked : {false, true})
+    for (std::size_t i = state.left.size(); i > 0 && kept > max_things_of_room; --i) {
       const PlannedObject& planned = state.left[i - 1];
       if (plan.items[planned.item].asked != asked) continue;
       state.reasons[planned.id] = "a room holds at most " + std::to_string(max_things_of_room) + " things";
-      state.left.erase(state.left.begin() + static_cast<std::ptrdiff_t>(i - 1));
+      --kept;
     }
-  };
-  leave_out(false);
-  leave_out(true);
+  std::erase_if(state.left, [&](const PlannedObject& planned) { return state.reasons.count(planned.id) > 0; });
 }
 
 }  // namespace
