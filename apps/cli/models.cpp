@@ -16,7 +16,7 @@ namespace {
 
 ImageDecoder image_decoder() {
 #ifdef ROOMGEN_HAS_ASSETS
-  return [](std::string_view bytes) { return assets::decode_image(bytes); };
+  return assets::picture_decoder({.libraries = {}, .cache_dir = {}});
 #else
   return {};
 #endif

@@ -2,6 +2,9 @@
 
 #include <csignal>
 #include <cstdio>
+#include <exception>
+#include <new>
+#include <string>
 
 #include "roomgen/base/text.h"
 #ifdef ROOMGEN_HAS_ASSETS
@@ -39,6 +42,17 @@ bool all_was_written() {
   return false;
 }
 
+// What no command expects: memory has ended, or there is a fault in the program itself.
+Result<int> run_held(const Context& context) {
+  try {
+    return context.run();
+  } catch (const std::bad_alloc&) {
+    return Error{Error::Kind::limit, "there is not enough memory for this; what was there before is as it was"};
+  } catch (const std::exception& fault) {
+    return Error{Error::Kind::io, std::string("stopped at a fault of its own, please report it: ") + fault.what()};
+  }
+}
+
 // With --verbose, what holds the process that reads meshes.
 void print_confinement() {
 #ifdef ROOMGEN_HAS_ASSETS
@@ -69,7 +83,10 @@ int run_program(int argc, char** argv, void (*add_commands)(CLI::App& app, Conte
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+    if (error.get_exit_code() == 0) {  // --help
+      app.exit(error);
+      return all_was_written() ? exit_ok : exit_failure;
+    }
     std::fprintf(stderr, "roomgen: %s\n", printable(error.what()).c_str());
     return exit_usage;
   }
@@ -77,7 +94,7 @@ int run_program(int argc, char** argv, void (*add_commands)(CLI::App& app, Conte
   if (version) {
     std::printf("roomgen %s\n", ROOMGEN_VERSION);
     if (verbose) print_confinement();
-    return exit_ok;
+    return all_was_written() ? exit_ok : exit_failure;
   }
   if (!context.run) {
     std::fputs("roomgen: what shall be done? roomgen generate \"a small kitchen\" furnishes a room, "
@@ -88,7 +105,7 @@ int run_program(int argc, char** argv, void (*add_commands)(CLI::App& app, Conte
   interrupted = &context.cancel;
   std::signal(SIGINT, on_interrupt);
   std::signal(SIGTERM, on_interrupt);
-  const auto result = context.run();
+  const auto result = run_held(context);
   if (result) return all_was_written() ? *result : exit_failure;
   std::fprintf(stderr, "roomgen: %s\n", printable(result.error().message).c_str());
   return exit_code_of(result.error());

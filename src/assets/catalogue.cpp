@@ -208,4 +208,10 @@ Result<Image> decode_image(std::string_view bytes, int max_side) {
   return decode::decode_image(bytes, max_side);
 }
 
+std::function<Result<Image>(std::string_view bytes)> picture_decoder(const CatalogueOptions& options, int max_side) {
+  return [decoder = std::make_shared<decode::Decoder>(decoder_options(options)), max_side](std::string_view bytes) {
+    return decoder->decode_picture(bytes, max_side);
+  };
+}
+
 }  // namespace roomgen::assets

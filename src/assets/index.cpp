@@ -8,6 +8,7 @@
 
 #include "asset_source.h"
 #include "base/sha256.h"
+#include "base/threads.h"
 #include "catalogue_file.h"
 #include "classify.h"
 #include "index_file.h"
@@ -79,11 +80,7 @@ class Indexer {
 
   // Fails only when there can be no decoder.
   Result<std::vector<IndexedMesh>> run() {
-    const unsigned count = std::clamp(std::thread::hardware_concurrency(), 1u, max_threads);
-    std::vector<std::thread> threads;
-    for (unsigned i = 1; i < count; ++i) threads.emplace_back([this] { work(); });
-    work();
-    for (auto& thread : threads) thread.join();
+    on_threads(std::clamp(std::thread::hardware_concurrency(), 1u, max_threads), [this](std::size_t) { work(); });
     if (!failure_.ok()) return failure_.error();
     return std::move(results_);
   }

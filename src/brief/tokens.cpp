@@ -4,8 +4,12 @@ namespace roomgen::design {
 
 namespace {
 
+// No English word comes near; a longer run of letters names nothing that could be put into a room.
+constexpr std::size_t longest_word = 60;
+
 Token plain(const language::Token& token) {
   using Kind = language::Token::Kind;
+  if (token.text.size() > longest_word) return {Token::Kind::comma, ",", 0.0, {}};
   switch (token.kind) {
     case Kind::number:
       return {Token::Kind::number, token.text, token.value, {}};

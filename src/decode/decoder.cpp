@@ -8,6 +8,7 @@
 #include "base/child_process.h"
 #include "bytes.h"
 #include "find_decoder.h"
+#include "image_decode.h"
 #include "model_bytes.h"
 #include "roomgen/base/text.h"
 #include "wire.h"
@@ -136,6 +137,8 @@ struct Decoder::Impl {
   Status ensure_running();
   Result<std::uint32_t> ensure_told(const FileTree& tree);
   Result<Model> ask(const FileTree& tree, const std::string& mesh, const ImportOptions& import);
+  Result<Image> ask(std::string_view picture, int max_side);
+  Error failed(const Error& error, const std::string& what);
 };
 
 Result<Decoder::Impl::Running> Decoder::Impl::start(const DecoderOptions& options) {
@@ -199,6 +202,26 @@ Result<Model> Decoder::Impl::ask(const FileTree& tree, const std::string& mesh,
   }
 }
 
+Result<Image> Decoder::Impl::ask(std::string_view picture, int max_side) {
+  if (auto status = ensure_running(); !status) return status.error();
+  Conversation conversation(running->process, options, most_time);
+  const PictureJob job{static_cast<std::uint32_t>(max_side), picture};
+  if (auto status = conversation.send(MessageKind::picture, bytes_of(job)); !status) return status.error();
+  const auto message = conversation.receive();
+  if (!message) return message.error();
+  if (message->kind == MessageKind::image) return image_from(message->body, max_side);
+  if (message->kind == MessageKind::failed) return failure_from(message->body);
+  return Error{Error::Kind::limit, "its reader answers nonsense"};
+}
+
+// Only a decoder that gave its reason itself goes on: of any other, nobody knows what state it is in.
+Error Decoder::Impl::failed(const Error& error, const std::string& what) {
+  const bool says_why = error.message.starts_with(what + ": ");
+  if (!says_why) running.reset();
+  const bool of_the_file = error.kind == Error::Kind::limit || error.kind == Error::Kind::invalid_input;
+  return says_why || !of_the_file ? error : with_context(error, what);
+}
+
 Decoder::Decoder(DecoderOptions options)
     : impl_(std::make_unique<Impl>(Impl{std::move(options), std::nullopt})) {}
 Decoder::Decoder(Decoder&&) noexcept = default;
@@ -208,13 +231,13 @@ Result<Model> Decoder::decode(const FileTree& tree, const std::string& mesh,
                               const ImportOptions& options) {
   if (impl_->options.in_process) return import_mesh(tree, mesh, options);
   auto model = impl_->ask(tree, mesh, options);
-  if (model) return model;
-  const Error& error = model.error();
-  // Only a decoder that gave its reason itself goes on: of any other, nobody knows what state it is in.
-  const bool says_why = error.message.starts_with(mesh + ": ");
-  if (!says_why) impl_->running.reset();
-  const bool of_the_file = error.kind == Error::Kind::limit || error.kind == Error::Kind::invalid_input;
-  return says_why || !of_the_file ? error : with_context(error, mesh);
+  return model ? std::move(model) : impl_->failed(model.error(), mesh);
+}
+
+Result<Image> Decoder::decode_picture(std::string_view bytes, int max_side) {
+  if (impl_->options.in_process) return decode_image(bytes, max_side);
+  auto image = impl_->ask(bytes, max_side);
+  return image ? std::move(image) : impl_->failed(image.error(), "picture");
 }
 
 Result<std::vector<std::string>> decoder_confinement(const DecoderOptions& options) {

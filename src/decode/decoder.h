@@ -35,6 +35,8 @@ class Decoder {
   /// What import_mesh() says; `tree` must outlive the decoder. Error::Kind::limit when the file was too much for the process (a crash, too
   /// long, too large), unavailable when there can be no process.
   Result<Model> decode(const FileTree& tree, const std::string& mesh, const ImportOptions& options);
+  /// What decode_image() says, in the same way, of a picture that belongs to no mesh.
+  Result<Image> decode_picture(std::string_view bytes, int max_side);
 
  private:
   friend Result<std::vector<std::string>> decoder_confinement(const DecoderOptions& options);

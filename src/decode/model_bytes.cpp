@@ -21,16 +21,18 @@ std::map<const Image*, std::int32_t> numbered_textures(const Model& model) {
   return numbers;
 }
 
+void put_image(std::string& bytes, const Image& image) {
+  put(bytes, image.width);
+  put(bytes, image.height);
+  put_all(bytes, image.pixels);
+}
+
 void put_textures(std::string& bytes, const std::map<const Image*, std::int32_t>& numbers) {
   std::vector<const Image*> images(numbers.size() - 1);
   for (const auto& [image, number] : numbers)
     if (image) images[static_cast<std::size_t>(number)] = image;
   put(bytes, static_cast<std::uint32_t>(images.size()));
-  for (const Image* image : images) {
-    put(bytes, image->width);
-    put(bytes, image->height);
-    put_all(bytes, image->pixels);
-  }
+  for (const Image* image : images) put_image(bytes, *image);
 }
 
 void put_material(std::string& bytes, const Material& material, std::int32_t texture) {
@@ -50,16 +52,16 @@ void put_part(std::string& bytes, const ModelPart& part) {
   put_all(bytes, part.mesh.triangles);
 }
 
-std::shared_ptr<const Image> take_texture(ByteReader& reader, int max_side) {
+Image take_image(ByteReader& reader, int max_side) {
   const auto width = reader.take<int>(), height = reader.take<int>();
   const bool fits = width > 0 && height > 0 && width <= max_side && height <= max_side;
   if (!fits) reader.fail();
   const std::size_t size = fits ? 4 * static_cast<std::size_t>(width) * height : 0;
-  auto image = std::make_shared<Image>();
-  image->width = width;
-  image->height = height;
-  image->pixels = reader.take_all<std::uint8_t>(size);
-  if (image->pixels.size() != size) reader.fail();
+  Image image;
+  image.width = width;
+  image.height = height;
+  image.pixels = reader.take_all<std::uint8_t>(size);
+  if (image.pixels.size() != size) reader.fail();
   return image;
 }
 
@@ -68,7 +70,7 @@ Textures take_textures(ByteReader& reader, int max_side) {
   if (count > most_materials) reader.fail();
   Textures textures;
   for (std::uint32_t i = 0; i < count && reader.whole(); ++i)
-    textures.push_back(take_texture(reader, max_side));
+    textures.push_back(std::make_shared<const Image>(take_image(reader, max_side)));
   return textures;
 }
 
@@ -125,6 +127,20 @@ std::string bytes_of(const Model& model) {
   put(bytes, static_cast<std::uint32_t>(model.parts.size()));
   for (const auto& part : model.parts) put_part(bytes, part);
   return bytes;
+}
+
+std::string bytes_of(const Image& image) {
+  std::string bytes;
+  put_image(bytes, image);
+  return bytes;
+}
+
+Result<Image> image_from(std::string_view bytes, int max_side) {
+  ByteReader reader(bytes);
+  Image image = take_image(reader, max_side);
+  if (!reader.whole() || !reader.at_end())
+    return Error{Error::Kind::invalid_input, "the decoder's answer is not a picture"};
+  return image;
 }
 
 Result<Model> model_from(std::string_view bytes, const ImportOptions& options) {

@@ -16,4 +16,8 @@ std::string bytes_of(const Model& model);
 /// more than was asked for, numbers of materials finite. (Positions may be anything: remove_degenerate().)
 Result<Model> model_from(std::string_view bytes, const ImportOptions& options);
 
+/// The same for a picture of at most so many pixels a side.
+std::string bytes_of(const Image& image);
+Result<Image> image_from(std::string_view bytes, int max_side);
+
 }  // namespace roomgen::decode

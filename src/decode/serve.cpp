@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bytes.h"
+#include "image_decode.h"
 #include "import_mesh.h"
 #include "model_bytes.h"
 #include "wire.h"
@@ -69,16 +70,25 @@ FileTree remote_tree(int channel, std::string_view names) {
   return tree;
 }
 
+bool send_failure(int channel, const Error& error) {
+  std::string failure;
+  put(failure, static_cast<std::uint32_t>(error.kind));
+  return send(channel, MessageKind::failed, failure + error.message);
+}
+
+bool answer(int channel, const PictureJob& job) {
+  constexpr std::uint32_t most_side = 1 << 14;
+  const auto image = decode_image(job.bytes, static_cast<int>(std::clamp(job.max_side, 1u, most_side)));
+  return image ? send(channel, MessageKind::image, bytes_of(*image)) : send_failure(channel, image.error());
+}
+
 bool answer(int channel, const FileTree& tree, const Job& job) {
   ImportOptions options;
   options.max_texture_side = static_cast<int>(job.max_texture_side);
   options.max_triangles = job.max_triangles;
   options.log = [channel](LogLevel, std::string_view text) { send(channel, MessageKind::warning, text); };
   const auto model = import_mesh(tree, job.mesh, options);
-  if (model) return send(channel, MessageKind::model, bytes_of(*model));
-  std::string failure;
-  put(failure, static_cast<std::uint32_t>(model.error().kind));
-  return send(channel, MessageKind::failed, failure + model.error().message);
+  return model ? send(channel, MessageKind::model, bytes_of(*model)) : send_failure(channel, model.error());
 }
 
 }  // namespace
@@ -89,6 +99,9 @@ int serve(int channel, const std::string& held) {
   while (const auto message = receive(channel)) {
     if (message->kind == MessageKind::files) {
       libraries.push_back(remote_tree(channel, message->body));
+    } else if (message->kind == MessageKind::picture) {
+      const auto job = picture_job_from(message->body);
+      if (!job || !answer(channel, *job)) return 1;
     } else {
       const auto job = message->kind == MessageKind::decode ? job_from(message->body) : std::nullopt;
       if (!job || job->library >= libraries.size()) return 1;

@@ -1,5 +1,7 @@
 #include "wire.h"
 
+#include <algorithm>
+
 #include "bytes.h"
 
 namespace roomgen::decode {
@@ -21,7 +23,7 @@ std::optional<Header> header_from(std::string_view bytes) {
   ByteReader reader(bytes);
   const auto kind = reader.take<MessageKind>();
   const auto size = reader.take<std::uint32_t>();
-  const bool known = kind >= MessageKind::ready && kind <= MessageKind::failed;
+  const bool known = kind >= MessageKind::ready && kind <= MessageKind::image;
   if (!reader.whole() || !known || size > most_message_bytes) return std::nullopt;
   return Header{kind, size};
 }
@@ -43,6 +45,21 @@ std::optional<Job> job_from(std::string_view bytes) {
   job.max_triangles = reader.take<std::uint64_t>();
   job.mesh = reader.take_text(most_path_bytes);
   return reader.whole() && reader.at_end() ? std::optional(job) : std::nullopt;
+}
+
+std::string bytes_of(const PictureJob& job) {
+  std::string bytes;
+  put(bytes, job.max_side);
+  bytes += job.bytes;
+  return bytes;
+}
+
+std::optional<PictureJob> picture_job_from(std::string_view bytes) {
+  ByteReader reader(bytes);
+  PictureJob job;
+  job.max_side = reader.take<std::uint32_t>();
+  job.bytes = bytes.substr(std::min(bytes.size(), sizeof job.max_side));
+  return reader.whole() ? std::optional(job) : std::nullopt;
 }
 
 }  // namespace roomgen::decode

@@ -10,7 +10,8 @@ namespace roomgen::decode {
 
 /// What program and decoder say to each other: a header, the kind and the number of bytes that follow, then
 /// these. After `ready` the program tells the names of a library's files, of any number of them, and asks for meshes one by one;
-/// the decoder asks for files in between, and ends with a model or the reason why there is none.
+/// the decoder asks for files in between, and ends with a model or the reason why there is none. Pictures that stand alone
+/// are asked for with all their bytes.
 enum class MessageKind : std::uint32_t {
   ready = 1,  ///< decoder: what holds it (Confinement), names separated by blanks
   files,      ///< program: the names of all files of one library more, a line each
@@ -21,6 +22,8 @@ enum class MessageKind : std::uint32_t {
   warning,    ///< decoder: for people
   model,      ///< decoder: model_bytes.h
   failed,     ///< decoder: the kind of the error (4 bytes), then its message
+  picture,    ///< program: a PictureJob
+  image,      ///< decoder: model_bytes.h
 };
 
 struct Header {
@@ -50,5 +53,14 @@ struct Job {
 
 std::string bytes_of(const Job& job);
 std::optional<Job> job_from(std::string_view bytes);
+
+struct PictureJob {
+  std::uint32_t max_side = 0;
+  std::string_view bytes;  ///< of a PNG or JPEG file
+};
+
+std::string bytes_of(const PictureJob& job);
+/// What it names lies within `bytes`.
+std::optional<PictureJob> picture_job_from(std::string_view bytes);
 
 }  // namespace roomgen::decode

@@ -27,7 +27,7 @@ std::size_t most_edits(std::string_view word) {
 
 // Most names are too long or too short to be meant.
 bool may_be_meant(std::string_view said, std::string_view name) {
-  const auto [shorter, longer] = std::minmax(said.size(), name.size());
+  const auto [shorter, longer] = std::minmax({said.size(), name.size()});
   return longer - shorter <= most_difference;
 }
 
@@ -37,7 +37,7 @@ std::optional<std::size_t> edits_of_words(const std::vector<std::string>& said, 
   std::size_t sum = 0;
   for (std::size_t i = 0; i < said.size(); ++i) {
     if (said[i] == name[i]) continue;
-    const auto [shorter, longer] = std::minmax(said[i].size(), name[i].size());
+    const auto [shorter, longer] = std::minmax({said[i].size(), name[i].size()});
     if (longer - shorter > most_edits(said[i]) || said[i].size() < least_length || is_english(said[i]))
       return std::nullopt;
     const std::size_t wrong = edit_distance(said[i], name[i]);

@@ -35,12 +35,15 @@ struct Token {
   Kind kind = Kind::word;
   Joint joint = Joint::apart;
   Span span;
-  std::string text;    ///< in lower case, plain apostrophes; a word without its clitic
+  std::string text;    ///< in lower case, plain apostrophes; a word without its clitic, and of one over longest_word its start
   std::string clitic;  ///< "'s", "'", "n't", "'re", ...: of "there's", "kids'", "don't"
   double value = 0.0;  ///< of a number or an ordinal
 
   bool is(std::string_view word) const { return kind == Kind::word && text == word; }
 };
+
+/// Of a word, in bytes; no name of anything comes near.
+inline constexpr std::size_t longest_word = 60;
 
 /// The longest text that is read, in tokens; the rest is ignored.
 inline constexpr std::size_t max_tokens = 50'000;

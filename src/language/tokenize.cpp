@@ -225,7 +225,7 @@ class Splitter {
     const std::size_t begin = at_;
     std::string text;
     while (is(Sign::letter)) {
-      append_lower(text, text_, at_, here());
+      if (text.size() < longest_word || (is_within_character() && text.size() < longest_word + 3)) append_lower(text, text_, at_, here());
       ++at_;
     }
     // "m2" and "m²" are words.
@@ -246,6 +246,8 @@ class Splitter {
     if (is_abbreviated(text)) ++at_;
     add(Token::Kind::word, begin, std::move(text)).clitic = std::move(clitic);
   }
+
+  bool is_within_character() const { return (static_cast<unsigned char>(text_[at_]) & 0xC0u) == 0x80u; }
 
   // "kid's", "kids'", "there's", "don't": what follows the word.
   std::string clitic_behind(std::string& text) {

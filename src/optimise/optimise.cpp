@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "anneal.h"
+#include "base/threads.h"
 #include "bounds.h"
 #include "compiled.h"
 #include "evaluator.h"
@@ -86,16 +87,13 @@ std::vector<AnnealResult> run_chains(const Task& task) {
   std::vector<AnnealResult> results(static_cast<std::size_t>(chains));
   std::atomic<int> next{0};
   std::mutex telling;
-  const auto work = [&] {
+  const auto work = [&](std::size_t) {
     for (int chain = next++; chain < chains; chain = next++)
       results[static_cast<std::size_t>(chain)] = run_chain(task, chain, telling);
   };
   const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   const int threads = std::min(chains, task.options.threads > 0 ? task.options.threads : cores);
-  std::vector<std::thread> others;
-  for (int i = 1; i < threads; ++i) others.emplace_back(work);
-  work();
-  for (auto& other : others) other.join();
+  on_threads(static_cast<std::size_t>(threads), work);
   return results;
 }
 

@@ -1,6 +1,7 @@
 #include <atomic>
 #include <thread>
 
+#include "base/threads.h"
 #include "library/asset_object.h"
 #include "scene/rounded_pose.h"
 #include "roomgen/optimise/optimise.h"
@@ -45,14 +46,10 @@ std::vector<Shelf> fill_all(const std::vector<StockWish>& wishes, const AssetLib
                             std::size_t count) {
   std::vector<Shelf> shelves(wishes.size());
   std::atomic<std::size_t> next{0};
-  const auto work = [&] {
+  on_threads(std::max(1u, std::thread::hardware_concurrency()), [&](std::size_t) {
     for (std::size_t i = next++; i < wishes.size(); i = next++)
       shelves[i] = fill(wishes[i], table.get(wishes[i].kind), library, count);
-  };
-  std::vector<std::thread> others;
-  for (unsigned i = 1; i < std::max(1u, std::thread::hardware_concurrency()); ++i) others.emplace_back(work);
-  work();
-  for (auto& other : others) other.join();
+  });
   return shelves;
 }
 

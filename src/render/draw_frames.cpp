@@ -4,9 +4,9 @@
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <thread>
 
 #include "base/sha256.h"
+#include "base/threads.h"
 #include "frame_labels.h"
 #include "layer_pictures.h"
 #include "roomgen/base/file.h"
@@ -164,7 +164,7 @@ Status draw_in_parallel(const std::vector<TourFrame>& frames, const FrameOptions
   std::atomic<std::size_t> next{0};
   std::mutex mutex;
   Status status;
-  const auto work = [&] {
+  const auto work = [&](std::size_t) {
     auto drawer = make();
     for (std::size_t k = next++; k < frames.size(); k = next++) {
       Status done = options.cancel.cancelled() ? Status(Error{Error::Kind::cancelled, "frames: interrupted"})
@@ -175,11 +175,7 @@ Status draw_in_parallel(const std::vector<TourFrame>& frames, const FrameOptions
       next = frames.size();
     }
   };
-  std::vector<std::thread> threads;
-  const std::size_t count = std::min(frames.size(), static_cast<std::size_t>(options.threads));
-  for (std::size_t k = 1; k < count; ++k) threads.emplace_back(work);
-  work();
-  for (auto& thread : threads) thread.join();
+  on_threads(std::min(frames.size(), static_cast<std::size_t>(options.threads)), work);
   return status;
 }
 

@@ -6,6 +6,7 @@
 #include <memory>
 #include <thread>
 
+#include "base/threads.h"
 #include "chain.h"
 #include "distinct.h"
 #include "scene/judgement.h"
@@ -80,13 +81,9 @@ class Sampler {
   // Each call has a worker to itself; which one makes no difference.
   void for_each_chain(const std::function<void(Worker&, std::size_t)>& work) {
     std::atomic<std::size_t> next = 0;
-    const auto labour = [&](Worker& worker) {
-      for (std::size_t i = next++; i < chains_.size(); i = next++) work(worker, i);
-    };
-    std::vector<std::thread> others;
-    for (std::size_t k = 1; k < workers_.size(); ++k) others.emplace_back(labour, std::ref(*workers_[k]));
-    labour(*workers_.front());
-    for (auto& other : others) other.join();
+    on_threads(workers_.size(), [&](std::size_t thread) {
+      for (std::size_t i = next++; i < chains_.size(); i = next++) work(*workers_[thread], i);
+    });
   }
 
   // The first chain starts from what is varied, the others wherever a search ends.

@@ -2,6 +2,7 @@
 
 #include "catch.h"
 #include "meshes.h"
+#include "roomgen/base/file.h"
 
 using namespace roomgen;
 using decode::Decoder;
@@ -99,6 +100,24 @@ TEST_CASE("A mesh that kills or overruns its reader costs only itself") {
     CHECK(of_the_file);
     CHECK(decoder.decode(tree, "cube.obj", {}));
   }
+}
+
+TEST_CASE("A picture is read apart as it is here, and a bad one costs only itself") {
+  Decoder apart(built()), here({.in_process = true});
+  const auto bytes = [](const std::string& name) {
+    return *read_file(std::filesystem::path(ROOMGEN_SOURCE_DIR) / "tests/fuzz/corpus/decoder_input" / name);
+  };
+  for (const char* name : {"small.png", "torn.png", "huge.png", "wide.png"}) {
+    const auto a = apart.decode_picture(bytes(name), 64), b = here.decode_picture(bytes(name), 64);
+    INFO(name);
+    REQUIRE(a.ok() == b.ok());
+    if (a) CHECK(a->pixels == b->pixels);
+    else CHECK(a.error().message == b.error().message);
+  }
+  CHECK(apart.decode_picture(bytes("small.png"), 64));
+  const auto none = apart.decode_picture("no picture", 64);
+  REQUIRE_FALSE(none);
+  CHECK(none.error().message.starts_with("picture: "));
 }
 
 TEST_CASE("Files are read by the format that their name says") {

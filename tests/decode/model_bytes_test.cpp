@@ -76,6 +76,20 @@ TEST_CASE("A model comes back from its bytes as it was") {
   }
 }
 
+TEST_CASE("A picture comes back from its bytes, if it is no larger than asked for") {
+  Random random(4);
+  const auto image = random_image(random);
+  const auto bytes = decode::bytes_of(*image);
+  const auto back = decode::image_from(bytes, 8);
+  REQUIRE(back);
+  CHECK(back->pixels == image->pixels);
+  CHECK_FALSE(decode::image_from(bytes, std::max(image->width, image->height) - 1));
+  CHECK_FALSE(decode::image_from(bytes + "x", 8));
+  for (int i = 0; i < 500; ++i)
+    if (const auto one = decode::image_from(damaged(bytes, random, 40), 8))
+      CHECK(one->pixels.size() == 4 * static_cast<std::size_t>(one->width) * one->height);
+}
+
 TEST_CASE("Damaged bytes give an error or a sound model") {
   Random random(2);
   int refused = 0;

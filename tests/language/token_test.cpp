@@ -90,6 +90,16 @@ TEST_CASE("Spans are in order and cover the text, whatever its bytes") {
     check_spans(random_bytes(random, random.integer(0, 60), i % 2 == 0));
 }
 
+TEST_CASE("Of a word that is longer than any the start is kept, in whole characters") {
+  const auto tokens = tokenize("a " + std::string(5000, 'x') + " bed");
+  REQUIRE(tokens.size() == 3);
+  CHECK(tokens[1].text == std::string(longest_word, 'x'));
+  CHECK(tokens[1].span.size() == 5000);
+  std::string accents = "x";  // so that the limit falls into a character
+  for (int i = 0; i < 100; ++i) accents += "\xC3\xA9";
+  CHECK(tokenize(accents).front().text == accents.substr(0, longest_word + 1));
+}
+
 TEST_CASE("100,000 bytes of anything are read at once") {
   Random random(5);
   for (const bool is_ascii : {true, false})

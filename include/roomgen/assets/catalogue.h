@@ -87,7 +87,12 @@ class Catalogue final : public AssetLibrary {
 Result<std::unique_ptr<Catalogue>> open_catalogue(const CatalogueOptions& options);
 
 /// Decodes PNG or JPEG bytes (told apart by their first bytes), at most 16384 pixels a side, and
-/// shrinks the picture by averaging until no side is longer than `max_side`.
+/// shrinks the picture by averaging until no side is longer than `max_side`. In this process: for pictures of your own.
 Result<Image> decode_image(std::string_view bytes, int max_side = 1024);
+
+/// The same for pictures of anybody, in a process of its own as with meshes, started when one is first asked for. Of the options those
+/// about the decoder matter. For one thread at a time.
+std::function<Result<Image>(std::string_view bytes)> picture_decoder(const CatalogueOptions& options,
+                                                                     int max_side = 1024);
 
 }  // namespace roomgen::assets
