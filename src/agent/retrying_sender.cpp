@@ -47,7 +47,7 @@ Result<HttpAnswer> RetryingSender::send(const HttpRequest& http, const CancelTok
     ++progress.failures;
     const Error error = error_of(outcome);
     const Seconds wait = wait_after(outcome, progress.failures);
-    if (auto why = reason_to_stop(wait, progress)) return given_up(error, *why, progress);
+    if (auto why = reason_to_stop(outcome, wait, progress)) return given_up(error, *why, progress);
     note(error.message + "; asking again in " + format_number(wait.count(), 1) + " s");
     if (!pause(wait, cancel))
       return Error{Error::Kind::cancelled, destination_.endpoint.shown() + ": cancelled"};
@@ -92,8 +92,12 @@ Seconds RetryingSender::wait_after(const HttpOutcome& outcome, int failures) {
   return asked ? std::max(own, *asked) : own;
 }
 
-std::optional<std::string> RetryingSender::reason_to_stop(Seconds wait,
+// Who takes no connection is silent, too, however often it is tried.
+std::optional<std::string> RetryingSender::reason_to_stop(const HttpOutcome& outcome, Seconds wait,
                                                           const Progress& progress) const {
+  const auto* failure = std::get_if<HttpFailure>(&outcome);
+  const bool is_late = failure && failure->kind == HttpFailure::Kind::timed_out;
+  if (is_late && progress.elapsed() + wait >= limits_.idle) return "silent all the time; ";
   if (progress.failures >= std::max(1, retry_.attempts)) return "";
   if (wait > std::max(retry_.longest_retry_after, retry_.longest_wait))
     return "it asks to wait " + format_number(wait.count(), 0) + " s; ";

@@ -44,7 +44,7 @@ class RetryingSender {
   Result<HttpAnswer> settled(HttpOutcome outcome) const;
   Error error_of(const HttpOutcome& outcome) const;
   RetryPolicy::Seconds wait_after(const HttpOutcome& outcome, int failures);
-  std::optional<std::string> reason_to_stop(RetryPolicy::Seconds wait,
+  std::optional<std::string> reason_to_stop(const HttpOutcome& outcome, RetryPolicy::Seconds wait,
                                             const Progress& progress) const;
   void note(const std::string& message) const;
 

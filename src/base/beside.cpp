@@ -32,4 +32,12 @@ bool is_beside(const fs::path& path, const fs::path& name) {
          text.starts_with(start) && text.ends_with(ending);
 }
 
+bool is_beside_something(const fs::path& name) {
+  const std::string text = name.filename().string();
+  const std::size_t tail = 1 + digits + std::string_view(ending).size();
+  if (text.size() <= tail + 1 || text.front() != '.' || !text.ends_with(ending)) return false;
+  const std::string_view number = std::string_view(text).substr(text.size() - tail, 1 + digits);
+  return number.front() == '.' && number.find_first_not_of("0123456789abcdef", 1) == std::string_view::npos;
+}
+
 }  // namespace roomgen::detail

@@ -11,4 +11,7 @@ std::filesystem::path name_beside(const std::filesystem::path& path);
 /// Could name_beside(path) have given this name?
 bool is_beside(const std::filesystem::path& path, const std::filesystem::path& name);
 
+/// Could name_beside() have given this name to anything?
+bool is_beside_something(const std::filesystem::path& name);
+
 }  // namespace roomgen::detail

@@ -3,6 +3,8 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <mutex>
+#include <set>
 #include <utility>
 
 #include "beside.h"
@@ -36,14 +38,36 @@ Status may_be_replaced(const fs::path& path) {
                                                  : "cannot write: it is no regular file");
 }
 
+// What killed runs left in a folder; what runs at work hold is locked. Once for each folder, since there may be thousands of files.
+void remove_left_overs(const fs::path& folder) {
+  static std::mutex mutex;
+  static std::set<fs::path> done;
+  const std::lock_guard lock(mutex);
+  if (!done.insert(folder).second) return;
+  std::error_code code;
+  for (fs::directory_iterator at(folder.empty() ? "." : folder, code), end; !code && at != end; at.increment(code)) {
+    const fs::path path = at->path();
+    if (!detail::is_beside_something(path) || !fs::is_regular_file(fs::symlink_status(path, code))) continue;
+    const Descriptor held = Descriptor::open_to_append(path);
+    if (held && held.lock()) fs::remove(path, code);
+  }
+}
+
 // Removes the file unless it was kept: an aborted write leaves nothing behind.
 class FileAside {
  public:
   explicit FileAside(const fs::path& target)
-      : target_(target),
-        path_(detail::name_beside(target)),
-        descriptor_(Descriptor::create(path_)),
-        is_there_(descriptor_) {}
+      : target_(target) {
+    remove_left_overs(target.parent_path());
+    // Between its making and the lock somebody may take it for a left-over.
+    for (int attempt = 0; attempt < 3 && !is_there_; ++attempt) {
+      path_ = detail::name_beside(target);
+      descriptor_ = Descriptor::create(path_);
+      std::error_code code;
+      is_there_ = descriptor_ && (!descriptor_.lock() || fs::exists(path_, code));
+      if (!descriptor_) return;
+    }
+  }
   FileAside(const FileAside&) = delete;
   FileAside& operator=(const FileAside&) = delete;
   ~FileAside() {
@@ -74,7 +98,7 @@ class FileAside {
   const fs::path& target_;
   fs::path path_;
   Descriptor descriptor_;
-  bool is_there_;
+  bool is_there_ = false;
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "bound_names.h"
 #include "finishes.h"
 #include "measures.h"
 #include "prompt_additions.h"
@@ -92,6 +93,7 @@ Brief read_prompt(std::string_view prompt, const RoomKinds& kinds, const KindTab
   reading.hearing.plain_verbs(reading.mentions);
   read_palette(reading);
   read_remarks(reading);
+  bound_names(brief);
   settle(brief, table);
   if (brief.type.empty()) {
     brief.type = guess_room_type(brief, kinds, table);

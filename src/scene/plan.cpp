@@ -17,7 +17,7 @@ namespace roomgen {
 
 namespace {
 
-constexpr std::size_t max_items = 500, max_requirements = 5000;
+constexpr std::size_t max_items = 5000, max_requirements = 5000;
 constexpr long long max_quantity = 200;
 
 Json item_json(const PlanItem& item) {

@@ -1,5 +1,6 @@
 #include "roomgen/base/file.h"
 
+#include <algorithm>
 #include <fstream>
 
 #include "catch.h"
@@ -38,6 +39,18 @@ TEST_CASE("A write that fails at the last moment leaves the old things and no pa
   CHECK(is_one_line(written.error().message));
   CHECK(names_in(folder.path()) == std::vector<std::string>{"taken"});
   CHECK(*read_file((folder / "taken") / "inside") == "kept");
+}
+
+TEST_CASE("What a killed run left of a file goes with the next one written there; what is not of us stays") {
+  const TemporaryFolder folder;
+  const std::vector<std::string> others = {".notes.part", ".a.json.0123456789abcdeg.part", "a.json.0123456789abcdef.part"};
+  for (const auto& name : others) std::ofstream(folder / name) << "mine";
+  std::ofstream(folder / ".thing.glb.0123456789abcdef.part") << "half of a";
+  REQUIRE(write_file(folder / "a.json", "{}"));
+  std::vector<std::string> expected = others;
+  expected.push_back("a.json");
+  std::sort(expected.begin(), expected.end());
+  CHECK(names_in(folder.path()) == expected);
 }
 
 TEST_CASE("Writing into a folder that is not there fails and names the file") {

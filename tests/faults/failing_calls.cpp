@@ -11,6 +11,8 @@
 #include <cstdlib>
 #include <new>
 
+void (*when_a_call_fails)() = nullptr;
+
 namespace {
 
 struct Fault {
@@ -26,6 +28,7 @@ bool fails(Call call, int reason) {
   const long long left = fault.calls_left--;
   if (left > 0 || (left < 0 && !fault.lasting)) return false;
   fault.has_failed = true;
+  if (when_a_call_fails) when_a_call_fails();
   errno = reason;
   return true;
 }

@@ -11,6 +11,9 @@ inline constexpr Call all_file_calls[] = {Call::write, Call::sync,        Call::
 
 const char* name(Call call);
 
+/// Called whenever a call fails; may be null.
+extern void (*when_a_call_fails)();
+
 /// While it is there, the n-th such call of any thread fails, from 0 on; with `lasting` all later ones, too.
 class FailingCalls {
  public:
