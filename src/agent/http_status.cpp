@@ -65,6 +65,8 @@ Error failure_error(const HttpFailure& failure, const Endpoint& endpoint) {
     case Kind::tls:
       return {Error::Kind::unavailable,
               at + "no trusted TLS connection" + detail + "; check the server's certificate"};
+    case Kind::not_taken:
+      return {Error::Kind::limit, at + "takes no connection" + detail + "; check the base URL, or try later"};
     case Kind::timed_out:
       return {Error::Kind::limit, at + "too slow" + detail + "; allow more time, or try later"};
     case Kind::silent:

@@ -23,7 +23,7 @@ bool is_transient_status(const HttpAnswer& answer) {
 
 bool is_transient_failure(HttpFailure::Kind kind) {
   using Kind = HttpFailure::Kind;
-  return kind == Kind::refused || kind == Kind::timed_out || kind == Kind::broken;
+  return kind == Kind::refused || kind == Kind::not_taken || kind == Kind::timed_out || kind == Kind::broken;
 }
 
 std::optional<Seconds> parse_seconds(std::string_view text) {

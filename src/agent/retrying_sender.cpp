@@ -96,8 +96,8 @@ Seconds RetryingSender::wait_after(const HttpOutcome& outcome, int failures) {
 std::optional<std::string> RetryingSender::reason_to_stop(const HttpOutcome& outcome, Seconds wait,
                                                           const Progress& progress) const {
   const auto* failure = std::get_if<HttpFailure>(&outcome);
-  const bool is_late = failure && failure->kind == HttpFailure::Kind::timed_out;
-  if (is_late && progress.elapsed() + wait >= limits_.idle) return "silent all the time; ";
+  const bool is_silent = failure && failure->kind == HttpFailure::Kind::not_taken;
+  if (is_silent && progress.elapsed() + wait >= limits_.idle) return "silent all the time; ";
   if (progress.failures >= std::max(1, retry_.attempts)) return "";
   if (wait > std::max(retry_.longest_retry_after, retry_.longest_wait))
     return "it asks to wait " + format_number(wait.count(), 0) + " s; ";

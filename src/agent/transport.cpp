@@ -63,8 +63,8 @@ Kind kind_of(CURLcode code) {
       return Kind::no_such_host;
     case CURLE_COULDNT_CONNECT:
       return Kind::refused;
-    case CURLE_OPERATION_TIMEDOUT:
-      return Kind::timed_out;
+    case CURLE_OPERATION_TIMEDOUT:  // the only time limit that is curl's is that of the connection
+      return Kind::not_taken;
     case CURLE_SSL_CONNECT_ERROR:
     case CURLE_PEER_FAILED_VERIFICATION:
     case CURLE_SSL_CERTPROBLEM:

@@ -28,7 +28,7 @@ struct HttpAnswer {
 
 /// Why there is no answer.
 struct HttpFailure {
-  enum class Kind { no_such_host, refused, tls, timed_out, silent, too_long, broken, cancelled };
+  enum class Kind { no_such_host, refused, not_taken, tls, timed_out, silent, too_long, broken, cancelled };
   Kind kind = Kind::broken;
   std::string what;
 };

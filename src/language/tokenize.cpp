@@ -224,8 +224,11 @@ class Splitter {
   void word() {
     const std::size_t begin = at_;
     std::string text;
+    bool is_full = false;
     while (is(Sign::letter)) {
-      if (text.size() < longest_word || (is_within_character() && text.size() < longest_word + 3)) append_lower(text, text_, at_, here());
+      const std::size_t longest = longest_word + (is_within_character() ? 3 : 0);
+      is_full = is_full || text.size() >= longest;
+      if (!is_full) append_lower(text, text_, at_, here());
       ++at_;
     }
     // "m2" and "m²" are words.
