@@ -55,6 +55,76 @@ def read_meshes(path):
     return meshes
 
 
+def rooms_of(scene):
+    return scene.get("rooms") or [scene["room"]]
+
+
+def edges_of(room):
+    p = np.array(room["polygon"])
+    return list(zip(p, np.roll(p, -1, axis=0)))
+
+
+def pieces(room, number, is_open):
+    """Of a wall, along it: what lies beside openings, and the openings themselves, as (from, to, opening or None)."""
+    a, b = edges_of(room)[number]
+    at, result = 0.0, []
+    for o in sorted((o for o in room.get("openings", []) if o["wall"] == number and is_open(o)), key=lambda o: o["from"]):
+        result += [(at, o["from"], None), (o["from"], o["to"], o)]
+        at = o["to"]
+    return result + [(at, float(np.linalg.norm(b - a)), None)]
+
+
+def is_way(opening):
+    """Doors between the rooms of a dwelling are passed; that to the outdoors is shut."""
+    return "leads_to" in opening
+
+
+def is_hole(opening):
+    """Panes of windows hide nothing, but what is outdoors is nothing."""
+    return is_way(opening) or opening["type"] == "window"
+
+
+def walls_for_walking(scene):
+    for room in rooms_of(scene):
+        for number, (a, b) in enumerate(edges_of(room)):
+            along = (b - a) / np.linalg.norm(b - a)
+            for s0, s1, opening in pieces(room, number, is_way):
+                if opening is None:
+                    yield a + s0 * along, a + s1 * along
+
+
+def wall_meshes(scene):
+    """The inner faces of all walls, with holes: what hides one room from another."""
+    triangles = []
+    for room in rooms_of(scene):
+        for number, (a, b) in enumerate(edges_of(room)):
+            along = (b - a) / np.linalg.norm(b - a)
+            for s0, s1, opening in pieces(room, number, is_hole):
+                bands = [(0.0, room["height"])] if opening is None else [(0.0, opening["sill"]), (opening["head"], room["height"])]
+                for low, high in bands:
+                    if high - low < 1e-6 or s1 - s0 < 1e-6:
+                        continue
+                    p, q = a + s0 * along, a + s1 * along
+                    c = [[*p, low], [*q, low], [*q, high], [*p, high]]
+                    triangles += [[c[0], c[1], c[2]], [c[0], c[2], c[3]]]
+    return np.array(triangles, float)
+
+
+def split(triangles, longest=0.25):
+    """Into such as have no edge longer than that, metres."""
+    done = []
+    while len(triangles):
+        edges = np.linalg.norm(triangles - np.roll(triangles, -1, axis=1), axis=2)
+        small = edges.max(1) <= longest
+        done.append(triangles[small])
+        t, k = triangles[~small], edges[~small].argmax(1)
+        rows = np.arange(len(t))
+        a, b, c = t[rows, k], t[rows, (k + 1) % 3], t[rows, (k + 2) % 3]
+        middle = (a + b) / 2
+        triangles = np.concatenate([np.stack([a, middle, c], 1), np.stack([middle, b, c], 1)])
+    return np.concatenate(done)
+
+
 class Camera:
     def __init__(self, camera, position, yaw, pitch):
         self.width, self.height = camera["width"], camera["height"]
@@ -146,15 +216,19 @@ def blocks(thing, eye):
 
 
 def clearance(scene, points, eye):
-    p = np.array(scene["room"]["polygon"])
     least = np.full(len(points), np.inf)
-    for a, b in zip(p, np.roll(p, -1, axis=0)):
+    for a, b in walls_for_walking(scene):
         along = b - a
         t = (((points - a) @ along) / (along @ along)).clip(0, 1)
         least = np.minimum(least, np.linalg.norm(a + t[:, None] * along - points, axis=1))
     for thing in scene["objects"]:
-        # A round thing lies within its box: the box alone would ask too much of ways.
-        if blocks(thing, eye) and "round" not in thing.get("traits", []):
+        if not blocks(thing, eye):
+            continue
+        if "round" in thing.get("traits", []):
+            # Its box would ask too much of ways.
+            around = np.linalg.norm(points - np.array(thing["position"][:2]), axis=-1) - min(thing["size"][:2]) / 2
+            least = np.minimum(least, around)
+        else:
             least = np.minimum(least, outline_distance(thing, points))
     return least
 
@@ -171,7 +245,7 @@ def all_in_picture(camera, thing):
 def walkable(scene, tour, start):
     """Places on a grid that can be walked to from the start."""
     eye, pitch = start[2], 0.1
-    p = np.array(scene["room"]["polygon"])
+    p = np.concatenate([room["polygon"] for room in rooms_of(scene)])
     xs, ys = np.arange(p[:, 0].min(), p[:, 0].max(), pitch), np.arange(p[:, 1].min(), p[:, 1].max(), pitch)
     grid = np.stack(np.meshgrid(xs, ys, indexing="ij"), -1)
     free = clearance(scene, grid.reshape(-1, 2), eye).reshape(grid.shape[:2]) >= tour["agent_radius"] + 0.02
@@ -213,6 +287,9 @@ def check(folder, views, tries, random):
     scene, tour = json.loads((folder / "scene.json").read_text()), json.loads((folder / "tour" / "tour.json").read_text())
     names = {o["id"] for o in scene["objects"]}
     meshes = {name: m for name, m in read_meshes(folder / "scene.glb").items() if name in names}
+    if len(rooms_of(scene)) > 1:
+        # A name that no thing has. They are cut into small ones: what reaches behind the eye is not drawn.
+        meshes[""] = split(wall_meshes(scene))
     keyframes = tour["keyframes"]
     figures = {"targets": len(tour["views"]) + len(tour["unseen"]), "seen": len(tour["views"]), "missed": 0, "checked": 0,
                "beyond": 0, "worst": 0.0, "tight": 9.0}

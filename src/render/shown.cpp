@@ -19,7 +19,7 @@ ShellOptions shell_options(const View& view) {
   options.top_color = plan ? plan_wall_color : wall_top_color;
   if (is_marked(view)) options.floor_color = marked_floor_color;
   options.door_leaves = !plan;  // drawn open, as a symbol
-  options.ceiling = view.kind == View::Kind::eye;
+  options.ceiling = options.inner_doors_open = view.kind == View::Kind::eye;
   return options;
 }
 

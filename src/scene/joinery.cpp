@@ -78,7 +78,7 @@ std::shared_ptr<const Model> joinery_to_show(const Opening& opening, double heig
                                              const ModelTable& models) {
   const bool wanted = opening.type == OpeningType::window
                           ? options.window_frames
-                          : options.door_frames && options.door_leaves;
+                          : options.door_frames && has_leaves(opening, options);
   if (!wanted || height < opening.head - 1e-6) return nullptr;
   const std::string key = asset_key(opening.joinery.asset);
   auto model = key.empty() ? nullptr : models.find(key);

@@ -26,12 +26,18 @@ struct ShellOptions {
   bool window_frames = true;  ///< with a glass pane
   bool door_frames = true;
   bool door_leaves = true;  ///< closed
+  bool inner_doors_open = false;  ///< doors between the rooms of a dwelling have no leaf: who walks there passes
   bool ceiling = true;
   /// Colour of the upper face of walls, sRGB 0 to 255; negative: as the wall.
   Eigen::Vector3f top_color{-1, -1, -1};
   /// Colour of the floor instead of its finish, sRGB 0 to 255; negative: its finish.
   Eigen::Vector3f floor_color{-1, -1, -1};
 };
+
+/// Whether the leaves of a door are there, shut.
+inline bool has_leaves(const Opening& opening, const ShellOptions& options) {
+  return options.door_leaves && !(options.inner_doors_open && !opening.leads_to.empty());
+}
 
 /// The room as solids: walls stand outside the polygon, wall_thickness deep, mitred at the corners,
 /// each closed (its volume is its own) with the openings cut out; the floor is a slab under room

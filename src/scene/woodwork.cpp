@@ -178,7 +178,7 @@ Model door(const Opening& o, const Joiner& joiner, const ShellOptions& options) 
   if (options.door_frames)
     joiner.add_frame(meshes.frame, sunk(o, door_lining), door_lining, -0.006,
                      wall_thickness + 0.006);
-  if (options.door_leaves && o.type == OpeningType::door) add_leaves(meshes, o, joiner);
+  if (has_leaves(o, options) && o.type == OpeningType::door) add_leaves(meshes, o, joiner);
   Model model;
   add_part(model, std::move(meshes.frame), woodwork_paint());
   add_part(model, std::move(meshes.leaf), o.glazed ? woodwork_paint() : door_paint());

@@ -11,11 +11,9 @@ namespace roomgen {
 
 namespace {
 
-constexpr double slack_of_turn = 0.5;   // metres that a thing may give way when it turns
-constexpr double slack_of_group = 0.6;  // and when it comes along with what it stands around
-constexpr double slack_of_swap = 0.8;   // and when it takes another one's place
-constexpr double shift_step = 0.05;     // metres, in which it is found how far a shift could go
-constexpr double same_spot = 0.05;      // metres; where things stand on others, places are 2 cm apart
+constexpr double slack_of_group = 0.6;  // metres that a thing may give way when it comes along with what it stands around
+constexpr double shift_step = 0.05;  // metres, in which it is found how far a shift could go
+constexpr double same_spot = 0.05;   // metres; where things stand on others, places are 2 cm apart
 
 // What says where a thing stands among others; facing and walls are another matter.
 bool is_about_place(RelationKind kind) {
@@ -47,47 +45,6 @@ std::vector<Relation> still_wanted(const Object& object, const std::vector<Relat
   return kept;
 }
 
-// Things of the room or parts of it: where the middle of one is, seen from a thing.
-Result<Footprint> target_of(const Draft& draft, const Object& object, const std::string& target) {
-  Object asking = object;
-  asking.relations = {{RelationKind::face_to, target}};
-  if (auto status = check_targets(draft, object.room, asking.relations); !status) return status.error();
-  std::vector<Object> others;
-  for (const auto& other : draft.scene.objects)
-    if (other.room == object.room && other.id != object.id) others.push_back(other);
-  const auto resolved = resolve(asking, room_of(draft.scene, object), others, draft.shop.kinds());
-  if (resolved.empty() || resolved.front().targets.empty()) return cannot("nothing can face \"" + target + "\"");
-  return resolved.front().targets.front();
-}
-
-bool looks_at(const Object& object, double yaw, const Footprint& target) {
-  return ray_hit(target, object.position.head<2>(), front_direction(yaw)) >= 0.0;
-}
-
-// Square to a wall where that looks at the target too, the least turn first; else straight at its middle.
-std::vector<double> yaws_towards(Draft& draft, const Cluster& cluster, const Footprint& target) {
-  const Object& object = cluster.root;
-  std::vector<double> yaws;
-  for (const double yaw : draft.layout_without(cluster).wall_yaws())
-    if (looks_at(object, yaw, target)) yaws.push_back(yaw);
-  const auto turn = [&](double yaw) { return std::abs(wrap_angle(yaw - object.yaw)); };
-  std::sort(yaws.begin(), yaws.end(), [&](double a, double b) { return turn(a) < turn(b); });
-  yaws.push_back(yaw_facing(target.center() - Vec2(object.position.head<2>())));
-  return yaws;
-}
-
-Status turn_to(Draft& draft, const Object& object, double yaw) {
-  const Cluster cluster = cluster_of(draft.scene, object);
-  Pose pose = pose_of(object);
-  pose.yaw = wrap_angle(yaw);
-  auto turned = there_or_near(draft, cluster, pose, slack_of_turn);
-  if (!turned) return turned.error();
-  turned->root.relations = object.relations;
-  draft.put(*turned);
-  if (object.traits.flat) settle_heights(draft, object.room);
-  return {};
-}
-
 // How far of the way it could go, in steps; 0 if not at all.
 double possible_share(Draft& draft, const Cluster& cluster, const Vec2& by) {
   for (double left = by.norm() - shift_step; left > 0.5 * shift_step; left -= shift_step) {
@@ -110,23 +67,6 @@ Status raise(Draft& draft, const Object& object, const Vec3& by) {
   if (!there) return there.error();
   draft.put(*there);
   return {};
-}
-
-// At another one's place: what stands on other things goes onto what carried that one.
-Result<Cluster> in_place_of(Draft& draft, Layout& layout, const Cluster& cluster, const Object& other) {
-  Cluster going = cluster;
-  going.root.on = other.on;
-  Pose pose = pose_of(other);
-  if (going.root.mount != Mount::surface) {
-    pose.bottom = going.root.mount == Mount::floor ? 0.0 : going.root.position.z();
-    if (auto there = settled(draft, layout, moved_to(going, pose))) return there;
-    if (auto there = settled(draft, layout, moved_to(going, pose), RugEdges::stood_on)) return there;
-  }
-  Aim aim;
-  aim.near_to = pose;
-  aim.most_off = slack_of_swap;
-  aim.turns_freely = !cluster.root.traits.front;
-  return find_place(draft, layout, going, aim);
 }
 
 // The room that is said, or the one of what it is to stand to.
@@ -260,65 +200,6 @@ Status carry_out(Draft& draft, const edit::Shift& shift) {
   const double possible = possible_share(draft, cluster_of(draft.scene, *object), by);
   return cannot(status.error().message +
                 (possible > 0.0 ? "; " + format_number(possible, 2) + " m that way would be possible" : ""));
-}
-
-Status carry_out(Draft& draft, const edit::Turn& turn) {
-  const auto object = object_to_change(draft, turn.object);
-  if (!object) return object.error();
-  return turn_to(draft, *object, object->yaw + turn.by);
-}
-
-Status carry_out(Draft& draft, const edit::Face& face) {
-  const auto object = object_to_change(draft, face.object);
-  if (!object) return object.error();
-  if (!object->traits.front) return cannot(object->id + " has no front that could face anything");
-  if (object->mount == Mount::wall) return cannot(object->id + " hangs on a wall and cannot be turned");
-  const auto target = target_of(draft, *object, face.target);
-  if (!target) return target.error();
-  const std::vector<Relation> asked = {{RelationKind::face_to, face.target}};
-  Status why;
-  for (const double yaw : yaws_towards(draft, cluster_of(draft.scene, *object), *target)) {
-    Draft trial = draft;
-    auto status = turn_to(trial, *object, yaw);
-    if (status &&
-        !lost_relations(*find_object(trial.scene, object->id), asked, trial.scene, draft.shop.kinds()).empty())
-      status = cannot("where there is room for it, " + object->id + " does not face " + face.target);
-    if (status) {
-      draft.take_over(std::move(trial));
-      wish_relations(draft, *object, asked);
-      return {};
-    }
-    if (why) why = status;
-  }
-  return why;
-}
-
-Status carry_out(Draft& draft, const edit::Swap& swap) {
-  const auto first = object_to_change(draft, swap.first);
-  if (!first) return first.error();
-  const auto second = object_to_change(draft, swap.second);
-  if (!second) return second.error();
-  if (first->id == second->id) return cannot("swapping takes two things");
-  if (first->room != second->room) return cannot(first->id + " and " + second->id + " are in different rooms");
-  if (first->mount != second->mount)
-    return cannot(first->id + " and " + second->id + " are not put up the same way");
-  const Cluster one = cluster_of(draft.scene, *first), other = cluster_of(draft.scene, *second);
-  auto away = one.ids();
-  if (away.count(second->id) || other.ids().count(first->id)) return cannot("one of them stands on the other");
-  away.merge(other.ids());
-  Layout& layout = draft.shop.layout(draft.scene, first->room, away);
-  // The larger one has the fewer choices.
-  const bool first_leads = footprint(*first).area() >= footprint(*second).area();
-  const Cluster &leader = first_leads ? one : other, &follower = first_leads ? other : one;
-  auto led = in_place_of(draft, layout, leader, follower.root);
-  if (!led) return led.error();
-  layout.add(led->root);
-  for (const auto& object : led->carried) layout.add(object);
-  auto followed = in_place_of(draft, layout, follower, leader.root);
-  if (!followed) return followed.error();
-  draft.put(*led);
-  draft.put(*followed);
-  return {};
 }
 
 }  // namespace roomgen

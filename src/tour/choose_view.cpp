@@ -38,13 +38,16 @@ std::string hidden_text(const TourOptions& options, const Tally& tally) {
          " of it, from wherever it was looked at; " + wanted + " are asked for";
 }
 
+bool can_enter(const TourSite& site, const Room& room, const ShortestWays& ways) {
+  for (GridNode node = 0; node < site.grid.size(); ++node)
+    if (ways.reach(node) && contains(room.polygon, site.grid.place(node))) return true;
+  return false;
+}
+
 // Of a room that nobody gets into, or of the ways inside.
-std::string out_of_reach_text(const TourSite& site, const Object& target, const ShortestWays& ways) {
+std::string out_of_reach_text(const TourSite& site, const Object& target, bool entered) {
   const TourOptions& options = site.options;
   const Room& room = room_of(site.scene, target);
-  bool entered = false;
-  for (GridNode node = 0; node < site.grid.size() && !entered; ++node)
-    entered = ways.reach(node) && contains(room.polygon, site.grid.place(node));
   const std::string wide = "somebody " + metres_text(2.0 * options.agent_radius) + " wide";
   if (!entered && !site.scene.rooms.empty())
     return "its room, " + room.id + ", cannot be entered from where the tour begins by " + wide +
@@ -57,7 +60,9 @@ UnseenTarget unseen(const TourSite& site, const Object& target, const ShortestWa
                     const Tally& tally) {
   using Cause = UnseenTarget::Cause;
   const TourOptions& options = site.options;
-  if (!drawn.any_place) return {target.id, Cause::out_of_reach, out_of_reach_text(site, target, ways)};
+  // Walls hide it from the next room; that is not what is in the way.
+  const bool entered = can_enter(site, room_of(site.scene, target), ways);
+  if (!drawn.any_place || !entered) return {target.id, Cause::out_of_reach, out_of_reach_text(site, target, entered)};
   if (drawn.points.empty())
     return {target.id, Cause::out_of_picture,
             "from no place that can be walked to all of it is in the picture: a wider field of view or greater "
