@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 """How many of the edit sentences are understood as meant.
 
-    run.py ROOMGEN open|more|learned|held-out|kept [--rooms FOLDER] [--jobs N] [--show]
+    run.py ROOMGEN open|more|learned|held-out|kept [--rooms FOLDER] [--jobs N] [--show] [--reader bench_edit_sentences]
 
 For each sentence the room of its scene is made (once, in FOLDER), what comes `before` is carried out, and
 `roomgen edit --dry-run` says which operations it takes the sentence for. What should be done counts when these
 are the operations meant, on the kinds of things meant; what should be asked back, when it exits with 2; what
-should be refused, when the edit itself exits with 1 or 2 and scene.json stays as it was. --show lists what went
+should be refused, when the edit itself exits with 1 or 2 and scene.json stays as it was. With --reader sentences that have nothing
+`before` are read by that program, all in one process: as the command reads them, and much sooner. --show lists what went
 wrong, for what may be looked at.
 """
 import argparse
@@ -112,24 +113,37 @@ def is_meant(operations, meaning, objects, document):
     return all(any(s[0] == m["op"] and (m in everything or alike(m["kind"], s[1])) for m in meaning) for s in said)
 
 
+def read_at_once(reader, rooms, cases):
+    """What the reader says to those that stand alone, by id."""
+    alone = [case for case in cases if not case.get("before") and case["outcome"] != "refused"]
+    lines = "".join(json.dumps(case) + "\n" for case in alone)
+    said = subprocess.run([reader, rooms], input=lines, capture_output=True, text=True, check=True).stdout
+    return {answer["id"]: answer for answer in map(json.loads, said.splitlines())}
+
+
+def verdict_on(case, operations, said, document):
+    """`operations`: nothing if they were not understood."""
+    objects = {o["id"]: o["category"] + " " + o["description"] for o in document["objects"]}
+    if case["outcome"] == "ambiguous":
+        return ("as meant" if operations is None else "wrong"), said
+    if operations is None:
+        return "not understood", said
+    return ("as meant" if is_meant(operations, case["meaning"], objects, document) else "wrong"), said
+
+
 def outcome(program, folder, case):
     scene = folder / "scene.json"
     for sentence in case.get("before", []):
         run(program, "edit", scene, sentence, "--no-pictures", "--quiet")
     document = json.loads(scene.read_text())
-    objects = {o["id"]: o["category"] + " " + o["description"] for o in document["objects"]}
     dry = run(program, "edit", scene, case["sentence"], "--dry-run", "--quiet")
     said = dry.stdout if dry.returncode == 0 else dry.stderr
-    if case["outcome"] == "ambiguous":
-        return ("as meant" if dry.returncode == 2 else "wrong"), said
     if case["outcome"] == "refused":
         before = scene.read_bytes()
         done = run(program, "edit", scene, case["sentence"], "--no-pictures", "--quiet")
         same = scene.read_bytes() == before
         return ("as meant" if done.returncode in (1, 2) and same else "wrong"), said + done.stderr
-    if dry.returncode != 0:
-        return "not understood", said
-    return ("as meant" if is_meant(json.loads(dry.stdout), case["meaning"], objects, document) else "wrong"), said
+    return verdict_on(case, json.loads(dry.stdout) if dry.returncode == 0 else None, said, document)
 
 
 def make_rooms(program, folder, scenes):
@@ -139,7 +153,11 @@ def make_rooms(program, folder, scenes):
             run(program, "generate", scene["prompt"], "--seed", scene["seed"], "-o", room, "--no-pictures", "--quiet")
 
 
-def judge(program, rooms, case):
+def judge(program, rooms, case, read):
+    if case["id"] in read:
+        answer = read[case["id"]]
+        document = json.loads((rooms / case["scene"] / "scene.json").read_text())
+        return verdict_on(case, answer.get("operations"), json.dumps(answer.get("operations") or answer.get("error")), document)
     with tempfile.TemporaryDirectory() as folder:
         copy = pathlib.Path(folder) / "room"
         copy.mkdir()
@@ -157,13 +175,15 @@ def main():
     parser.add_argument("part", choices=list(FILES))
     parser.add_argument("--rooms", type=pathlib.Path, default=pathlib.Path(tempfile.gettempdir()) / "roomgen-edit-rooms")
     parser.add_argument("--jobs", type=int, default=2, help="sentences at a time")
+    parser.add_argument("--reader", help="bench_edit_sentences")
     parser.add_argument("--show", action="store_true")
     options = parser.parse_args()
     cases = lines_of(FILES[options.part])
     make_rooms(options.program, options.rooms, lines_of(HERE / "scenes.jsonl"))
+    read = read_at_once(options.reader, options.rooms, cases) if options.reader else {}
     counts = {"as meant": 0, "not understood": 0, "wrong": 0}
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as workers:
-        verdicts = list(workers.map(lambda case: judge(options.program, options.rooms, case), cases))
+        verdicts = list(workers.map(lambda case: judge(options.program, options.rooms, case, read), cases))
     for case, (verdict, said) in zip(cases, verdicts):
         counts[verdict] += 1
         if options.show and options.part not in ("kept", "held-out") and verdict != "as meant":
