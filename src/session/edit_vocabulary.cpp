@@ -134,7 +134,11 @@ Result<EditVocabulary> read_edit_vocabulary() {
                                                                {"apart", &words.apart},
                                                                {"centred", &words.centred},
                                                                {"other side", &words.other_side},
-                                                               {"better", &words.betters}};
+                                                               {"better", &words.betters},
+                                                               {"who tells", &words.tellers},
+                                                               {"told how", &words.told_how},
+                                                               {"told deeds", &words.told_deeds},
+                                                               {"negations", &words.negations}};
   for (const auto& [key, set] : sets) *set = set_of(root[key]);
   words.sides = map_of<Vec2>(root["sides"], direction_of);
   words.directions = map_of<Vec2>(root["directions"], direction_of);

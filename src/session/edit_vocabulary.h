@@ -30,7 +30,7 @@ struct EditVocabulary {
       there, at_parts, space, around_space, gap_to, one_each, each_corner, possible, middles, besides, each_other,
       side_by_side, corrections, questions, welcome, own, suffices, only_these, likewise, shapes, like_it, existing,
       something, vice_versa, particles, made_of, unneeded, facing_away, up_to_ceiling, courtesies, short_is_before, too,
-      in_the_way_of, wrong_way, further_on, others, denials, wishes, apart, centred, other_side, betters;
+      in_the_way_of, wrong_way, further_on, others, denials, wishes, apart, centred, other_side, betters, tellers, told_how, told_deeds, negations;
   Map<Vec2> sides, directions;   ///< in the scene's frame, as pictures from above show it
   Map<Vec2> side_tails;          ///< behind a noun: "on the left"
   Map<Vec2> sides_of_things, parts_of_things;  ///< in a thing's frame, left as one sees it from in front of it

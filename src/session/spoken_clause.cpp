@@ -163,6 +163,62 @@ bool tells_of_thing(const EditText& text, std::size_t begin, std::size_t end) {
   return is_told(text.tokens[at].text);
 }
 
+// ---- Statements --------------------------------------------------------------------------------
+
+// "blocks", "was"; "land" behind "keys", "sleep" behind "we"
+bool is_finite_at(const EditText& text, std::size_t begin, std::size_t i) {
+  const auto verb = language::verb(text.tokens[i].text);
+  if (!verb || i == begin) return false;
+  if (is_told(text.tokens[i].text)) return true;
+  if (verb->form != language::VerbForm::base) return false;
+  std::size_t subject = i - 1;
+  while (subject > begin && text.edits.told_how.count(text.tokens[subject].text) > 0) --subject;
+  const std::string& word = text.tokens[subject].text;
+  return text.edits.tellers.count(word) > 0 || language::singular(word) != word;
+}
+
+// What is to be done may be told as well: "the plant goes by the window", "the rug stays".
+bool tells_of_deed(const EditText& text, std::size_t i) {
+  const auto verb = verb_at(text, i);
+  return (verb && (verb->inflected || verb->length > 1)) || longest_in(text.edits.stays, text.tokens, i) > 0 ||
+         longest_in(text.edits.goes_away, text.tokens, i) > 0 || text.edits.told_deeds.count(text.tokens[i].text) > 0;
+}
+
+bool asks_within(const EditText& text, std::size_t begin, std::size_t end) {
+  for (std::size_t i = begin; i < end; ++i) {
+    const bool is_denied = i > begin && text.edits.negations.count(text.tokens[i].text) > 0;
+    if (!is_denied && longest_in(text.edits.requests, text.tokens, i) > 0) return true;
+    if (longest_in(text.edits.modals, text.tokens, i) > 1 || is_order(text, begin, i) || tells_of_deed(text, i)) return true;
+  }
+  return longest_in(text.edits.questions, text.tokens, begin) > 0;
+}
+
+// "keys never land in it", "the queue blocks everything": somebody or something does something, or is somehow, and
+// nothing of it asks for a change. Of what is in the room more may be meant: complaints are read elsewhere.
+bool is_statement(const EditText& text, std::size_t begin, std::size_t end) {
+  const auto subject = named_thing_at(text, begin);
+  const bool is_of_room = subject && subject->which != NamedThing::Which::pronoun && subject->kind.category &&
+                          !fitting(text, *subject).empty();
+  if (is_of_room || verb_at(text, begin) || asks_within(text, begin, end)) return false;
+  for (std::size_t i = begin; i < end; ++i)
+    if (is_finite_at(text, begin, i)) return true;
+  return false;
+}
+
+// Of a sentence that begins with it; a statement may go on behind a comma.
+std::size_t end_of_statement(const EditText& text, std::size_t at) {
+  if (at > 0 && text.tokens[at - 1].kind != Token::Kind::stop) return at;
+  for (std::size_t end = at + 1; end <= text.tokens.size(); ++end) {
+    const bool is_last = end == text.tokens.size();
+    if (!is_last && !text.is_mark(end) && !(text.is_word(end, "so") && !text.says_how_much(end))) continue;
+    const bool is_whole = is_last || text.is_word(end, "so") || text.tokens[end].kind == Token::Kind::stop;
+    const bool goes_over = is_whole || is_order(text, end + 1, end + 1) || text.is_word(end + 1, "so") || is_wish(text, end + 1);
+    if (goes_over && is_statement(text, at, end)) return end;
+    if (is_whole) break;
+  }
+  return at;
+}
+
 bool names_nothing(const EditText& text, std::size_t begin, std::size_t end) {
   for (std::size_t i = begin; i < end; ++i)
     if (named_thing_at(text, i) || room_part_at(text, i) || verb_at(text, i) || looks_at(text, i, true) ||
@@ -236,6 +292,7 @@ std::size_t end_of_remark(const EditText& text, std::size_t at, bool at_first) {
   const std::size_t end = end_of_clause(text, at);
   if (end == at) return at;
   if (is_mere_talk(text, at, end) || is_other_need(text, at) || (!at_first && is_contrast(text, at, end))) return end;
+  if (const std::size_t statement = end_of_statement(text, at); statement > at) return statement;
   if (asks_for_something(text, at, end)) return at;
   const bool is_remark = begins_with_somebody(text, at, end) || tells_of_thing(text, at, end) ||
                          (at_first && names_nothing(text, at, end));
