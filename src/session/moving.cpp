@@ -115,26 +115,6 @@ Status take_group_along(Draft& draft, Draft& moved, const std::vector<Cluster>& 
   return {};
 }
 
-// A thing with what stands around it, all by the same way.
-Status shift_group(Draft& draft, const Object& object, const Vec2& by) {
-  const auto group = group_of(draft.scene, object);
-  Pose pose = pose_of(object);
-  pose.position += by;
-  const auto moved = moved_to(group, pose);
-  Layout& layout = draft.shop.layout(draft.scene, object.room, ids_of(group));
-  for (const auto& cluster : moved) {
-    if (cluster.root.locked) return cannot(cluster.root.id + " would come along, and is locked; unlock it first");
-    auto there = settled(draft, layout, cluster);
-    if (!there) there = settled(draft, layout, cluster, RugEdges::stood_on);
-    if (!there) return there.error();
-    layout.add(there->root);
-    for (const auto& carried : there->carried) layout.add(carried);
-    draft.put(*there);
-    draft.named.insert(cluster.root.id);
-  }
-  return {};
-}
-
 }  // namespace
 
 Status carry_out(Draft& draft, const edit::Move& move) {
@@ -193,7 +173,11 @@ Status carry_out(Draft& draft, const edit::Shift& shift) {
   if (!object) return object.error();
   const Vec2 by = shift.by.head<2>();
   if (shift.by.z() != 0.0) return raise(draft, *object, shift.by);
-  if (shift.group) return shift_group(draft, *object, by);
+  if (shift.group) {
+    Pose pose = pose_of(*object);
+    pose.position += by;
+    return move_group_to(draft, *object, pose);
+  }
   edit::Put put{object->id, Vec2(object->position.head<2>()) + by, object->yaw, object->on};
   auto status = carry_out(draft, put);
   if (status || object->mount == Mount::surface) return status;

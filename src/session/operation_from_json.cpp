@@ -84,8 +84,8 @@ Operation read_shift(const JsonReader& json) {
 }
 
 Operation read_turn(const JsonReader& json) {
-  json.allow_only({"do", "object", "by_deg"});
-  return Turn{json["object"].text(200), angle_of(json["by_deg"])};
+  json.allow_only({"do", "object", "by_deg", "group"});
+  return Turn{json["object"].text(200), angle_of(json["by_deg"]), json["group"].boolean_or(false)};
 }
 
 Operation read_face(const JsonReader& json) {

@@ -68,7 +68,9 @@ struct Writer {
     return json;
   }
   Json operator()(const Turn& turn) const {
-    return {{"do", "turn"}, {"object", turn.object}, {"by_deg", degrees_of(turn.by)}};
+    Json json = {{"do", "turn"}, {"object", turn.object}, {"by_deg", degrees_of(turn.by)}};
+    if (turn.group) json["group"] = true;
+    return json;
   }
   Json operator()(const Face& face) const {
     return {{"do", "face"}, {"object", face.object}, {"target", face.target}};

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "make_way.h"
 #include "operations.h"
 #include "placing.h"
 #include "scene/judgement.h"
@@ -57,7 +58,10 @@ Status turn_to(Draft& draft, const Object& object, double yaw) {
 Status carry_out(Draft& draft, const edit::Turn& turn) {
   const auto object = object_to_change(draft, turn.object);
   if (!object) return object.error();
-  return turn_to(draft, *object, object->yaw + turn.by);
+  if (!turn.group) return turn_to(draft, *object, object->yaw + turn.by);
+  Pose pose = pose_of(*object);
+  pose.yaw = wrap_angle(pose.yaw + turn.by);
+  return move_group_to(draft, *object, pose);
 }
 
 Status carry_out(Draft& draft, const edit::Face& face) {

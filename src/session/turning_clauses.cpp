@@ -115,11 +115,12 @@ std::optional<Read<double>> turn_at(const EditText& text, std::size_t at) {
   return Read<double>{sign * degrees, at};
 }
 
-// "a quarter turn together with its chairs" turns each where it stands: that is not meant.
-ReadClause turned(const EditText& text, const Read<Ids>& what, const Read<double>& turn) {
-  if (longest_in(text.edits.along, text.tokens, turn.end) > 0)
-    return what_at(text, turn.end, "groups cannot be turned");
-  return of_each(what, turn.end, [&](const std::string& id) { return edit::Turn{id, radians(turn.value)}; });
+// "a quarter turn together with its chairs": what is said to come along may stand behind the thing or behind the angle.
+ReadClause turned(const EditText& text, const Read<Ids>& what, const Read<double>& turn, bool is_group) {
+  const auto along = longest_in(text.edits.along, text.tokens, turn.end);
+  return of_each(what, turn.end + along, [&](const std::string& id) {
+    return edit::Turn{id, radians(turn.value), is_group || along > 0};
+  });
 }
 
 }  // namespace
@@ -157,12 +158,13 @@ ReadClause read_turn(const EditText& text, std::size_t at) {
     }
     if (auto mutual = read_mutual(text, *what)) return *mutual;
     if (auto away = read_facing_away(text, *what)) return *away;
+    const auto along = longest_in(text.edits.along, text.tokens, what->end);
     std::size_t behind = what->end;
-    const auto turn = turn_at(text, what->end);
+    const auto turn = turn_at(text, what->end + along);
     // "turn it round to face the piano"
     const bool says_towards = turn && longest_in(text.edits.faces, text.tokens, turn->end) > 0;
     if (says_towards) behind = turn->end;
-    else if (turn) return turned(text, *what, *turn);
+    else if (turn) return turned(text, *what, *turn, along > 0);
     auto length = longest_in(text.edits.faces, text.tokens, behind);
     if (length == 0) length = longest_in(text.edits.to, text.tokens, behind);
     if (length == 0) continue;

@@ -313,6 +313,35 @@ TEST_CASE("Operations survive JSON, and what is none is told with its place") {
   }
 }
 
+TEST_CASE("A group that turns stands as it stood to each other, and all goes back") {
+  const TemporaryFolder folder;
+  auto session = open_with(folder, furnished("a dining room of 6 x 6 m with a square table and four chairs", 3));
+  const Scene before = session.scene();
+  const Object* table = find_object(before, "dining table-0");
+  REQUIRE(table);
+  const auto chairs = around(before, table->id);
+  REQUIRE(chairs.size() >= 4);
+  int turned = 0;
+  for (const double angle : {90.0, 180.0, -90.0, 30.0}) {
+    const edit::Operation turn = edit::Turn{table->id, radians(angle), true};
+    if (!session.apply({&turn, 1})) continue;  // there is no room for that
+    ++turned;
+    const Object& there = *find_object(session.scene(), table->id);
+    for (const auto& id : chairs) {
+      const Object &was = *find_object(before, id), &is = *find_object(session.scene(), id);
+      const Vec2 from = was.position.head<2>() - table->position.head<2>();
+      const Vec2 to = is.position.head<2>() - there.position.head<2>();
+      CAPTURE(id, angle);
+      CHECK((rotated(from, radians(angle)) - to).norm() < 1e-3);  // scene.json has millimetres
+      CHECK(std::abs(wrap_angle(is.yaw - was.yaw - radians(angle))) < 1e-3);
+    }
+    REQUIRE(session.undo());
+    for (const auto& object : before.objects)
+      CHECK(find_object(session.scene(), object.id)->position == object.position);
+  }
+  CHECK(turned > 0);
+}
+
 TEST_CASE("A group that moves is asked for where it went, as a thing alone is") {
   for (const bool group : {false, true}) {
     const TemporaryFolder folder;

@@ -65,10 +65,12 @@ struct Shift {
   bool operator==(const Shift&) const = default;
 };
 
-/// Where it stands, counter-clockwise from above; a little aside where there is no room for that.
+/// Where it stands, counter-clockwise from above; a little aside where there is no room for that. What stands around it
+/// goes round with it if `group`, all exactly.
 struct Turn {
   std::string object;
   double by = 0.0;
+  bool group = false;
 
   bool operator==(const Turn&) const = default;
 };
