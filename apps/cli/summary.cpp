@@ -52,13 +52,35 @@ std::vector<std::string> not_understood(const Scene& scene) {
   return words;
 }
 
-// "6 of 9 things you asked for"
+// "6 of 9"
+struct Met {
+  std::ptrdiff_t met = 0, all = 0;
+  std::string text() const { return std::to_string(met) + " of " + std::to_string(all); }
+};
+
+// People, and what they do, need things that the prompt does not name.
+bool is_brought(const RequirementVerdict& verdict) {
+  using Source = Requirement::Source;
+  return verdict.requirement.source == Source::person || verdict.requirement.source == Source::activity;
+}
+
+Met met_of(const Scene& scene, bool brought) {
+  Met result;
+  for (const auto& verdict : scene.requirements) {
+    if (is_brought(verdict) != brought) continue;
+    ++result.all;
+    result.met += verdict.met();
+  }
+  return result;
+}
+
+// "6 of 9 things you asked for, and 2 of 3 that people and activities need"
 std::string met_of_asked(const Scene& scene) {
   if (scene.requirements.empty()) return "nothing was asked for that can be checked";
-  const auto met = std::count_if(scene.requirements.begin(), scene.requirements.end(),
-                                 [](const RequirementVerdict& verdict) { return verdict.met(); });
-  return std::to_string(met) + " of " + std::to_string(scene.requirements.size()) +
-         " things you asked for";
+  const Met asked = met_of(scene, false), brought = met_of(scene, true);
+  std::string text = asked.text() + " things you asked for";
+  if (brought.all > 0) text += ", and " + brought.text() + " that people and activities need";
+  return text;
 }
 
 std::string title(const Scene& scene) {

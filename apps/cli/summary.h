@@ -12,7 +12,7 @@ namespace roomgen::cli {
 /// What became of a plan, for scripts.
 Json summary_json(const std::filesystem::path& folder, const Generation& generation);
 
-/// "6 of 9 things you asked for; a bedroom with 14 objects"
+/// "6 of 9 things you asked for, and 2 of 3 that people and activities need; a bedroom with 14 objects"
 std::string headline(const Scene& scene);
 /// What was assumed and what stands in for something else.
 std::vector<std::string> note_lines(const AnyPlan& plan, const Generation& generation);

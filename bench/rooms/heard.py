@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 """What the words of many prompts are taken for: the share of content words that each meaning has.
 
-usage: heard.py ROOMGEN PROMPTS.csv [--words]
+usage: heard.py ROOMGEN PROMPTS.csv [--words] [--unchecked]
 
 PROMPTS.csv has a column Description. With --words the runs that were not understood are listed, the
-commonest first; not for prompts that are kept for figures only.
+commonest first, with --unchecked those that were heard as something that should be checked and that no requirement checks,
+and words in no entry at all; not for prompts that are kept for figures only.
 """
 import argparse
 import collections
@@ -12,6 +13,7 @@ import concurrent.futures
 import csv
 import json
 import random
+import re
 import subprocess
 
 
@@ -31,6 +33,20 @@ def words_of(plan):
     return counts, lost
 
 
+CHECKED = {"thing", "count", "attribute", "relation", "absence", "room", "activity"}
+
+
+def unchecked(prompt, plan):
+    """Runs that nothing checks, each with what it was heard as, and words that no entry has ("only", "each")."""
+    heard = plan.get("heard", [])
+    runs = [(each["as"], each["text"].lower()) for each in heard if each["as"] in CHECKED and not each.get("requirements")]
+    raw, spans = prompt.encode(), [each["span"] for each in heard]
+    for match in re.finditer(rb"\b(only|each|every|both|none|nothing|neither|except|all|per)\b", raw, re.I):
+        if not any(begin <= match.start() < end for begin, end in spans):
+            runs.append(("silent", raw[match.start(): match.end() + 30].decode(errors="replace")))
+    return runs
+
+
 def interval(shares, rounds=2000):
     """The 95 % bootstrap interval of a ratio of sums, over prompts."""
     draw = random.Random(1)
@@ -47,6 +63,7 @@ def main():
     parser.add_argument("roomgen")
     parser.add_argument("prompts")
     parser.add_argument("--words", action="store_true")
+    parser.add_argument("--unchecked", action="store_true")
     arguments = parser.parse_args()
     with open(arguments.prompts, newline="", encoding="utf-8") as file:
         prompts = [row["Description"] for row in csv.DictReader(file)]
@@ -66,6 +83,10 @@ def main():
         print(f"  {meaning:16} {100 * count / words:5.1f} %")
     low, high = interval(shares)
     print(f"  not understood, 95 % interval over prompts: {100 * low:.1f} to {100 * high:.1f} %")
+    if arguments.unchecked:
+        found = collections.Counter(run for prompt, each in zip(prompts, plans) if each for run in unchecked(prompt, each))
+        for (meaning, run), count in found.most_common():
+            print(f"{count:4} {meaning:10} {run}")
     if arguments.words:
         for run, count in lost.most_common():
             print(f"{count:4} {run}")

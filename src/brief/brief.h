@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "limits.h"
 #include "opening_wish.h"
 #include "outline.h"
 #include "language/parse.h"
@@ -44,6 +45,8 @@ struct Demand {
 
 /// The word of what is heard as a length of a thing.
 inline constexpr const char* said_length = "length";
+/// The word of what is heard as a limit: "nothing else".
+inline constexpr const char* said_limit = "limit";
 
 /// "1.6 m wide", of a thing.
 struct SaidLength {
@@ -102,10 +105,14 @@ struct Brief {
   int people = 0;              ///< 0: not said
   std::optional<int> windows;  ///< how many, apart from those of `openings`
   bool wide_windows = false;
+  bool told_from_door = false;  ///< sides of the room are those that who comes in sees: "the back wall"
   RoomMaterials materials;  ///< what it says about them
   std::vector<OpeningWish> openings;  ///< of which more is said than how many windows there are
   std::vector<Mention> mentions;
   bool bare = false;                  ///< nothing but what is mentioned
+  std::vector<SharedOut> shared_out;
+  std::vector<Limit> limits;
+  std::vector<Denial> denials;
   std::vector<std::string> excluded;  ///< categories
   std::vector<std::pair<std::string, std::string>> excluded_looks;  ///< categories that are so: table, glass
   std::vector<std::string> palette;   ///< colours and stuffs that are said of no thing

@@ -72,13 +72,23 @@ class Bringer {
     return std::max(1, phrase_.occupant->count);
   }
 
+  // "Nothing else", "no more than a lamp on the desk": people bring nothing there.
+  bool is_barred(const Occupant::Thing& thing) const {
+    if (brief_.bare && !phrase_.occupant->is_activity) return true;
+    const auto carrier = brought_.find(thing.to);
+    return std::any_of(brief_.limits.begin(), brief_.limits.end(), [&](const Limit& limit) {
+      if (!limit.category.empty()) return lexicon_.table.is_a(thing.kind, limit.category);
+      return limit.on != no_mention && carrier != brought_.end() && carrier->second == limit.on;
+    });
+  }
+
   void bring(const Occupant::Thing& thing) {
     std::optional<std::size_t> mention = named(thing.kind);
     if (!mention) {
       const bool belongs =
           phrase_.occupant->is_activity || occupants_.belongs(thing.kind, brief_.type);
       const Kind* kind = lexicon_.table.by_name(thing.kind);
-      if (!kind || !belongs || (!thing.always && brought_by_room(thing.kind))) return;
+      if (!kind || !belongs || (!thing.always && brought_by_room(thing.kind)) || is_barred(thing)) return;
       mention = add(*kind, number_of(thing));
     }
     brief_.mentions[*mention].heard.push_back(heard_);

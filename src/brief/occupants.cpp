@@ -38,11 +38,12 @@ Result<Occupants> Occupants::parse(std::string_view text, const std::string& sou
   Occupants result;
   for (const bool is_activity : {false, true})
     for (const auto& [name, entry] : root[is_activity ? "activities" : "people"].members()) {
-      entry.allow_only({"about", "names", "count", "clearance", "things"});
+      entry.allow_only({"about", "names", "count", "clearance", "things", "of nothing"});
       Occupant occupant;
       occupant.name = name;
       occupant.is_activity = is_activity;
       occupant.count = static_cast<int>(entry["count"].integer_or(is_activity ? 0 : 1, 0, most));
+      occupant.is_of_nothing = entry["of nothing"].boolean_or(false);
       occupant.clearance = entry["clearance"].number_or(0.0, 0.0, 3.0);
       for (const auto& thing : entry["things"].elements(most))
         occupant.things.push_back(read_thing(thing));

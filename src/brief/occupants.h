@@ -23,6 +23,7 @@ struct Occupant {
   };
 
   std::string name;
+  bool is_of_nothing = false;  ///< "the boys play", but not "an old man plays chess"
   bool is_activity = false;
   int count = 1;  ///< persons that the word means where no number is said
   double clearance = 0.0;  ///< metres that ways must be wide; 0: as usual

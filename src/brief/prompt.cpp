@@ -8,6 +8,7 @@
 #include "prompt_additions.h"
 #include "prompt_formations.h"
 #include "prompt_headings.h"
+#include "prompt_limits.h"
 #include "prompt_occupants.h"
 #include "prompt_openings.h"
 #include "prompt_palette.h"
@@ -20,23 +21,12 @@
 #include "settle.h"
 #include "shape_words.h"
 #include "style_phrase.h"
+#include "view_from_door.h"
 
 namespace roomgen::design {
 
 namespace {
 
-// "nothing else", "no other …", "with only …"
-void read_bare(PromptReading& reading) {
-  static const WordSet holders = {"with", "containing", "contains", "has"};
-  const auto is_any = [&](std::size_t token, const WordSet& words) {
-    return token < reading.text.plain.size() && words.count(reading.word(token)) > 0;
-  };
-  for (std::size_t i = 0; i < reading.text.plain.size(); ++i)
-    if ((reading.is_word(i, "nothing") && is_any(i + 1, {"else", "more"})) ||
-        (reading.is_word(i, "no") && is_any(i + 1, {"other", "more", "additional"})) ||
-        (i > 0 && reading.words.only.count(reading.word(i)) && holders.count(reading.word(i - 1))))
-      reading.brief.bare = true;
-}
 // "Rustic but bright.", "a cosy one": words of style that are said of no thing are the room's.
 // "Little" and "open" are words of style only where they stand before a room.
 void read_styles(PromptReading& reading) {
@@ -80,19 +70,22 @@ Brief read_prompt(std::string_view prompt, const RoomKinds& kinds, const KindTab
                         {*words, table, kinds.get(brief.type)}, kinds, brief);
   read_openings(reading);
   // What the prompt names itself comes before what people need.
-  for (const auto phrase : read_things(reading)) read_occupants(reading, phrase);
+  const auto people = read_things(reading);
+  read_limits(reading);
+  for (const auto phrase : people) read_occupants(reading, phrase);
   read_additions(reading);
   read_partitions(reading);
   read_formations(reading);
   read_places(reading);
   read_headings(reading);
-  read_bare(reading);
+  brief.told_from_door = tells_sides_from_door(reading);
   read_activities(reading);
   read_styles(reading);
   brief.understood = !brief.heard.empty();
   reading.hearing.plain_verbs(reading.mentions);
   read_palette(reading);
   read_remarks(reading);
+  note_lost_limits(reading);
   bound_names(brief);
   settle(brief, table);
   if (brief.type.empty()) {

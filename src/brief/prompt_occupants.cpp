@@ -37,7 +37,10 @@ class OccupantReader {
       if (used[i] || reading_.taken[i] == Taken::yes || reading_.is_denied(i)) continue;
       const auto& found = reading_.occupants[i];
       if (!found || used[found->tokens.end - 1]) continue;
-      bring(*found);
+      if (has_what_it_needs(*found))
+        hear(reading_.brief, found->tokens, Heard::As::activity);
+      else
+        bring(*found);
       i = found->tokens.end - 1;
     }
   }
@@ -45,6 +48,18 @@ class OccupantReader {
  private:
   std::optional<std::size_t> bring(const OccupantPhrase& phrase) {
     return bring_things(phrase, *Occupants::built_in(), reading_.lexicon, reading_.brief);
+  }
+  // "sleeps on two chairs", "plays chess": what it is done on, or with, was said.
+  bool has_what_it_needs(const OccupantPhrase& found) const {
+    if (!found.occupant->is_activity) return false;
+    for (const auto& verb : reading_.parse.verbs) {
+      if (verb.tokens.begin > found.tokens.begin || found.tokens.begin >= verb.tokens.end) continue;
+      if (found.occupant->is_of_nothing && verb.object != language::none) return true;
+      const auto index = static_cast<std::int32_t>(&verb - reading_.parse.verbs.data());
+      for (const Attachment& one : reading_.parse.attachments)
+        if (one.verb == index && one.relation == "on" && reading_.mention_of(one.to)) return true;
+    }
+    return false;
   }
   // "a chair for guests" is a chair.
   bool is_for_thing(std::int32_t id) const {

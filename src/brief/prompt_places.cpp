@@ -54,7 +54,8 @@ class PlaceReader {
     return reading_.mention_of(said->target) ? none : said->target;
   }
   void read_attachment(const Attachment& attachment) {
-    if (attachment.is_denied || attachment.from == none || is_nothing(reading_.phrase(attachment.from))) return;
+    if (attachment.from == none) return;
+    if (attachment.is_denied || is_nothing(reading_.phrase(attachment.from))) return deny(attachment);
     const auto said = reading_.placement(attachment);
     reading_.talk.told_by(said || reading_.owns(attachment)
                               ? reading_.hearing.relation(attachment, place_of(attachment, said))
@@ -62,7 +63,7 @@ class PlaceReader {
     if (!said) {
       if (reading_.owns(attachment)) read_owned(attachment);
       if (is_for_each(attachment))
-        give_each(*reading_.mention_of(attachment.to), reading_.subjects_of(attachment));
+        give_and_tie(attachment);
       return;
     }
     if (said->placement->inverse) return read_inverse(attachment, *said);
@@ -73,6 +74,57 @@ class PlaceReader {
     if (said->target == none) return relate_to_implied(subjects, *said->placement);
     read_target(attachment, *said, subjects);
   }
+  // "not next to the window", "none of them in the corner": it is known where they are not.
+  void deny(const Attachment& attachment) {
+    const auto said = reading_.placement(attachment);
+    if (!said || said->placement->inverse || said->placement->flank || said->target == none) return;
+    const Indices things = denied_things(attachment);
+    const std::string part = part_denied(said->target);
+    const auto target = reading_.mention_of(said->target);
+    if (things.empty() || (!target && part.empty())) return;
+    const std::size_t heard = reading_.hearing.relation(attachment, target ? none : said->target);
+    auto& words = reading_.brief.heard[heard].tokens;
+    words.begin = std::min(words.begin, negation_before(attachment));
+    for (const std::size_t thing : things)
+      if (thing != target) {
+        const RelationKind kind = said->placement->relations.front();
+        reading_.brief.denials.push_back({thing, kind, target.value_or(no_mention), part, heard});
+        keep_away(thing, kind, target, part);
+      }
+  }
+  // What is not near is planned far.
+  void keep_away(std::size_t thing, RelationKind kind, std::optional<std::size_t> target, const std::string& part) {
+    if (kind != RelationKind::near && kind != RelationKind::next_to && kind != RelationKind::side_of) return;
+    Demand away{RelationKind::far, target.value_or(Demand::none), part, false};
+    away.is_means = true;
+    reading_.talk.add(thing, away);
+  }
+  Indices denied_things(const Attachment& attachment) const {
+    if (!is_nothing(reading_.phrase(attachment.from))) return reading_.subjects_of(attachment);
+    if (!reading_.is_word(reading_.phrase(attachment.from).head, "none")) return {};  // "nothing in front of it"
+    for (const Attachment& one : reading_.parse.attachments)
+      if (one.from == attachment.from && one.relation == "of" && one.to != none)
+        if (Indices all = reading_.all_of(one.to); !all.empty()) return all;
+    return reading_.all_of(attachment.from);
+  }
+  // "not", "never", "none of them": the first token of what denies.
+  std::uint32_t negation_before(const Attachment& attachment) const {
+    constexpr std::uint32_t farthest = 4;
+    const NounPhrase& from = reading_.phrase(attachment.from);
+    if (is_nothing(from)) return from.tokens.begin;
+    const auto first = attachment.tokens.begin;
+    for (std::uint32_t n = 1; n <= std::min(farthest, first); ++n)
+      if (reading_.words.negations.count(reading_.word(first - n))) return first - n;
+    return first;
+  }
+  // The part of the room that a phrase names, as the ledger checks it.
+  std::string part_denied(std::int32_t target) const {
+    const auto place = read_place(reading_.text.plain, reading_.phrase(target).tokens.begin, reading_.words);
+    if (!place) return "";
+    if (place->place == Place::window) return "window-0";
+    if (place->place == Place::door) return "door-0";
+    return place->place == Place::wall && place->wall >= 0 ? "wall-" + std::to_string(place->wall) : "";
+  }
   // "nothing in front of them"
   static bool is_nothing(const NounPhrase& phrase) { return phrase.is_pronoun && phrase.is_denied; }
   // "a stool for each potter's wheel", "one chair per desk"
@@ -81,6 +133,22 @@ class PlaceReader {
     return attachment.relation == "per" ||
            (attachment.relation == "for" &&
             reading_.phrase(attachment.to).determiner == Determiner::each);
+  }
+  // Nothing is said of where they are: by those that they are for.
+  void give_and_tie(const Attachment& attachment) {
+    const std::size_t owner = *reading_.mention_of(attachment.to);
+    const Indices things = reading_.subjects_of(attachment);
+    reading_.talk.told_by(reading_.hearing.relation(attachment, none));
+    give_each(owner, things);
+    for (const std::size_t thing : things) {
+      if (thing == owner) continue;
+      reading_.talk.own(owner, thing, true);
+      if (!is_tied(thing, owner)) reading_.talk.add(thing, {RelationKind::near, owner, "", false});
+    }
+  }
+  bool is_tied(std::size_t thing, std::size_t owner) const {
+    const auto& demands = reading_.talk.mention(thing).demands;
+    return std::any_of(demands.begin(), demands.end(), [&](const Demand& demand) { return demand.mention == owner; });
   }
   // "left", "right end": the side that a phrase names, as the placement "left of" has it.
   const Placement* side_named(const NounPhrase& phrase) const {
@@ -154,9 +222,12 @@ class PlaceReader {
     const int number = place.place == Place::corner   ? corners
                        : place.place == Place::window ? std::max(2, reading_.brief.windows.value_or(0))
                                                       : 1;
+    const char* name = place.place == Place::corner ? "corner" : place.place == Place::window ? "window" : "";
     for (const std::size_t thing : things)
-      if (number > 1 && reading_.talk.mention(thing).quantity == 1 && given_.insert(thing).second)
+      if (number > 1 && reading_.talk.mention(thing).quantity == 1 && given_.insert(thing).second) {
+        reading_.brief.shared_out.push_back({thing, no_mention, name, 1, reading_.talk.told()});
         reading_.talk.multiply(thing, number);
+      }
   }
   // "eight chairs on either side" are sixteen, but "two lamps on either side" are two; "two chairs on each side" of a
   // table are four.
@@ -243,8 +314,23 @@ class PlaceReader {
   // were said of one.
   void give_each(std::size_t owner, const Indices& things) {
     for (const std::size_t thing : things)
-      if (thing != owner && reading_.talk.mention(thing).part_of != owner && given_.insert(thing).second)
+      if (thing != owner && reading_.talk.mention(thing).part_of != owner && given_.insert(thing).second) {
+        const int count = std::max(1, reading_.talk.mention(thing).quantity);
+        reading_.brief.shared_out.push_back({thing, owner, "", count, reading_.talk.told()});
         reading_.talk.multiply(thing, number_of(owner));
+        give_what_carries(owner, thing);
+      }
+  }
+  // "each desk has a lamp on a shelf": as many shelves.
+  void give_what_carries(std::size_t owner, std::size_t thing) {
+    for (const Attachment& attachment : reading_.parse.attachments) {
+      const auto& said = reading_.placement(attachment);
+      if (attachment.from == none || reading_.mention_of(attachment.from) != thing || !said || said->target == none ||
+          said->placement->relations.front() != RelationKind::on || reading_.phrase(said->target).determiner != Determiner::indefinite)
+        continue;
+      const auto carrier = reading_.mention_of(said->target);
+      if (carrier && *carrier != owner && reading_.talk.mention(*carrier).quantity == 1) give_each(owner, {*carrier});
+    }
   }
   int number_of(std::size_t owner) const {
     int number = 0;

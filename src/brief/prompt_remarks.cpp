@@ -29,6 +29,9 @@ bool tells_what_nothing_shows(const std::string& word) {
 
 // Whether words that say where something is said it of anything: "in winter" does not.
 bool is_said_of_anything(const Brief& brief, std::size_t heard) {
+  const auto says = [&](const auto& one) { return one.heard == heard; };
+  if (std::any_of(brief.denials.begin(), brief.denials.end(), says) || std::any_of(brief.shared_out.begin(), brief.shared_out.end(), says))
+    return true;
   return std::any_of(brief.mentions.begin(), brief.mentions.end(), [&](const Mention& mention) {
     return mention.mount_heard == heard || mention.formation_heard == heard ||
            std::any_of(mention.demands.begin(), mention.demands.end(),

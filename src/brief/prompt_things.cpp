@@ -4,6 +4,7 @@
 
 #include "language/inflection.h"
 #include "language/lexicon.h"
+#include "prompt_limits.h"
 #include "prompt_pronouns.h"
 #include "roomgen/base/text.h"
 #include "scene/finish_words.h"
@@ -44,9 +45,13 @@ class ThingReader {
     }
     ThingPhrase& thing = reading_.things[number];
     if (thing.kind.length == 0) name_by_what_it_holds(id, thing);
+    if (acts_as_person(id)) {
+      hear(reading_.brief, {said.tokens.begin, said.head + 1}, Heard::As::person);
+      return;
+    }
     if (thing.kind.length == 0 && reading_.is_somebody(said))
       hear(reading_.brief, {said.tokens.begin, said.head + 1}, Heard::As::person);
-    if (said.is_denied) return exclude(id, thing);
+    if (said.is_denied && !is_denied_place(id)) return exclude(id, thing);
     if ((thing.kind.length == 0 || thing.kind.is_inferred()) && names_occupants(said)) {
       occupants_.push_back(id);
       return;
@@ -88,6 +93,17 @@ class ThingReader {
         }
     }
   }
+  // "the speaker bangs a hammer": who does something to something is no thing where the word may mean a person.
+  bool acts_as_person(std::int32_t id) const {
+    const std::string noun = language::singular(reading_.word(reading_.phrase(id).head));
+    if (!language::lexicon().may_be(noun, language::WordClass::person)) return false;
+    return std::any_of(reading_.parse.verbs.begin(), reading_.parse.verbs.end(), [&](const auto& verb) {
+      const std::string& word = reading_.word(verb.tokens.end - 1);
+      return verb.subject == id && verb.object != none && verb.kind == language::VerbPhrase::Kind::finite && !verb.is_passive &&
+             !reading_.words.verbs.count(word) && !reading_.words.stops.count(word) && !reading_.words.placements.count(word) &&
+             verb.base != "have" && verb.base != "be";
+    });
+  }
   // "three rows of five seats"
   void read_rows(std::int32_t id, std::size_t mention) {
     for (const Attachment& attachment : reading_.parse.attachments) {
@@ -109,11 +125,15 @@ class ThingReader {
     return number.is_pronoun && number.count >= 1 && !reading_.talk.mention(mention).counted &&
            mention + 1 == reading_.talk.count() && reading_.phrase(id).is_plural;
   }
+  // An umbrella bucket is one thing, a bed desk two.
+  bool is_furniture(const Kind& kind) const {
+    return kind.mount == Mount::floor && reading_.text.table.is_any_of(kind.name, {"seat", "table", "storage", "bed"});
+  }
   // "bed desk wardrobe": things of their own, though they stand like "oak" before the last.
   void read_listed_without_commas(const NounPhrase& said, const ThingPhrase& last) {
     for (std::uint32_t i = said.tokens.begin; i + last.kind.length <= said.head;) {
       const KindMention kind = mention_at(reading_.text.table, reading_.text.plain, i);
-      if (kind.length > 0 && kind.category->mount == Mount::floor &&
+      if (kind.length > 0 && is_furniture(*kind.category) &&
           !reading_.words.materials.count(kind.name)) {
         ThingPhrase thing;
         thing.kind = kind;
@@ -135,10 +155,17 @@ class ThingReader {
   }
   // "in two columns of four"
   bool is_formation(std::int32_t id) const {
-    if (!reading_.words.rows.count(reading_.word(reading_.phrase(id).head))) return false;
+    const std::string& noun = reading_.word(reading_.phrase(id).head);
+    const bool is_row = reading_.words.rows.count(noun) > 0;
+    if (!is_row && !reading_.words.groups.count(noun)) return false;
     return std::any_of(reading_.parse.attachments.begin(), reading_.parse.attachments.end(), [&](const Attachment& one) {
-      return (one.to == id && one.relation == "in") || (one.from == id && one.relation == "of");
+      if (one.from == id && one.relation == "of") return is_row || is_number(one.to);
+      return one.to == id && one.relation == "in" && is_row;
     });
+  }
+  // "blocks of four"
+  bool is_number(std::int32_t id) const {
+    return id != none && reading_.phrase(id).is_pronoun && reading_.phrase(id).count > 0;
   }
   // "relatives who argue about football", "light strips like a racing grid", "if I see a desk"
   bool is_talked_about(std::int32_t id) const {
@@ -156,9 +183,10 @@ class ThingReader {
       if (!finish_words().describes(reading_.word(i))) return false;
     return true;
   }
-  // "glass" alone, without an article, is what something is made of.
+  // "glass" alone, without an article, is what something is made of, and "the glass" of which nothing was said before
+  // is a pane.
   bool is_bare_material(const ThingPhrase& thing) const {
-    return !thing.article && !thing.definite && !thing.kind.plural &&
+    return !thing.article && !(thing.definite && reading_.talk.known(thing)) && !thing.kind.plural &&
            reading_.words.materials.count(thing.kind.name) > 0;
   }
   // "soft light filters through": no lamp.
@@ -277,6 +305,8 @@ class ThingReader {
     ThingPhrase own = thing;
     // "one mirror per chair": of the chairs that are there
     if (!thing.article && is_shared_out(id)) own.definite = true;
+    // "between sofa and console": in the manner of notes
+    if (!thing.article && !thing.kind.plural && thing.modifiers.empty() && is_target(id)) own.definite = true;
     if (is_of_somebody_else(id, thing)) own.definite = false, own.article = true;
     return reading_.talk.refer(own, reading_.sentence_of(reading_.phrase(id).head));
   }
@@ -334,7 +364,14 @@ class ThingReader {
     return has_place ? pronouns_.topic_before(id) : std::nullopt;
   }
 
+  // "not next to the sofa": the sofa is there.
+  bool is_denied_place(std::int32_t id) const {
+    return reading_.phrase(id).determiner == Determiner::definite &&
+           std::any_of(reading_.parse.attachments.begin(), reading_.parse.attachments.end(),
+                       [&](const Attachment& one) { return one.to == id && one.is_denied && reading_.placement(one); });
+  }
   void exclude(std::int32_t id, const ThingPhrase& thing) {
+    if (denies_others(reading_, reading_.phrase(id))) return;
     const std::string& noun = reading_.word(reading_.phrase(id).head);
     if (noun == "window" || noun == "windows") {
       reading_.brief.windows = 0;

@@ -77,7 +77,7 @@ Result<Vocabulary> parse_vocabulary(std::string_view text, const std::string& so
   JsonReader::Problems problems(source);
   const JsonReader root(*json, problems);
   root.allow_only({"about",         "numbers",        "vague",    "definite",     "negations",
-                   "only",          "measured",       "distances", "stops",    "parts",        "no things",
+                   "limits", "exceptions", "anything",          "measured",       "distances", "stops",    "parts",        "no things",
                    "materials",     "sizes",          "people",   "people words", "room words",
                    "generic rooms", "parts of rooms", "walls",    "placements",   "pairs",
                    "verbs",         "tops",           "portions", "built in", "asking",     "further",  "shares", "groups", "rows", "palette frames"});
@@ -92,6 +92,8 @@ Result<Vocabulary> parse_vocabulary(std::string_view text, const std::string& so
   for (const auto& [word, part] : root["parts of rooms"].members())
     words.room_parts[word] = part.text();
   for (const auto& [word, share] : root["shares"].members()) words.shares[word] = share.text();
+  for (const auto& [word, meaning] : root["limits"].members()) words.limits[word] = meaning.text();
+  for (const auto& word : read_set(root["exceptions"])) words.exceptions[word] = true;
   for (const auto& relation : relation_definitions())
     if (relation.has(RelationDefinition::in_prompts)) words.placements[std::string(relation.name())].relations = {relation.kind};
   for (const auto& [phrase, relations] : root["placements"].members())
@@ -99,7 +101,7 @@ Result<Vocabulary> parse_vocabulary(std::string_view text, const std::string& so
   const std::pair<const char*, WordSet*> sets[] = {{"vague", &words.vague},
                                                    {"definite", &words.definite},
                                                    {"negations", &words.negations},
-                                                   {"only", &words.only},
+                                                   {"anything", &words.anything},
                                                    {"measured", &words.measured},
                                                    {"distances", &words.distances},
                                                    {"stops", &words.stops},

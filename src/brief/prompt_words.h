@@ -35,6 +35,8 @@ struct Vocabulary {
   std::map<std::string, int, std::less<>> numbers, people, walls;
   std::map<std::string, Vec3, std::less<>> sizes;
   std::map<std::string, std::string, std::less<>> room_parts, shares;
+  std::map<std::string, std::string, std::less<>> limits;  ///< "nothing else", "nothing but": else, but, only, nothing
+  std::map<std::string, bool, std::less<>> exceptions;     ///< "except", "but"
   std::map<std::string, Placement, std::less<>> placements;
   WordSet pairs;     ///< one thing though a plural: "headphones", "a pair of scissors"
   WordSet verbs;     ///< finite: what stands before begins a clause
@@ -46,8 +48,9 @@ struct Vocabulary {
   WordSet palette_frames;  ///< around colours that are said of no thing: "accents", "shades"
   WordSet further;   ///< "extra towels": besides those spoken of
   WordSet asking;    ///< "create", "add": verbs that only ask for something
+  WordSet anything;  ///< "furniture", "things": whatever there is
   WordSet built_in;  ///< what is so is no thing of its own
-  WordSet vague, definite, negations, only, measured, stops, parts, no_things, materials,
+  WordSet vague, definite, negations, measured, stops, parts, no_things, materials,
       people_words, room_words, generic_rooms;
 };
 

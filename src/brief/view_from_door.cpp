@@ -36,6 +36,18 @@ std::vector<Run> views_from_door(PromptReading& reading) {
   return views;
 }
 
+bool tells_sides_from_door(const PromptReading& reading) {
+  static const WordSet sides = {"left", "right", "back", "rear", "far", "front"},
+                       parts = {"wall", "walls", "side", "corner", "corners", "half", "third", "part"};
+  constexpr std::uint32_t farthest = 2;  // "left hand side"
+  for (std::uint32_t i = 0; i < reading.text.plain.size(); ++i) {
+    if (!sides.count(reading.word(i))) continue;
+    for (auto next = i + 1; next <= i + farthest && next < reading.text.plain.size(); ++next)
+      if (parts.count(reading.word(next))) return true;
+  }
+  return false;
+}
+
 std::string half_at(int wall) {
   return wall == left_wall ? "west-half" : "east-half";
 }

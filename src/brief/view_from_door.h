@@ -14,6 +14,9 @@ inline constexpr int left_wall = 3, right_wall = 1;
 std::vector<language::Run> views_from_door(PromptReading& reading);
 
 /// The half of the room at a wall.
+/// "the back wall", "in the left half", "far corner": sides as who comes in sees them, not those of a map.
+bool tells_sides_from_door(const PromptReading& reading);
+
 std::string half_at(int wall);
 
 }  // namespace roomgen::design

@@ -133,7 +133,7 @@ RoomOpenings openings_of(const Json& room, const RoomKind& kind, const Brief& br
                                                    : std::nullopt;
   const auto said = brief.windows ? brief.windows : answered;
   const int windows = std::clamp(said.value_or(usual), 0, max_windows);
-  return {windows, said.has_value(), brief.wide_windows, brief.openings};
+  return {windows, said.has_value(), brief.wide_windows, brief.openings, brief.told_from_door};
 }
 
 Room given_room(const PlanRequest& request, const RoomKind& kind,

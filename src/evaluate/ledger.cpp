@@ -5,10 +5,12 @@
 #include <nlohmann/json.hpp>
 
 #include "finding.h"
+#include "each_clause.h"
 #include "formation_clause.h"
 #include "identity.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
+#include "only_clause.h"
 #include "room_clause.h"
 #include "scene/judgement.h"
 #include "scene/mount_attribute.h"
@@ -38,7 +40,8 @@ class Checker {
   Finding check(const Requirement& requirement) const {
     Finding finding = check_clause(requirement);
     const bool is_of_things =
-        requirement.kind == Requirement::Kind::attribute || requirement.kind == Requirement::Kind::relation;
+        requirement.kind == Requirement::Kind::attribute || requirement.kind == Requirement::Kind::relation ||
+        requirement.kind == Requirement::Kind::each;
     if (!is_of_things || finding.compliance != Compliance::met) return finding;
     const auto doubtful = [&](const std::string& id) { return is_doubtful(id); };
     const auto subject = std::find_if(requirement.subjects.begin(), requirement.subjects.end(), doubtful);
@@ -75,8 +78,14 @@ class Checker {
                     [&](const Object& object) { return judge_attribute(requirement, object); });
       case Requirement::Kind::relation:
         return each(requirement, [&](const Object& object) {
-          return by_fault(relation_fault(requirement, object));
+          return by_fault(requirement.denied ? denial_fault(requirement, object) : relation_fault(requirement, object));
         });
+      case Requirement::Kind::each:
+        return judge_each(requirement);
+      case Requirement::Kind::only:
+        return by_fault(other_fault(requirement, scene_, [&](const Object& object) {
+          return categories_.is_a(object.category, requirement.category) || is_shown_to_be(object, requirement.category);
+        }));
       case Requirement::Kind::absence:
         return judge_absence(requirement);
       case Requirement::Kind::room:
@@ -274,20 +283,46 @@ class Checker {
     return false;
   }
 
+  bool holds(RelationKind relation, const Object& object, const std::string& target) const {
+    if (relation == RelationKind::on && object.on == target) return true;
+    Object asked = object;
+    // Alignment depends on what else is asked of the same target.
+    std::erase_if(asked.relations, [&](const Relation& other) { return other.target != target; });
+    asked.relations.push_back({relation, target});
+    const auto resolved = resolve(asked, scene_.room, scene_.objects, categories_);
+    return judge(resolved.back(), {footprint(object), bottom(object), top(object)}, scene_.room).held;
+  }
+
+  std::string denial_fault(const Requirement& requirement, const Object& object) const {
+    for (const auto& target : requirement.targets)
+      if (holds(requirement.relation, object, target))
+        return "is " + std::string(name(requirement.relation)) + " " + target;
+    return "";
+  }
+
+  // "a lamp on each desk", "a plant in each corner"
+  Finding judge_each(const Requirement& requirement) const {
+    std::vector<const Object*> things;
+    for (const auto& id : requirement.subjects)
+      if (const Object* object = find_object(scene_, id)) things.push_back(object);
+    if (requirement.relation == RelationKind::corner)
+      return by_fault(corners_fault(things, scene_.room, requirement.count, [&](const Object& object) {
+        return holds(RelationKind::corner, object, "");
+      }));
+    std::vector<std::string> owners;
+    for (const auto& id : requirement.targets)
+      if (find_object(scene_, id) || find_opening(scene_.room, id)) owners.push_back(id);
+    return by_fault(each_fault(things, owners, requirement.count, [&](const Object& object, const std::string& owner) {
+      return holds(requirement.relation, object, owner);
+    }));
+  }
+
   std::string relation_fault(const Requirement& requirement, const Object& object) const {
     if (requirement.relation == RelationKind::between)
       return is_between(requirement.targets, object)
                  ? ""
                  : "is not between " + join(requirement.targets, " and ");
-    const auto holds = [&](const std::string& target) {
-      if (requirement.relation == RelationKind::on && object.on == target) return true;
-      Object asked = object;
-      // Alignment depends on what else is asked of the same target.
-      std::erase_if(asked.relations, [&](const Relation& other) { return other.target != target; });
-      asked.relations.push_back({requirement.relation, target});
-      const auto resolved = resolve(asked, scene_.room, scene_.objects, categories_);
-      return judge(resolved.back(), {footprint(object), bottom(object), top(object)}, scene_.room).held;
-    };
+    const auto holds = [&](const std::string& target) { return this->holds(requirement.relation, object, target); };
     const auto& targets = requirement.targets;
     if (targets.empty() ? holds("") : std::any_of(targets.begin(), targets.end(), holds)) return "";
     return "is not " + std::string(name(requirement.relation)) +

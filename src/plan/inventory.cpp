@@ -84,7 +84,14 @@ class Completion {
   }
 
   bool excluded(const std::string& category) const {
-    return table_.is_any_of(category, brief_.excluded);
+    return table_.is_any_of(category, brief_.excluded) ||
+           std::any_of(brief_.limits.begin(), brief_.limits.end(), [&](const Limit& limit) { return is_barred(category, limit); });
+  }
+  // "no other chairs", "nothing else on the desk", "nothing on the walls": where small things would stand nobody knows yet.
+  bool is_barred(const std::string& category, const Limit& limit) const {
+    if (!limit.category.empty()) return table_.is_a(category, limit.category);
+    const Mount mount = table_.get(category).mount;
+    return limit.mount ? mount == *limit.mount : limit.on != no_mention && mount == Mount::surface;
   }
 
   // The prompt's own things of this kind, of a kind in which it is, or of its name: who asks for one

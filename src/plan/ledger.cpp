@@ -15,6 +15,12 @@ namespace roomgen::design {
 
 namespace {
 
+// Constraints have the sides of the thing itself, people who look at it those of its front.
+std::string_view as_told(RelationKind kind) {
+  if (kind == RelationKind::left_of) return name(RelationKind::right_of);
+  return name(kind == RelationKind::right_of ? RelationKind::left_of : kind);
+}
+
 constexpr double least_long = 1.5;  ///< ratio of the sides of a "long" room; docs/requirements.md
 
 class Ledger {
@@ -38,6 +44,9 @@ class Ledger {
       formation(i, mention);
       for (const auto& demand : mention.demands) relation(i, mention, demand);
     }
+    for (const auto& share : brief_.shared_out) each(share);
+    for (const auto& denial : brief_.denials) denied(denial);
+    for (const auto& limit : brief_.limits) only(limit);
     for (const auto& category : brief_.excluded) absence(category, "");
     for (const auto& [category, looks] : brief_.excluded_looks) absence(category, looks);
     material("floor", brief_.materials.floor);
@@ -172,7 +181,8 @@ class Ledger {
                         RelationKind kind) {
     Requirement requirement = about(index, mention, Requirement::Kind::relation);
     requirement.relation = kind;
-    requirement.clause = mention.category + " " + std::string(name(kind));
+    const bool is_told = mention.source == Requirement::Source::prompt;
+    requirement.clause = mention.category + " " + std::string(is_told ? as_told(kind) : name(kind));
     if (demand.mention != Demand::none) {
       requirement.targets = with_parts(demand.mention);
       // "the second bench"
@@ -224,6 +234,80 @@ class Ledger {
     }
     requirement.clause = mention.category + " between " + join(names, " and ");
     add(std::move(requirement), words);
+  }
+
+  // --- For each, not there, nothing else ---------------------------------------------------------
+
+  // "a lamp on each desk": with what is said of where the lamps are.
+  void each(const SharedOut& share) {
+    const Mention& mention = brief_.mentions[share.thing];
+    Requirement requirement = about(share.thing, mention, Requirement::Kind::each);
+    requirement.subjects = with_parts(share.thing);
+    requirement.count = share.count;
+    requirement.relation = relation_of(mention, share);
+    requirement.targets = share.owner != no_mention ? with_parts(share.owner) : parts_called(share.place);
+    const std::string owner = share.owner != no_mention ? brief_.mentions[share.owner].category : share.place;
+    requirement.clause = (share.count == 1 ? "a" : std::to_string(share.count)) + " " + mention.category + " " +
+                         std::string(as_told(requirement.relation)) + " each " + owner;
+    std::vector<std::size_t> words = words_of(mention, Heard::As::thing);
+    words.push_back(share.heard);
+    add(std::move(requirement), words);
+  }
+  static RelationKind relation_of(const Mention& mention, const SharedOut& share) {
+    if (share.place == "corner") return RelationKind::corner;
+    for (const auto& demand : mention.demands)
+      if (share.owner != no_mention && demand.mention == share.owner && !demand.is_means && demand.said_of == Demand::none)
+        return demand.said.value_or(demand.kind);
+    return RelationKind::near;
+  }
+  std::vector<std::string> parts_called(const std::string& place) const {
+    if (place == "corner") return {place};
+    std::vector<std::string> ids;
+    for (const auto& opening : room_.openings)
+      if (opening.is_entrance() == (place == "door")) ids.push_back(opening.id);
+    return ids;
+  }
+
+  void denied(const Denial& denial) {
+    Requirement requirement = about(denial.thing, brief_.mentions[denial.thing], Requirement::Kind::relation);
+    requirement.subjects = with_parts(denial.thing);
+    requirement.relation = denial.kind;
+    requirement.denied = true;
+    const bool is_thing = denial.target != no_mention;
+    requirement.targets = is_thing ? with_parts(denial.target) : std::vector<std::string>{part_of(room_, denial.part)};
+    requirement.clause = requirement.category + " not " + std::string(name(denial.kind)) + " " +
+                         (is_thing ? brief_.mentions[denial.target].category : denial.part);
+    add(std::move(requirement), {denial.heard});
+  }
+
+  void only(const Limit& limit) {
+    Requirement requirement;
+    requirement.kind = Requirement::Kind::only;
+    requirement.category = limit.category;
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < brief_.mentions.size(); ++i) {
+      if (!is_within(i, limit)) continue;
+      for (const auto& id : ids_[i]) requirement.subjects.push_back(id);
+      if (brief_.mentions[i].part_of == Demand::none) names.push_back(brief_.mentions[i].category);
+    }
+    if (limit.on != no_mention) requirement.targets = with_parts(limit.on);
+    if (limit.mount) requirement.attribute = std::string(mount_attribute).append(name(*limit.mount));
+    const bool is_list = !limit.allowed.empty();
+    requirement.clause = !limit.category.empty() ? "no other " + limit.category
+                         : limit.is_nothing      ? "nothing"
+                         : is_list               ? "nothing but " + join(names, ", ")
+                                                 : "nothing else";
+    if (limit.on != no_mention) requirement.clause += " on " + brief_.mentions[limit.on].category;
+    if (limit.mount) requirement.clause += " on the " + std::string(name(*limit.mount));
+    add(std::move(requirement), {limit.heard});
+  }
+  // What is there: of a room all that the prompt asks for, of a list those that it names.
+  bool is_within(std::size_t index, const Limit& limit) const {
+    if (limit.is_nothing) return false;
+    if (limit.is_of_room() || !limit.category.empty()) return true;
+    const std::size_t whole = brief_.mentions[index].part_of;
+    return std::any_of(limit.allowed.begin(), limit.allowed.end(),
+                       [&](std::size_t one) { return one == index || one == whole; });
   }
 
   void material(const std::string& part, const std::string& said) {

@@ -95,7 +95,7 @@ class Planner {
   }
 
   RoomOpenings openings(Random random) const {
-    return {window_count(random), brief_.windows.has_value(), brief_.wide_windows, brief_.openings};
+    return {window_count(random), brief_.windows.has_value(), brief_.wide_windows, brief_.openings, brief_.told_from_door};
   }
 
   int window_count(Random random) const {

@@ -27,7 +27,7 @@ class RoomNeeds {
 
   /// A door in a wall that is drawn, bays and windows.
   void add_usual(const RoomOpenings& openings, Random& random) {
-    add_door(random);
+    add_door(openings, random);
     const std::size_t door_wall = needs_.front().walls.front();
     // Of walls that suit equally well those that come first, going round from the door.
     const std::size_t n = walls_.size(), step = random.chance(0.5) ? 1 : n - 1;
@@ -63,9 +63,10 @@ class RoomNeeds {
   const std::vector<OpeningNeed>& all() const { return needs_; }
 
  private:
-  void add_door(Random& random) {
+  void add_door(const RoomOpenings& openings, Random& random) {
     OpeningNeed need = usual_door(kind_, room_.height);
-    const auto walls = door_walls(need);
+    auto walls = door_walls(need);
+    if (openings.front_door) keep_front(walls);
     squeeze(need, walls_);
     if (kind_.door_on_long_side) {
       // Balconies are entered through the middle of the wall of the dwelling.
@@ -77,6 +78,13 @@ class RoomNeeds {
       need.middles = {end, 1.0 - end, 0.5};
     }
     needs_.push_back(std::move(need));
+  }
+
+  void keep_front(std::vector<std::size_t>& walls) const {
+    std::vector<std::size_t> front;
+    for (const std::size_t wall : walls_on_side(room_.polygon, 0))
+      if (std::find(walls.begin(), walls.end(), wall) != walls.end()) front.push_back(wall);
+    if (!front.empty()) walls = std::move(front);
   }
 
   // Walls that take a door and before which there is room for it; the longest ones if none does.

@@ -16,7 +16,8 @@ struct RoomOpenings {
   int windows = 0;              ///< as the room's kind has them
   bool counted = false;         ///< somebody asked for so many
   bool wide = false;            ///< wider than usual
-  std::vector<OpeningWish> wishes;   ///< for what the prompt says more of
+  std::vector<OpeningWish> wishes = {};   ///< for what the prompt says more of
+  bool front_door = false;      ///< in the front wall, where there is room for it there
 };
 
 /// Gives a room without openings what its kind has and what is wished for, in walls of any outline; `glazed`

@@ -22,7 +22,9 @@ constexpr std::pair<Requirement::Kind, std::string_view> kinds[] = {
     {Requirement::Kind::attribute, "attribute"},
     {Requirement::Kind::relation, "relation"},
     {Requirement::Kind::absence, "absence"},
-    {Requirement::Kind::room, "room"}};
+    {Requirement::Kind::room, "room"},
+    {Requirement::Kind::each, "each"},
+    {Requirement::Kind::only, "only"}};
 constexpr std::pair<Requirement::Source, std::string_view> sources[] = {
     {Requirement::Source::prompt, "prompt"},
     {Requirement::Source::model, "model"},
@@ -75,9 +77,10 @@ Requirement read_members(const JsonReader& json) {
   requirement.most = static_cast<int>(json["most"].integer_or(0, 0, max_count));
   requirement.at_least = json["at_least"].boolean_or(false);
   requirement.at_most = json["at_most"].boolean_or(false);
+  requirement.denied = json["denied"].boolean_or(false);
   requirement.attribute = json["attribute"].text_or("", 200);
   requirement.amount = json["amount"].number_or(0.0, 0.0, 1e6);
-  if (requirement.kind == Requirement::Kind::relation)
+  if (requirement.kind == Requirement::Kind::relation || requirement.kind == Requirement::Kind::each)
     requirement.relation = read_relation(json["relation"]).value_or(RelationKind::near);
   requirement.targets = read_ids(json["targets"]);
   requirement.room = json["room"].text_or("", 200);
@@ -136,6 +139,16 @@ Json to_json(const Requirement& requirement) {
       break;
     case Requirement::Kind::relation:
       json["relation"] = name(requirement.relation);
+      if (requirement.denied) json["denied"] = true;
+      if (!requirement.targets.empty()) json["targets"] = requirement.targets;
+      break;
+    case Requirement::Kind::each:
+      json["count"] = requirement.count;
+      json["relation"] = name(requirement.relation);
+      json["targets"] = requirement.targets;
+      break;
+    case Requirement::Kind::only:
+      if (!requirement.attribute.empty()) json["attribute"] = requirement.attribute;
       if (!requirement.targets.empty()) json["targets"] = requirement.targets;
       break;
     case Requirement::Kind::room:
@@ -162,13 +175,13 @@ Json to_json(const RequirementVerdict& verdict) {
 
 Requirement read_requirement(const JsonReader& json) {
   json.allow_only({"id", "clause", "kind", "source", "category", "subjects", "count", "most",
-                   "at_least", "at_most", "attribute", "amount", "relation", "targets", "room"});
+                   "at_least", "at_most", "denied", "attribute", "amount", "relation", "targets", "room"});
   return read_members(json);
 }
 
 RequirementVerdict read_verdict(const JsonReader& json) {
   json.allow_only({"id", "clause", "kind", "source", "category", "subjects", "count", "most",
-                   "at_least", "at_most", "attribute", "amount", "relation", "targets", "room", "verdict", "met",
+                   "at_least", "at_most", "denied", "attribute", "amount", "relation", "targets", "room", "verdict", "met",
                    "reason"});
   RequirementVerdict verdict;
   verdict.requirement = read_members(json);

@@ -78,6 +78,11 @@ bool is_overruled(const Requirement& requirement, const Draft& draft) {
     return std::any_of(draft.new_categories.begin(), draft.new_categories.end(), [&](const std::string& category) {
       return draft.shop.kinds().is_a(category, requirement.category);
     });
+  // What an edit brings is no breach of what the prompt wanted alone.
+  if (requirement.kind == Requirement::Kind::only)
+    return std::any_of(draft.new_categories.begin(), draft.new_categories.end(), [&](const std::string& category) {
+      return requirement.category.empty() || draft.shop.kinds().is_a(category, requirement.category);
+    });
   if (requirement.kind == Requirement::Kind::attribute && requirement.subjects.empty())
     return draft.new_categories.count(requirement.category) > 0;
   return has_any(requirement.subjects, draft.named);

@@ -19,6 +19,8 @@ struct Requirement {
     relation,   ///< its things stand so to others or to a part of the room
     absence,    ///< no such things
     room,       ///< the room itself: its kind, its sides, its height, how many windows
+    each,       ///< so many of its things for each of the targets, each its own
+    only,       ///< nothing but its things: of a kind, on a target, or at all
   };
   /// Who asked for it.
   enum class Source { prompt, model, edit, person, activity };
@@ -29,10 +31,11 @@ struct Requirement {
   std::string clause;                 ///< for people: "two nightstands", "laptop on desk"
   std::string category;               ///< of the things that it is about
   std::vector<std::string> subjects;  ///< their ids, as the plan has them
-  int count = 1;                      ///< of Kind::count
+  int count = 1;                      ///< of Kind::count; of Kind::each for each
   int most = 0;                       ///< of Kind::count: "8 to 12" has 8 and 12; 0: just `count`
   bool at_least = false;              ///< more are as good
   bool at_most = false;               ///< fewer or less are as good
+  bool denied = false;                ///< of Kind::relation: none of its things stands so
   std::string attribute;              ///< of Kind::attribute, a word; of Kind::room what of it, as
                                       ///< docs/requirements.md lists them
   double amount = 0.0;                ///< of Kind::room: metres, square metres, a number; of a
