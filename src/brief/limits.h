@@ -21,6 +21,7 @@ struct SharedOut {
   std::size_t owner = no_mention;  ///< none where it is a part of the room
   std::string place;               ///< "corner", "window", "door"
   int count = 1;                   ///< for each
+  std::size_t word = no_mention;   ///< of Brief::heard: "each" itself
   std::size_t heard = no_mention;
 };
 

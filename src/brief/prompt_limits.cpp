@@ -240,12 +240,31 @@ class LimitReader {
 
 void read_limits(PromptReading& reading) { LimitReader(reading).run(); }
 
+namespace {
+
+// "each desk is white", "each other", "each 2 m high": of all of them, or said of what is read with the words around it.
+bool says_nothing_more(const PromptReading& reading, std::uint32_t each, const std::vector<bool>& heard) {
+  const auto next = each + 1;
+  if (next >= heard.size() || heard[next] || reading.is_word(next, "other") || reading.is_word(next, "of")) return true;
+  const std::string& word = reading.word(next);
+  if (reading.words.portions.count(word) || reading.words.shares.count(word) || reading.words.room_parts.count(word)) return true;
+  return std::any_of(reading.parse.phrases.begin(), reading.parse.phrases.end(), [&](const NounPhrase& said) {
+    const auto mention = reading.mentions[static_cast<std::size_t>(&said - reading.parse.phrases.data())];
+    return said.tokens.begin <= each && each < said.tokens.end && mention && reading.talk.mention(*mention).quantity != 1;
+  });
+}
+
+}  // namespace
+
 void note_lost_limits(PromptReading& reading) {
+  static const WordSet sharing = {"each", "every", "per"};
   const std::vector<bool> heard = reading.heard_tokens();
   for (std::uint32_t i = 0; i < heard.size(); ++i) {
+    if (heard[i]) continue;
     const auto match = longest(reading.words.limits, reading.text.plain, i, 1);
-    const bool is_only = match && *match.value == "only" && !reading.is_word(i, "just");
-    if (is_only && !heard[i] && !(i > 0 && reading.is_word(i - 1, "not"))) hear(reading.brief, {i, i + 1}, Heard::As::not_understood);
+    const bool is_only = match && *match.value == "only" && !reading.is_word(i, "just") && !(i > 0 && reading.is_word(i - 1, "not"));
+    if (is_only || (sharing.count(reading.word(i)) && !says_nothing_more(reading, i, heard)))
+      hear(reading.brief, {i, i + 1}, Heard::As::not_understood);
   }
 }
 

@@ -8,7 +8,7 @@ namespace roomgen::design {
 /// desk", "nothing on the walls except a clock". Things were read before.
 void read_limits(PromptReading& reading);
 
-/// "Only" that no limit came of was not understood.
+/// "Only", "each" and "every" of which nothing came were not understood.
 void note_lost_limits(PromptReading& reading);
 
 /// Whether a noun phrase says "no other", "nothing else": it denies none of the things that are named.

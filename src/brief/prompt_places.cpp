@@ -225,7 +225,7 @@ class PlaceReader {
     const char* name = place.place == Place::corner ? "corner" : place.place == Place::window ? "window" : "";
     for (const std::size_t thing : things)
       if (number > 1 && reading_.talk.mention(thing).quantity == 1 && given_.insert(thing).second) {
-        reading_.brief.shared_out.push_back({thing, no_mention, name, 1, reading_.talk.told()});
+        share(thing, no_mention, name, 1);
         reading_.talk.multiply(thing, number);
       }
   }
@@ -316,10 +316,27 @@ class PlaceReader {
     for (const std::size_t thing : things)
       if (thing != owner && reading_.talk.mention(thing).part_of != owner && given_.insert(thing).second) {
         const int count = std::max(1, reading_.talk.mention(thing).quantity);
-        reading_.brief.shared_out.push_back({thing, owner, "", count, reading_.talk.told()});
+        share(thing, owner, "", count);
         reading_.talk.multiply(thing, number_of(owner));
         give_what_carries(owner, thing);
       }
+  }
+  void share(std::size_t thing, std::size_t owner, const std::string& place, int count) {
+    SharedOut shared;
+    shared.thing = thing, shared.owner = owner, shared.place = place, shared.count = count;
+    shared.heard = reading_.talk.told();
+    if (const auto each = each_around(place_at_); each) shared.word = hear(reading_.brief, {*each, *each + 1}, Heard::As::count);
+    reading_.brief.shared_out.push_back(std::move(shared));
+  }
+  // "each", "every", "per" nearest to what is being read.
+  std::optional<std::uint32_t> each_around(std::uint32_t token) const {
+    constexpr std::uint32_t farthest = 8;
+    const auto is_each = [&](std::uint32_t i) { return reading_.is_word(i, "each") || reading_.is_word(i, "every") || reading_.is_word(i, "per"); };
+    for (std::uint32_t n = 0; n <= farthest; ++n) {
+      if (n <= token && is_each(token - n)) return token - n;
+      if (is_each(token + n)) return token + n;
+    }
+    return std::nullopt;
   }
   // "each desk has a lamp on a shelf": as many shelves.
   void give_what_carries(std::size_t owner, std::size_t thing) {

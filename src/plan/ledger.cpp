@@ -251,6 +251,7 @@ class Ledger {
                          std::string(as_told(requirement.relation)) + " each " + owner;
     std::vector<std::size_t> words = words_of(mention, Heard::As::thing);
     words.push_back(share.heard);
+    words.push_back(share.word);
     add(std::move(requirement), words);
   }
   static RelationKind relation_of(const Mention& mention, const SharedOut& share) {

@@ -114,7 +114,7 @@ TEST_CASE("A plant in each corner is in all four") {
   Scene scene = rooms::scene(rooms::box(4, 5), {});
   const Vec2 corners[] = {{0.2, 0.2}, {3.8, 0.2}, {3.8, 4.8}, {0.2, 4.8}};
   for (int i = 0; i < 4; ++i)
-    scene.objects.push_back(rooms::thing("plant-" + std::to_string(i), "plant", {0.4, 0.4, 1.0}, corners[i]));
+    scene.objects.push_back(rooms::thing("plant-" + std::to_string(i), "plant", {0.4, 0.4, 1.0}, corners[i], i < 2 ? 180.0 : 0.0));
   Requirement asked;
   asked.kind = Requirement::Kind::each;
   asked.category = "plant";
