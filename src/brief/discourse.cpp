@@ -81,12 +81,25 @@ std::optional<std::size_t> Discourse::refer(const ThingPhrase& phrase, int sente
       std::any_of(phrase.modifiers.begin(), phrase.modifiers.end(),
                   [&](const std::string& word) { return lexicon_.words.further.count(word) > 0; });
   if (!further && (!phrase.article || phrase.definite))
-    if (const auto before = known(phrase)) return before;
+    if (const auto before = known(phrase)) {
+      if (!is_other_kind(phrase, *before)) return before;
+      const std::string name = category_name(phrase.kind);
+      for (std::size_t i = made(); i-- > 0;)
+        if (mention(i).category == name) return i;
+    }
   if (count() >= max_mentions) return std::nullopt;
   brief_.mentions.push_back(new_mention(phrase, sentence));
   note_reading(phrase.kind);
   note_bound(phrase);
   return count() - 1;
+}
+
+// "Washer, dryer, shelf": without an article a name of its own is a thing of its own, however near its kind is.
+bool Discourse::is_other_kind(const ThingPhrase& phrase, std::size_t known) const {
+  if (phrase.definite || phrase.kind.length == 0 || phrase.kind.plural) return false;
+  const std::string name = category_name(phrase.kind);
+  const Mention& before = mention(known);
+  return before.category != name && !before.category.ends_with(phrase.kind.name) && !before.noun.ends_with(phrase.kind.name);
 }
 
 // Numbers beyond what is planned of one kind.
