@@ -6,6 +6,7 @@
 #include "finishes.h"
 #include "measures.h"
 #include "prompt_additions.h"
+#include "prompt_colours.h"
 #include "prompt_formations.h"
 #include "prompt_headings.h"
 #include "prompt_limits.h"
@@ -74,6 +75,7 @@ Brief read_prompt(std::string_view prompt, const RoomKinds& kinds, const KindTab
   read_limits(reading);
   for (const auto phrase : people) read_occupants(reading, phrase);
   read_additions(reading);
+  share_colours(reading);
   read_partitions(reading);
   read_formations(reading);
   read_places(reading);

@@ -395,12 +395,23 @@ class PlaceReader {
     if (!thing) return;
     for (const std::size_t owner : reading_.subjects_of(attachment)) {
       if (owner == *thing || reading_.talk.mention(owner).part_of != Demand::none) continue;
+      if (says_each(attachment) && is_told_in_room(attachment.to)) continue;
       if (says_each(attachment) || is_each_behind(reading_.phrase(attachment.to)))
         give_each(owner, reading_.all_of(attachment.to));
       for (const std::size_t one : reading_.all_of(attachment.to))
         reading_.talk.own(owner, one, says_each(attachment), which_of(reading_, attachment.from));
       owner_of_[*thing] = owner;
     }
+  }
+  // "each with a chair, a lego table in the middle": what has its own place in the room is no more of the list.
+  bool is_told_in_room(std::int32_t id) const {
+    return std::any_of(reading_.parse.attachments.begin(), reading_.parse.attachments.end(), [&](const Attachment& one) {
+      const auto& said = reading_.placement(one);
+      if (one.from != id || !said || said->target == none || said->placement->inverse || reading_.mention_of(said->target)) return false;
+      const NounPhrase& target = reading_.phrase(said->target);
+      const auto place = read_place(reading_.text.plain, target.tokens.begin, reading_.words);
+      return place && target.determiner != Determiner::possessive;
+    });
   }
   // Subjects, and what they are some of: none of them is what they stand beside.
   Indices with_kin(const Indices& subjects) const {
@@ -419,7 +430,7 @@ class PlaceReader {
   void relate_to_implied(const Indices& subjects, const Placement& placement) {
     const RelationKind first = placement.relations.front();
     auto target = reading_.talk.antecedent(first, with_kin(subjects));
-    if (is_beside(placement) && !owner_of_.count(subjects.front()) && (!target || is_seen_from_door())) {
+    if (is_beside(placement) && !owner_of_.count(subjects.front()) && (!target || is_seen_from_door() || hangs_over(*target, subjects))) {
       const int wall = first == RelationKind::left_of ? left_wall : right_wall;
       PlacePhrase half;
       half.place = Place::region, half.region = half_at(wall);
@@ -434,6 +445,13 @@ class PlaceReader {
     if (const auto owner = owner_of_.find(subjects.front()); owner != owner_of_.end())
       target = owner->second;
     if (target) say(subjects, {&placement, none, false}, *target);
+  }
+  // "A mirror on the wall. On the left, a pew": what stands is at a side of the room, not of what hangs.
+  bool hangs_over(std::size_t target, const Indices& subjects) const {
+    const Mount mount = reading_.talk.mention(target).mount;
+    return (mount == Mount::wall || mount == Mount::ceiling) && std::all_of(subjects.begin(), subjects.end(), [&](std::size_t one) {
+             return reading_.talk.mention(one).mount == Mount::floor && !reading_.talk.is_small(one);
+           });
   }
   // "On the left as you come in there is a rack, on the right a bench": of who enters, until the sentence ends.
   bool is_seen_from_door() const {

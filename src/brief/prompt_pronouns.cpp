@@ -174,11 +174,32 @@ std::optional<std::size_t> PronounReader::small_neighbour(const Attachment& atta
 // "On the wall a tapestry; below it an altar"
 std::optional<std::size_t> PronounReader::what_hangs_over(const Attachment& attachment) const {
   const auto& said = reading_.placement(attachment);
-  const auto last = topic_before(attachment.to);
+  const auto last = last_in_sentence(attachment.to);
   const bool is_below = said && said->placement->relations.front() == RelationKind::under;
   if (!is_below || !last) return std::nullopt;
   const Mount mount = reading_.talk.mention(*last).mount;
   return mount == Mount::wall || mount == Mount::ceiling ? last : std::nullopt;
+}
+
+bool PronounReader::is_told_on_wall(std::int32_t id) const {
+  return std::any_of(reading_.parse.attachments.begin(), reading_.parse.attachments.end(), [&](const Attachment& one) {
+    const auto& said = reading_.placement(one);
+    if (one.from != id || !said || said->target == none || said->placement->relations.front() != RelationKind::on) return false;
+    const auto place = read_place(reading_.text.plain, reading_.phrase(said->target).tokens.begin, reading_.words);
+    return place && place->place == Place::wall;
+  });
+}
+
+// What was named last in the sentence, else what the clauses before were about.
+std::optional<std::size_t> PronounReader::last_in_sentence(std::int32_t id) const {
+  const auto sentence = reading_.sentence_of(reading_.phrase(id).head);
+  for (std::int32_t i = id; i-- > 0 && reading_.sentence_of(reading_.phrase(i).head) == sentence;)
+    if (reading_.mention_of(i) && !reading_.phrase(i).is_pronoun) {
+      const Mount mount = reading_.talk.mention(*reading_.mention_of(i)).mount;
+      if (mount == Mount::wall || mount == Mount::ceiling || is_told_on_wall(i)) return reading_.mention_of(i);
+      break;
+    }
+  return topic_before(id);
 }
 
 // "a table with four chairs around it and a lamp above it": what a thing is with is "it".

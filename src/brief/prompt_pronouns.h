@@ -16,6 +16,8 @@ class PronounReader {
   /// Enters what a pronoun means into the reading: one mention, and of "them" and "both" the others too.
   void read(std::int32_t phrase);
   /// What the clauses before were about.
+  bool is_told_on_wall(std::int32_t id) const;
+  std::optional<std::size_t> last_in_sentence(std::int32_t id) const;
   std::optional<std::size_t> topic_before(std::int32_t phrase) const;
 
  private:

@@ -72,6 +72,7 @@ class ThingReader {
     reading_.mentions[number] = refer(id, thing);
     if (reading_.mentions[number]) {
       read_rows(id, *reading_.mentions[number]);
+      one_for_each_person(id, *reading_.mentions[number]);
       reading_.hearing.thing(thing, *reading_.mentions[number]);
     }
     skip_to_ = std::max(skip_to_, thing.end);
@@ -120,6 +121,27 @@ class ThingReader {
       reading_.hearing.number(attachment.from, mention);
     }
   }
+  // "three toddlers nap in their own cots", "four flatmates: each has a bin": as many as there are of them.
+  void one_for_each_person(std::int32_t id, std::size_t mention) {
+    const NounPhrase& said = reading_.phrase(id);
+    const bool is_own = said.determiner == Determiner::possessive && said.is_plural && said.head > said.tokens.begin &&
+                        reading_.is_word(said.tokens.begin + 1, "own");
+    if (!is_own && !is_had_by_each(id)) return;
+    for (std::int32_t i = id; i-- > 0;) {
+      const NounPhrase& before = reading_.phrase(i);
+      if (before.count < 2 || before.is_pronoun || reading_.mention_of(i) || !reading_.is_somebody(before)) continue;
+      if (before.count > most_of_them) return;
+      reading_.talk.set_count(mention, static_cast<int>(before.count));
+      return reading_.hearing.number({said.tokens.begin, said.tokens.begin + (is_own ? 2u : 1u)}, mention);
+    }
+  }
+  static constexpr double most_of_them = 40;
+  bool is_had_by_each(std::int32_t id) const {
+    return std::any_of(reading_.parse.attachments.begin(), reading_.parse.attachments.end(), [&](const Attachment& one) {
+      return one.to == id && one.from != none && reading_.owns(one) && reading_.phrase(one.from).is_pronoun &&
+             reading_.phrase(one.from).determiner == Determiner::each && !reading_.mention_of(one.from);
+    });
+  }
   // "3 of those recliners", which nothing was said of before
   bool counts_new(std::int32_t id, const NounPhrase& number, std::size_t mention) const {
     return number.is_pronoun && number.count >= 1 && !reading_.talk.mention(mention).counted &&
@@ -147,7 +169,7 @@ class ThingReader {
   // "a stack of books": what comes behind is part of the name.
   bool names_thing(std::int32_t id, const ThingPhrase& thing) const {
     const NounPhrase& said = reading_.phrase(id);
-    if (said.tokens.begin < skip_to_ || names_tone(said, thing) || is_talked_about(id) || is_formation(id)) return false;
+    if (said.tokens.begin < skip_to_ || names_tone(said, thing) || is_talked_about(id) || is_formation(id) || is_handled(id)) return false;
     if (thing.kind.length == 0)
       return is_new_thing(id, thing) || (thing.definite && reading_.talk.known(thing));
     if (thing.kind.length == 1 && (is_bare_material(thing) || is_light(said, thing))) return false;
@@ -175,6 +197,18 @@ class ThingReader {
                        [&](const Attachment& one) {
                          return one.to == id && (one.relation == "about" || one.relation == "like");
                        });
+  }
+  // "kids drop scooters", "an intern distributes pizza": told of what people do, no thing of the room.
+  bool is_handled(std::int32_t id) const {
+    const NounPhrase& said = reading_.phrase(id);
+    if (said.determiner != Determiner::absent || said.count > 0 || said.is_pronoun) return false;
+    return std::any_of(reading_.parse.verbs.begin(), reading_.parse.verbs.end(), [&](const auto& verb) {
+      const std::string& word = reading_.word(verb.tokens.end - 1);
+      return verb.object == id && verb.subject != none && verb.kind == language::VerbPhrase::Kind::finite && !verb.is_passive &&
+             !reading_.phrase(verb.subject).is_pronoun && !reading_.mention_of(verb.subject) && reading_.is_somebody(reading_.phrase(verb.subject)) &&
+             !reading_.words.asking.count(verb.base) && !reading_.words.verbs.count(word) && !reading_.words.stops.count(word) &&
+             !reading_.words.placements.count(word);
+    });
   }
   // "bottle green", "oatmeal", without an article: what something looks like.
   bool names_tone(const NounPhrase& said, const ThingPhrase& thing) const {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "language/amount.h"
+#include "language/function_word.h"
 #include "language/inflection.h"
 #include "language/lexicon.h"
 #include "scene/finish_words.h"
@@ -313,7 +314,7 @@ class ThingPhraseReader {
       if (text_.plain[i].is_word("built") && i + 1 < run.end && text_.plain[i + 1].is_word("in")) {
         add_modifier("built in", {i, i + 2});
         ++i;
-      } else if (text_.plain[i].kind == Token::Kind::word) {
+      } else if (text_.plain[i].kind == Token::Kind::word && !language::is_function_word(parse_.tokens[i]) && word(i) != "own") {
         add_modifier(word(i), {i, i + 1});
       }
     }

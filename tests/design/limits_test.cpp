@@ -132,6 +132,28 @@ TEST_CASE("What is done on or with something that is named brings nothing") {
   }
 }
 
+TEST_CASE("Of as many colours as there are things each has one") {
+  const auto brief = read_brief("A laundry for four flatmates: each has one bin (red, blue, green, yellow).");
+  int bins = 0;
+  std::set<std::string> colours;
+  for (const auto& mention : brief.mentions)
+    if (mention.category == "trash can") bins += mention.quantity, colours.insert(mention.looks.begin(), mention.looks.end());
+  CHECK(bins == 4);
+  CHECK(colours == std::set<std::string>{"blue", "green", "red", "yellow"});
+  for (const auto& mention : brief.mentions)
+    if (mention.category == "trash can") CHECK(mention.looks.size() == 1);
+}
+
+TEST_CASE("What people do something with is no thing of the room, what they have is one for each") {
+  CHECK(read_brief("A hall. The kids drop scooters and the postman throws letters.").mentions.empty());
+  for (const auto& [prompt, number] : {std::pair{"A bedroom where three toddlers nap in their own cots.", 3}, {"A dormitory where five guests sleep in their own beds.", 5}}) {
+    int things = 0;
+    for (const auto& mention : read_brief(prompt).mentions)
+      if (KindTable::built_in().is_any_of(mention.category, {"bed", "crib"})) things += mention.quantity;
+    CHECK(things == number);
+  }
+}
+
 TEST_CASE("Sides told by the door have the door in the front wall") {
   for (std::uint64_t seed = 1; seed < 12; ++seed) {
     const Plan plan = plan_of("A study with a bookcase on the back wall and a desk on the left side.", seed);

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "prompt_reading.h"
+
+namespace roomgen::design {
+
+/// Gives each of several things its own where as many colours are said of them: "four bins (red, blue, green, yellow)".
+/// Of two things both may be of both colours.
+void share_colours(PromptReading& reading);
+
+}  // namespace roomgen::design
