@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "no_fallback.h"
 #include "roomgen/base/file.h"
 #include "roomgen/design/designer.h"
 #include "roomgen/kinds/kind_table.h"
@@ -166,6 +167,10 @@ void add_thinking_option(CLI::App& command, DesignerOptions& options) {
 
 void add_designer_options(CLI::App& command, DesignerOptions& options) {
   add_chat_options(command, options);
+  command
+      .add_flag("--no-fallback", options.no_fallback,
+                "No rules take over from the model: without a plan of its own there is an error, and the room ends where it does")
+      ->group(designer_group);
   add_text(command, "--mode", options.mode, "What the model sees and says: constraints (text only), image, fused")
       ->check(CLI::IsMember({"constraints", "image", "fused"}))
       ->capture_default_str();
@@ -278,7 +283,7 @@ Result<ComposedDesigner> compose_designer(const DesignerOptions& options, const 
   if (const LimitedModel* limited = composed.limited)
     model_options.budget_is_spent = [limited] { return limited->refused(); };
   composed.designer =
-      make_model_designer(*composed.model, make_rule_designer(), std::move(model->prompts),
+      make_model_designer(*composed.model, options.no_fallback ? make_no_fallback() : make_rule_designer(), std::move(model->prompts),
                           KindTable::built_in(), std::move(model_options));
   return composed;
 }

@@ -19,7 +19,7 @@ struct DesignerOptions {
   std::string model, base_url, protocol, key_file, prompts, prices;
   std::string mode = "fused", frame = "plan", fusion = "scaled", order = "plan";
   std::string record, replay, picture = "jpeg", preset;
-  bool cache_answers = false;
+  bool cache_answers = false, no_fallback = false;
   std::optional<int> max_calls;
   std::optional<long long> max_tokens;
   std::optional<double> max_dollars;

@@ -100,7 +100,9 @@ Result<ModelTable> models_of(const Scene& scene, const std::filesystem::path& fi
     std::fprintf(stderr, "roomgen: %.*s; taken as a box\n", static_cast<int>(message.size()),
                  message.data());
   };
-  return load_models(scene, **library, tell, written_models(file));
+  ModelTable models = load_models(scene, **library, tell, written_models(file));
+  if (context.cancel.cancelled()) return Error{Error::Kind::cancelled, "stopped while meshes were read"};
+  return models;
 }
 
 }  // namespace roomgen::cli

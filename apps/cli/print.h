@@ -4,14 +4,16 @@
 #include <string>
 #include <vector>
 
+#include "roomgen/base/text.h"
+
 namespace roomgen::cli {
 
-/// On stdout, one a line.
+/// On stdout, one a line. Names and words may be anybody's: nothing in them steers the terminal.
 inline void print_lines(const std::vector<std::string>& lines) {
-  for (const auto& line : lines) std::printf("%s\n", line.c_str());
+  for (const auto& line : lines) std::printf("%s\n", printable(line).c_str());
 }
 
 /// What people should know besides the answer.
-inline void warn(const std::string& text) { std::fprintf(stderr, "roomgen: %s\n", text.c_str()); }
+inline void warn(const std::string& text) { std::fprintf(stderr, "roomgen: %s\n", printable(text).c_str()); }
 
 }  // namespace roomgen::cli

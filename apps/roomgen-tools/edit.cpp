@@ -31,9 +31,9 @@ Result<Session> open_session(const EditCommand& command, const AssetLibrary& lib
   return open_room(command.scene, library, {.look_only = look_only, .repair = command.may_repair(), .tell = warn});
 }
 
-Status write_followers(const EditCommand& command, Session& session) {
+Status write_followers(const Context& context, const EditCommand& command, Session& session) {
   PictureDrawer drawer;
-  return write_room(command.scene, session, command.no_pictures ? nullptr : &drawer, command.pixels, warn);
+  return write_room(command.scene, session, command.no_pictures ? nullptr : &drawer, command.pixels, warn, context.cancel);
 }
 
 // The rooms from above, with marks.
@@ -94,7 +94,7 @@ Result<int> run_edit(const Context& context, const EditCommand& command) {
   const std::string asked = command.sentence.empty() ? operations_json(*operations).dump() : command.sentence;
   const auto report = session->apply(*operations, {asked, command.by});
   if (!report) return report.error();
-  if (auto status = write_followers(command, *session); !status) return status.error();
+  if (auto status = write_followers(context, command, *session); !status) return status.error();
   print_report(context, *report);
   return exit_ok;
 }
@@ -114,7 +114,7 @@ Result<int> run_steps(const Context& context, const EditCommand& command, const 
       if (auto status = session->save(); !status) return status.error();
     return Error{Error::Kind::not_found, std::string("there is nothing to ") + name};
   }
-  if (auto status = write_followers(command, *session); !status) return status.error();
+  if (auto status = write_followers(context, command, *session); !status) return status.error();
   const auto changes = differences(before, session->scene());
   if (context.json) std::fputs(dump_json(Json{{"steps", *taken}, {"changes", changes}}).c_str(), stdout);
   else print_lines(changes);
@@ -141,7 +141,7 @@ Result<int> run_branch(const Context& context, const EditCommand& command) {
   }
   const Scene before = session->scene();
   if (auto status = session->branch(command.branch, command.from, command.by); !status) return status.error();
-  if (auto status = write_followers(command, *session); !status) return status.error();
+  if (auto status = write_followers(context, command, *session); !status) return status.error();
   print_lines(differences(before, session->scene()));
   return exit_ok;
 }

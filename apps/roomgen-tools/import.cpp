@@ -69,7 +69,7 @@ Result<int> run_import(const Context& context, const ImportCommand& command) {
   const auto report = apply_edits(command, *session, std::move(operations));
   if (!report) return report.error();
   PictureDrawer drawer;
-  if (auto status = write_room(command.scene, *session, command.no_pictures ? nullptr : &drawer, command.pixels, warn); !status)
+  if (auto status = write_room(command.scene, *session, command.no_pictures ? nullptr : &drawer, command.pixels, warn, context.cancel); !status)
     return status.error();
   if (context.json) std::fputs(dump_json(report_json(*report)).c_str(), stdout);
   else print_lines(report_lines(*report));

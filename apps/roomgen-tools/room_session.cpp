@@ -25,7 +25,16 @@ bool shows_the_room(const fs::path& relative) {
   return name == "scene.glb" || name == "ATTRIBUTION.md" || name == "top.png" || name == "iso.png" || name == "eye.png";
 }
 
-Status write_all_files(const fs::path& file, Session& session, PictureDrawer* drawer, int pixels) {
+// Meshes that were still to be read when the program was told to stop are missing.
+Status check_not_stopped(const CancelToken& cancel) {
+  if (!cancel.cancelled()) return {};
+  return Error{Error::Kind::cancelled,
+               "stopped; the change is kept in the journal, and the files follow with the next command"};
+}
+
+Status write_all_files(const fs::path& file, Session& session, PictureDrawer* drawer, int pixels,
+                       const CancelToken& cancel) {
+  if (auto status = check_not_stopped(cancel); !status) return status;
   const bool has_models = is_followed_by(file, "scene.glb"), has_pictures = is_followed_by(file, "top.png");
   if (file.filename() != "scene.json" || (!has_models && !has_pictures)) return session.save();
   auto folder = OutputFolder::open(file.parent_path(), shows_the_room);
@@ -38,6 +47,7 @@ Status write_all_files(const fs::path& file, Session& session, PictureDrawer* dr
     if (auto status = write_pictures(*folder, session.scene(), session.models(), **renderer, pixels); !status)
       return status;
   }
+  if (auto status = check_not_stopped(cancel); !status) return status;
   if (auto status = folder->commit(); !status) return status;
   session.mark_saved();
   return {};
@@ -75,9 +85,11 @@ Result<Session> open_room(const fs::path& scene_file, const AssetLibrary& librar
   return session;
 }
 
-Status write_room(const fs::path& scene_file, Session& session, PictureDrawer* drawer, int pixels, const Tell& tell) {
-  const auto status = write_all_files(fs::absolute(scene_file), session, drawer, pixels);
+Status write_room(const fs::path& scene_file, Session& session, PictureDrawer* drawer, int pixels, const Tell& tell,
+                  const CancelToken& cancel) {
+  const auto status = write_all_files(fs::absolute(scene_file), session, drawer, pixels, cancel);
   if (status) return {};
+  if (status.error().kind == Error::Kind::cancelled) return status;
   if (tell)
     tell(status.error().message + "; the change is kept in the journal, and scene.json follows with the next command");
   return session.save();

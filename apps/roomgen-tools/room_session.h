@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "room_files.h"
+#include "roomgen/base/cancel.h"
 #include "roomgen/base/json.h"
 #include "roomgen/library/library.h"
 #include "roomgen/session/session.h"
@@ -28,7 +29,7 @@ Result<Session> open_room(const std::filesystem::path& scene_file, const AssetLi
 /// drawer) go: they would show the room as it was. What was acknowledged stands in the journal, whatever
 /// becomes of the files that follow it: that they could not be written is told.
 Status write_room(const std::filesystem::path& scene_file, Session& session, PictureDrawer* drawer, int pixels,
-                  const Tell& tell);
+                  const Tell& tell, const CancelToken& cancel = {});
 
 /// Of words that ask for nothing.
 std::string remark_line(const std::string& remark);

@@ -1,3 +1,4 @@
+#include "roomgen/base/text.h"
 #include "roomgen/tour/tour.h"
 
 #include <cstdio>
@@ -60,8 +61,8 @@ void add_tour_option(CLI::App& app, TourCommand& command, const std::string& nam
 Result<TourOptions> options_of(const TourCommand& command, const Scene& scene, const Context& context) {
   const auto words = read_tour_words(command.words.value_or(scene.prompt), scene, KindTable::built_in());
   if (!context.quiet) {
-    for (const auto& wish : words.understood) std::fprintf(stderr, "understood: %s\n", wish.c_str());
-    for (const auto& wish : words.not_understood) std::fprintf(stderr, "not understood: %s\n", wish.c_str());
+    for (const auto& wish : words.understood) std::fprintf(stderr, "understood: %s\n", printable(wish).c_str());
+    for (const auto& wish : words.not_understood) std::fprintf(stderr, "not understood: %s\n", printable(wish).c_str());
   }
   TourOptions options = words.options;
   if (command.birds_eye) options = birds_eye(scene, options);
@@ -90,7 +91,7 @@ void report(const Context& context, const std::string& path, const Tour& tour) {
   }
   if (context.quiet) return;
   for (const auto& target : tour.unseen)
-    std::fprintf(stderr, "not seen: %s: %s\n", target.id.c_str(), target.reason.c_str());
+    std::fprintf(stderr, "not seen: %s: %s\n", printable(target.id).c_str(), printable(target.reason).c_str());
   if (!context.json)
     std::fprintf(stderr, "wrote a tour of %zu views into %s\n", tour.views.size(), path.c_str());
 }

@@ -64,8 +64,8 @@ void print_table(const std::vector<AssetMatch>& matches) {
               "colours");
   for (const auto& match : matches) {
     const AssetInfo& info = match.asset;
-    std::printf("%5.2f  %-40s %-24s %-20s %-8s %s\n", match.score, key(info).c_str(),
-                info.category.c_str(), size_text(info.size).c_str(),
+    std::printf("%5.2f  %-40s %-24s %-20s %-8s %s\n", match.score, printable(key(info)).c_str(),
+                printable(info.category).c_str(), size_text(info.size).c_str(),
                 std::string(name(info.mount)).c_str(), join(info.colors, ", ").c_str());
   }
 }
@@ -108,7 +108,7 @@ Result<int> search(const AssetsOptions& options, const Context& context) {
 
 void print_fields(const AssetInfo& info) {
   const auto line = [](const char* label, const std::string& text) {
-    if (!text.empty()) std::printf("%-15s %s\n", label, text.c_str());
+    if (!text.empty()) std::printf("%-15s %s\n", label, printable(text).c_str());
   };
   line("asset", key(info));
   line("name", info.name);
@@ -147,7 +147,7 @@ Result<int> show(const AssetsOptions& options, const Context& context) {
   print_fields(*info);
   for (const auto& part : (*model)->parts) {
     const Material& material = (*model)->materials[static_cast<std::size_t>(part.material)];
-    std::printf("%-15s %s, %zu triangles%s\n", "part", material.name.c_str(),
+    std::printf("%-15s %s, %zu triangles%s\n", "part", printable(material.name).c_str(),
                 part.mesh.triangles.size(), material.texture ? ", textured" : "");
   }
   return exit_ok;

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "roomgen/base/text.h"
 #include "roomgen/program/program.h"
 
 namespace roomgen::cli {
@@ -35,9 +36,9 @@ Json findings_json(const Findings& findings) {
 
 void print_program(const std::string& file, const ConstraintProgram& program, const Findings& findings,
                    std::size_t errors) {
-  std::printf("%s: %s\n", file.c_str(), program_headline(program, errors).c_str());
+  std::printf("%s: %s\n", file.c_str(), printable(program_headline(program, errors)).c_str());
   for (const auto& finding : findings)
-    std::printf("  %s: %s: %s\n", severity(finding).c_str(), finding.at.c_str(), finding.message.c_str());
+    std::printf("  %s: %s: %s\n", severity(finding).c_str(), printable(finding.at).c_str(), printable(finding.message).c_str());
   std::fputs(to_text(program).c_str(), stdout);
 }
 

@@ -200,17 +200,17 @@ void report(const Context& context, const CreateOptions& options, const MadeAll&
                  format_number(size.x()).c_str(), format_number(size.y()).c_str(),
                  format_number(size.z()).c_str(), made.shape.bodies.size(),
                  shape::triangle_count(made.shape));
-    for (const auto& note : made.notes) std::fprintf(stderr, "  note: %s\n", note.c_str());
-    for (const auto& repair : made.repairs) std::fprintf(stderr, "  repaired: %s\n", repair.c_str());
+    for (const auto& note : made.notes) std::fprintf(stderr, "  note: %s\n", printable(note).c_str());
+    for (const auto& repair : made.repairs) std::fprintf(stderr, "  repaired: %s\n", printable(repair).c_str());
     for (const auto& problem : made.soundness.problems)
-      std::fprintf(stderr, "  left as it is: %s\n", problem.c_str());
+      std::fprintf(stderr, "  left as it is: %s\n", printable(problem).c_str());
   }
-  for (const auto& note : all.notes) std::fprintf(stderr, "  note: %s\n", note.c_str());
+  for (const auto& note : all.notes) std::fprintf(stderr, "  note: %s\n", printable(note).c_str());
   if (!all.scores) return;
   for (const auto& [rubric, score] : {std::pair("structure", all.scores->structure),
                                       std::pair("realism", all.scores->realism),
                                       std::pair("alignment", all.scores->alignment)})
-    std::fprintf(stderr, "  %s: %d of 5, %s\n", rubric, score.points, score.reason.c_str());
+    std::fprintf(stderr, "  %s: %d of 5, %s\n", rubric, score.points, printable(score.reason).c_str());
 }
 
 Result<int> make_one(const Context& context, const CreateOptions& options) {

@@ -173,7 +173,7 @@ void print_model_use(const ComposedDesigner& composed, const Generation& generat
               planning.fell_back ? "the plan and " : "", use.fallbacks);
   std::printf("  of %d suggested places %d were followed within 0.5 m (%d when placed), %d within 1 m\n",
               figures.located, figures.within[1], figures.placed_within[1], figures.within[2]);
-  if (!generation.stopped.empty()) std::printf("  stopped: %s\n", generation.stopped.c_str());
+  if (!generation.stopped.empty()) std::printf("  stopped: %s\n", printable(generation.stopped).c_str());
 }
 
 void print_summary(const Context& context, const fs::path& folder, const AnyPlan& plan,
@@ -187,7 +187,7 @@ void print_summary(const Context& context, const fs::path& folder, const AnyPlan
     return;
   }
   print_lines(note_lines(plan, generation));
-  std::printf("%s: %s (%.1f s)\n", folder.string().c_str(), headline(generation.scene).c_str(), seconds);
+  std::printf("%s: %s (%.1f s)\n", folder.string().c_str(), printable(headline(generation.scene)).c_str(), seconds);
   if (composed.model) print_model_use(composed, generation);
   print_lines(lack_lines(generation.scene));
 }

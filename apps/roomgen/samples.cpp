@@ -77,7 +77,7 @@ void tell(const Context& context, const SampleWish& wish, const Samples& samples
     return;
   }
   std::fprintf(stream, "%s\n", samples_text(wish, samples, seconds).c_str());
-  for (const auto& missing : samples.scene.unplaced) std::fprintf(stream, "  %s\n", missing.reason.c_str());
+  for (const auto& missing : samples.scene.unplaced) std::fprintf(stream, "  %s\n", printable(missing.reason).c_str());
 }
 
 Status write_lines(const SampleWish& wish, const std::string& lines) {

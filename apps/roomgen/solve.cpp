@@ -5,6 +5,7 @@
 
 #include "add_commands.h"
 #include "options.h"
+#include "roomgen/base/text.h"
 #include "roomgen/base/file.h"
 #include "roomgen/base/json.h"
 #include "roomgen/generate/generate.h"
@@ -44,7 +45,7 @@ void print_solution(const Context& context, const SolveCommand& command, const S
               command.output.c_str(), scene.objects.size(),
               scene.objects.size() + scene.unplaced.size(), solution.held, solution.constraints,
               1e3 * seconds);
-  for (const auto& missing : scene.unplaced) std::printf("  %s\n", missing.reason.c_str());
+  for (const auto& missing : scene.unplaced) std::printf("  %s\n", printable(missing.reason).c_str());
 }
 
 Result<int> run_samples(const Context& context, const SolveCommand& command) {

@@ -11,7 +11,6 @@ namespace {
 
 constexpr std::size_t max_mentions = 120;
 constexpr int most_for_each = 40;
-constexpr int most_things = 200;  // of a line of a plan
 constexpr double tray_height = 0.1, tray_side = 0.2;
 
 // Who describes a room looks at the fronts of things: the mouse to the right of a keyboard is at
@@ -152,7 +151,7 @@ std::vector<std::size_t> Discourse::with_parts(std::size_t index) const {
 
 void Discourse::multiply(std::size_t mention, int factor) {
   int& quantity = brief_.mentions[mention].quantity;
-  if (factor > 1 && factor <= most_for_each) quantity = std::min(quantity * factor, most_things);
+  if (factor > 1 && factor <= most_for_each) quantity *= factor;
 }
 
 void Discourse::set_count(std::size_t mention, int count) {

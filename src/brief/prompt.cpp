@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "bound_names.h"
+#include "bound_mentions.h"
 #include "finishes.h"
 #include "measures.h"
 #include "prompt_additions.h"
@@ -88,7 +88,7 @@ Brief read_prompt(std::string_view prompt, const RoomKinds& kinds, const KindTab
   read_palette(reading);
   read_remarks(reading);
   note_lost_limits(reading);
-  bound_names(brief);
+  bound_mentions(brief);
   settle(brief, table);
   if (brief.type.empty()) {
     brief.type = guess_room_type(brief, kinds, table);

@@ -61,7 +61,8 @@ class ModelDesigner : public Designer {
       return std::move(reply->plan);
     }
     auto plan = fallback_->plan(request);
-    if (!plan) return plan;
+    if (!plan)
+      return with_context(plan.error(), "the model gave no plan that can be used (" + reply.error().message + ")");
     planning_.fell_back = true;
     note(*plan, {"the model gave no plan that can be used (" + reply.error().message +
                  "); rules made this one"});
@@ -83,7 +84,8 @@ class ModelDesigner : public Designer {
       consultation.notes.push_back(advice.error().message);
     }
     auto advice = fallback_->place(request);
-    if (!advice) return advice;
+    if (!advice)
+      return with_context(advice.error(), model_is_lost_.empty() ? join(consultation.notes, "; ") : model_is_lost_);
     consultation.fell_back = true;
     if (!model_is_lost_.empty()) consultation.notes.push_back("rules take over: " + model_is_lost_);
     advice->consultation = std::move(consultation);

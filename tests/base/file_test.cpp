@@ -41,7 +41,7 @@ TEST_CASE("A write that fails at the last moment leaves the old things and no pa
   CHECK(*read_file((folder / "taken") / "inside") == "kept");
 }
 
-TEST_CASE("What a killed run left of a file goes with the next one written there; what is not of us stays") {
+TEST_CASE("What a killed run left of a file goes with the next one written there, and nothing else does") {
   const TemporaryFolder folder;
   const std::vector<std::string> others = {".notes.part", ".a.json.0123456789abcdeg.part", "a.json.0123456789abcdef.part"};
   for (const auto& name : others) std::ofstream(folder / name) << "mine";

@@ -23,7 +23,7 @@ void leave_mark() {
   if (file >= 0) ::syscall(SYS_close, file);
 }
 
-__attribute__((constructor)) void begin() {
+void begin() {
   const char* wanted = std::getenv("ROOMGEN_FAILS");
   std::istringstream words(wanted ? wanted : "");
   std::string what, how;
@@ -37,5 +37,11 @@ __attribute__((constructor)) void begin() {
   for (int call = 0; call <= static_cast<int>(Call::allocate); ++call)
     if (what == name(static_cast<Call>(call))) failing.emplace(static_cast<Call>(call), n, how == "lasting");
 }
+
+// As soon as it is loaded, after what stands above.
+struct AtLoad {
+  AtLoad() { begin(); }
+};
+const AtLoad at_load;
 
 }  // namespace

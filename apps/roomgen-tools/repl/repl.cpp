@@ -91,8 +91,8 @@ class Printer {
   void print(const Result<repl::Answer>& answer, std::size_t number) const {
     if (json_) print_json(answer);
     else if (answer) print_lines(answer->lines);
-    else if (is_terminal_) std::printf("%s\n", answer.error().message.c_str());
-    else std::fprintf(stderr, "roomgen: line %zu: %s\n", number, answer.error().message.c_str());
+    else if (is_terminal_) std::printf("%s\n", printable(answer.error().message).c_str());
+    else std::fprintf(stderr, "roomgen: line %zu: %s\n", number, printable(answer.error().message).c_str());
     std::fflush(stdout);
   }
 

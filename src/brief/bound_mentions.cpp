@@ -1,4 +1,4 @@
-#include "bound_names.h"
+#include "bound_mentions.h"
 
 #include <algorithm>
 
@@ -6,6 +6,7 @@ namespace roomgen::design {
 
 namespace {
 
+constexpr int most_of_a_line = 200;
 constexpr std::size_t most_name_bytes = 150;  // bytes
 constexpr std::size_t most_description_bytes = 1000;
 
@@ -31,8 +32,14 @@ void bound(std::vector<std::string>& texts) {
 
 }  // namespace
 
-void bound_names(Brief& brief) {
+void bound_mentions(Brief& brief) {
   for (auto& mention : brief.mentions) {
+    if (mention.quantity > most_of_a_line)
+      brief.notes.push_back(std::to_string(mention.quantity) + " of \"" + mention.description.substr(0, most_name_bytes) +
+                            "\" are more than the limit of " + std::to_string(most_of_a_line));
+    mention.quantity = std::min(mention.quantity, most_of_a_line);
+    mention.least = std::min(mention.least, most_of_a_line);
+    mention.most = std::min(mention.most, most_of_a_line);
     bound(mention.category, most_name_bytes);
     bound(mention.noun, most_name_bytes);
     bound(mention.description, most_description_bytes);

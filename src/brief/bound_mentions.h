@@ -1,0 +1,11 @@
+#pragma once
+
+#include "brief.h"
+
+namespace roomgen::design {
+
+/// Cuts what is longer or more than any thing's, so that a plan can be read again whatever the prompt says: sentences
+/// without a blank or a verb are taken for one name, and numbers are multiplied.
+void bound_mentions(Brief& brief);
+
+}  // namespace roomgen::design
