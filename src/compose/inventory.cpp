@@ -4,6 +4,8 @@
 #include <cmath>
 #include <map>
 
+#include "brief/room_kinds.h"
+
 namespace roomgen::compose {
 
 namespace {
@@ -32,6 +34,16 @@ bool is_counted(const PlanItem& item, const Requirement* clause) {
   return item.asked && (!clause || (clause->source != Source::person && clause->source != Source::activity));
 }
 
+// What the core of the room's kind consists of, and what comes with that is no part of it.
+bool is_essential(const PlanItem& item, const std::string& room, const KindTable& kinds) {
+  const auto& core = design::built_in_room_kinds()->get(room).core;
+  return !item.asked && item.mount == Mount::floor && std::ranges::any_of(core, [&](const design::Piece& piece) {
+    return piece.chance >= 1.0 && std::ranges::any_of(piece.any, [&](const auto& option) {
+      return kinds.is_a(item.category, option.first);
+    });
+  });
+}
+
 /// Ids of a plan's objects, to the set that they are members of.
 using SetsOfIds = std::map<std::string, std::string, std::less<>>;
 
@@ -58,6 +70,7 @@ Stand stand_of(const Plan& plan, const PlanItem& item, const std::vector<std::st
   stand.asked = is_counted(item, clause);
   stand.count = stand.asked ? count_of(item, clause, ids) : Range{0.0, static_cast<double>(item.quantity)};
   stand.may_grow = stand.asked && clause && clause->at_least;
+  stand.essential = is_essential(item, plan.room.type, kinds);
   stand.size = item.size.value_or(kinds.get(item.category).size);
   stand.description = item.description;
   // What has a place stands in a formation: its relations are the plan's own.
@@ -72,7 +85,7 @@ Stand stand_of(const Plan& plan, const PlanItem& item, const std::vector<std::st
 
 bool joins(const Stand& a, const Stand& b) {
   return a.kind == b.kind && a.mount == b.mount && a.on == b.on && a.wishes == b.wishes && a.asked == b.asked &&
-         a.may_grow == b.may_grow && a.in_rows == b.in_rows;
+         a.may_grow == b.may_grow && a.in_rows == b.in_rows && a.essential == b.essential;
 }
 
 }  // namespace

@@ -18,6 +18,7 @@ struct Stand {
   Range count;
   bool asked = false;     ///< somebody asked for them, in this number
   bool may_grow = false;  ///< more of them are as good
+  bool essential = false; ///< nobody asked, and such a room is none without it: a bedroom's bed
   bool at_wall = true;    ///< may go against a wall where such things usually do
   bool in_rows = false;   ///< several, in line with each other
   std::vector<Relation> wishes;  ///< of the prompt; targets are sets or parts of the room

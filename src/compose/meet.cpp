@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "complexity.h"
+#include "solve/arrangement.h"
 
 namespace roomgen::compose {
 
@@ -46,6 +47,7 @@ class Opener {
     if (asked_.shelves)
       open("shelves", *asked_.shelves, [&](const Stand& stand) { return is_shelf(stand.kind) ? 1.0 : 0.0; });
     if (asked_.objects) fill_with_things(*asked_.objects);
+    keep_essentials();
   }
 
   void fill_floor(const Range& wanted, double area) {
@@ -95,16 +97,56 @@ class Opener {
     tell_if_too_many(measure, fixed, wanted);
     const double least = std::max(0.0, wanted.low - fixed), most = std::max(0.0, most_of(wanted) - fixed);
     const auto is_free = [&](const Stand& stand) { return worth(stand) > 0.0 && (!stand.asked || stand.may_grow); };
-    if (least > 0.0 && std::ranges::none_of(stands_, is_free))
-      add_one_of(complexity_words().made_up_with.at(measure), most);
-    Stand* finest = nullptr;  // what each is worth least comes closest
+    const auto& usual = complexity_words().made_up_with.at(measure);
+    if (least > 0.0 && std::ranges::none_of(stands_, is_free)) add_one_of(usual, most);
+    // Chairs for the tables that are asked for, where the room's own seats do not go to tables.
+    const auto gathers = [&](const Stand& stand) { return gathers_at_asked(stand.kind); };
+    if (const auto gathering = std::ranges::find_if(usual, [&](const auto& kind) { return gathers_at_asked(kind); });
+        least > 0.0 && gathering != usual.end() &&
+        std::ranges::none_of(stands_, [&](const Stand& stand) { return is_free(stand) && gathers(stand); }))
+      add_one_of({*gathering}, most);
+    double given = 0.0;  // by one of each that such a room is none without
+    for (auto& stand : stands_)
+      if (is_free(stand) && !stand.asked) {
+        const bool is_given = stand.essential && given + worth(stand) <= most;
+        stand.count.low = is_given ? 1.0 : 0.0;
+        given += is_given ? worth(stand) : 0.0;
+      }
+    Stand* finest = nullptr;  // what goes to the tables, then what each is worth least: it comes closest
     for (auto& stand : stands_) {
       if (!is_free(stand)) continue;
-      if (!stand.asked) stand.count.low = 0.0;
-      stand.count.high = stand.count.low + std::floor(most / worth(stand));
-      if (!finest || worth(stand) < worth(*finest)) finest = &stand;
+      stand.count.high = stand.count.low + std::floor((most - given) / worth(stand));
+      if (!finest || std::pair(!gathers(stand), worth(stand)) < std::pair(!gathers(*finest), worth(*finest)))
+        finest = &stand;
     }
-    if (finest) finest->count.low += std::ceil(least / worth(*finest));
+    if (finest) finest->count.low += std::ceil(std::max(0.0, least - given) / worth(*finest));
+  }
+
+  // Does it usually stand at something that was asked for?
+  bool gathers_at_asked(const std::string& kind) const {
+    const auto& arrangement = built_in_arrangements()->get(kinds_, kind, Mount::floor);
+    return std::ranges::any_of(arrangement.ways, [&](const auto& way) {
+      return std::ranges::any_of(way, [&](const Relation& relation) {
+        return relation.kind == RelationKind::around && std::ranges::any_of(stands_, [&](const Stand& stand) {
+                 return stand.asked && kinds_.is_a(stand.kind, relation.target);
+               });
+      });
+    });
+  }
+
+  // One of each, as far as numbers that somebody gave leave room for it.
+  void keep_essentials() {
+    constexpr double nearly_empty = 0.12;  // share of the floor up to which nothing else than what was asked stands there
+    if (asked_.occupancy && asked_.occupancy->high < nearly_empty) return;
+    double things = 0.0;
+    for (const auto& stand : stands_) things += stand.count.low;
+    for (auto& stand : stands_) {
+      const bool is_counted = (asked_.seats && is_seat(stand.kind)) || (asked_.shelves && is_shelf(stand.kind));
+      if (!stand.essential || is_counted || stand.count.low >= 1.0 || stand.count.high < 1.0) continue;
+      if (asked_.objects && things + 1.0 > asked_.objects->high) return;
+      stand.count.low = 1.0;
+      ++things;
+    }
   }
 
   void tell_if_too_many(const std::string& measure, double fixed, const Range& wanted) {
