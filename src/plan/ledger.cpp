@@ -99,6 +99,20 @@ class Ledger {
     return requirement;
   }
 
+  // What is counted, without its looks: those are clauses of their own, and may fail where the number holds.
+  static std::string counted(const Mention& mention) {
+    std::string rest = " " + mention.description + " ";
+    for (const auto& look : mention.looks) {
+      const bool is_sort = std::find(mention.naming.begin(), mention.naming.end(), look) != mention.naming.end();
+      const std::size_t at = is_sort ? std::string::npos : rest.find(" " + look + " ");
+      if (at != std::string::npos) rest.erase(at, look.size() + 1);
+    }
+    // "black and white chairs"
+    while (rest.starts_with(" and ")) rest.erase(0, 4);
+    const std::string words(trim(rest));
+    return words.empty() ? mention.category : words;
+  }
+
   void count(std::size_t index, const Mention& mention) {
     Requirement requirement = about(index, mention, Requirement::Kind::count);
     const bool is_range = mention.most > mention.least;
@@ -109,7 +123,7 @@ class Ledger {
     requirement.attribute = join(mention.naming, " ");
     requirement.clause = (is_range ? std::to_string(mention.least) + " to " + std::to_string(mention.most)
                           : mention.quantity == 1 ? "a" : std::to_string(mention.quantity)) +
-                         " " + mention.description;
+                         " " + counted(mention);
     if (!mention.reason.empty()) requirement.clause += ", for " + mention.reason;
     std::vector<std::size_t> words;
     for (const auto as :
