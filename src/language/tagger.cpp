@@ -26,6 +26,18 @@ std::vector<WordTag> with_gerunds_behind_nouns(std::vector<WordTag> tags, const 
   return tags;
 }
 
+// "six black and white chairs": colours may be nouns by themselves, but not two of them, joined, before a noun.
+std::vector<WordTag> with_joined_colors(std::vector<WordTag> tags, const std::vector<UnitFacts>& facts) {
+  const auto is_color = [&](std::size_t i) {
+    return (tags[i] == WordTag::noun || tags[i] == WordTag::adjective) &&
+           lexicon().may_be(facts[i].word, WordClass::color) && !facts[i].may_be.is_plural;
+  };
+  for (std::size_t i = 0; i + 3 < tags.size(); ++i)
+    if (is_color(i) && tags[i + 1] == WordTag::conjunction && is_color(i + 2) && tags[i + 3] == WordTag::noun)
+      tags[i] = tags[i + 2] = WordTag::adjective;
+  return tags;
+}
+
 /// Makes pieces of units: joins the words of a preposition, parts contractions, and says what the
 /// steps behind want to know of a word.
 class Tagger {
@@ -34,7 +46,7 @@ class Tagger {
       : tokens_(tokens),
         units_(units(tokens)),
         facts_(facts_of(tokens, units_, is_name)),
-        tags_(with_gerunds_behind_nouns(tag_words(units_, facts_, tag_model()), facts_, is_name)) {}
+        tags_(with_joined_colors(with_gerunds_behind_nouns(tag_words(units_, facts_, tag_model()), facts_, is_name), facts_)) {}
 
   std::vector<Piece> run() {
     while (at_ < units_.size()) {
