@@ -138,8 +138,9 @@ class Formations {
     const bool backwards = looks_backwards(item.category);
     const Vec2 front = backwards ? Vec2(-site.forward) : site.forward;
     const Vec2 right(front.y(), -front.x());
-    const double row = static_cast<double>(number / block.columns) - 0.5 * (block.rows - 1.0);
-    const double column = static_cast<double>(number % block.columns) - 0.5 * (block.columns - 1.0);
+    const auto middle = [](std::size_t lines) { return 0.5 * (static_cast<double>(lines) - 1.0); };
+    const double row = static_cast<double>(number / block.columns) - middle(block.rows);
+    const double column = static_cast<double>(number % block.columns) - middle(block.columns);
     item.location = site.center + column * (block.width + block.beside) * right -
                     row * (block.depth + block.behind) * front;
     // As a whole the rows look there: only who sits in the middle does so straight.
