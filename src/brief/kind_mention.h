@@ -17,7 +17,7 @@ struct KindMention {
   bool plural = false;
   std::string name;  ///< in the singular: "bedside table"
   NounBasis basis = NounBasis::name;  ///< what makes the name mean the kind
-  std::string misspelt;               ///< as it was written, if that was wrong: "bokshelf"
+  std::string misspelt = {};          ///< as it was written, if that was wrong: "bokshelf"
 
   /// No kind is called so: WordNet knows what it is.
   bool is_inferred() const {

@@ -19,7 +19,7 @@ inline constexpr std::size_t no_mention = static_cast<std::size_t>(-1);
 struct SharedOut {
   std::size_t thing = no_mention;
   std::size_t owner = no_mention;  ///< none where it is a part of the room
-  std::string place;               ///< "corner", "window", "door"
+  std::string place = {};          ///< "corner", "window", "door"
   int count = 1;                   ///< for each
   std::size_t word = no_mention;   ///< of Brief::heard: "each" itself
   std::size_t heard = no_mention;

@@ -16,7 +16,7 @@ enum class Place { window, door, corner, wall, middle, region, room, floor, ceil
 struct PlacePhrase {
   Place place = Place::room;
   int wall = -1;          ///< which, of a rectangle; -1: not said
-  std::string region;     ///< "north-half"; of a corner "north-east-quarter"
+  std::string region = {};  ///< "north-half"; of a corner "north-east-quarter"
   bool opposite = false;  ///< "the opposite wall"
   std::size_t length = 0;
 };

@@ -40,8 +40,8 @@ class LimitReader {
     Limit limit;
     Run run = words;
     const std::int32_t id = phrase_around(words);
-    if (const Kind* kind = class_behind(id, words.end)) {
-      limit.category = kind->name;
+    if (const Kind* named = class_behind(id, words.end)) {
+      limit.category = named->name;
       ++run.end;
     } else if (id != none && !reading_.phrase(id).is_pronoun) {
       const NounPhrase& said = reading_.phrase(id);
@@ -96,9 +96,9 @@ class LimitReader {
         if (part->second == "ceiling") limit.mount = Mount::ceiling;
         if (part->second == "wall") limit.mount = Mount::wall;
       }
-      const auto exception = longest(reading_.words.exceptions, reading_.text.plain, i);
-      if (!exception) continue;
-      run.end = i + static_cast<std::uint32_t>(exception.length);
+      const std::size_t exception = longest_in(reading_.words.exceptions, reading_.text.plain, i);
+      if (exception == 0) continue;
+      run.end = i + static_cast<std::uint32_t>(exception);
       if (const std::int32_t first = phrase_behind(run.end); first != none) limit.allowed = mentions_listed(first);
       if (limit.allowed.empty()) return;
       break;
@@ -116,6 +116,7 @@ class LimitReader {
       if (attachment.from != none && &reading_.phrase(attachment.from) == &said) return;
     if (said.modifiers.empty()) add({}, {said.tokens.begin, said.head + 1});
   }
+
   // "a bare room": it says no more than that little is added.
   void bare_room(const NounPhrase& said) {
     if (!reading_.is_room(said)) return;

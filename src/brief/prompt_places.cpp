@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <map>
 #include <optional>
-#include <set>
 #include <utility>
 
+#include "prompt_denials.h"
+#include "prompt_shares.h"
 #include "view_from_door.h"
 #include "which_of.h"
 
@@ -22,7 +23,7 @@ using language::Run;
 class PlaceReader {
  public:
   explicit PlaceReader(PromptReading& reading)
-      : reading_(reading), left_(words_left(reading.parse)), views_(views_from_door(reading)) {}
+      : reading_(reading), left_(words_left(reading.parse)), views_(views_from_door(reading)), shares_(reading) {}
 
   void run() {
     for (const auto& attachment : reading_.parse.attachments) {
@@ -55,100 +56,23 @@ class PlaceReader {
   }
   void read_attachment(const Attachment& attachment) {
     if (attachment.from == none) return;
-    if (attachment.is_denied || is_nothing(reading_.phrase(attachment.from))) return deny(attachment);
+    if (denies_place(reading_, attachment)) return read_denied_place(reading_, attachment);
     const auto said = reading_.placement(attachment);
     reading_.talk.told_by(said || reading_.owns(attachment)
                               ? reading_.hearing.relation(attachment, place_of(attachment, said))
                               : HeardWords::none);
     if (!said) {
       if (reading_.owns(attachment)) read_owned(attachment);
-      if (is_for_each(attachment))
-        give_and_tie(attachment);
+      shares_.read_for_each(attachment);
       return;
     }
     if (said->placement->inverse) return read_inverse(attachment, *said);
     const Indices subjects = reading_.subjects_of(attachment);
     if (subjects.empty()) return;
     if (said->placement->mutual) return relate_mutually(subjects, *said->placement);
-    if (said->placement->flank) give_each_side(attachment, reading_.all_of(attachment.from));
+    if (said->placement->flank) shares_.give_each_side(attachment, reading_.all_of(attachment.from));
     if (said->target == none) return relate_to_implied(subjects, *said->placement);
     read_target(attachment, *said, subjects);
-  }
-  // "not next to the window", "none of them in the corner": it is known where they are not.
-  void deny(const Attachment& attachment) {
-    const auto said = reading_.placement(attachment);
-    if (!said || said->placement->inverse || said->placement->flank || said->target == none) return;
-    const Indices things = denied_things(attachment);
-    const std::string part = part_denied(said->target);
-    const auto target = reading_.mention_of(said->target);
-    if (things.empty() || (!target && part.empty())) return;
-    const std::size_t heard = reading_.hearing.relation(attachment, target ? none : said->target);
-    auto& words = reading_.brief.heard[heard].tokens;
-    words.begin = std::min(words.begin, negation_before(attachment));
-    for (const std::size_t thing : things)
-      if (thing != target) {
-        const RelationKind kind = said->placement->relations.front();
-        reading_.brief.denials.push_back({thing, kind, target.value_or(no_mention), part, heard});
-        keep_away(thing, kind, target, part);
-      }
-  }
-  // What is not near is planned far.
-  void keep_away(std::size_t thing, RelationKind kind, std::optional<std::size_t> target, const std::string& part) {
-    if (kind != RelationKind::near && kind != RelationKind::next_to && kind != RelationKind::side_of) return;
-    Demand away{RelationKind::far, target.value_or(Demand::none), part, false};
-    away.is_means = true;
-    reading_.talk.add(thing, away);
-  }
-  Indices denied_things(const Attachment& attachment) const {
-    if (!is_nothing(reading_.phrase(attachment.from))) return reading_.subjects_of(attachment);
-    if (!reading_.is_word(reading_.phrase(attachment.from).head, "none")) return {};  // "nothing in front of it"
-    for (const Attachment& one : reading_.parse.attachments)
-      if (one.from == attachment.from && one.relation == "of" && one.to != none)
-        if (Indices all = reading_.all_of(one.to); !all.empty()) return all;
-    return reading_.all_of(attachment.from);
-  }
-  // "not", "never", "none of them": the first token of what denies.
-  std::uint32_t negation_before(const Attachment& attachment) const {
-    constexpr std::uint32_t farthest = 4;
-    const NounPhrase& from = reading_.phrase(attachment.from);
-    if (is_nothing(from)) return from.tokens.begin;
-    const auto first = attachment.tokens.begin;
-    for (std::uint32_t n = 1; n <= std::min(farthest, first); ++n)
-      if (reading_.words.negations.count(reading_.word(first - n))) return first - n;
-    return first;
-  }
-  // The part of the room that a phrase names, as the ledger checks it.
-  std::string part_denied(std::int32_t target) const {
-    const auto place = read_place(reading_.text.plain, reading_.phrase(target).tokens.begin, reading_.words);
-    if (!place) return "";
-    if (place->place == Place::window) return "window-0";
-    if (place->place == Place::door) return "door-0";
-    return place->place == Place::wall && place->wall >= 0 ? "wall-" + std::to_string(place->wall) : "";
-  }
-  // "nothing in front of them"
-  static bool is_nothing(const NounPhrase& phrase) { return phrase.is_pronoun && phrase.is_denied; }
-  // "a stool for each potter's wheel", "one chair per desk"
-  bool is_for_each(const Attachment& attachment) const {
-    if (!reading_.mention_of(attachment.to)) return false;
-    return attachment.relation == "per" ||
-           (attachment.relation == "for" &&
-            reading_.phrase(attachment.to).determiner == Determiner::each);
-  }
-  // Nothing is said of where they are: by those that they are for.
-  void give_and_tie(const Attachment& attachment) {
-    const std::size_t owner = *reading_.mention_of(attachment.to);
-    const Indices things = reading_.subjects_of(attachment);
-    reading_.talk.told_by(reading_.hearing.relation(attachment, none));
-    give_each(owner, things);
-    for (const std::size_t thing : things) {
-      if (thing == owner) continue;
-      reading_.talk.own(owner, thing, true);
-      if (!is_tied(thing, owner)) reading_.talk.add(thing, {RelationKind::near, owner, "", false});
-    }
-  }
-  bool is_tied(std::size_t thing, std::size_t owner) const {
-    const auto& demands = reading_.talk.mention(thing).demands;
-    return std::any_of(demands.begin(), demands.end(), [&](const Demand& demand) { return demand.mention == owner; });
   }
   // "left", "right end": the side that a phrase names, as the placement "left of" has it.
   const Placement* side_named(const NounPhrase& phrase) const {
@@ -190,7 +114,7 @@ class PlaceReader {
     if (const auto thing = reading_.mention_of(said.target)) {
       if (target.determiner == Determiner::each &&
           said.placement->relations.front() != RelationKind::aligned)
-        give_each(*thing, subjects);
+        shares_.give_each(*thing, subjects, attachment.tokens.begin);
       say(subjects, said, *thing);
       for (const std::size_t further : reading_.also[static_cast<std::size_t>(said.target)])
         if (reaches_all(said.placement->relations.front()) && !is_among(subjects, further)) say(subjects, said, further);
@@ -202,11 +126,11 @@ class PlaceReader {
       if (said.placement->centered) reading_.talk.locate(subjects, *said.placement, PlacePhrase{});
       return;
     }
-    auto place = read_place(reading_.text.plain, target.tokens.begin, reading_.words);
+    const auto place = reading_.place_named(target);
     if (!place) return;
     if (target.determiner == Determiner::possessive && is_portion(*place))
       return lie_on_owner(subjects);
-    if (target.determiner == Determiner::each) give_each_place(*place, subjects);
+    if (target.determiner == Determiner::each) shares_.give_each_place(*place, subjects, attachment.tokens.begin);
     if (place->place == Place::middle)
       return locate_in_middle(attachment, subjects, *said.placement, *place);
     reading_.talk.locate(subjects, *said.placement, *place);
@@ -216,35 +140,6 @@ class PlaceReader {
     return kind == RelationKind::between || kind == RelationKind::under || kind == RelationKind::above ||
            kind == RelationKind::face_to || kind == RelationKind::in_front_of;
   }
-  // "a plant in each corner", "a bench under every window"
-  void give_each_place(const PlacePhrase& place, const Indices& things) {
-    constexpr int corners = 4;
-    const int number = place.place == Place::corner   ? corners
-                       : place.place == Place::window ? std::max(2, reading_.brief.windows.value_or(0))
-                                                      : 1;
-    const char* name = place.place == Place::corner ? "corner" : place.place == Place::window ? "window" : "";
-    for (const std::size_t thing : things)
-      if (number > 1 && reading_.talk.mention(thing).quantity == 1 && given_.insert(thing).second) {
-        share(thing, no_mention, name, 1);
-        reading_.talk.multiply(thing, number);
-      }
-  }
-  // "eight chairs on either side" are sixteen, but "two lamps on either side" are two; "two chairs on each side" of a
-  // table are four.
-  void give_each_side(const Attachment& attachment, const Indices& things) {
-    const NounPhrase& side = reading_.phrase(attachment.to), &from = reading_.phrase(attachment.from);
-    const bool is_each = side.determiner == Determiner::each;
-    if (!(is_each || side.determiner == Determiner::any) || side.is_plural || from.is_pronoun) return;
-    for (const std::size_t thing : things) {
-      const Mention& mention = reading_.talk.mention(thing);
-      const bool is_seat = reading_.text.table.is_any_of(mention.category, {"chair", "stool"});
-      const int fewest = is_each && is_seat ? 2 : 3;
-      if (mention.counted && mention.quantity >= fewest && mention.part_of == Demand::none && !has_parts(thing) &&
-          given_.insert(thing).second)
-        reading_.talk.multiply(thing, 2);
-    }
-  }
-  bool has_parts(std::size_t thing) const { return reading_.talk.with_parts(thing).size() > 1; }
   // "facing the entrance" means the door, "in the entrance" the room.
   bool is_way_in(const NounPhrase& target, const Placement& placement) const {
     const auto part = reading_.words.room_parts.find(reading_.word(target.head));
@@ -310,50 +205,6 @@ class PlaceReader {
       return demand.kind == RelationKind::on && demand.mention == target;
     });
   }
-  // "a lamp on each nightstand", "desks, each with two drawers": as many for each of the owners as
-  // were said of one.
-  void give_each(std::size_t owner, const Indices& things) {
-    for (const std::size_t thing : things)
-      if (thing != owner && reading_.talk.mention(thing).part_of != owner && given_.insert(thing).second) {
-        const int count = std::max(1, reading_.talk.mention(thing).quantity);
-        share(thing, owner, "", count);
-        reading_.talk.multiply(thing, number_of(owner));
-        give_what_carries(owner, thing);
-      }
-  }
-  void share(std::size_t thing, std::size_t owner, const std::string& place, int count) {
-    SharedOut shared;
-    shared.thing = thing, shared.owner = owner, shared.place = place, shared.count = count;
-    shared.heard = reading_.talk.told();
-    if (const auto each = each_around(place_at_); each) shared.word = hear(reading_.brief, {*each, *each + 1}, Heard::As::count);
-    reading_.brief.shared_out.push_back(std::move(shared));
-  }
-  // "each", "every", "per" nearest to what is being read.
-  std::optional<std::uint32_t> each_around(std::uint32_t token) const {
-    constexpr std::uint32_t farthest = 8;
-    const auto is_each = [&](std::uint32_t i) { return reading_.is_word(i, "each") || reading_.is_word(i, "every") || reading_.is_word(i, "per"); };
-    for (std::uint32_t n = 0; n <= farthest; ++n) {
-      if (n <= token && is_each(token - n)) return token - n;
-      if (is_each(token + n)) return token + n;
-    }
-    return std::nullopt;
-  }
-  // "each desk has a lamp on a shelf": as many shelves.
-  void give_what_carries(std::size_t owner, std::size_t thing) {
-    for (const Attachment& attachment : reading_.parse.attachments) {
-      const auto& said = reading_.placement(attachment);
-      if (attachment.from == none || reading_.mention_of(attachment.from) != thing || !said || said->target == none ||
-          said->placement->relations.front() != RelationKind::on || reading_.phrase(said->target).determiner != Determiner::indefinite)
-        continue;
-      const auto carrier = reading_.mention_of(said->target);
-      if (carrier && *carrier != owner && reading_.talk.mention(*carrier).quantity == 1) give_each(owner, {*carrier});
-    }
-  }
-  int number_of(std::size_t owner) const {
-    int number = 0;
-    for (const std::size_t one : reading_.talk.with_parts(owner)) number += reading_.talk.mention(one).quantity;
-    return number;
-  }
   // "each with", "every desk has", "each of them holding"
   bool says_each(const Attachment& attachment) const {
     const auto begin = attachment.tokens.begin;
@@ -376,7 +227,7 @@ class PlaceReader {
                thing = reading_.mention_of(attachment.to);
     if (!owner || !thing || *owner == *thing) return;
     const Indices things = reading_.all_of(attachment.to);
-    if (says_each(attachment)) give_each(*owner, things);
+    if (says_each(attachment)) shares_.give_each(*owner, things, attachment.tokens.begin);
     for (const std::size_t one : things)
       for (auto kind : said.placement->relations)
         reading_.talk.add(one, {kind, *owner, "", said.placement->flank, is_among_several(attachment),
@@ -397,7 +248,7 @@ class PlaceReader {
       if (owner == *thing || reading_.talk.mention(owner).part_of != Demand::none) continue;
       if (says_each(attachment) && is_told_in_room(attachment.to)) continue;
       if (says_each(attachment) || is_each_behind(reading_.phrase(attachment.to)))
-        give_each(owner, reading_.all_of(attachment.to));
+        shares_.give_each(owner, reading_.all_of(attachment.to), attachment.tokens.begin);
       for (const std::size_t one : reading_.all_of(attachment.to))
         reading_.talk.own(owner, one, says_each(attachment), which_of(reading_, attachment.from));
       owner_of_[*thing] = owner;
@@ -409,8 +260,7 @@ class PlaceReader {
       const auto& said = reading_.placement(one);
       if (one.from != id || !said || said->target == none || said->placement->inverse || reading_.mention_of(said->target)) return false;
       const NounPhrase& target = reading_.phrase(said->target);
-      const auto place = read_place(reading_.text.plain, target.tokens.begin, reading_.words);
-      return place && target.determiner != Determiner::possessive;
+      return reading_.place_named(target) && target.determiner != Determiner::possessive;
     });
   }
   // Subjects, and what they are some of: none of them is what they stand beside.
@@ -571,7 +421,7 @@ class PlaceReader {
   std::size_t next_adverb_ = 0;                  ///< token
   std::map<std::size_t, std::size_t> owner_of_;  ///< "a tray with cups": mentions
   std::optional<std::pair<RelationKind, std::size_t>> last_side_;  ///< left or right of which mention
-  std::set<std::size_t> given_;                  ///< mentions that each of others has
+  ShareReader shares_;
 };
 
 }  // namespace

@@ -185,7 +185,7 @@ bool PronounReader::is_told_on_wall(std::int32_t id) const {
   return std::any_of(reading_.parse.attachments.begin(), reading_.parse.attachments.end(), [&](const Attachment& one) {
     const auto& said = reading_.placement(one);
     if (one.from != id || !said || said->target == none || said->placement->relations.front() != RelationKind::on) return false;
-    const auto place = read_place(reading_.text.plain, reading_.phrase(said->target).tokens.begin, reading_.words);
+    const auto place = reading_.place_named(reading_.phrase(said->target));
     return place && place->place == Place::wall;
   });
 }

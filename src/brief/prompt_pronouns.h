@@ -16,8 +16,6 @@ class PronounReader {
   /// Enters what a pronoun means into the reading: one mention, and of "them" and "both" the others too.
   void read(std::int32_t phrase);
   /// What the clauses before were about.
-  bool is_told_on_wall(std::int32_t id) const;
-  std::optional<std::size_t> last_in_sentence(std::int32_t id) const;
   std::optional<std::size_t> topic_before(std::int32_t phrase) const;
 
  private:
@@ -36,6 +34,8 @@ class PronounReader {
   std::optional<std::size_t> carrier_before(const language::Attachment& attachment) const;
   std::optional<std::size_t> small_neighbour(const language::Attachment& attachment, const Indices& subjects) const;
   std::optional<std::size_t> what_hangs_over(const language::Attachment& attachment) const;
+  bool is_told_on_wall(std::int32_t phrase) const;
+  std::optional<std::size_t> last_in_sentence(std::int32_t phrase) const;
   std::optional<std::size_t> owner_of(std::int32_t phrase) const;
   std::optional<std::size_t> what_was_placed(const language::Attachment& with) const;
   std::optional<std::size_t> subject_before(const language::Attachment& with) const;

@@ -53,6 +53,10 @@ struct PromptReading {
   }
   /// "my uncle", "two cats"
   bool is_somebody(const language::NounPhrase& phrase) const;
+  /// "the corner", "the northern half": the part of the room that a phrase names.
+  std::optional<PlacePhrase> place_named(const language::NounPhrase& phrase) const {
+    return read_place(text.plain, phrase.tokens.begin, words);
+  }
   int sentence_of(std::size_t token) const;
   /// "On the desk:", "Chairs:": what comes behind is announced.
   bool announces(const language::Run& sentence) const;
@@ -66,10 +70,10 @@ struct PromptReading {
   /// "with", "has": what follows is the first one's.
   bool owns(const language::Attachment& attachment) const;
   /// What a noun phrase means, with the parts of which more is said elsewhere.
-  std::vector<std::size_t> all_of(std::int32_t phrase) const;
+  Indices all_of(std::int32_t phrase) const;
   /// The mentions of which a place is said.
-  std::vector<std::size_t> subjects_of(const language::Attachment& attachment) const;
-  std::vector<std::size_t> mentions_of_list(std::int32_t phrase) const;
+  Indices subjects_of(const language::Attachment& attachment) const;
+  Indices mentions_of_list(std::int32_t phrase) const;
 
   const PromptText& text;
   const language::Parse& parse;

@@ -40,7 +40,7 @@ class ThingReader {
     const auto id = static_cast<std::int32_t>(number);
     if (said.is_pronoun) {
       // "the northern half"
-      if (!read_place(reading_.text.plain, said.tokens.begin, reading_.words)) pronouns_.read(id);
+      if (!reading_.place_named(said)) pronouns_.read(id);
       return;
     }
     ThingPhrase& thing = reading_.things[number];
@@ -99,11 +99,14 @@ class ThingReader {
     const std::string noun = language::singular(reading_.word(reading_.phrase(id).head));
     if (!language::lexicon().may_be(noun, language::WordClass::person)) return false;
     return std::any_of(reading_.parse.verbs.begin(), reading_.parse.verbs.end(), [&](const auto& verb) {
-      const std::string& word = reading_.word(verb.tokens.end - 1);
-      return verb.subject == id && verb.object != none && verb.kind == language::VerbPhrase::Kind::finite && !verb.is_passive &&
-             !reading_.words.verbs.count(word) && !reading_.words.stops.count(word) && !reading_.words.placements.count(word) &&
-             verb.base != "have" && verb.base != "be";
+      return verb.subject == id && does_something(verb) && verb.base != "have" && verb.base != "be";
     });
+  }
+  // "bangs a hammer": neither a verb of how things stand or look, nor one in the passive.
+  bool does_something(const language::VerbPhrase& verb) const {
+    const std::string& word = reading_.word(verb.tokens.end - 1);
+    return verb.object != none && verb.kind == language::VerbPhrase::Kind::finite && !verb.is_passive &&
+           !reading_.words.verbs.count(word) && !reading_.words.stops.count(word) && !reading_.words.placements.count(word);
   }
   // "three rows of five seats"
   void read_rows(std::int32_t id, std::size_t mention) {
@@ -203,11 +206,9 @@ class ThingReader {
     const NounPhrase& said = reading_.phrase(id);
     if (said.determiner != Determiner::absent || said.count > 0 || said.is_pronoun) return false;
     return std::any_of(reading_.parse.verbs.begin(), reading_.parse.verbs.end(), [&](const auto& verb) {
-      const std::string& word = reading_.word(verb.tokens.end - 1);
-      return verb.object == id && verb.subject != none && verb.kind == language::VerbPhrase::Kind::finite && !verb.is_passive &&
-             !reading_.phrase(verb.subject).is_pronoun && !reading_.mention_of(verb.subject) && reading_.is_somebody(reading_.phrase(verb.subject)) &&
-             !reading_.words.asking.count(verb.base) && !reading_.words.verbs.count(word) && !reading_.words.stops.count(word) &&
-             !reading_.words.placements.count(word);
+      return verb.object == id && verb.subject != none && does_something(verb) && !reading_.words.asking.count(verb.base) &&
+             !reading_.phrase(verb.subject).is_pronoun && !reading_.mention_of(verb.subject) &&
+             reading_.is_somebody(reading_.phrase(verb.subject));
     });
   }
   // "bottle green", "oatmeal", without an article: what something looks like.

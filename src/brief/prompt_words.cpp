@@ -93,7 +93,6 @@ Result<Vocabulary> parse_vocabulary(std::string_view text, const std::string& so
     words.room_parts[word] = part.text();
   for (const auto& [word, share] : root["shares"].members()) words.shares[word] = share.text();
   for (const auto& [word, meaning] : root["limits"].members()) words.limits[word] = meaning.text();
-  for (const auto& word : read_set(root["exceptions"])) words.exceptions[word] = true;
   for (const auto& relation : relation_definitions())
     if (relation.has(RelationDefinition::in_prompts)) words.placements[std::string(relation.name())].relations = {relation.kind};
   for (const auto& [phrase, relations] : root["placements"].members())
@@ -102,6 +101,7 @@ Result<Vocabulary> parse_vocabulary(std::string_view text, const std::string& so
                                                    {"definite", &words.definite},
                                                    {"negations", &words.negations},
                                                    {"anything", &words.anything},
+                                                   {"exceptions", &words.exceptions},
                                                    {"measured", &words.measured},
                                                    {"distances", &words.distances},
                                                    {"stops", &words.stops},
@@ -130,6 +130,19 @@ const Result<Vocabulary>& built_in_vocabulary() {
   static const auto words =
       parse_vocabulary(resource("data/words.json").value_or("{}"), "data/words.json");
   return words;
+}
+
+std::size_t longest_in(const WordSet& phrases, std::span<const Token> tokens, std::size_t at) {
+  constexpr std::size_t most = 7;  // words
+  std::size_t best = 0;
+  std::string phrase;
+  for (std::size_t n = 0; n < most && at + n < tokens.size(); ++n) {
+    const auto& token = tokens[at + n];
+    if (token.kind != Token::Kind::word && token.kind != Token::Kind::number) break;
+    phrase += (n ? " " : "") + token.text;
+    if (phrases.count(phrase)) best = n + 1;
+  }
+  return best;
 }
 
 }  // namespace roomgen::design

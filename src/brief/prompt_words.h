@@ -26,7 +26,7 @@ struct Placement {
   bool centered = false;  ///< of a room: in its middle
   bool hanging = false;   ///< of lamps: from the ceiling
   bool mutual = false;    ///< of things to each other: "side by side"
-  std::string owner;      ///< what alone has such a part: "at the foot" is a bed's
+  std::string owner = {};   ///< what alone has such a part: "at the foot" is a bed's
   bool inverse = false;   ///< said of the target: "a sofa flanked by two lamps"
 };
 
@@ -36,7 +36,6 @@ struct Vocabulary {
   std::map<std::string, Vec3, std::less<>> sizes;
   std::map<std::string, std::string, std::less<>> room_parts, shares;
   std::map<std::string, std::string, std::less<>> limits;  ///< "nothing else", "nothing but": else, but, only, nothing
-  std::map<std::string, bool, std::less<>> exceptions;     ///< "except", "but"
   std::map<std::string, Placement, std::less<>> placements;
   WordSet pairs;     ///< one thing though a plural: "headphones", "a pair of scissors"
   WordSet verbs;     ///< finite: what stands before begins a clause
@@ -48,6 +47,7 @@ struct Vocabulary {
   WordSet palette_frames;  ///< around colours that are said of no thing: "accents", "shades"
   WordSet further;   ///< "extra towels": besides those spoken of
   WordSet asking;    ///< "create", "add": verbs that only ask for something
+  WordSet exceptions;  ///< "except", "but"
   WordSet anything;  ///< "furniture", "things": whatever there is
   WordSet built_in;  ///< what is so is no thing of its own
   WordSet vague, definite, negations, measured, stops, parts, no_things, materials,
@@ -56,6 +56,9 @@ struct Vocabulary {
 
 Result<Vocabulary> parse_vocabulary(std::string_view text, const std::string& source);
 const Result<Vocabulary>& built_in_vocabulary();
+
+/// How many tokens from `at` on are the longest phrase of the set; 0 if none is.
+std::size_t longest_in(const WordSet& phrases, std::span<const Token> tokens, std::size_t at);
 
 /// A run of tokens that means something.
 template <typename T>

@@ -1,0 +1,109 @@
+#include "prompt_shares.h"
+
+#include <algorithm>
+
+namespace roomgen::design {
+
+using language::Attachment;
+using language::Determiner;
+using language::none;
+using language::NounPhrase;
+
+void ShareReader::give_each(std::size_t owner, const Indices& things, std::uint32_t at) {
+  for (const std::size_t thing : things)
+    if (thing != owner && reading_.talk.mention(thing).part_of != owner && given_.insert(thing).second) {
+      share({.thing = thing, .owner = owner, .count = std::max(1, reading_.talk.mention(thing).quantity)}, at);
+      reading_.talk.multiply(thing, number_of(owner));
+      give_what_carries(owner, thing, at);
+    }
+}
+
+void ShareReader::give_each_place(const PlacePhrase& place, const Indices& things, std::uint32_t at) {
+  constexpr int corners = 4;
+  const bool is_corner = place.place == Place::corner, is_window = place.place == Place::window;
+  if (!is_corner && !is_window) return;
+  const int number = is_corner ? corners : std::max(2, reading_.brief.windows.value_or(0));
+  for (const std::size_t thing : things)
+    if (reading_.talk.mention(thing).quantity == 1 && given_.insert(thing).second) {
+      share({.thing = thing, .place = is_corner ? "corner" : "window"}, at);
+      reading_.talk.multiply(thing, number);
+    }
+}
+
+void ShareReader::give_each_side(const Attachment& attachment, const Indices& things) {
+  const NounPhrase& side = reading_.phrase(attachment.to), &from = reading_.phrase(attachment.from);
+  const bool is_each = side.determiner == Determiner::each;
+  if (!(is_each || side.determiner == Determiner::any) || side.is_plural || from.is_pronoun) return;
+  for (const std::size_t thing : things) {
+    const Mention& mention = reading_.talk.mention(thing);
+    const bool is_seat = reading_.text.table.is_any_of(mention.category, {"chair", "stool"});
+    const int fewest = is_each && is_seat ? 2 : 3;
+    if (mention.counted && mention.quantity >= fewest && mention.part_of == Demand::none && !has_parts(thing) &&
+        given_.insert(thing).second)
+      reading_.talk.multiply(thing, 2);
+  }
+}
+
+void ShareReader::read_for_each(const Attachment& attachment) {
+  if (!is_for_each(attachment)) return;
+  const std::size_t owner = *reading_.mention_of(attachment.to);
+  const Indices things = reading_.subjects_of(attachment);
+  reading_.talk.told_by(reading_.hearing.relation(attachment, none));
+  give_each(owner, things, attachment.tokens.begin);
+  for (const std::size_t thing : things) {
+    if (thing == owner) continue;
+    reading_.talk.own(owner, thing, true);
+    if (!is_tied(thing, owner)) reading_.talk.add(thing, {RelationKind::near, owner, "", false});
+  }
+}
+
+bool ShareReader::is_for_each(const Attachment& attachment) const {
+  if (!reading_.mention_of(attachment.to)) return false;
+  return attachment.relation == "per" ||
+         (attachment.relation == "for" && reading_.phrase(attachment.to).determiner == Determiner::each);
+}
+
+bool ShareReader::is_tied(std::size_t thing, std::size_t owner) const {
+  const auto& demands = reading_.talk.mention(thing).demands;
+  return std::any_of(demands.begin(), demands.end(), [&](const Demand& demand) { return demand.mention == owner; });
+}
+
+int ShareReader::number_of(std::size_t owner) const {
+  int number = 0;
+  for (const std::size_t one : reading_.talk.with_parts(owner)) number += reading_.talk.mention(one).quantity;
+  return number;
+}
+
+void ShareReader::share(SharedOut shared, std::uint32_t at) {
+  shared.heard = reading_.talk.told();
+  if (const auto each = each_around(at)) shared.word = hear(reading_.brief, {*each, *each + 1}, Heard::As::count);
+  reading_.brief.shared_out.push_back(std::move(shared));
+}
+
+// "each", "every", "per" nearest to what is being read.
+std::optional<std::uint32_t> ShareReader::each_around(std::uint32_t token) const {
+  constexpr std::uint32_t farthest = 8;
+  const auto is_each = [&](std::uint32_t i) {
+    return reading_.is_word(i, "each") || reading_.is_word(i, "every") || reading_.is_word(i, "per");
+  };
+  for (std::uint32_t n = 0; n <= farthest; ++n) {
+    if (n <= token && is_each(token - n)) return token - n;
+    if (is_each(token + n)) return token + n;
+  }
+  return std::nullopt;
+}
+
+// "each desk has a lamp on a shelf": as many shelves.
+void ShareReader::give_what_carries(std::size_t owner, std::size_t thing, std::uint32_t at) {
+  for (const Attachment& attachment : reading_.parse.attachments) {
+    const auto& said = reading_.placement(attachment);
+    if (attachment.from == none || reading_.mention_of(attachment.from) != thing || !said || said->target == none ||
+        said->placement->relations.front() != RelationKind::on ||
+        reading_.phrase(said->target).determiner != Determiner::indefinite)
+      continue;
+    const auto carrier = reading_.mention_of(said->target);
+    if (carrier && *carrier != owner && reading_.talk.mention(*carrier).quantity == 1) give_each(owner, {*carrier}, at);
+  }
+}
+
+}  // namespace roomgen::design
