@@ -45,6 +45,12 @@ Cluster moved_to(const Cluster& cluster, const Pose& pose) {
   return moved;
 }
 
+Cluster in_room(Cluster cluster, const std::string& room) {
+  cluster.root.room = room;
+  for (auto& object : cluster.carried) object.room = room;
+  return cluster;
+}
+
 void Draft::put(const Cluster& cluster) {
   const auto put_one = [&](const Object& object) {
     if (Object* there = find_object(scene, object.id)) *there = object;

@@ -23,6 +23,8 @@ struct Cluster {
 Cluster cluster_of(const Scene& scene, const Object& root);
 /// With the root at another pose, and the rest as it stands on it.
 Cluster moved_to(const Cluster& cluster, const Pose& pose);
+/// With what it carries.
+Cluster in_room(Cluster cluster, const std::string& room);
 Pose pose_of(const Object& object);
 
 /// A scene while an edit is at work on it. Given up, it leaves nothing behind.

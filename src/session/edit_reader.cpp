@@ -7,6 +7,7 @@
 #include "complaints.h"
 #include "exceptions.h"
 #include "gathered_edits.h"
+#include "remarks.h"
 #include "spoken_clause.h"
 #include "word_order.h"
 

@@ -11,7 +11,6 @@ namespace roomgen {
 
 namespace {
 
-constexpr std::size_t longest_phrase = 7;  // words
 constexpr double most = 1e4;
 
 EditVocabulary::Set set_of(const JsonReader& json) {
@@ -174,18 +173,6 @@ Result<EditVocabulary> read_edit_vocabulary() {
 const Result<EditVocabulary>& edit_vocabulary() {
   static const auto words = read_edit_vocabulary();
   return words;
-}
-
-std::size_t longest_in(const design::WordSet& phrases, std::span<const design::Token> tokens, std::size_t at) {
-  std::size_t best = 0;
-  std::string phrase;
-  for (std::size_t n = 0; n < longest_phrase && at + n < tokens.size(); ++n) {
-    const auto& token = tokens[at + n];
-    if (token.kind != design::Token::Kind::word && token.kind != design::Token::Kind::number) break;
-    phrase += (n ? " " : "") + token.text;
-    if (phrases.count(phrase)) best = n + 1;
-  }
-  return best;
 }
 
 }  // namespace roomgen

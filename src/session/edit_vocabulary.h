@@ -56,7 +56,6 @@ struct EditVocabulary {
 
 const Result<EditVocabulary>& edit_vocabulary();
 
-/// How many tokens from `at` on are the longest phrase of the set; 0 if none is.
-std::size_t longest_in(const design::WordSet& phrases, std::span<const design::Token> tokens, std::size_t at);
+using design::longest_in;
 
 }  // namespace roomgen

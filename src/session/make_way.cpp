@@ -4,7 +4,6 @@
 #include <optional>
 
 #include "edited_ledger.h"
-#include "grouping.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen {
@@ -172,23 +171,6 @@ Status place_or_make_way(Draft& draft, const Cluster& cluster, const Aim& aim) {
   const auto way = maker.run();
   if (!way || !draft.repair) return no_way(draft, cluster, aim, found.error().message, maker.blocking());
   take(draft, *way);
-  return {};
-}
-
-Status move_group_to(Draft& draft, const Object& leader, const Pose& pose) {
-  const auto group = group_of(draft.scene, leader);
-  const auto moved = moved_to(group, pose);
-  Layout& layout = draft.shop.layout(draft.scene, leader.room, ids_of(group));
-  for (const auto& cluster : moved) {
-    if (cluster.root.locked) return cannot(cluster.root.id + " would come along, and is locked; unlock it first");
-    auto there = settled(draft, layout, cluster);
-    if (!there) there = settled(draft, layout, cluster, RugEdges::stood_on);
-    if (!there) return there.error();
-    layout.add(there->root);
-    for (const auto& carried : there->carried) layout.add(carried);
-    draft.put(*there);
-    draft.named.insert(cluster.root.id);
-  }
   return {};
 }
 

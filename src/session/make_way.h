@@ -8,9 +8,6 @@ namespace roomgen {
 /// can be, up to three, move as little as can be, and all their relations and all requirements that held still
 /// hold. What moved is in the draft, and in Draft::repairs. If even that fails, the error names the smallest
 /// set of up to three neighbours without which there would be a place. The cluster is put into the draft.
-/// A thing with what stands around it, as they stand to each other, exactly there.
-Status move_group_to(Draft& draft, const Object& leader, const Pose& pose);
-
 Status place_or_make_way(Draft& draft, const Cluster& cluster, const Aim& aim);
 
 }  // namespace roomgen

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "group_moves.h"
 #include "grouping.h"
 #include "make_way.h"
 #include "operations.h"
@@ -11,7 +12,6 @@ namespace roomgen {
 
 namespace {
 
-constexpr double slack_of_group = 0.6;  // metres that a thing may give way when it comes along with what it stands around
 constexpr double shift_step = 0.05;  // metres, in which it is found how far a shift could go
 constexpr double same_spot = 0.05;   // metres; where things stand on others, places are 2 cm apart
 
@@ -77,12 +77,6 @@ Result<std::string> room_to_go_to(const Draft& draft, const edit::Move& move, co
   return object.room;
 }
 
-Cluster in_room(Cluster cluster, const std::string& room) {
-  cluster.root.room = room;
-  for (auto& object : cluster.carried) object.room = room;
-  return cluster;
-}
-
 Status check_move(const Draft& draft, const Object& object, const std::string& room,
                   const std::vector<Relation>& relations) {
   if (auto status = check_targets(draft, room, relations); !status) return status;
@@ -90,28 +84,6 @@ Status check_move(const Draft& draft, const Object& object, const std::string& r
     if (relation.target == object.id) return cannot(object.id + " cannot stand beside itself");
   if (says_support(relations) && object.mount != Mount::surface)
     return cannot(object.id + " does not stand on other things");
-  return {};
-}
-
-// What stands around a thing, as it stood to it; or else where its relations hold.
-Status take_group_along(Draft& draft, Draft& moved, const std::vector<Cluster>& group, const Object& leader) {
-  const auto wanted = moved_to(group, pose_of(leader));
-  for (std::size_t i = 1; i < group.size(); ++i) {
-    const Cluster there = in_room(wanted[i], leader.room);
-    if (there.root.locked) return cannot(there.root.id + " would come along, and is locked; unlock it first");
-    auto place = there_or_near(moved, there, pose_of(there.root), slack_of_group);
-    if (!place) {
-      Aim aim;
-      aim.asked = group[i].root.relations;
-      place = find_place(moved, moved.layout_without(there), there, aim);
-    }
-    if (!place) return cannot(there.root.id + " cannot come along: " + place.error().message);
-    place->root.relations = group[i].root.relations;
-    moved.put(*place);
-    moved.named.insert(there.root.id);
-  }
-  restore_order(draft.scene.objects, moved.scene.objects);
-  draft.take_over(std::move(moved));
   return {};
 }
 

@@ -23,11 +23,10 @@ std::vector<std::size_t> ends_of_subject(const EditText& text, std::size_t at);
 using ReadOrder = std::function<ReadClause(const EditText&, const SaidVerb&, std::size_t)>;
 std::optional<ReadClause> clause_with_subject(const EditText& text, std::size_t at, const ReadOrder& read);
 
+/// Within so many tokens a clause says who does something: "our noisy new neighbours".
+inline constexpr std::size_t longest_somebody = 4;
+
 /// How many tokens say that somebody wants something: "my son would like"; 0 if none do.
 std::size_t wish_of_somebody(const EditText& text, std::size_t at);
-
-/// The token behind words that ask for nothing: "our toddler keeps bumping his head on it"; `at` if they may ask
-/// for something. Before anything is asked for (`at_first`) these may be words of which nothing is known.
-std::size_t end_of_remark(const EditText& text, std::size_t at, bool at_first);
 
 }  // namespace roomgen

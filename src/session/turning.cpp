@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "make_way.h"
+#include "group_moves.h"
 #include "operations.h"
 #include "placing.h"
 #include "scene/judgement.h"
