@@ -34,7 +34,7 @@ bool is_counted(const PlanItem& item, const Requirement* clause) {
   return item.asked && (!clause || (clause->source != Source::person && clause->source != Source::activity));
 }
 
-// What the core of the room's kind consists of, and what comes with that is no part of it.
+// One of the things that the core of the room's kind consists of; what comes with them is none.
 bool is_essential(const PlanItem& item, const std::string& room, const KindTable& kinds) {
   const auto& core = design::built_in_room_kinds()->get(room).core;
   return !item.asked && item.mount == Mount::floor && std::ranges::any_of(core, [&](const design::Piece& piece) {

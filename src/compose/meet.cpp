@@ -105,13 +105,7 @@ class Opener {
         least > 0.0 && gathering != usual.end() &&
         std::ranges::none_of(stands_, [&](const Stand& stand) { return is_free(stand) && gathers(stand); }))
       add_one_of({*gathering}, most);
-    double given = 0.0;  // by one of each that such a room is none without
-    for (auto& stand : stands_)
-      if (is_free(stand) && !stand.asked) {
-        const bool is_given = stand.essential && given + worth(stand) <= most;
-        stand.count.low = is_given ? 1.0 : 0.0;
-        given += is_given ? worth(stand) : 0.0;
-      }
+    const double given = give_essentials(is_free, worth, most);
     Stand* finest = nullptr;  // what goes to the tables, then what each is worth least: it comes closest
     for (auto& stand : stands_) {
       if (!is_free(stand)) continue;
@@ -120,6 +114,19 @@ class Opener {
         finest = &stand;
     }
     if (finest) finest->count.low += std::ceil(std::max(0.0, least - given) / worth(*finest));
+  }
+
+  // One of each that such a room is none without, as far as that is not too many; what they are worth.
+  template <typename IsFree, typename Worth>
+  double give_essentials(IsFree is_free, Worth worth, double most) {
+    double given = 0.0;
+    for (auto& stand : stands_) {
+      if (!is_free(stand) || stand.asked) continue;
+      const bool is_given = stand.essential && given + worth(stand) <= most;
+      stand.count.low = is_given ? 1.0 : 0.0;
+      given += is_given ? worth(stand) : 0.0;
+    }
+    return given;
   }
 
   // Does it usually stand at something that was asked for?

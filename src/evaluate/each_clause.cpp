@@ -42,19 +42,19 @@ class Sharing {
 std::string each_fault(std::span<const Object* const> things, std::span<const std::string> owners, int count,
                        const std::function<bool(const Object&, const std::string&)>& belongs) {
   if (owners.empty()) return "there is nothing that could have one";
+  const auto each = static_cast<std::size_t>(std::max(1, count));
   std::vector<std::vector<std::size_t>> candidates;
   for (const auto& owner : owners) {
     std::vector<std::size_t> own;
     for (std::size_t i = 0; i < things.size(); ++i)
       if (things[i]->id != owner && belongs(*things[i], owner)) own.push_back(i);
-    candidates.insert(candidates.end(), static_cast<std::size_t>(std::max(1, count)), own);
+    candidates.insert(candidates.end(), each, own);
   }
   Sharing sharing(candidates, things.size());
   for (std::size_t place = 0; place < candidates.size(); ++place)
-    if (!sharing.give(place)) {
-      const auto& owner = owners[place / static_cast<std::size_t>(std::max(1, count))];
-      return owner + (count > 1 ? " has not " + std::to_string(count) + " of its own" : " has none of its own");
-    }
+    if (!sharing.give(place))
+      return owners[place / each] +
+             (each > 1 ? " has not " + std::to_string(each) + " of its own" : " has none of its own");
   return "";
 }
 

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "finding.h"
 #include "each_clause.h"
+#include "finding.h"
 #include "formation_clause.h"
 #include "identity.h"
+#include "only_clause.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
-#include "only_clause.h"
 #include "room_clause.h"
 #include "scene/judgement.h"
 #include "scene/mount_attribute.h"
@@ -322,9 +322,9 @@ class Checker {
       return is_between(requirement.targets, object)
                  ? ""
                  : "is not between " + join(requirement.targets, " and ");
-    const auto holds = [&](const std::string& target) { return this->holds(requirement.relation, object, target); };
+    const auto is_so = [&](const std::string& target) { return holds(requirement.relation, object, target); };
     const auto& targets = requirement.targets;
-    if (targets.empty() ? holds("") : std::any_of(targets.begin(), targets.end(), holds)) return "";
+    if (targets.empty() ? is_so("") : std::any_of(targets.begin(), targets.end(), is_so)) return "";
     return "is not " + std::string(name(requirement.relation)) +
            (targets.empty() ? "" : " " + join(targets, " or "));
   }

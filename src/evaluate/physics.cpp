@@ -13,16 +13,17 @@ namespace {
 constexpr double points_per_cubic_metre = 5000.0;
 constexpr double least_points = 1000.0;
 constexpr double floor_tolerance = 1e-6;  // a ray that starts on the floor meets it
-constexpr double edge_tolerance = 1e-4;   // what a scene file resolves: flush to a wall is inside
 
 bool above_floor(const Vec3& point, const Room& room) {
-  if (point.z() < -floor_tolerance) return false;
-  const Vec2 place = point.head<2>();
-  return contains(room.polygon, place) ||
-         distance_to_boundary(room.polygon, place) <= edge_tolerance;
+  return point.z() >= -floor_tolerance && is_over_floor(point.head<2>(), room);
 }
 
 }  // namespace
+
+bool is_over_floor(const Vec2& place, const Room& room) {
+  constexpr double edge_tolerance = 1e-4;  // metres: what a scene file resolves
+  return contains(room.polygon, place) || distance_to_boundary(room.polygon, place) <= edge_tolerance;
+}
 
 double share_in_bounds(const Thing& thing, const Room& room) {
   const Mesh& mesh = thing.mesh();

@@ -7,6 +7,7 @@
 
 #include "base/random.h"
 #include "geometry/convex_hull.h"
+#include "physics.h"
 
 namespace roomgen::sceneeval {
 
@@ -20,7 +21,6 @@ constexpr std::size_t least_points_a_face = 32;
 constexpr std::size_t most_points = 100000;
 constexpr std::size_t least_contacts = 4;
 constexpr double no_area = 1e-12;  // of contacts in one line, m2
-constexpr double edge_tolerance = 1e-4;  // what a scene file resolves: flush to a wall is inside
 
 struct Pull {
   Vec3 direction = -Vec3::UnitZ();
@@ -80,8 +80,7 @@ std::optional<double> meets_room(const Vec3& origin, const Vec3& direction, cons
   const double distance = direction.z() < 0.0 ? origin.z() : room.height - origin.z();
   const Vec2 place = origin.head<2>();
   if (distance < 0.0 || distance >= reach) return std::nullopt;
-  if (!contains(room.polygon, place) && distance_to_boundary(room.polygon, place) > edge_tolerance)
-    return std::nullopt;
+  if (!is_over_floor(place, room)) return std::nullopt;
   return distance;
 }
 
