@@ -47,12 +47,12 @@ class Formations {
       : drafts_(drafts), table_(table), arrangements_(arrangements), plan_(plan) {}
 
   void run() {
-    std::map<std::size_t, std::vector<std::size_t>> members;  // items by mention
+    std::map<std::pair<std::size_t, std::string>, std::vector<std::size_t>> members;  // items by mention and kind
     for (std::size_t i = 0; i < drafts_.size(); ++i)
       if (drafts_[i].formation && drafts_[i].item.mount == Mount::floor &&
           drafts_[i].item.quantity == 1 && drafts_[i].item.size)
-        members[drafts_[i].mention].push_back(i);
-    for (const auto& [mention, items] : members) lay_out(items);
+        members[{drafts_[i].mention, drafts_[i].item.category}].push_back(i);
+    for (const auto& [kind, items] : members) lay_out(items);
   }
 
  private:
@@ -175,6 +175,16 @@ class Formations {
 };
 
 }  // namespace
+
+void fall_in_as_usual(std::vector<Draft>& drafts, const KindTable& table, const Arrangements& arrangements) {
+  for (auto& draft : drafts) {
+    if (draft.formation || draft.item.mount != Mount::floor || !draft.demands.empty()) continue;
+    const int from = arrangements.get(table, draft.item.category, Mount::floor).rows_from;
+    if (from == 0 || draft.item.quantity < from) continue;
+    draft.formation = Formation{.rows = 0, .columns = 0};
+    draft.is_usual_formation = true;
+  }
+}
 
 void lay_out_formations(const std::vector<Draft>& drafts, const KindTable& table,
                         const Arrangements& arrangements, Plan& plan) {

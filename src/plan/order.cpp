@@ -212,7 +212,7 @@ class Resolver {
       else
         add(relations, {first ? RelationKind::left_of : RelationKind::right_of, flanked});
     }
-    if (draft.formation) fall_in(draft, relations);
+    if (draft.formation && !draft.is_usual_formation) fall_in(draft, relations);
     return relations;
   }
 

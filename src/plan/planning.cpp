@@ -151,6 +151,7 @@ class Planner {
     // Of a room that is no rectangle, one of its area.
     const Vec2 usable(box.x(), area(plan.room.polygon) / box.x());
     complete(drafts, brief_, kinds_, kind_, usable, table_, looks, random.fork("contents"));
+    fall_in_as_usual(drafts, table_, arrangements_);
     result.drafts = order_items(std::move(drafts), table_, arrangements_, plan);
     lay_out_formations(result.drafts, table_, arrangements_, plan);
     judge(result, bar);

@@ -95,7 +95,7 @@ std::vector<std::vector<Relation>> read_ways(const JsonReader& json, const Group
 }
 
 Arrangement read_arrangement(const JsonReader& json, const Groups& groups) {
-  json.allow_only({"stage", "ways", "preferences", "reserve", "seats", "over", "else"});
+  json.allow_only({"stage", "ways", "preferences", "reserve", "seats", "over", "else", "rows from"});
   Arrangement arrangement;
   arrangement.stage = static_cast<int>(json["stage"].integer_or(4, 0, 20));
   arrangement.ways = read_ways(json["ways"], groups);
@@ -103,6 +103,7 @@ Arrangement read_arrangement(const JsonReader& json, const Groups& groups) {
   read_preferences(json["preferences"], arrangement);
   read_reserve(json["reserve"], arrangement);
   arrangement.seats = json["seats"].boolean_or(false);
+  arrangement.rows_from = static_cast<int>(json["rows from"].integer_or(0, 2, 300));
   if (const auto over = json["over"]; over.exists())
     for (const auto& [kind, shift] : over.members()) arrangement.over[kind] = shift.number(-2, 2);
   return arrangement;

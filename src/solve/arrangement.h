@@ -57,6 +57,7 @@ struct Arrangement {
   std::vector<WeightedPreference> preferences;
   std::array<double, 4> reserve{};  ///< floor to leave open, by Side
   bool seats = false;               ///< shares the sides of its table with its like
+  int rows_from = 0;                ///< so many of them stand in rows where nothing else is said; 0: never
   /// For a rug, by category of its target: how far before the target's front side its centre lies,
   /// in metres; others lie under the centre of the target.
   std::map<std::string, double, std::less<>> over;

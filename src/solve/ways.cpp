@@ -19,6 +19,18 @@ bool is_a(const Kind& category, const Kind* kind) {
   return kind && is_of(category, kind->name);
 }
 
+// A chair that was drawn up to another desk, however close it stands to this one.
+bool belongs_to_another(const Layout& layout, const FloorThing& thing, const FloorThing& candidate) {
+  const auto& relations = thing.object->relations;
+  const auto gathers_at = [&](const FloorThing& one) {
+    return std::any_of(relations.begin(), relations.end(), [&](const Relation& relation) {
+      return relation.kind == RelationKind::around && relation.target == one.object->id;
+    });
+  };
+  const auto things = layout.things();
+  return !gathers_at(candidate) && std::any_of(things.begin(), things.end(), gathers_at);
+}
+
 // How many things like `self` the candidate has already.
 int partners(const Layout& layout, const Object& self, const Kind* own,
              const FloorThing& candidate) {
@@ -27,7 +39,7 @@ int partners(const Layout& layout, const Object& self, const Kind* own,
     if (other.object == candidate.object || other.object->id == self.id) return false;
     if (!is_a(*other.category, own)) return false;
     if (!other.object->on.empty()) return depends_on(*other.object, candidate.object->id);
-    return gap(other.footprint, candidate.footprint) <= partner_gap;
+    return gap(other.footprint, candidate.footprint) <= partner_gap && !belongs_to_another(layout, other, candidate);
   }));
 }
 
