@@ -388,8 +388,7 @@ bool Discourse::seats_at(std::size_t seat, std::size_t other) const {
   const auto& table = lexicon_.table;
   return other != Demand::none &&
          table.is_any_of(mention(seat).category, {"chair", "stool", "bench"}) &&
-         table.is_a(mention(other).category, "table") &&
-         !table.is_a(mention(other).category, "desk");
+         table.is_a(mention(other).category, "table");
 }
 
 bool Discourse::works_at(std::size_t seat, std::size_t other) const {

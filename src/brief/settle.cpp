@@ -89,6 +89,30 @@ bool faces_something(const Mention& mention) {
   });
 }
 
+// Serves what is said of another thing.
+Demand means(RelationKind kind, std::size_t target) {
+  Demand demand{kind, target, "", false};
+  demand.is_means = true;
+  return demand;
+}
+
+// Who sits at a desk does so on its user's side.
+void sit_before_desks(Brief& brief, const KindTable& table) {
+  for (auto& mention : brief.mentions) {
+    if (!table.is_any_of(mention.category, {"chair", "stool"})) continue;
+    const auto at_desk = std::find_if(mention.demands.begin(), mention.demands.end(), [&](const Demand& demand) {
+      return demand.kind == RelationKind::around && demand.mention != Demand::none &&
+             table.is_a(brief.mentions[demand.mention].category, "desk");
+    });
+    if (at_desk == mention.demands.end()) continue;
+    const std::size_t desk = at_desk->mention;
+    const bool is_placed = std::any_of(mention.demands.begin(), mention.demands.end(), [&](const Demand& demand) {
+      return demand.mention == desk && demand.kind != RelationKind::around;
+    });
+    if (!is_placed) mention.demands.push_back(means(RelationKind::in_front_of, desk));
+  }
+}
+
 // A chair in front of a desk is drawn up to it.
 void draw_up_seats(Brief& brief, const KindTable& table) {
   for (auto& mention : brief.mentions) {
@@ -103,13 +127,6 @@ void draw_up_seats(Brief& brief, const KindTable& table) {
     around.kind = RelationKind::around;
     mention.demands.push_back(around);
   }
-}
-
-// Serves what is said of another thing.
-Demand means(RelationKind kind, std::size_t target) {
-  Demand demand{kind, target, "", false};
-  demand.is_means = true;
-  return demand;
 }
 
 void turn_behind(Brief& brief, const KindTable& table) {
@@ -174,6 +191,7 @@ void settle(Brief& brief, const KindTable& table) {
   lay_rugs(brief, table);
   draw_up_seats(brief, table);
   turn_behind(brief, table);
+  sit_before_desks(brief, table);
   find_contradictions(brief);
   // What is asked for is not forbidden.
   for (const auto& mention : brief.mentions)

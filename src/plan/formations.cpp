@@ -58,21 +58,40 @@ class Formations {
  private:
   void lay_out(const std::vector<std::size_t>& items) {
     const Draft& first = drafts_[items.front()];
-    const RowBlock wanted = block_of(first, items.size());
-    if (wanted.rows < 2) return;
-    const auto site = site_for(wanted, first);
-    if (!site) return;
-    const RowBlock block = wanted.closer(site->closeness);
-    for (std::size_t n = 0; n < items.size(); ++n) stand(plan_.items[items[n]], block, *site, n);
-    turn_to_audience(first, *site);
+    const auto laid = loosest(first, items.size());
+    if (!laid) return;
+    const auto& [wanted, site] = *laid;
+    const RowBlock block = wanted.closer(site.closeness);
+    for (std::size_t n = 0; n < items.size(); ++n) stand(plan_.items[items[n]], block, site, n);
+    turn_to_audience(first, site);
   }
 
-  RowBlock block_of(const Draft& draft, std::size_t count) const {
+  // Of the blocks that the words allow the one that finds the loosest site: as wide as usual, else narrower or wider.
+  std::optional<std::pair<RowBlock, FormationSite>> loosest(const Draft& draft, std::size_t count) const {
+    const Formation& said = *draft.formation;
+    const std::size_t usual = columns_of(said, count);
+    std::vector<std::size_t> widths = {usual};
+    if (said.rows == 0 && said.columns == 0)
+      for (std::size_t off = 1; off < count; ++off) {
+        if (usual > off + 1) widths.push_back(usual - off);
+        if (2 * (usual + off) <= count + 1) widths.push_back(usual + off);
+      }
+    std::optional<std::pair<RowBlock, FormationSite>> best;
+    for (const std::size_t columns : widths) {
+      const RowBlock block = block_of(draft, count, columns);
+      if (block.rows < 2) continue;
+      const auto site = site_for(block, draft);
+      if (site && (!best || site->closeness > best->second.closeness)) best = {block, *site};
+    }
+    return best;
+  }
+
+  RowBlock block_of(const Draft& draft, std::size_t count, std::size_t columns) const {
     const PlanItem& item = draft.item;
     const auto& reserve = arrangements_.get(table_, item.category, item.mount).reserve;
     const auto open = [&](roomgen::Side side) { return reserve[static_cast<std::size_t>(side)]; };
     RowBlock block;
-    block.columns = columns_of(*draft.formation, count);
+    block.columns = columns;
     block.rows = (count + block.columns - 1) / block.columns;
     block.width = item.size->x();
     block.depth = item.size->y();
