@@ -75,6 +75,8 @@ struct Mention {
   bool at_most = false;      ///< "no more than two"
   int least = 0, most = 0;   ///< "8 to 12", "about a dozen"; 0: no range. The quantity is between both
   bool open = false;         ///< a plural without a number
+  int joined_to = 0;         ///< "eight desks and lamps": the number of what a plural without one is joined to; 0: none
+  std::int32_t list = language::none;  ///< of the parse: where it is named among others
   bool varied = false;       ///< they shall differ
   bool contradicts = false;  ///< another number of the same things was asked for before: not planned
   bool sized = false;        ///< the prompt says something about its size

@@ -69,13 +69,25 @@ class ThingReader {
     if (const auto owner = owner_of_part(id, thing)) return reading_.hearing.part(id, *owner);
     if (!names_thing(id, thing)) return;
     if (!thing.article && !thing.definite) read_listed_without_commas(said, thing);
+    const std::size_t before = reading_.talk.count();
     reading_.mentions[number] = refer(id, thing);
+    if (reading_.talk.count() > before) note_list(said);
     if (reading_.mentions[number]) {
       read_rows(id, *reading_.mentions[number]);
       one_for_each_person(id, *reading_.mentions[number]);
       reading_.hearing.thing(thing, *reading_.mentions[number]);
     }
     skip_to_ = std::max(skip_to_, thing.end);
+  }
+  // Among which things the newest is named; of "eight desks and chairs" the chairs are joined to eight.
+  void note_list(const NounPhrase& said) {
+    Mention& newest = reading_.brief.mentions.back();
+    newest.list = said.list;
+    if (said.list == none || said.tokens.begin == 0 || !reading_.is_word(said.tokens.begin - 1, "and")) return;
+    const bool is_bare = said.determiner == Determiner::absent && said.count == 0 && said.is_plural;
+    for (const NounPhrase& other : reading_.parse.phrases)
+      if (is_bare && other.list == said.list && other.tokens.end + 1 == said.tokens.begin && other.count > 1 && !other.is_pronoun)
+        newest.joined_to = static_cast<int>(std::min(other.count, most_of_them));
   }
   // "a TV on a stand": a stand for that, where there is such a kind.
   void name_by_what_it_holds(std::int32_t id, ThingPhrase& thing) const {

@@ -4,27 +4,12 @@
 
 #include "mention_shape.h"
 #include "settle_carriers.h"
+#include "settle_numbers.h"
 #include "settle_supports.h"
 
 namespace roomgen::design {
 
 namespace {
-
-constexpr int seats_at_a_table = 4;
-constexpr int usual_few = 2;
-
-int usual_number(const Mention& mention, const Brief& brief, const KindTable& table) {
-  // How many windows there will be is not known yet.
-  if (table.get(mention.category).covers_window) return 1;
-  const bool seat = table.is_any_of(mention.category, {"chair", "stool"});
-  if (seat && brief.people > 0) return brief.people;
-  const bool table_there =
-      std::any_of(brief.mentions.begin(), brief.mentions.end(), [&](const Mention& m) {
-        return table.is_any_of(m.category, {"dining table", "kitchen island"}) ||
-               m.category == "table";
-      });
-  return seat && table_there ? seats_at_a_table : usual_few;
-}
 
 // Between two things, or two of a kind; of one only what stands beside it is left.
 void settle_between(Mention& mention, const Brief& brief) {
@@ -179,13 +164,10 @@ void note_unknown(Brief& brief) {
 }  // namespace
 
 void settle(Brief& brief, const KindTable& table) {
-  for (auto& mention : brief.mentions)
-    if (mention.quantity == 0) {
-      mention.open = true;
-      mention.quantity = usual_number(mention, brief, table);
-    }
+  settle_numbers(brief, table);
   for (auto& mention : brief.mentions) settle_between(mention, brief);
   settle_supports(brief, table);
+  settle_numbers_on_carriers(brief);
   settle_carriers(brief, table);
   calm_opposites(brief, table);
   lay_rugs(brief, table);

@@ -184,7 +184,8 @@ void stand_on_what_was_named(Brief& brief, const KindTable& table) {
         table.is_any_of(mentions[i].category, {"pillow", "blanket"}))
       continue;
     for (std::size_t j = i; j-- > 0 && mentions[j].sentence == mentions[i].sentence;) {
-      if (!keeps_things(mentions[j].category, table)) continue;
+      const bool is_listed_with_it = mentions[j].list != language::none && mentions[j].list == mentions[i].list;
+      if (!keeps_things(mentions[j].category, table) || is_listed_with_it) continue;
       if (mentions[j].mount == Mount::floor && !is_too_large(mentions[i], mentions[j]))
         put_on(mentions[i], j);
       break;
