@@ -77,7 +77,7 @@ void hand_down_supports(Brief& brief) {
 }
 
 // What was only heard from a list gives way to what is said of the thing itself.
-void drop_listed_supports(Mention& mention) {
+void drop_listed_supports(Mention& mention, const Brief& brief, const KindTable& table) {
   const bool told =
       std::any_of(mention.demands.begin(), mention.demands.end(),
                   [&](const Demand& demand) { return is_support(demand) && !demand.listed; });
@@ -87,7 +87,10 @@ void drop_listed_supports(Mention& mention) {
     });
   };
   std::erase_if(mention.demands, [&](const Demand& demand) {
-    const bool is_loose = is_support(demand) || demand.kind == RelationKind::near;
+    // "a desk with a chair nearby" has no chair at it.
+    const bool is_at_desk = demand.kind == RelationKind::around && demand.mention != Demand::none &&
+                            table.is_a(brief.mentions[demand.mention].category, "desk");
+    const bool is_loose = is_support(demand) || demand.kind == RelationKind::near || is_at_desk;
     return demand.listed && demand.mention != Demand::none && is_loose && (is_told_of_it(demand) || (told && is_support(demand)));
   });
 }
@@ -209,7 +212,7 @@ bool is_beside(RelationKind kind) {
 
 void settle_supports(Brief& brief, const KindTable& table) {
   hand_down_supports(brief);
-  for (auto& mention : brief.mentions) drop_listed_supports(mention);
+  for (auto& mention : brief.mentions) drop_listed_supports(mention, brief, table);
   for (auto& mention : brief.mentions) hang_what_is_above(mention, brief, table);
   for (auto& mention : brief.mentions) stand_on_things(mention, brief, table);
   shrink_beside_small(brief, table);

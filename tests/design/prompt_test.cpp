@@ -234,6 +234,40 @@ TEST_CASE("people are counted") {
   CHECK(read_brief("room for two chairs").people == 0);
 }
 
+TEST_CASE("plurals without a number are as many as what they are joined to, serve or belong to") {
+  struct Case {
+    const char* prompt;
+    std::size_t mention;
+    int number;
+  };
+  const Case cases[] = {
+      {"an office with eight desks and chairs", 1, 8},
+      {"a workshop with three benches and lamps", 1, 3},
+      {"a classroom with twelve desks with chairs", 1, 12},
+      {"a dining room with two tables and chairs", 1, 8},
+      {"a dining room with a table and chairs", 1, 4},
+      {"an office for four with desks and a sofa", 0, 4},
+      {"a study with two sofas, chairs and a desk", 1, 1},
+      {"a bedroom with lamps and a bed", 0, 2},
+  };
+  for (const auto& one : cases) {
+    INFO(one.prompt);
+    const Brief brief = read_brief(one.prompt);
+    REQUIRE(brief.mentions.size() > one.mention);
+    CHECK(brief.mentions[one.mention].quantity == one.number);
+  }
+}
+
+TEST_CASE("what is listed beside a table does not stand on it") {
+  for (const char* prompt : {"a den with a coffee table, a television and a chair", "a sofa, a side table, a radio and a rug"}) {
+    INFO(prompt);
+    const Brief brief = read_brief(prompt);
+    for (const auto& mention : brief.mentions)
+      CHECK(std::none_of(mention.demands.begin(), mention.demands.end(),
+                         [](const Demand& demand) { return demand.kind == RelationKind::on; }));
+  }
+}
+
 TEST_CASE("placements become demands") {
   struct Case {
     const char* prompt;
@@ -259,7 +293,7 @@ TEST_CASE("placements become demands") {
       {"Next to the bed stands a lamp.", 1, "next to, bed | side of, bed"},
       {"a painting above the sofa", 0, "above, sofa"},
       {"a chest at the foot of the bed", 0, "in front of, bed | near, bed"},
-      {"a chair behind the desk", 0, "around, desk"},
+      {"a chair behind the desk", 0, "around, desk | in front of, desk"},
       {"a sofa on the rug", 1, "under, sofa"},
       {"a sofa and an armchair are against the wall", 0, "edge"},
       {"A desk sits directly under a wide window.", 0, "near, window-0 | in front of, window-0"},
@@ -328,7 +362,7 @@ TEST_CASE("placements become demands") {
       {"A desk stands by the wall, on which there is a lamp.", 1, "on, desk"},
       {"On the left as you come in there is a coat rack.", 0, "in part, west-half"},
       {"A plant stands in the near left corner.", 0, "corner | in part, south-west-quarter"},
-      {"A desk and a workbench with two stools.", 2, "near, workbench"},
+      {"A desk and a workbench with two stools.", 2, "around, workbench | in front of, workbench"},
   };
   for (const auto& one : cases) {
     INFO(one.prompt);
