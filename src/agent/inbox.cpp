@@ -25,15 +25,22 @@ bool Inbox::header(std::string_view line) {
 }
 
 bool Inbox::body(std::string_view bytes) {
-  too_long_ = answer_.body.size() + bytes.size() > limit_;
+  too_long_ = answer_.body.size() + bytes.size() > limits_.answer_bytes;
   if (!too_long_) answer_.body += bytes;
   return !too_long_;
 }
 
-void Inbox::moved(long long bytes) {
-  if (bytes == bytes_moved_) return;
-  bytes_moved_ = bytes;
-  last_moved_ = Clock::now();
+// How long it took to the first byte of an answer says nothing of how fast the rest comes.
+void Inbox::moved(long long sent, long long received) {
+  const long long bytes = sent + received - bytes_then_;
+  const bool begins = received > 0 && !has_begun_;
+  const auto now = Clock::now();
+  const HttpLimits::Seconds since = now - last_alive_;
+  const bool fast_enough = bytes > 0 && static_cast<double>(bytes) >= limits_.least_speed * since.count();
+  if (!begins && !fast_enough) return;
+  has_begun_ = has_begun_ || begins;
+  bytes_then_ += bytes;
+  last_alive_ = now;
 }
 
 }  // namespace roomgen

@@ -44,7 +44,7 @@ void prepare(cpr::Session& session, const HttpRequest& request, const HttpLimits
   session.SetProgressCallback(
       cpr::ProgressCallback{[&inbox](cpr::cpr_pf_arg_t, cpr::cpr_pf_arg_t down, cpr::cpr_pf_arg_t,
                                      cpr::cpr_pf_arg_t up, intptr_t) {
-        inbox.moved(static_cast<long long>(down + up));
+        inbox.moved(static_cast<long long>(up), static_cast<long long>(down));
         return true;
       }});
   session.PreparePost();
@@ -110,7 +110,7 @@ class Transport::Connections {
 
   HttpOutcome post(const HttpRequest& request, const HttpLimits& limits,
                    const CancelToken& cancel) {
-    Inbox inbox(limits.answer_bytes);
+    Inbox inbox(limits);
     cpr::Session session;
     prepare(session, request, limits, inbox);
     if (!multi_) multi_ = curl_multi_init();  // after the session, which initialises the library
@@ -144,8 +144,8 @@ class Transport::Connections {
       const auto now = Clock::now();
       if (now - start > limits.call)
         return HttpFailure{Kind::timed_out, within("no whole answer within", limits.call)};
-      if (now - inbox.last_moved() > limits.idle)
-        return HttpFailure{Kind::silent, within("not a byte for", limits.idle)};
+      if (inbox.is_silent(now))
+        return HttpFailure{Kind::silent, within("hardly a byte for", limits.idle)};
       curl_multi_poll(multi_, nullptr, 0, poll_ms, nullptr);
     }
   }

@@ -9,7 +9,6 @@ namespace {
 constexpr double second_temperature = 0.5;  // weak models repeat a bad answer word for word
 // A program must be seen whole to be mended; what is longer is not worth its tokens.
 constexpr std::size_t most_quoted = 24000;  // bytes
-constexpr int most_failures = 3;            // one after the other; each may take all its time
 
 }  // namespace
 
@@ -39,14 +38,8 @@ Result<ChatRequest> Interview::first_request(const Question& question) const {
 
 Result<ChatReply> Interview::call(const ChatRequest& request) {
   auto reply = model_.chat(request);
-  failures_ = reply ? 0 : failures_ + 1;
-  if (reply) {
-    has_answered_ = true;
-    return reply;
-  }
-  const Error& error = reply.error();
-  if (error.kind == Error::Kind::cancelled) return reply;
-  if (error.kind == Error::Kind::unavailable || failures_ >= most_failures) lost_ = error.message;
+  patience_.note(reply);
+  has_answered_ = has_answered_ || reply;
   return reply;
 }
 

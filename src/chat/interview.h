@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "patience.h"
 #include "roomgen/base/cancel.h"
 #include "roomgen/base/result.h"
 #include "roomgen/chat/chat_model.h"
@@ -70,7 +71,7 @@ class Interview {
   }
 
   /// Why the model is not asked any more; empty while it is.
-  const std::string& lost() const { return lost_; }
+  const std::string& lost() const { return patience_.lost(); }
   /// Has it ever answered?
   bool has_answered() const { return has_answered_; }
   /// What was repaired and asked again since the last call of this function.
@@ -100,9 +101,8 @@ class Interview {
   Prompts prompts_;
   int answers_;
   std::vector<std::string> notes_;
-  int failures_ = 0;  ///< calls that failed since the last answer
+  Patience patience_;
   bool has_answered_ = false;
-  std::string lost_;
 };
 
 }  // namespace roomgen

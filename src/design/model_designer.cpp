@@ -5,6 +5,7 @@
 
 #include "base/sha256.h"
 #include "brief/prompt.h"
+#include "chat/patience.h"
 #include "model_questions.h"
 #include "place_reply.h"
 #include "plan/claim.h"
@@ -18,8 +19,6 @@ namespace {
 
 constexpr double second_temperature = 0.5;  // weak models repeat a bad answer word for word
 constexpr std::size_t most_quoted = 4000;   // bytes of an answer that cannot be used
-// Calls that fail one after the other before the model is given up: each may take all its time.
-constexpr int most_failures = 3;
 
 class ModelDesigner : public Designer {
  public:
@@ -74,7 +73,7 @@ class ModelDesigner : public Designer {
   Result<PlaceAdvice> place(const PlaceRequest& request) override {
     Consultation consultation;
     if (auto advice = told_already(request)) return *std::move(advice);
-    if (model_is_lost_.empty()) {
+    if (patience_.lost().empty()) {
       auto advice = ask(request, consultation);
       if (advice) {
         advice->consultation = std::move(consultation);
@@ -85,9 +84,9 @@ class ModelDesigner : public Designer {
     }
     auto advice = fallback_->place(request);
     if (!advice)
-      return with_context(advice.error(), model_is_lost_.empty() ? join(consultation.notes, "; ") : model_is_lost_);
+      return with_context(advice.error(), patience_.lost().empty() ? join(consultation.notes, "; ") : patience_.lost());
     consultation.fell_back = true;
-    if (!model_is_lost_.empty()) consultation.notes.push_back("rules take over: " + model_is_lost_);
+    if (!patience_.lost().empty()) consultation.notes.push_back("rules take over: " + patience_.lost());
     advice->consultation = std::move(consultation);
     return advice;
   }
@@ -192,7 +191,7 @@ class ModelDesigner : public Designer {
       -> decltype(read(std::string())) {
     for (int answer = 1;; ++answer) {
       auto reply = model_.chat(question);
-      note_success(reply);
+      patience_.note(reply);
       if (!reply) return reply.error();
       consultation.calls += 1;
       consultation.input_tokens += reply->input_tokens;
@@ -218,17 +217,6 @@ class ModelDesigner : public Designer {
     }
   }
 
-  // What ran out of time has kept everybody waiting.
-  static int weight(const Error& failure) { return failure.kind == Error::Kind::limit ? 2 : 1; }
-
-  // A model that cannot be used, or fails again and again, is not asked any more.
-  void note_success(const Result<ChatReply>& reply) {
-    failures_ = reply ? 0 : failures_ + weight(reply.error());
-    if (reply || reply.error().kind == Error::Kind::cancelled) return;
-    if (reply.error().kind == Error::Kind::unavailable || failures_ >= most_failures)
-      model_is_lost_ = reply.error().message;
-  }
-
   ChatModel& model_;
   std::unique_ptr<Designer> fallback_;
   const KindTable& categories_;
@@ -238,8 +226,7 @@ class ModelDesigner : public Designer {
   std::map<std::string, std::string> others_;  ///< answers for things whose turn comes
   std::string others_prompt_;                  ///< hash of the question
   std::vector<Object> others_scene_;           ///< what stood then
-  int failures_ = 0;           ///< calls that failed since the last answer
-  std::string model_is_lost_;  ///< why it is not asked any more
+  Patience patience_;
 };
 
 }  // namespace

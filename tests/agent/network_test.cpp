@@ -122,8 +122,34 @@ TEST_CASE("Silence ends with the time without a byte") {
   options.limits.idle = HttpLimits::Seconds(0.3);
   const auto asked = ask(options);
   CHECK(contains_text(asked.error(), "limit: "));
-  CHECK(contains_text(asked.error(), "not a byte for 0.3 s"));
+  CHECK(contains_text(asked.error(), "hardly a byte for 0.3 s"));
   CHECK(asked.seconds < 1.0);
+}
+
+TEST_CASE("A byte now and then is silence, too") {
+  REQUIRE_PYTHON();
+  const Environment environment;
+  const Server server;
+  auto options = quick_options(server.url("drip"));
+  options.limits.call = HttpLimits::Seconds(60);
+  options.limits.idle = HttpLimits::Seconds(0.5);
+  options.limits.least_speed = 200;  // the server sends 20
+  const auto asked = ask(options);
+  CHECK(contains_text(asked.error(), "limit: "));
+  CHECK(contains_text(asked.error(), "hardly a byte for 0.5 s"));
+  CHECK(server.requests().size() == 1);
+  CHECK(asked.seconds < 1.5);
+}
+
+TEST_CASE("An answer that takes its time to begin and comes at once is no silence") {
+  REQUIRE_PYTHON();
+  const Environment environment;
+  const Server server;
+  auto options = quick_options(server.url("late"));
+  options.limits.call = HttpLimits::Seconds(60);
+  options.limits.idle = HttpLimits::Seconds(1.5);
+  options.limits.least_speed = 1000;
+  CHECK(ask(options).text() == "hello");
 }
 
 TEST_CASE("A connection that is cut halfway is tried again, then reported") {

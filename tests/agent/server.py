@@ -129,6 +129,15 @@ class Handler(http.server.BaseHTTPRequestHandler):
         time.sleep(5)
         self.ok()
 
+    def late(self):
+        """Its first byte after a second, the rest another second later."""
+        data = json.dumps(openai("hello")).encode()
+        time.sleep(1)
+        self.begin(length=len(data))
+        self.wfile.write(data[:1])
+        time.sleep(1)
+        self.wfile.write(data[1:])
+
     def cut(self):
         self.begin(length=1000)
         self.wfile.write(b'{"choices": [')
@@ -206,6 +215,7 @@ SCENARIOS = {
     "huge": Handler.huge,
     "drip": Handler.drip,
     "slow": Handler.slow,
+    "late": Handler.late,
     "cut": Handler.cut,
     "redirect": Handler.redirect,
     "no-schema": lambda h: h.unless("response_format", "response_format is not supported here"),

@@ -23,8 +23,10 @@ enum class ChatProtocol {
 struct HttpLimits {
   using Seconds = std::chrono::duration<double>;
   Seconds connect{10};  ///< name look-up, TCP and TLS handshakes
-  Seconds idle{30};     ///< without a byte in either direction; a model that thinks longer streams, or needs more
+  Seconds idle{30};     ///< of silence; a model that thinks longer needs more
   Seconds call{120};    ///< from start to the last byte
+  /// Bytes a second, in either direction; less is silence. So slow an answer would not be whole in time.
+  double least_speed = 16.0;
   std::size_t answer_bytes = 16u << 20;  ///< of the body, unpacked
 };
 
