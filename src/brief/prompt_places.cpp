@@ -62,7 +62,7 @@ class PlaceReader {
                               ? reading_.hearing.relation(attachment, place_of(attachment, said))
                               : HeardWords::none);
     if (!said) {
-      if (reading_.owns(attachment)) read_owned(attachment);
+      if (reading_.owns(attachment) && !shares_.give_what_each_place_has(attachment)) read_owned(attachment);
       shares_.read_for_each(attachment);
       return;
     }
@@ -110,6 +110,8 @@ class PlaceReader {
   void read_target(const Attachment& attachment, const SaidPlacement& said,
                    const Indices& subjects) {
     if (stand_beside_owner(reading_.phrase(attachment.to), subjects)) return;
+    if (const auto* place = shares_.place_having(subjects.front()); place && reading_.phrase(said.target).is_pronoun)
+      return reading_.talk.locate(subjects, *said.placement, *place);
     const NounPhrase& target = reading_.phrase(said.target);
     if (const auto thing = reading_.mention_of(said.target)) {
       if (target.determiner == Determiner::each &&
@@ -247,6 +249,7 @@ class PlaceReader {
     for (const std::size_t owner : reading_.subjects_of(attachment)) {
       if (owner == *thing || reading_.talk.mention(owner).part_of != Demand::none) continue;
       if (says_each(attachment) && is_told_in_room(attachment.to)) continue;
+      if (!says_each(attachment) && !is_told_somewhere(attachment.to) && follows_told_place(attachment)) continue;
       if (says_each(attachment) || is_each_behind(reading_.phrase(attachment.to)))
         shares_.give_each(owner, reading_.all_of(attachment.to), attachment.tokens.begin);
       for (const std::size_t one : reading_.all_of(attachment.to))
@@ -262,6 +265,23 @@ class PlaceReader {
       const NounPhrase& target = reading_.phrase(said->target);
       return reading_.place_named(target) && target.determiner != Determiner::possessive;
     });
+  }
+  // "a sideboard with a vase on it, two paintings and a chandelier": who tells of one of a list that it is on it, tells
+  // nothing of those behind it.
+  bool follows_told_place(const Attachment& attachment) const {
+    return std::any_of(reading_.parse.attachments.begin(), reading_.parse.attachments.end(), [&](const Attachment& other) {
+      return other.from == attachment.from && other.to < attachment.to &&
+             other.tokens.begin == attachment.tokens.begin && reading_.is_told_at_pronoun(other.to);
+    });
+  }
+  // "behind it", "on top": whether words at a thing say where it is.
+  bool is_told_somewhere(std::int32_t id) const {
+    const auto end = reading_.phrase(id).tokens.end;
+    const auto adverb = longest(reading_.words.placements, reading_.text.plain, end);
+    return (adverb && (adverb.value->pronoun || adverb.value->adverb)) ||
+           std::any_of(reading_.parse.attachments.begin(), reading_.parse.attachments.end(), [&](const Attachment& one) {
+             return one.from == id && reading_.placement(one);
+           });
   }
   // Subjects, and what they are some of: none of them is what they stand beside.
   Indices with_kin(const Indices& subjects) const {
@@ -331,10 +351,10 @@ class PlaceReader {
   void read_adverbs(std::size_t end) {
     for (; next_adverb_ < end; ++next_adverb_) {
       const std::size_t i = next_adverb_;
-      if (!left_[i]) continue;
+      const auto match = longest(reading_.words.placements, reading_.text.plain, i);
+      if (!left_[i] && !(match && is_doubled(i, match.length))) continue;
       reading_.look_back_from(i);
       place_at_ = static_cast<std::uint32_t>(i);
-      const auto match = longest(reading_.words.placements, reading_.text.plain, i);
       if (!match || (!match.value->pronoun && !match.value->adverb && !match.value->mutual))
         continue;
       const Indices subjects = subjects_at(i);
@@ -348,6 +368,10 @@ class PlaceReader {
         relate_to_implied(subjects, *match.value);
       next_adverb_ += match.length - 1;
     }
+  }
+  // "back to back", whatever noun it is made of.
+  bool is_doubled(std::size_t first, std::size_t length) const {
+    return length == 3 && reading_.text.plain[first].text == reading_.text.plain[first + 2].text;
   }
   // Of what an adverb is said: the subject of the verb before it, what was named last in its
   // sentence, or what it is said before ("Above hangs a lantern").
@@ -376,12 +400,28 @@ class PlaceReader {
       if (verb.tokens.begin == token && verb.subject != none) things = reading_.mentions_of_list(verb.subject);
     if (things.size() == 1) return relate_each_other(things.front(), placement);
     if (things.size() > 1) return relate_mutually(things, placement);
+    if (turns(placement) && things.empty())
+      if (const auto last = last_named(token); last && reading_.talk.mention(*last).quantity != 1)
+        return relate_each_other(*last, placement);
     for (std::size_t i = 0; i < reading_.parse.phrases.size(); ++i)
       if (reading_.parse.phrases[i].head < token && reading_.mentions[i] &&
           reading_.sentence_of(reading_.parse.phrases[i].head) == reading_.sentence_of(token))
         things.push_back(*reading_.mentions[i]);
-    if (!things.empty() && stand_in_row(things.back(), heard)) return;
+    if (!turns(placement) && !things.empty() && stand_in_row(things.back(), heard)) return;
     relate_mutually(things, placement);
+  }
+  // "face to face", "back to back": which way they look counts, and a row is none.
+  static bool turns(const Placement& placement) {
+    return std::any_of(placement.relations.begin(), placement.relations.end(), [](RelationKind kind) {
+      return kind == RelationKind::face_to || kind == RelationKind::face_opposite_to;
+    });
+  }
+  std::optional<std::size_t> last_named(std::size_t token) const {
+    std::optional<std::size_t> last;
+    for (std::size_t i = 0; i < reading_.parse.phrases.size() && reading_.parse.phrases[i].head < token; ++i)
+      if (reading_.mentions[i] && reading_.sentence_of(reading_.parse.phrases[i].head) == reading_.sentence_of(token))
+        last = reading_.mentions[i];
+    return last;
   }
   bool stand_in_row(std::size_t things, std::size_t heard) {
     Mention& mention = reading_.brief.mentions[things];
@@ -399,9 +439,8 @@ class PlaceReader {
   }
 
   void relate_each_other(std::size_t things, const Placement& placement) {
-    const bool is_facing = std::count(placement.relations.begin(), placement.relations.end(), RelationKind::face_to) > 0;
     const Mention& mention = reading_.talk.mention(things);
-    if (!is_facing) {
+    if (!turns(placement)) {
       if (mention.mount == Mount::floor) stand_in_row(things, reading_.talk.told());
       return;
     }
@@ -409,8 +448,19 @@ class PlaceReader {
     for (const auto& demand : mention.demands)
       if (demand.flank && demand.mention != Demand::none)
         return reading_.talk.add(things, {RelationKind::face_to, demand.mention, "", false});
-    if (mention.quantity != 2 || !mention.counted) return;
-    const std::size_t second = reading_.talk.part(things, 1);
+    // "chairs facing each other" are two; of six three face the others.
+    if (mention.quantity == 0) reading_.brief.mentions[things].quantity = 2;
+    const int number = reading_.talk.mention(things).quantity;
+    if (number < 2 || number % 2 == 1) return;
+    // What has another at its back stands at no wall.
+    if (placement.relations.front() == RelationKind::behind) {
+      Demand free{RelationKind::middle, Demand::none, "", false};
+      free.is_means = true;
+      reading_.talk.add(things, free);
+    }
+    const std::size_t second = reading_.talk.part(things, number / 2);
+    std::erase_if(reading_.brief.mentions[second].demands,
+                  [](const Demand& demand) { return demand.is_means && demand.kind == RelationKind::middle; });
     for (auto kind : placement.relations) reading_.talk.add(second, {kind, things, "", false});
   }
 

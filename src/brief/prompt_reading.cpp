@@ -107,6 +107,12 @@ Indices PromptReading::all_of(std::int32_t phrase) const {
   return all;
 }
 
+bool PromptReading::is_told_at_pronoun(std::int32_t phrase_number) const {
+  return std::any_of(parse.attachments.begin(), parse.attachments.end(), [&](const Attachment& one) {
+    return one.from == phrase_number && one.to != none && phrase(one.to).is_pronoun && placement(one);
+  });
+}
+
 // "in the corner next to the door": what is said of a place is said of what is there.
 const Attachment& PromptReading::of_thing(const Attachment& attachment) const {
   const Attachment* said = &attachment;

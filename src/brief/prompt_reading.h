@@ -74,6 +74,8 @@ struct PromptReading {
   /// The mentions of which a place is said.
   Indices subjects_of(const language::Attachment& attachment) const;
   Indices mentions_of_list(std::int32_t phrase) const;
+  /// "a vase on it", "a bench below it": is that where the thing of a phrase is?
+  bool is_told_at_pronoun(std::int32_t phrase) const;
 
   const PromptText& text;
   const language::Parse& parse;

@@ -21,13 +21,42 @@ void ShareReader::give_each(std::size_t owner, const Indices& things, std::uint3
 void ShareReader::give_each_place(const PlacePhrase& place, const Indices& things, std::uint32_t at) {
   constexpr int corners = 4;
   const bool is_corner = place.place == Place::corner, is_window = place.place == Place::window;
-  if (!is_corner && !is_window) return;
-  const int number = is_corner ? corners : std::max(2, reading_.brief.windows.value_or(0));
+  if (!is_corner && !is_window && place.place != Place::door) return;
+  const int number = is_corner ? corners : is_window ? std::max(2, reading_.brief.windows.value_or(0)) : doors_said();
   for (const std::size_t thing : things)
     if (reading_.talk.mention(thing).quantity == 1 && given_.insert(thing).second) {
-      share({.thing = thing, .place = is_corner ? "corner" : "window"}, at);
+      share({.thing = thing, .place = is_corner ? "corner" : is_window ? "window" : "door"}, at);
       reading_.talk.multiply(thing, number);
     }
+}
+
+bool ShareReader::give_what_each_place_has(const Attachment& attachment) {
+  const NounPhrase& owner = reading_.phrase(attachment.from);
+  const auto place = reading_.place_named(owner);
+  if (owner.determiner != Determiner::each || !place) return false;
+  const bool is_opening = place->place == Place::window || place->place == Place::door;
+  if (!is_opening && place->place != Place::corner) return false;
+  const Indices things = reading_.all_of(attachment.to);
+  if (!reading_.is_told_at_pronoun(attachment.to)) {
+    Placement near;
+    near.relations = {is_opening ? RelationKind::near : RelationKind::on};
+    reading_.talk.locate(things, near, *place);
+  }
+  give_each_place(*place, things, attachment.tokens.begin);
+  for (const std::size_t thing : things) place_of_.insert_or_assign(thing, *place);
+  return true;
+}
+
+const PlacePhrase* ShareReader::place_having(std::size_t thing) const {
+  const auto found = place_of_.find(thing);
+  return found == place_of_.end() ? nullptr : &found->second;
+}
+
+int ShareReader::doors_said() const {
+  int number = 0;
+  for (const OpeningWish& wish : reading_.brief.openings)
+    if (wish.kind.find("door") != std::string::npos) number += wish.count;
+  return std::max(1, number);
 }
 
 void ShareReader::give_each_side(const Attachment& attachment, const Indices& things) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <set>
 
 #include "prompt_reading.h"
@@ -17,6 +18,11 @@ class ShareReader {
   void give_each(std::size_t owner, const Indices& things, std::uint32_t at);
   /// "a plant in each corner", "a bench under every window"
   void give_each_place(const PlacePhrase& place, const Indices& things, std::uint32_t at);
+  /// "every window has a bench below it", "each corner has a plant": whether that is what an attachment says. What is
+  /// said of where those things are to "it", is said of that place.
+  bool give_what_each_place_has(const language::Attachment& attachment);
+  /// Which part of the room has a thing so; null if none has.
+  const PlacePhrase* place_having(std::size_t thing) const;
   /// "eight chairs on either side" are sixteen, but "two lamps on either side" are two; "two chairs on each side" of a
   /// table are four.
   void give_each_side(const language::Attachment& attachment, const Indices& things);
@@ -33,7 +39,10 @@ class ShareReader {
   std::optional<std::uint32_t> each_around(std::uint32_t token) const;
   void give_what_carries(std::size_t owner, std::size_t thing, std::uint32_t at);
 
+  int doors_said() const;
+
   PromptReading& reading_;
+  std::map<std::size_t, PlacePhrase> place_of_;  ///< by mention
   std::set<std::size_t> given_;  ///< mentions that each of others has
 };
 

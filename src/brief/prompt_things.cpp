@@ -4,6 +4,7 @@
 
 #include "language/inflection.h"
 #include "language/lexicon.h"
+#include "prompt_ellipsis.h"
 #include "prompt_limits.h"
 #include "prompt_pronouns.h"
 #include "roomgen/base/text.h"
@@ -38,6 +39,11 @@ class ThingReader {
     if (reading_.words.generic_rooms.count(reading_.word(said.head)))
       hear(reading_.brief, {said.head, said.head + 1}, Heard::As::room);
     const auto id = static_cast<std::int32_t>(number);
+    if (const auto meant = thing_of_next_noun(reading_, id)) {
+      reading_.mentions[number] = reading_.talk.refer(*meant, reading_.sentence_of(said.head));
+      if (reading_.mentions[number]) reading_.hearing.thing(*meant, *reading_.mentions[number]);
+      return;
+    }
     if (said.is_pronoun) {
       // "the northern half"
       if (!reading_.place_named(said)) pronouns_.read(id);

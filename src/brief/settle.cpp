@@ -81,7 +81,9 @@ Demand means(RelationKind kind, std::size_t target) {
   return demand;
 }
 
-// Who sits at a desk does so on its user's side.
+constexpr int most_before_a_desk = 2;
+
+// Who sits at a desk does so on its user's side; more than fit there are on all its sides.
 void sit_before_desks(Brief& brief, const KindTable& table) {
   for (auto& mention : brief.mentions) {
     if (!table.is_any_of(mention.category, {"chair", "stool"})) continue;
@@ -94,7 +96,8 @@ void sit_before_desks(Brief& brief, const KindTable& table) {
     const bool is_placed = std::any_of(mention.demands.begin(), mention.demands.end(), [&](const Demand& demand) {
       return demand.mention == desk && demand.kind != RelationKind::around;
     });
-    if (!is_placed) mention.demands.push_back(means(RelationKind::in_front_of, desk));
+    const bool fit_before_it = mention.quantity <= most_before_a_desk * std::max(1, brief.mentions[desk].quantity);
+    if (!is_placed && fit_before_it) mention.demands.push_back(means(RelationKind::in_front_of, desk));
   }
 }
 
@@ -114,6 +117,13 @@ void draw_up_seats(Brief& brief, const KindTable& table) {
   }
 }
 
+// "two desks back to back": both stand free.
+bool turns_its_back(const Mention& mention, std::size_t to) {
+  return std::any_of(mention.demands.begin(), mention.demands.end(), [&](const Demand& demand) {
+    return demand.kind == RelationKind::face_opposite_to && demand.mention == to;
+  });
+}
+
 void turn_behind(Brief& brief, const KindTable& table) {
   for (std::size_t i = 0; i < brief.mentions.size(); ++i)
     for (auto& demand : brief.mentions[i].demands) {
@@ -124,7 +134,7 @@ void turn_behind(Brief& brief, const KindTable& table) {
         demand.kind = RelationKind::around;
         continue;
       }
-      if (!needs_wall(brief.mentions[i], table) || stands_at_wall(other)) continue;
+      if (!needs_wall(brief.mentions[i], table) || stands_at_wall(other) || turns_its_back(brief.mentions[i], demand.mention)) continue;
       // What was said stays what is checked.
       const Demand said = demand;
       other.demands.push_back(means(RelationKind::in_front_of, i));

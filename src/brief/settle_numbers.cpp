@@ -42,7 +42,15 @@ int seats_for_tables(const Mention& seat, const Brief& brief, const KindTable& t
 
 // What each of the people has: a desk, a bed of their own.
 bool is_personal(const Mention& mention, const KindTable& table) {
-  return table.is_any_of(mention.category, {"desk", "bed", "locker", "easel"});
+  return table.is_any_of(mention.category, {"desk", "bed", "locker", "easel", "computer", "laptop", "monitor"});
+}
+
+// Of what people have of their own, as many as of the other things that they have so: computers of four desks.
+int number_of_places(const Brief& brief, const KindTable& table) {
+  int number = brief.people;
+  for (const auto& mention : brief.mentions)
+    if (is_personal(mention, table)) number = std::max(number, mention.quantity);
+  return number;
 }
 
 int number_of(const Mention& mention, const Brief& brief, const KindTable& table) {
@@ -54,7 +62,7 @@ int number_of(const Mention& mention, const Brief& brief, const KindTable& table
     return seats > 0 ? seats : std::max(usual_few, mention.joined_to);
   }
   if (mention.joined_to > 0) return mention.joined_to;
-  return is_personal(mention, table) && brief.people > 1 ? brief.people : usual_few;
+  return is_personal(mention, table) ? std::max(usual_few, number_of_places(brief, table)) : usual_few;
 }
 
 }  // namespace

@@ -218,6 +218,7 @@ class ThingPhraseReader {
   void limit(std::uint32_t first) {
     using Limit = language::Measure::Limit;
     auto bound = first > 0 ? language::bound_at(parse_.tokens, first - 1) : language::Bound{};
+    if (bound.length > 0) phrase_.count_tokens.push_back(first - 1);
     if (bound.length == 0) bound = language::bound_at(parse_.tokens, first);
     phrase_.at_least = bound.limit == Limit::least;
     phrase_.at_most = bound.limit == Limit::most;

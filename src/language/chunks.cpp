@@ -95,8 +95,24 @@ class Chunker {
     return tag_at(i) == Tag::noun;
   }
 
+  // "each of four tables", "each of the desks": says of each what follows, as "each table" does; "each of them" stands
+  // for something by itself.
+  bool each_of() {
+    if (tag_at(at_ + 1) != Tag::preposition || pieces_[at_ + 1].base != "of") return false;
+    const auto found = small_words().determiners.find(parse_.tokens[pieces_[at_].tokens.begin].text);
+    if (found == small_words().determiners.end() || found->second != Determiner::each) return false;
+    const std::size_t first = at_;
+    at_ += 2;
+    const Extent behind = extent();
+    if (behind.has_noun && tag_at(behind.head) == Tag::noun) return true;
+    at_ = first;
+    return false;
+  }
+
   bool noun_phrase() {
     if (quantity()) return true;
+    const std::size_t first = at_;
+    const bool is_each = each_of();
     const Extent found = extent();
     if (found.end == at_ || is_bare_measure(found)) return false;
     NounPhrase phrase;
@@ -107,6 +123,7 @@ class Chunker {
     for (std::size_t i = at_; i < found.end; ++i) read(pieces_[i], i == found.head, phrase);
     phrase.modifiers.end = static_cast<std::uint32_t>(parse_.modifiers.size());
     if (phrase.count > 1.0) phrase.is_plural = true;
+    if (is_each) phrase.determiner = Determiner::each, phrase.tokens.begin = pieces_[first].tokens.begin;
     add(phrase);
     at_ = found.end;
     return true;

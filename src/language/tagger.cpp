@@ -38,6 +38,23 @@ std::vector<WordTag> with_joined_colors(std::vector<WordTag> tags, const std::ve
   return tags;
 }
 
+// "six stools round a workbench": what is an adjective elsewhere, says where something is behind a thing or a verb and
+// before a noun phrase with a determiner or a number of its own.
+std::vector<WordTag> with_prepositions_behind_things(std::vector<WordTag> tags, const std::vector<Unit>& units,
+                                                     const std::vector<UnitFacts>& facts) {
+  const auto stands_before = [&](std::size_t i) {
+    return tags[i] == WordTag::noun || tags[i] == WordTag::verb || tags[i] == WordTag::gerund ||
+           tags[i] == WordTag::participle || tags[i] == WordTag::adverb;
+  };
+  const auto begins_phrase = [&](std::size_t i) {
+    return tags[i] == WordTag::determiner || tags[i] == WordTag::pronoun || units[i].kind == Unit::Kind::number;
+  };
+  for (std::size_t i = 1; i + 1 < tags.size(); ++i)
+    if (small_words().prepositions_behind_things.contains(facts[i].word) && stands_before(i - 1) && begins_phrase(i + 1))
+      tags[i] = WordTag::preposition;
+  return tags;
+}
+
 /// Makes pieces of units: joins the words of a preposition, parts contractions, and says what the
 /// steps behind want to know of a word.
 class Tagger {
@@ -46,7 +63,9 @@ class Tagger {
       : tokens_(tokens),
         units_(units(tokens)),
         facts_(facts_of(tokens, units_, is_name)),
-        tags_(with_joined_colors(with_gerunds_behind_nouns(tag_words(units_, facts_, tag_model()), facts_, is_name), facts_)) {}
+        tags_(with_prepositions_behind_things(
+            with_joined_colors(with_gerunds_behind_nouns(tag_words(units_, facts_, tag_model()), facts_, is_name), facts_),
+            units_, facts_)) {}
 
   std::vector<Piece> run() {
     while (at_ < units_.size()) {

@@ -14,30 +14,9 @@ using namespace roomgen::design;
 namespace {
 
 // "2 armchair, 1 sofa"
-std::string things(const Brief& brief) {
-  std::string text;
-  for (const auto& mention : brief.mentions)
-    text += (text.empty() ? "" : ", ") + std::to_string(mention.quantity) + " " + mention.category;
-  return text;
-}
-
 std::string excluded(const Brief& brief) {
   std::string text;
   for (const auto& category : brief.excluded) text += (text.empty() ? "" : ", ") + category;
-  return text;
-}
-
-// "near table | edge": by the categories of the targets.
-std::string places(const Brief& brief, std::size_t mention) {
-  std::string text;
-  for (const auto& demand : brief.mentions.at(mention).demands) {
-    text += text.empty() ? "" : " | ";
-    text += name(demand.kind);
-    if (demand.mention != Demand::none)
-      text += ", " + brief.mentions[demand.mention].category;
-    else if (!demand.part.empty())
-      text += ", " + demand.part;
-  }
   return text;
 }
 

@@ -11,3 +11,25 @@
 inline roomgen::design::Brief read_brief(const std::string& prompt) {
   return roomgen::design::read_prompt(prompt, *roomgen::design::built_in_room_kinds(), roomgen::KindTable::built_in());
 }
+
+// "2 chair, 1 table"
+inline std::string things(const roomgen::design::Brief& brief) {
+  std::string text;
+  for (const auto& mention : brief.mentions)
+    text += (text.empty() ? "" : ", ") + std::to_string(mention.quantity) + " " + mention.category;
+  return text;
+}
+
+// "near table | edge": by the categories of the targets.
+inline std::string places(const roomgen::design::Brief& brief, std::size_t mention) {
+  std::string text;
+  for (const auto& demand : brief.mentions.at(mention).demands) {
+    text += text.empty() ? "" : " | ";
+    text += name(demand.kind);
+    if (demand.mention != roomgen::design::Demand::none)
+      text += ", " + brief.mentions[demand.mention].category;
+    else if (!demand.part.empty())
+      text += ", " + demand.part;
+  }
+  return text;
+}

@@ -4,6 +4,7 @@
 #include "catch.h"
 #include "read_brief.h"
 #include "roomgen/base/text.h"
+#include "support/contains.h"
 
 using namespace roomgen;
 using namespace roomgen::design;

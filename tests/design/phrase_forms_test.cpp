@@ -1,0 +1,62 @@
+#include "catch.h"
+
+#include "read_brief.h"
+
+using namespace roomgen;
+using namespace roomgen::design;
+
+TEST_CASE("looks before one noun are of as many things") {
+  for (const char* prompt : {"A room with a black and a white chair.", "A room with a black chair and a white chair."}) {
+    INFO(prompt);
+    const Brief brief = read_brief(prompt);
+    REQUIRE(things(brief) == "1 chair, 1 chair");
+    CHECK(brief.mentions[0].looks == std::vector<std::string>{"black"});
+    CHECK(brief.mentions[1].looks == std::vector<std::string>{"white"});
+  }
+  const Brief several = read_brief("A lounge with two red and three blue armchairs.");
+  REQUIRE(things(several) == "2 armchair, 3 armchair");
+  CHECK(several.mentions[0].looks == std::vector<std::string>{"red"});
+  CHECK(things(read_brief("A room with a black and white rug.")) == "1 rug");
+}
+
+TEST_CASE("what is round a thing is around it, and a round thing is round") {
+  const Brief around = read_brief("A workshop with six stools round a workbench.");
+  REQUIRE(things(around) == "6 stool, 1 workbench");
+  CHECK(places(around, 0) == "around, workbench");
+  const Brief round = read_brief("A dining room with a round table.");
+  REQUIRE(round.mentions.size() == 1);
+  CHECK(round.mentions[0].demands.empty());
+}
+
+TEST_CASE("two things back to back look away from each other and stand at no wall") {
+  const Brief brief = read_brief("An office with two desks back to back.");
+  REQUIRE(things(brief) == "1 desk, 1 desk");
+  CHECK(places(brief, 1) == "behind, desk | face opposite to, desk");
+  for (const auto& demand : brief.mentions[0].demands) CHECK(demand.kind != RelationKind::edge);
+}
+
+TEST_CASE("each of four tables has four chairs") {
+  const Brief brief = read_brief("A dining room with four chairs at each of four tables.");
+  REQUIRE(brief.mentions.size() == 2);
+  CHECK(brief.mentions[0].quantity == 16);
+  CHECK(brief.mentions[1].quantity == 4);
+}
+
+TEST_CASE("what each window or corner has is there as often as it is there") {
+  const Brief windows = read_brief("A reading room with three windows. Every window has a bench below it.");
+  REQUIRE(things(windows) == "3 bench");
+  const Brief corners = read_brief("A lounge. Each corner has a plant.");
+  REQUIRE(things(corners) == "4 plant");
+}
+
+TEST_CASE("who tells of one of a list that it is on the owner, tells nothing of those behind it") {
+  const Brief brief = read_brief("A living room with a sideboard with a vase on it, two paintings and a chandelier.");
+  REQUIRE(things(brief) == "1 sideboard, 1 vase, 2 picture, 1 chandelier");
+  CHECK(places(brief, 1) == "on, sideboard");
+  CHECK(brief.mentions[2].demands.empty());
+}
+
+TEST_CASE("people have as many computers as desks") {
+  CHECK(things(read_brief("An office for four with desks and computers.")) == "4 desk, 4 computer");
+  CHECK(things(read_brief("A study with three desks and laptops.")) == "3 desk, 3 laptop");
+}
