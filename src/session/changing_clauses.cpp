@@ -139,8 +139,19 @@ ReadClause read_another(const EditText& text, std::size_t at) {
   return replaced(text, {text.latest, at}, at);
 }
 
+namespace {
+
+// "the room", as something to paint, is its walls.
+std::optional<Read<std::string>> painted_part_at(const EditText& text, std::size_t at) {
+  if (auto part = room_part_at(text, at)) return part;
+  const auto whole = longest_in(text.edits.whole_room, text.tokens, at);
+  return whole > 0 ? std::optional(Read<std::string>{"walls", at + whole}) : std::nullopt;
+}
+
+}  // namespace
+
 ReadClause read_looks(const EditText& text, std::size_t at) {
-  if (const auto part = room_part_at(text, at)) {
+  if (const auto part = painted_part_at(text, at)) {
     const auto looks = looks_at(text, part->end, true);
     if (looks && *looks) return Clause{{edit::Cover{part->value, (*looks)->value, ""}}, {}, {}, (*looks)->end};
   }
@@ -229,7 +240,7 @@ ReadClause read_make(const EditText& text, std::size_t at) {
   if (what)
     if (auto other = reshaped(text, *what, what->end); goes_to_its_end(text, other)) return other;
   if (auto sized = read_size_first(text, at); goes_to_its_end(text, sized)) return sized;
-  if (!what && !room_part_at(text, at)) return what.error();
+  if (!what && !painted_part_at(text, at)) return what.error();
   return read_looks(text, at);
 }
 

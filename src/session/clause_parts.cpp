@@ -6,6 +6,7 @@
 #include "language/inflection.h"
 #include "new_things.h"
 #include "reference_tails.h"
+#include "room_names.h"
 #include "roomgen/base/text.h"
 #include "scene/finish_words.h"
 
@@ -106,7 +107,7 @@ MayRead<std::string> looks_at(const EditText& text, std::size_t at, bool of_room
   while (is_filler(text, at)) ++at;
   std::size_t end = at;
   while ((!text.ends(end) || goes_on_with_look(text, end, of_room)) &&
-         longest_in(text.edits.except, text.tokens, end) == 0)
+         longest_in(text.edits.except, text.tokens, end) == 0 && !in_room_at(text, end))
     ++end;
   while (end > at && longest_in(text.edits.closers, text.tokens, end - 1) == 1) --end;
   if (end == at) return std::nullopt;

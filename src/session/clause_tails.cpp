@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "clause.h"
+#include "room_names.h"
 
 namespace roomgen {
 
@@ -49,7 +50,9 @@ std::size_t end_of_purpose(const EditText& text, std::size_t at) {
     const auto thing = named_thing_at(text, end);
     const bool is_there = thing && thing->kind.category && thing->which != NamedThing::Which::indefinite &&
                           !fitting(text, *thing).empty();
-    if (is_there || text.tokens[end].kind == design::Token::Kind::number || room_part_at(text, end)) return at;
+    if (is_there || text.tokens[end].kind == design::Token::Kind::number || room_part_at(text, end) ||
+        rooms_named_at(text, end))
+      return at;
     if (const auto place = destination_at(text, end, {}); place && *place) return at;
   }
   return end;

@@ -119,7 +119,8 @@ Result<std::string> room_named(const Draft& draft, const std::string& id) {
     if (room.id == id) return id;
     known += (known.empty() ? "" : ", ") + room.id;
   }
-  return cannot(id.empty() ? "say in which room: " + known : "there is no room \"" + id + "\": there are " + known);
+  if (id.empty()) return Error{Error::Kind::not_understood, "say in which room: " + known};
+  return cannot("there is no room \"" + id + "\": there are " + known);
 }
 
 }  // namespace roomgen

@@ -8,6 +8,7 @@
 #include "exceptions.h"
 #include "gathered_edits.h"
 #include "remarks.h"
+#include "room_scopes.h"
 #include "spoken_clause.h"
 #include "word_order.h"
 
@@ -19,12 +20,12 @@ using Which = NamedThing::Which;
 
 class EditReader {
  public:
-  explicit EditReader(EditText text) : text_(std::move(text)) {}
+  explicit EditReader(EditText text) : text_(std::move(text)), scopes_(text_.scene) {}
 
   Result<Understanding> run() {
     for (skip_between(); at_ < text_.tokens.size(); skip_between()) {
       if (take_complaint()) continue;
-      auto clause = read_clause();
+      auto clause = scopes_.read(text_, at_, [&](EditText& text, std::size_t at) { return read_other(text, at); });
       if (clause) leave_out_exceptions(text_, *clause);
       if (clause) clause->end = skip_tail(clause->end);
       if (!clause || !text_.ends(clause->end)) {
@@ -46,6 +47,7 @@ class EditReader {
     while (const auto length = length_between()) {
       // "remove the rug ... nah, the lamp": nothing of what was said before.
       if (longest_in(text_.edits.denials, text_.tokens, at_) == length) gathered_ = {};
+      if (text_.tokens[at_].kind == design::Token::Kind::stop) scopes_.forget();
       at_ += length;
     }
   }
@@ -151,6 +153,16 @@ class EditReader {
       return kept;
     }
     return read_verb(text, verb.meaning, verb.words, at);
+  }
+
+  // The clause in these words, of this scene; in the order in which they were understood.
+  ReadClause read_other(EditText& text, std::size_t at) {
+    EditReader other(text, at, *this);
+    auto clause = other.read_clause();
+    text.raw = std::move(other.text_.raw);
+    text.tokens = std::move(other.text_.tokens);
+    last_meaning_ = other.last_meaning_, last_verb_ = other.last_verb_;
+    return clause;
   }
 
   ReadClause read_clause() {
@@ -291,7 +303,12 @@ class EditReader {
     text_.coming.insert(text_.coming.end(), clause.coming.begin(), clause.coming.end());
   }
 
+  EditReader(const EditText& text, std::size_t at, const EditReader& before)
+      : text_(text), scopes_(Scene()), at_(at), last_meaning_(before.last_meaning_), last_verb_(before.last_verb_),
+        complaint_(before.complaint_), gathered_(before.gathered_) {}
+
   EditText text_;
+  RoomScopes scopes_;
   std::size_t at_ = 0;
   std::string last_meaning_, last_verb_;
   std::optional<Clause> complaint_;

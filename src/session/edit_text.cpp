@@ -35,6 +35,14 @@ const Object* EditText::object(std::string_view id) const {
   return find_object(coming, id);
 }
 
+EditText in_scene(const EditText& text, const Scene& scene) {
+  EditText other{scene,       text.kinds,  text.edits,  text.words, text.raw,    text.tokens,
+                 text.mentioned, text.latest, text.coming, text.gone,  text.recall, text.depth};
+  for (auto* ids : {&other.mentioned, &other.latest, &other.gone, &other.recall.touched, &other.recall.added})
+    std::erase_if(*ids, [&](const std::string& id) { return !other.object(id); });
+  return other;
+}
+
 Error not_understood(const std::string& what) { return {Error::Kind::not_understood, what}; }
 
 }  // namespace roomgen

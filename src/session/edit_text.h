@@ -37,8 +37,9 @@ struct EditText {
   Recall recall;
   int depth = 0;                         ///< of words that tell what other such words are about
 
-  /// The room, or the first one of a dwelling.
-  const Room& room() const { return rooms_of(scene).front(); }
+  /// The one room; in a dwelling of several none is meant before words say which (RoomScopes), and this one has no
+  /// walls.
+  const Room& room() const { return scene.rooms.size() > 1 ? scene.room : rooms_of(scene).front(); }
   bool is_comma(std::size_t at) const { return at < tokens.size() && tokens[at].kind == Token::Kind::comma; }
   /// A comma, or the end of a sentence or of all.
   bool is_mark(std::size_t at) const {
@@ -57,6 +58,9 @@ struct EditText {
   std::string words_from(std::size_t begin, std::size_t end) const;
   const Object* object(std::string_view id) const;
 };
+
+/// The same words, said of another scene: a part of the one before. What was spoken of and is not there is forgotten.
+EditText in_scene(const EditText& text, const Scene& scene);
 
 /// not_understood, for people.
 Error not_understood(const std::string& what);

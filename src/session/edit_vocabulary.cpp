@@ -86,6 +86,7 @@ Result<EditVocabulary> read_edit_vocabulary() {
                                                                {"reasons", &words.reasons},
                                                                {"substitutes", &words.substitutes},
                                                                {"whole room", &words.whole_room},
+                                                               {"whole dwelling", &words.whole_dwelling},
                                                                {"along with it", &words.along},
                                                                {"farthest", &words.farthest},
                                                                {"being", &words.being},

@@ -26,7 +26,7 @@ struct EditVocabulary {
   Map<std::string> verbs;  ///< "get rid of": "remove"
   Set openers, closers, explanations, pronouns, just_added, all, everything, except, more, nearest, away, closer, to,
       faces, where_they_are, back, words_of_looks, stays, emphasis, hedges, modals, goes_away, properties, refused,
-      auxiliaries, requests, reasons, substitutes, whole_room, along, farthest, being, not_being, presently, place_of,
+      auxiliaries, requests, reasons, substitutes, whole_room, whole_dwelling, along, farthest, being, not_being, presently, place_of,
       there, at_parts, space, around_space, gap_to, one_each, each_corner, possible, middles, besides, each_other,
       side_by_side, corrections, questions, welcome, own, suffices, only_these, likewise, shapes, like_it, existing,
       something, vice_versa, particles, made_of, unneeded, facing_away, up_to_ceiling, courtesies, short_is_before, too,

@@ -32,8 +32,9 @@ Result<const Room*> room_with(const Scene& scene, const std::string& opening, st
   if (scene.rooms.empty()) look_at(scene.room);
   for (const auto& room : scene.rooms) look_at(room);
   if (rooms.size() == 1) return rooms.front();
-  return cannot(rooms.empty() ? "there is no opening \"" + opening + "\": there are " + join(known, ", ")
-                              : "several rooms have a \"" + id + "\"; say which: " + join(known, ", "));
+  if (rooms.empty()) return cannot("there is no opening \"" + opening + "\": there are " + join(known, ", "));
+  return Error{Error::Kind::not_understood,
+               "several rooms have a \"" + id + "\"; say which: " + join(known, ", ")};
 }
 
 Opening opening_of(const OpeningKind& kind, const edit::Open& open, const Room& room, Random random) {

@@ -158,6 +158,7 @@ ReadClause resize_room(const EditText& text, std::size_t at) {
   const auto size = size_at(text, at);
   if (!size || !*size) return what_at(text, at, "it is not clear how large");
   const Room& room = text.room();
+  if (room.polygon.size() == 0) return what_at(text, at, "say which room");
   const Vec2 box = bounds(room.polygon).size();
   const Vec3 was(box.x(), box.y(), room.height), is = resized(was, (*size)->value);
   Clause clause;
@@ -177,6 +178,7 @@ ReadClause resize_room(const EditText& text, std::size_t at) {
 // "raise the ceiling to 3 m", "lower the ceiling by 20 cm"
 ReadClause move_ceiling(const EditText& text, const std::string& verb, std::size_t at) {
   const double height = text.room().height;
+  if (text.room().polygon.size() == 0) return what_at(text, at, "say in which room");
   const bool is_by = text.is_word(at, "by");
   if (is_by || text.is_word(at, "to")) {
     const auto measure = language::measure_at(text.raw, at + 1);

@@ -26,6 +26,7 @@ std::size_t wall_opposite(const Room& room, std::size_t wall) {
 
 std::optional<NamedWall> wall_by_target(const EditText& text, std::size_t at, bool may_be_near) {
   const Room& room = text.room();
+  if (room.polygon.size() == 0) return std::nullopt;
   std::size_t next = at;
   const bool is_opposite = text.is_word(at, "opposite") || text.is_word(at, "facing") || text.is_word(at, "across");
   const bool is_beside =
