@@ -141,6 +141,17 @@ std::optional<Result<Whereabouts>> between_two(const EditText& text, std::size_t
       {{RelationKind::between, (*first)->id}, {RelationKind::between, (*second)->id}}, {}, (*second)->end};
 }
 
+// "window-0" comes as two tokens.
+std::optional<Target> opening_by_id(const EditText& text, std::size_t at) {
+  while (at < text.tokens.size() && text.words.definite.count(text.tokens[at].text)) ++at;
+  if (at + 1 >= text.raw.size() || text.raw[at + 1].kind != language::Token::Kind::number ||
+      text.raw[at + 1].joint != language::Token::Joint::hyphen)
+    return std::nullopt;
+  const std::string id = text.tokens[at].text + "-" + text.raw[at + 1].text;
+  if (!find_opening(text.room(), id)) return std::nullopt;
+  return Target{id, at + 2};
+}
+
 // The place that `length` tokens say, and what it is relative to.
 std::optional<Result<Whereabouts>> place_by(const EditText& text, std::size_t at, std::size_t length,
                                             const std::vector<std::string>& subjects) {
@@ -152,6 +163,11 @@ std::optional<Result<Whereabouts>> place_by(const EditText& text, std::size_t at
   if (placement.pronoun || placement.inverse || placement.mutual || placement.relations.empty()) return std::nullopt;
   const std::size_t target = at + length;
   if (auto both = between_two(text, target, placement, subjects)) return both;
+  if (const auto opening = opening_by_id(text, target)) {
+    Whereabouts there{{}, {}, opening->end};
+    for (const auto kind : placement.relations) there.relations.push_back({kind, opening->id});
+    return there;
+  }
   const auto thing = named_thing_at(text, target);
   const auto place = place_named_at(text, target);
   if (place && (!thing || target + place->length >= thing->end)) {
@@ -209,21 +225,6 @@ std::string nearest_wall(const EditText& text, const Object& object) {
     if (away(k) < away(nearest)) nearest = k;
   return wall_name(nearest);
 }
-
-namespace {
-
-// "window-0" comes as two tokens.
-std::optional<Target> opening_by_id(const EditText& text, std::size_t at) {
-  while (at < text.tokens.size() && text.words.definite.count(text.tokens[at].text)) ++at;
-  if (at + 1 >= text.raw.size() || text.raw[at + 1].kind != language::Token::Kind::number ||
-      text.raw[at + 1].joint != language::Token::Joint::hyphen)
-    return std::nullopt;
-  const std::string id = text.tokens[at].text + "-" + text.raw[at + 1].text;
-  if (!find_opening(text.room(), id)) return std::nullopt;
-  return Target{id, at + 2};
-}
-
-}  // namespace
 
 std::optional<design::PlacePhrase> place_named_at(const EditText& text, std::size_t at) {
   const auto place = design::read_place({text.tokens.data(), text.tokens.size()}, at, text.words);

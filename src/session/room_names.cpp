@@ -37,9 +37,9 @@ bool is_numbered(const EditText& text, std::size_t at, const Room& room) {
 
 }  // namespace
 
-std::optional<NamedRooms> rooms_named_at(const EditText& text, std::size_t at) {
+std::optional<SpokenRooms> rooms_named_at(const EditText& text, std::size_t at) {
   if (text.scene.rooms.size() < 2) return std::nullopt;
-  NamedRooms named;
+  SpokenRooms named;
   for (; at < text.tokens.size(); ++at) {
     const bool is_all = text.edits.all.count(text.tokens[at].text) > 0;
     if (!is_all && !text.words.definite.count(text.tokens[at].text)) break;
@@ -49,12 +49,12 @@ std::optional<NamedRooms> rooms_named_at(const EditText& text, std::size_t at) {
   if (const auto length = longest_in(text.edits.whole_dwelling, text.tokens, at);
       length > 0 && (named.plural || !text.is_word(at, "room"))) {
     for (const auto& room : text.scene.rooms) named.ids.push_back(room.id);
-    return NamedRooms{named.ids, true, at, at + length};
+    return SpokenRooms{named.ids, true, at, at + length};
   }
   for (const auto& room : text.scene.rooms) {
     const auto length = length_of_any_name(text, at, room, named.plural);
     if (length == 0 || at + length < named.end) continue;
-    if (is_numbered(text, at + length, room)) return NamedRooms{{room.id}, false, at, at + length + 1};
+    if (is_numbered(text, at + length, room)) return SpokenRooms{{room.id}, false, at, at + length + 1};
     if (at + length > named.end) named.ids.clear();
     named.ids.push_back(room.id);
     named.end = at + length;

@@ -6,13 +6,13 @@ namespace roomgen {
 
 /// Rooms of a dwelling that are named there: "the bedroom", "bedroom-1", "both bedrooms", "every room", "the whole flat";
 /// with several of a name where one is meant. Nothing in a scene of one room.
-struct NamedRooms {
+struct SpokenRooms {
   Ids ids;
   bool plural = false;  ///< all of them are meant
   std::size_t begin = 0;  ///< behind "the", "both"
   std::size_t end = 0;
 };
-std::optional<NamedRooms> rooms_named_at(const EditText& text, std::size_t at);
+std::optional<SpokenRooms> rooms_named_at(const EditText& text, std::size_t at);
 
 /// "in the bedroom", "to the living room", "into bedroom-1": the id of a room of the dwelling. not_understood, with the
 /// choices, where there are several of that name; nothing in a scene of one room.

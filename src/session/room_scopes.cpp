@@ -20,7 +20,7 @@ std::size_t end_of_sentence(const EditText& text, std::size_t at) {
 }
 
 // "the kitchen and the bathroom"
-std::optional<NamedRooms> all_rooms_at(const EditText& text, std::size_t at) {
+std::optional<SpokenRooms> all_rooms_at(const EditText& text, std::size_t at) {
   auto named = rooms_named_at(text, at);
   while (named && (named->plural || named->ids.size() == 1) && text.is_word(named->end, "and")) {
     const auto more = rooms_named_at(text, named->end + 1);
@@ -143,7 +143,7 @@ ReadClause RoomScopes::read_in(const Ids& rooms, const EditText& text, std::size
 std::vector<RoomScopes::Wording> RoomScopes::wordings(const EditText& text, std::size_t at) {
   std::vector<Wording> all;
   const std::size_t end = end_of_sentence(text, at);
-  const auto add = [&](std::size_t begin, std::size_t behind, const char* instead, const NamedRooms& named) {
+  const auto add = [&](std::size_t begin, std::size_t behind, const char* instead, const SpokenRooms& named) {
     EditText other = without(text, begin, behind);
     if (*instead) insert_word(other, begin, instead);
     all.push_back({std::move(other), begin, named.ids, named.plural, text.words_from(named.begin, named.end)});
