@@ -180,13 +180,13 @@ Complexity complexity_of(std::string_view text) {
   return complexity;
 }
 
-std::vector<language::Span> compose::complexity_spans(std::string_view text) {
+std::vector<compose::MeasureSpan> compose::complexity_spans(std::string_view text) {
   const auto tokens = language::tokenize(text);
-  std::vector<language::Span> spans;
+  std::vector<MeasureSpan> spans;
   for (const auto& [name, range] : complexity_measures())
     if (const auto said = said_of(name, tokens))
-      spans.push_back({tokens[said->begin].span.begin, tokens[said->end - 1].span.end});
-  std::ranges::sort(spans, {}, &language::Span::begin);
+      spans.push_back({name, {tokens[said->begin].span.begin, tokens[said->end - 1].span.end}});
+  std::ranges::sort(spans, {}, [](const MeasureSpan& one) { return one.span.begin; });
   return spans;
 }
 

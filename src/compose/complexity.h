@@ -27,7 +27,12 @@ struct ComplexityWords {
 };
 const ComplexityWords& complexity_words();
 
-/// Where a text says what complexity_of() reads of it, in order.
-std::vector<language::Span> complexity_spans(std::string_view text);
+/// Where a text says what complexity_of() reads of it.
+struct MeasureSpan {
+  std::string measure;
+  language::Span span;
+};
+/// In the order of the text.
+std::vector<MeasureSpan> complexity_spans(std::string_view text);
 
 }  // namespace roomgen::compose

@@ -58,8 +58,8 @@ class Composer {
     for (const auto& kind : stock_.missing)
       round.written.notes.push_back("the libraries have no " + kind);
     round.models = stock_.models;
-    keep_ledger(round);
     round.report = error_report(round.result, round.written.asked, round.models, kinds_);
+    keep_ledger(round);
     look_for_conflict(round);
     if (options_.picture)
       if (auto picture = options_.picture(round.result.scene, round.models)) round.picture = *std::move(picture);
@@ -95,7 +95,8 @@ class Composer {
           return judge_attribute(known_looks(object, round.models), word);
         },
         [](const Object&) { return 1.0; });
-    scene.heard = compose::with_measures_heard(round.written.plan.heard, request_.plan.prompt);
+    scene.heard = round.written.plan.heard;
+    compose::hear_measures(scene, request_.plan.prompt, round.report.measures);
   }
 
   const ComposeRequest& request_;

@@ -3,12 +3,13 @@
 #include <string_view>
 #include <vector>
 
-#include "roomgen/scene/requirement.h"
+#include "roomgen/compose/compose.h"
 
 namespace roomgen::compose {
 
-/// What was heard of a prompt, with the words that say how much the room shall hold ("seating for 12", "half of the
-/// floor") heard as counts where nobody else understood them. Whether they are reached says the error report.
-std::vector<Heard> with_measures_heard(std::vector<Heard> heard, std::string_view prompt);
+/// Puts into the ledger of a scene how much a prompt (or an option) says that the room shall hold ("seating for 12",
+/// "half of the floor"): a requirement for each measure, judged by the error report. The words that say so are heard as
+/// counts, and what the reader of rooms made of them ("occupancy" as a character of the room) goes.
+void hear_measures(Scene& scene, std::string_view prompt, const std::vector<MeasureVerdict>& measures);
 
 }  // namespace roomgen::compose

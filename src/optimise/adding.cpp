@@ -11,6 +11,8 @@ constexpr double urgency = 20.0;
 constexpr std::size_t most_deficits = 400;
 // Of what comes along with a thing.
 constexpr int most_company = 40, most_failures = 12;
+// Things that make way for a missing one.
+constexpr int most_evicted = 4;
 
 }  // namespace
 
@@ -57,13 +59,33 @@ std::optional<SlotSet> Moves::add() {
   if (open.empty()) return std::nullopt;
   std::vector<double> weights;
   for (const auto& deficit : open) weights.push_back(deficit.missing > 0 ? urgency : 1.0);
-  const auto slot = add_for(open[random_.weighted(weights)]);
+  const Deficit& wanted = open[random_.weighted(weights)];
+  const auto slot = add_for(wanted);
   if (!slot) return std::nullopt;
+  if (wanted.missing > 0) clear_place_of(*slot);
   SlotSet moved;
   moved.insert(*slot);
   if (!bounds_with_variables_ || !world_.admits(moved)) return moved;
   add_company(*slot, moved);
   return moved;
+}
+
+// What stands where a missing thing would stand goes, with all that stands on it: small things that came first would
+// keep a bed out of its room for ever. Whether the room is the better for it is for the annealing to say.
+void Moves::clear_place_of(Slot slot) {
+  const SlotSet clashing = world_.clashing(slot);
+  SlotSet gone;
+  int roots = 0;
+  bool is_fixed = false;
+  clashing.each([&](Slot other) {
+    ++roots;
+    world_.cluster(other).each([&](Slot one) {
+      is_fixed = is_fixed || world_.item(one).fixed || one == slot;
+      gone.insert(one);
+    });
+  });
+  if (is_fixed || roots > most_evicted) return;
+  gone.each([&](Slot one) { world_.remove(one); });
 }
 
 // What the program wants of each such thing comes with it: a table without its six chairs would count as a step back.

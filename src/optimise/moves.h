@@ -52,6 +52,7 @@ class Moves {
   std::vector<Deficit> deficits();
   std::optional<Slot> add_for(const Deficit& wanted);
   void add_company(Slot root, SlotSet& moved);
+  void clear_place_of(Slot slot);
   std::optional<int> design_of(int bound) const;
   bool settle_anew(Slot root, SlotSet& moved);
   std::optional<Slot> any_thing(bool with_dependants);

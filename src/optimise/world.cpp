@@ -273,6 +273,18 @@ bool World::meshes_admit() {
   });
 }
 
+SlotSet World::clashing(Slot slot) {
+  SlotSet found;
+  things_.each([&](Slot other) {
+    if (other == slot) return;
+    const Meeting how = meeting(slot, other);
+    const bool clashes =
+        how == Meeting::clash || (how == Meeting::meshes_decide && solids_.overlap(item(slot).object, item(other).object));
+    if (clashes) found.insert(other);
+  });
+  return found;
+}
+
 void World::disturb(const Bounds2& part) {
   judged_.each([&](Slot slot) {
     find_zones(slot);  // a move that was taken back leaves those of another pose

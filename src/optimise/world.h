@@ -125,6 +125,8 @@ class World {
   bool boxes_admit(const SlotSet& moved);
   bool meshes_admit();
   bool admits(const SlotSet& moved) { return boxes_admit(moved) && meshes_admit(); }
+  /// The things that the thing may not be in one place with and is.
+  SlotSet clashing(Slot slot);
 
   /// How many things have no free use zone.
   int useless();

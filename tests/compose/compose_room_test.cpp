@@ -130,6 +130,28 @@ TEST_CASE("What is said of seats, shelves, things and the floor is heard", "[com
   CHECK_FALSE(contains_text(unheard, "floor"));
 }
 
+TEST_CASE("The ledger says of each measure what the error report says, and nothing else of it", "[compose]") {
+  for (const std::string prompt : {"a lounge with seating for six and an occupancy of 25 %", "a cafe with seats for ten"}) {
+    INFO(prompt);
+    const auto result = composed(prompt, rule_author(), quick(1));
+    const auto& round = result.chosen();
+    REQUIRE_FALSE(round.report.measures.empty());
+    for (const auto& measure : round.report.measures) {
+      INFO(measure.name);
+      const auto& ledger = round.result.scene.requirements;
+      const auto found = std::ranges::find_if(
+          ledger, [&](const auto& verdict) { return verdict.requirement.id == "measure-" + measure.name; });
+      REQUIRE(found != ledger.end());
+      CHECK(found->met() == (measure.missed <= 0.0));
+      CHECK(std::ranges::any_of(round.result.scene.heard, [&](const Heard& words) {
+        return std::ranges::find(words.requirements, found->requirement.id) != words.requirements.end();
+      }));
+    }
+    for (const auto& verdict : round.result.scene.requirements)
+      CHECK(verdict.compliance != Compliance::not_judged);
+  }
+}
+
 TEST_CASE("A model that answers Python is asked again, then the work ends with what was wrong", "[compose]") {
   const auto python = reply_saying("def build_constraints():\n    return cl.Problem(constraints={}, score_terms={})");
   const auto script = make_script({python, python, python});
