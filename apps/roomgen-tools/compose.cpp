@@ -70,7 +70,7 @@ Status read_wishes(ComposeCommand& command) {
   for (std::size_t i = 0; i < command.measures.size(); ++i) {
     if (command.measures[i].empty()) continue;
     const auto& [name, range] = complexity_measures()[i];
-    auto read = range_from(command.measures[i], std::string("--") + name);
+    auto read = range_from(command.measures[i], std::string("--") + name, most_of_measure(name));
     if (!read) return read.error();
     command.request.complexity.*range = *read;
   }

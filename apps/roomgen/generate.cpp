@@ -37,7 +37,7 @@ struct GenerateCommand {
   std::string output, plan_file;
   bool force = false, strict = false, marks = false, no_pictures = false;
   int pixels = 1024;
-  LayoutSearch layout = LayoutSearch::steps;
+  std::string layout = "steps";
   double alpha = 0.5, rrf_c = 60.0, pitch = 0.10;
   double seconds = 0.0;  // 0: usual_seconds()
   LibraryOptions libraries;
@@ -240,7 +240,7 @@ Result<int> run(const Context& context, const GenerateCommand& command) {
   options.place.fusion.c = command.rrf_c;
   apply(command.designer, options);
   options.place.pitch = command.pitch;
-  options.layout = command.layout;
+  options.layout = command.layout == "both" ? LayoutSearch::both : LayoutSearch::steps;
   auto renderer = renderer_for(command, *composed);
   if (!renderer) return renderer.error();
   options.renderer = renderer->get();
@@ -299,12 +299,10 @@ void add_generate_command(CLI::App& app, Context& context) {
   sub->add_option("--seconds", command->seconds,
                   "Most time once there is a plan, after which the room so far is written (default: 60 a room, 900 with a model)")
       ->check(CLI::PositiveNumber);
-  const std::map<std::string, LayoutSearch> layouts{
-      {"steps", LayoutSearch::steps}, {"both", LayoutSearch::both}};
   sub->add_option("--layout", command->layout,
                   "How things find their places: steps, one after the other; both, and annealing where something is left out")
-      ->transform(CLI::CheckedTransformer(layouts, CLI::ignore_case))
-      ->option_text("TEXT=steps");
+      ->check(CLI::IsMember({"steps", "both"}))
+      ->capture_default_str();
   add_designer_options(*sub, command->designer);
   add_finish_options(*sub, command->designer);
   add_library_options(*sub, command->libraries);

@@ -9,6 +9,7 @@
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "roomgen/evaluate/report.h"
+#include "varied.h"
 
 namespace roomgen::cli {
 
@@ -17,32 +18,9 @@ namespace {
 constexpr std::size_t most_bytes = std::size_t{1} << 30;  // of a file of layouts
 constexpr std::size_t most_lines_told = 10;
 
-/// A room whose things are put elsewhere: a scene as it is, or a problem that is yet to be solved.
-struct Varied {
-  std::optional<Problem> problem;
-  Scene scene;  ///< of a problem: things without places
-  ModelTable models;
-};
-
-Result<Varied> read_varied(const std::string& file, const ModelOptions& models, const Context& context) {
-  const auto text = read_file(file);
-  if (!text) return text.error();
-  const auto json = parse_json(*text, file);
-  if (!json) return json.error();
-  Varied varied;
-  if (json->is_object() && json->value("format", Json()) == "roomgen-scene") {
-    auto scene = scene_from_json(*json, file);
-    if (!scene) return scene.error();
-    auto table = models_of(*scene, file, models, context);
-    if (!table) return table.error();
-    varied.scene = *std::move(scene), varied.models = *std::move(table);
-    return varied;
-  }
-  auto problem = problem_from_json(*json, file);
-  if (!problem) return problem.error();
-  varied.scene = things_of(*problem);
-  varied.problem = *std::move(problem);
-  return varied;
+// Beside the layouts, which say of each thing no more than where it stands.
+std::filesystem::path scene_beside(const std::string& layouts) {
+  return std::filesystem::path(layouts).replace_extension(".scene.json");
 }
 
 Json samples_json(const SampleWish& wish, const Samples& samples, double seconds) {
@@ -128,7 +106,7 @@ void print_counts(const Context& context, const std::string& file, const LineCou
 }  // namespace
 
 Result<int> write_samples(const Context& context, const SampleWish& wish) {
-  const auto varied = read_varied(wish.file, wish.models, context);
+  const auto varied = read_varied(wish.file, wish.models, wish.options.solve.seed, context);
   if (!varied) return varied.error();
   const auto start = std::chrono::steady_clock::now();
   const KindTable& kinds = KindTable::built_in();
@@ -139,6 +117,9 @@ Result<int> write_samples(const Context& context, const SampleWish& wish) {
   std::string lines;
   for (std::size_t i = 0; i < samples->layouts.size(); ++i) lines += to_json(*samples, i).dump() + "\n";
   if (auto written = write_lines(wish, lines); !written) return written.error();
+  if (varied->is_made && !wish.output.empty())
+    if (auto written = write_file(scene_beside(wish.output), dump_json(to_json(varied->scene))); !written)
+      return written.error();
   tell(context, wish, *samples, elapsed.count());
   if (context.cancel.cancelled()) return exit_interrupted;
   const bool whole = samples->scene.unplaced.empty() && samples->layouts.size() == wish.options.count;
@@ -150,7 +131,7 @@ Result<int> check_samples(const Context& context, const std::string& file, const
   if (varied_file.empty())
     return Error{Error::Kind::invalid_input, file + ": layouts are checked with --of and the problem or scene "
                                                     "that they were drawn from"};
-  const auto varied = read_varied(varied_file, models, context);
+  const auto varied = read_varied(varied_file, models, 0, context);
   if (!varied) return varied.error();
   const auto text = read_file(file, most_bytes);
   if (!text) return text.error();

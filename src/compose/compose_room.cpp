@@ -3,7 +3,9 @@
 #include "evaluate/attributes.h"
 #include "evaluate/ledger.h"
 #include "heard_measures.h"
+#include "roomgen/base/text.h"
 #include "roomgen/compose/compose.h"
+#include "roomgen/design/designer.h"
 
 namespace roomgen {
 
@@ -19,6 +21,7 @@ class Composer {
       : request_(request), author_(author), library_(library), kinds_(kinds), options_(options) {}
 
   Result<Composition> run() {
+    if (auto status = refuse_dwelling(); !status) return status.error();
     auto written = author_.write(request_);
     if (!written) return written.error();
     ComposeRound first;
@@ -48,6 +51,16 @@ class Composer {
   }
 
  private:
+  Status refuse_dwelling() const {
+    const auto dwelling = plan_dwelling(request_.plan, *make_rule_designer());
+    if (!dwelling || !*dwelling) return {};
+    std::vector<std::string> rooms;
+    for (const auto& plan : (*dwelling)->rooms) rooms.push_back(plan.room.type);
+    return Error{Error::Kind::invalid_input, "a program furnishes one room, and the prompt asks for " +
+                                                 std::to_string(rooms.size()) + " (" + join(rooms, ", ") +
+                                                 "); generate makes dwellings, or say one room at a time"};
+  }
+
   const ComposeRound& last() const { return composition_.rounds.back(); }
 
   Status play(ComposeRound round) {

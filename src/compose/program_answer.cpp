@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "chat/loose_json.h"
 #include "model_author.h"
@@ -17,6 +19,18 @@ Result<Json> patched(const Json& before, const Json& patch) {
   } catch (const Json::exception& fault) {
     return Error{Error::Kind::invalid_input, std::string("the patch does not apply to the program: ") + fault.what()};
   }
+}
+
+// A model that was asked for a patch often answers with the operations alone, as RFC 6902 has them.
+std::optional<Json> bare_patch(const std::string& text) {
+  const auto first = text.find('['), last = text.rfind(']');
+  if (first == std::string::npos || last == std::string::npos || last < first || text.find('{') < first ||
+      text.size() > max_reply_bytes)
+    return std::nullopt;
+  auto json = parse_json(text.substr(first, last - first + 1), "patch");
+  const auto is_operation = [](const Json& one) { return one.is_object() && one.contains("op") && one.contains("path"); };
+  if (!json || !json->is_array() || json->empty() || !std::ranges::all_of(*json, is_operation)) return std::nullopt;
+  return *std::move(json);
 }
 
 Result<Json> program_json_of(const Json& answer, const Json& before) {
@@ -42,8 +56,11 @@ Status check_for_model(const ConstraintProgram& program, const KindTable& kinds)
 }  // namespace
 
 Result<ProgramAnswer> read_program_answer(const std::string& text, const Json& before, const KindTable& kinds) {
-  const auto found =
-      find_json(text, {{"program", "patch", "constraints"}, {"reasoning", "sets", "operations"}});
+  Result<LooseJson> found = Error{};
+  if (auto operations = bare_patch(text))
+    found = LooseJson{Json{{"patch", *std::move(operations)}}, {"the operations stood alone, not under \"patch\""}};
+  else
+    found = find_json(text, {{"program", "patch", "constraints"}, {"reasoning", "sets", "operations"}});
   if (!found) return found.error();
   const auto json = program_json_of(found->json, before);
   if (!json) return json.error();

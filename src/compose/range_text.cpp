@@ -31,15 +31,20 @@ std::string range_text(const Range& range) {
   return format_number(range.low, 2) + " to " + format_number(range.high, 2);
 }
 
-Result<Range> range_from(std::string_view text, const std::string& option) {
+Result<Range> range_from(std::string_view text, const std::string& option, double most) {
   const auto wrong = [&] {
     return Error{Error::Kind::invalid_input,
                  option + ": \"" + std::string(text) + "\" is no range; write 12, 8..12, 8.. or ..12"};
+  };
+  const auto beyond = [&] {
+    return Error{Error::Kind::invalid_input, option + ": \"" + std::string(text) + "\" is beyond " +
+                                                 format_number(most, 2) + "; write a share as 0.4..0.5 or 40%"};
   };
   const auto dots = text.find("..");
   if (dots == std::string_view::npos) {
     const auto value = number_from(std::string(text));
     if (!value) return wrong();
+    if (*value > most) return beyond();
     const double margin = *value > 0.0 && *value < 1.0 ? margin_of_one_share : 0.0;
     return Range{*value - margin, *value + margin};
   }
@@ -47,6 +52,7 @@ Result<Range> range_from(std::string_view text, const std::string& option) {
   const auto low = trim(first).empty() ? std::optional(0.0) : number_from(first);
   const auto high = trim(last).empty() ? std::optional(no_bound) : number_from(last);
   if (!low || !high || *low > *high) return wrong();
+  if (*low > most || (*high > most && *high < no_bound)) return beyond();
   return Range{*low, *high};
 }
 

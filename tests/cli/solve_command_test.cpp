@@ -76,6 +76,25 @@ TEST_CASE("Layouts are drawn one a line, the same for any number of threads, and
   CHECK(contains_text(checked.out, "40 layouts, 0 with faults; 36 to 36 constraints held"));
 }
 
+TEST_CASE("Layouts are drawn of a plan, and of a program, with the room beside them") {
+  const TemporaryFolder folder;
+  const auto plan = folder / "plan.json";
+  REQUIRE(run({"plan", "a bedroom", "-o", plan}).code == 0);
+  for (const std::string& file : {std::string(plan), test_data + "/programs/dining.json"}) {
+    INFO(file);
+    const auto drawn = run({"solve", file, "--samples", "20", "-o", folder / "a.jsonl"});
+    INFO(drawn.err);
+    REQUIRE(drawn.code == 0);
+    CHECK(contains_text(drawn.out, "20 of 20 distinct layouts were found"));
+    const auto checked = run({"check", folder / "a.jsonl", "--of", folder / "a.scene.json"});
+    CHECK(checked.code == 0);
+    CHECK(contains_text(checked.out, "20 layouts, 0 with faults"));
+  }
+  const auto dwelling = folder / "dwelling.json";
+  REQUIRE(run({"plan", "a flat with two bedrooms", "-o", dwelling}).code == 0);
+  CHECK(failed_in_one_line(run({"solve", dwelling, "--samples", "3"}), 1));
+}
+
 TEST_CASE("More layouts than there are end with a clear statement") {
   const TemporaryFolder folder;
   const std::string problem = test_data + "/rooms/92-only-the-door.json";

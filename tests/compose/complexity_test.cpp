@@ -76,3 +76,11 @@ TEST_CASE("Ranges of options are read or refused", "[compose]") {
     CHECK(read.error().message.find("--seats") != std::string::npos);
   }
 }
+
+TEST_CASE("More of the floor than there is cannot be asked for", "[compose]") {
+  CHECK(range_from("100%", "--occupancy", most_of_measure("occupancy")));
+  CHECK(range_from("0.4..", "--occupancy", most_of_measure("occupancy")));
+  for (const char* text : {"1.4", "140%", "0.4..1.4", "1.2.."})
+    CHECK_FALSE(range_from(text, "--occupancy", most_of_measure("occupancy")));
+  CHECK(range_from("40", "--seats", most_of_measure("seats")));
+}

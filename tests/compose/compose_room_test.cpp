@@ -175,3 +175,21 @@ TEST_CASE("Wrong programs and patches are objected to with their place", "[compo
   CHECK(contains_text(script->questions.at(1).messages.back().text, "flux capacitor"));
   CHECK(contains_text(script->questions.at(3).messages.back().text, "patch"));
 }
+
+TEST_CASE("A patch may stand alone", "[compose]") {
+  const auto script = make_script(
+      {reply_saying(program_text("9", "2.5")),
+       reply_saying("```json\n[{\"op\": \"replace\", \"path\": \"/constraints/desks/2\", \"value\": 1}]\n```")});
+  ScriptedModel model(script);
+  const auto author = model_author(model, Prompts::built_in(), {.kinds = {{"desk", {1.4, 0.7, 0.75}}}});
+  const auto result = composed("a study with a desk", author, quick());
+  REQUIRE(result.rounds.size() == 2);
+  CHECK(result.rounds[1].report.is_met());
+}
+
+TEST_CASE("A prompt for several rooms is refused with the way out", "[compose]") {
+  const auto result =
+      compose_room(request_for("a flat with two bedrooms and a kitchen"), rule_author(), BoxLibrary(), kinds(), quick(1));
+  REQUIRE_FALSE(result);
+  CHECK(contains_text(result.error().message, "generate"));
+}

@@ -107,7 +107,7 @@ Result<ComposeRequest> wanted_composition(const Workplace& place, const ToolCall
   if (!wish->size.empty()) request.plan.size = *cli::parse_size(wish->size);
   for (const auto& [name, range] : complexity_measures()) {
     if (!call.arguments.contains(name)) continue;
-    const auto read = range_from(call.arguments[name].get<std::string>(), std::string("/") + name);
+    const auto read = range_from(call.arguments[name].get<std::string>(), std::string("/") + name, most_of_measure(name));
     if (!read) return read.error();
     request.complexity.*range = *read;
   }

@@ -41,8 +41,10 @@ const std::vector<ComplexityMeasure>& complexity_measures();
 /// (data/program/complexity.json). "About" reaches 20 % of a number and 5 points of a share to either side; a share
 /// that is said as one number is met within 3 points.
 Complexity complexity_of(std::string_view text);
-/// "20..25", "0.4..0.5", "12": both bounds may be left out ("..10"). Shares also as "40%".
-Result<Range> range_from(std::string_view text, const std::string& option);
+/// "20..25", "0.4..0.5", "12": both bounds may be left out ("..10"). Shares also as "40%". More than `most` is refused.
+Result<Range> range_from(std::string_view text, const std::string& option, double most = 1e4);
+/// The most that can be asked for of a measure: of shares 1.
+double most_of_measure(std::string_view measure);
 /// "8 to 12", "at least 3"
 std::string range_text(const Range& range);
 /// That of `asked`, with what `told` says instead where it says anything.
