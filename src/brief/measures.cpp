@@ -177,7 +177,7 @@ std::optional<int> number_at(const std::vector<Token>& tokens, std::size_t at,
   if (at >= tokens.size()) return std::nullopt;
   if (tokens[at].kind == Token::Kind::number) {
     const double value = tokens[at].value;
-    return value >= 1 && value <= 200 ? std::optional<int>(static_cast<int>(value)) : std::nullopt;
+    return value >= 1 && value <= 10000 ? std::optional<int>(static_cast<int>(value)) : std::nullopt;
   }
   const auto found = words.numbers.find(tokens[at].text);
   if (found == words.numbers.end()) return std::nullopt;
@@ -264,8 +264,13 @@ void read_people(std::vector<Token>& tokens, const Vocabulary& words, const Kind
     const std::size_t lead = leads.count(tokens[i].text) ? 1 : 0;
     const People people = lead ? people_at(tokens, i + 1, words, table) : counted_people(tokens, i, words);
     if (people.length == 0) continue;
-    if (brief.people == 0) brief.people = std::min(people.count, 40);
-    if (brief.people == people.count)
+    if (brief.people == 0) {
+      brief.people = std::min(people.count, most_people);
+      if (people.count > most_people)
+        brief.notes.push_back("a room is furnished for at most " + std::to_string(most_people) + " people, not for " +
+                              std::to_string(people.count));
+    }
+    if (brief.people == std::min(people.count, most_people))
       hear(brief, source_of(tokens, i, people.length + lead), Heard::As::person);
     replace(tokens, i, people.length + lead);
     if (i > 0) --i;

@@ -21,10 +21,10 @@ int number_before(const PromptText& text, std::uint32_t token) {
   if (token == 0) return 0;
   const Token& before = text.plain[token - 1];
   if (before.kind == Token::Kind::number)
-    return static_cast<int>(std::clamp(before.value, 0.0, 1.0 * most_persons));
+    return static_cast<int>(std::clamp(before.value, 0.0, 1.0 * most_people));
   const auto number = text.words.numbers.find(before.text);
   const bool exact = number != text.words.numbers.end() && !text.words.vague.count(before.text);
-  return exact && before.text != "a" && before.text != "an" ? std::min(number->second, most_persons) : 0;
+  return exact && before.text != "a" && before.text != "an" ? std::min(number->second, most_people) : 0;
 }
 
 /// Adds what one occupant means to a brief.
@@ -43,13 +43,30 @@ class Bringer {
   }
 
  private:
-  bool brought_by_room(const std::string& kind) const {
+  // What such a room has of that kind anyway; empty if nothing.
+  std::string brought_by_room(const std::string& kind) const { return among(lexicon_.kind.core, kind); }
+  std::string among(const std::vector<Piece>& pieces, const std::string& kind) const {
+    for (const Piece& piece : pieces)
+      for (const auto& [own, weight] : piece.any)
+        if (lexicon_.table.is_a(own, kind) || lexicon_.table.is_a(kind, own)) return own;
+    return "";
+  }
+  // A room that says what its people have (a lecture hall a seat for each) has nothing else on its floor for each of them,
+  // but of what it has several anyway.
+  bool has_other_places(const Occupant::Thing& thing, const Kind& kind) const {
     const auto& core = lexicon_.kind.core;
-    return std::any_of(core.begin(), core.end(), [&](const Piece& piece) {
-      return std::any_of(piece.any.begin(), piece.any.end(), [&](const auto& option) {
-        return lexicon_.table.is_a(option.first, kind) || lexicon_.table.is_a(kind, option.first);
-      });
+    if (!thing.each || kind.mount != Mount::floor || phrase_.persons < 2) return false;
+    const bool has_places = std::any_of(core.begin(), core.end(), [](const Piece& piece) { return piece.for_people > 0; });
+    const bool is_there = std::any_of(core.begin(), core.end(), [&](const Piece& piece) {
+      const bool is_several = piece.for_people > 0 || piece.high > 1;
+      return is_several && (!among({piece}, kind.name).empty() || !among(piece.then, kind.name).empty());
     });
+    return has_places && !is_there;
+  }
+  // A pupil's chair is a student chair in a classroom.
+  std::string meant_in_room(const std::string& kind) const {
+    const auto meant = lexicon_.kind.means.find(kind);
+    return meant == lexicon_.kind.means.end() ? kind : meant->second;
   }
 
   // Who is told to have a desk needs no other: of an executive desk or a bistro table the last word
@@ -58,17 +75,22 @@ class Bringer {
     const std::string noun = kind.substr(kind.rfind(' ') + 1);
     const std::string& general = lexicon_.table.by_name(noun) ? noun : kind;
     for (std::size_t i = 0; i < brief_.mentions.size(); ++i)
-      if (lexicon_.table.is_a(brief_.mentions[i].category, kind) ||
-          lexicon_.table.is_a(brief_.mentions[i].category, general))
+      if (!is_of_others(brief_.mentions[i]) && (lexicon_.table.is_a(brief_.mentions[i].category, kind) ||
+                                                lexicon_.table.is_a(brief_.mentions[i].category, general)))
         return i;
     return std::nullopt;
+  }
+
+  // The teacher's desk is no pupil's.
+  bool is_of_others(const Mention& mention) const {
+    return !mention.owner.empty() && occupants_.find(mention.owner) != phrase_.occupant;
   }
 
   int number_of(const Occupant::Thing& thing) const {
     if (!thing.each) return std::max(1, thing.count);
     if (phrase_.persons > 0) return phrase_.persons;
     if (thing.count > 0) return thing.count;
-    if (phrase_.occupant->is_activity) return std::clamp(brief_.people, 1, most_persons);
+    if (phrase_.occupant->is_activity) return std::clamp(brief_.people, 1, most_people);
     return std::max(1, phrase_.occupant->count);
   }
 
@@ -87,8 +109,11 @@ class Bringer {
     if (!mention) {
       const bool belongs =
           phrase_.occupant->is_activity || occupants_.belongs(thing.kind, brief_.type);
-      const Kind* kind = lexicon_.table.by_name(thing.kind);
-      if (!kind || !belongs || (!thing.always && brought_by_room(thing.kind)) || is_barred(thing)) return;
+      // Of what each of several has, such a room has as many as there are people.
+      const std::string own = thing.always ? "" : brought_by_room(thing.kind);
+      const bool is_counted = thing.each && phrase_.persons > 1;
+      const Kind* kind = lexicon_.table.by_name(own.empty() || !is_counted ? meant_in_room(thing.kind) : own);
+      if (!kind || !belongs || (!own.empty() && !is_counted) || has_other_places(thing, *kind) || is_barred(thing)) return;
       mention = add(*kind, number_of(thing));
     }
     brief_.mentions[*mention].heard.push_back(heard_);

@@ -8,9 +8,6 @@
 
 namespace roomgen::design {
 
-/// More are not believed.
-inline constexpr int most_persons = 20;
-
 /// Words of a prompt that name people or what they do.
 struct OccupantPhrase {
   const Occupant* occupant = nullptr;

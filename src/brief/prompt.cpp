@@ -20,6 +20,7 @@
 #include "prompt_things.h"
 #include "room_type.h"
 #include "settle.h"
+#include "settle_people.h"
 #include "shape_words.h"
 #include "style_phrase.h"
 #include "view_from_door.h"
@@ -88,6 +89,7 @@ Brief read_prompt(std::string_view prompt, const RoomKinds& kinds, const KindTab
   read_palette(reading);
   read_remarks(reading);
   note_lost_limits(reading);
+  bring_for_people({*words, table, kinds.get(brief.type)}, brief);
   bound_mentions(brief);
   settle(brief, table);
   if (brief.type.empty()) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "language/lexicon.h"
+
 namespace roomgen::design {
 
 namespace {
@@ -21,7 +23,7 @@ class OccupantReader {
       if (!found || found->tokens.begin < said.tokens.begin) continue;
       i = found->tokens.end - 1;
       if (found->persons == 0 && said.count > 1)
-        found->persons = static_cast<int>(std::min(said.count, 1.0 * most_persons));
+        found->persons = static_cast<int>(std::min(said.count, 1.0 * most_people));
       if (is_for_thing(id)) {
         hear(reading_.brief, found->tokens, Heard::As::person);
         continue;
@@ -47,7 +49,13 @@ class OccupantReader {
 
  private:
   std::optional<std::size_t> bring(const OccupantPhrase& phrase) {
+    count_people(phrase);
     return bring_things(phrase, *Occupants::built_in(), reading_.lexicon, reading_.brief);
+  }
+  // "eight backpackers" are eight people, "three cats" are none.
+  void count_people(const OccupantPhrase& phrase) {
+    const bool are_people = language::lexicon().is(phrase.occupant->name, language::WordClass::person);
+    if (phrase.persons > 1 && are_people && reading_.brief.people == 0) reading_.brief.people = phrase.persons;
   }
   // "sleeps on two chairs", "plays chess": what it is done on, or with, was said.
   bool has_what_it_needs(const OccupantPhrase& found) const {

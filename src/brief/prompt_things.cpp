@@ -77,6 +77,8 @@ class ThingReader {
     if (!thing.article && !thing.definite) read_listed_without_commas(said, thing);
     const std::size_t before = reading_.talk.count();
     reading_.mentions[number] = refer(id, thing);
+    if (const auto owner = person_owning(id); reading_.mentions[number] && !owner.empty())
+      reading_.brief.mentions[*reading_.mentions[number]].owner = owner;
     if (reading_.talk.count() > before) note_list(said);
     if (reading_.mentions[number]) {
       read_rows(id, *reading_.mentions[number]);
@@ -371,17 +373,21 @@ class ThingReader {
   bool is_of_somebody_else(std::int32_t id, const ThingPhrase& thing) const {
     const auto known = thing.definite ? reading_.talk.known(thing) : std::nullopt;
     if (!known) return false;
-    const NounPhrase& said = reading_.phrase(id);
     const auto& looks = reading_.talk.mention(*known).looks;
+    const std::string owner = person_owning(id);
+    return !owner.empty() && std::find(looks.begin(), looks.end(), owner) == looks.end();
+  }
+  // "teacher" of "the teacher's desk"; empty if no person owns what a phrase names.
+  std::string person_owning(std::int32_t id) const {
+    const NounPhrase& said = reading_.phrase(id);
     for (auto i = said.modifiers.begin; i < said.modifiers.end; ++i) {
       const auto& modifier = reading_.parse.modifiers[i];
       const std::string& owner = reading_.word(modifier.tokens.begin);
       if (modifier.kind == language::Modifier::Kind::owner &&
-          language::lexicon().is(language::singular(owner), language::WordClass::person) &&
-          std::find(looks.begin(), looks.end(), owner) == looks.end())
-        return true;
+          language::lexicon().is(language::singular(owner), language::WordClass::person))
+        return owner;
     }
-    return false;
+    return "";
   }
   bool is_target(std::int32_t id) const {
     for (const Attachment& attachment : reading_.parse.attachments) {

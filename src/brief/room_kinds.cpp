@@ -47,7 +47,7 @@ std::optional<Vec3> read_size(const JsonReader& json) {
 std::vector<Piece> read_pieces(const JsonReader& json);
 
 Piece read_piece(const JsonReader& json) {
-  json.allow_only({"kind", "any", "of", "size", "count", "people", "chance", "weight", "area",
+  json.allow_only({"kind", "any", "of", "size", "count", "people", "for people", "chance", "weight", "area",
                    "each", "shared", "needs", "for", "unless", "then"});
   Piece piece;
   piece.any = read_weighted(json["any"]);
@@ -57,6 +57,7 @@ Piece read_piece(const JsonReader& json) {
   piece.size = read_size(json["size"]);
   read_count(json["count"], piece.low, piece.high);
   piece.people = json["people"].boolean_or(false);
+  piece.for_people = json["for people"].integer_or(0, 0, 100);
   piece.chance = json["chance"].number_or(1.0, 0, 1);
   piece.weight = json["weight"].number_or(1.0, 0, 1000);
   piece.area = json["area"].number_or(0.0, 0, 1000);

@@ -28,6 +28,7 @@ struct Piece {
   std::optional<Vec3> size;  ///< instead of the category's
   int low = 1, high = 1;     ///< how many
   bool people = false;       ///< one for each person that the prompt speaks of
+  int for_people = 0;        ///< so many people share one: a table for four; 0: their number means nothing for it
   double chance = 1.0;
   double weight = 1.0;              ///< among the extras
   double area = 0.0;                ///< only in rooms of at least so many square metres

@@ -12,10 +12,12 @@ constexpr int usual_few = 2;
 constexpr int seats_at_a_table = 4, seats_at_a_small_table = 2, seats_at_a_desk = 1;
 constexpr double small_table = 0.8;    ///< metres: the longer side of a table for two
 constexpr double lowest_table = 0.6;   ///< metres: what is lower has no chairs around it
+constexpr double usual_row = 3.6;      ///< metres
+constexpr int fewest_in_row = 3, most_in_row = 6;
 constexpr int most_for_all = 40;       ///< of seats and the like that are only counted by what they serve
 
 bool is_seat(const Mention& mention, const KindTable& table) {
-  return table.is_any_of(mention.category, {"chair", "stool"});
+  return mention.category == "seat" || table.is_any_of(mention.category, {"chair", "stool"});
 }
 
 int seats_at(const Mention& mention, const KindTable& table) {
@@ -53,7 +55,17 @@ int number_of_places(const Brief& brief, const KindTable& table) {
   return number;
 }
 
+// "three rows of benches": as many in each as seat the people, or as a row of usual length has.
+int number_in_rows(const Mention& mention, const Brief& brief, const KindTable& table) {
+  const int rows = std::max(1, mention.formation->rows);
+  const bool is_for_people = is_seat(mention, table) || is_personal(mention, table);
+  if (is_for_people && brief.people > rows) return (brief.people + rows - 1) / rows * rows;
+  const double width = std::max(0.1, table.get(mention.category).size.x());
+  return rows * std::clamp(static_cast<int>(usual_row / width), fewest_in_row, most_in_row);
+}
+
 int number_of(const Mention& mention, const Brief& brief, const KindTable& table) {
+  if (mention.formation && mention.formation->columns == 0) return number_in_rows(mention, brief, table);
   // How many windows there will be is not known yet.
   if (table.get(mention.category).covers_window) return 1;
   if (is_seat(mention, table)) {
@@ -61,7 +73,7 @@ int number_of(const Mention& mention, const Brief& brief, const KindTable& table
     const int seats = seats_for_tables(mention, brief, table);
     return seats > 0 ? seats : std::max(usual_few, mention.joined_to);
   }
-  if (mention.joined_to > 0) return mention.joined_to;
+  if (mention.joined_to > 1) return mention.joined_to;
   return is_personal(mention, table) ? std::max(usual_few, number_of_places(brief, table)) : usual_few;
 }
 

@@ -9,7 +9,7 @@ namespace roomgen::design {
 namespace {
 
 bool seats_people(const KindTable& table, const std::string& category) {
-  return table.is_a(category, "dining table") || category == "table";
+  return table.is_any_of(category, {"dining table", "conference table"}) || category == "table";
 }
 
 }  // namespace

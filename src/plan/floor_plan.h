@@ -13,7 +13,7 @@
 namespace roomgen::design {
 
 /// Largest floor that is chosen rather than asked for.
-inline constexpr double max_chosen_area = 48.0;
+inline constexpr double max_chosen_area = 100.0;
 
 /// Width and depth for a room: what is asked, else chosen by its kind and large enough for
 /// `furniture` square metres of things.

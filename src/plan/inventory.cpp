@@ -44,7 +44,7 @@ class Completion {
     in_core_ = false;
     // A desk that is asked for gets its chair as well.
     for (const auto& piece : kind_.extras)
-      if (asked(piece.any.front().first)) add_companions(piece, fullest * area);
+      if (asked(piece.any.front().first, piece.high > 1)) add_companions(piece, fullest * area);
     const int wanted = wanted_objects();
     const double share =
         random_.uniform(0.6 * kind_.share.low + 0.4 * kind_.share.high, kind_.share.high);
@@ -95,10 +95,10 @@ class Completion {
   }
 
   // The prompt's own things of this kind, of a kind in which it is, or of its name: who asks for one
-  // swivel chair wants no armchair besides.
-  bool asked(const std::string& category) const {
+  // swivel chair wants no armchair besides. What is somebody's own is none of several.
+  bool asked(const std::string& category, bool is_one_of_several) const {
     return std::any_of(drafts_.begin(), drafts_.end(), [&](const Draft& draft) {
-      return draft.item.asked &&
+      return draft.item.asked && !(is_one_of_several && !brief_.mentions[draft.mention].owner.empty()) &&
              (table_.is_a(draft.item.category, category) ||
               table_.is_a(category, draft.item.category) ||
               shares_name(category, brief_.mentions[draft.mention].noun));
@@ -156,7 +156,7 @@ class Completion {
       const int served = count_of(piece.each);
       count = piece.shared && served > 1 ? served : count * served;
     }
-    return std::min(count, std::max(max_added, piece.high));
+    return piece.each.empty() ? std::min(count, std::max(max_added, piece.high)) : count;
   }
 
   Vec3 size_of(const Piece& piece, const std::string& category, const std::string& variant) const {
@@ -194,7 +194,7 @@ class Completion {
   bool add(const Piece& piece, double budget) {
     if (pointless(piece)) return false;
     for (const auto& [category, weight] : piece.any)
-      if (asked(category)) {
+      if (asked(category, piece.high > 1)) {
         add_companions(piece, budget);
         return false;
       }

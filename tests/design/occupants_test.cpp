@@ -105,3 +105,34 @@ TEST_CASE("Ceilings, lengths behind a name and least numbers are heard") {
   CHECK(brief.mentions[1].at_least);
   CHECK(brief.mentions[1].quantity == 5);
 }
+
+TEST_CASE("A room has what it has for people as often as they need it") {
+  for (const auto& [prompt, category, number] :
+       {std::tuple{"an office for six people", "desk", 6}, {"an office for six people", "office chair", 6},
+        {"a lecture hall for 60 people", "theatre seat", 60}, {"a canteen for 40 people", "table", 10},
+        {"a canteen for 40 people", "chair", 40}, {"a dining room for twelve", "dining chair", 12},
+        {"a classroom for 24 students", "student desk", 24}, {"a dormitory for eight backpackers", "bunk bed", 4},
+        {"a yoga studio for ten", "yoga mat", 10}}) {
+    INFO(prompt);
+    const Brief brief = read_brief(prompt);
+    const auto found = std::find_if(brief.mentions.begin(), brief.mentions.end(),
+                                    [&, wanted = std::string(category)](const Mention& mention) { return mention.category == wanted; });
+    REQUIRE(found != brief.mentions.end());
+    CHECK(found->quantity == number);
+    CHECK(found->source == Requirement::Source::person);
+    CHECK_FALSE(found->heard.empty());
+  }
+  // What is named is not brought, and one person needs nothing more than the room has.
+  CHECK(things(read_brief("an office for four with two desks")).starts_with("2 desk"));
+  CHECK(read_brief("a study for one person").mentions.empty());
+}
+
+TEST_CASE("What is somebody's own is no place of the others") {
+  const Brief brief = read_brief("a classroom for twelve pupils with a teacher's desk");
+  CHECK(things(brief).starts_with("1 desk, 12 student desk, 12 student chair"));
+}
+
+TEST_CASE("Rows have as many as the people, or as a row has") {
+  CHECK(things(read_brief("a library with six rows of bookshelves")) == "24 bookshelf");
+  CHECK(things(read_brief("a classroom for twelve people with three rows of desks")).starts_with("12 student desk"));
+}

@@ -66,7 +66,7 @@ TEST_CASE("rooms of the six kinds are sound, full enough and not too full") {
       CHECK(planned_objects(plan).size() <= 30);
       CHECK(floor.share > 0.1);
       CHECK(floor.share < 0.5);
-      CHECK(area(plan.room.polygon) <= 48.0 + 1e-6);
+      CHECK(area(plan.room.polygon) <= 100.0 + 1e-6);
       CHECK(targets_are_placed_before(plan));
     }
 }

@@ -1,0 +1,72 @@
+#include "settle_people.h"
+
+#include <algorithm>
+
+#include "mention_shape.h"
+
+namespace roomgen::design {
+
+namespace {
+
+bool is_named(const Piece& piece, const Lexicon& lexicon, const Brief& brief) {
+  return std::any_of(brief.mentions.begin(), brief.mentions.end(), [&](const Mention& mention) {
+    return mention.owner.empty() && std::any_of(piece.any.begin(), piece.any.end(), [&](const auto& option) {
+             return lexicon.table.is_a(mention.category, option.first) || lexicon.table.is_a(option.first, mention.category);
+           });
+  });
+}
+
+bool is_seat(const Piece& piece, const Lexicon& lexicon) {
+  return lexicon.table.is_any_of(piece.any.front().first, {"chair", "stool"});
+}
+
+// Such a room always has it.
+bool is_certain(const Piece& piece) {
+  return piece.chance >= 1.0 && piece.area <= 0.0 && piece.unless.empty() && piece.needs.empty();
+}
+
+std::vector<std::size_t> words_of_people(const Brief& brief) {
+  std::vector<std::size_t> words;
+  for (std::size_t i = 0; i < brief.heard.size(); ++i)
+    if (brief.heard[i].as == Heard::As::person) words.push_back(i);
+  return words;
+}
+
+void bring(const Piece& piece, int number, const Lexicon& lexicon, Brief& brief) {
+  const auto& [category, weight] = *std::max_element(
+      piece.any.begin(), piece.any.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  Mention mention;
+  mention.category = mention.noun = mention.description = category;
+  mention.quantity = number;
+  mention.source = Requirement::Source::person;
+  mention.reason = "people";
+  mention.heard = words_of_people(brief);
+  shape(mention, ThingPhrase(), lexicon.words, lexicon.table);
+  if (piece.size) mention.size = *piece.size;
+  brief.mentions.push_back(std::move(mention));
+}
+
+}  // namespace
+
+void bring_for_people(const Lexicon& lexicon, Brief& brief) {
+  if (brief.people < 2 || brief.bare) return;
+  for (const Piece& piece : lexicon.kind.core) {
+    const bool is_there = is_named(piece, lexicon, brief);
+    int number = 0;
+    if (piece.for_people > 0 && !is_there) {
+      number = (brief.people + piece.for_people - 1) / piece.for_people;
+      bring(piece, number, lexicon, brief);
+    }
+    for (const Piece& seat : piece.then) {
+      if (!is_seat(seat, lexicon) || is_named(seat, lexicon, brief)) continue;
+      if (number > 0)
+        bring(seat, std::min(brief.people, number * seat.high), lexicon, brief);
+      else if (seat.people && (is_there || is_certain(piece))) {
+        if (!is_there) bring(piece, 1, lexicon, brief);
+        bring(seat, brief.people, lexicon, brief);
+      }
+    }
+  }
+}
+
+}  // namespace roomgen::design
