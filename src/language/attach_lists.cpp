@@ -31,6 +31,7 @@ void Attacher::further_member(std::int32_t id) {
 bool Attacher::takes(const OpenList& list, std::int32_t id) {
   if (is_all_there_is(id) && at(list.last).is_denied) return false;
   if (list.by != Opened::subject && list.by != Opened::object && is_share(id)) return false;
+  if ((list.by == Opened::object || list.by == Opened::clause) && brings_something_new(list, id)) return false;
   // "two chairs facing a sofa, a lamp and ...": the sofa ends the clause.
   if (list.by == Opened::clause) return !has_comma_;
   // "..., a table holding a mug, and a lamp": the last of the outer list.
@@ -68,6 +69,16 @@ bool Attacher::is_past_each(const OpenList& list, std::int32_t id) {
   const bool is_apart = with.tokens.begin > 1 && parse_.tokens[with.tokens.begin - 2].kind == Token::Kind::comma;
   const auto is_counted = [&](std::int32_t one) { return at(one).determiner == Determiner::absent && at(one).count > 0; };
   return !is_apart && is_counted(with.from) && is_counted(id) && !is_counted(list.last);
+}
+
+// "a sofa facing the TV and a bookshelf": behind what is known a thing is introduced beside the sofa; but what holds the
+// one may hold the other.
+bool Attacher::brings_something_new(const OpenList& list, std::int32_t id) {
+  if (list.attachment == none || at(list.last).determiner != Determiner::definite ||
+      at(id).determiner != Determiner::indefinite)
+    return false;
+  const Attachment& attachment = parse_.attachments[static_cast<std::size_t>(list.attachment)];
+  return attachment.is_verb && !small_words().verbs_of_having.contains(attachment.relation);
 }
 
 // Whether a list around the innermost one has several members by now.

@@ -103,6 +103,7 @@ class Attacher {
   void open(Opened by, std::int32_t id, std::int32_t attachment);
   void further_member(std::int32_t id);
   bool takes(const OpenList& list, std::int32_t id);
+  bool brings_something_new(const OpenList& list, std::int32_t id);
   bool is_past_each(const OpenList& list, std::int32_t id);
   bool is_within_list() const;
   bool is_bare(std::int32_t id);

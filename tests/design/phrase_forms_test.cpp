@@ -60,3 +60,11 @@ TEST_CASE("people have as many computers as desks") {
   CHECK(things(read_brief("An office for four with desks and computers.")) == "4 desk, 4 computer");
   CHECK(things(read_brief("A study with three desks and laptops.")) == "3 desk, 3 laptop");
 }
+
+TEST_CASE("what is introduced behind what a thing faces is another thing of the room") {
+  const Brief brief = read_brief("A living room with a sofa facing the TV and a bookshelf in the corner.");
+  REQUIRE(things(brief) == "1 sofa, 1 tv, 1 bookshelf");
+  CHECK(places(brief, 0) == "face to, tv");
+  CHECK(places(brief, 1).empty());
+  CHECK(places(brief, 2) == "corner");
+}
