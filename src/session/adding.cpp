@@ -67,12 +67,16 @@ Status hang_at_window(Draft& draft, const Newcomer& newcomer, const AssetInfo& a
   };
   object.asset = asset.ref;
   object.mount = Mount::wall;
+  std::string why;
   for (const Opening* window : windows_to_cover(room, layout.objects(), newcomer.item.category)) {
     if (!asked(window)) continue;
-    for (const auto& hung : hangings(object, newcomer.kind, room, *window))
-      if (auto place = settled(draft, layout, Cluster{hung, {}})) return draft.put(*place), Status();
+    for (const auto& hung : hangings(object, newcomer.kind, room, *window)) {
+      auto place = settled(draft, layout, Cluster{hung, {}});
+      if (place) return draft.put(*place), Status();
+      why = " at " + window->id + ": " + place.error().message;
+    }
   }
-  return cannot("at no window is there room for it");
+  return cannot("there is no room for it" + (why.empty() ? " at any window" : why));
 }
 
 /// How a newcomer may get its place.

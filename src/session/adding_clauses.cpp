@@ -10,6 +10,7 @@
 #include "placing.h"
 #include "roomgen/base/text.h"
 #include "sharing.h"
+#include "solve/ways.h"
 #include "spoken_clause.h"
 
 namespace roomgen {
@@ -39,7 +40,23 @@ edit::Add add_of(const NamedThing& thing) {
   add.category = thing.kind.category->name;
   add.description = thing.description();
   add.count = std::max(1, thing.count);
+  add.size = thing.told_size();
   return add;
+}
+
+bool is_small(const EditText& text, const std::string& category) {
+  return text.kinds.get(category).mount == Mount::surface;
+}
+
+// As such things usually stand to such a host: chairs around a table, what is small on it, all else near it.
+std::vector<Relation> usual_relations_to(const EditText& text, const std::string& category, const Object& host) {
+  if (is_small(text, category)) return {{RelationKind::on, host.id}};
+  const auto& arrangements = built_in_arrangements();
+  if (arrangements)
+    if (auto usual = ways_to(arrangements->get(text.kinds, category, text.kinds.get(category).mount), text.kinds, host);
+        !usual.empty())
+      return usual;
+  return {{RelationKind::near, host.id}};
 }
 
 // "a table with two chairs": what comes with it stands on it, or at it.
@@ -53,8 +70,7 @@ Clause with_company(const EditText& text, Clause clause) {
   Clause more;
   for (const auto& thing : company) {
     edit::Add add = add_of(thing);
-    const bool is_small = text.kinds.get(add.category).mount == Mount::surface;
-    add.relations = {{is_small ? RelationKind::on : RelationKind::near, host}};
+    add.relations = usual_relations_to(text, add.category, *then.object(host));
     come(then, add, more);
   }
   clause.operations.insert(clause.operations.end(), more.operations.begin(), more.operations.end());
@@ -74,10 +90,6 @@ Result<std::vector<Relation>> relations_at(const EditText& text, const Whereabou
   return not_understood(place.spot->of + " stands there; say what becomes of it, or replace it");
 }
 
-bool is_small(const EditText& text, const std::string& category) {
-  return text.kinds.get(category).mount == Mount::surface;
-}
-
 // "a candle on every table": at each of the places as many.
 MayRead<Clause> read_shared(const EditText& text, const std::vector<NamedThing>& wanted, std::size_t at) {
   const auto shared = shared_places_at(text, at, is_small(text, wanted.front().kind.category->name));
@@ -89,7 +101,7 @@ MayRead<Clause> read_shared(const EditText& text, const std::vector<NamedThing>&
     for (const auto& thing : wanted) {
       edit::Add add = add_of(thing);
       // "two lamps on either side of the bed" are two.
-      const bool is_divided = (*shared)->value.flanks && add.count > 1;
+      const bool is_divided = (*shared)->value.flanks && !(*shared)->value.each && add.count > 1;
       if (is_divided && static_cast<std::size_t>(add.count) != places.size())
         return not_understood(std::to_string(add.count) + " of them cannot be shared out among " +
                               std::to_string(places.size()) + " places");
@@ -126,7 +138,7 @@ std::optional<ReadClause> read_better_one(const EditText& text, const NamedThing
     if (object && lost_relations(*object, (*place)->relations, text.scene, text.kinds).empty()) end = (*place)->end;
   }
   auto better = of_each({there, end}, end, [&](const std::string& id) {
-    return edit::Replace{id, "", thing.description()};
+    return edit::Replace{id, "", thing.description(), thing.told_size()};
   });
   return goes_to_its_end(text, better) ? std::optional(better) : std::nullopt;
 }
@@ -216,7 +228,9 @@ ReadClause read_give(const EditText& text, std::size_t at) {
   for (const auto& id : owner->value)
     for (const auto& thing : wanted) {
       edit::Add add = add_of(thing);
-      add.relations = {{is_small(text, add.category) ? RelationKind::on : RelationKind::near, id}};
+      const Object* host = text.object(id);
+      add.relations = host ? usual_relations_to(text, add.category, *host)
+                           : std::vector<Relation>{{RelationKind::near, id}};
       come(text, add, clause);
     }
   clause.end = wanted.back().end;

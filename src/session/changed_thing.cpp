@@ -63,23 +63,46 @@ Status reload(Draft& draft, const Cluster& before, const Object& carrier) {
   return status;
 }
 
-// Where it was, or a little aside, or else where it was on the edge of a rug.
-Result<Cluster> place_of_changed(Draft& draft, Layout& layout, const Object& before, const Object& changed) {
-  const auto in_place = [&](RugEdges edges) {
-    Result<Cluster> place = cannot("");
+/// The place at which the fewest relations are lost, of those that were looked at so far.
+struct BestPlace {
+  const Draft& draft;
+  std::optional<Cluster> cluster;
+  std::size_t lost = 0;
+  std::string why;  ///< the first was none
+
+  void look_at(const Result<Cluster>& place) {
+    if (!place) {
+      if (why.empty()) why = place.error().message;
+      return;
+    }
+    const auto loses =
+        lost_relations(place->root, place->root.relations, draft.scene, draft.shop.kinds()).size();
+    if (cluster && loses >= lost) return;
+    cluster = *place;
+    lost = loses;
+  }
+  bool is_good() const { return cluster && lost == 0; }
+};
+
+// Where it was, or a little aside, or else where it was on the edge of a rug; so that it stands to others as before
+// if that can be.
+Result<Cluster> place_of_changed(Draft& draft, Layout& layout, const Object& before, Object changed) {
+  changed.relations = held_relations(before, changed.relations, draft.scene, draft.shop.kinds());
+  BestPlace best{draft, {}, 0, ""};
+  const auto look_in_place = [&](RugEdges edges) {
     for (const auto& pose : poses_for_size(before, changed.size))
-      if (!place) place = settled(draft, layout, moved_to(Cluster{changed, {}}, pose), edges);
-    return place;
+      if (!best.is_good()) best.look_at(settled(draft, layout, moved_to(Cluster{changed, {}}, pose), edges));
   };
-  auto place = in_place(RugEdges::kept_free);
-  if (place) return place;
+  look_in_place(RugEdges::kept_free);
+  if (best.is_good()) return *best.cluster;
   Aim aim;
   aim.near_to = pose_of(before);
   aim.most_off = slack_of_change;
   aim.kept = changed.relations;
-  if (auto aside = find_place(draft, layout, Cluster{changed, {}}, aim)) return aside;
-  auto on_edge = in_place(RugEdges::stood_on);
-  return on_edge ? on_edge : place;
+  best.look_at(find_place(draft, layout, Cluster{changed, {}}, aim));
+  look_in_place(RugEdges::stood_on);
+  if (!best.cluster) return cannot(best.why);
+  return *best.cluster;
 }
 
 }  // namespace

@@ -20,8 +20,9 @@ ReadClause replaced(const EditText& text, const Read<Ids>& what, std::size_t at)
     const auto& by = (*wanted)->value;
     const Object* object = text.object(id);
     const std::string category = by.category.empty() && object ? object->category : by.category;
-    const std::string described = by.category.empty() ? by.description + " " + category : by.description;
-    return edit::Replace{id, by.category, described};
+    const std::string described =
+        !by.category.empty() ? by.description : by.description.empty() ? "" : by.description + " " + category;
+    return edit::Replace{id, by.category, described, measured_size(text.kinds.get(category), by.measures)};
   });
 }
 

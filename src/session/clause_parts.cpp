@@ -32,7 +32,26 @@ MayRead<Ids> all_but(const EditText& text, Read<Ids> all) {
   return all;
 }
 
+// "the smaller of the coffee table and the dining table": one of those that are listed.
+MayRead<Ids> one_of_list(const EditText& text, std::size_t at) {
+  while (at < text.tokens.size() && text.words.definite.count(text.tokens[at].text)) ++at;
+  if (at >= text.tokens.size() || !text.is_word(at + 1, "of")) return std::nullopt;
+  const auto size = text.edits.sizes.find(text.tokens[at].text);
+  const auto first = size == text.edits.sizes.end() ? std::nullopt : named_thing_at(text, at + 2);
+  if (!first) return std::nullopt;
+  const auto all = things_at(text, at + 2, false);
+  if (!all || !*all || (*all)->value.size() < 2 || (*all)->end <= first->end) return std::nullopt;
+  NamedThing one;
+  one.which = Which::everything;
+  one.size = size->second;
+  one.begin = at, one.end = (*all)->end;
+  const auto ids = meant(text, one, &(*all)->value);
+  if (!ids) return ids.error();
+  return Read<Ids>{*ids, (*all)->end};
+}
+
 MayRead<Ids> one_reference_at(const EditText& text, std::size_t at, bool with_places) {
+  if (auto one = one_of_list(text, at)) return one;
   const auto thing = named_thing_at(text, at);
   if (!thing) return std::nullopt;
   if (thing->which == Which::indefinite && thing->further) return std::nullopt;
@@ -129,6 +148,8 @@ constexpr std::size_t most_adjectives = 5;
 // "a light blue one", "taller ones with backs", "a three-seater in mustard", "something in brown leather": of the same kind.
 std::optional<Read<Substitute>> another_of_kind(const EditText& text, std::size_t at) {
   std::size_t end = at + (text.is_word(at, "a") || text.is_word(at, "an") ? 1 : 0);
+  std::vector<language::Measure> measures;
+  while (const auto measure = measure_of_thing(text, end)) measures.push_back(*measure), end += measure->length;
   const std::size_t begin = end;
   const bool is_vague = longest_in(text.edits.something, text.tokens, begin) > 0;
   while (!is_vague && !text.ends(end) && !text.is_word(end, "one") && !text.is_word(end, "ones") &&
@@ -146,8 +167,8 @@ std::optional<Read<Substitute>> another_of_kind(const EditText& text, std::size_
   std::string description = text.words_from(begin, is_seater ? end + 1 : is_vague ? begin : end);
   const std::string tail = text.words_from(end + 1, last);
   if (!tail.empty()) description += (description.empty() ? "" : " ") + tail;
-  if (description.empty()) return std::nullopt;
-  return Read<Substitute>{{"", description}, last};
+  if (description.empty() && measures.empty()) return std::nullopt;
+  return Read<Substitute>{{"", description, std::move(measures)}, last};
 }
 
 }  // namespace
@@ -155,7 +176,8 @@ std::optional<Read<Substitute>> another_of_kind(const EditText& text, std::size_
 MayRead<Substitute> substitute_at(const EditText& text, std::size_t at) {
   if (const auto same = another_of_kind(text, at)) return *same;
   const auto thing = new_thing_at(text, at);
-  if (thing) return Read<Substitute>{{thing->kind.category->name, thing->description()}, thing->end};
+  if (thing)
+    return Read<Substitute>{{thing->kind.category->name, thing->description(), thing->measures}, thing->end};
   const auto bare = named_thing_at(text, at);
   if (!bare || !bare->bare || bare->which == Which::pronoun || !bare->kind.category) return std::nullopt;
   return Read<Substitute>{{bare->kind.category->name, bare->description()}, bare->end};

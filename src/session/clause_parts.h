@@ -29,6 +29,7 @@ MayRead<std::string> looks_at(const EditText& text, std::size_t at, bool of_room
 struct Substitute {
   std::string category;  ///< empty: another of the same kind
   std::string description;
+  std::vector<language::Measure> measures = {};  ///< "a 3 m one"
 };
 MayRead<Substitute> substitute_at(const EditText& text, std::size_t at);
 

@@ -23,13 +23,8 @@ constexpr int deepest = 2;              // "the lamp on the desk by the window"
 
 // The one window or door that is meant.
 Result<std::string> opening_meant(const EditText& text, const PlacePhrase& place) {
-  const Room& room = text.room();
   const std::string what = place.place == Place::window ? "window" : "door";
-  std::vector<std::string> ids;
-  const auto wall = place.wall >= 0 ? wall_to(room, place.wall) : std::nullopt;
-  for (const auto& opening : room.openings)
-    if ((opening.type == OpeningType::window) == (place.place == Place::window) && (!wall || opening.wall == *wall))
-      ids.push_back(opening.id);
+  const auto ids = openings_at_place(text, place);
   if (ids.size() == 1) return ids.front();
   if (ids.empty()) return not_understood("the room has no such " + what);
   return not_understood("the room has " + join(ids, " and ") + "; say which " + what + " by its id or its side");
@@ -215,6 +210,27 @@ std::optional<std::size_t> wall_to(const Room& room, int side) {
         (!best || room.polygon.edge(k).length() > room.polygon.edge(*best).length()))
       best = k;
   return best;
+}
+
+std::vector<std::string> openings_at_place(const EditText& text, const PlacePhrase& place) {
+  const Room& room = text.room();
+  std::vector<std::string> ids;
+  const auto wall = place.wall >= 0 ? wall_to(room, place.wall) : std::nullopt;
+  for (const auto& opening : room.openings)
+    if ((opening.type == OpeningType::window) == (place.place == Place::window) && (!wall || opening.wall == *wall))
+      ids.push_back(opening.id);
+  return ids;
+}
+
+std::optional<Read<std::vector<RelationKind>>> placed_by(const EditText& text, std::size_t at) {
+  const auto plain = longest(text.words.placements, text.tokens, at);
+  const auto other = longest(text.edits.places, text.tokens, at);
+  const auto said = other.length > plain.length ? text.words.placements.find(*other.value)
+                    : plain                     ? text.words.placements.find(text.words_from(at, at + plain.length))
+                                                : text.words.placements.end();
+  if (said == text.words.placements.end() || said->second.pronoun || said->second.inverse || said->second.mutual)
+    return std::nullopt;
+  return Read<std::vector<RelationKind>>{said->second.relations, at + std::max(plain.length, other.length)};
 }
 
 std::string nearest_wall(const EditText& text, const Object& object) {

@@ -39,6 +39,11 @@ struct Whereabouts {
 std::optional<Result<Whereabouts>> destination_at(const EditText& text, std::size_t at,
                                                   const std::vector<std::string>& subjects);
 
+/// The windows or doors that a place may mean: of one wall where it says which.
+std::vector<std::string> openings_at_place(const EditText& text, const design::PlacePhrase& place);
+/// What words of place mean, and the token behind them: "under", "to".
+std::optional<Read<std::vector<RelationKind>>> placed_by(const EditText& text, std::size_t at);
+
 /// The wall that is nearest to a thing: "wall-2".
 std::string nearest_wall(const EditText& text, const Object& object);
 

@@ -29,6 +29,13 @@ Read<double> share_of_things(const EditText& text, std::size_t at) {
 
 }  // namespace
 
+std::optional<language::Measure> measure_of_thing(const EditText& text, std::size_t at) {
+  const auto measure = language::measure_at(text.raw, at);
+  const bool is_of_thing = measure && measure->has_unit && measure->kind != language::Measure::Kind::area &&
+                           measure->side != language::Measure::Side::distance;
+  return is_of_thing ? measure : std::nullopt;
+}
+
 // "all six of the", "the two", "another", "two more": up to the adjectives.
 std::size_t skip_determiners(const EditText& text, std::size_t at, NamedThing& thing) {
   thing.bare = true;
@@ -36,6 +43,7 @@ std::size_t skip_determiners(const EditText& text, std::size_t at, NamedThing& t
   for (bool more = true; more && at < text.tokens.size();) {
     more = false;
     const auto& token = text.tokens[at];
+    if (measure_of_thing(text, at)) break;
     if (const auto share = share_of_things(text, at); share.end > at) {
       thing.share = share.value;
       thing.any = true;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "brief/mention_shape.h"
 #include "destinations.h"
 #include "language/inflection.h"
 #include "language/number.h"
@@ -26,6 +27,10 @@ bool may_be_adjective(const EditText& text, std::size_t at) {
 }
 
 std::optional<std::size_t> read_adjective(const EditText& text, std::size_t at, NamedThing& thing) {
+  if (const auto measure = measure_of_thing(text, at)) {
+    thing.measures.push_back(*measure);
+    return at + measure->length;
+  }
   if (!thing.bare && text.edits.middles.count(text.tokens[at].text)) {
     thing.middle = true;
     return at + 1;
@@ -227,6 +232,18 @@ std::optional<NamedThing> noun_phrase_at(const EditText& text, std::size_t at) {
 }
 
 }  // namespace
+
+std::optional<Vec3> measured_size(const Kind& kind, const std::vector<language::Measure>& measures) {
+  if (measures.empty()) return std::nullopt;
+  design::Mention like;
+  like.size = kind.size;
+  for (const auto& measure : measures) design::set_length(like, measure);
+  return like.size;
+}
+
+std::optional<Vec3> NamedThing::told_size() const {
+  return kind.category ? measured_size(*kind.category, measures) : std::nullopt;
+}
 
 std::string NamedThing::description() const {
   std::vector<std::string> all = looks;

@@ -130,6 +130,21 @@ std::optional<NamedThing> inferred_thing_at(const EditText& text, std::size_t at
   return std::nullopt;
 }
 
+// "a sofa 3 m wide", "a rug of 2 x 3 m"; but "a lamp 30 cm to the left" is at a place.
+void read_measures_behind(const EditText& text, NamedThing& thing) {
+  for (;;) {
+    std::size_t at = text.behind_comma(thing.end);
+    const bool is_of = text.is_word(at, "of");
+    if (is_of) ++at;
+    const auto measure = measure_of_thing(text, at);
+    if (!measure || (!is_of && measure->side == language::Measure::Side::unsaid &&
+                     measure->kind != language::Measure::Kind::sides))
+      return;
+    thing.measures.push_back(*measure);
+    thing.end = at + measure->length;
+  }
+}
+
 bool is_new(const EditText& text, const NamedThing& thing) {
   return thing.kind.category && (has_article(thing) || (thing.bare && !thing.number && fitting(text, thing).empty()));
 }
@@ -153,6 +168,7 @@ std::optional<NamedThing> new_thing_at(const EditText& text, std::size_t at, boo
   if (own > 0 && thing) thing->which = Which::indefinite;
   if (!thing || !thing->kind.category) thing = inferred_thing_at(text, at + own, may_be_bare);
   if (!thing || !is_new(text, *thing)) return std::nullopt;
+  read_measures_behind(text, *thing);
   auto tail = description_behind(text, thing->end, thing->kind.category);
   thing->tail = tail.value;
   thing->end = end_of_likeness(text, *thing, tail.end);

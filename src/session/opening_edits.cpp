@@ -9,6 +9,7 @@
 #include "roomgen/base/text.h"
 #include "room_change.h"
 #include "walls.h"
+#include "scene/dwelling.h"
 #include "scene/opening_kind.h"
 
 namespace roomgen {
@@ -186,14 +187,26 @@ Status carry_out(Draft& draft, const edit::Refit& refit) {
   return {};
 }
 
+// Nobody gets into a room without a door.
+Status check_entrances(const Draft& draft, const Scene& before) {
+  const auto closed = rooms_without_access(rooms_of(draft.scene)), were = rooms_without_access(rooms_of(before));
+  for (const auto& room : closed)
+    if (std::find(were.begin(), were.end(), room) == were.end())
+      return cannot((room.empty() ? "the room" : room) +
+                    " would have no way in any more; add another door first, or move this one to another wall");
+  return {};
+}
+
 Status carry_out(Draft& draft, const edit::Close& close) {
+  const Scene before = draft.scene;
   for (const auto& named : close.openings) {
     std::string id;
     const auto found = room_with(draft.scene, named, id);
     if (!found) return found.error();
     Room room = **found;
     const Opening opening = *find_opening(room, id);
-    if (!opening.leads_to.empty()) return cannot(id + " is the way to " + opening.leads_to);
+    if (!opening.leads_to.empty())
+      return cannot(id + " is the way to " + opening.leads_to + ", and ways between rooms stay as the dwelling was made");
     for (const auto& curtain : curtains_at(draft, room, opening)) {
       draft.take_out(curtain.ids());
       draft.named.insert(curtain.root.id);
@@ -206,7 +219,7 @@ Status carry_out(Draft& draft, const edit::Close& close) {
     if (auto status = change_room(draft, {room}); !status) return status;
     wish_openings(draft, room.id, std::string(name(opening.type)));
   }
-  return {};
+  return check_entrances(draft, before);
 }
 
 }  // namespace roomgen

@@ -99,8 +99,10 @@ Operation read_swap(const JsonReader& json) {
 }
 
 Operation read_replace(const JsonReader& json) {
-  json.allow_only({"do", "object", "category", "description"});
-  return Replace{json["object"].text(200), json["category"].text_or("", 200), json["description"].text_or("", 1000)};
+  json.allow_only({"do", "object", "category", "description", "size"});
+  Replace replace{json["object"].text(200), json["category"].text_or("", 200), json["description"].text_or("", 1000)};
+  if (json["size"].exists()) replace.size = size_of(json["size"]);
+  return replace;
 }
 
 Operation read_resize(const JsonReader& json) {

@@ -82,6 +82,7 @@ struct Writer {
     Json json = {{"do", "replace"}, {"object", replace.object}};
     add_text(json, "category", replace.category);
     add_text(json, "description", replace.description);
+    if (replace.size) json["size"] = numbers_of(*replace.size);
     return json;
   }
   Json operator()(const Resize& resize) const {

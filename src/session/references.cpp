@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <functional>
 
 #include "roomgen/base/text.h"
@@ -156,6 +157,28 @@ std::vector<std::string> described(const EditText& text, const NamedThing& thing
   return ids;
 }
 
+constexpr double about_so_long = 0.1;  // share by which a thing that is told by its size may differ
+
+bool measures_so(const Object& object, const language::Measure& measure) {
+  using Side = language::Measure::Side;
+  const auto is = [](double side, double said) { return std::abs(side - said) <= about_so_long * said; };
+  const auto& [x, y, z] = std::tuple(object.size.x(), object.size.y(), object.size.z());
+  const double said = measure.values[0];
+  if (measure.kind == language::Measure::Kind::sides)
+    return (is(x, said) && is(y, measure.values[1])) || (is(y, said) && is(x, measure.values[1]));
+  if (measure.side == Side::height || measure.side == Side::thickness) return is(z, said);
+  if (measure.side == Side::width || measure.side == Side::diameter) return is(x, said);
+  if (measure.side == Side::depth) return is(y, said);
+  return is(std::max(x, y), said) || is(z, said);
+}
+
+// "the 3 m sofa"
+std::vector<std::string> measured(const EditText& text, const NamedThing& thing, std::vector<std::string> ids) {
+  for (const auto& measure : thing.measures)
+    std::erase_if(ids, [&](const std::string& id) { return !measures_so(*text.object(id), measure); });
+  return ids;
+}
+
 // "the stool and the plant on it": what the words before name.
 std::vector<std::string> named_before(const EditText& text, std::size_t at) {
   for (std::size_t i = 0; i < at; ++i) {
@@ -271,7 +294,7 @@ Result<std::vector<std::string>> meant(const EditText& text, const NamedThing& t
   if (ids.empty()) return not_understood("there is no \"" + words + "\" in the room");
   if (thing.nth && thing.which == Which::definite && *thing.nth > static_cast<int>(ids.size()))
     return not_understood("\"" + words + "\": there are no more than " + joined_ids(ids));
-  ids = described(text, thing, std::move(ids));
+  ids = measured(text, thing, described(text, thing, std::move(ids)));
   if (ids.empty()) return not_understood("nothing in the room is known to be \"" + words + "\"");
   auto few = narrowed(text, thing, std::move(ids));
   if (!few) return few;

@@ -50,7 +50,9 @@ MayRead<SharedPlaces> sides_at(const EditText& text, std::size_t at, bool is_sma
   const auto target = target_at(text, end, {});
   if (!target) return std::nullopt;
   if (!*target) return target->error();
-  return Read<SharedPlaces>{{both_sides(text, (*target)->id, is_small), true}, (*target)->end};
+  bool is_each = false;
+  for (std::size_t i = at; i < end; ++i) is_each = is_each || text.is_word(i, "each") || text.is_word(i, "every");
+  return Read<SharedPlaces>{{both_sides(text, (*target)->id, is_small), true, is_each}, (*target)->end};
 }
 
 // "on each desk": what stands there is said of all.
@@ -67,12 +69,29 @@ MayRead<SharedPlaces> each_thing_at(const EditText& text, std::size_t at) {
   return Read<SharedPlaces>{shared, (*all)->end};
 }
 
+// "to the windows", "at every window": one at each of them.
+MayRead<SharedPlaces> openings_at(const EditText& text, std::size_t at) {
+  const auto kinds = placed_by(text, at);
+  if (!kinds || kinds->value.size() != 1) return std::nullopt;
+  const auto place = place_named_at(text, kinds->end);
+  if (!place || (place->place != design::Place::window && place->place != design::Place::door)) return std::nullopt;
+  const std::size_t end = kinds->end + place->length;
+  bool is_all = text.tokens[end - 1].text.ends_with("s");
+  for (std::size_t i = kinds->end; i < end; ++i) is_all = is_all || text.edits.all.count(text.tokens[i].text) > 0;
+  if (!is_all) return std::nullopt;
+  SharedPlaces shared;
+  for (const auto& id : openings_at_place(text, *place)) shared.places.push_back({{kinds->value.front(), id}});
+  if (shared.places.empty()) return std::nullopt;
+  return Read<SharedPlaces>{shared, end};
+}
+
 }  // namespace
 
 MayRead<SharedPlaces> shared_places_at(const EditText& text, std::size_t at, bool is_small) {
   at = skip_one_each(text, at);
   if (const auto corners = corners_at(text, at)) return *corners;
   if (auto sides = sides_at(text, at, is_small)) return sides;
+  if (auto openings = openings_at(text, at)) return openings;
   return each_thing_at(text, at);
 }
 

@@ -9,6 +9,7 @@ namespace roomgen {
 struct SharedPlaces {
   std::vector<std::vector<Relation>> places;
   bool flanks = false;  ///< both sides of one thing
+  bool each = false;    ///< as many on each of them: "two on each side"
 };
 MayRead<SharedPlaces> shared_places_at(const EditText& text, std::size_t at, bool is_small);
 

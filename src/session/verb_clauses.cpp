@@ -84,7 +84,7 @@ ReadClause read_preferred(const EditText& text, std::size_t at) {
   const Ids there = thing && !thing->further ? fitting(text, *thing) : Ids();
   if (there.size() != 1) return what_at(text, at, "not understood");
   return of_each({there, thing->end}, thing->end, [&](const std::string& id) {
-    return edit::Replace{id, "", thing->description()};
+    return edit::Replace{id, "", thing->description(), thing->told_size()};
   });
 }
 

@@ -129,4 +129,18 @@ int company_at_table(const Layout& layout, int of_its_kind) {
   return (of_its_kind + std::max(1, tables) - 1) / std::max(1, tables);
 }
 
+std::vector<Relation> ways_to(const Arrangement& arrangement, const KindTable& kinds, const Object& host) {
+  const auto is_host = [&](const Relation& one) {
+    return TargetKind(kinds, one.target).includes(kinds.get(host.category));
+  };
+  for (const auto* ways : {&arrangement.ways, &arrangement.otherwise})
+    for (auto way : *ways) {
+      std::erase_if(way, [](const Relation& one) { return one.target.empty(); });
+      if (way.empty() || !std::all_of(way.begin(), way.end(), is_host)) continue;
+      for (auto& relation : way) relation.target = host.id;
+      return way;
+    }
+  return {};
+}
+
 }  // namespace roomgen

@@ -22,6 +22,9 @@ struct NamedWay {
 std::vector<NamedWay> name_targets(const Layout& layout, const Object& self,
                                    const std::vector<Relation>& way);
 
+/// The first of the ways that is to a thing like this host, and to nothing else, with its name; empty if there is none.
+std::vector<Relation> ways_to(const Arrangement& arrangement, const KindTable& kinds, const Object& host);
+
 /// How many of the object's kind will share one table when `of_its_kind` are to come in all.
 int company_at_table(const Layout& layout, int of_its_kind);
 

@@ -33,7 +33,7 @@ Scene flat() {
   return scene;
 }
 
-std::string read(const std::string& sentence) {
+std::string read_of_flat(const std::string& sentence) {
   const Scene scene = flat();
   const auto understood = read_edit(sentence, scene, KindTable::built_in(), {});
   if (!understood) {
@@ -45,9 +45,9 @@ std::string read(const std::string& sentence) {
   return text;
 }
 
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+bool says(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-std::string cover(const std::string& part, const std::string& looks, const std::string& room) {
+std::string covering(const std::string& part, const std::string& looks, const std::string& room) {
   return R"({"do":"cover","part":")" + part + R"(","looks":")" + looks + R"(","room":")" + room + R"("})";
 }
 
@@ -55,42 +55,42 @@ std::string cover(const std::string& part, const std::string& looks, const std::
 
 TEST_CASE("Walls, floors and openings of a dwelling are those of the room that is named") {
   const std::pair<const char*, std::string> cases[] = {
-      {"paint the walls of the kitchen yellow", cover("walls", "yellow", "kitchen-0")},
-      {"paint the kitchen walls yellow", cover("walls", "yellow", "kitchen-0")},
-      {"the kitchen's walls should be yellow", cover("walls", "yellow", "kitchen-0")},
-      {"paint the bedroom pale blue", cover("walls", "pale blue", "bedroom-0")},
-      {"make the bathroom floor dark tile", cover("floor", "dark tile", "bathroom-0")},
+      {"paint the walls of the kitchen yellow", covering("walls", "yellow", "kitchen-0")},
+      {"paint the kitchen walls yellow", covering("walls", "yellow", "kitchen-0")},
+      {"the kitchen's walls should be yellow", covering("walls", "yellow", "kitchen-0")},
+      {"paint the bedroom pale blue", covering("walls", "pale blue", "bedroom-0")},
+      {"make the bathroom floor dark tile", covering("floor", "dark tile", "bathroom-0")},
       {"in the kitchen, make the floor oak and paint the walls white",
-       cover("floor", "oak", "kitchen-0") + "; " + cover("walls", "white", "kitchen-0")},
+       covering("floor", "oak", "kitchen-0") + "; " + covering("walls", "white", "kitchen-0")},
       {"paint the kitchen walls yellow and the bathroom floor blue",
-       cover("walls", "yellow", "kitchen-0") + "; " + cover("floor", "blue", "bathroom-0")},
+       covering("walls", "yellow", "kitchen-0") + "; " + covering("floor", "blue", "bathroom-0")},
       {"the walls of the kitchen and the bathroom should be green",
-       cover("walls", "green", "kitchen-0") + "; " + cover("walls", "green", "bathroom-0")},
+       covering("walls", "green", "kitchen-0") + "; " + covering("walls", "green", "bathroom-0")},
       {"add a window in the bedroom", R"({"do":"open","kind":"window","room":"bedroom-0"})"},
       {"brick up the window in the kitchen", R"({"do":"close","openings":["kitchen-0/window-0"]})"},
       {"make the kitchen window 20 cm wider", R"({"do":"refit","opening":"kitchen-0/window-0","width":1.7})"},
       {"remove the chair in the kitchen and paint the bathroom white",
-       R"({"do":"remove","objects":["chair-1"]}; )" + cover("walls", "white", "bathroom-0")}};
+       R"({"do":"remove","objects":["chair-1"]}; )" + covering("walls", "white", "bathroom-0")}};
   for (const auto& [sentence, expected] : cases) {
     INFO(sentence);
-    CHECK(read(sentence) == expected);
+    CHECK(read_of_flat(sentence) == expected);
   }
 }
 
 TEST_CASE("Walls that no word places are those of every room") {
-  CHECK(read("paint the walls white") == cover("walls", "white", "bedroom-0") + "; " +
-                                             cover("walls", "white", "kitchen-0") + "; " +
-                                             cover("walls", "white", "bathroom-0"));
-  CHECK(read("paint the walls white in all rooms") == read("paint the walls white"));
+  CHECK(read_of_flat("paint the walls white") == covering("walls", "white", "bedroom-0") + "; " +
+                                             covering("walls", "white", "kitchen-0") + "; " +
+                                             covering("walls", "white", "bathroom-0"));
+  CHECK(read_of_flat("paint the walls white in all rooms") == read_of_flat("paint the walls white"));
 }
 
 TEST_CASE("A window that no word places is that of the room of what is named, or is asked back") {
-  CHECK(read("put the stove under the window") ==
+  CHECK(read_of_flat("put the stove under the window") ==
         R"({"do":"move","object":"stove-0","relations":["under, window-0"]})");
-  CHECK(read("put the bed under window-1") ==
+  CHECK(read_of_flat("put the bed under window-1") ==
         R"({"do":"move","object":"double bed-0","relations":["under, window-1"]})");
-  CHECK(contains(read("put the bed under the window"), "window-0 and window-1"));
-  CHECK(contains(read("make the window wider"), "bedroom-0, kitchen-0"));
-  CHECK(!contains(read("make the window wider"), "bathroom-0"));
-  CHECK(contains(read("remove the window of the bathroom"), "no such"));
+  CHECK(says(read_of_flat("put the bed under the window"), "window-0 and window-1"));
+  CHECK(says(read_of_flat("make the window wider"), "bedroom-0, kitchen-0"));
+  CHECK(!says(read_of_flat("make the window wider"), "bathroom-0"));
+  CHECK(says(read_of_flat("remove the window of the bathroom"), "no such"));
 }

@@ -89,11 +89,12 @@ struct Swap {
   bool operator==(const Swap&) const = default;
 };
 
-/// Another thing in its place: another mesh of its kind, or as described.
+/// Another thing in its place: another mesh of its kind, or as described. "a wider one" is wider than it is.
 struct Replace {
   std::string object;
   std::string category = {};     ///< empty: the same
   std::string description = {};  ///< empty: any other
+  std::optional<Vec3> size = {};  ///< about so large
 
   bool operator==(const Replace&) const = default;
 };
