@@ -12,7 +12,7 @@ namespace {
 
 constexpr double flat = 1e-6;      // metres: thinner has no thickness to be scaled
 constexpr double thinnest = 1e-3;  // what such a thing is said to measure
-constexpr double smallest = 1e-6;
+constexpr double smallest = 1e-6, greatest = 1000.0;
 constexpr int max_passes = 4;
 constexpr double min_area = 1e-10;  // square metres
 
@@ -115,6 +115,8 @@ Result<Vec3> fit_to_frame(Model& model, const SourceFrame& frame, Normals normal
     if (model.parts.empty()) return Error{Error::Kind::invalid_input, "has no triangles"};
     if (pass > 0 && dropped == 0) break;
     size = fit_box(model, frame.size);
+    if (size.maxCoeff() > greatest)
+      return Error{Error::Kind::invalid_input, "is larger than 1000 m; say its size or its units (docs/assets.md)"};
     if (!(size.minCoeff() > smallest)) return Error{Error::Kind::invalid_input, "has no extent"};
   }
   if (normals == Normals::repair)

@@ -9,7 +9,9 @@
 #include <array>
 #include <assimp/Importer.hpp>
 #include <cmath>
+#include <exception>
 #include <new>
+#include <stdexcept>
 #include <string_view>
 
 #include "import_limits.h"
@@ -155,6 +157,7 @@ Result<Model> import_checked(const FileTree& tree, const std::string& mesh,
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
                               aiPrimitiveType_POINT | aiPrimitiveType_LINE);
   const aiScene* scene = importer.ReadFile(mesh, 0);
+  if (importer.GetException()) std::rethrow_exception(importer.GetException());
   if (!scene || !scene->mRootNode)
     return Error{Error::Kind::invalid_input, importer.GetErrorString()};
   if (auto status = check_limits(*scene, options.max_triangles); !status) return status.error();
@@ -184,6 +187,8 @@ Result<Model> import_mesh(const FileTree& tree, const std::string& mesh,
     return model;
   } catch (const std::bad_alloc&) {
     return Error{Error::Kind::limit, mesh + ": takes more memory than a mesh may"};
+  } catch (const std::logic_error&) {  // of the containers: its text says where in a program, not what in a file
+    return Error{Error::Kind::invalid_input, mesh + ": is damaged: a number in it is out of its range"};
   } catch (const std::exception& error) {  // assimp's
     return Error{Error::Kind::invalid_input, mesh + ": " + error.what()};
   }

@@ -150,6 +150,19 @@ TEST_CASE("Meshes without triangles are left out with a warning") {
     CHECK(warnings.find(name) != std::string::npos);
 }
 
+TEST_CASE("A mesh larger than any furniture is left out with a warning") {
+  const TemporaryFolder folder;
+  fs::create_directories(folder.path() / "things");
+  folder.write("things/cube.obj", cube_obj());
+  folder.write("things/vast.obj", "v 0 0 0\nv 1e30 0 0\nv 0 1e30 0\nv 0 0 1e30\nf 1 2 3\nf 1 2 4\nf 1 3 4\nf 2 3 4\n");
+  std::string warnings;
+  const auto catalogue = open(folder, folder.path() / "things", &warnings);
+  REQUIRE(catalogue);
+  CHECK((*catalogue)->all()->size() == 1);
+  REQUIRE((*catalogue)->left_out()->size() == 1);
+  CHECK((*catalogue)->left_out()->front().reason.find("larger than 1000 m") != std::string::npos);
+}
+
 TEST_CASE("A library of nothing usable is an error") {
   const TemporaryFolder folder;
   fs::create_directories(folder.path() / "mine");

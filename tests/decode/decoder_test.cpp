@@ -95,6 +95,7 @@ TEST_CASE("A mesh that kills or overruns its reader costs only itself") {
     INFO(model.error().message);
     CHECK(model.error().message.starts_with(name + ": "));
     CHECK(model.error().message.find('\n') == std::string::npos);
+    CHECK(model.error().message.find("std::") == std::string::npos);
     const bool of_the_file =
         model.error().kind == Error::Kind::limit || model.error().kind == Error::Kind::invalid_input;
     CHECK(of_the_file);
