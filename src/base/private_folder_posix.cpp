@@ -28,7 +28,11 @@ bool may_write_below(const fs::path& folder) {
   std::error_code failed;
   fs::path nearest = folder;
   while (!fs::exists(nearest, failed) && nearest.has_relative_path()) nearest = nearest.parent_path();
-  return fs::is_directory(nearest, failed) && ::access(nearest.c_str(), W_OK | X_OK) == 0;
+  if (!fs::is_directory(nearest, failed) || ::access(nearest.c_str(), W_OK | X_OK) != 0) return false;
+  if (nearest == folder) return true;
+  // The system's own file systems (/proc) say yes to root and make nothing.
+  std::string trial = (nearest / ".roomgen-XXXXXX").string();
+  return ::mkdtemp(trial.data()) && ::rmdir(trial.c_str()) == 0;
 }
 
 Result<fs::path> private_folder(const std::string& name) {
