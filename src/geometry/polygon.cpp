@@ -4,6 +4,7 @@
 #include <limits>
 #include <string>
 
+#include "inside.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen {
@@ -108,10 +109,7 @@ bool contains(const Polygon& polygon, const Vec2& point) {
   // From the last corner to the first, and so on: asked of every pose, of every wall.
   const Vec2* a = &polygon.points.back();
   for (const Vec2& b : polygon.points) {
-    if ((a->y() > point.y()) != (b.y() > point.y())) {
-      const double x = a->x() + (point.y() - a->y()) / (b.y() - a->y()) * (b.x() - a->x());
-      if (point.x() < x) inside = !inside;
-    }
+    if (passes_right_of(point, *a, b)) inside = !inside;
     a = &b;
   }
   return inside;

@@ -173,7 +173,7 @@ double view(const Surroundings& around, const Footprint& own) {
   constexpr double step = 0.1, enough = 3.2, least = 1.5;
   const Vec2 eye = own.to_world({0, -own.half().y()});
   double free = 0.0;
-  while (free < enough && contains(around.room.polygon, Vec2(eye + free * own.front()))) free += step;
+  while (free < enough && around.inside.contains(eye + free * own.front())) free += step;
   return 1.0 - falling(free, least, enough);
 }
 

@@ -9,7 +9,7 @@ namespace roomgen {
 namespace {
 
 bool is_open(const Surroundings& around, const Vec2& point) {
-  return contains(around.room.polygon, point) &&
+  return around.inside.contains(point) &&
          std::none_of(around.neighbours.begin(), around.neighbours.end(),
                       [&](const auto& one) { return !one.flat && contains(one.footprint, point); }) &&
          std::none_of(around.zones_in_use.begin(), around.zones_in_use.end(),

@@ -100,6 +100,7 @@ Vec2 middle_beneath(const Arrangement& rug, const Kind& kind, const Footprint& t
 Surroundings::Surroundings(const Layout& layout, const PlacementTask& task,
                            const Arrangement& kind_arrangement, int company)
     : room(layout.room()),
+      inside(room.polygon),
       object(task.object),
       arrangement(kind_arrangement),
       weights(layout.weights()) {

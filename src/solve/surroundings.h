@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/inside.h"
 #include "layout.h"
 #include "roomgen/scene/problem.h"
 #include "scene/judgement.h"
@@ -38,6 +39,7 @@ struct Surroundings {
                int company);
 
   const Room& room;
+  Inside inside;  ///< the room's polygon
   const Object& object;
   const Arrangement& arrangement;
   const Weights& weights;

@@ -1,4 +1,5 @@
 #include "catch.h"
+#include "geometry/inside.h"
 #include "roomgen/geometry/polygon.h"
 #include "support/shapes.h"
 
@@ -97,5 +98,24 @@ TEST_CASE("The distance of a footprint to the boundary is 0 exactly when it touc
       const Footprint at_wall({reach, 2}, {1.2, 0.6}, radians(degree), round);
       CHECK(distance_to_boundary(square, at_wall) == Approx(0.0).margin(1e-9));
     }
+  }
+}
+
+TEST_CASE("What looks at the edges near a height finds the same points inside") {
+  Random random(2);
+  for (const int corners : {3, 4, 7, 40, 300}) {
+    const auto polygon = shapes::random_star(random, {0, 0}, 0.5, 4, corners);
+    const Inside inside(polygon);
+    int found = 0;
+    for (int j = 0; j < 2000; ++j) {
+      const Vec2 p = shapes::random_point(random, -4.2, 4.2);
+      REQUIRE(inside.contains(p) == contains(polygon, p));
+      found += inside.contains(p);
+    }
+    CHECK(found > 0);
+    // At the very heights of corners, where edges begin and end.
+    for (const Vec2& corner : polygon.points)
+      for (const double x : {-5.0, 0.0, corner.x(), 5.0})
+        REQUIRE(inside.contains({x, corner.y()}) == contains(polygon, Vec2(x, corner.y())));
   }
 }

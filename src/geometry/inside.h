@@ -1,0 +1,29 @@
+#pragma once
+
+#include <vector>
+
+#include "roomgen/geometry/polygon.h"
+
+namespace roomgen {
+
+/// Does the edge from `a` to `b` pass the point's height on its right? A point is inside that has an odd number of them.
+inline bool passes_right_of(const Vec2& point, const Vec2& a, const Vec2& b) {
+  if ((a.y() > point.y()) == (b.y() > point.y())) return false;
+  return point.x() < a.x() + (point.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
+}
+
+/// contains(polygon, point) for many points: what it looks at are the edges near the point's height only.
+class Inside {
+ public:
+  explicit Inside(const Polygon& polygon);
+  bool contains(const Vec2& point) const;
+
+ private:
+  std::size_t band(double y) const;  ///< precondition: y is within the polygon's box
+
+  double low_ = 0.0, high_ = 0.0;
+  double bands_a_metre_ = 0.0;
+  std::vector<std::vector<Segment>> bands_;  ///< by height, from below
+};
+
+}  // namespace roomgen
