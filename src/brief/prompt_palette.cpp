@@ -14,14 +14,15 @@ using language::Run;
 
 class PaletteReader {
  public:
-  explicit PaletteReader(PromptReading& reading) : reading_(reading), used_(reading.heard_tokens()) {}
+  explicit PaletteReader(PromptReading& reading) : reading_(reading), used_(reading.tokens_with_sense()) {}
 
   void run() {
     std::uint32_t begin = 0;
     const auto count = static_cast<std::uint32_t>(used_.size());
     for (std::uint32_t i = 0; i <= count; ++i) {
+      // "a bedroom in blue and white": what was heard before it ends a stretch too.
       const bool goes_on = i < count && reading_.text.plain[i].kind == Token::Kind::word &&
-                           !reading_.is_word(i, "and");
+                           !reading_.is_word(i, "and") && !used_[i];
       if (goes_on) continue;
       read_segment({begin, i});
       begin = i + 1;
@@ -29,12 +30,12 @@ class PaletteReader {
   }
 
  private:
-  // Nothing in it is heard, all is a word of the palette or frames one.
+  // All is a word of the palette or frames one.
   void read_segment(const Run& segment) {
     std::vector<std::string> said;
     for (auto i = segment.begin; i < segment.end; ++i) {
       const std::string& word = reading_.word(i);
-      if (used_[i] || reading_.taken[i] != Taken::no || reading_.is_denied(i)) return;
+      if (reading_.taken[i] != Taken::no || reading_.is_denied(i)) return;
       const bool describes = finish_words().describes(word) || finish_words().surface_names.count(word) ||
                              StyleWords::built_in().worn_by_stuff(word);
       if (!describes && !reading_.words.palette_frames.count(word) && !finish_words().fillers.count(word) &&

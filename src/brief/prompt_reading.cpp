@@ -4,8 +4,25 @@
 
 #include "language/inflection.h"
 #include "language/lexicon.h"
+#include "scene/finish_words.h"
 
 namespace roomgen::design {
+
+namespace {
+
+// Whether words that say where something is said it of anything: "in winter" does not.
+bool is_said_of_anything(const Brief& brief, std::size_t heard) {
+  const auto says = [&](const auto& one) { return one.heard == heard; };
+  if (std::any_of(brief.denials.begin(), brief.denials.end(), says) || std::any_of(brief.shared_out.begin(), brief.shared_out.end(), says))
+    return true;
+  return std::any_of(brief.mentions.begin(), brief.mentions.end(), [&](const Mention& mention) {
+    return mention.mount_heard == heard || mention.formation_heard == heard ||
+           std::any_of(mention.demands.begin(), mention.demands.end(),
+                       [&](const Demand& demand) { return demand.heard == heard; });
+  });
+}
+
+}  // namespace
 
 using language::Attachment;
 using language::none;
@@ -49,6 +66,7 @@ bool PromptReading::is_somebody(const language::NounPhrase& phrase) const {
   using language::WordClass;
   const std::string noun = language::singular(word(phrase.head));
   const auto& english = language::lexicon();
+  if (finish_words().describes(noun)) return false;  // "in blue and white"
   return english.is(noun, WordClass::person) || english.is(noun, WordClass::animal);
 }
 
@@ -76,6 +94,16 @@ std::vector<bool> PromptReading::heard_tokens() const {
   for (const auto& heard : brief.heard)
     std::fill(used.begin() + heard.tokens.begin,
               used.begin() + std::min<std::ptrdiff_t>(heard.tokens.end, std::ssize(used)), true);
+  return used;
+}
+
+std::vector<bool> PromptReading::tokens_with_sense() const {
+  std::vector<bool> used(text.plain.size(), false);
+  for (std::size_t i = 0; i < brief.heard.size(); ++i) {
+    const HeardWords& heard = brief.heard[i];
+    if (heard.as == Heard::As::relation && !is_said_of_anything(brief, i)) continue;
+    for (auto token = heard.tokens.begin; token < heard.tokens.end && token < used.size(); ++token) used[token] = true;
+  }
   return used;
 }
 

@@ -64,6 +64,8 @@ struct PromptReading {
   bool is_denied(std::size_t token) const;
   /// By token: whether it was heard as something.
   std::vector<bool> heard_tokens() const;
+  /// The same, without words that say where something is and say it of nothing: "in winter".
+  std::vector<bool> tokens_with_sense() const;
 
   /// What was said up to a token: "it" means nothing that comes behind.
   void look_back_from(std::size_t token);

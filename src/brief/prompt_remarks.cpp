@@ -27,32 +27,9 @@ bool tells_what_nothing_shows(const std::string& word) {
   return words.count(word) > 0;
 }
 
-// Whether words that say where something is said it of anything: "in winter" does not.
-bool is_said_of_anything(const Brief& brief, std::size_t heard) {
-  const auto says = [&](const auto& one) { return one.heard == heard; };
-  if (std::any_of(brief.denials.begin(), brief.denials.end(), says) || std::any_of(brief.shared_out.begin(), brief.shared_out.end(), says))
-    return true;
-  return std::any_of(brief.mentions.begin(), brief.mentions.end(), [&](const Mention& mention) {
-    return mention.mount_heard == heard || mention.formation_heard == heard ||
-           std::any_of(mention.demands.begin(), mention.demands.end(),
-                       [&](const Demand& demand) { return demand.heard == heard; });
-  });
-}
-
-// By token: whether it was heard as something that comes of it.
-std::vector<bool> tokens_with_sense(const PromptReading& reading) {
-  std::vector<bool> used(reading.text.plain.size(), false);
-  const auto& heard = reading.brief.heard;
-  for (std::size_t i = 0; i < heard.size(); ++i) {
-    if (heard[i].as == Heard::As::relation && !is_said_of_anything(reading.brief, i)) continue;
-    for (auto token = heard[i].tokens.begin; token < heard[i].tokens.end && token < used.size(); ++token) used[token] = true;
-  }
-  return used;
-}
-
 class RemarkReader {
  public:
-  explicit RemarkReader(PromptReading& reading) : reading_(reading), used_(tokens_with_sense(reading)) {}
+  explicit RemarkReader(PromptReading& reading) : reading_(reading), used_(reading.tokens_with_sense()) {}
 
   void run() {
     for (std::size_t i = 0; i < reading_.parse.phrases.size(); ++i)

@@ -99,8 +99,7 @@ class FinishingLibrary final : public AssetLibrary {
 
   Result<std::vector<AssetMatch>> search(const AssetQuery& query) const override {
     auto matches = library_->search(query);
-    const bool has_looks = query.asked || StyleWords::built_in().named_in(query.description);
-    if (!matches || !has_looks) return matches;
+    if (!matches) return matches;
     const std::string looks = words_of_looks(query);
     for (auto& match : *matches) finish(match, wanted_finish(in_style(looks, match.asset.category), match.asset.category));
     std::stable_sort(matches->begin(), matches->end(), [](const AssetMatch& a, const AssetMatch& b) {

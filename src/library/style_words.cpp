@@ -58,8 +58,9 @@ Result<StyleWords> StyleWords::parse(std::string_view text, const std::string& s
   const JsonReader root(*json, problems);
   root.allow_only({"about", "styles", "palette"});
   StyleWords result;
-  root["palette"].allow_only({"colors", "woods", "stuffs"});
+  root["palette"].allow_only({"colors", "walls", "woods", "stuffs"});
   result.worn_by_colors_ = read_groups(root["palette"]["colors"]);
+  for (const auto& [color, walls] : root["palette"]["walls"].members()) result.walls_by_color_[color] = walls.text();
   result.worn_by_woods_ = read_groups(root["palette"]["woods"]);
   for (const auto& stuff : root["palette"]["stuffs"].elements_or_none(20))
     for (const auto& word : read_names(stuff["words"]))
@@ -86,6 +87,13 @@ const StyleWords& StyleWords::built_in() {
 const StyleMeaning* StyleWords::find(std::string_view word) const {
   const auto name = names_.find(spelled(word));
   return name == names_.end() ? nullptr : &styles_.at(name->second);
+}
+
+std::string StyleWords::walls_with(const std::string& color) const {
+  const auto found = walls_by_color_.find(color);
+  if (found != walls_by_color_.end()) return found->second;
+  const auto any = walls_by_color_.find("any");
+  return any == walls_by_color_.end() ? "" : any->second + " " + color + " walls";
 }
 
 const StyleWords::Groups* StyleWords::worn_by_stuff(std::string_view word) const {

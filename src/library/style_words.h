@@ -37,6 +37,8 @@ class StyleWords {
   /// Groups of kinds that go together and wear the colours, the woods, or another stuff of a room.
   using Groups = std::vector<std::vector<std::string>>;
   const Groups& worn_by_colors() const { return worn_by_colors_; }
+  /// "pale green walls", which go with green; empty: whatever walls there are.
+  std::string walls_with(const std::string& color) const;
   const Groups& worn_by_woods() const { return worn_by_woods_; }
   /// Null for what is no stuff that things wear so.
   const Groups* worn_by_stuff(std::string_view word) const;
@@ -45,6 +47,7 @@ class StyleWords {
   std::map<std::string, StyleMeaning, std::less<>> styles_;
   Groups worn_by_colors_, worn_by_woods_;
   std::map<std::string, Groups, std::less<>> worn_by_stuffs_;
+  std::map<std::string, std::string, std::less<>> walls_by_color_;
   std::map<std::string, std::string, std::less<>> names_;  ///< words parted by blanks, to the style's name
 };
 

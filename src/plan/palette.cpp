@@ -49,6 +49,11 @@ StyleMeaning style_of_palette(const std::vector<std::string>& palette) {
   for (const auto& said : palette)
     if (const Groups* groups = worn_by(said); groups && groups != colors) wear(*groups, words[groups]);
   if (words.count(colors)) wear(*colors, words[colors]);
+  // The first colour that walls have.
+  for (const auto& said : words[colors]) {
+    const std::string walls = StyleWords::built_in().walls_with(said.substr(said.rfind(' ') + 1));
+    if (!walls.empty() && style.walls.empty()) style.walls.push_back(walls);
+  }
   return style;
 }
 

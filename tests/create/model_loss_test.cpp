@@ -26,10 +26,15 @@ TEST_CASE("A model that was never reached is an error, one that is lost later is
 }
 
 TEST_CASE("After three failures in a row the model is given up") {
-  Conversation talk({failure(Error::Kind::io), failure(Error::Kind::limit),
+  Conversation talk({failure(Error::Kind::io), failure(Error::Kind::io),
                      failure(Error::Kind::io), reply_saying(good_stool)});
   for (int k = 0; k < 5; ++k) CHECK(talk.generate()->name == "box");
   CHECK(talk.script->questions.size() == 3);
+
+  // What ran out of time has kept everybody waiting.
+  Conversation slow({failure(Error::Kind::io), failure(Error::Kind::limit), reply_saying(good_stool)});
+  for (int k = 0; k < 3; ++k) CHECK(slow.generate()->name == "box");
+  CHECK(slow.script->questions.size() == 2);
 
   Conversation between({failure(Error::Kind::io), failure(Error::Kind::io),
                         reply_saying(good_stool), failure(Error::Kind::io)});
