@@ -120,7 +120,7 @@ struct Brief {
   std::vector<Limit> limits;
   std::vector<Denial> denials;
   std::vector<std::string> excluded;  ///< categories
-  std::vector<std::pair<std::string, std::string>> excluded_looks;  ///< categories that are so: table, glass
+  std::vector<std::pair<std::string, std::string>> excluded_looks;  ///< categories that are so: table, glass; no category: any
   std::vector<std::string> palette;   ///< colours and stuffs that are said of no thing
   std::vector<std::string> styles;    ///< words of style, as data/rooms.json knows them
   std::vector<std::string> notes;     ///< what was not understood or was bounded

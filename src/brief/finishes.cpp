@@ -157,7 +157,8 @@ class FinishReader {
     static const WordSet links = {
         "is",      "are",      "was",     "were",  "painted", "covered", "clad", "panelled",
         "paneled", "finished", "made",    "paved", "laid",    "lined",   "done", "coated",
-        "tiled",   "papered",  "dressed", "in",    "of",      "with",    "all",  "both"};
+        "tiled",   "papered",  "dressed", "in",    "of",      "with",    "all",  "both",
+        "should",  "shall",    "must",    "be",    "need",    "to",      "will"};
     std::size_t begin = at + 1;
     while (is_word(begin) && links.count(tokens_[begin].text) && begin <= at + longest_link)
       ++begin;

@@ -81,6 +81,9 @@ class Bringer {
     return std::nullopt;
   }
 
+  bool belongs(const std::string& kind) const {
+    return phrase_.occupant->is_activity || occupants_.belongs(kind, brief_.type);
+  }
   // The teacher's desk is no pupil's.
   bool is_of_others(const Mention& mention) const {
     return !mention.owner.empty() && occupants_.find(mention.owner) != phrase_.occupant;
@@ -107,8 +110,8 @@ class Bringer {
   void bring(const Occupant::Thing& thing) {
     std::optional<std::size_t> mention = named(thing.kind);
     if (!mention) {
-      const bool belongs =
-          phrase_.occupant->is_activity || occupants_.belongs(thing.kind, brief_.type);
+      // What stands to a thing that stays away stays away with it.
+      const bool belongs = this->belongs(thing.kind) && (thing.to.empty() || this->belongs(thing.to) || named(thing.to));
       // Of what each of several has, such a room has as many as there are people.
       const std::string own = thing.always ? "" : brought_by_room(thing.kind);
       const bool is_counted = thing.each && phrase_.persons > 1;

@@ -57,6 +57,7 @@ class ThingReader {
     }
     if (thing.kind.length == 0 && reading_.is_somebody(said))
       hear(reading_.brief, {said.tokens.begin, said.head + 1}, Heard::As::person);
+    if (said.is_denied && exclude_look(id, thing)) return;
     if (said.is_denied && !is_denied_place(id)) return exclude(id, thing);
     if ((thing.kind.length == 0 || thing.kind.is_inferred()) && names_occupants(said)) {
       occupants_.push_back(id);
@@ -428,6 +429,21 @@ class ThingReader {
     return reading_.phrase(id).determiner == Determiner::definite &&
            std::any_of(reading_.parse.attachments.begin(), reading_.parse.attachments.end(),
                        [&](const Attachment& one) { return one.to == id && one.is_denied && reading_.placement(one); });
+  }
+  // "no pink", "no red things": no thing shall look so.
+  bool exclude_look(std::int32_t id, const ThingPhrase& thing) {
+    static const WordSet anything = {"thing", "things", "item", "items", "object", "objects", "furniture", "colour", "colours", "color", "colors"};
+    const NounPhrase& said = reading_.phrase(id);
+    const std::string& noun = reading_.word(said.head);
+    if (thing.kind.length > 0 && !thing.kind.is_inferred()) return false;
+    std::vector<std::string> looks;
+    for (auto i = said.tokens.begin; i <= said.head; ++i)
+      if (finish_words().describes(reading_.word(i))) looks.push_back(reading_.word(i));
+    if (looks.empty() || !(finish_words().describes(noun) || anything.count(noun))) return false;
+    const std::string look = join(looks, " ");
+    reading_.hearing.absence(id, look);
+    reading_.brief.excluded_looks.push_back({"", look});
+    return true;
   }
   void exclude(std::int32_t id, const ThingPhrase& thing) {
     if (denies_others(reading_, reading_.phrase(id))) return;

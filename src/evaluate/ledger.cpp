@@ -104,12 +104,13 @@ class Checker {
     return by_fault(met ? "" : "there are " + std::to_string(there));
   }
 
-  // "no television", "no glass tables"
+  // "no television", "no glass tables", "no pink"
   Finding judge_absence(const Requirement& requirement) const {
     Finding finding;
     for (const auto& object : scene_.objects) {
-      if (!categories_.is_a(object.category, requirement.category) && !is_shown_to_be(object, requirement.category))
-        continue;
+      const bool is_meant = requirement.category.empty() || categories_.is_a(object.category, requirement.category) ||
+                            is_shown_to_be(object, requirement.category);
+      if (!is_meant) continue;
       if (requirement.attribute.empty()) return by_fault("there is " + object.id);
       const auto verdict = has_attribute_(object, requirement.attribute);
       if (verdict.held) return by_fault(object.id + " is " + requirement.attribute);

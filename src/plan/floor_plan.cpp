@@ -93,6 +93,8 @@ void put_on(Room& room, const RoomMaterials& said) {
   const auto replace = [](std::string& has, const std::string& wanted) {
     if (!wanted.empty()) has = wanted;
   };
+  // What is said of the walls is said of all of them.
+  if (!said.walls.empty()) room.materials.accent.clear();
   replace(room.materials.floor, said.floor);
   replace(room.materials.walls, said.walls);
   replace(room.materials.ceiling, said.ceiling);

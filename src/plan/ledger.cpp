@@ -336,7 +336,7 @@ class Ledger {
   }
 
   void absence(const std::string& category, const std::string& looks) {
-    const std::string what = looks.empty() ? category : looks + " " + category;
+    const std::string what = looks.empty() ? category : category.empty() ? looks : looks + " " + category;
     Requirement requirement;
     requirement.kind = Requirement::Kind::absence;
     requirement.category = category;

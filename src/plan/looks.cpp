@@ -1,9 +1,24 @@
 #include "looks.h"
 
+#include <algorithm>
+
 #include "roomgen/base/text.h"
 #include "library/looks.h"
 
 namespace roomgen::design {
+
+namespace {
+
+// Without those that say an unwanted word: "deep pink" of "pink".
+std::vector<std::string> without(const std::vector<std::string>& looks, const std::vector<std::string>& unwanted) {
+  std::vector<std::string> left;
+  for (const auto& look : looks)
+    if (std::none_of(unwanted.begin(), unwanted.end(), [&](const auto& word) { return (" " + look + " ").find(" " + word + " ") != std::string::npos; }))
+      left.push_back(look);
+  return left;
+}
+
+}  // namespace
 
 const StyleMeaning* style_named(const RoomKinds& kinds, const std::vector<std::string>& styles) {
   for (const auto& word : styles) {
@@ -15,19 +30,24 @@ const StyleMeaning* style_named(const RoomKinds& kinds, const std::vector<std::s
 }
 
 Looks::Looks(const RoomKinds& kinds, const KindTable& table,
-             const std::vector<std::string>& styles, const StyleMeaning& palette, Random random)
+             const std::vector<std::string>& styles, const StyleMeaning& palette,
+             const std::vector<std::string>& unwanted, Random random)
     : table_(&table) {
-  for (const auto& look : palette.looks) finishes_.emplace_back(look.kinds, random.pick(look.words));
+  const auto add = [&](const std::vector<std::string>& of, const std::vector<std::string>& looks) {
+    const auto allowed = without(looks, unwanted);
+    if (!allowed.empty()) finishes_.emplace_back(of, random.pick(allowed));
+  };
+  for (const auto& look : palette.looks) add(look.kinds, look.words);
   for (const auto& word : styles)
     if (const Style* style = kinds.style(word); style && adjective_.empty())
       adjective_ = style->adjective;
   if (const StyleMeaning* style = style_named(kinds, styles)) {
     adjective_ = style->name;
-    for (const auto& look : style->looks) finishes_.emplace_back(look.kinds, random.pick(look.words));
+    for (const auto& look : style->looks) add(look.kinds, look.words);
   }
   of_style_ = finishes_.size();
   for (const auto& finish : kinds.finishes)
-    if (!finish.words.empty()) finishes_.emplace_back(finish.kinds, random.pick(finish.words));
+    add(finish.kinds, finish.words);
 }
 
 std::string Looks::describe(const std::string& category, const std::string& variant) const {

@@ -14,11 +14,12 @@ namespace roomgen::design {
 const StyleMeaning* style_named(const RoomKinds& kinds, const std::vector<std::string>& styles);
 
 /// How the things of one room look: one adjective of style, one finish for each group of kinds, those of
-/// the palette before those of the style before those of everybody, so that what stands together goes together.
+/// the palette before those of the style before those of everybody, so that what stands together goes together. None
+/// has an unwanted word.
 class Looks {
  public:
   Looks(const RoomKinds& kinds, const KindTable& table, const std::vector<std::string>& styles,
-        const StyleMeaning& palette, Random random);
+        const StyleMeaning& palette, const std::vector<std::string>& unwanted, Random random);
 
   /// "modern wooden double bed"
   std::string describe(const std::string& category, const std::string& variant) const;

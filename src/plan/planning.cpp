@@ -127,6 +127,13 @@ class Planner {
     return make_room(kind_, outline, openings(random.fork("windows")), random.fork("openings"), plan.notes);
   }
 
+  std::vector<std::string> unwanted_looks() const {
+    std::vector<std::string> looks;
+    for (const auto& [category, look] : brief_.excluded_looks)
+      if (category.empty()) looks.push_back(look);
+    return looks;
+  }
+
   // Tried no further than it takes to see that its fault is not below `bar`.
   Attempt attempt(int n, double bar) const {
     const Random random = n == 0 ? random_ : random_.fork("attempt " + std::to_string(n));
@@ -137,7 +144,7 @@ class Planner {
     plan.excluded = brief_.excluded;
     plan.notes = brief_.notes;
     const StyleMeaning palette = style_of_palette(brief_.palette);
-    const Looks looks(kinds_, table_, brief_.styles, palette, random_.fork("looks"));
+    const Looks looks(kinds_, table_, brief_.styles, palette, unwanted_looks(), random_.fork("looks"));
     auto drafts = asked_items(brief_, table_);
     for (auto& draft : drafts)
       draft.item.description = looks.in_style(draft.item.category, draft.item.description);

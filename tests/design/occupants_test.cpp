@@ -136,3 +136,9 @@ TEST_CASE("Rows have as many as the people, or as a row has") {
   CHECK(things(read_brief("a library with six rows of bookshelves")) == "24 bookshelf");
   CHECK(things(read_brief("a classroom for twelve people with three rows of desks")).starts_with("12 student desk"));
 }
+
+TEST_CASE("Twins lie in cribs in a nursery, and in beds of their own in a bedroom") {
+  CHECK(things(read_brief("a nursery for twins")).find("2 crib") != std::string::npos);
+  CHECK(things(read_brief("a nursery for twins")).find("bed") == std::string::npos);
+  CHECK(things(read_brief("a bedroom for twins")).find("2 single bed") != std::string::npos);
+}

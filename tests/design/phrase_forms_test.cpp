@@ -68,3 +68,24 @@ TEST_CASE("what is introduced behind what a thing faces is another thing of the 
   CHECK(places(brief, 1).empty());
   CHECK(places(brief, 2) == "corner");
 }
+
+TEST_CASE("colours behind the name of a room are its palette") {
+  using Palette = std::vector<std::string>;
+  CHECK(read_brief("a bedroom in blue and white").palette == Palette{"blue", "white"});
+  CHECK(read_brief("a glamorous dressing room in pink and gold").palette == Palette{"pink", "gold"});
+  CHECK(read_brief("a living room in green tones").palette == Palette{"green"});
+  CHECK(read_brief("a study in dark wood").palette == Palette{"dark wood"});
+  CHECK(read_brief("a bedroom with a blue rug").palette.empty());
+}
+
+TEST_CASE("a colour may be unwanted of everything") {
+  using Looks = std::vector<std::pair<std::string, std::string>>;
+  CHECK(read_brief("a nursery, no pink").excluded_looks == Looks{{"", "pink"}});
+  CHECK(read_brief("a bedroom with no red things").excluded_looks == Looks{{"", "red"}});
+  CHECK(read_brief("a living room, no glass tables").excluded_looks == Looks{{"table", "glass"}});
+}
+
+TEST_CASE("walls may be told to be so") {
+  CHECK(read_brief("A cafe. The walls should be sage green.").materials.walls == "sage green walls");
+  CHECK(read_brief("A study. The floor must be dark oak.").materials.floor == "dark oak floor");
+}
