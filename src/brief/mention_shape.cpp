@@ -115,7 +115,10 @@ void shape(Mention& mention, const ThingPhrase& phrase, const Vocabulary& words,
 void hang(Mention& mention, Mount where, const KindTable& table) {
   if (mention.mount == where) return;
   if (where == Mount::floor) {
-    if (mention.mount == Mount::surface) mention.mount = where;
+    if (mention.mount != Mount::surface) return;
+    // Cushions on the floor are floor cushions.
+    if (const Kind* standing = table.by_name("floor " + mention.noun)) return become(mention, *standing);
+    mention.mount = where;
     return;
   }
   const Forms& forms = table.get(mention.category).forms;
