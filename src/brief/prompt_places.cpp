@@ -71,8 +71,23 @@ class PlaceReader {
     if (subjects.empty()) return;
     if (said->placement->mutual) return relate_mutually(subjects, *said->placement);
     if (said->placement->flank) shares_.give_each_side(attachment, reading_.all_of(attachment.from));
-    if (said->target == none) return relate_to_implied(subjects, *said->placement);
+    if (said->target == none) {
+      if (said->placement->flank && stand_owners_beside(subjects, attachment, *said->placement)) return;
+      return relate_to_implied(subjects, *said->placement);
+    }
     read_target(attachment, *said, subjects);
+  }
+  // "a bed, a nightstand with a lamp on each side": the nightstands are at the sides of the bed, each with its lamp.
+  bool stand_owners_beside(const Indices& subjects, const Attachment& attachment, const Placement& placement) {
+    if (subjects.size() != 1 || !reading_.talk.is_small(subjects.front())) return false;
+    const auto owner = owner_of_.find(subjects.front());
+    if (owner == owner_of_.end() || reading_.talk.mention(owner->second).mount != Mount::floor) return false;
+    const std::size_t carrier = owner->second;
+    const auto target = reading_.talk.antecedent(placement.relations.front(), with_kin({carrier, subjects.front()}));
+    if (!target) return false;
+    say({carrier}, {&placement, none, false}, *target);
+    shares_.give_each(carrier, subjects, attachment.tokens.begin);
+    return true;
   }
   // "left", "right end": the side that a phrase names, as the placement "left of" has it.
   const Placement* side_named(const NounPhrase& phrase) const {

@@ -89,3 +89,10 @@ TEST_CASE("walls may be told to be so") {
   CHECK(read_brief("A cafe. The walls should be sage green.").materials.walls == "sage green walls");
   CHECK(read_brief("A study. The floor must be dark oak.").materials.floor == "dark oak floor");
 }
+
+TEST_CASE("a nightstand with a lamp on each side of what came before are two, each with its lamp") {
+  const Brief brief = read_brief("A hotel room with a queen bed, a nightstand with a brass lamp on each side.");
+  REQUIRE(things(brief) == "1 double bed, 2 nightstand, 2 table lamp");
+  CHECK(places(brief, 1).starts_with("next to, double bed"));
+  CHECK(places(brief, 2) == "on, nightstand");
+}
