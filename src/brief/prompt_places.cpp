@@ -265,6 +265,7 @@ class PlaceReader {
       if (owner == *thing || reading_.talk.mention(owner).part_of != Demand::none) continue;
       if (says_each(attachment) && is_told_in_room(attachment.to)) continue;
       if (!says_each(attachment) && !is_told_somewhere(attachment.to) && follows_told_place(attachment)) continue;
+      if (is_further(attachment) && is_told_at_another(attachment.to, owner)) continue;
       if (says_each(attachment) || is_each_behind(reading_.phrase(attachment.to)))
         shares_.give_each(owner, reading_.all_of(attachment.to), attachment.tokens.begin);
       for (const std::size_t one : reading_.all_of(attachment.to))
@@ -287,6 +288,21 @@ class PlaceReader {
     return std::any_of(reading_.parse.attachments.begin(), reading_.parse.attachments.end(), [&](const Attachment& other) {
       return other.from == attachment.from && other.to < attachment.to &&
              other.tokens.begin == attachment.tokens.begin && reading_.is_told_at_pronoun(other.to);
+    });
+  }
+  // Whether others of its list were named before it.
+  bool is_further(const Attachment& attachment) const {
+    return std::any_of(reading_.parse.attachments.begin(), reading_.parse.attachments.end(), [&](const Attachment& other) {
+      return other.from == attachment.from && other.tokens.begin == attachment.tokens.begin && other.to < attachment.to;
+    });
+  }
+  // "a nightstand with a lamp and a bench at the foot of the bed": the bench is the bed's.
+  bool is_told_at_another(std::int32_t id, std::size_t owner) const {
+    return std::any_of(reading_.parse.attachments.begin(), reading_.parse.attachments.end(), [&](const Attachment& one) {
+      const auto& said = reading_.placement(one);
+      if (one.from != id || one.is_of_list || !said || said->target == none || said->placement->inverse) return false;
+      const auto target = reading_.mention_of(said->target);
+      return target && *target != owner && !reading_.phrase(said->target).is_pronoun;
     });
   }
   // "behind it", "on top": whether words at a thing say where it is.

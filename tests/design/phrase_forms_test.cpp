@@ -95,4 +95,8 @@ TEST_CASE("a nightstand with a lamp on each side of what came before are two, ea
   REQUIRE(things(brief) == "1 double bed, 2 nightstand, 2 table lamp");
   CHECK(places(brief, 1).starts_with("next to, double bed"));
   CHECK(places(brief, 2) == "on, nightstand");
+  const Brief bench = read_brief(
+      "A bedroom with a queen bed, a nightstand with a lamp on each side and a bench at the foot of the bed.");
+  REQUIRE(bench.mentions.size() == 4);
+  CHECK(places(bench, 3).find("nightstand") == std::string::npos);
 }
