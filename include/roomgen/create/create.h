@@ -88,8 +88,8 @@ std::unique_ptr<AssetLibrary> make_created_library();
 /// have, it is offered with an AssetRef::finish, and no longer contradicts the query by them. load()
 /// paints the parts of its mesh anew (docs/finishes.md). Glass is never made of what is none.
 ///
-/// Looks are given to what somebody asked for (AssetQuery::asked) and to what a word of style is about.
-/// What was painted is kept in memory; for use by several threads at once.
+/// Looks are given to what somebody asked for and to what is added to it alike, so that a room's things go
+/// together as they are described. What was painted is kept in memory; for use by several threads at once.
 std::unique_ptr<AssetLibrary> make_finishing_library(std::shared_ptr<const AssetLibrary> library);
 
 /// The programs of objects that were made and kept: a folder of JSON files, whose "name" says what
