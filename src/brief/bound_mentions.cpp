@@ -32,6 +32,11 @@ void bound(std::vector<std::string>& texts) {
 
 }  // namespace
 
+std::string bounded_name(std::string text) {
+  bound(text, most_name_bytes);
+  return text;
+}
+
 void bound_mentions(Brief& brief) {
   for (auto& mention : brief.mentions) {
     if (mention.quantity > most_of_a_line)

@@ -4,6 +4,7 @@
 #include <map>
 #include <utility>
 
+#include "brief/bound_mentions.h"
 #include "brief/prompt_remarks.h"
 #include "coverage.h"
 #include "floor_plan.h"
@@ -363,7 +364,7 @@ class Ledger {
     // A room of a kind that nobody knows may be anything.
     const bool is_kind = brief_.type_known && !brief_.type_inferred;
     if (const auto words = words_of(Heard::As::room, "kind"); !words.empty())
-      of_room(is_kind ? "kind" : "character", brief_.type, 0.0, "a " + brief_.type, words);
+      of_room(is_kind ? "kind" : "character", bounded_name(brief_.type), 0.0, "a " + brief_.type, words);
     if (brief_.size) {
       const auto words = words_of(Heard::As::room, "size");
       const double longer = brief_.size->maxCoeff(), shorter = brief_.size->minCoeff();
@@ -393,7 +394,7 @@ class Ledger {
       const HeardWords& words = brief_.heard[i];
       if (words.word != said_remark) continue;
       const std::string text = text_of(words.tokens);
-      of_room(words.as == Heard::As::activity ? "activity" : "character", text, 0.0, text, {i});
+      of_room(words.as == Heard::As::activity ? "activity" : "character", bounded_name(text), 0.0, text, {i});
     }
   }
   std::string text_of(const language::Run& tokens) const {
