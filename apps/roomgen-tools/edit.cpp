@@ -142,7 +142,12 @@ Result<int> run_branch(const Context& context, const EditCommand& command) {
   const Scene before = session->scene();
   if (auto status = session->branch(command.branch, command.from, command.by); !status) return status.error();
   if (auto status = write_followers(context, command, *session); !status) return status.error();
-  print_lines(differences(before, session->scene()));
+  const auto changes = differences(before, session->scene());
+  if (context.json) std::fputs(dump_json(Json{{"branch", session->current_branch()}, {"changes", changes}}).c_str(), stdout);
+  else {
+    std::printf("on branch %s\n", session->current_branch().c_str());
+    if (!changes.empty()) print_lines(changes);
+  }
   return exit_ok;
 }
 

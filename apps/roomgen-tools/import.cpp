@@ -62,6 +62,10 @@ Result<int> run_import(const Context& context, const ImportCommand& command) {
   auto operations = std::move(edits->operations);
   if (command.remove_missing && !edits->missing.empty())
     operations.insert(operations.begin(), edit::Remove{edits->missing, false});
+  if (operations.empty() && !command.dry_run && !context.json) {
+    std::puts("nothing is different from the room");
+    return exit_ok;
+  }
   if (command.dry_run || operations.empty()) {
     std::fputs(dump_json(operations_json(operations)).c_str(), stdout);
     return exit_ok;

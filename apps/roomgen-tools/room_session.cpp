@@ -115,6 +115,7 @@ std::vector<std::string> report_lines(const EditReport& report) {
   for (const auto& move : report.repairs)
     lines.push_back(move.object + " made way by " + format_number(move.distance(), 2) + " m");
   lines.insert(lines.end(), report.broken.begin(), report.broken.end());
+  if (lines.empty()) lines.push_back("nothing is different: it was so already");
   return lines;
 }
 

@@ -37,7 +37,7 @@ bool is_metal(const std::string& stuff) { return stuff == "metal"; }
 
 class Repainter {
  public:
-  Repainter(Model& model, PaintBox& paints, const FinishTable& table) : model_(model), paints_(paints), table_(table) {
+  Repainter(const Model& model, const FinishTable& table) : table_(table) {
     for (const auto& part : model.parts) {
       const Material& material = model.materials[static_cast<std::size_t>(part.material)];
       stuffs_.push_back(stuff_of(material, table));
@@ -49,15 +49,35 @@ class Repainter {
   }
 
   // Legs of metal are for the metal that was named, before what is left over is shared out.
-  void run(const std::map<std::string, std::string>& finish) {
+  void share_out(const std::map<std::string, std::string>& finish) {
     for (const auto& [stuff, text] : finish)
       take(stuff, [&, &wanted = stuff](std::size_t part) { return stuffs_[part] == wanted; });
     for (const auto& [stuff, text] : finish) {
       const PartLook look = read_look(text, table_);
       const bool is_shared = table_.untouched.count(stuff) || (is_metal(stuff) && finish.size() > 1);
       if (!is_shared) spread(stuff, look.substance ? least_of_substance : least_painted);
-      paint(stuff, look);
     }
+  }
+
+  void paint(Model& model, const std::string& stuff, const PartLook& look, PaintBox& paints) const {
+    if (look.empty()) return;
+    for (std::size_t i = 0; i < taken_.size(); ++i) {
+      if (taken_[i] != stuff) continue;
+      ModelPart& part = model.parts[i];
+      // Parts of one material may get different looks.
+      model.materials.push_back(model.materials[static_cast<std::size_t>(part.material)]);
+      part.material = static_cast<int>(model.materials.size()) - 1;
+      paint_part(part, model.materials.back(), look, stuffs_[i] == look.stuff, paints);
+    }
+  }
+
+  double share_of(const std::string& stuff) const {
+    double taken = 0.0, all = 0.0;
+    for (std::size_t i = 0; i < taken_.size(); ++i) {
+      all += areas_[i];
+      if (taken_[i] == stuff) taken += areas_[i];
+    }
+    return all > 0.0 ? taken / all : 0.0;
   }
 
  private:
@@ -81,20 +101,6 @@ class Repainter {
     if (!covers(stuff, share)) take(stuff, may);
   }
 
-  void paint(const std::string& stuff, const PartLook& look) {
-    if (look.empty()) return;
-    for (std::size_t i = 0; i < taken_.size(); ++i) {
-      if (taken_[i] != stuff) continue;
-      ModelPart& part = model_.parts[i];
-      // Parts of one material may get different looks.
-      model_.materials.push_back(model_.materials[static_cast<std::size_t>(part.material)]);
-      part.material = static_cast<int>(model_.materials.size()) - 1;
-      paint_part(part, model_.materials.back(), look, stuffs_[i] == look.stuff, paints_);
-    }
-  }
-
-  Model& model_;
-  PaintBox& paints_;
   const FinishTable& table_;
   std::vector<std::string> stuffs_, taken_;  ///< by part: what it is of, whose look it gets
   std::vector<double> areas_;
@@ -128,8 +134,19 @@ std::string stuff_of(const Material& material, const FinishTable& table) {
 }
 
 void repaint(Model& model, const std::map<std::string, std::string>& finish, PaintBox& paints, const FinishTable& table) {
-  Repainter(model, paints, table).run(finish);
+  Repainter repainter(model, table);
+  repainter.share_out(finish);
+  for (const auto& [stuff, text] : finish) repainter.paint(model, stuff, read_look(text, table), paints);
   drop_unused_materials(model);
+}
+
+std::map<std::string, double> painted_shares(const Model& model, const std::map<std::string, std::string>& finish,
+                                             const FinishTable& table) {
+  Repainter repainter(model, table);
+  repainter.share_out(finish);
+  std::map<std::string, double> shares;
+  for (const auto& [stuff, text] : finish) shares[stuff] = repainter.share_of(stuff);
+  return shares;
 }
 
 }  // namespace roomgen::create

@@ -20,4 +20,8 @@ std::string stuff_of(const Material& material, const FinishTable& table = finish
 void repaint(Model& model, const std::map<std::string, std::string>& finish, PaintBox& paints,
              const FinishTable& table = finish_table());
 
+/// Which share of what is seen of a model each of the looks would cover, by the stuff that it is said of.
+std::map<std::string, double> painted_shares(const Model& model, const std::map<std::string, std::string>& finish,
+                                             const FinishTable& table = finish_table());
+
 }  // namespace roomgen::create

@@ -2,6 +2,7 @@
 
 #include "changed_thing.h"
 #include "create/finish_look.h"
+#include "create/repaint.h"
 #include "operations.h"
 #include "roomgen/base/text.h"
 #include "scene/finish_words.h"
@@ -16,6 +17,27 @@ Status carry_out(Draft& draft, const edit::Resize& resize) {
   return put_changed(draft, cluster_of(draft.scene, *object), *std::move(changed));
 }
 
+namespace {
+
+constexpr double least_seen = 0.01;  // share of a thing's surface
+
+// Wood does not become glass: what would not be seen on this mesh is not done.
+Status check_paintable(Draft& draft, const Object& object, const std::map<std::string, std::string>& finish,
+                       const std::string& looks) {
+  AssetRef plain = object.asset;
+  plain.finish.clear();
+  const auto model = draft.shop.fetch_model(plain);
+  if (!model) return model.error();
+  if (!*model) return {};
+  for (const auto& [stuff, share] : create::painted_shares(**model, finish))
+    if (share < least_seen)
+      return cannot("no part of " + object.id + " can be \"" + looks + "\"; another " + object.category +
+                    " may be: say \"replace " + object.id + " with a " + looks + " " + object.category + "\"");
+  return {};
+}
+
+}  // namespace
+
 Status carry_out(Draft& draft, const edit::Recolor& recolor) {
   const auto object = object_to_change(draft, recolor.object);
   if (!object) return object.error();
@@ -24,6 +46,7 @@ Status carry_out(Draft& draft, const edit::Recolor& recolor) {
     return Error{Error::Kind::not_understood,
                  "\"" + recolor.looks + "\" names no colour, material or pattern that is known"};
   if (object->asset.is_box()) return cannot(object->id + " is a plain box and cannot be painted");
+  if (auto status = check_paintable(draft, *object, finish, recolor.looks); !status) return status;
   Object changed = *object;
   for (const auto& [stuff, text] : finish) changed.asset.finish[stuff] = text;
   if (const auto model = draft.shop.fetch_model(changed.asset); !model) return model.error();

@@ -10,6 +10,12 @@ namespace roomgen {
 /// itself first.
 std::vector<Cluster> group_of(const Scene& scene, const Object& leader);
 
+/// All that stands in relations to each other, from the thing on: a seating corner from its sofa to the lamp beside the
+/// armchair. What others stand to comes before them.
+std::vector<Cluster> related_group_of(const Scene& scene, const Object& thing);
+/// Things so that what others stand to comes before them, and the larger before the smaller.
+void order_by_relations(std::vector<Cluster>& things);
+
 /// The group as it stands with its leader at another pose.
 std::vector<Cluster> moved_to(const std::vector<Cluster>& group, const Pose& pose);
 

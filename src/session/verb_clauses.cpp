@@ -16,6 +16,20 @@ using Which = NamedThing::Which;
 
 constexpr std::size_t flank_words = 4;  // "on either side of"
 
+// A room of a dwelling of which nothing would be left.
+const Room* room_emptied_by(const EditText& text, const Ids& ids) {
+  for (const auto& room : text.scene.rooms) {
+    std::size_t there = 0, gone = 0;
+    for (const auto& object : text.scene.objects) {
+      if (object.room != room.id) continue;
+      ++there;
+      gone += std::count(ids.begin(), ids.end(), object.id) > 0 ? 1 : 0;
+    }
+    if (there > 0 && gone == there) return &room;
+  }
+  return nullptr;
+}
+
 ReadClause read_remove(const EditText& text, std::size_t at) {
   for (const bool with_places : {false, true}) {
     const auto all = things(text, at, with_places);
@@ -32,6 +46,9 @@ ReadClause read_remove(const EditText& text, std::size_t at) {
   const bool is_most_of_room = thing && what->end == thing->end && 2 * count > all;
   if (thing && thing->which == Which::everything && (count == all || is_most_of_room))
     return not_understood("that would empty the room; name what shall go");
+  if (thing && thing->which == Which::everything)
+    if (const Room* emptied = room_emptied_by(text, what->value))
+      return not_understood("that would empty " + emptied->id + "; name what shall go");
   return Clause{{edit::Remove{what->value, false}}, {}, {}, what->end, what->value};
 }
 

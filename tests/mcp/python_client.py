@@ -14,7 +14,7 @@ from pathlib import Path
 import anyio
 from mcp import Client, MCPError, StdioServerParameters
 
-TOOLS = {"plan", "generate", "compose", "optimise", "edit", "preview", "check", "explain", "undo", "redo", "history", "render", "export"}
+TOOLS = {"plan", "generate", "compose", "optimise", "edit", "preview", "check", "explain", "undo", "redo", "history", "branch", "import", "render", "export"}
 
 
 def text_of(result):

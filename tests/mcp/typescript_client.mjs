@@ -33,7 +33,7 @@ async function refused(name, args, part) {
 }
 
 const { tools } = await client.listTools();
-assert.equal(tools.length, 13);
+assert.equal(tools.length, 15);
 
 const made = await done('generate', { folder: 'study', prompt: 'a small study with a desk and a chair' });
 assert.equal(made.structuredContent.room, 'study');

@@ -357,3 +357,19 @@ TEST_CASE("A group that moves is asked for where it went, as a thing alone is") 
           }) == 1);
   }
 }
+
+TEST_CASE("A corner that is set out anew stands to each other as it did, or all stays") {
+  const TemporaryFolder folder;
+  Session session =
+      open_with(folder, furnished("a living room with a sofa, a coffee table, a tv stand with a tv and two armchairs", 3));
+  const Scene before = session.scene();
+  const auto report = session.apply(std::vector<edit::Operation>{edit::Rearrange{{"sofa-0"}}});
+  if (!report) {
+    CHECK(report.error().message.find("stand to each other") != std::string::npos);
+    CHECK(session.text() == dump_json(to_json(before)));
+    return;
+  }
+  CHECK(report->broken.empty());
+  for (const char* id : {"sofa-0", "coffee table-0", "armchair-0"})
+    CHECK(find_object(session.scene(), id)->position != find_object(before, id)->position);
+}

@@ -148,3 +148,16 @@ TEST_CASE("The only door stays, and another may go") {
   const std::vector<edit::Operation> open = {edit::Open{"door"}, edit::Close{{"door-0"}}};
   CHECK(session->apply(open));
 }
+
+TEST_CASE("What no part of a thing can be is refused and not said to be done") {
+  static const auto library = create::make_finishing_library(create::make_created_library());
+  const TemporaryFolder folder;
+  REQUIRE(write_file(folder / "scene.json", dump_json(to_json(sitting_room()))));
+  auto session = Session::open(folder / "scene.json", *library, KindTable::built_in());
+  REQUIRE(session);
+  REQUIRE(session->apply(std::vector<edit::Operation>{edit::Replace{"coffee table-0", "", "oak coffee table"}}));
+  const auto glass = session->apply(std::vector<edit::Operation>{edit::Recolor{"coffee table-0", "glass"}});
+  REQUIRE(!glass);
+  CHECK(glass.error().message.find("replace coffee table-0 with a glass coffee table") != std::string::npos);
+  CHECK(session->apply(std::vector<edit::Operation>{edit::Recolor{"coffee table-0", "walnut"}}));
+}

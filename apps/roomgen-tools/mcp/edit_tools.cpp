@@ -1,5 +1,6 @@
 #include <nlohmann/json.hpp>
 
+#include "roomgen/import/import.h"
 #include "roomgen/session/operation.h"
 #include "tools.h"
 
@@ -103,7 +104,56 @@ Result<ToolAnswer> tell_history(Workplace& place, const ToolCall& call) {
   return text_answer(text_of(lines), std::move(data));
 }
 
+Result<ToolAnswer> go_to_branch(Workplace& place, const ToolCall& call) {
+  std::vector<std::string> notices;
+  auto room = open_room(place, call.arguments["room"].get<std::string>(), notices, {});
+  if (!room) return room.error();
+  std::optional<std::size_t> at;
+  if (call.arguments.contains("at")) at = call.arguments["at"].get<std::size_t>();
+  const Scene before = room->session.scene();
+  if (auto status = room->session.branch(call.arguments["name"].get<std::string>(), at, asker); !status)
+    return status.error();
+  write_followers(place, *room, notices);
+  auto changes = differences(before, room->session.scene());
+  Json data = {{"branch", room->session.current_branch()}, {"branches", room->session.branches()}, {"changes", changes}};
+  changes.insert(changes.begin(), "on branch " + room->session.current_branch());
+  return answer_of(place, *room, call, std::move(changes), notices, std::move(data));
+}
+
+Result<ToolAnswer> import_poses(Workplace& place, const ToolCall& call) {
+  std::vector<std::string> notices;
+  const std::string name = call.arguments["file"].get<std::string>();
+  const auto file = place.root.find(name);
+  if (!file) return file.error();
+  const auto nodes = read_glb_nodes(*file);
+  if (!nodes) return nodes.error();
+  auto room = open_room(place, call.arguments["room"].get<std::string>(), notices, {});
+  if (!room) return room.error();
+  auto edits = room->session.compare(*nodes);
+  if (!edits) return edits.error();
+  notices.insert(notices.end(), edits->notes.begin(), edits->notes.end());
+  auto operations = std::move(edits->operations);
+  const bool removes = call.arguments.value("remove_missing", false);
+  if (removes && !edits->missing.empty()) operations.insert(operations.begin(), edit::Remove{edits->missing, false});
+  for (const auto& id : removes ? std::vector<std::string>() : edits->missing)
+    notices.push_back("no node is called " + id + "; it stays");
+  if (operations.empty())
+    return answer_of(place, *room, call, {"nothing is different from the room"}, notices, {{"changes", Json::array()}});
+  const auto report = room->session.apply(operations, {"import " + name, asker});
+  if (!report) return report.error();
+  write_followers(place, *room, notices);
+  return answer_of(place, *room, call, cli::report_lines(*report), notices, cli::report_json(*report));
+}
+
 }  // namespace
+
+Tool branch_tool(Workplace& place) {
+  return [&place](const ToolCall& call) { return go_to_branch(place, call); };
+}
+
+Tool import_tool(Workplace& place) {
+  return [&place](const ToolCall& call) { return import_poses(place, call); };
+}
 
 Tool edit_tool(Workplace& place) {
   return [&place](const ToolCall& call) { return edit_room(place, call); };

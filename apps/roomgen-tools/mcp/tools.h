@@ -13,6 +13,8 @@ Tool edit_tool(Workplace& place);
 Tool undo_tool(Workplace& place);
 Tool redo_tool(Workplace& place);
 Tool history_tool(Workplace& place);
+Tool branch_tool(Workplace& place);
+Tool import_tool(Workplace& place);
 Tool preview_tool(Workplace& place);
 Tool check_tool(Workplace& place);
 Tool explain_tool(Workplace& place);

@@ -7,6 +7,7 @@
 
 #include "check_report.h"
 #include "explain.h"
+#include "roomgen/import/import.h"
 #include "roomgen/base/text.h"
 #include "roomgen/render/pictures.h"
 #include "views.h"
@@ -73,6 +74,57 @@ Result<Answer> tell_history(Desk& desk) {
   const auto session = desk.scene.session();
   if (!session) return session.error();
   return Answer{cli::history_lines(**session), {{"entries", cli::history_json(**session)}}};
+}
+
+// BRANCH, perhaps with the state at which a new one begins; none: which there are.
+Maybe branch(Desk& desk, const Words& arguments) {
+  const auto at = arguments.size() == 2 ? number<std::size_t>(arguments[1]) : std::nullopt;
+  if (arguments.size() > 2 || (arguments.size() == 2 && !at)) return std::nullopt;
+  const auto session = desk.scene.session();
+  if (!session) return session.error();
+  const Scene before = (*session)->scene();
+  if (!arguments.empty()) {
+    if (auto status = (*session)->branch(arguments.front(), at, desk.by); !status) return status.error();
+    if (auto status = write_followers(desk, **session); !status) return status.error();
+  }
+  const auto names = (*session)->branches();
+  const std::string current = (*session)->current_branch();
+  const auto changes = differences(before, (*session)->scene());
+  Answer answer{{}, {{"branch", current}, {"branches", names}, {"changes", changes}}};
+  if (!arguments.empty()) answer.lines = with({"on branch " + current}, changes);
+  else
+    for (const auto& name : names) answer.lines.push_back((name == current ? "* " : "  ") + name);
+  return answer;
+}
+
+Maybe diff(Desk& desk, const Words& arguments) {
+  std::vector<std::optional<std::size_t>> states(2);
+  if (arguments.size() > states.size()) return std::nullopt;
+  for (std::size_t i = 0; i < arguments.size(); ++i)
+    if (states[i] = number<std::size_t>(arguments[i]); !states[i]) return std::nullopt;
+  const auto session = desk.scene.session();
+  if (!session) return session.error();
+  const auto lines = (*session)->diff(states[0], states[1]);
+  if (!lines) return lines.error();
+  return Answer{*lines, {{"differences", *lines}}};
+}
+
+Maybe import_poses(Desk& desk, const Words& arguments) {
+  if (arguments.empty()) return Error{Error::Kind::not_understood, "import: give a .glb file"};
+  const std::string file = join(arguments, " ");
+  const auto nodes = read_glb_nodes(file);
+  if (!nodes) return nodes.error();
+  const auto session = desk.scene.session();
+  if (!session) return session.error();
+  const auto edits = (*session)->compare(*nodes);
+  if (!edits) return edits.error();
+  for (const auto& note : edits->notes) desk.tell(note);
+  if (!edits->missing.empty()) desk.tell("no node is called " + join(edits->missing, ", ") + "; they stay");
+  if (edits->operations.empty()) return Answer{{"nothing is different from the room"}, {{"changes", Json::array()}}};
+  const auto report = (*session)->apply(edits->operations, {"import " + file, desk.by});
+  if (!report) return report.error();
+  if (auto status = write_followers(desk, **session); !status) return status.error();
+  return Answer{cli::report_lines(*report), cli::report_json(*report)};
 }
 
 SceneReport examined(Session& session) { return examine(session.scene(), session.models(), KindTable::built_in()); }
@@ -202,6 +254,9 @@ const std::vector<Command>& commands() {
       {"redo", "[N]", "do again what was taken back",
        [](Desk& desk, const Words& words) { return run_steps(desk, words, &Session::redo, "redo"); }},
       {"history", "", "list the changes; * is the current state, - what was undone", alone(tell_history)},
+      {"branch", "[NAME [STATE]]", "list the branches; or go to one, which begins here or at a state if it is new", branch},
+      {"diff", "[FROM [TO]]", "say what is different between two states", diff},
+      {"import", "FILE.glb", "take poses back that another program changed", import_poses},
       {"help", "", "list the commands", alone([](Desk&) { return help(); })},
       {"quit", "", "end; so does Ctrl-D", alone([](Desk&) { return quit(); })},
   };
