@@ -161,3 +161,27 @@ TEST_CASE("What no part of a thing can be is refused and not said to be done") {
   CHECK(glass.error().message.find("replace coffee table-0 with a glass coffee table") != std::string::npos);
   CHECK(session->apply(std::vector<edit::Operation>{edit::Recolor{"coffee table-0", "walnut"}}));
 }
+
+TEST_CASE("A taller back makes a made thing taller, by its program") {
+  static const auto library = create::make_finishing_library(create::make_created_library());
+  const TemporaryFolder folder;
+  REQUIRE(write_file(folder / "scene.json", dump_json(to_json(sitting_room()))));
+  auto session = Session::open(folder / "scene.json", *library, KindTable::built_in());
+  REQUIRE(session);
+  REQUIRE(session->apply(std::vector<edit::Operation>{edit::Replace{"coffee table-0", "", "wooden pew"}}));
+  const auto pew = [&] {
+    for (const auto& object : session->scene().objects)
+      if (object.asset.procedural) return object;
+    return Object();
+  };
+  const Object before = pew();
+  REQUIRE(before.asset.procedural);
+  const auto report = session->apply(std::vector<edit::Operation>{edit::Reform{before.id, "with taller back"}});
+  INFO((report ? "" : report.error().message));
+  REQUIRE(report);
+  CHECK(pew().size.z() > 1.1 * before.size.z());
+  CHECK(pew().size.head<2>() == before.size.head<2>());
+  CHECK(pew().asset.procedural->params != before.asset.procedural->params);
+  // What names neither a measure nor a form changes nothing.
+  CHECK(!session->apply(std::vector<edit::Operation>{edit::Reform{before.id, "with happier back"}}));
+}
