@@ -85,6 +85,20 @@ std::set<std::string> around(const Scene& scene, const std::string& id) {
   return ids;
 }
 
+// Whatever stands to it, or to what stands to it: what is set out anew with it.
+std::set<std::string> related(const Scene& scene, const std::string& id) {
+  std::set<std::string> ids = {id};
+  for (std::size_t before = 0; before != ids.size();) {
+    before = ids.size();
+    for (const auto& object : scene.objects)
+      for (const auto& relation : object.relations)
+        if (relation.kind != RelationKind::far && find_object(scene, relation.target) &&
+            (ids.count(object.id) || ids.count(relation.target)))
+          ids.insert({object.id, relation.target});
+  }
+  return ids;
+}
+
 std::set<std::string> named_in(const Scene& scene, const edit::Operation& operation) {
   std::set<std::string> ids;
   std::visit(
@@ -92,9 +106,10 @@ std::set<std::string> named_in(const Scene& scene, const edit::Operation& operat
         using T = std::decay_t<decltype(one)>;
         if constexpr (requires { one.object; }) ids.insert(one.object);
         if constexpr (requires { one.objects; }) ids.insert(one.objects.begin(), one.objects.end());
-        bool is_group = std::is_same_v<T, edit::Rearrange>;
+        bool is_group = false;
         if constexpr (requires { one.group; }) is_group = one.group;
         if (is_group) ids.merge(around(scene, *ids.begin()));
+        if (std::is_same_v<T, edit::Rearrange> && ids.size() == 1) ids = related(scene, *ids.begin());
         if constexpr (std::is_same_v<T, edit::Swap>) ids = {one.first, one.second};
       },
       operation);
