@@ -74,6 +74,7 @@ Status History::begin(std::string scene_text) {
   if (!state) return state.error();
   if (auto status = write({scene_entry(*state, 0, first_branch, "opened")}, true); !status) return status;
   state_ = *std::move(state);
+  is_taken_from_file_ = true;
   return {};
 }
 
@@ -111,6 +112,7 @@ Status History::take_over(std::string scene_text) {
   const auto entry = scene_entry(*state, timeline_.head(), timeline_.branch(), "changed by hand");
   if (auto status = write({entry}); !status) return status;
   state_ = *std::move(state);
+  is_taken_from_file_ = true;
   notices_.push_back(files_.scene_name +
                      ": was changed by hand; that is a new entry of the journal (undo takes it back)");
   return {};

@@ -31,6 +31,9 @@ class History {
   const SceneState& state() const { return state_; }
   const Timeline& timeline() const { return timeline_; }
   const std::vector<std::string>& notices() const { return notices_; }
+  void add_notice(std::string notice) { notices_.push_back(std::move(notice)); }
+  /// Was the state taken from scene.json just now, without a journal or since somebody changed it by hand?
+  bool is_taken_from_file() const { return is_taken_from_file_; }
   /// Another state, or this one.
   Result<SceneState> state(std::size_t sequence) const { return timeline_.state(sequence, state_); }
 
@@ -63,6 +66,7 @@ class History {
   Timeline timeline_;
   SceneState state_;
   std::vector<std::string> notices_;
+  bool is_taken_from_file_ = false;
   std::size_t patched_bytes_ = 0;  ///< of edits since a state was written out
   bool is_saved_ = true;
   bool is_broken_ = false;

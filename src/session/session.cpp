@@ -11,6 +11,7 @@
 #include "history.h"
 #include "model_editing.h"
 #include "roomgen/base/text.h"
+#include "roomgen/evaluate/report.h"
 
 namespace roomgen {
 
@@ -102,6 +103,21 @@ Session::Session(Session&&) noexcept = default;
 Session& Session::operator=(Session&&) noexcept = default;
 Session::~Session() = default;
 
+namespace {
+
+// Of a scene that no edit made: what is wrong with it, before it is changed.
+void tell_faults(const Scene& scene, const ModelTable& models, const KindTable& kinds, History& history) {
+  constexpr std::size_t most_told = 8;
+  const auto violations = examine(scene, models, kinds).violations;
+  for (std::size_t i = 0; i < std::min(violations.size(), most_told); ++i)
+    history.add_notice("the scene breaks a rule: " + std::string(name(violations[i].fault)) + ": " + violations[i].object +
+                       (violations[i].other.empty() ? "" : " and " + violations[i].other));
+  if (violations.size() > most_told)
+    history.add_notice("and " + std::to_string(violations.size() - most_told) + " more; check names them all");
+}
+
+}  // namespace
+
 Result<Session> Session::open(const std::filesystem::path& scene_file, const AssetLibrary& library,
                               const KindTable& kinds, SessionOptions options) {
   const SceneAccess access = options.look_only ? SceneAccess::look : SceneAccess::edit;
@@ -111,8 +127,12 @@ Result<Session> Session::open(const std::filesystem::path& scene_file, const Ass
   if (!history) return history.error();
   auto scene = scene_of(history->state());
   if (!scene) return scene.error();
-  return Session(
-      std::make_unique<Impl>(*std::move(history), *std::move(scene), library, kinds, std::move(options)));
+  auto impl = std::make_unique<Impl>(*std::move(history), *std::move(scene), library, kinds, std::move(options));
+  if (impl->history.is_taken_from_file()) {
+    impl->shop.fetch_models(impl->scene);
+    tell_faults(impl->scene, impl->shop.models(), kinds, impl->history);
+  }
+  return Session(std::move(impl));
 }
 
 const Scene& Session::scene() const { return impl_->scene; }

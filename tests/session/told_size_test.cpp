@@ -185,3 +185,24 @@ TEST_CASE("A taller back makes a made thing taller, by its program") {
   // What names neither a measure nor a form changes nothing.
   CHECK(!session->apply(std::vector<edit::Operation>{edit::Reform{before.id, "with happier back"}}));
 }
+
+TEST_CASE("What is wrong with a scene that was made by hand is told when it is opened") {
+  static const auto library = create::make_finishing_library(create::make_created_library());
+  const TemporaryFolder folder;
+  Scene scene = sitting_room();
+  REQUIRE(write_file(folder / "scene.json", dump_json(to_json(scene))));
+  {
+    const auto sound = Session::open(folder / "scene.json", *library, KindTable::built_in());
+    REQUIRE(sound);
+    CHECK(sound->notices().empty());
+  }
+  scene.objects[1].position = scene.objects[0].position;
+  scene.objects[2].position.x() = 9.0;
+  REQUIRE(write_file(folder / "scene.json", dump_json(to_json(scene))));
+  const auto opened = Session::open(folder / "scene.json", *library, KindTable::built_in());
+  REQUIRE(opened);
+  std::string all;
+  for (const auto& notice : opened->notices()) all += notice + "\n";
+  CHECK(all.find("overlap: coffee table-0 and sofa-0") != std::string::npos);
+  CHECK(all.find("outside: dining table-0") != std::string::npos);
+}
