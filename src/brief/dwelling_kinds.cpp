@@ -41,10 +41,11 @@ Result<DwellingKinds> parse_dwelling_kinds(std::string_view text, const std::str
   if (!json) return json.error();
   JsonReader::Problems problems(source);
   const JsonReader root(*json, problems);
-  root.allow_only({"about", "dwellings", "links", "no rooms", "rooms"});
+  root.allow_only({"about", "dwellings", "never without", "links", "no rooms", "rooms"});
   DwellingKinds kinds;
   for (const auto& [noun, usual] : root["dwellings"].members())
     kinds.dwellings[noun] = read_texts(usual);
+  kinds.never_without = read_texts(root["never without"]);
   for (const auto& link : read_texts(root["links"])) kinds.links[link] = 1;
   for (const auto& name : read_texts(root["no rooms"])) kinds.no_rooms.insert(name);
   for (const auto& [type, entry] : root["rooms"].members()) kinds.rooms[type] = read_dwelling_room(entry);

@@ -24,6 +24,7 @@ struct DwellingRoom {
 /// data/dwellings.json (docs/dwellings.md).
 struct DwellingKinds {
   std::map<std::string, std::vector<std::string>, std::less<>> dwellings;  ///< usual rooms, by noun
+  std::vector<std::string> never_without;  ///< rooms that no dwelling lacks, whatever is named of it
   std::map<std::string, int, std::less<>> links;  ///< phrases after which a further room is named
   WordSet no_rooms;                               ///< names of rooms that are parts of others
   std::map<std::string, DwellingRoom, std::less<>> rooms;

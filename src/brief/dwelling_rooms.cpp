@@ -143,21 +143,29 @@ class RoomFinder {
     return list;
   }
 
+  // "without a bathroom" too
+  bool is_spoken_of(const std::string& type) const {
+    return std::any_of(names_.begin(), names_.end(), [&](const NamedRoom& name) { return name.type == type; });
+  }
+
   // "A two-bedroom apartment" says nothing of its kitchen, which it has all the same.
   void add_usual_rooms(const NamedRoom& whole) {
-    // Who names one of the rooms where people meet has named all that there shall be.
-    if (std::any_of(rooms_.begin(), rooms_.end(), [&](const FoundRoom& room) {
-          return text_.dwellings.rooms.at(room.type).hub > 0;
-        }))
-      return;
-    for (const auto& type : text_.dwellings.dwellings.at(text_.tokens[whole.noun].text)) {
-      if (!rooms_of_type(rooms_, type).empty()) continue;
+    // Who names one of the rooms where people meet has named all that there shall be, but for what none can lack.
+    const bool is_whole = std::any_of(rooms_.begin(), rooms_.end(), [&](const FoundRoom& room) {
+      return text_.dwellings.rooms.at(room.type).hub > 0;
+    });
+    if (is_whole && rooms_.size() < 2) return;  // "an apartment living room"
+    const auto& usual = text_.dwellings.dwellings.at(text_.tokens[whole.noun].text);
+    const std::size_t before = rooms_.size();
+    for (const auto& type : is_whole ? text_.dwellings.never_without : usual) {
+      if (!rooms_of_type(rooms_, type).empty() || is_spoken_of(type)) continue;
       FoundRoom room;
       room.type = type;
       room.introduced = text_.tokens.size();
       rooms_.push_back(room);
+      if (is_whole) notes_.push_back("a " + type + " was added, which a dwelling cannot lack");
     }
-    notes_.push_back("rooms that such a dwelling usually has were added");
+    if (!is_whole && rooms_.size() > before) notes_.push_back("rooms that such a dwelling usually has were added");
   }
 
   void bound_rooms() {
