@@ -200,12 +200,31 @@ class Completion {
       }
     const std::string category = draw_category(piece);
     if (category.empty()) return false;
-    const std::string variant = draw_variant(piece);
+    const std::string drawn = draw_variant(piece);
+    const int count = draw_count(piece);
+    for (const auto& variant : variants_from(drawn, piece, category))
+      if (add_if_it_fits(piece, category, variant, count, budget)) return true;
+    return false;
+  }
+
+  // The one that was drawn; where the room has no floor for it, the others, the largest first: a single bed is better
+  // than none.
+  std::vector<std::string> variants_from(const std::string& drawn, const Piece& piece, const std::string& category) const {
+    std::vector<std::string> others;
+    for (const auto& [variant, weight] : piece.of)
+      if (variant != drawn) others.push_back(variant);
+    const auto area = [&](const std::string& variant) { return size_of(piece, category, variant).head<2>().prod(); };
+    std::stable_sort(others.begin(), others.end(), [&](const auto& a, const auto& b) { return area(a) > area(b); });
+    others.insert(others.begin(), drawn);
+    return others;
+  }
+
+  bool add_if_it_fits(const Piece& piece, const std::string& category, const std::string& variant, int count, double budget) {
     Draft draft;
     draft.core = in_core_;
     PlanItem& item = draft.item;
     item.category = category;
-    item.quantity = draw_count(piece);
+    item.quantity = count;
     item.mount = table_.get(category).mount;
     item.description = looks_.describe(category, variant);
     Vec3 size = size_of(piece, category, variant);

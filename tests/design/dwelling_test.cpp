@@ -1,4 +1,5 @@
 // Several rooms: which ones a prompt asks for, what is said of each, and how they lie together.
+#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -219,4 +220,15 @@ TEST_CASE("A floor plan or a size of one room asks for one room") {
   const auto plan = plan_dwelling(request, *designer);
   REQUIRE(plan);
   CHECK_FALSE(plan->has_value());
+}
+
+TEST_CASE("A bedroom that is too narrow for the bed that was drawn has a smaller one") {
+  for (int seed = 0; seed < 8; ++seed) {
+    PlanRequest request;
+    request.prompt = "a bedroom of 2.1 by 4 m";
+    request.seed = static_cast<std::uint64_t>(seed);
+    const auto plan = make_rule_designer()->plan(request);
+    REQUIRE(plan);
+    CHECK(std::any_of(plan->items.begin(), plan->items.end(), [](const PlanItem& item) { return item.category == "bed"; }));
+  }
 }
