@@ -26,9 +26,7 @@ std::string check_headline(const Scene& scene, const SceneReport& report) {
 
 std::vector<std::string> check_lines(const SceneReport& report) {
   std::vector<std::string> lines;
-  for (const auto& violation : report.violations)
-    lines.push_back("  " + std::string(name(violation.fault)) + ": " + violation.object +
-                    (violation.other.empty() ? "" : " and ") + violation.other);
+  for (const auto& violation : report.violations) lines.push_back("  " + to_text(violation));
   for (const auto& verdict : report.relations)
     if (!verdict.judgement.held) lines.push_back("  not held: " + verdict.object + " | " + to_text(verdict.relation));
   return lines;

@@ -84,10 +84,8 @@ Status check_line(const std::string& text, const Varied& varied, const std::stri
   ++counts.layouts;
   if (report.violations.empty()) return {};
   ++counts.faulty;
-  const auto& first = report.violations.front();
   if (counts.told.size() < most_lines_told)
-    counts.told.push_back("  " + source + ": " + std::string(name(first.fault)) + ": " + first.object +
-                          (first.other.empty() ? "" : " and " + first.other));
+    counts.told.push_back("  " + source + ": " + to_text(report.violations.front()));
   return {};
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "formation.h"
 #include "limits.h"
 #include "opening_wish.h"
 #include "outline.h"
@@ -53,12 +54,6 @@ struct SaidLength {
   std::string side;  ///< width, depth, height, diameter; longer side where it is not said which
   double metres = 0.0;
   language::Measure::Limit limit = language::Measure::Limit::exact;
-};
-
-/// Things that stand in rows, one behind the other; 0: not said how many there are, or how many in each.
-struct Formation {
-  int rows = 1;
-  int columns = 0;
 };
 
 /// Things of one kind that the prompt names.

@@ -277,6 +277,7 @@ void Discourse::locate(const std::vector<std::size_t>& subjects, const Placement
     case Place::window:
       return locate_at_window(subjects, placement);
     case Place::door:
+      if (placement.flank) return demand(subjects, {first, Demand::none, "door-0", true});
       for (auto kind : placement.relations)
         if (kind != RelationKind::side_of && kind != RelationKind::on) say(kind, "door-0");
       return;
@@ -335,6 +336,8 @@ void Discourse::locate_at_window(const std::vector<std::size_t>& subjects,
     return;
   }
   if (!brief_.windows) brief_.windows = 1;
+  // "an armchair on each side of the window"
+  if (placement.flank) return demand(subjects, {first, Demand::none, "window-0", true});
   // "under the window" and "on the window" are before it.
   const bool before = first == RelationKind::under || first == RelationKind::on ||
                       first == RelationKind::in_front_of;
@@ -344,20 +347,70 @@ void Discourse::locate_at_window(const std::vector<std::size_t>& subjects,
     if (kind != RelationKind::side_of) demand(subjects, {kind, Demand::none, "window-0", false});
 }
 
+namespace {
+
+// "wall-2", "long-wall"; empty if no wall is told of. Of "the middle of the wall" a long one is meant.
+std::string wall_named(const PlacePhrase& place) {
+  if (place.wall >= 0) return "wall-" + std::to_string(place.wall);
+  if (!place.length_of_wall.empty()) return place.length_of_wall + "-wall";
+  return place.centered ? "long-wall" : "";
+}
+
+}  // namespace
+
 void Discourse::locate_at_wall(const std::vector<std::size_t>& subjects, RelationKind first,
                                const PlacePhrase& place) {
   if (first == RelationKind::far || first == RelationKind::face_to) return;
   if (first == RelationKind::on) mount(subjects, Mount::wall);
   demand(subjects, {RelationKind::edge, Demand::none, "", false});
-  if (place.wall >= 0) {
-    const std::string id = "wall-" + std::to_string(place.wall);
+  if (const std::string id = wall_named(place); !id.empty()) {
     for (auto kind : {RelationKind::near, RelationKind::face_same_as})
       demand(subjects, {kind, Demand::none, id, false});
+    if (place.centered) demand_middle_of(subjects, id);
   } else if (place.opposite && !subjects.empty()) {
     if (const auto other = antecedent(subjects))
       for (auto kind : {RelationKind::in_front_of, RelationKind::face_to, RelationKind::far})
         demand(subjects, {kind, *other, "", false});
   }
+}
+
+// The centre of the wall's middle, wherever along it that is: before it, and in line with it.
+void Discourse::demand_middle_of(const std::vector<std::size_t>& subjects, const std::string& wall) {
+  Demand before{RelationKind::in_front_of, Demand::none, wall, false};
+  before.is_means = true;
+  demand(subjects, before);
+  demand(subjects, {RelationKind::center_aligned, Demand::none, wall, false});
+}
+
+std::pair<Indices, Indices> Discourse::halves(const Indices& subjects) {
+  std::pair<Indices, Indices> halves;
+  if (subjects.size() > 1) {
+    for (std::size_t i = 0; i < subjects.size(); ++i) (i % 2 == 0 ? halves.first : halves.second).push_back(subjects[i]);
+    return halves;
+  }
+  for (const std::size_t subject : subjects) {
+    int& quantity = brief_.mentions[subject].quantity;
+    quantity = std::max(2, quantity);
+    const std::size_t half = part(subject, quantity / 2);
+    halves.first.push_back(subject);
+    if (half != subject) halves.second.push_back(half);
+  }
+  return halves;
+}
+
+void Discourse::locate_at_both(const Indices& subjects, Both both) {
+  const bool are_walls = both != Both::ends;
+  const auto [one, other] = halves(subjects);
+  const auto put = [&](const Indices& things, const char* part) {
+    if (!are_walls) return demand(things, {RelationKind::in_part, Demand::none, part, false});
+    demand(things, {RelationKind::edge, Demand::none, "", false});
+    for (auto kind : {RelationKind::near, RelationKind::face_same_as}) demand(things, {kind, Demand::none, part, false});
+  };
+  put(one, both == Both::ends ? "one-end" : both == Both::side_walls ? "wall-3" : both == Both::short_walls ? "short-wall" : "long-wall");
+  put(other, both == Both::ends           ? "other-end"
+             : both == Both::side_walls   ? "wall-1"
+             : both == Both::short_walls ? "other-short-wall"
+                                         : "other-long-wall");
 }
 
 void Discourse::mount(const std::vector<std::size_t>& subjects, Mount where) {

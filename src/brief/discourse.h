@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "brief.h"
@@ -81,6 +82,9 @@ class Discourse {
   /// Says in what part of the room things are.
   void locate(const std::vector<std::size_t>& subjects, const Placement& placement,
               const PlacePhrase& place);
+  /// Halves of things at places that there are two of: "at opposite ends of the room", "along both long walls".
+  enum class Both { ends, long_walls, short_walls, side_walls };
+  void locate_at_both(const Indices& subjects, Both both);
   /// "a desk with a lamp", "a table with four chairs": where what a thing has is.
   void own(std::size_t owner, std::size_t mention, bool is_each = false, int nth = -1);
   /// What can hang from the ceiling and hangs over a table, hangs there: a lamp, a plant.
@@ -105,6 +109,9 @@ class Discourse {
   void locate_at_window(const std::vector<std::size_t>& subjects, const Placement& placement);
   void locate_at_wall(const std::vector<std::size_t>& subjects, RelationKind first,
                       const PlacePhrase& place);
+  void demand_middle_of(const Indices& subjects, const std::string& wall);
+  /// Every other one of them, or half of one kind, of which there are two then at least.
+  std::pair<Indices, Indices> halves(const Indices& subjects);
   void mount(const std::vector<std::size_t>& subjects, Mount where);
   void hang_at_ceiling(const std::vector<std::size_t>& subjects, RelationKind relation);
 

@@ -1,6 +1,8 @@
 #include "dwelling_rooms.h"
 
 #include <algorithm>
+#include <map>
+#include <optional>
 
 #include "roomgen/scene/scene.h"
 
@@ -51,11 +53,35 @@ class RoomFinder {
         else if (!known.empty()) named.rooms = {known[std::min(named.ordinal, known.size() - 1)]};
         continue;
       }
-      const bool told = is_first(named) || named.numbered || is_plural(named) ||
+      if (const auto elaborated = counted_before(named, known)) {
+        named.rooms = {*elaborated};
+        continue;
+      }
+      const bool told = is_first(named) || is_bare_in_list(named) || named.numbered || is_plural(named) ||
                         whole_dwelling(text_, names_);
       if (!told || !is_whole(text_, names_, named) || !is_linked(named)) continue;
       for (int n = 0; n < named.count; ++n) add_room(named);
     }
+  }
+
+  // "a two-bedroom flat: a bedroom with a double bed, a bedroom with a cot": those that the dwelling's name has counted, one
+  // after the other.
+  std::optional<std::size_t> counted_before(const NamedRoom& named, const std::vector<std::size_t>& known) {
+    if (named.count != 1 || is_plural(named)) return std::nullopt;
+    for (const NamedRoom& other : names_) {
+      if (&other == &named) return std::nullopt;
+      const bool is_of_whole = other.type == named.type && whole_dwelling(text_, names_) && other.end == whole_dwelling(text_, names_)->noun;
+      if (!is_of_whole || !other.numbered) continue;
+      const auto next = static_cast<std::size_t>(elaborated_[named.type]++);
+      return next < known.size() && next < static_cast<std::size_t>(other.count) ? std::optional(known[next]) : std::nullopt;
+    }
+    return std::nullopt;
+  }
+  // "hall with hooks, kitchen with a table, living room": no article is needed in a list.
+  bool is_bare_in_list(const NamedRoom& named) const {
+    if (named.begin != named.noun || named.begin == 0 || !is_whole(text_, names_, named)) return false;
+    const auto kind = text_.tokens[named.begin - 1].kind;
+    return kind == Token::Kind::comma || kind == Token::Kind::stop;
   }
 
   // "with a", ", a", "leading to two": how a further room is named.
@@ -150,10 +176,14 @@ class RoomFinder {
 
   // "A two-bedroom apartment" says nothing of its kitchen, which it has all the same.
   void add_usual_rooms(const NamedRoom& whole) {
-    // Who names one of the rooms where people meet has named all that there shall be, but for what none can lack.
-    const bool is_whole = std::any_of(rooms_.begin(), rooms_.end(), [&](const FoundRoom& room) {
-      return text_.dwellings.rooms.at(room.type).hub > 0;
-    });
+    // Who names the room where people meet, or two that it may be, has named all that there shall be, but for what none can
+    // lack: "an open kitchen" alone leaves the living room to be added.
+    const auto named_with = [&](int hub) {
+      return std::count_if(rooms_.begin(), rooms_.end(), [&](const FoundRoom& room) {
+        return text_.dwellings.rooms.at(room.type).hub >= hub;
+      });
+    };
+    const bool is_whole = named_with(2) > 0 || named_with(1) > 1;
     if (is_whole && rooms_.size() < 2) return;  // "an apartment living room"
     const auto& usual = text_.dwellings.dwellings.at(text_.tokens[whole.noun].text);
     const std::size_t before = rooms_.size();
@@ -170,7 +200,8 @@ class RoomFinder {
 
   void bound_rooms() {
     // So many need a hallway, which is one of them.
-    const std::size_t most = max_rooms - (rooms_of_type(rooms_, "hallway").empty() ? 1 : 0);
+    const auto hallways = rooms_of_type(rooms_, "hallway");
+    const std::size_t most = max_rooms - (hallways.empty() || hallways.front() >= max_rooms ? 1 : 0);
     if (rooms_.size() <= most) return;
     notes_.push_back("the prompt asks for " + std::to_string(rooms_.size()) + " rooms; " +
                      std::to_string(most) + " are made");
@@ -185,6 +216,7 @@ class RoomFinder {
   std::vector<NamedRoom>& names_;
   std::vector<std::string>& notes_;
   std::vector<FoundRoom> rooms_;
+  std::map<std::string, int> elaborated_;  ///< how many of a type that was counted were told of, by type
 };
 
 }  // namespace

@@ -112,6 +112,17 @@ void shape(Mention& mention, const ThingPhrase& phrase, const Vocabulary& words,
     hang(mention, Mount::wall, table);
 }
 
+Mention unnamed_mention(const std::string& kind, int number, Requirement::Source source, const std::string& reason,
+                        const Vocabulary& words, const KindTable& table) {
+  Mention mention;
+  mention.category = mention.noun = mention.description = kind;
+  mention.quantity = number;
+  mention.source = source;
+  mention.reason = reason;
+  shape(mention, ThingPhrase(), words, table);
+  return mention;
+}
+
 void hang(Mention& mention, Mount where, const KindTable& table) {
   if (mention.mount == where) return;
   if (where == Mount::floor) {

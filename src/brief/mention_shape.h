@@ -11,6 +11,10 @@ namespace roomgen::design {
 void shape(Mention& mention, const ThingPhrase& phrase, const Vocabulary& words,
            const KindTable& table);
 
+/// So many things of a kind that the prompt does not name, but people or what happens in the room need.
+Mention unnamed_mention(const std::string& kind, int number, Requirement::Source source, const std::string& reason,
+                        const Vocabulary& words, const KindTable& table);
+
 /// A length or sides that are told of a thing; what is at most or at least so long keeps its own within that.
 void set_length(Mention& mention, const language::Measure& measure);
 

@@ -97,6 +97,15 @@ class Bringer {
     return std::max(1, phrase_.occupant->count);
   }
 
+  // Seats for as many, or for whoever comes, were told of.
+  bool are_seated(const Occupant::Thing& thing) const {
+    const bool is_seat = lexicon_.table.is_any_of(thing.kind, {"chair", "stool", "armchair"});
+    if (!is_seat || !(thing.each || number_of(thing) > 1)) return false;
+    int seats = 0;
+    for (const Mention& mention : brief_.mentions)
+      if (!is_of_others(mention) && lexicon_.table.is_any_of(mention.category, {"seat"})) seats += mention.quantity;
+    return seats >= std::max(2, number_of(thing));
+  }
   // "Nothing else", "no more than a lamp on the desk": people bring nothing there.
   bool is_barred(const Occupant::Thing& thing) const {
     if (brief_.bare && !phrase_.occupant->is_activity) return true;
@@ -116,7 +125,7 @@ class Bringer {
       const std::string own = thing.always ? "" : brought_by_room(thing.kind);
       const bool is_counted = thing.each && phrase_.persons > 1;
       const Kind* kind = lexicon_.table.by_name(own.empty() || !is_counted ? meant_in_room(thing.kind) : own);
-      if (!kind || !belongs || (!own.empty() && !is_counted) || has_other_places(thing, *kind) || is_barred(thing)) return;
+      if (!kind || !belongs || (!own.empty() && !is_counted) || has_other_places(thing, *kind) || is_barred(thing) || are_seated(thing)) return;
       mention = add(*kind, number_of(thing));
     }
     brief_.mentions[*mention].heard.push_back(heard_);
@@ -125,14 +134,9 @@ class Bringer {
   }
 
   std::size_t add(const Kind& kind, int count) {
-    Mention mention;
-    mention.category = mention.noun = mention.description = kind.name;
-    mention.quantity = count;
-    mention.source = phrase_.occupant->is_activity ? Requirement::Source::activity
-                                                   : Requirement::Source::person;
-    mention.reason = phrase_.occupant->name;
-    shape(mention, ThingPhrase(), lexicon_.words, lexicon_.table);
-    brief_.mentions.push_back(std::move(mention));
+    const auto source = phrase_.occupant->is_activity ? Requirement::Source::activity : Requirement::Source::person;
+    brief_.mentions.push_back(
+        unnamed_mention(kind.name, count, source, phrase_.occupant->name, lexicon_.words, lexicon_.table));
     return brief_.mentions.size() - 1;
   }
 

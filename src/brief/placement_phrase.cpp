@@ -30,6 +30,10 @@ bool names_side(std::span<const Token> tokens, std::size_t at) {
   return at < tokens.size() && (tokens[at].is_word("side") || tokens[at].is_word("hand"));
 }
 
+bool names_wall(std::span<const Token> tokens, std::size_t at) {
+  return at < tokens.size() && (tokens[at].is_word("wall") || tokens[at].is_word("walls"));
+}
+
 // "of the room", "of the yoga room": how many tokens, or 0.
 std::size_t of_the_room(std::span<const Token> tokens, std::size_t at) {
   if (at + 2 >= tokens.size() || !tokens[at].is_word("of") ||
@@ -95,6 +99,10 @@ std::optional<PlacePhrase> read_place(std::span<const Token> tokens, std::size_t
     }
     if (token.kind != Token::Kind::word) return std::nullopt;
     const auto wall = words.walls.find(token.text);
+    if (const auto length = words.wall_lengths.find(token.text); length != words.wall_lengths.end() && names_wall(tokens, i + 1)) {
+      phrase.length_of_wall = length->second;
+      continue;
+    }
     const auto share = longest(words.shares, tokens, i, 2);
     if (share && (phrase.wall >= 0 || in_middle))
       return found_region(in_middle ? "middle" : side_of(phrase.wall), *share.value,

@@ -18,6 +18,8 @@ struct PlacePhrase {
   int wall = -1;          ///< which, of a rectangle; -1: not said
   std::string region = {};  ///< "north-half"; of a corner "north-east-quarter"
   bool opposite = false;  ///< "the opposite wall"
+  std::string length_of_wall = {};  ///< "long", "short": which walls of a rectangle; empty: not said
+  bool centered = false;  ///< "the middle of the back wall"
   std::size_t length = 0;
 };
 

@@ -8,6 +8,7 @@
 #include "prompt_additions.h"
 #include "prompt_colours.h"
 #include "prompt_formations.h"
+#include "prompt_groups.h"
 #include "prompt_headings.h"
 #include "prompt_limits.h"
 #include "prompt_occupants.h"
@@ -81,6 +82,7 @@ Brief read_prompt(std::string_view prompt, const RoomKinds& kinds, const KindTab
   read_formations(reading);
   read_places(reading);
   read_headings(reading);
+  read_groups(reading);
   brief.told_from_door = tells_sides_from_door(reading);
   read_activities(reading);
   read_styles(reading);

@@ -15,6 +15,7 @@ struct SaidFormation {
   Formation formation;
   Run tokens;
   bool in_front = false;  ///< "two rows of desks", said before the things
+  int number = 0;         ///< "a circle of six chairs"; 0: not said
 };
 
 class FormationReader {
@@ -23,8 +24,9 @@ class FormationReader {
 
   void run() {
     for (std::uint32_t i = 0; i < reading_.text.plain.size(); ++i) {
-      if (reading_.taken[i] != Taken::no || !reading_.words.rows.count(reading_.word(i))) continue;
-      const SaidFormation said = formation_at(i);
+      const auto read = said_at(i);
+      if (!read) continue;
+      const SaidFormation& said = *read;
       if (const auto mention = said.in_front ? things_behind(said) : things_before(said))
         form(*mention, said);
     }
@@ -32,6 +34,37 @@ class FormationReader {
 
  private:
   static constexpr int most_rows = 40;
+
+  std::optional<SaidFormation> said_at(std::uint32_t at) const {
+    if (reading_.taken[at] != Taken::no) return std::nullopt;
+    if (reading_.words.rows.count(reading_.word(at))) return formation_at(at);
+    const auto round = longest(reading_.words.round_formations, reading_.text.plain, at);
+    return round ? round_formation(*round.value, {at, at + static_cast<std::uint32_t>(round.length)}) : std::nullopt;
+  }
+  // "in a wide circle", "a horseshoe of chairs", "forming a half circle"; a circle alone may be a thing, and so may "a
+  // ring light".
+  std::optional<SaidFormation> round_formation(Formation::Shape shape, const Run& words) const {
+    SaidFormation said{{.rows = 0, .columns = 0, .shape = shape}, words};
+    for (int n = 0; n < 2 && describes_formation(said.tokens.begin); ++n) --said.tokens.begin;
+    take_word_before(said, {"a", "an", "one", "the"});
+    const auto first = said.tokens.begin;
+    take_word_before(said, forming());
+    const bool is_led = said.tokens.begin < first && !phrase_over(words.end);
+    if (reading_.is_word(words.end, "of")) {
+      read_size(words.end + 1, said);
+      std::swap(said.formation.columns, said.number);
+    }
+    return is_led || said.in_front ? std::optional(said) : std::nullopt;
+  }
+  // "a wide circle", "one big ring"
+  bool describes_formation(std::uint32_t end) const {
+    static const WordSet ways = {"loose", "tight", "close", "neat", "perfect", "gentle", "open", "shallow", "full", "complete", "single"};
+    return end > 0 && (ways.count(reading_.word(end - 1)) || reading_.words.sizes.count(reading_.word(end - 1)));
+  }
+  static const WordSet& forming() {
+    static const WordSet words = {"in", "into", "as", "by", "form", "forms", "forming", "make", "makes", "making"};
+    return words;
+  }
 
   // The number that ends right before a token, and how many tokens it has.
   std::pair<int, std::uint32_t> number_before(std::uint32_t token) const {
@@ -85,7 +118,8 @@ class FormationReader {
     return std::nullopt;
   }
   std::optional<std::size_t> things_behind(const SaidFormation& said) const {
-    const auto phrase = phrase_over(said.tokens.end + (said.formation.columns > 0 ? 0 : 1));
+    const bool is_counted = said.formation.columns > 0 || said.number > 0;
+    const auto phrase = phrase_over(said.tokens.end + (is_counted ? 0 : 1));
     return phrase ? reading_.mentions[*phrase] : std::nullopt;
   }
   // The last ones before it that may be several, in the same sentence or before its colon; else
@@ -120,12 +154,20 @@ class FormationReader {
   void form(std::size_t index, const SaidFormation& said) {
     Mention& mention = reading_.brief.mentions[index];
     if (!may_stand_in_rows(index, said.formation) || mention.formation) return;
-    const int all = said.formation.rows * said.formation.columns;
+    const int all = said.formation.is_round() ? said.number : said.formation.rows * said.formation.columns;
     // "three rows of five seats": five are said, fifteen meant.
     if (all > 0 && (!mention.counted || mention.quantity == said.formation.columns))
       reading_.talk.set_count(index, all);
     mention.formation = said.formation;
+    if (said.formation.is_round()) let_stand_in(said.tokens, index);
     mention.formation_heard = hear(reading_.brief, said.tokens, Heard::As::relation);
+  }
+
+  // "in a circle around the rug": what is said of the circle, is said of the things.
+  void let_stand_in(const Run& tokens, std::size_t index) {
+    for (std::size_t i = 0; i < reading_.parse.phrases.size(); ++i)
+      if (const auto head = reading_.parse.phrases[i].head; tokens.begin <= head && head < tokens.end && !reading_.mentions[i])
+        reading_.mentions[i] = index;
   }
 
   PromptReading& reading_;

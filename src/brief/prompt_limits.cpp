@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "language/inflection.h"
+#include "scene/finish_words.h"
 
 namespace roomgen::design {
 
@@ -86,6 +87,7 @@ class LimitReader {
 
   // "nothing on the walls", "nothing hanging from the ceiling but one globe": up to the end of the clause.
   void nothing(const Run& words) {
+    if (exclude_looks(words)) return;
     Limit limit;
     Run run = words;
     find_place(phrase_around(words), words.begin, limit);
@@ -107,6 +109,28 @@ class LimitReader {
     limit.is_nothing = limit.allowed.empty();
     if (limit.is_nothing) run.end = end;
     add(std::move(limit), run);
+  }
+
+  // "nothing purple", "nothing red or dark green": whether that is what is said.
+  bool exclude_looks(const Run& words) {
+    std::vector<std::pair<std::string, Run>> looks;
+    bool is_joined = true;
+    for (auto i = words.end; i < reading_.text.plain.size(); ++i) {
+      if (reading_.is_word(i, "or") || reading_.is_word(i, "and") || reading_.text.plain[i].kind == Token::Kind::comma) {
+        is_joined = true;
+        continue;
+      }
+      if (!finish_words().describes(reading_.word(i))) break;
+      if (is_joined) looks.push_back({reading_.word(i), {i, i + 1}});
+      else looks.back().first += " " + reading_.word(i), looks.back().second.end = i + 1;
+      is_joined = false;
+    }
+    for (std::size_t n = 0; n < looks.size(); ++n) {
+      const Run run{n == 0 ? words.begin : looks[n].second.begin, looks[n].second.end};
+      hear(reading_.brief, run, Heard::As::absence, looks[n].first);
+      reading_.brief.excluded_looks.push_back({"", looks[n].first});
+    }
+    return !looks.empty();
   }
 
   // "almost without objects"

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "prompt_denials.h"
+#include "prompt_mutual.h"
 #include "prompt_shares.h"
 #include "view_from_door.h"
 #include "which_of.h"
@@ -69,7 +70,7 @@ class PlaceReader {
     if (said->placement->inverse) return read_inverse(attachment, *said);
     const Indices subjects = reading_.subjects_of(attachment);
     if (subjects.empty()) return;
-    if (said->placement->mutual) return relate_mutually(subjects, *said->placement);
+    if (said->placement->mutual) return relate_mutually(reading_, subjects, *said->placement);
     if (said->placement->flank) shares_.give_each_side(attachment, reading_.all_of(attachment.from));
     if (said->target == none) {
       if (said->placement->flank && stand_owners_beside(subjects, attachment, *said->placement)) return;
@@ -132,6 +133,8 @@ class PlaceReader {
       if (target.determiner == Determiner::each &&
           said.placement->relations.front() != RelationKind::aligned)
         shares_.give_each(*thing, subjects, attachment.tokens.begin);
+      if (is_own(target) && reading_.talk.mention(*thing).quantity == 1)
+        shares_.give_each(subjects.front(), {*thing}, attachment.tokens.begin);
       say(subjects, said, *thing);
       for (const std::size_t further : reading_.also[static_cast<std::size_t>(said.target)])
         if (reaches_all(said.placement->relations.front()) && !is_among(subjects, further)) say(subjects, said, further);
@@ -139,6 +142,7 @@ class PlaceReader {
     }
     if (is_way_in(target, *said.placement))
       return reading_.talk.locate(subjects, *said.placement, PlacePhrase{.place = Place::door});
+    if (const auto both = both_places(attachment, said)) return reading_.talk.locate_at_both(subjects, *both);
     if (reading_.is_room(target)) {
       if (said.placement->centered) reading_.talk.locate(subjects, *said.placement, PlacePhrase{});
       return;
@@ -151,6 +155,26 @@ class PlaceReader {
     if (place->place == Place::middle)
       return locate_in_middle(attachment, subjects, *said.placement, *place);
     reading_.talk.locate(subjects, *said.placement, *place);
+  }
+  // "at opposite ends of the room", "along both long walls": places that there are two of.
+  std::optional<Discourse::Both> both_places(const Attachment& attachment, const SaidPlacement& said) const {
+    static const WordSet twos = {"both", "two", "opposite", "opposing", "each", "either"};
+    const NounPhrase& target = reading_.phrase(said.target);
+    if (reading_.is_room(target) && said.placement->flank) return Discourse::Both::ends;
+    const auto place = reading_.place_named(target);
+    if (!place || place->place != Place::wall) return std::nullopt;
+    bool are_two = false, are_sides = false;
+    for (auto i = std::min(target.tokens.begin, attachment.tokens.begin); i < target.head; ++i) {
+      are_two = are_two || twos.count(reading_.word(i));
+      are_sides = are_sides || reading_.is_word(i, "side");
+    }
+    if (!target.is_plural || (!are_two && !are_sides && place->length_of_wall.empty())) return std::nullopt;
+    if (place->length_of_wall == "short") return Discourse::Both::short_walls;
+    return are_sides ? Discourse::Both::side_walls : Discourse::Both::long_walls;
+  }
+  // "three chairs, each facing its own mirror"
+  bool is_own(const NounPhrase& target) const {
+    return target.head > 0 && target.determiner == Determiner::possessive && reading_.is_word(target.tokens.begin + 1, "own");
   }
   // "a rug under them", but next to one of them.
   static bool reaches_all(RelationKind kind) {
@@ -180,10 +204,17 @@ class PlaceReader {
                         const Placement& placement, const PlacePhrase& place) {
     if (const auto owner = owner_named(reading_.phrase(attachment.to)))
       return reading_.talk.demand(subjects, {RelationKind::on, *owner, "", false});
-    for (const Attachment& of : reading_.parse.attachments)
-      if (of.from == attachment.to && of.relation == "of")
-        if (const auto thing = reading_.mention_of(of.to))
-          return reading_.talk.demand(subjects, {RelationKind::on, *thing, "", false});
+    for (const Attachment& of : reading_.parse.attachments) {
+      if (of.from != attachment.to || of.relation != "of") continue;
+      if (const auto thing = reading_.mention_of(of.to))
+        return reading_.talk.demand(subjects, {RelationKind::on, *thing, "", false});
+      if (auto wall = reading_.place_named(reading_.phrase(of.to)); wall && wall->place == Place::wall) {
+        wall->centered = true;
+        Placement against;
+        against.relations = {RelationKind::near};
+        return reading_.talk.locate(subjects, against, *wall);
+      }
+    }
     reading_.talk.locate(subjects, placement, place);
   }
   void say(const Indices& subjects, const SaidPlacement& said, std::size_t target) {
@@ -265,7 +296,7 @@ class PlaceReader {
       if (owner == *thing || reading_.talk.mention(owner).part_of != Demand::none) continue;
       if (says_each(attachment) && is_told_in_room(attachment.to)) continue;
       if (!says_each(attachment) && !is_told_somewhere(attachment.to) && follows_told_place(attachment)) continue;
-      if (is_further(attachment) && is_told_at_another(attachment.to, owner)) continue;
+      if (!named_before(attachment).empty() && is_told_at_another(attachment.to, owner)) continue;
       if (says_each(attachment) || is_each_behind(reading_.phrase(attachment.to)))
         shares_.give_each(owner, reading_.all_of(attachment.to), attachment.tokens.begin);
       for (const std::size_t one : reading_.all_of(attachment.to))
@@ -282,19 +313,20 @@ class PlaceReader {
       return reading_.place_named(target) && target.determiner != Determiner::possessive;
     });
   }
+  // Those of its list that were named before it.
+  std::vector<const Attachment*> named_before(const Attachment& attachment) const {
+    std::vector<const Attachment*> before;
+    for (const Attachment& other : reading_.parse.attachments)
+      if (other.from == attachment.from && other.tokens.begin == attachment.tokens.begin && other.to < attachment.to)
+        before.push_back(&other);
+    return before;
+  }
   // "a sideboard with a vase on it, two paintings and a chandelier": who tells of one of a list that it is on it, tells
   // nothing of those behind it.
   bool follows_told_place(const Attachment& attachment) const {
-    return std::any_of(reading_.parse.attachments.begin(), reading_.parse.attachments.end(), [&](const Attachment& other) {
-      return other.from == attachment.from && other.to < attachment.to &&
-             other.tokens.begin == attachment.tokens.begin && reading_.is_told_at_pronoun(other.to);
-    });
-  }
-  // Whether others of its list were named before it.
-  bool is_further(const Attachment& attachment) const {
-    return std::any_of(reading_.parse.attachments.begin(), reading_.parse.attachments.end(), [&](const Attachment& other) {
-      return other.from == attachment.from && other.tokens.begin == attachment.tokens.begin && other.to < attachment.to;
-    });
+    const auto before = named_before(attachment);
+    return std::any_of(before.begin(), before.end(),
+                       [&](const Attachment* other) { return reading_.is_told_at_pronoun(other->to); });
   }
   // "a nightstand with a lamp and a bench at the foot of the bed": the bench is the bed's.
   bool is_told_at_another(std::int32_t id, std::size_t owner) const {
@@ -394,7 +426,7 @@ class PlaceReader {
                               Heard::As::relation);
       reading_.talk.told_by(heard);
       if (!subjects.empty() && match.value->mutual)
-        relate_listed(i, *match.value, heard);
+        relate_listed(reading_, i, *match.value, heard);
       else if (!subjects.empty())
         relate_to_implied(subjects, *match.value);
       next_adverb_ += match.length - 1;
@@ -424,77 +456,6 @@ class PlaceReader {
     if (!before) before = after;
     return before ? Indices{*before} : Indices{};
   }
-  // "a desk and a shelf side by side"; "two desks side by side" are a row.
-  void relate_listed(std::size_t token, const Placement& placement, std::size_t heard) {
-    Indices things;
-    for (const auto& verb : reading_.parse.verbs)
-      if (verb.tokens.begin == token && verb.subject != none) things = reading_.mentions_of_list(verb.subject);
-    if (things.size() == 1) return relate_each_other(things.front(), placement);
-    if (things.size() > 1) return relate_mutually(things, placement);
-    if (turns(placement) && things.empty())
-      if (const auto last = last_named(token); last && reading_.talk.mention(*last).quantity != 1)
-        return relate_each_other(*last, placement);
-    for (std::size_t i = 0; i < reading_.parse.phrases.size(); ++i)
-      if (reading_.parse.phrases[i].head < token && reading_.mentions[i] &&
-          reading_.sentence_of(reading_.parse.phrases[i].head) == reading_.sentence_of(token))
-        things.push_back(*reading_.mentions[i]);
-    if (!turns(placement) && !things.empty() && stand_in_row(things.back(), heard)) return;
-    relate_mutually(things, placement);
-  }
-  // "face to face", "back to back": which way they look counts, and a row is none.
-  static bool turns(const Placement& placement) {
-    return std::any_of(placement.relations.begin(), placement.relations.end(), [](RelationKind kind) {
-      return kind == RelationKind::face_to || kind == RelationKind::face_opposite_to;
-    });
-  }
-  std::optional<std::size_t> last_named(std::size_t token) const {
-    std::optional<std::size_t> last;
-    for (std::size_t i = 0; i < reading_.parse.phrases.size() && reading_.parse.phrases[i].head < token; ++i)
-      if (reading_.mentions[i] && reading_.sentence_of(reading_.parse.phrases[i].head) == reading_.sentence_of(token))
-        last = reading_.mentions[i];
-    return last;
-  }
-  bool stand_in_row(std::size_t things, std::size_t heard) {
-    Mention& mention = reading_.brief.mentions[things];
-    if (mention.quantity < 2 || mention.mount != Mount::floor || mention.formation) return false;
-    mention.formation = Formation{.rows = 1};
-    mention.formation_heard = heard;
-    return true;
-  }
-  // The last two of a list; "two sofas facing each other": the second and the first.
-  void relate_mutually(const Indices& things, const Placement& placement) {
-    if (things.size() == 1) relate_each_other(things.front(), placement);
-    if (things.size() < 2) return;
-    for (auto kind : placement.relations)
-      reading_.talk.add(things.back(), {kind, things[things.size() - 2], "", false});
-  }
-
-  void relate_each_other(std::size_t things, const Placement& placement) {
-    const Mention& mention = reading_.talk.mention(things);
-    if (!turns(placement)) {
-      if (mention.mount == Mount::floor) stand_in_row(things, reading_.talk.told());
-      return;
-    }
-    // On both sides of something they face it.
-    for (const auto& demand : mention.demands)
-      if (demand.flank && demand.mention != Demand::none)
-        return reading_.talk.add(things, {RelationKind::face_to, demand.mention, "", false});
-    // "chairs facing each other" are two; of six three face the others.
-    if (mention.quantity == 0) reading_.brief.mentions[things].quantity = 2;
-    const int number = reading_.talk.mention(things).quantity;
-    if (number < 2 || number % 2 == 1) return;
-    // What has another at its back stands at no wall.
-    if (placement.relations.front() == RelationKind::behind) {
-      Demand free{RelationKind::middle, Demand::none, "", false};
-      free.is_means = true;
-      reading_.talk.add(things, free);
-    }
-    const std::size_t second = reading_.talk.part(things, number / 2);
-    std::erase_if(reading_.brief.mentions[second].demands,
-                  [](const Demand& demand) { return demand.is_means && demand.kind == RelationKind::middle; });
-    for (auto kind : placement.relations) reading_.talk.add(second, {kind, things, "", false});
-  }
-
   PromptReading& reading_;
   const std::vector<bool> left_;                 ///< by token
   const std::vector<Run> views_;                 ///< "as you come in"

@@ -80,7 +80,7 @@ Result<Vocabulary> parse_vocabulary(std::string_view text, const std::string& so
                    "limits", "exceptions", "anything",          "measured",       "distances", "stops",    "parts",        "no things",
                    "materials",     "sizes",          "people",   "people words", "room words",
                    "generic rooms", "parts of rooms", "walls",    "placements",   "pairs",
-                   "verbs",         "tops",           "portions", "built in", "asking",     "further",  "shares", "groups", "rows", "palette frames"});
+                   "verbs",         "tops",           "portions", "built in", "asking",     "further",  "shares", "wall lengths", "groups", "areas", "rows", "round formations", "palette frames"});
   Vocabulary words;
   words.numbers = read_integers(root["numbers"]);
   words.people = read_integers(root["people"]);
@@ -92,7 +92,13 @@ Result<Vocabulary> parse_vocabulary(std::string_view text, const std::string& so
   for (const auto& [word, part] : root["parts of rooms"].members())
     words.room_parts[word] = part.text();
   for (const auto& [word, share] : root["shares"].members()) words.shares[word] = share.text();
+  for (const auto& [word, length] : root["wall lengths"].members()) words.wall_lengths[word] = length.text();
   for (const auto& [word, meaning] : root["limits"].members()) words.limits[word] = meaning.text();
+  for (const auto& [word, shape] : root["round formations"].members()) {
+    const std::string name = shape.text();
+    if (name != "circle" && name != "arc") shape.report("must be \"circle\" or \"arc\"");
+    words.round_formations[word] = name == "arc" ? Formation::Shape::arc : Formation::Shape::circle;
+  }
   for (const auto& relation : relation_definitions())
     if (relation.has(RelationDefinition::in_prompts)) words.placements[std::string(relation.name())].relations = {relation.kind};
   for (const auto& [phrase, relations] : root["placements"].members())
@@ -119,6 +125,7 @@ Result<Vocabulary> parse_vocabulary(std::string_view text, const std::string& so
                                                    {"asking", &words.asking},
                                                    {"further", &words.further},
                                                    {"groups", &words.groups},
+                                                   {"areas", &words.areas},
                                                    {"rows", &words.rows},
                                                    {"palette frames", &words.palette_frames}};
   for (const auto& [key, set] : sets) *set = read_set(root[key]);

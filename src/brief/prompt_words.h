@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "formation.h"
 #include "roomgen/base/result.h"
 #include "roomgen/geometry/vec.h"
 #include "roomgen/kinds/kind_table.h"
@@ -35,6 +36,7 @@ struct Vocabulary {
   std::map<std::string, int, std::less<>> numbers, people, walls;
   std::map<std::string, Vec3, std::less<>> sizes;
   std::map<std::string, std::string, std::less<>> room_parts, shares;
+  std::map<std::string, std::string, std::less<>> wall_lengths;  ///< "longer": long
   std::map<std::string, std::string, std::less<>> limits;  ///< "nothing else", "nothing but": else, but, only, nothing
   std::map<std::string, Placement, std::less<>> placements;
   WordSet pairs;     ///< one thing though a plural: "headphones", "a pair of scissors"
@@ -43,11 +45,13 @@ struct Vocabulary {
   WordSet tops;      ///< "the countertop": of what was spoken of
   WordSet portions;  ///< "the edge of the bathtub", "the sofa cushion": stand for the whole
   WordSet groups;    ///< "two rows of desks": how often as many
+  WordSet areas;     ///< "corner", "nook", "zone": a part of the room that has things of its own
   WordSet rows;      ///< of the groups those that are lines: how things stand
   WordSet palette_frames;  ///< around colours that are said of no thing: "accents", "shades"
   WordSet further;   ///< "extra towels": besides those spoken of
   WordSet asking;    ///< "create", "add": verbs that only ask for something
   WordSet exceptions;  ///< "except", "but"
+  std::map<std::string, Formation::Shape, std::less<>> round_formations;  ///< "circle", "half circle"
   WordSet anything;  ///< "furniture", "things": whatever there is
   WordSet built_in;  ///< what is so is no thing of its own
   WordSet vague, definite, negations, measured, stops, parts, no_things, materials,

@@ -14,6 +14,7 @@ constexpr double small_table = 0.8;    ///< metres: the longer side of a table f
 constexpr double lowest_table = 0.6;   ///< metres: what is lower has no chairs around it
 constexpr double usual_row = 3.6;      ///< metres
 constexpr int fewest_in_row = 3, most_in_row = 6;
+constexpr int fewest_around = 3, usual_around = 6;  ///< in a circle or an arc
 constexpr int most_for_all = 40;       ///< of seats and the like that are only counted by what they serve
 
 bool is_seat(const Mention& mention, const KindTable& table) {
@@ -64,7 +65,14 @@ int number_in_rows(const Mention& mention, const Brief& brief, const KindTable& 
   return rows * std::clamp(static_cast<int>(usual_row / width), fewest_in_row, most_in_row);
 }
 
+// "chairs in a circle"
+int number_around(const Mention& mention, const Brief& brief, const KindTable& table) {
+  const bool is_for_people = is_seat(mention, table) || is_personal(mention, table);
+  return is_for_people && brief.people >= fewest_around ? brief.people : usual_around;
+}
+
 int number_of(const Mention& mention, const Brief& brief, const KindTable& table) {
+  if (mention.formation && mention.formation->is_round()) return number_around(mention, brief, table);
   if (mention.formation && mention.formation->columns == 0) return number_in_rows(mention, brief, table);
   // How many windows there will be is not known yet.
   if (table.get(mention.category).covers_window) return 1;

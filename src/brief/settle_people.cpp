@@ -16,6 +16,15 @@ bool is_named(const Piece& piece, const Lexicon& lexicon, const Brief& brief) {
   });
 }
 
+// Seats for all of them are named: nobody needs other places.
+bool are_seated(const Brief& brief, const Lexicon& lexicon) {
+  int seats = 0;
+  for (const Mention& mention : brief.mentions)
+    if (mention.source == Requirement::Source::prompt && lexicon.table.is_any_of(mention.category, {"seat"}))
+      seats += mention.quantity;
+  return seats >= brief.people;
+}
+
 bool is_seat(const Piece& piece, const Lexicon& lexicon) {
   return lexicon.table.is_any_of(piece.any.front().first, {"chair", "stool"});
 }
@@ -35,13 +44,9 @@ std::vector<std::size_t> words_of_people(const Brief& brief) {
 void bring(const Piece& piece, int number, const Lexicon& lexicon, Brief& brief) {
   const auto& [category, weight] = *std::max_element(
       piece.any.begin(), piece.any.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
-  Mention mention;
-  mention.category = mention.noun = mention.description = category;
-  mention.quantity = number;
-  mention.source = Requirement::Source::person;
-  mention.reason = "people";
+  Mention mention =
+      unnamed_mention(category, number, Requirement::Source::person, "people", lexicon.words, lexicon.table);
   mention.heard = words_of_people(brief);
-  shape(mention, ThingPhrase(), lexicon.words, lexicon.table);
   if (piece.size) mention.size = *piece.size;
   brief.mentions.push_back(std::move(mention));
 }
@@ -49,7 +54,7 @@ void bring(const Piece& piece, int number, const Lexicon& lexicon, Brief& brief)
 }  // namespace
 
 void bring_for_people(const Lexicon& lexicon, Brief& brief) {
-  if (brief.people < 2 || brief.bare) return;
+  if (brief.people < 2 || brief.bare || are_seated(brief, lexicon)) return;
   for (const Piece& piece : lexicon.kind.core) {
     const bool is_there = is_named(piece, lexicon, brief);
     int number = 0;

@@ -111,12 +111,23 @@ class ThingPhraseReader {
     const std::size_t name_start = phrase_.kind.length > 0 ? start_ : said_.head + 1;
     for (std::uint32_t i = said_.tokens.begin; i < name_start; ++i) {
       const std::string written = text_between(i, said_.head);
-      const NounKind meant = misspelt_kind(text_.table, written);
+      const NounKind meant = is_english(i) ? NounKind{} : misspelt_kind(text_.table, written);
       if (!meant.kind) continue;
       take_name(i, meant, meant.name);
       phrase_.kind.misspelt = written;
       return;
     }
+  }
+  // "a charging station" is no slip of "changing station".
+  bool is_english(std::uint32_t first) const {
+    const auto& english = language::lexicon();
+    for (auto i = first; i <= said_.head; ++i) {
+      const std::string& one = word(i);
+      const bool is_known = english.has(one, language::PartOfSpeech::noun) || english.has(in_singular(i), language::PartOfSpeech::noun) ||
+                            english.has(one, language::PartOfSpeech::adjective) || language::verb(one);
+      if (!is_known) return false;
+    }
+    return true;
   }
   // "credenza", "gong": nouns that no kind is called by, where something is introduced.
   void inferred_name() {
@@ -342,8 +353,18 @@ class ThingPhraseReader {
     add_measure_in({said_.tokens.begin, said_.tokens.end});
     measures_behind();
     for (const auto& verb : parse_.verbs)
-      if (verb.subject == number_ && !verb.is_denied)
-        add_measure_in({verb.tokens.end, verb.tokens.end + 1});
+      if (verb.subject == number_)
+        verb.is_denied ? add_denied_measure(verb.tokens) : add_measure_in({verb.tokens.end, verb.tokens.end + 1});
+  }
+  // "that is not taller than 1.8 m": only what is denied with its bound tells a size.
+  void add_denied_measure(const Run& verb) {
+    for (auto i = verb.begin; i <= verb.end && i < text_.plain.size(); ++i) {
+      const auto measure = language::bounded_measure_at(parse_.tokens, i);
+      if (!measure || measure->limit == language::Measure::Limit::exact || !text_.words.negations.count(word(i))) continue;
+      phrase_.measures.push_back(*measure);
+      phrase_.measure_tokens.push_back({i, i + static_cast<std::uint32_t>(measure->length)});
+      return;
+    }
   }
   // "a bookcase 2.4 m tall and 3 m long", "a desk, 180 x 90 cm": up to what is said of something else.
   void measures_behind() {

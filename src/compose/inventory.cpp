@@ -74,7 +74,7 @@ Stand stand_of(const Plan& plan, const PlanItem& item, const std::vector<std::st
   stand.size = item.size.value_or(kinds.get(item.category).size);
   stand.description = item.description;
   // What has a place stands in a formation: its relations are the plan's own.
-  if (item.location) stand.in_rows = true, stand.at_wall = false;
+  if (item.location) stand.in_rows = !item.facing, stand.at_wall = false;
   if (item.asked && !item.location)
     for (auto relation : item.relations) {
       if (const auto set = set_named(relation.target, sets, stands); !set.empty()) relation.target = set;

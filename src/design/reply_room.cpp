@@ -177,7 +177,7 @@ Room read_reply_room(const Json& json, const PlanRequest& request, const RoomKin
     repairs.emplace_back("the answer gives no size of the room; one was chosen");
   const Vec2 size = floor.polygon ? Vec2(bounds(*floor.polygon).size())
                     : floor.size  ? *floor.size
-                                  : choose_size(kind, brief, 1.0, furniture, random.fork("size"));
+                                  : choose_size(kind, brief, 1.0, furniture, 0.0, random.fork("size"));
   const auto make = [&](const Outline& outline) {
     return make_room(own, outline, openings, random.fork("openings"), repairs);
   };

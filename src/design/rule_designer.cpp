@@ -71,6 +71,7 @@ class RuleDesigner : public Designer {
     advice.relations =
         known_relations(item.relations, request.scene.room, request.scene.objects);
     advice.location = item.location;
+    advice.yaw = item.facing;
     advice.usual = true;
     return advice;
   }

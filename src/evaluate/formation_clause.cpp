@@ -5,11 +5,18 @@
 #include <numbers>
 #include <vector>
 
+#include <Eigen/QR>
+
+#include "roomgen/geometry/vec.h"
+
 namespace roomgen {
 
 namespace {
 
 constexpr double straight = 0.15, together = 2.5;  // metres
+constexpr double off_circle = 0.25;                // metres
+constexpr double even_gap = 1.6, even_arc_gap = 2.0;  // times what equal gaps would be
+constexpr double least_arc = 80.0, greatest_arc = 300.0;  // degrees
 
 /// A thing's place along its row, and across the rows.
 struct Spot {
@@ -55,7 +62,67 @@ bool stand_in_rows(std::span<const Object* const> things, int wanted, double ang
   return as_many && are_even(rows) && std::all_of(rows.begin(), rows.end(), hangs_together);
 }
 
+/// The circle that is nearest to points.
+struct Circle {
+  Vec2 center = Vec2::Zero();
+  double radius = 0.0;
+};
+
+// Least squares of the algebraic distance: Kasa, "A circle fitting procedure and its error analysis", 1976.
+Circle circle_through(std::span<const Object* const> things) {
+  Eigen::MatrixX3d rows(things.size(), 3);
+  Eigen::VectorXd squares(things.size());
+  for (std::size_t i = 0; i < things.size(); ++i) {
+    const Vec2 at = things[i]->position.head<2>();
+    rows.row(static_cast<Eigen::Index>(i)) << 2.0 * at.x(), 2.0 * at.y(), 1.0;
+    squares[static_cast<Eigen::Index>(i)] = at.squaredNorm();
+  }
+  const Eigen::Vector3d fit = rows.colPivHouseholderQr().solve(squares);
+  const Vec2 center = fit.head<2>();
+  return {center, std::sqrt(std::max(0.0, fit.z() + center.squaredNorm()))};
+}
+
+bool lie_on(const Circle& circle, std::span<const Object* const> things) {
+  return std::all_of(things.begin(), things.end(), [&](const Object* thing) {
+    return std::abs((thing->position.head<2>() - circle.center).norm() - circle.radius) <= off_circle;
+  });
+}
+
+// Angles between neighbours seen from the middle, all around, the widest last.
+std::vector<double> gaps_around(const Vec2& center, std::span<const Object* const> things) {
+  std::vector<double> angles, gaps;
+  for (const Object* thing : things) {
+    const Vec2 arm = thing->position.head<2>() - center;
+    angles.push_back(std::atan2(arm.y(), arm.x()));
+  }
+  std::sort(angles.begin(), angles.end());
+  for (std::size_t i = 0; i < angles.size(); ++i)
+    gaps.push_back(i + 1 < angles.size() ? angles[i + 1] - angles[i]
+                                         : angles.front() + 2.0 * std::numbers::pi - angles[i]);
+  std::sort(gaps.begin(), gaps.end());
+  return gaps;
+}
+
 }  // namespace
+
+std::string circle_fault(std::span<const Object* const> things) {
+  if (things.size() < 3) return "fewer than three make no circle";
+  const Circle circle = circle_through(things);
+  const auto gaps = gaps_around(circle.center, things);
+  const double even = 2.0 * std::numbers::pi / static_cast<double>(things.size());
+  return lie_on(circle, things) && gaps.back() <= even_gap * even ? "" : "they do not stand in a circle";
+}
+
+std::string arc_fault(std::span<const Object* const> things) {
+  if (things.size() < 3) return "fewer than three make no arc";
+  const Circle circle = circle_through(things);
+  auto gaps = gaps_around(circle.center, things);
+  const double span = 2.0 * std::numbers::pi - gaps.back();
+  gaps.pop_back();
+  const double even = span / static_cast<double>(gaps.size());
+  const bool is_arc = degrees(span) >= least_arc && degrees(span) <= greatest_arc;
+  return lie_on(circle, things) && is_arc && gaps.back() <= even_arc_gap * even ? "" : "they do not stand in an arc";
+}
 
 std::string rows_fault(std::span<const Object* const> things, int rows) {
   if (things.size() < 2) return "a single thing makes no row";

@@ -12,4 +12,12 @@ namespace roomgen {
 /// thing, none farther than 2.5 m from the next.
 std::string rows_fault(std::span<const Object* const> things, int rows);
 
+/// Why things (three or more) do not stand in a circle, empty if they do: their centres within 0.25 m of it (the best by
+/// least squares), and no gap between neighbours wider than 1.6 times the even one.
+std::string circle_fault(std::span<const Object* const> things);
+
+/// Why things (three or more) do not stand in an arc, empty if they do: their centres within 0.25 m of a circle, of which
+/// they span from 80 to 300 degrees, no gap between neighbours within it twice as wide as the even one.
+std::string arc_fault(std::span<const Object* const> things);
+
 }  // namespace roomgen

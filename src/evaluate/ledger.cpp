@@ -73,7 +73,7 @@ class Checker {
       case Requirement::Kind::attribute:
         if (const std::string* material = material_of(requirement.category))
           return by_fault(*material == requirement.attribute ? "" : "it is \"" + *material + "\"");
-        if (requirement.attribute == in_rows) return judge_rows(requirement);
+        if (is_formation(requirement)) return judge_formation(requirement);
         return each(requirement,
                     [&](const Object& object) { return judge_attribute(requirement, object); });
       case Requirement::Kind::relation:
@@ -131,13 +131,18 @@ class Checker {
     return by_fault(verdict.held ? "" : "is not known to be " + asked + ": " + verdict.reason);
   }
 
+  static bool is_formation(const Requirement& requirement) {
+    return requirement.attribute == in_rows || requirement.attribute == in_circle || requirement.attribute == in_arc;
+  }
   // Of all its things together.
-  Finding judge_rows(const Requirement& requirement) const {
+  Finding judge_formation(const Requirement& requirement) const {
     std::vector<const Object*> things;
     for (const auto& id : requirement.subjects) {
       things.push_back(find_object(scene_, id));
       if (!things.back()) return by_fault(missing(id));
     }
+    if (requirement.attribute == in_circle) return by_fault(circle_fault(things));
+    if (requirement.attribute == in_arc) return by_fault(arc_fault(things));
     return by_fault(rows_fault(things, requirement.count));
   }
 

@@ -75,6 +75,11 @@ std::string_view name(Fault fault) {
   return "";
 }
 
+std::string to_text(const Violation& violation) {
+  return std::string(name(violation.fault)) + ": " + violation.object +
+         (violation.other.empty() ? "" : " and " + violation.other);
+}
+
 int SceneReport::relations_held() const {
   return static_cast<int>(std::count_if(relations.begin(), relations.end(),
                                         [](const auto& verdict) { return verdict.judgement.held; }));

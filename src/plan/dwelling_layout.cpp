@@ -21,7 +21,8 @@ constexpr double longest_row_ratio = 1.35;
 constexpr double least_hall = 2.0;        // long
 constexpr double least_depth = 2.4, greatest_depth = 4.8;  // of a row of rooms
 constexpr double least_stretched = 2.2;   // deep, of a row that is drawn out to the length of the other
-constexpr double narrowest = 1.2;         // a room that is less wide is laid out anew
+constexpr double narrowest_share = 0.72;  // of the side of a square of the least usual area: what a room is wide at least
+constexpr double too_narrow = 0.05;       // by so much of that in all, and a dwelling is laid out anew
 const char* const hallway = "hallway";
 
 double to_centimetres(double metres) {
@@ -48,9 +49,14 @@ struct Side {
   }
 };
 
-double squareness(double a, double b) {
+double squareness(double a, double b, double least_side) {
   const double least = std::min(a, b);
-  return std::log(std::max(a, b) / std::max(least, 0.01)) + (least < least_width ? 5.0 : 0.0);
+  return std::log(std::max(a, b) / std::max(least, 0.01)) + (least < least_side ? 5.0 : 0.0);
+}
+
+// A bedroom 2 m wide has room for a bed and no way around it.
+double least_side(const DwellingRoom& kind) {
+  return std::max(least_width, narrowest_share * std::sqrt(kind.area.low));
 }
 
 class Packer {
@@ -243,9 +249,11 @@ class Packer {
   }
 
   // Small rooms in a deep row become larger rather than corridors.
-  static void widen(std::vector<Block>& blocks, double depth) {
-    for (auto& block : blocks)
-      block.area = std::max(block.area, (block.owned.empty() ? 1.0 : 2.0) * usual_width * depth);
+  void widen(std::vector<Block>& blocks, double depth) const {
+    for (auto& block : blocks) {
+      const double least = std::max(usual_width, least_side(kind(block.room)));
+      block.area = std::max(block.area, (least + (block.owned.empty() ? 0.0 : usual_width)) * depth);
+    }
   }
 
   static double length_of(const std::vector<Block>& blocks, double depth) {
@@ -282,7 +290,7 @@ class Packer {
     }
     for (const auto& block : blocks) {
       const double width = (row.length - walls(blocks)) * block.area / sum;
-      row.cost += squareness(width, row.depth) + (block.owned.empty() ? 0.0 : -0.5);
+      row.cost += squareness(width, row.depth, least_side(kind(block.room))) + (block.owned.empty() ? 0.0 : -0.5);
     }
     return row;
   }
@@ -326,16 +334,28 @@ class Packer {
   std::vector<Block> blocks_;
 };
 
+// By how much of what they need the rooms are too narrow, all together.
+double narrowness(const std::vector<LaidRoom>& laid, const DwellingKinds& kinds) {
+  double sum = 0.0;
+  for (const auto& room : laid) {
+    const auto kind = kinds.rooms.find(room.type);
+    if (kind == kinds.rooms.end() || room.type == hallway) continue;
+    const double least = least_side(kind->second);
+    sum += std::max(0.0, 1.0 - room.box.size().minCoeff() / least);
+  }
+  return sum;
+}
+
 }  // namespace
 
 std::vector<LaidRoom> lay_out(std::vector<LaidRoom> rooms, const DwellingKinds& kinds) {
   if (rooms.empty()) return rooms;
   auto laid = Packer(rooms, kinds, false).run();
-  const bool narrow = std::any_of(laid.begin(), laid.end(), [](const LaidRoom& room) {
-    return room.box.size().minCoeff() < narrowest;
-  });
+  const double narrow = narrowness(laid, kinds);
+  if (narrow <= too_narrow) return laid;
   // Along a hall each room has the width that it needs.
-  return narrow ? Packer(std::move(rooms), kinds, true).run() : laid;
+  auto along_hall = Packer(std::move(rooms), kinds, true).run();
+  return narrowness(along_hall, kinds) < narrow ? along_hall : laid;
 }
 
 }  // namespace roomgen::design

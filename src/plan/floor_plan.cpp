@@ -31,7 +31,7 @@ Vec2 of_proportion(double area, const Brief& brief, Random& random) {
 }  // namespace
 
 Vec2 choose_size(const RoomKind& kind, const Brief& brief, double scale, double furniture,
-                 Random random) {
+                 double least_side, Random random) {
   if (brief.size) return *brief.size;
   if (brief.area) {
     const Vec2 size = brief.shape.proportion ? of_proportion(*brief.area, brief, random)
@@ -45,7 +45,7 @@ Vec2 choose_size(const RoomKind& kind, const Brief& brief, double scale, double 
   if (size.prod() < needed) size *= std::sqrt(needed / size.prod());
   if (size.prod() > max_chosen_area) size *= std::sqrt(max_chosen_area / size.prod());
   if (brief.shape.proportion) size = of_proportion(size.prod(), brief, random);
-  size = size.cwiseMax(brief.shape.proportion ? 0.7 * kind.smallest : kind.smallest).cwiseMin(20.0);
+  size = size.cwiseMax(brief.shape.proportion ? 0.7 * kind.smallest : kind.smallest).cwiseMax(least_side).cwiseMin(20.0);
   size = Vec2(to_grid(size.x()), to_grid(size.y()));
   while (size.prod() > max_chosen_area + 1e-9) size.x() = to_grid(size.x() - 0.1);
   if (random.chance(0.3)) std::swap(size.x(), size.y());
@@ -101,7 +101,34 @@ void put_on(Room& room, const RoomMaterials& said) {
   replace(room.materials.accent, said.accent);
 }
 
+namespace {
+
+constexpr std::size_t south_side = 0, east_side = 1, north_side = 2, west_side = 3;
+
+// Of the two longer walls (or the two shorter ones) first that which no door is in.
+std::string wall_of_length(const Room& room, bool is_long, bool is_other) {
+  const Vec2 size = bounds(room.polygon).size();
+  const bool along_x = (size.x() >= size.y()) == is_long;
+  std::size_t one = wall_on_side(room.polygon, along_x ? north_side : east_side);
+  std::size_t other = wall_on_side(room.polygon, along_x ? south_side : west_side);
+  const auto has_door = [&](std::size_t wall) {
+    return std::any_of(room.openings.begin(), room.openings.end(),
+                       [&](const Opening& opening) { return opening.wall == wall && opening.is_entrance(); });
+  };
+  if (has_door(one) && !has_door(other)) std::swap(one, other);
+  return "wall-" + std::to_string(is_other ? other : one);
+}
+
+}  // namespace
+
 std::string part_of(const Room& room, const std::string& said) {
+  const bool is_other = said.starts_with("other-");
+  if (said.ends_with("long-wall") || said.ends_with("short-wall")) return wall_of_length(room, said.ends_with("long-wall"), is_other);
+  if (said == "one-end" || said == "other-end") {
+    const Vec2 size = bounds(room.polygon).size();
+    if (size.x() >= size.y()) return is_other ? "east-third" : "west-third";
+    return is_other ? "north-third" : "south-third";
+  }
   for (std::size_t side = 0; side < 4; ++side)
     if (said == "wall-" + std::to_string(side))
       return "wall-" + std::to_string(wall_on_side(room.polygon, side));

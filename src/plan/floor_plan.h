@@ -17,7 +17,7 @@ inline constexpr double max_chosen_area = 100.0;
 
 /// Width and depth for a room: what is asked, else chosen by its kind and large enough for
 /// `furniture` square metres of things.
-Vec2 choose_size(const RoomKind& kind, const Brief& brief, double scale, double furniture,
+Vec2 choose_size(const RoomKind& kind, const Brief& brief, double scale, double furniture, double least_side,
                  Random random);
 
 /// The floor that the prompt asks for. `chosen` is its box if that is asked for, else that of a

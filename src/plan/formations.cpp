@@ -5,6 +5,8 @@
 #include <map>
 #include <optional>
 
+#include "formation_site.h"
+#include "round_formations.h"
 #include "scene/room_part.h"
 
 namespace roomgen::design {
@@ -58,12 +60,13 @@ class Formations {
  private:
   void lay_out(const std::vector<std::size_t>& items) {
     const Draft& first = drafts_[items.front()];
+    if (first.formation->is_round()) return lay_out_round(items, drafts_, table_, plan_);
     const auto laid = loosest(first, items.size());
     if (!laid) return;
     const auto& [wanted, site] = *laid;
     const RowBlock block = wanted.closer(site.closeness);
     for (std::size_t n = 0; n < items.size(); ++n) stand(plan_.items[items[n]], block, site, n);
-    turn_to_audience(first, site);
+    put_focus_at_wall(first, site.wall, site.center, margin, drafts_, plan_);
   }
 
   // Of the blocks that the words allow the one that finds the loosest site: as wide as usual, else narrower or wider.
@@ -101,18 +104,10 @@ class Formations {
     return block;
   }
 
-  // The part of the floor that is told, else all of it.
-  Bounds2 floor_of(const Draft& draft) const {
-    for (const auto& demand : draft.demands)
-      if (demand.kind == RelationKind::in_part)
-        if (const auto region = region_of_room(plan_.room, demand.part)) return region->bounds();
-    return bounds(plan_.room.polygon);
-  }
-
   // Of the walls that the rows may face the one that was told, or one without a door or windows; the loosest
   // that there is room for.
   std::optional<FormationSite> site_for(const RowBlock& block, const Draft& draft) const {
-    const Bounds2 floor = floor_of(draft);
+    const Bounds2 floor = floor_of(draft, plan_.room);
     for (const double closeness : closenesses) {
       const RowBlock closer = block.closer(closeness);
       std::optional<FormationSite> best;
@@ -124,7 +119,7 @@ class Formations {
         const Vec2 need = is_along_x ? Vec2(closer.along(), closer.across())
                                      : Vec2(closer.across(), closer.along());
         if (((floor.size() - need).array() < 2.0 * margin).any()) continue;
-        const double cost = cost_of(wall, draft);
+        const double cost = cost_of_facing(plan_.room, wall, draft, drafts_);
         if (best && cost >= least) continue;
         best = FormationSite{wall, forward, 0.5 * (floor.low + floor.high - closer.before * forward), closeness};
         least = cost;
@@ -133,21 +128,8 @@ class Formations {
     }
     return std::nullopt;
   }
-  static bool faces_something(const Draft& draft) {
-    return std::any_of(draft.demands.begin(), draft.demands.end(),
-                       [](const Demand& demand) { return demand.kind == RelationKind::face_to; });
-  }
   // Mats and rugs lie one way or across, never turned about.
   bool is_flat(const Draft& draft) const { return table_.get(draft.item.category).traits.flat; }
-  double cost_of(std::size_t wall, const Draft& draft) const {
-    double cost = 0.0;
-    for (const auto& opening : plan_.room.openings)
-      if (opening.wall == wall) cost += opening.is_entrance() ? 2.0 : 1.0;
-    for (const auto& demand : draft.demands)
-      if (demand.part == "wall-" + std::to_string(wall)) cost -= 10.0;
-    return cost;
-  }
-
   static std::string wall_name(const FormationSite& site) { return "wall-" + std::to_string(site.wall); }
 
   // Who sits at a desk looks over it: its back is where the rows look.
@@ -168,23 +150,6 @@ class Formations {
     const std::string wall = wall_name(site);
     const auto facing = backwards ? RelationKind::face_same_as : RelationKind::face_opposite_to;
     item.relations.push_back({facing, wall});
-  }
-
-  // What the rows look at stands before the middle of the wall that they face, unless it was told where.
-  void turn_to_audience(const Draft& audience, const FormationSite& site) {
-    const auto wall = part_of_room(plan_.room, wall_name(site));
-    for (const auto& demand : audience.demands) {
-      if (demand.kind != RelationKind::face_to || demand.mention == Demand::none || !wall) continue;
-      for (std::size_t i = 0; i < drafts_.size(); ++i) {
-        if (drafts_[i].mention != demand.mention || !drafts_[i].demands.empty()) continue;
-        PlanItem& item = plan_.items[i];
-        const double depth = item.size ? item.size->y() : 0.0;
-        const double to_wall = (wall->center() - site.center).dot(site.forward);
-        item.location = site.center + (to_wall - 0.5 * depth - (item.mount == Mount::floor ? margin : 0.0)) * site.forward;
-        for (const auto kind : {RelationKind::near, RelationKind::face_same_as})
-          item.relations.push_back({kind, wall_name(site)});
-      }
-    }
   }
 
   const std::vector<Draft>& drafts_;

@@ -12,7 +12,7 @@ void fall_in_as_usual(std::vector<Draft>& drafts, const KindTable& table, const 
 
 /// Gives the things of each formation of several rows their places and the wall that they face: a block in the middle
 /// of the floor, or of the part of the room that is told, with the floor between them that their kind wants open
-/// (closer where there is no room for it). One row alone is left to its relations. `drafts` are those of plan.items.
+/// (closer where there is no room for it). One row alone is left to its relations. Circles and arcs: lay_out_round. `drafts` are those of plan.items.
 void lay_out_formations(const std::vector<Draft>& drafts, const KindTable& table,
                         const Arrangements& arrangements, Plan& plan);
 

@@ -167,9 +167,13 @@ class Ledger {
   void formation(std::size_t index, const Mention& mention) {
     if (!mention.formation) return;
     Requirement requirement = about(index, mention, Requirement::Kind::attribute);
-    requirement.attribute = in_rows;
-    requirement.count = mention.formation->rows;
-    requirement.clause = mention.category + (requirement.count == 1 ? " in a row"
+    const Formation& formation = *mention.formation;
+    requirement.attribute = formation.shape == Formation::Shape::circle ? in_circle
+                            : formation.shape == Formation::Shape::arc  ? in_arc
+                                                                        : in_rows;
+    requirement.count = formation.rows;
+    requirement.clause = mention.category + (formation.is_round()    ? " " + requirement.attribute
+                                             : requirement.count == 1 ? " in a row"
                                              : requirement.count > 1
                                                  ? " in " + std::to_string(requirement.count) + " rows"
                                                  : " in rows");
@@ -205,7 +209,7 @@ class Ledger {
         requirement.targets = {requirement.targets[nth]};
       requirement.clause += " " + brief_.mentions[demand.mention].category;
       // Rows face what is before their middle.
-      if (mention.formation && demand.kind == RelationKind::face_to)
+      if (mention.formation && !mention.formation->is_round() && demand.kind == RelationKind::face_to)
         requirement.subjects = middle_of_rows(requirement.subjects, *mention.formation);
     } else if (!demand.part.empty()) {
       requirement.targets = {part_of(room_, demand.part)};

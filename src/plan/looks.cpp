@@ -10,12 +10,13 @@ namespace roomgen::design {
 namespace {
 
 // Without those that say an unwanted word: "deep pink" of "pink".
-std::vector<std::string> without(const std::vector<std::string>& looks, const std::vector<std::string>& unwanted) {
-  std::vector<std::string> left;
-  for (const auto& look : looks)
-    if (std::none_of(unwanted.begin(), unwanted.end(), [&](const auto& word) { return (" " + look + " ").find(" " + word + " ") != std::string::npos; }))
-      left.push_back(look);
-  return left;
+std::vector<std::string> without(std::vector<std::string> looks, const std::vector<std::string>& unwanted) {
+  std::erase_if(looks, [&](const std::string& look) {
+    const std::string spaced = " " + look + " ";
+    return std::any_of(unwanted.begin(), unwanted.end(),
+                       [&](const auto& word) { return spaced.find(" " + word + " ") != std::string::npos; });
+  });
+  return looks;
 }
 
 }  // namespace

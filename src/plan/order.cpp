@@ -121,7 +121,7 @@ std::vector<Draft> split_pairs(const std::vector<Draft>& drafts) {
   for (const auto& draft : drafts) {
     const bool pairs =
         std::any_of(draft.demands.begin(), draft.demands.end(), [&](const Demand& demand) {
-          return demand.mention != Demand::none && (demand.flank || quantity[demand.mention] > 1);
+          return demand.flank || (demand.mention != Demand::none && quantity[demand.mention] > 1);
         });
     if (!(pairs || draft.formation) || draft.item.quantity == 1 || draft.item.quantity > max_split) {
       result.push_back(draft);
@@ -195,13 +195,13 @@ class Resolver {
           targets[demand.mention] = ids_.next(draft, demand.mention, demand.nth);
         relation.target = targets[demand.mention];
         if (relation.target.empty()) continue;
-        if (demand.flank) {
-          sharing = demand.shared ? Demand::none : draft.mention;
-          if (demand.kind != RelationKind::around) flanked = relation.target;
-          // The long sides of tables are the front and the back.
-          along = along || demand.kind == RelationKind::in_front_of;
-          if (demand.kind == RelationKind::in_front_of) continue;
-        }
+      }
+      if (demand.flank) {
+        sharing = demand.shared ? Demand::none : draft.mention;
+        if (demand.kind != RelationKind::around) flanked = relation.target;
+        // The long sides of tables are the front and the back.
+        along = along || demand.kind == RelationKind::in_front_of;
+        if (demand.kind == RelationKind::in_front_of) continue;
       }
       add(relations, relation);
     }
@@ -212,7 +212,7 @@ class Resolver {
       else
         add(relations, {first ? RelationKind::left_of : RelationKind::right_of, flanked});
     }
-    if (draft.formation && !draft.is_usual_formation) fall_in(draft, relations);
+    if (draft.formation && !draft.formation->is_round() && !draft.is_usual_formation) fall_in(draft, relations);
     return relations;
   }
 

@@ -14,6 +14,7 @@
 #include "order.h"
 #include "palette.h"
 #include "room_openings.h"
+#include "round_formations.h"
 #include "solve/dry_run.h"
 
 namespace roomgen::design {
@@ -115,13 +116,13 @@ class Planner {
     return room;
   }
 
-  Room make_the_room(double furniture, const Random& random, int n, Plan& plan) const {
+  Room make_the_room(const std::vector<Draft>& drafts, const Random& random, int n, Plan& plan) const {
     if (request_.room) return given_room(plan);
     double scale = size_factor();
     for (int i = 0; i < n; ++i) scale *= growth;
     const Vec2 size = request_.size
                           ? *request_.size
-                          : choose_size(kind_, brief_, scale, furniture, random.fork("size"));
+                          : choose_size(kind_, brief_, scale, floor_area(drafts, table_), side_for_round(drafts), random.fork("size"));
     const Outline outline =
         choose_outline(brief_, size, request_.size || brief_.size, plan.notes, random.fork("outline"));
     return make_room(kind_, outline, openings(random.fork("windows")), random.fork("openings"), plan.notes);
@@ -148,7 +149,7 @@ class Planner {
     auto drafts = asked_items(brief_, table_);
     for (auto& draft : drafts)
       draft.item.description = looks.in_style(draft.item.category, draft.item.description);
-    plan.room = make_the_room(floor_area(drafts, table_), random, n, plan);
+    plan.room = make_the_room(drafts, random, n, plan);
     if (const auto* style = style_named(kinds_, brief_.styles); style && !request_.room)
       put_on(plan.room, *style, random_.fork("style"));
     if (!request_.room) put_on(plan.room, palette, random_.fork("palette"));

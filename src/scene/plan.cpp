@@ -33,12 +33,13 @@ Json item_json(const PlanItem& item) {
   json["asked"] = item.asked;
   if (!item.relations.empty()) json["constraints"] = to_text(item.relations);
   if (item.location) json["location"] = {rounded(item.location->x()), rounded(item.location->y())};
+  if (item.facing) json["facing"] = rounded(degrees(*item.facing));
   return json;
 }
 
 PlanItem read_item(const JsonReader& json) {
   json.allow_only({"category", "description", "size", "quantity", "variance", "mount", "on", "asked",
-                   "constraints", "location"});
+                   "constraints", "location", "facing"});
   PlanItem item;
   item.category = lower(json["category"].text(200));
   item.description = json["description"].text_or("");
@@ -63,6 +64,7 @@ PlanItem read_item(const JsonReader& json) {
     const auto v = location.numbers(2, -max_coordinate, max_coordinate);
     item.location = Vec2(v[0], v[1]);
   }
+  if (const auto facing = json["facing"]; facing.exists()) item.facing = radians(facing.number(-36000, 36000));
   return item;
 }
 

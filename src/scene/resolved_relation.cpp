@@ -47,13 +47,27 @@ bool is_merely_near(const Object& object, const Relation& relation) {
   });
 }
 
+bool is_at_side(RelationKind kind) {
+  return kind == RelationKind::left_of || kind == RelationKind::right_of || kind == RelationKind::side_of;
+}
+
+// What is at a side of an opening, or of what hangs on a wall, has its centre no farther before it: that has no depth to
+// be judged by, and a bed with its head at the wall is 2.1 m long.
+constexpr double beside_opening = 1.2;
+
 std::vector<Footprint> targets_of(const Relation& relation, const Room& room,
                                   std::span<const Object> placed) {
   if (!takes_target(relation.kind)) return {Footprint()};
   if (relation.target == "corner") return corners(room);
-  if (const auto part = part_of_room(room, relation.target)) return {*part};
+  if (const auto part = part_of_room(room, relation.target)) {
+    if (!is_at_side(relation.kind)) return {*part};
+    return {Footprint(part->center(), {2.0 * part->half().x(), 2.0 * beside_opening}, part->yaw())};
+  }
   if (const auto region = region_of_room(room, relation.target)) return {*region};
-  if (const Object* target = find_object(placed, relation.target)) return {footprint(*target)};
+  if (const Object* target = find_object(placed, relation.target)) {
+    if (target->mount != Mount::wall || !is_at_side(relation.kind)) return {footprint(*target)};
+    return {Footprint(target->position.head<2>(), {target->size.x(), 2.0 * beside_opening}, target->yaw)};
+  }
   return {};
 }
 

@@ -110,8 +110,7 @@ void tell_faults(const Scene& scene, const ModelTable& models, const KindTable& 
   constexpr std::size_t most_told = 8;
   const auto violations = examine(scene, models, kinds).violations;
   for (std::size_t i = 0; i < std::min(violations.size(), most_told); ++i)
-    history.add_notice("the scene breaks a rule: " + std::string(name(violations[i].fault)) + ": " + violations[i].object +
-                       (violations[i].other.empty() ? "" : " and " + violations[i].other));
+    history.add_notice("the scene breaks a rule: " + to_text(violations[i]));
   if (violations.size() > most_told)
     history.add_notice("and " + std::to_string(violations.size() - most_told) + " more; check names them all");
 }

@@ -57,6 +57,7 @@ PlacementTask task_for(const Plan& plan, const PlannedObject& planned, const Lay
                       layout.room());
   object.relations = known_relations(item.relations, layout.room(), layout.objects());
   task.location = item.location;
+  task.facing = item.facing;
   task.binding = item.location.has_value();
   task.asked = item.asked;
   task.wishes = item.asked ? static_cast<int>(object.relations.size()) : 0;

@@ -54,3 +54,47 @@ TEST_CASE("One that steps out of line breaks the row, as does a wide gap") {
   CHECK_FALSE(fault(grid(1, 3, 0.0, {0.0, 0.0}, 3.0), 1).empty());
   CHECK_FALSE(fault(grid(1, 1, 0.0, {0.0, 0.0}), 1).empty());
 }
+
+namespace {
+
+// Equal steps around a point, from `first` on, seen in any order.
+std::vector<Object> ring(int count, double radius, double first, double step, const Vec2& center) {
+  std::vector<Object> things;
+  for (int n = 0; n < count; ++n) {
+    const double angle = first + step * n;
+    Object thing;
+    thing.position = {center.x() + radius * std::cos(angle), center.y() + radius * std::sin(angle), 0.0};
+    things.push_back(thing);
+  }
+  return things;
+}
+
+std::vector<const Object*> pointers(const std::vector<Object>& things) {
+  std::vector<const Object*> all;
+  for (const auto& thing : things) all.push_back(&thing);
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("Circles and arcs are found wherever they stand, and told from each other") {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> angle(-3.1, 3.1), place(-5.0, 5.0), radius(0.8, 3.0);
+  for (int i = 0; i < 200; ++i) {
+    const int count = 5 + i % 8;
+    const Vec2 center(place(random), place(random));
+    auto circle = ring(count, radius(random), angle(random), 2.0 * pi / count, center);
+    auto arc = ring(count, radius(random), angle(random), pi / (count - 1), center);
+    std::shuffle(circle.begin(), circle.end(), random);
+    std::shuffle(arc.begin(), arc.end(), random);
+    CHECK(circle_fault(pointers(circle)).empty());
+    CHECK(arc_fault(pointers(arc)).empty());
+    CHECK_FALSE(circle_fault(pointers(arc)).empty());
+    // One that steps inwards is in neither.
+    circle.front().position.head<2>() = center;
+    CHECK_FALSE(circle_fault(pointers(circle)).empty());
+  }
+  CHECK_FALSE(circle_fault(pointers(grid(1, 5, 0.4, {0.0, 0.0}))).empty());
+  CHECK_FALSE(arc_fault(pointers(grid(1, 5, 0.4, {0.0, 0.0}))).empty());
+  CHECK_FALSE(circle_fault(pointers(ring(2, 1.0, 0.0, 3.1, {0.0, 0.0}))).empty());
+}

@@ -24,6 +24,8 @@ struct Violation {
   std::string object;  ///< id, or empty for the room
   std::string other;   ///< the second object, the opening, the room that nobody can enter
 };
+/// "overlap: box-2 and box-1"
+std::string to_text(const Violation& violation);
 
 /// What can be said about a scene without knowing what was wished for.
 struct SceneReport {

@@ -38,6 +38,7 @@ struct PlanItem {
   bool asked = false;            ///< the prompt named it
   std::vector<Relation> relations;   ///< fixed beforehand; else the designer chooses them per object
   std::optional<Vec2> location;      ///< suggested centre
+  std::optional<double> facing;      ///< suggested yaw, radians
 };
 
 /// What a designer makes of a prompt: the empty room and its inventory, in the order of placement.

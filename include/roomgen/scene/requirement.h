@@ -50,6 +50,8 @@ struct Requirement {
 
 /// The attribute of things that stand in `count` rows; 0: however many.
 inline constexpr std::string_view in_rows = "in rows";
+/// Those of things that stand around a point, all the way or open on one side.
+inline constexpr std::string_view in_circle = "in a circle", in_arc = "in an arc";
 
 /// What becomes of a requirement.
 enum class Compliance {

@@ -1,0 +1,17 @@
+#pragma once
+
+namespace roomgen::design {
+
+/// Things that stand in rows, one behind the other; 0: not said how many there are, or how many in each. Or around a
+/// point: in a whole circle, or in an arc that is open on one side.
+struct Formation {
+  enum class Shape { rows, circle, arc };
+
+  int rows = 1;
+  int columns = 0;
+  Shape shape = Shape::rows;
+
+  bool is_round() const { return shape != Shape::rows; }
+};
+
+}  // namespace roomgen::design
