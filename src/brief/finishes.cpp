@@ -142,12 +142,19 @@ class FinishReader {
 
   // "exposed brick", "a tiled bathroom": the description names its part of the room itself.
   std::optional<Finding> read_alone(std::size_t at, std::size_t run) const {
-    if (!ends_phrase(run) || mention_at(table_, tokens_, run - 1).length > 0) return std::nullopt;
+    const bool is_thing = mention_at(table_, tokens_, run - 1).length > 0 && !is_laid_everywhere(at, run);
+    if (!ends_phrase(run) || is_thing) return std::nullopt;
     for (std::size_t i = at; i < run; ++i)
       if (const auto alone = longest(finishes_.alone, tokens_, i, longest_phrase);
           alone && i + alone.length <= run)
         return finding(at, run, *alone.value, "", text(at, run));
     return std::nullopt;
+  }
+
+  // "Grey carpet.": without an article it is the floor.
+  bool is_laid_everywhere(std::size_t at, std::size_t run) const {
+    const bool begins = at == 0 || !is_word(at - 1) || is_word(at - 1, "and") || is_word(at - 1, "with");
+    return begins && run > at + 1 && finishes_.alone.count(tokens_[run - 1].text) > 0;
   }
 
   // "the walls are painted in sage green", "floors of oak".

@@ -50,6 +50,7 @@ bool ends_phrase(std::span<const Token> tokens, std::size_t at, const Vocabulary
   if (at >= tokens.size() || tokens[at].kind != Token::Kind::word || of_the_room(tokens, at) > 0)
     return true;
   const std::string& next = tokens[at].text;
+  if (next == "a" || next == "an") return true;  // "at the front a lectern"
   return words.stops.count(next) && next != "of" && !words.room_parts.count(next) &&
          !words.shares.count(next) && !words.walls.count(next) && !names_side(tokens, at);
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "language/number.h"
+#include "mention_shape.h"
 
 namespace roomgen::design {
 
@@ -147,8 +148,14 @@ class FormationReader {
   }
   // Small things on others, and pictures on a wall, have no places of their own on the floor.
   bool may_stand_in_rows(std::size_t mention, const Formation& formation) const {
-    return are_several(mention, formation) && !reading_.talk.is_small(mention) &&
-           reading_.talk.mention(mention).mount == Mount::floor;
+    const Mention& things = reading_.talk.mention(mention);
+    if (!are_several(mention, formation)) return false;
+    if (formation.is_round() && may_lie_on_floor(things)) return true;
+    return !reading_.talk.is_small(mention) && things.mount == Mount::floor;
+  }
+  // "cushions in a circle": nothing carries them.
+  bool may_lie_on_floor(const Mention& things) const {
+    return things.mount == Mount::surface && reading_.text.table.by_name("floor " + things.noun);
   }
 
   void form(std::size_t index, const SaidFormation& said) {
@@ -159,10 +166,19 @@ class FormationReader {
     if (all > 0 && (!mention.counted || mention.quantity == said.formation.columns))
       reading_.talk.set_count(index, all);
     mention.formation = said.formation;
+    if (may_lie_on_floor(mention)) hang(mention, Mount::floor, reading_.text.table);
+    if (said.formation.is_round()) bound_table(mention);
     if (said.formation.is_round()) let_stand_in(said.tokens, index);
     mention.formation_heard = hear(reading_.brief, said.tokens, Heard::As::relation);
   }
 
+  // Tables that are put together in a horseshoe are not each one for ten.
+  void bound_table(Mention& mention) const {
+    constexpr double longest = 1.4, deepest = 0.7;  ///< metres
+    if (mention.sized || !reading_.text.table.is_a(mention.category, "table")) return;
+    mention.size.x() = std::min(mention.size.x(), longest), mention.size.y() = std::min(mention.size.y(), deepest);
+    mention.sized = true;
+  }
   // "in a circle around the rug": what is said of the circle, is said of the things.
   void let_stand_in(const Run& tokens, std::size_t index) {
     for (std::size_t i = 0; i < reading_.parse.phrases.size(); ++i)

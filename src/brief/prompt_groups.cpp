@@ -109,9 +109,13 @@ class GroupReader {
   void draw_together(std::size_t anchor) {
     constexpr int most = 4;
     const Mention& mention = reading_.talk.mention(anchor);
-    if (mention.quantity < 2 || mention.quantity > most || !mention.demands.empty()) return;
+    const bool is_free = std::all_of(mention.demands.begin(), mention.demands.end(),
+                                     [](const Demand& demand) { return demand.kind == RelationKind::corner; });
+    if (mention.quantity < 2 || mention.quantity > most || !is_free) return;
     const std::size_t others = reading_.talk.part(anchor, mention.quantity - 1);
-    if (others != anchor) reading_.talk.add(others, {RelationKind::near, anchor, "", false});
+    if (others == anchor) return;
+    reading_.brief.mentions[others].demands.clear();  // one of them stands in the corner
+    reading_.talk.add(others, {RelationKind::near, anchor, "", false});
   }
   // "a cosy corner"
   void keep_in_corner(std::size_t anchor, const Group& group) {

@@ -158,19 +158,26 @@ class PlaceReader {
   }
   // "at opposite ends of the room", "along both long walls": places that there are two of.
   std::optional<Discourse::Both> both_places(const Attachment& attachment, const SaidPlacement& said) const {
-    static const WordSet twos = {"both", "two", "opposite", "opposing", "each", "either"};
+    static const WordSet twos = {"both", "two", "opposite", "opposing", "each", "either"}, ends = {"end", "ends", "sides"};
     const NounPhrase& target = reading_.phrase(said.target);
     if (reading_.is_room(target) && said.placement->flank) return Discourse::Both::ends;
-    const auto place = reading_.place_named(target);
-    if (!place || place->place != Place::wall) return std::nullopt;
     bool are_two = false, are_sides = false;
     for (auto i = std::min(target.tokens.begin, attachment.tokens.begin); i < target.head; ++i) {
       are_two = are_two || twos.count(reading_.word(i));
       are_sides = are_sides || reading_.is_word(i, "side");
     }
+    if (are_two && ends.count(reading_.word(target.head)) && is_of_room(said.target)) return Discourse::Both::ends;
+    const auto place = reading_.place_named(target);
+    if (!place || place->place != Place::wall) return std::nullopt;
     if (!target.is_plural || (!are_two && !are_sides && place->length_of_wall.empty())) return std::nullopt;
     if (place->length_of_wall == "short") return Discourse::Both::short_walls;
     return are_sides ? Discourse::Both::side_walls : Discourse::Both::long_walls;
+  }
+  // "the ends of the room"
+  bool is_of_room(std::int32_t part) const {
+    return std::any_of(reading_.parse.attachments.begin(), reading_.parse.attachments.end(), [&](const Attachment& of) {
+      return of.from == part && of.relation == "of" && reading_.is_room(reading_.phrase(of.to));
+    });
   }
   // "three chairs, each facing its own mirror"
   bool is_own(const NounPhrase& target) const {

@@ -55,6 +55,27 @@ std::vector<WordTag> with_prepositions_behind_things(std::vector<WordTag> tags, 
   return tags;
 }
 
+// "a kitchen, sink under the window": what things are called by is one where a segment begins with it and says where.
+std::vector<WordTag> with_names_before_places(std::vector<WordTag> tags, const std::vector<Unit>& units,
+                                              const std::vector<UnitFacts>& facts, const IsName& is_name) {
+  if (!is_name) return tags;
+  for (std::size_t i = 0; i + 1 < tags.size(); ++i) {
+    const bool begins = i == 0 || units[i - 1].kind == Unit::Kind::comma || units[i - 1].kind == Unit::Kind::stop;
+    if (begins && tags[i] == WordTag::verb && tags[i + 1] == WordTag::preposition && is_name(facts[i].word))
+      tags[i] = WordTag::noun;
+  }
+  return tags;
+}
+
+// What the model says of each, and what it does not know.
+std::vector<WordTag> tags_of(const std::vector<Unit>& units, const std::vector<UnitFacts>& facts, const IsName& is_name) {
+  auto tags = tag_words(units, facts, tag_model());
+  tags = with_gerunds_behind_nouns(std::move(tags), facts, is_name);
+  tags = with_joined_colors(std::move(tags), facts);
+  tags = with_prepositions_behind_things(std::move(tags), units, facts);
+  return with_names_before_places(std::move(tags), units, facts, is_name);
+}
+
 /// Makes pieces of units: joins the words of a preposition, parts contractions, and says what the
 /// steps behind want to know of a word.
 class Tagger {
@@ -63,9 +84,7 @@ class Tagger {
       : tokens_(tokens),
         units_(units(tokens)),
         facts_(facts_of(tokens, units_, is_name)),
-        tags_(with_prepositions_behind_things(
-            with_joined_colors(with_gerunds_behind_nouns(tag_words(units_, facts_, tag_model()), facts_, is_name), facts_),
-            units_, facts_)) {}
+        tags_(tags_of(units_, facts_, is_name)) {}
 
   std::vector<Piece> run() {
     while (at_ < units_.size()) {

@@ -45,7 +45,7 @@ Vec2 choose_size(const RoomKind& kind, const Brief& brief, double scale, double 
   if (size.prod() < needed) size *= std::sqrt(needed / size.prod());
   if (size.prod() > max_chosen_area) size *= std::sqrt(max_chosen_area / size.prod());
   if (brief.shape.proportion) size = of_proportion(size.prod(), brief, random);
-  size = size.cwiseMax(brief.shape.proportion ? 0.7 * kind.smallest : kind.smallest).cwiseMax(least_side).cwiseMin(20.0);
+  size = size.cwiseMax(brief.shape.proportion ? 0.7 * kind.smallest : kind.smallest).cwiseMax(std::min(least_side, std::sqrt(max_chosen_area))).cwiseMin(20.0);
   size = Vec2(to_grid(size.x()), to_grid(size.y()));
   while (size.prod() > max_chosen_area + 1e-9) size.x() = to_grid(size.x() - 0.1);
   if (random.chance(0.3)) std::swap(size.x(), size.y());

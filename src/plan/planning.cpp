@@ -122,7 +122,7 @@ class Planner {
     for (int i = 0; i < n; ++i) scale *= growth;
     const Vec2 size = request_.size
                           ? *request_.size
-                          : choose_size(kind_, brief_, scale, floor_area(drafts, table_), side_for_round(drafts), random.fork("size"));
+                          : choose_size(kind_, brief_, scale, floor_area(drafts, table_), side_for_round(drafts, table_), random.fork("size"));
     const Outline outline =
         choose_outline(brief_, size, request_.size || brief_.size, plan.notes, random.fork("outline"));
     return make_room(kind_, outline, openings(random.fork("windows")), random.fork("openings"), plan.notes);

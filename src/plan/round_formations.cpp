@@ -11,9 +11,9 @@ namespace roomgen::design {
 namespace {
 
 constexpr double gaps_beside[] = {0.6, 0.4, 0.25, 0.12, 0.05};  ///< metres between neighbours, the loosest first
-constexpr double usual_gap = 0.25, around_all = 0.8;  ///< metres that a room is chosen for, between and around them
+constexpr double usual_gap = 0.25, around_all = 1.2;  ///< metres that a room is chosen for, between and around them
 constexpr double feet_in_middle = 1.0;    ///< metres across that stay free within
-constexpr double before_middle = 0.35;    ///< metres between what stands in the middle and those around it
+constexpr double before_round = 0.35, before_corners = 0.15;  ///< metres between what stands in the middle and those around it
 constexpr double view = 1.4;              ///< metres between those in an arc and what they face
 constexpr double half_turn = pi, arc_at_wall = 140.0 / 180.0 * pi;
 constexpr double places_every = 0.25;     ///< metres, where a middle is looked for
@@ -35,23 +35,28 @@ double radius_of(const Vec2& size, double step, double gap, double inside) {
   return to_front + 0.5 * size.y();
 }
 
+// From the middle of what things stand around to where their fronts may be.
+double around(const PlanItem& focus, const KindTable& table) {
+  if (!focus.size) return 0.5 * feet_in_middle;
+  const Vec2 size = focus.size->head<2>();
+  return table.get(focus.category).traits.round ? 0.5 * size.maxCoeff() + before_round : 0.5 * size.norm() + before_corners;
+}
+
 double angle_of(const Vec2& direction) { return std::atan2(direction.y(), direction.x()); }
 
 /// Things of one size around a point of a room.
 class RoundFormation {
  public:
-  RoundFormation(const Draft& draft, std::size_t count, const Draft* focus, const Room& room)
-      : draft_(draft), count_(count), focus_(focus), room_(room), size_(draft.item.size->head<2>()) {}
+  RoundFormation(const Draft& draft, std::size_t count, const Draft* focus, const Room& room, const KindTable& table)
+      : draft_(draft), count_(count), focus_(focus), room_(room), size_(draft.item.size->head<2>()),
+        inside_(focus ? around(focus->item, table) : 0.5 * feet_in_middle) {}
 
   std::optional<Ring> circle() const {
     const Vec2 center = roomiest();
     const double step = 2.0 * pi / static_cast<double>(count_);
-    const double inside = focus_ && focus_->item.size
-                              ? 0.5 * focus_->item.size->head<2>().norm() + before_middle
-                              : 0.5 * feet_in_middle;
     // Who comes in walks between two of them.
     const double first = angle_of(way_in() - center) + 0.5 * step;
-    return loosest([&](double gap) { return Ring{center, radius(step, gap, inside), first, step}; });
+    return loosest([&](double gap) { return Ring{center, radius(step, gap, inside_), first, step}; });
   }
 
   // Open towards a wall; with what they face at the wall, around that.
@@ -61,7 +66,7 @@ class RoundFormation {
     const double step = span / static_cast<double>(count_ - 1);
     const double first = angle_of(-forward) - 0.5 * span;
     return loosest([&](double gap) {
-      Ring ring{Vec2::Zero(), radius(step, gap, focus_ ? view : 0.5 * feet_in_middle), first, step};
+      Ring ring{Vec2::Zero(), radius(step, gap, focus_ && !is_around() ? std::max(view, inside_) : inside_), first, step};
       ring.center = focus_ ? at_wall(wall) : roomiest() + 0.5 * ring.radius * forward;
       return ring;
     });
@@ -108,6 +113,12 @@ class RoundFormation {
     return best;
   }
 
+  // "a half circle around the stage": close to it, where others look from afar.
+  bool is_around() const {
+    return std::any_of(draft_.demands.begin(), draft_.demands.end(),
+                       [](const Demand& demand) { return demand.kind == RelationKind::around; });
+  }
+
   Vec2 at_wall(std::size_t wall) const {
     const double depth = focus_->item.size ? focus_->item.size->y() : 0.0;
     return room_.polygon.edge(wall).middle() + 0.5 * depth * room_.polygon.inward(wall);
@@ -124,6 +135,7 @@ class RoundFormation {
   const Draft* focus_;
   const Room& room_;
   Vec2 size_;
+  double inside_;  ///< metres from the middle to their fronts, at least
 };
 
 // The least costly wall that there is an arc for.
@@ -155,7 +167,7 @@ void lay_out_round(const std::vector<std::size_t>& items, const std::vector<Draf
   if (items.size() < fewest) return;
   const Draft& draft = drafts[items.front()];
   const Draft* focus = focus_of(draft, drafts);
-  const RoundFormation formation(draft, items.size(), focus, plan.room);
+  const RoundFormation formation(draft, items.size(), focus, plan.room, table);
   std::optional<Ring> ring;
   if (draft.formation->shape == Formation::Shape::circle) {
     ring = formation.circle();
@@ -173,13 +185,13 @@ void lay_out_round(const std::vector<std::size_t>& items, const std::vector<Draf
   }
 }
 
-double side_for_round(const std::vector<Draft>& drafts) {
+double side_for_round(const std::vector<Draft>& drafts, const KindTable& table) {
   double side = 0.0;
   for (const Draft& draft : drafts) {
     if (!draft.formation || !draft.formation->is_round() || !draft.item.size || draft.item.quantity < 3) continue;
     const double turn = draft.formation->shape == Formation::Shape::circle ? 2.0 * pi : half_turn;
     const Draft* focus = focus_of(draft, drafts);
-    const double inside = focus && focus->item.size ? 0.5 * focus->item.size->head<2>().norm() + before_middle : 0.5 * feet_in_middle;
+    const double inside = focus ? around(focus->item, table) : 0.5 * feet_in_middle;
     const double radius = radius_of(draft.item.size->head<2>(), turn / draft.item.quantity, usual_gap, inside);
     side = std::max(side, 2.0 * radius + draft.item.size->head<2>().norm() + around_all);
   }

@@ -14,6 +14,6 @@ void lay_out_round(const std::vector<std::size_t>& items, const std::vector<Draf
                    Plan& plan);
 
 /// Metres that a room must be wide and deep for the circles and arcs among what was asked for; 0 if there are none.
-double side_for_round(const std::vector<Draft>& drafts);
+double side_for_round(const std::vector<Draft>& drafts, const KindTable& table);
 
 }  // namespace roomgen::design
