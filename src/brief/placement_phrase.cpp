@@ -89,7 +89,7 @@ std::optional<PlacePhrase> read_place(std::span<const Token> tokens, std::size_t
   const auto found_region = [&](const std::string& side, const std::string& share,
                                 std::size_t end) {
     phrase.region = side + "-" + share;
-    phrase.wall = -1;
+    phrase.side = std::exchange(phrase.wall, -1);
     return found(Place::region, end);
   };
   for (std::size_t n = 0; n <= max_qualifiers && i < tokens.size(); ++n, ++i) {

@@ -16,6 +16,7 @@ enum class Place { window, door, corner, wall, middle, region, room, floor, ceil
 struct PlacePhrase {
   Place place = Place::room;
   int wall = -1;          ///< which, of a rectangle; -1: not said
+  int side = -1;          ///< the wall that a region lies at: "the left"
   std::string region = {};  ///< "north-half"; of a corner "north-east-quarter"
   bool opposite = false;  ///< "the opposite wall"
   std::string length_of_wall = {};  ///< "long", "short": which walls of a rectangle; empty: not said

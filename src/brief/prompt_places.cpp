@@ -68,15 +68,27 @@ class PlaceReader {
       return;
     }
     if (said->placement->inverse) return read_inverse(attachment, *said);
-    const Indices subjects = reading_.subjects_of(attachment);
+    const Indices subjects = whom_place_means(attachment, *said);
     if (subjects.empty()) return;
     if (said->placement->mutual) return relate_mutually(reading_, subjects, *said->placement);
+    if (said->placement->flank && is_of_room(attachment.to)) return reading_.talk.locate_at_both(subjects, Discourse::Both::ends);
     if (said->placement->flank) shares_.give_each_side(attachment, reading_.all_of(attachment.from));
     if (said->target == none) {
       if (said->placement->flank && stand_owners_beside(subjects, attachment, *said->placement)) return;
       return relate_to_implied(subjects, *said->placement);
     }
     read_target(attachment, *said, subjects);
+  }
+  // "a bar with seven stools along the back wall": where seats and what they are at are told of, the place is said of what
+  // they are at.
+  Indices whom_place_means(const Attachment& attachment, const SaidPlacement& said) const {
+    const Indices subjects = reading_.subjects_of(attachment);
+    if (subjects.size() != 1 || said.target == none || reading_.mention_of(said.target)) return subjects;
+    const auto owner = owner_of_.find(subjects.front());
+    const auto place = reading_.place_named(reading_.phrase(said.target));
+    const bool is_seat = reading_.text.table.is_any_of(reading_.talk.mention(subjects.front()).category, {"chair", "stool"});
+    if (!place || owner == owner_of_.end() || !is_seat || place->place == Place::floor) return subjects;
+    return {owner->second};
   }
   // "a bed, a nightstand with a lamp on each side": the nightstands are at the sides of the bed, each with its lamp.
   bool stand_owners_beside(const Indices& subjects, const Attachment& attachment, const Placement& placement) {
@@ -132,6 +144,8 @@ class PlaceReader {
     if (const auto thing = reading_.mention_of(said.target)) {
       if (target.determiner == Determiner::each &&
           said.placement->relations.front() != RelationKind::aligned)
+        shares_.give_each(*thing, with_small_before(attachment, subjects), attachment.tokens.begin);
+      if (is_all(target) && !reading_.talk.mention(subjects.front()).counted)
         shares_.give_each(*thing, subjects, attachment.tokens.begin);
       if (is_own(target) && reading_.talk.mention(*thing).quantity == 1)
         shares_.give_each(subjects.front(), {*thing}, attachment.tokens.begin);
@@ -147,8 +161,9 @@ class PlaceReader {
       if (said.placement->centered) reading_.talk.locate(subjects, *said.placement, PlacePhrase{});
       return;
     }
-    const auto place = reading_.place_named(target);
+    auto place = reading_.place_named(target);
     if (!place) return;
+    if (place->place == Place::region && place->side >= 0 && is_along(attachment)) place->place = Place::wall, place->wall = place->side;
     if (target.determiner == Determiner::possessive && is_portion(*place))
       return lie_on_owner(subjects);
     if (target.determiner == Determiner::each) shares_.give_each_place(*place, subjects, attachment.tokens.begin);
@@ -179,6 +194,23 @@ class PlaceReader {
       return of.from == part && of.relation == "of" && reading_.is_room(reading_.phrase(of.to));
     });
   }
+  // "a monitor and keyboard on each": the small things of the list that were named before.
+  Indices with_small_before(const Attachment& attachment, Indices subjects) const {
+    for (const auto id : reading_.parse.with_list(static_cast<std::uint32_t>(attachment.from))) {
+      const auto mention = reading_.mention_of(static_cast<std::int32_t>(id));
+      const bool is_meant = mention && static_cast<std::int32_t>(id) < attachment.from && reading_.talk.is_small(*mention) &&
+                            !is_told_somewhere(static_cast<std::int32_t>(id));
+      if (is_meant && !is_among(subjects, *mention)) subjects.push_back(*mention);
+    }
+    return subjects;
+  }
+  // "ten dryers along the left": at that wall
+  bool is_along(const Attachment& attachment) const {
+    static const WordSet alongs = {"along", "against", "down"};
+    return alongs.count(attachment.relation) > 0;
+  }
+  // "flowers on all tables"
+  bool is_all(const NounPhrase& target) const { return target.is_plural && reading_.is_word(target.tokens.begin, "all"); }
   // "three chairs, each facing its own mirror"
   bool is_own(const NounPhrase& target) const {
     return target.head > 0 && target.determiner == Determiner::possessive && reading_.is_word(target.tokens.begin + 1, "own");
