@@ -129,7 +129,8 @@ std::optional<PlacePhrase> read_place(std::span<const Token> tokens, std::size_t
     }
     phrase.opposite = phrase.opposite || token.is_word("opposite") || token.is_word("opposing");
     const bool stop = words.stops.count(token.text) > 0;
-    if (stop && wall == words.walls.end() && !token.is_word("opposite") &&
+    const bool is_of_wall = names_wall(tokens, i + 1);  // "both side walls"
+    if (stop && wall == words.walls.end() && !token.is_word("opposite") && !is_of_wall &&
         !is_article(token, words))
       return std::nullopt;
   }

@@ -249,6 +249,7 @@ class PlaceReader {
         return reading_.talk.demand(subjects, {RelationKind::on, *thing, "", false});
       if (auto wall = reading_.place_named(reading_.phrase(of.to)); wall && wall->place == Place::wall) {
         wall->centered = true;
+        reading_.talk.told_by(hear(reading_.brief, {attachment.tokens.begin, reading_.phrase(of.to).head + 1}, Heard::As::relation));
         Placement against;
         against.relations = {RelationKind::near};
         return reading_.talk.locate(subjects, against, *wall);

@@ -78,8 +78,12 @@ class ThingReader {
     if (!thing.article && !thing.definite) read_listed_without_commas(said, thing);
     const std::size_t before = reading_.talk.count();
     reading_.mentions[number] = refer(id, thing);
-    if (const auto owner = person_owning(id); reading_.mentions[number] && !owner.empty())
-      reading_.brief.mentions[*reading_.mentions[number]].owner = owner;
+    if (const auto owner = person_owning(id); reading_.mentions[number] && !owner.empty()) {
+      // "twelve mats facing the teacher's mat": it is none of them.
+      std::size_t& own = *reading_.mentions[number];
+      if (own < before && reading_.talk.mention(own).quantity > 1) own = reading_.talk.another(own, 1);
+      reading_.brief.mentions[own].owner = owner;
+    }
     if (reading_.talk.count() > before) note_list(said);
     if (reading_.mentions[number]) {
       read_rows(id, *reading_.mentions[number]);
