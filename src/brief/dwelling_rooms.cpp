@@ -57,7 +57,7 @@ class RoomFinder {
         named.rooms = {*elaborated};
         continue;
       }
-      const bool told = is_first(named) || is_bare_in_list(named) || named.numbered || is_plural(named) ||
+      const bool told = is_first(named) || (known.empty() && is_bare_in_list(named)) || named.numbered || is_plural(named) ||
                         whole_dwelling(text_, names_);
       if (!told || !is_whole(text_, names_, named) || !is_linked(named)) continue;
       for (int n = 0; n < named.count; ++n) add_room(named);
@@ -176,14 +176,16 @@ class RoomFinder {
 
   // "A two-bedroom apartment" says nothing of its kitchen, which it has all the same.
   void add_usual_rooms(const NamedRoom& whole) {
-    // Who names the room where people meet, or two that it may be, has named all that there shall be, but for what none can
-    // lack: "an open kitchen" alone leaves the living room to be added.
+    // Who names the room where people meet, or two that it may be, or a kitchen and a bathroom, has named all that there
+    // shall be, but for what none can lack: "an open kitchen" alone leaves the living room to be added.
     const auto named_with = [&](int hub) {
       return std::count_if(rooms_.begin(), rooms_.end(), [&](const FoundRoom& room) {
         return text_.dwellings.rooms.at(room.type).hub >= hub;
       });
     };
-    const bool is_whole = named_with(2) > 0 || named_with(1) > 1;
+    const bool has_all_needed = std::all_of(text_.dwellings.never_without.begin(), text_.dwellings.never_without.end(),
+                                            [&](const std::string& type) { return !rooms_of_type(rooms_, type).empty(); });
+    const bool is_whole = named_with(2) > 0 || named_with(1) > 1 || (named_with(1) > 0 && has_all_needed);
     if (is_whole && rooms_.size() < 2) return;  // "an apartment living room"
     const auto& usual = text_.dwellings.dwellings.at(text_.tokens[whole.noun].text);
     const std::size_t before = rooms_.size();

@@ -60,7 +60,7 @@ class AdditionReader {
   void read_segment(const Run& segment) {
     const auto target = target_;
     target_ = thing_in(segment);
-    if (target_ || segment.empty() || segment.begin == 0) return;
+    if (target_ || segment.empty() || segment.begin == 0 || reading_.words.negations.count(reading_.word(segment.begin))) return;
     if (!target || !is_joined(segment.begin - 1)) return;
     if (const auto addition = addition_in(segment)) {
       add(*target, *addition);

@@ -34,10 +34,28 @@ class PlaceReader {
       read_attachment(attachment);
     }
     read_adverbs(reading_.text.plain.size());
+    give_those_behind_each();
     note_lost_sides();
   }
 
  private:
+  // "two bistro tables by the window, a pair of chairs each": of the last several before it.
+  void give_those_behind_each() {
+    for (std::size_t i = 0; i < reading_.parse.phrases.size(); ++i) {
+      const auto thing = reading_.mentions[i];
+      const NounPhrase& phrase = reading_.parse.phrases[i];
+      if (!thing || !is_each_behind(phrase) || owner_of_.count(*thing) || !reading_.talk.mention(*thing).demands.empty()) continue;
+      std::optional<std::size_t> owner;
+      for (std::size_t k = 0; k < i; ++k)
+        if (const auto one = reading_.mentions[k]; one && *one != *thing && reading_.talk.mention(*one).quantity > 1 &&
+                                                   reading_.sentence_of(reading_.parse.phrases[k].head) == reading_.sentence_of(phrase.head))
+          owner = one;
+      if (!owner) continue;
+      reading_.talk.told_by(hear(reading_.brief, {phrase.head + 1, phrase.head + 2}, Heard::As::count));
+      shares_.give_each(*owner, {*thing}, phrase.head + 1);
+      reading_.talk.own(*owner, *thing, true);
+    }
+  }
   // "On the left", of which nothing came.
   void note_lost_sides() {
     const std::vector<bool> heard = reading_.heard_tokens();
@@ -92,7 +110,9 @@ class PlaceReader {
   }
   // "a bed, a nightstand with a lamp on each side": the nightstands are at the sides of the bed, each with its lamp.
   bool stand_owners_beside(const Indices& subjects, const Attachment& attachment, const Placement& placement) {
-    if (subjects.size() != 1 || !reading_.talk.is_small(subjects.front())) return false;
+    const bool may_stand_on_it = subjects.size() == 1 && (reading_.talk.is_small(subjects.front()) ||
+                                                         reading_.text.table.is_a(reading_.talk.mention(subjects.front()).category, "lamp"));
+    if (!may_stand_on_it) return false;
     const auto owner = owner_of_.find(subjects.front());
     if (owner == owner_of_.end() || reading_.talk.mention(owner->second).mount != Mount::floor) return false;
     const std::size_t carrier = owner->second;
@@ -337,6 +357,7 @@ class PlaceReader {
       if (says_each(attachment) && is_told_in_room(attachment.to)) continue;
       if (!says_each(attachment) && !is_told_somewhere(attachment.to) && follows_told_place(attachment)) continue;
       if (!named_before(attachment).empty() && is_told_at_another(attachment.to, owner)) continue;
+      if (!says_each(attachment) && goes_on_about_room(attachment)) continue;
       if (says_each(attachment) || is_each_behind(reading_.phrase(attachment.to)))
         shares_.give_each(owner, reading_.all_of(attachment.to), attachment.tokens.begin);
       for (const std::size_t one : reading_.all_of(attachment.to))
@@ -367,6 +388,19 @@ class PlaceReader {
     const auto before = named_before(attachment);
     return std::any_of(before.begin(), before.end(),
                        [&](const Attachment* other) { return reading_.is_told_at_pronoun(other->to); });
+  }
+  // "a bed with a lamp, a rack near the door, an armchair": from what has its own place in the room on, behind a comma, the
+  // list is no more of what the first has.
+  bool goes_on_about_room(const Attachment& attachment) const {
+    const auto is_told_behind_comma = [&](std::int32_t id) {
+      const auto begin = reading_.phrase(id).tokens.begin;
+      return begin > 0 && reading_.text.plain[begin - 1].kind == Token::Kind::comma && is_told_in_room(id);
+    };
+    const auto before = named_before(attachment);
+    return !before.empty() && (is_told_behind_comma(attachment.to) ||
+                               std::any_of(before.begin(), before.end(), [&](const Attachment* other) {
+                                 return is_told_behind_comma(other->to);
+                               }));
   }
   // "a nightstand with a lamp and a bench at the foot of the bed": the bench is the bed's.
   bool is_told_at_another(std::int32_t id, std::size_t owner) const {

@@ -197,7 +197,7 @@ class ThingReader {
   // "a stack of books": what comes behind is part of the name.
   bool names_thing(std::int32_t id, const ThingPhrase& thing) const {
     const NounPhrase& said = reading_.phrase(id);
-    if (said.tokens.begin < skip_to_ || names_tone(said, thing) || is_talked_about(id) || is_formation(id) || is_handled(id) || is_of_occupant(said)) return false;
+    if (said.tokens.begin < skip_to_ || names_tone(said, thing) || is_talked_about(id) || is_formation(id) || is_handled(id) || is_of_occupant(said) || is_who_it_is_for(id)) return false;
     if (thing.kind.length == 0)
       return is_new_thing(id, thing) || (thing.definite && reading_.talk.known(thing));
     if (thing.kind.length == 1 && (is_bare_material(thing) || is_light(said, thing))) return false;
@@ -208,6 +208,13 @@ class ThingReader {
     for (std::uint32_t i = said.tokens.begin > 3 ? said.tokens.begin - 3 : 0; i < said.tokens.begin; ++i)
       if (const auto& found = reading_.occupants[i]; found && found->tokens.end > said.head) return true;
     return false;
+  }
+  // "a podcast studio for four speakers"
+  bool is_who_it_is_for(std::int32_t id) const {
+    if (!language::lexicon().may_be(reading_.parse.head_of(reading_.phrase(id)), language::WordClass::person)) return false;
+    return std::any_of(reading_.parse.attachments.begin(), reading_.parse.attachments.end(), [&](const Attachment& one) {
+      return one.to == id && one.relation == "for" && one.from != none && reading_.is_room(reading_.phrase(one.from));
+    });
   }
   // "in two columns of four"
   bool is_formation(std::int32_t id) const {
@@ -442,14 +449,14 @@ class ThingReader {
   }
   // "no pink", "no red things": no thing shall look so.
   bool exclude_look(std::int32_t id, const ThingPhrase& thing) {
-    static const WordSet colour = {"colour", "colours", "color", "colors"};
+    static const WordSet of_nothing = {"colour", "colours", "color", "colors", "whatsoever"};
     const NounPhrase& said = reading_.phrase(id);
     const std::string& noun = reading_.word(said.head);
     if (thing.kind.length > 0 && !thing.kind.is_inferred()) return false;
     std::vector<std::string> looks;
     for (auto i = said.tokens.begin; i <= said.head; ++i)
       if (finish_words().describes(reading_.word(i))) looks.push_back(reading_.word(i));
-    if (looks.empty() || !(finish_words().describes(noun) || colour.count(noun) || reading_.words.anything.count(noun)))
+    if (looks.empty() || !(finish_words().describes(noun) || of_nothing.count(noun) || reading_.words.anything.count(noun)))
       return false;
     const std::string look = join(looks, " ");
     reading_.hearing.absence(id, look);

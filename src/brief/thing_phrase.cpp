@@ -111,23 +111,12 @@ class ThingPhraseReader {
     const std::size_t name_start = phrase_.kind.length > 0 ? start_ : said_.head + 1;
     for (std::uint32_t i = said_.tokens.begin; i < name_start; ++i) {
       const std::string written = text_between(i, said_.head);
-      const NounKind meant = is_english(i) ? NounKind{} : misspelt_kind(text_.table, written);
+      const NounKind meant = misspelt_kind(text_.table, written);
       if (!meant.kind) continue;
       take_name(i, meant, meant.name);
       phrase_.kind.misspelt = written;
       return;
     }
-  }
-  // "a charging station" is no slip of "changing station".
-  bool is_english(std::uint32_t first) const {
-    const auto& english = language::lexicon();
-    for (auto i = first; i <= said_.head; ++i) {
-      const std::string& one = word(i);
-      const bool is_known = english.has(one, language::PartOfSpeech::noun) || english.has(in_singular(i), language::PartOfSpeech::noun) ||
-                            english.has(one, language::PartOfSpeech::adjective) || language::verb(one);
-      if (!is_known) return false;
-    }
-    return true;
   }
   // "credenza", "gong": nouns that no kind is called by, where something is introduced.
   void inferred_name() {

@@ -77,8 +77,10 @@ void Attacher::relative() {
   const bool is_of = preposition && preposition->relation == "of";
   if (preposition && !is_of && preposition->from != none) {
     Attachment place = *preposition;
-    // ", above which hangs a mirror": above what the clause is about.
-    const bool is_of_clause = at_ >= 2 && chunks_[at_ - 2].tag == Tag::comma && verb_ != none && verb_at(verb_).subject != none;
+    // "stands at the wall, above which hangs a mirror": above what the clause is about; but of what it introduces last
+    // itself, "faces a sideboard, on which ...".
+    const bool introduces = at(place.from).determiner == Determiner::indefinite || at(place.from).count > 0;
+    const bool is_of_clause = !introduces && at_ >= 2 && chunks_[at_ - 2].tag == Tag::comma && verb_ != none && verb_at(verb_).subject != none;
     place.to = is_of_clause ? verb_at(verb_).subject : place.from;
     place.from = none;
     end_clause();
