@@ -76,6 +76,10 @@ TEST_CASE("The rooms of a prompt") {
   // No dwelling is without a bathroom, unless it shall be.
   CHECK(rooms_in("a two-bedroom apartment with an open kitchen and a balcony") ==
         "balcony 1, bathroom 1, bedroom 2, kitchen 1, living room 1");
+  CHECK(rooms_in("a one-bedroom flat with a living room, a bedroom with a double bed, a kitchen and a bathroom") ==
+        "bathroom 1, bedroom 1, kitchen 1, living room 1");
+  CHECK(rooms_in("Kitchen with a table for five, living room with a sofa, bathroom with a shower.") ==
+        "bathroom 1, kitchen 1, living room 1");
   CHECK(rooms_in("a flat without a bathroom, with a living room and a bedroom") == "bedroom 1, living room 1");
 }
 

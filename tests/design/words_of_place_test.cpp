@@ -1,6 +1,7 @@
 // Turns by which prompts say how many there are and where they are, three sentences of each.
 #include <algorithm>
 #include <string>
+#include <tuple>
 
 #include "catch.h"
 #include "read_brief.h"
@@ -114,4 +115,90 @@ TEST_CASE("Of all of them there is no rest") {
     for (const auto& mention : brief.mentions)
       CHECK((mention.part_of == Demand::none || mention.part_of < brief.mentions.size()));
   }
+}
+
+namespace {
+
+// Places of every mention of a category, in the order of the brief.
+std::string all_places(const std::string& prompt, const std::string& category) {
+  const auto brief = read_brief(prompt);
+  std::string text;
+  for (std::size_t i = 0; i < brief.mentions.size(); ++i)
+    if (brief.mentions[i].category == category) text += (text.empty() ? "" : "; ") + places(brief, i);
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("The middle of a wall is at that wall, and no middle of the room") {
+  for (const auto& [prompt, category, wall] :
+       {std::tuple{"A garage with drums in the middle of the back wall.", "drum kit", "wall-2"},
+        {"A salon with a sideboard in the middle of the longer wall.", "sideboard", "long-wall"},
+        {"A ward with a desk in the centre of the end wall.", "desk", "short-wall"}}) {
+    INFO(prompt);
+    CHECK(target(prompt, category, RelationKind::center_aligned) == wall);
+    CHECK(target(prompt, category, RelationKind::near) == wall);
+    CHECK(target(prompt, category, RelationKind::middle) == "nothing");
+  }
+}
+
+TEST_CASE("Of places that there are two of each has half") {
+  CHECK(all_places("A shop with four shelves along both long walls.", "shelf") ==
+        "edge | near, long-wall | face same as, long-wall; edge | near, other-long-wall | face same as, other-long-wall");
+  CHECK(all_places("An archive with six cabinets on both side walls.", "cabinet").find("wall-3") != std::string::npos);
+  CHECK(all_places("A study with two desks at opposite ends of the room.", "desk") == "in part, one-end; in part, other-end");
+}
+
+TEST_CASE("At each side of a door or a window stands one") {
+  for (const auto& [prompt, category, part] : {std::tuple{"A lounge with an armchair on each side of the window.", "armchair", "window-0"},
+                                               {"A hall with a plant on either side of the door.", "plant", "door-0"},
+                                               {"An office with a bookshelf on both sides of the window.", "bookshelf", "window-0"}}) {
+    INFO(prompt);
+    CHECK(number_of(prompt, category) == 2);
+    CHECK(target(prompt, category, RelationKind::next_to) == part);
+  }
+}
+
+TEST_CASE("What an area has stands together") {
+  CHECK(target("A salon with a reading corner with an armchair, a floor lamp and a side table.", "floor lamp", RelationKind::near) == "armchair");
+  CHECK(target("A den with a music nook with a piano, a stool and a music stand.", "music stand", RelationKind::near) == "piano");
+  CHECK(target("An office. In the lounge area a sofa and a plant.", "plant", RelationKind::near) == "sofa");
+  // But what is in a corner of the room is no area's.
+  CHECK(target("A hall. In the left corner a plant, and a desk.", "desk", RelationKind::near) == "nothing");
+}
+
+TEST_CASE("Each has its own, and all have one") {
+  CHECK(number_of("A hallway with three stools, each facing its own mirror.", "mirror") == 3);
+  CHECK(number_of("A hall with ten round tables, flowers on all tables.", "flowers") == 10);
+  CHECK(number_of("A lab with four desks with a monitor and keyboard on each.", "monitor") == 4);
+  CHECK(number_of("A bakery with two tables by the window, a pair of chairs each.", "chair") == 4);
+}
+
+TEST_CASE("Where seats and what they are at are told of, the place is said of what they are at") {
+  const std::string prompt = "A restaurant with a bar with seven stools along the back wall.";
+  CHECK(target(prompt, "bar counter", RelationKind::near) == "wall-2");
+  CHECK(target(prompt, "stool", RelationKind::edge) == "nothing");
+}
+
+TEST_CASE("An age is no number of people, and people who are seated bring no seats") {
+  CHECK(read_brief("A bedroom for my 15 yr old son.").people < 2);
+  CHECK(number_of("A bedroom for my 15 yr old son.", "single bed") <= 1);
+  CHECK(number_of("A dozen chairs for our support group.", "armchair") == 0);
+}
+
+TEST_CASE("Nothing of a colour is a denied look") {
+  for (const char* prompt : {"A bedroom with nothing purple.", "An office with a desk, nothing pink or dark green.", "A den with no red things."}) {
+    INFO(prompt);
+    CHECK_FALSE(read_brief(prompt).excluded_looks.empty());
+  }
+  CHECK(read_brief("An office with a desk, nothing pink or dark green.").excluded_looks.size() == 2);
+}
+
+TEST_CASE("A bound behind a denied verb is a size") {
+  const auto brief = read_brief("A hall with a wardrobe that is not taller than 1.8 m.");
+  const Mention* wardrobe = find(brief, "wardrobe");
+  REQUIRE(wardrobe);
+  REQUIRE(wardrobe->lengths.size() == 1);
+  CHECK(wardrobe->lengths.front().metres == Approx(1.8));
+  CHECK(wardrobe->lengths.front().limit == roomgen::language::Measure::Limit::most);
 }
