@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "propose.h"
+#include "refusal.h"
 #include "score.h"
 
 namespace roomgen {
@@ -378,6 +379,8 @@ class LayoutSearch {
 
 bool arrange(Layout& layout, std::span<const PlacementTask* const> tasks,
              const ArrangeOptions& options, Random& random) {
+  const auto is_useless = [&](const PlacementTask* task) { return needs_way_in(layout, *task); };
+  if (!layout.has_way_in() && std::any_of(tasks.begin(), tasks.end(), is_useless)) return false;
   return LayoutSearch(layout, tasks, options, random).run();
 }
 

@@ -11,6 +11,7 @@
 #include "quality.h"
 #include "scene/judgement.h"
 #include "score.h"
+#include "trials.h"
 #include "words.h"
 
 namespace roomgen {
@@ -68,7 +69,8 @@ class Search {
     State best = state(), current = best;
     const int wanted = constraint_count(tasks_);
     int round = 0, barren = 0;
-    for (; round < options_.rounds && !options_.cancel.cancelled(); ++round) {
+    const int rounds = rounds_within_limit(options_.rounds, layout_.room().polygon.size(), layout_.wall_yaws().size());
+    for (; round < rounds && !options_.cancel.cancelled(); ++round) {
       if (best.quality.placed == static_cast<int>(tasks_.size()) && best.quality.held == wanted)
         break;
       if (is_all_that_words_allow()) break;
@@ -379,7 +381,7 @@ class Search {
 int improve(Layout& layout, const std::vector<PlacementTask>& tasks,
             std::map<std::string, std::string>& reasons, const ImproveOptions& options,
             Random& random) {
-  if (tasks.empty() || options.mode == Improvement::off) return 0;
+  if (tasks.empty() || options.mode == Improvement::off || !layout.has_way_in()) return 0;
   const Words words(layout, tasks);
   if (options.mode == Improvement::free || words.empty())
     return Search(layout, tasks, reasons, options, random).run();

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "trials.h"
 
 namespace roomgen {
 
@@ -22,7 +25,7 @@ std::vector<double> yaws_of_walls(const Room& room) {
   // Rounded so that right angles are exact and equal rooms give equal files.
   for (auto& yaw : yaws) yaw = radians(std::round(degrees(yaw) * 1e6) / 1e6);
   std::sort(yaws.begin(), yaws.end());
-  return yaws;
+  return thinned(std::move(yaws));
 }
 
 }  // namespace
@@ -67,7 +70,10 @@ Layout::Layout(const Room& room, const KindTable& categories, const ModelTable& 
       support_poses_(models),
       wall_yaws_(yaws_of_walls(room)),
       limits_(room),
-      occupancy_(room) {}
+      occupancy_(room) {
+  occupancy_.flood();
+  has_way_in_ = occupancy_.doors_connected();
+}
 
 const Object* Layout::find(std::string_view id) const {
   const auto found = std::find_if(objects_.begin(), objects_.end(),

@@ -58,8 +58,11 @@ class Layout {
   std::vector<Pose> free_support_poses(const Object& object, const Object& support) const;
   /// Does anything stand on the thing?
   bool carries_something(std::string_view id) const;
-  /// Yaws at which a thing stands square to some wall, each quarter turn, without repetition.
+  /// Yaws at which a thing stands square to some wall, each quarter turn, without repetition; of very many a sample.
   std::span<const double> wall_yaws() const { return wall_yaws_; }
+
+  /// Can somebody get in by every door while nothing stands here? Else nothing on the floor is of use, wherever it stands.
+  bool has_way_in() const { return has_way_in_; }
 
   /// The clearances of doors and passages.
   std::span<const Footprint> door_areas() const { return limits_.door_areas(); }
@@ -123,6 +126,7 @@ class Layout {
   std::vector<FloorThing> things_;
   std::vector<const Arrangement*> arranged_;  ///< parallel to objects_
   OccupancyGrid occupancy_;
+  bool has_way_in_ = true;
   /// Parallel to objects_; stamped only when an exact test needs it.
   std::vector<bool> in_occupancy_;
 };

@@ -304,6 +304,7 @@ Status PlaceOptions::validate() const {
 Result<Placement> place(Layout& layout, const PlacementTask& task,
                         std::span<const PlacementTask> later, const PlaceOptions& options,
                         Random& random) {
+  if (!layout.has_way_in() && needs_way_in(layout, task)) return no_way_in(task);
   if (task.usual && !task.location && task.object.mount != Mount::surface)
     if (const Arrangement* arrangement = layout.arrangement_of(task.object))
       return place_usually(layout, task, *arrangement, options, random);

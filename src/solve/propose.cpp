@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "proposals.h"
+#include "trials.h"
 #include "ways.h"
 
 namespace roomgen {
@@ -24,8 +25,9 @@ void propose_above_targets(const ProposalContext& context, std::vector<Pose>& po
   for (const auto& relation : context.relations)
     for (const auto& target : relation.targets)
       if (takes_target(relation.kind)) poses.push_back({target.center(), bottom, target.yaw()});
-  for (double x = box.low.x() + 0.25; x < box.high.x(); x += 0.25)
-    for (double y = box.low.y() + 0.25; y < box.high.y(); y += 0.25)
+  const double pitch = pitch_within_limit(0.25, polygon, 1);
+  for (double x = box.low.x() + pitch; x < box.high.x(); x += pitch)
+    for (double y = box.low.y() + pitch; y < box.high.y(); y += pitch)
       poses.push_back({{x, y}, bottom, yaw});
 }
 
@@ -161,6 +163,7 @@ std::vector<Pose> propose_grid(const ProposalContext& context, double pitch,
   if (context.task.object.mount != Mount::floor) return poses;
   const Bounds2 box = bounds(context.layout.room().polygon);
   const auto yaws = useful_yaws(context);
+  if (!part) pitch = pitch_within_limit(pitch, context.layout.room().polygon, yaws.size());
   // One of the points is the middle of the room.
   const Vec2 middle = 0.5 * (box.low + box.high);
   const Vec2 steps = (0.5 * box.size() / pitch).array().floor();

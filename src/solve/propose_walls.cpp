@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "trials.h"
+
 namespace roomgen {
 
 namespace {
@@ -11,7 +13,7 @@ constexpr double along_wall_pitch = 0.10;
 
 // The centres along a wall, measured from its start, at which a thing of this width is worth
 // trying: regular steps, both ends, the middle, beside openings and neighbours, opposite targets.
-std::vector<double> stations(const ProposalContext& context, std::size_t wall, double width) {
+std::vector<double> stations(const ProposalContext& context, std::size_t wall, double width, double pitch) {
   const Room& room = context.layout.room();
   const Segment line = room.polygon.edge(wall);
   const double length = line.length();
@@ -21,7 +23,7 @@ std::vector<double> stations(const ProposalContext& context, std::size_t wall, d
     if (length + 1e-3 >= width) result.push_back(0.5 * length);
     return result;
   }
-  for (double s = first; s < last; s += along_wall_pitch) result.push_back(s);
+  for (double s = first; s < last; s += pitch) result.push_back(s);
   const auto add = [&](double s) {
     if (s >= first - 1e-9 && s <= last + 1e-9) result.push_back(s);
   };
@@ -62,11 +64,12 @@ std::vector<double> stations(const ProposalContext& context, std::size_t wall, d
 void propose_at_walls(const ProposalContext& context, std::vector<Pose>& poses) {
   const Vec2 size = size_of(context);
   const Polygon& polygon = context.layout.room().polygon;
+  const double pitch = step_within_limit(along_wall_pitch, polygon);
   for (std::size_t k = 0; k < polygon.size(); ++k) {
     const Segment line = polygon.edge(k);
     const Vec2 inward = polygon.inward(k);
     const double yaw = yaw_facing(inward);
-    for (double s : stations(context, k, size.x()))
+    for (double s : stations(context, k, size.x(), pitch))
       poses.push_back({line.a + s * line.direction() + (0.5 * size.y() + flush) * inward,
                        mounting_height(context), yaw});
   }

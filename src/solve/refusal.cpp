@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "roomgen/base/text.h"
+#include "trials.h"
 
 namespace roomgen {
 
@@ -30,11 +31,11 @@ std::string blocked_by(const Layout& layout, const Layout::Candidate& candidate,
 
 // What stands where it could stand otherwise, the most often first: looked at on a coarse grid.
 std::string mostly_blocked_by(const Layout& layout, const Layout::Candidate& candidate) {
-  constexpr double pitch = 0.25;
   constexpr std::size_t most_named = 3;
   const FootprintAt footprint_at(candidate.object);
   const double bottom = candidate.object.position.z();
   const Bounds2 box = bounds(layout.room().polygon);
+  const double pitch = pitch_within_limit(0.25, layout.room().polygon, layout.wall_yaws().size(), most_looked_at);
   std::map<std::string, int> counts;
   for (double x = box.low.x() + pitch; x < box.high.x(); x += pitch)
     for (double y = box.low.y() + pitch; y < box.high.y(); y += pitch)
@@ -98,6 +99,16 @@ Error refusal(const Layout& layout, const PlacementTask& task, const Layout::Can
   const std::string blockers = blocked_by(layout, candidate, *task.location);
   if (!blockers.empty()) why += "; in the way at the suggested place: " + blockers;
   return {Error::Kind::not_found, why};
+}
+
+bool needs_way_in(const Layout& layout, const PlacementTask& task) {
+  return task.object.mount == Mount::floor && blocks_floor(task.object, layout.categories().get(task.object.category));
+}
+
+Error no_way_in(const PlacementTask& task) {
+  return {Error::Kind::not_found, "no place for " + task.object.id + " (" + size_text(task.object.size) +
+                                      " m): nobody gets into the room by its doors, even while it is empty; "
+                                      "they need a clear way " + format_number(2 * person_radius, 1) + " m wide"};
 }
 
 }  // namespace roomgen

@@ -11,4 +11,10 @@ namespace roomgen {
 Error refusal(const Layout& layout, const PlacementTask& task, const Layout::Candidate& candidate,
               int candidates, int feasible);
 
+/// Must somebody be able to come to it on the floor?
+bool needs_way_in(const Layout& layout, const PlacementTask& task);
+
+/// Why a thing of which that is true has no place where Layout::has_way_in() is not.
+Error no_way_in(const PlacementTask& task);
+
 }  // namespace roomgen
