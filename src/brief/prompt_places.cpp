@@ -1,12 +1,12 @@
 #include "prompt_places.h"
 
 #include <algorithm>
-#include <map>
 #include <optional>
 #include <utility>
 
 #include "prompt_denials.h"
 #include "prompt_mutual.h"
+#include "prompt_owned.h"
 #include "prompt_shares.h"
 #include "view_from_door.h"
 #include "which_of.h"
@@ -24,7 +24,7 @@ using language::Run;
 class PlaceReader {
  public:
   explicit PlaceReader(PromptReading& reading)
-      : reading_(reading), left_(words_left(reading.parse)), views_(views_from_door(reading)), shares_(reading) {}
+      : reading_(reading), left_(words_left(reading.parse)), views_(views_from_door(reading)), shares_(reading), owned_(reading, shares_) {}
 
   void run() {
     for (const auto& attachment : reading_.parse.attachments) {
@@ -34,28 +34,11 @@ class PlaceReader {
       read_attachment(attachment);
     }
     read_adverbs(reading_.text.plain.size());
-    give_those_behind_each();
+    owned_.read_those_behind_each();
     note_lost_sides();
   }
 
  private:
-  // "two bistro tables by the window, a pair of chairs each": of the last several before it.
-  void give_those_behind_each() {
-    for (std::size_t i = 0; i < reading_.parse.phrases.size(); ++i) {
-      const auto thing = reading_.mentions[i];
-      const NounPhrase& phrase = reading_.parse.phrases[i];
-      if (!thing || !is_each_behind(phrase) || owner_of_.count(*thing) || !reading_.talk.mention(*thing).demands.empty()) continue;
-      std::optional<std::size_t> owner;
-      for (std::size_t k = 0; k < i; ++k)
-        if (const auto one = reading_.mentions[k]; one && *one != *thing && reading_.talk.mention(*one).quantity > 1 &&
-                                                   reading_.sentence_of(reading_.parse.phrases[k].head) == reading_.sentence_of(phrase.head))
-          owner = one;
-      if (!owner) continue;
-      reading_.talk.told_by(hear(reading_.brief, {phrase.head + 1, phrase.head + 2}, Heard::As::count));
-      shares_.give_each(*owner, {*thing}, phrase.head + 1);
-      reading_.talk.own(*owner, *thing, true);
-    }
-  }
   // "On the left", of which nothing came.
   void note_lost_sides() {
     const std::vector<bool> heard = reading_.heard_tokens();
@@ -81,7 +64,7 @@ class PlaceReader {
                               ? reading_.hearing.relation(attachment, place_of(attachment, said))
                               : HeardWords::none);
     if (!said) {
-      if (reading_.owns(attachment) && !shares_.give_what_each_place_has(attachment)) read_owned(attachment);
+      if (reading_.owns(attachment) && !shares_.give_what_each_place_has(attachment)) owned_.read(attachment);
       shares_.read_for_each(attachment);
       return;
     }
@@ -102,20 +85,20 @@ class PlaceReader {
   Indices whom_place_means(const Attachment& attachment, const SaidPlacement& said) const {
     const Indices subjects = reading_.subjects_of(attachment);
     if (subjects.size() != 1 || said.target == none || reading_.mention_of(said.target)) return subjects;
-    const auto owner = owner_of_.find(subjects.front());
+    const auto owner = owned_.owner_of(subjects.front());
     const auto place = reading_.place_named(reading_.phrase(said.target));
     const bool is_seat = reading_.text.table.is_any_of(reading_.talk.mention(subjects.front()).category, {"chair", "stool"});
-    if (!place || owner == owner_of_.end() || !is_seat || place->place == Place::floor) return subjects;
-    return {owner->second};
+    if (!place || !owner || !is_seat || place->place == Place::floor) return subjects;
+    return {*owner};
   }
   // "a bed, a nightstand with a lamp on each side": the nightstands are at the sides of the bed, each with its lamp.
   bool stand_owners_beside(const Indices& subjects, const Attachment& attachment, const Placement& placement) {
     const bool may_stand_on_it = subjects.size() == 1 && (reading_.talk.is_small(subjects.front()) ||
                                                          reading_.text.table.is_a(reading_.talk.mention(subjects.front()).category, "lamp"));
     if (!may_stand_on_it) return false;
-    const auto owner = owner_of_.find(subjects.front());
-    if (owner == owner_of_.end() || reading_.talk.mention(owner->second).mount != Mount::floor) return false;
-    const std::size_t carrier = owner->second;
+    const auto owner = owned_.owner_of(subjects.front());
+    if (!owner || reading_.talk.mention(*owner).mount != Mount::floor) return false;
+    const std::size_t carrier = *owner;
     const auto target = reading_.talk.antecedent(placement.relations.front(), with_kin({carrier, subjects.front()}));
     if (!target) return false;
     say({carrier}, {&placement, none, false}, *target);
@@ -219,7 +202,7 @@ class PlaceReader {
     for (const auto id : reading_.parse.with_list(static_cast<std::uint32_t>(attachment.from))) {
       const auto mention = reading_.mention_of(static_cast<std::int32_t>(id));
       const bool is_meant = mention && static_cast<std::int32_t>(id) < attachment.from && reading_.talk.is_small(*mention) &&
-                            !is_told_somewhere(static_cast<std::int32_t>(id));
+                            !owned_.is_told_somewhere(static_cast<std::int32_t>(id));
       if (is_meant && !is_among(subjects, *mention)) subjects.push_back(*mention);
     }
     return subjects;
@@ -253,8 +236,8 @@ class PlaceReader {
   }
   // "every mat has a block at its left corner", "at its center"
   void lie_on_owner(const Indices& subjects) {
-    if (const auto owner = owner_of_.find(subjects.front()); owner != owner_of_.end())
-      return reading_.talk.demand(subjects, {RelationKind::on, owner->second, "", false});
+    if (const auto owner = owned_.owner_of(subjects.front()))
+      return reading_.talk.demand(subjects, {RelationKind::on, *owner, "", false});
     if (const auto thing = reading_.talk.antecedent(subjects))
       reading_.talk.demand(subjects, {RelationKind::on, *thing, "", false});
   }
@@ -313,29 +296,13 @@ class PlaceReader {
       return demand.kind == RelationKind::on && demand.mention == target;
     });
   }
-  // "each with", "every desk has", "each of them holding"
-  bool says_each(const Attachment& attachment) const {
-    const auto begin = attachment.tokens.begin;
-    const NounPhrase& from = reading_.phrase(attachment.from);
-    return (begin > 0 && reading_.is_word(begin - 1, "each")) ||
-           (from.determiner == Determiner::each && !is_reciprocal(from));
-  }
-  // "three desks with a chair each"
-  bool is_each_behind(const NounPhrase& thing) const {
-    return reading_.is_word(thing.head + 1, "each") && !reading_.is_word(thing.head + 2, "of") &&
-           !reading_.is_word(thing.head + 2, "with");
-  }
-  // "each other"
-  bool is_reciprocal(const NounPhrase& phrase) const {
-    return phrase.is_pronoun && reading_.is_word(phrase.head, "other") && phrase.determiner == Determiner::each;
-  }
   // "flanked by two lamps", "holds a vase": the subject is the target.
   void read_inverse(const Attachment& attachment, const SaidPlacement& said) {
     const auto owner = reading_.mention_of(attachment.from),
                thing = reading_.mention_of(attachment.to);
     if (!owner || !thing || *owner == *thing) return;
     const Indices things = reading_.all_of(attachment.to);
-    if (says_each(attachment)) shares_.give_each(*owner, things, attachment.tokens.begin);
+    if (owned_.says_each(attachment)) shares_.give_each(*owner, things, attachment.tokens.begin);
     for (const std::size_t one : things)
       for (auto kind : said.placement->relations)
         reading_.talk.add(one, {kind, *owner, "", said.placement->flank, is_among_several(attachment),
@@ -348,77 +315,6 @@ class PlaceReader {
                            return other.from == attachment.from &&
                                   other.tokens == attachment.tokens;
                          }) > 1;
-  }
-  void read_owned(const Attachment& attachment) {
-    const auto thing = reading_.mention_of(attachment.to);
-    if (!thing) return;
-    for (const std::size_t owner : reading_.subjects_of(attachment)) {
-      if (owner == *thing || reading_.talk.mention(owner).part_of != Demand::none) continue;
-      if (says_each(attachment) && is_told_in_room(attachment.to)) continue;
-      if (!says_each(attachment) && !is_told_somewhere(attachment.to) && follows_told_place(attachment)) continue;
-      if (!named_before(attachment).empty() && is_told_at_another(attachment.to, owner)) continue;
-      if (!says_each(attachment) && goes_on_about_room(attachment)) continue;
-      if (says_each(attachment) || is_each_behind(reading_.phrase(attachment.to)))
-        shares_.give_each(owner, reading_.all_of(attachment.to), attachment.tokens.begin);
-      for (const std::size_t one : reading_.all_of(attachment.to))
-        reading_.talk.own(owner, one, says_each(attachment), which_of(reading_, attachment.from));
-      owner_of_[*thing] = owner;
-    }
-  }
-  // "each with a chair, a lego table in the middle": what has its own place in the room is no more of the list.
-  bool is_told_in_room(std::int32_t id) const {
-    return std::any_of(reading_.parse.attachments.begin(), reading_.parse.attachments.end(), [&](const Attachment& one) {
-      const auto& said = reading_.placement(one);
-      if (one.from != id || !said || said->target == none || said->placement->inverse || reading_.mention_of(said->target)) return false;
-      const NounPhrase& target = reading_.phrase(said->target);
-      return reading_.place_named(target) && target.determiner != Determiner::possessive;
-    });
-  }
-  // Those of its list that were named before it.
-  std::vector<const Attachment*> named_before(const Attachment& attachment) const {
-    std::vector<const Attachment*> before;
-    for (const Attachment& other : reading_.parse.attachments)
-      if (other.from == attachment.from && other.tokens.begin == attachment.tokens.begin && other.to < attachment.to)
-        before.push_back(&other);
-    return before;
-  }
-  // "a sideboard with a vase on it, two paintings and a chandelier": who tells of one of a list that it is on it, tells
-  // nothing of those behind it.
-  bool follows_told_place(const Attachment& attachment) const {
-    const auto before = named_before(attachment);
-    return std::any_of(before.begin(), before.end(),
-                       [&](const Attachment* other) { return reading_.is_told_at_pronoun(other->to); });
-  }
-  // "a bed with a lamp, a rack near the door, an armchair": from what has its own place in the room on, behind a comma, the
-  // list is no more of what the first has.
-  bool goes_on_about_room(const Attachment& attachment) const {
-    const auto is_told_behind_comma = [&](std::int32_t id) {
-      const auto begin = reading_.phrase(id).tokens.begin;
-      return begin > 0 && reading_.text.plain[begin - 1].kind == Token::Kind::comma && is_told_in_room(id);
-    };
-    const auto before = named_before(attachment);
-    return !before.empty() && (is_told_behind_comma(attachment.to) ||
-                               std::any_of(before.begin(), before.end(), [&](const Attachment* other) {
-                                 return is_told_behind_comma(other->to);
-                               }));
-  }
-  // "a nightstand with a lamp and a bench at the foot of the bed": the bench is the bed's.
-  bool is_told_at_another(std::int32_t id, std::size_t owner) const {
-    return std::any_of(reading_.parse.attachments.begin(), reading_.parse.attachments.end(), [&](const Attachment& one) {
-      const auto& said = reading_.placement(one);
-      if (one.from != id || one.is_of_list || !said || said->target == none || said->placement->inverse) return false;
-      const auto target = reading_.mention_of(said->target);
-      return target && *target != owner && !reading_.phrase(said->target).is_pronoun;
-    });
-  }
-  // "behind it", "on top": whether words at a thing say where it is.
-  bool is_told_somewhere(std::int32_t id) const {
-    const auto end = reading_.phrase(id).tokens.end;
-    const auto adverb = longest(reading_.words.placements, reading_.text.plain, end);
-    return (adverb && (adverb.value->pronoun || adverb.value->adverb)) ||
-           std::any_of(reading_.parse.attachments.begin(), reading_.parse.attachments.end(), [&](const Attachment& one) {
-             return one.from == id && reading_.placement(one);
-           });
   }
   // Subjects, and what they are some of: none of them is what they stand beside.
   Indices with_kin(const Indices& subjects) const {
@@ -437,7 +333,7 @@ class PlaceReader {
   void relate_to_implied(const Indices& subjects, const Placement& placement) {
     const RelationKind first = placement.relations.front();
     auto target = reading_.talk.antecedent(first, with_kin(subjects));
-    if (is_beside(placement) && !owner_of_.count(subjects.front()) && (!target || is_seen_from_door() || hangs_over(*target, subjects))) {
+    if (is_beside(placement) && !owned_.owner_of(subjects.front()) && (!target || is_seen_from_door() || hangs_over(*target, subjects))) {
       const int wall = first == RelationKind::left_of ? left_wall : right_wall;
       PlacePhrase half;
       half.place = Place::region, half.region = half_at(wall);
@@ -449,8 +345,7 @@ class PlaceReader {
       target = owner;
     }
     // "a board with a knife on top", "a bed with a nightstand on one side"
-    if (const auto owner = owner_of_.find(subjects.front()); owner != owner_of_.end())
-      target = owner->second;
+    if (const auto owner = owned_.owner_of(subjects.front())) target = owner;
     if (target) say(subjects, {&placement, none, false}, *target);
   }
   // "A mirror on the wall. On the left, a pew": what stands is at a side of the room, not of what hangs.
@@ -535,9 +430,9 @@ class PlaceReader {
   const std::vector<Run> views_;                 ///< "as you come in"
   std::uint32_t place_at_ = 0;                   ///< the token of what is being read
   std::size_t next_adverb_ = 0;                  ///< token
-  std::map<std::size_t, std::size_t> owner_of_;  ///< "a tray with cups": mentions
   std::optional<std::pair<RelationKind, std::size_t>> last_side_;  ///< left or right of which mention
   ShareReader shares_;
+  OwnedReader owned_;
 };
 
 }  // namespace
