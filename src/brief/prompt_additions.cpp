@@ -63,9 +63,10 @@ class AdditionReader {
     if (target_ || segment.empty() || segment.begin == 0 || reading_.words.negations.count(reading_.word(segment.begin))) return;
     if (!target || !is_joined(segment.begin - 1)) return;
     if (const auto addition = addition_in(segment)) {
-      add(*target, *addition);
-      stand_for(*target, segment);
-      target_ = target;  // "2 m tall, anthracite"
+      const std::size_t meant = addition->count > 1 ? several_at(*target) : *target;
+      add(meant, *addition);
+      stand_for(meant, segment);
+      target_ = meant;  // "2 m tall, anthracite"
     }
   }
   // The thing that a segment names last: what comes behind is added to it. What people or what they do bring is
@@ -79,6 +80,13 @@ class AdditionReader {
         last = reading_.mentions[i];
     }
     return last;
+  }
+
+  // "hooks above the bench, six of them": no bench, of which there is one.
+  std::size_t several_at(std::size_t target) const {
+    if (reading_.talk.mention(target).quantity != 1) return target;
+    const auto several = reading_.talk.last_of_several({target}, true);
+    return several && *several < target ? *several : target;
   }
 
   bool is_named(std::size_t mention) const {

@@ -1,6 +1,7 @@
 #include "prompt_formations.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "language/number.h"
 #include "mention_shape.h"
@@ -107,8 +108,18 @@ class FormationReader {
     if (number && number->value >= 1.0 && number->value <= most_rows) {
       said.formation.columns = static_cast<int>(number->value);
       said.tokens.end = end;
+      if (read_second_size(end, said)) return;
     }
     said.in_front = phrase_over(end).has_value();
+  }
+  // "a grid of three by four"
+  bool read_second_size(std::uint32_t at, SaidFormation& said) const {
+    if (!reading_.is_word(at, "by") && !reading_.is_word(at, "x")) return false;
+    const auto number = language::number_at(reading_.parse.tokens, at + 1);
+    if (!number || number->value < 1.0 || number->value > most_rows) return false;
+    said.formation.rows = std::exchange(said.formation.columns, static_cast<int>(number->value));
+    said.tokens.end = at + 1 + static_cast<std::uint32_t>(number->length);
+    return true;
   }
   // The phrase that names things and goes on over a token.
   std::optional<std::size_t> phrase_over(std::uint32_t token) const {

@@ -63,6 +63,8 @@ void OwnedReader::read(const Attachment& attachment) {
   for (const std::size_t owner : reading_.subjects_of(attachment)) {
     if (owner == *thing || reading_.talk.mention(owner).part_of != Demand::none) continue;
     if (says_each(attachment) && is_told_in_room(attachment.to)) continue;
+    // "two armchairs with a table between them and a lamp on it": it is none of the two.
+    if (!says_each(attachment) && reading_.talk.mention(owner).quantity > 1 && is_told_at_one(attachment.to)) continue;
     if (!says_each(attachment) && !is_told_somewhere(attachment.to) && follows_told_place(attachment)) continue;
     if (!named_before(attachment).empty() && is_told_at_another(attachment.to, owner)) continue;
     if (!says_each(attachment) && goes_on_about_room(attachment)) continue;
@@ -113,6 +115,14 @@ bool OwnedReader::goes_on_about_room(const Attachment& attachment) const {
                              std::any_of(before.begin(), before.end(), [&](const Attachment* other) {
                                return is_told_behind_comma(other->to);
                              }));
+}
+
+// "on it", "beside it"
+bool OwnedReader::is_told_at_one(std::int32_t id) const {
+  return std::any_of(reading_.parse.attachments.begin(), reading_.parse.attachments.end(), [&](const Attachment& one) {
+    const auto& said = reading_.placement(one);
+    return one.from == id && said && said->target != none && reading_.is_word(reading_.phrase(said->target).head, "it");
+  });
 }
 
 // "a nightstand with a lamp and a bench at the foot of the bed": the bench is the bed's.

@@ -30,6 +30,7 @@ class OwnedReader {
   bool is_each_behind(const language::NounPhrase& thing) const;
   bool is_reciprocal(const language::NounPhrase& phrase) const;
   bool is_told_in_room(std::int32_t phrase) const;
+  bool is_told_at_one(std::int32_t phrase) const;
   bool is_told_at_another(std::int32_t phrase, std::size_t owner) const;
   std::vector<const language::Attachment*> named_before(const language::Attachment& attachment) const;
   bool follows_told_place(const language::Attachment& attachment) const;

@@ -187,7 +187,8 @@ class PlaceReader {
     if (are_two && ends.count(reading_.word(target.head)) && is_of_room(said.target)) return Discourse::Both::ends;
     const auto place = reading_.place_named(target);
     if (!place || place->place != Place::wall) return std::nullopt;
-    if (!target.is_plural || (!are_two && !are_sides && place->length_of_wall.empty())) return std::nullopt;
+    const bool is_each = target.determiner == Determiner::each || reading_.is_word(target.tokens.begin, "either");
+    if (!(target.is_plural || is_each) || (!are_two && !are_sides && place->length_of_wall.empty())) return std::nullopt;
     if (place->length_of_wall == "short") return Discourse::Both::short_walls;
     return are_sides ? Discourse::Both::side_walls : Discourse::Both::long_walls;
   }

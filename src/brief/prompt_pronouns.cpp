@@ -98,16 +98,25 @@ std::optional<std::size_t> PronounReader::stands_for(std::int32_t id) const {
     if (const auto several = reading_.talk.last_of_several(what_stands_at(id), is_of_them(id))) return several;
   for (const Attachment& attachment : reading_.parse.attachments) {
     if (attachment.to != id) continue;
-    if (const auto owner = owner_of(attachment.from)) return owner;
+    if (const auto owner = owner_of(attachment.from); owner && !(is_it && is_several(*owner, id))) return owner;
     if (const auto picture = what_hangs_over(attachment)) return picture;
     const auto subjects = reading_.subjects_of(attachment);
     if (const auto neighbour = small_neighbour(attachment, subjects)) return neighbour;
     if (const auto same = is_it ? same_as_before(id, subjects) : std::nullopt) return same;
-    if (const auto carrier = carrier_before(attachment)) return carrier;
+    if (const auto carrier = carrier_before(attachment); carrier && !(is_it && is_several(*carrier, id))) return carrier;
     if (const auto faced = is_it ? what_is_faced(attachment, subjects) : std::nullopt) return faced;
     return reading_.talk.antecedent(subjects, is_it);
   }
   return topic_before(id);
+}
+
+// "two armchairs with a table between them and a lamp on it": it is one thing; of "desks, each with a lamp on it" each is.
+bool PronounReader::is_several(std::size_t mention, std::int32_t pronoun) const {
+  if (reading_.talk.mention(mention).quantity < 2) return false;
+  const std::uint32_t head = reading_.phrase(pronoun).head;
+  for (std::uint32_t i = head; i-- > 0 && reading_.sentence_of(i) == reading_.sentence_of(head);)
+    if (reading_.is_word(i, "each") || reading_.is_word(i, "every")) return false;
+  return true;
 }
 
 // "A screen stands on it, a cabinet under it and two chairs in front of it": until something else is told of.

@@ -27,6 +27,7 @@ class PronounReader {
   Indices members_named(std::int32_t phrase, std::int32_t before, const Indices& subjects) const;
   Indices pair_before(std::int32_t phrase, const Indices& subjects) const;
   Indices subjects_at(std::int32_t phrase) const;
+  bool is_several(std::size_t mention, std::int32_t pronoun) const;
   std::optional<std::size_t> same_as_before(std::int32_t phrase, const Indices& subjects) const;
   std::optional<std::size_t> what_is_faced(const language::Attachment& attachment, const Indices& subjects) const;
   bool is_of_them(std::int32_t phrase) const;

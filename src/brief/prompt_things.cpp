@@ -57,8 +57,9 @@ class ThingReader {
     }
     if (thing.kind.length == 0 && reading_.is_somebody(said))
       hear(reading_.brief, {said.tokens.begin, said.head + 1}, Heard::As::person);
-    if (said.is_denied && exclude_look(id, thing)) return;
-    if (said.is_denied && !is_denied_place(id)) return exclude(id, thing);
+    const bool is_denied = said.is_denied || is_of_nobody(id);
+    if (is_denied && exclude_look(id, thing)) return;
+    if (is_denied && !is_denied_place(id)) return exclude(id, thing);
     if ((thing.kind.length == 0 || thing.kind.is_inferred()) && names_occupants(said)) {
       occupants_.push_back(id);
       return;
@@ -214,6 +215,12 @@ class ThingReader {
     if (!language::lexicon().may_be(reading_.parse.head_of(reading_.phrase(id)), language::WordClass::person)) return false;
     return std::any_of(reading_.parse.attachments.begin(), reading_.parse.attachments.end(), [&](const Attachment& one) {
       return one.to == id && one.relation == "for" && one.from != none && reading_.is_room(reading_.phrase(one.from));
+    });
+  }
+  // "nobody needs desks"
+  bool is_of_nobody(std::int32_t id) const {
+    return std::any_of(reading_.parse.verbs.begin(), reading_.parse.verbs.end(), [&](const language::VerbPhrase& verb) {
+      return verb.object == id && verb.subject != none && reading_.is_word(reading_.phrase(verb.subject).head, "nobody");
     });
   }
   // "in two columns of four"
