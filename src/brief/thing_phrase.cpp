@@ -279,7 +279,7 @@ class ThingPhraseReader {
       if (modifier.kind == language::Modifier::Kind::noun && modifier.tokens.end <= start_ &&
           !tells_look(modifier))
         for (auto token = modifier.tokens.begin; token < modifier.tokens.end; ++token)
-          phrase_.naming.push_back(word(token));
+          if (!begins_tone(token)) phrase_.naming.push_back(word(token));
     }
   }
   // "a striped navy and white rug": what stands before "and" is no phrase of its own.
@@ -306,8 +306,26 @@ class ThingPhraseReader {
     }
     return false;
   }
+  // "forest green", "navy blue": the word before a plain colour names its tone, unless it is a stuff or a size.
+  bool begins_tone(std::uint32_t i) const {
+    const FinishWords& finishes = finish_words();
+    if (i + 1 >= start_ || text_.plain[i].kind != Token::Kind::word || !finishes.basic_colors.count(word(i + 1))) return false;
+    const std::string& first = word(i);
+    if (finishes.basic_colors.count(first)) return false;  // "black white": two of them
+    if (finishes.colors.count(first)) return true;
+    const auto& english = language::lexicon();
+    using language::PartOfSpeech;
+    const bool is_other = finishes.describes(first) || text_.words.materials.count(first) || text_.words.sizes.count(first) ||
+                          text_.words.room_words.count(first) || is_number(i) || language::is_function_word(parse_.tokens[i]);
+    return !is_other && english.tagged(first, PartOfSpeech::noun) > english.tagged(first, PartOfSpeech::adjective);
+  }
   void add_words(const Run& run, std::size_t before) {
-    for (std::uint32_t i = run.begin; i < std::min<std::size_t>(run.end, before); ++i) {
+    for (std::uint32_t i = std::max(run.begin, tone_end_); i < std::min<std::size_t>(run.end, before); ++i) {
+      if (begins_tone(i)) {
+        add_modifier(word(i) + " " + word(i + 1), {i, i + 2});
+        tone_end_ = ++i + 1;
+        continue;
+      }
       if (is_measured(i)) {
         ++i;
         continue;
@@ -435,6 +453,7 @@ class ThingPhraseReader {
   const language::NounPhrase& said_;
   std::size_t start_ = 0;  ///< of the name
   bool measured_ = false;
+  std::uint32_t tone_end_ = 0;  ///< up to where colours of two words were read
   ThingPhrase phrase_;
 };
 

@@ -202,3 +202,17 @@ TEST_CASE("A bound behind a denied verb is a size") {
   CHECK(wardrobe->lengths.front().metres == Approx(1.8));
   CHECK(wardrobe->lengths.front().limit == roomgen::language::Measure::Limit::most);
 }
+
+TEST_CASE("A colour of two words is one look, and names no sort") {
+  for (const auto& [prompt, category, look] : {std::tuple{"A lounge with a navy blue sofa.", "sofa", "navy blue"},
+                                               {"A kitchen with two forest green stools.", "stool", "forest green"},
+                                               {"A den with a mustard yellow armchair.", "armchair", "mustard yellow"}}) {
+    INFO(prompt);
+    const auto brief = read_brief(prompt);
+    const Mention* mention = find(brief, category);
+    REQUIRE(mention);
+    CHECK(mention->looks == std::vector<std::string>{look});
+    CHECK(mention->naming.empty());
+  }
+  CHECK(find(read_brief("A den with a leather black armchair."), "armchair")->looks == std::vector<std::string>{"leather", "black"});
+}
