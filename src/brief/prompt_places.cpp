@@ -251,7 +251,9 @@ class PlaceReader {
       if (of.from != attachment.to || of.relation != "of") continue;
       if (const auto thing = reading_.mention_of(of.to))
         return reading_.talk.demand(subjects, {RelationKind::on, *thing, "", false});
-      if (auto wall = reading_.place_named(reading_.phrase(of.to)); wall && wall->place == Place::wall) {
+      auto wall = reading_.place_named(reading_.phrase(of.to));
+      const bool is_of_opening = wall && (wall->place == Place::window || wall->place == Place::door);  // "of the window wall"
+      if (wall && (wall->place == Place::wall || is_of_opening)) {
         wall->centered = true;
         reading_.talk.told_by(hear(reading_.brief, {attachment.tokens.begin, reading_.phrase(of.to).head + 1}, Heard::As::relation));
         Placement against;

@@ -216,3 +216,9 @@ TEST_CASE("A colour of two words is one look, and names no sort") {
   }
   CHECK(find(read_brief("A den with a leather black armchair."), "armchair")->looks == std::vector<std::string>{"leather", "black"});
 }
+
+TEST_CASE("The middle of the window wall is at the window") {
+  CHECK(target("A salon with a plant in the middle of the window wall.", "plant", RelationKind::near) == "window-0");
+  CHECK(target("A salon with a plant in the middle of the window wall.", "plant", RelationKind::middle) == "nothing");
+  CHECK(target("A salon with a plant in the middle of the room.", "plant", RelationKind::middle).empty());
+}
