@@ -109,6 +109,7 @@ class Discourse {
   void locate_at_window(const std::vector<std::size_t>& subjects, const Placement& placement);
   void locate_at_wall(const std::vector<std::size_t>& subjects, RelationKind first,
                       const PlacePhrase& place);
+  void demand_at_wall(const Indices& subjects, const std::string& wall);
   void demand_middle_of(const Indices& subjects, const std::string& wall);
   /// Every other one of them, or half of one kind, of which there are two then at least.
   std::pair<Indices, Indices> halves(const Indices& subjects);

@@ -32,13 +32,12 @@ class RoomFinder {
  public:
   RoomFinder(const DwellingText& text, std::vector<NamedRoom>& names,
              std::vector<std::string>& notes)
-      : text_(text), names_(names), notes_(notes) {}
+      : text_(text), names_(names), notes_(notes), whole_(whole_dwelling(text, names)) {}
 
   std::vector<FoundRoom> run() {
     introduce();
-    const NamedRoom* whole = whole_dwelling(text_, names_);
-    if (rooms_.size() < 2 && (!whole || rooms_.empty())) return {};
-    if (whole) add_usual_rooms(*whole);
+    if (rooms_.size() < 2 && (!whole_ || rooms_.empty())) return {};
+    if (whole_) add_usual_rooms(*whole_);
     bound_rooms();
     return std::move(rooms_);
   }
@@ -57,8 +56,7 @@ class RoomFinder {
         named.rooms = {*elaborated};
         continue;
       }
-      const bool told = is_first(named) || (known.empty() && is_bare_in_list(named)) || named.numbered || is_plural(named) ||
-                        whole_dwelling(text_, names_);
+      const bool told = is_first(named) || (known.empty() && is_bare_in_list(named)) || named.numbered || is_plural(named) || whole_;
       if (!told || !is_whole(text_, names_, named) || !is_linked(named)) continue;
       for (int n = 0; n < named.count; ++n) add_room(named);
     }
@@ -70,7 +68,7 @@ class RoomFinder {
     if (named.count != 1 || is_plural(named)) return std::nullopt;
     for (const NamedRoom& other : names_) {
       if (&other == &named) return std::nullopt;
-      const bool is_of_whole = other.type == named.type && whole_dwelling(text_, names_) && other.end == whole_dwelling(text_, names_)->noun;
+      const bool is_of_whole = other.type == named.type && whole_ && other.end == whole_->noun;
       if (!is_of_whole || !other.numbered) continue;
       const auto next = static_cast<std::size_t>(elaborated_[named.type]++);
       return next < known.size() && next < static_cast<std::size_t>(other.count) ? std::optional(known[next]) : std::nullopt;
@@ -217,6 +215,7 @@ class RoomFinder {
   const DwellingText& text_;
   std::vector<NamedRoom>& names_;
   std::vector<std::string>& notes_;
+  const NamedRoom* const whole_;  ///< "a two-bedroom flat"; null if none is named
   std::vector<FoundRoom> rooms_;
   std::map<std::string, int> elaborated_;  ///< how many of a type that was counted were told of, by type
 };

@@ -11,6 +11,15 @@ using language::Determiner;
 using language::none;
 using language::NounPhrase;
 
+// Whether words that say where the thing of a phrase is, and name a target, pass a test.
+template <typename Test>
+bool OwnedReader::is_told(std::int32_t id, Test test) const {
+  return std::any_of(reading_.parse.attachments.begin(), reading_.parse.attachments.end(), [&](const Attachment& one) {
+    const auto& said = reading_.placement(one);
+    return one.from == id && said && said->target != none && test(one, *said);
+  });
+}
+
 std::optional<std::size_t> OwnedReader::owner_of(std::size_t mention) const {
   const auto found = owner_of_.find(mention);
   return found == owner_of_.end() ? std::nullopt : std::optional(found->second);
@@ -78,10 +87,9 @@ void OwnedReader::read(const Attachment& attachment) {
 
 // "each with a chair, a lego table in the middle": what has its own place in the room is no more of the list.
 bool OwnedReader::is_told_in_room(std::int32_t id) const {
-  return std::any_of(reading_.parse.attachments.begin(), reading_.parse.attachments.end(), [&](const Attachment& one) {
-    const auto& said = reading_.placement(one);
-    if (one.from != id || !said || said->target == none || said->placement->inverse || reading_.mention_of(said->target)) return false;
-    const NounPhrase& target = reading_.phrase(said->target);
+  return is_told(id, [&](const Attachment&, const SaidPlacement& said) {
+    if (said.placement->inverse || reading_.mention_of(said.target)) return false;
+    const NounPhrase& target = reading_.phrase(said.target);
     return reading_.place_named(target) && target.determiner != Determiner::possessive;
   });
 }
@@ -119,19 +127,17 @@ bool OwnedReader::goes_on_about_room(const Attachment& attachment) const {
 
 // "on it", "beside it"
 bool OwnedReader::is_told_at_one(std::int32_t id) const {
-  return std::any_of(reading_.parse.attachments.begin(), reading_.parse.attachments.end(), [&](const Attachment& one) {
-    const auto& said = reading_.placement(one);
-    return one.from == id && said && said->target != none && reading_.is_word(reading_.phrase(said->target).head, "it");
+  return is_told(id, [&](const Attachment&, const SaidPlacement& said) {
+    return reading_.is_word(reading_.phrase(said.target).head, "it");
   });
 }
 
 // "a nightstand with a lamp and a bench at the foot of the bed": the bench is the bed's.
 bool OwnedReader::is_told_at_another(std::int32_t id, std::size_t owner) const {
-  return std::any_of(reading_.parse.attachments.begin(), reading_.parse.attachments.end(), [&](const Attachment& one) {
-    const auto& said = reading_.placement(one);
-    if (one.from != id || one.is_of_list || !said || said->target == none || said->placement->inverse) return false;
-    const auto target = reading_.mention_of(said->target);
-    return target && *target != owner && !reading_.phrase(said->target).is_pronoun;
+  return is_told(id, [&](const Attachment& one, const SaidPlacement& said) {
+    if (one.is_of_list || said.placement->inverse) return false;
+    const auto target = reading_.mention_of(said.target);
+    return target && *target != owner && !reading_.phrase(said.target).is_pronoun;
   });
 }
 

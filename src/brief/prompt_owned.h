@@ -29,6 +29,8 @@ class OwnedReader {
  private:
   bool is_each_behind(const language::NounPhrase& thing) const;
   bool is_reciprocal(const language::NounPhrase& phrase) const;
+  template <typename Test>
+  bool is_told(std::int32_t phrase, Test test) const;
   bool is_told_in_room(std::int32_t phrase) const;
   bool is_told_at_one(std::int32_t phrase) const;
   bool is_told_at_another(std::int32_t phrase, std::size_t owner) const;
