@@ -8,13 +8,6 @@ namespace roomgen::design {
 
 namespace {
 
-// "wall-2", "long-wall"; empty if no wall is told of. Of "the middle of the wall" a long one is meant.
-std::string wall_named(const PlacePhrase& place) {
-  if (place.wall >= 0) return "wall-" + std::to_string(place.wall);
-  if (!place.length_of_wall.empty()) return place.length_of_wall + "-wall";
-  return place.centered ? "long-wall" : "";
-}
-
 // The walls that there are two of, as plans name them.
 std::pair<const char*, const char*> walls_of(Discourse::Both both) {
   if (both == Discourse::Both::side_walls) return {"wall-3", "wall-1"};

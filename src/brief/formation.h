@@ -14,4 +14,10 @@ struct Formation {
   bool is_round() const { return shape != Shape::rows; }
 };
 
+/// What a word like "ring" or "triangle" means.
+struct FormationWord {
+  Formation::Shape shape = Formation::Shape::circle;
+  int number = 0;  ///< of things that alone can stand so; 0: any
+};
+
 }  // namespace roomgen::design

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "roomgen/scene/requirement.h"
 #include "table_size.h"
 
 namespace roomgen::design {
@@ -77,6 +78,16 @@ void set_length(Mention& mention, const language::Measure& measure) {
     default:
       return set_side(mention, 0, "longer side", measure);
   }
+}
+
+void set_hanging_height(Mention& mention, const language::Measure& measure) {
+  mention.lengths.push_back({std::string(height_above_floor), measure.values[0], measure.limit});
+}
+
+std::optional<double> hanging_height(const Mention& mention) {
+  for (const auto& length : mention.lengths)
+    if (length.side == height_above_floor) return length.metres;
+  return std::nullopt;
 }
 
 void shape(Mention& mention, const ThingPhrase& phrase, const Vocabulary& words,

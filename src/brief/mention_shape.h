@@ -32,6 +32,10 @@ bool needs_wall(const Mention& mention, const KindTable& table);
 /// floor.
 void hang(Mention& mention, Mount where, const KindTable& table);
 
+/// How high above the floor a mention shall hang, as it is said, and its middle in metres; none if nothing is said.
+void set_hanging_height(Mention& mention, const language::Measure& measure);
+std::optional<double> hanging_height(const Mention& mention);
+
 /// Makes a mention what stands on tables: a table lamp, a small plant; a fern stays a fern, as small
 /// as small plants are. False if there is no such kind.
 bool become_small(Mention& mention, const KindTable& table);

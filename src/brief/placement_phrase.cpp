@@ -137,4 +137,10 @@ std::optional<PlacePhrase> read_place(std::span<const Token> tokens, std::size_t
   return std::nullopt;
 }
 
+std::string wall_named(const PlacePhrase& place) {
+  if (place.wall >= 0) return "wall-" + std::to_string(place.wall);
+  if (!place.length_of_wall.empty()) return place.length_of_wall + "-wall";
+  return place.centered ? "long-wall" : "";
+}
+
 }  // namespace roomgen::design

@@ -28,4 +28,8 @@ struct PlacePhrase {
 std::optional<PlacePhrase> read_place(std::span<const Token> tokens, std::size_t at,
                                       const Vocabulary& words);
 
+/// How plans name the wall that a place tells of: "wall-2", "long-wall"; empty if it tells of none. Of "the middle of the
+/// wall" a long one is meant.
+std::string wall_named(const PlacePhrase& place);
+
 }  // namespace roomgen::design

@@ -10,6 +10,7 @@
 #include "prompt_formations.h"
 #include "prompt_groups.h"
 #include "prompt_headings.h"
+#include "prompt_heights.h"
 #include "prompt_limits.h"
 #include "prompt_occupants.h"
 #include "prompt_openings.h"
@@ -80,6 +81,7 @@ Brief read_prompt(std::string_view prompt, const RoomKinds& kinds, const KindTab
   share_colours(reading);
   read_partitions(reading);
   read_formations(reading);
+  read_heights(reading);
   read_places(reading);
   read_headings(reading);
   read_groups(reading);

@@ -39,7 +39,7 @@ std::string part_denied(const PromptReading& reading, std::int32_t target) {
   if (!place) return "";
   if (place->place == Place::window) return "window-0";
   if (place->place == Place::door) return "door-0";
-  return place->place == Place::wall && place->wall >= 0 ? "wall-" + std::to_string(place->wall) : "";
+  return place->place == Place::wall && !place->centered ? wall_named(*place) : "";
 }
 
 // What is not near is planned far.

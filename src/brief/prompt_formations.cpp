@@ -18,6 +18,7 @@ struct SaidFormation {
   Run tokens;
   bool in_front = false;  ///< "two rows of desks", said before the things
   int number = 0;         ///< "a circle of six chairs"; 0: not said
+  int only = 0;           ///< the number of things that can stand so; 0: any
 };
 
 class FormationReader {
@@ -45,13 +46,14 @@ class FormationReader {
   }
   // "in a wide circle", "a horseshoe of chairs", "forming a half circle"; a circle alone may be a thing, and so may "a
   // ring light".
-  std::optional<SaidFormation> round_formation(Formation::Shape shape, const Run& words) const {
-    SaidFormation said{{.rows = 0, .columns = 0, .shape = shape}, words};
+  std::optional<SaidFormation> round_formation(const FormationWord& meant, const Run& words) const {
+    SaidFormation said{{.rows = 0, .columns = 0, .shape = meant.shape}, words};
+    said.only = meant.number;
     for (int n = 0; n < 2 && describes_formation(said.tokens.begin); ++n) --said.tokens.begin;
     take_word_before(said, {"a", "an", "one", "the"});
     const auto first = said.tokens.begin;
     take_word_before(said, forming());
-    const bool is_led = said.tokens.begin < first && !phrase_over(words.end);
+    const bool is_led = said.tokens.begin < first && !phrase_over(words.end) && !describes_something(words.end - 1);
     if (reading_.is_word(words.end, "of")) {
       read_size(words.end + 1, said);
       std::swap(said.formation.columns, said.number);
@@ -62,6 +64,13 @@ class FormationReader {
   bool describes_formation(std::uint32_t end) const {
     static const WordSet ways = {"loose", "tight", "close", "neat", "perfect", "gentle", "open", "shallow", "full", "complete", "single"};
     return end > 0 && (ways.count(reading_.word(end - 1)) || reading_.words.sizes.count(reading_.word(end - 1)));
+  }
+  // "in a square alcove", but not "in a circle formation"
+  bool describes_something(std::uint32_t token) const {
+    static const WordSet figures = {"formation", "arrangement", "pattern", "shape", "layout", "configuration"};
+    return std::any_of(reading_.parse.phrases.begin(), reading_.parse.phrases.end(), [&](const auto& phrase) {
+      return phrase.tokens.begin <= token && token < phrase.head && !figures.count(reading_.word(phrase.head));
+    });
   }
   static const WordSet& forming() {
     static const WordSet words = {"in", "into", "as", "by", "form", "forms", "forming", "make", "makes", "making"};
@@ -176,6 +185,8 @@ class FormationReader {
     // "three rows of five seats": five are said, fifteen meant.
     if (all > 0 && (!mention.counted || mention.quantity == said.formation.columns))
       reading_.talk.set_count(index, all);
+    if (said.only > 0 && !mention.counted) reading_.talk.set_count(index, said.only);
+    if (said.only > 0 && mention.quantity != said.only) return;
     mention.formation = said.formation;
     if (may_lie_on_floor(mention)) hang(mention, Mount::floor, reading_.text.table);
     if (said.formation.is_round()) bound_table(mention);

@@ -69,6 +69,17 @@ Placement read_placement(const JsonReader& json) {
   return placement;
 }
 
+// "circle", "arc"; "circle of 3" where no other number is so called.
+FormationWord read_round_formation(const JsonReader& json) {
+  const std::string name = json.text();
+  if (name == "circle") return {Formation::Shape::circle, 0};
+  if (name == "arc") return {Formation::Shape::arc, 0};
+  if (name == "circle of 3") return {Formation::Shape::circle, 3};
+  if (name == "circle of 4") return {Formation::Shape::circle, 4};
+  json.report("must be \"circle\", \"arc\", \"circle of 3\" or \"circle of 4\"");
+  return {};
+}
+
 }  // namespace
 
 Result<Vocabulary> parse_vocabulary(std::string_view text, const std::string& source) {
@@ -80,7 +91,7 @@ Result<Vocabulary> parse_vocabulary(std::string_view text, const std::string& so
                    "limits", "exceptions", "anything",          "measured",       "distances", "stops",    "parts",        "no things",
                    "materials",     "sizes",          "people",   "people words", "room words",
                    "generic rooms", "parts of rooms", "walls",    "placements",   "pairs",
-                   "verbs",         "tops",           "portions", "built in", "asking",     "further",  "shares", "wall lengths", "groups", "areas", "rows", "round formations", "palette frames"});
+                   "verbs",         "tops",           "portions", "built in", "asking",     "further",  "shares", "wall lengths", "groups", "areas", "rows", "round formations", "palette frames", "height beginnings", "height endings"});
   Vocabulary words;
   words.numbers = read_integers(root["numbers"]);
   words.people = read_integers(root["people"]);
@@ -94,11 +105,7 @@ Result<Vocabulary> parse_vocabulary(std::string_view text, const std::string& so
   for (const auto& [word, share] : root["shares"].members()) words.shares[word] = share.text();
   for (const auto& [word, length] : root["wall lengths"].members()) words.wall_lengths[word] = length.text();
   for (const auto& [word, meaning] : root["limits"].members()) words.limits[word] = meaning.text();
-  for (const auto& [word, shape] : root["round formations"].members()) {
-    const std::string name = shape.text();
-    if (name != "circle" && name != "arc") shape.report("must be \"circle\" or \"arc\"");
-    words.round_formations[word] = name == "arc" ? Formation::Shape::arc : Formation::Shape::circle;
-  }
+  for (const auto& [word, shape] : root["round formations"].members()) words.round_formations[word] = read_round_formation(shape);
   for (const auto& relation : relation_definitions())
     if (relation.has(RelationDefinition::in_prompts)) words.placements[std::string(relation.name())].relations = {relation.kind};
   for (const auto& [phrase, relations] : root["placements"].members())
@@ -127,6 +134,8 @@ Result<Vocabulary> parse_vocabulary(std::string_view text, const std::string& so
                                                    {"groups", &words.groups},
                                                    {"areas", &words.areas},
                                                    {"rows", &words.rows},
+                                                   {"height beginnings", &words.height_beginnings},
+                                                   {"height endings", &words.height_endings},
                                                    {"palette frames", &words.palette_frames}};
   for (const auto& [key, set] : sets) *set = read_set(root[key]);
   if (problems.first()) return *problems.first();

@@ -41,6 +41,7 @@ struct Vocabulary {
   std::map<std::string, Placement, std::less<>> placements;
   WordSet pairs;     ///< one thing though a plural: "headphones", "a pair of scissors"
   WordSet verbs;     ///< finite: what stands before begins a clause
+  WordSet height_beginnings, height_endings;  ///< around a length: "at" 1.8 m, 1.5 m "above the floor"
   WordSet distances;  ///< behind a length: "1.5 m above the floor" is where a thing is, and no size of it
   WordSet tops;      ///< "the countertop": of what was spoken of
   WordSet portions;  ///< "the edge of the bathtub", "the sofa cushion": stand for the whole
@@ -51,7 +52,7 @@ struct Vocabulary {
   WordSet further;   ///< "extra towels": besides those spoken of
   WordSet asking;    ///< "create", "add": verbs that only ask for something
   WordSet exceptions;  ///< "except", "but"
-  std::map<std::string, Formation::Shape, std::less<>> round_formations;  ///< "circle", "half circle"
+  std::map<std::string, FormationWord, std::less<>> round_formations;  ///< "circle", "half circle"
   WordSet anything;  ///< "furniture", "things": whatever there is
   WordSet built_in;  ///< what is so is no thing of its own
   WordSet vague, definite, negations, measured, stops, parts, no_things, materials,

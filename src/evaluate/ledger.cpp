@@ -146,7 +146,17 @@ class Checker {
     return by_fault(rows_fault(things, requirement.count));
   }
 
+  // Hung at a height is what has it between its bottom and its top, to a few centimetres.
+  static std::string height_fault(const Requirement& requirement, const Object& object) {
+    constexpr double tolerance = 0.05;
+    const double low = bottom(object), high = top(object), asked = requirement.amount;
+    const bool is_low = high + tolerance < asked, is_high = low - tolerance > asked;
+    if ((!is_low || requirement.at_most) && (!is_high || requirement.at_least)) return "";
+    return "it hangs from " + format_number(low, 2) + " to " + format_number(high, 2) + " m above the floor";
+  }
+
   static std::string length_fault(const Requirement& requirement, const Object& object) {
+    if (requirement.attribute == height_above_floor) return height_fault(requirement, object);
     const Vec3& size = object.size;
     const std::string& side = requirement.attribute;
     const double there = side == "height"  ? size.z()

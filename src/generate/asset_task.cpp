@@ -1,5 +1,7 @@
 #include "asset_task.h"
 
+#include <algorithm>
+
 #include "library/asset_object.h"
 #include "sizing.h"
 #include "solve/layout.h"
@@ -17,7 +19,8 @@ PlacementTask task_of_asset(const std::string& id, const PlanItem& item, const K
   object.mount = item.mount;
   object.relations = item.relations;
   const double elevation = category.elevation > 0 ? category.elevation : asset.elevation;
-  object.position.z() = mounting_height(item.mount, object.size.z(), elevation, room);
+  const double bottom = item.height ? std::max(0.0, *item.height - 0.5 * object.size.z()) : elevation;
+  object.position.z() = mounting_height(item.mount, object.size.z(), bottom, room);
   task.location = item.location;
   task.asked = item.asked;
   return task;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "brief/mention_shape.h"
 #include "brief/table_size.h"
 #include "fit_tables.h"
 
@@ -294,6 +295,7 @@ std::vector<Draft> asked_items(const Brief& brief, const KindTable& table) {
     draft.item.quantity = mention.quantity;
     draft.item.varied = mention.varied;
     draft.item.mount = mention.mount;
+    draft.item.height = hanging_height(mention);
     draft.item.asked = true;
     drafts.push_back(std::move(draft));
   }

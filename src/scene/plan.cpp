@@ -34,12 +34,13 @@ Json item_json(const PlanItem& item) {
   if (!item.relations.empty()) json["constraints"] = to_text(item.relations);
   if (item.location) json["location"] = {rounded(item.location->x()), rounded(item.location->y())};
   if (item.facing) json["facing"] = rounded(degrees(*item.facing));
+  if (item.height) json["height"] = rounded(*item.height);
   return json;
 }
 
 PlanItem read_item(const JsonReader& json) {
   json.allow_only({"category", "description", "size", "quantity", "variance", "mount", "on", "asked",
-                   "constraints", "location", "facing"});
+                   "constraints", "location", "facing", "height"});
   PlanItem item;
   item.category = lower(json["category"].text(200));
   item.description = json["description"].text_or("");
@@ -65,6 +66,7 @@ PlanItem read_item(const JsonReader& json) {
     item.location = Vec2(v[0], v[1]);
   }
   if (const auto facing = json["facing"]; facing.exists()) item.facing = radians(facing.number(-36000, 36000));
+  if (const auto height = json["height"]; height.exists()) item.height = height.number(0.0, 50.0);
   return item;
 }
 

@@ -51,7 +51,7 @@ TEST_CASE("An article is no number of shelves or seats") {
 
 TEST_CASE("How far a thing is from another is no size of it") {
   for (const auto& [prompt, category] : {std::pair{"A study with a cabinet 2 m from the wall.", "cabinet"},
-                                         {"A hall with a mirror 1.2 m above the floor.", "mirror"},
+                                         {"A hall with a mirror 1.2 m above the bench.", "mirror"},
                                          {"A kitchen with a lamp 0.7 m above the table.", "lamp"}}) {
     INFO(prompt);
     const auto brief = read_brief(prompt);

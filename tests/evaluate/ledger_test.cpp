@@ -167,3 +167,26 @@ TEST_CASE("Of a stand-in nothing shows that it is the thing, nor that the thing 
   CHECK(verdicts[1].reason == "nothing shows that tuba-0 is what was asked for");
   CHECK(identified_as(scene.objects, {"tuba"}).at("tuba").empty());
 }
+
+TEST_CASE("What hangs is at a height that lies between its bottom and its top") {
+  Scene scene = bedroom();
+  scene.objects.push_back(rooms::thing("mirror-0", "wall mirror", {0.6, 0.05, 0.8}, {2, 0.05}));
+  auto wanted = about(Requirement::Kind::attribute, "wall mirror", {"mirror-0"});
+  wanted.attribute = height_above_floor;
+  wanted.amount = 1.5;
+  const auto met = [&](double bottom) {
+    scene.objects.back().position.z() = bottom;
+    return check_requirements(std::vector{wanted}, scene, KindTable::built_in(), {})[0].met();
+  };
+  CHECK(met(0.71));
+  CHECK(met(1.1));
+  CHECK(met(1.54));
+  CHECK_FALSE(met(0.6));
+  CHECK_FALSE(met(1.6));
+  wanted.at_least = true;
+  CHECK(met(1.6));
+  CHECK_FALSE(met(0.6));
+  wanted.at_least = false, wanted.at_most = true;
+  CHECK_FALSE(met(1.6));
+  CHECK(met(0.6));
+}

@@ -39,6 +39,7 @@ struct PlanItem {
   std::vector<Relation> relations;   ///< fixed beforehand; else the designer chooses them per object
   std::optional<Vec2> location;      ///< suggested centre
   std::optional<double> facing;      ///< suggested yaw, radians
+  std::optional<double> height;      ///< of what hangs: wanted metres from the floor to its middle
 };
 
 /// What a designer makes of a prompt: the empty room and its inventory, in the order of placement.

@@ -53,6 +53,9 @@ inline constexpr std::string_view in_rows = "in rows";
 /// Those of things that stand around a point, all the way or open on one side.
 inline constexpr std::string_view in_circle = "in a circle", in_arc = "in an arc";
 
+/// That of things that hang so high: `amount` is between their bottom and their top.
+inline constexpr std::string_view height_above_floor = "height above the floor";
+
 /// What becomes of a requirement.
 enum class Compliance {
   met,
