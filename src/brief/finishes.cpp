@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "roomgen/base/text.h"
+#include "tone.h"
 
 namespace roomgen::design {
 
@@ -61,6 +62,7 @@ class FinishReader {
   std::size_t descriptive(std::size_t i) const {
     if (const auto name = longest(finishes_.surface_names, tokens_, i, longest_phrase))
       return name.length;
+    if (begins_tone(tokens_, i, words_)) return 2;
     return is_word(i) && finishes_.describes(tokens_[i].text) ? 1 : 0;
   }
 

@@ -36,9 +36,16 @@ class HeightReader {
     const auto end = i + static_cast<std::uint32_t>(measure->length);
     const std::size_t behind = longest_in(reading_.words.height_endings, reading_.text.plain, end);
     const std::size_t before = words_before(i);
-    const bool is_distance = end < reading_.text.plain.size() && reading_.words.distances.count(reading_.word(end)) > 0;
+    const bool is_named = before > 0 && says_height(i - static_cast<std::uint32_t>(before), i);
+    const bool is_distance = !is_named && end < reading_.text.plain.size() && reading_.words.distances.count(reading_.word(end)) > 0;
     if (behind == 0 && (before == 0 || is_distance)) return std::nullopt;
     return SaidHeight{*measure, {i - static_cast<std::uint32_t>(before), end + static_cast<std::uint32_t>(behind)}};
+  }
+  // "at a height of 1.6 m above the bench": whatever follows.
+  bool says_height(std::uint32_t begin, std::uint32_t end) const {
+    for (auto i = begin; i < end; ++i)
+      if (reading_.is_word(i, "height")) return true;
+    return false;
   }
   std::size_t words_before(std::uint32_t i) const {
     constexpr std::uint32_t longest = 4;

@@ -5,6 +5,7 @@
 #include "language/function_word.h"
 #include "language/lexicon.h"
 #include "scene/finish_words.h"
+#include "tone.h"
 
 namespace roomgen::design {
 
@@ -45,7 +46,7 @@ class LookReader : private PhraseWords {
       if (modifier.kind == language::Modifier::Kind::noun && modifier.tokens.end <= thing_.name_tokens.begin &&
           !tells_look(modifier))
         for (auto token = modifier.tokens.begin; token < modifier.tokens.end; ++token)
-          if (!begins_tone(token)) thing_.naming.push_back(word(token));
+          if (!names_tone(token)) thing_.naming.push_back(word(token));
     }
   }
   // "a striped navy and white rug": what stands before "and" is no phrase of its own.
@@ -69,22 +70,12 @@ class LookReader : private PhraseWords {
     }
     return false;
   }
-  // "forest green", "navy blue": the word before a plain colour names its tone, unless it is a stuff or a size.
-  bool begins_tone(std::uint32_t i) const {
-    const FinishWords& finishes = finish_words();
-    if (i + 1 >= thing_.name_tokens.begin || text.plain[i].kind != Token::Kind::word || !finishes.basic_colors.count(word(i + 1))) return false;
-    const std::string& first = word(i);
-    if (finishes.basic_colors.count(first)) return false;  // "black white": two of them
-    if (finishes.colors.count(first)) return true;
-    const auto& english = language::lexicon();
-    using language::PartOfSpeech;
-    const bool is_other = finishes.describes(first) || text.words.materials.count(first) || text.words.sizes.count(first) ||
-                          text.words.room_words.count(first) || is_number(i) || language::is_function_word(parse.tokens[i]);
-    return !is_other && english.tagged(first, PartOfSpeech::noun) > english.tagged(first, PartOfSpeech::adjective);
+  bool names_tone(std::uint32_t i) const {
+    return i + 1 < thing_.name_tokens.begin && !language::is_function_word(parse.tokens[i]) && begins_tone(text.plain, i, text.words);
   }
   void add_words(const Run& run, std::size_t before) {
     for (std::uint32_t i = std::max(run.begin, tone_end_); i < std::min<std::size_t>(run.end, before); ++i) {
-      if (begins_tone(i)) {
+      if (names_tone(i)) {
         add_modifier(thing_, word(i) + " " + word(i + 1), {i, i + 2});
         tone_end_ = ++i + 1;
         continue;

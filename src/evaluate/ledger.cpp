@@ -62,7 +62,13 @@ class Checker {
       return count.kind == Requirement::Kind::count &&
              std::find(count.subjects.begin(), count.subjects.end(), id) != count.subjects.end() &&
              (judge_identity(*object, count.category).compliance != Compliance::met ||
-              !is_of_sort(*object, count.attribute));
+              !(is_of_sort(*object, count.attribute) || is_said_apart(count)));
+    });
+  }
+  // Of a "prop chest" a clause of its own says that nothing shows it to be a prop: a chest it is.
+  bool is_said_apart(const Requirement& count) const {
+    return std::any_of(all_.begin(), all_.end(), [&](const Requirement& look) {
+      return look.kind == Requirement::Kind::attribute && look.attribute == count.attribute && look.subjects == count.subjects;
     });
   }
 

@@ -19,9 +19,13 @@ constexpr std::size_t long_word = 8;     // may be wrong in two letters
 constexpr std::size_t most_of_plural = 3;   // letters that it changes: "child", "children"
 constexpr std::size_t most_difference = 5;  // of a noun and a name: two letters, and those of the plural
 
+// "Charging" is a form of a common verb; "dinning", of one that hardly anybody uses, is rather a slip.
 bool is_english(const std::string& word) {
   const auto& english = language::lexicon();
-  return english.has(word) || english.has(language::singular(word));
+  if (english.has(word) || english.has(language::singular(word))) return true;
+  const auto verb = language::verb(word);
+  constexpr double common = 3.0;
+  return verb && english.tagged(verb->base, language::PartOfSpeech::verb) >= common;
 }
 
 // None of a word that is right, or that is too short.

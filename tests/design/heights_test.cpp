@@ -26,7 +26,7 @@ TEST_CASE("How high a thing hangs is read wherever the sentence says it") {
   const Said said[] = {
       {"A living room with a television at 1.8 m and a sofa.", "wall tv", 1.8},
       {"A study with two wall shelves 1.5 m above the floor.", "wall shelves", 1.5},
-      {"A hall. A mirror hangs on the back wall at a height of 160 cm.", "mirror", 1.6},
+      {"A hall. A mirror hangs on the back wall at a height of 160 cm above a bench.", "mirror", 1.6},
       {"A bedroom with a picture above the bed, 5 feet off the floor.", "picture", 1.524},
       {"A hall with a clock above a bench at 2 m.", "wall clock", 2.0},
       {"An office where, at 1.4 m above the floor, a whiteboard hangs.", "whiteboard", 1.4},

@@ -80,6 +80,7 @@ TEST_CASE("A misspelt name is read as the one that is meant") {
   CHECK(kind_misspelt("nighstand") == "nightstand");
   CHECK(kind_misspelt("refridgerator") == "refrigerator");
   CHECK(kind_misspelt("cofee table") == "coffee table");
+  CHECK(kind_misspelt("dinning table") == "dining table");
   CHECK(kind_misspelt("bokshelves") == "bookshelf");
   CHECK(misspelt_kind(KindTable::built_in(), "cofee table").name == "coffee table");
 }
