@@ -88,9 +88,10 @@ void Discourse::locate_at_window(const std::vector<std::size_t>& subjects,
   if (!brief_.windows) brief_.windows = 1;
   // "an armchair on each side of the window"
   if (placement.flank) return demand(subjects, {first, Demand::none, "window-0", true});
-  // "under the window" and "on the window" are before it.
-  const bool before = first == RelationKind::under || first == RelationKind::on ||
-                      first == RelationKind::in_front_of;
+  // "opposite the window" looks at it from the other side of the room; "under the window" and "on the window" are before it.
+  const bool is_across = placement.relations.size() > 1 && placement.relations.back() == RelationKind::far;
+  const bool before = !is_across && ( first == RelationKind::under || first == RelationKind::on ||
+                                     first == RelationKind::in_front_of);
   auto relations = placement.relations;
   if (before) relations = {RelationKind::near, RelationKind::in_front_of};
   for (auto kind : relations)

@@ -118,9 +118,11 @@ class OpeningReader {
       return number->second == 1 || set_count(number->second);
     }
     if (words_.stops.count(token.text)) return false;
-    if (const auto side = words_.walls.find(token.text); side != words_.walls.end())
-      wish.sides.push_back(side->second);
-    if (const auto size = words_.sizes.find(token.text); size != words_.sizes.end()) {
+    const auto side = words_.walls.find(token.text);
+    const auto size = words_.sizes.find(token.text);
+    if (side != words_.walls.end()) wish.sides.push_back(side->second);
+    if (side == words_.walls.end() && size == words_.sizes.end()) phrase_.unread.push_back(at_);
+    if (size != words_.sizes.end()) {
       wish.wide *= size->second.x();
       wish.high *= size->second.z();
       phrase_.enlarged = phrase_.enlarged || size->second.x() > 1.0;

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "brief.h"
 #include "kind_mention.h"
@@ -20,6 +21,7 @@ struct OpeningPhrase {
   bool special = false;   ///< the kind is named by more than "door" or "window"
   bool enlarged = false;  ///< "large", "wide"
   std::size_t end = 0;    ///< the token behind it
+  std::vector<std::size_t> unread;  ///< adjectives that say nothing that one can build: "broken"
 };
 
 /// Reads a phrase about doors, windows or passages that begins at `at`, with the place that follows

@@ -65,8 +65,9 @@ bool are_opposite(int wall, int other) {
   return (wall + 2) % 4 == other;
 }
 
-// Of two walls that meet the corner between them, by north and south first.
+// Of two walls that meet the corner between them, by north and south first; of one, "the far corner", either at its half.
 std::string corner_region(int wall, int other) {
+  if (wall >= 0 && other < 0) return side_of(wall) + "-half";
   if (wall < 0 || other < 0 || wall == other || are_opposite(wall, other)) return "";
   if (wall % 2 == 1) std::swap(wall, other);
   return side_of(wall) + "-" + side_of(other) + "-quarter";
@@ -128,6 +129,8 @@ std::optional<PlacePhrase> read_place(std::span<const Token> tokens, std::size_t
         return found_region(side_of(phrase.wall), "half", i + 1);
     }
     phrase.opposite = phrase.opposite || token.is_word("opposite") || token.is_word("opposing");
+    // "each of the long walls"
+    if (n > 0 && token.is_word("of") && (tokens[i - 1].is_word("each") || tokens[i - 1].is_word("both"))) continue;
     const bool stop = words.stops.count(token.text) > 0;
     const bool is_of_wall = names_wall(tokens, i + 1);  // "both side walls"
     if (stop && wall == words.walls.end() && !token.is_word("opposite") && !is_of_wall &&

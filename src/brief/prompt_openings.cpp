@@ -61,8 +61,17 @@ class PromptOpenings {
     std::fill(reading_.taken.begin() + said.tokens.begin,
               reading_.taken.begin() + static_cast<std::ptrdiff_t>(end), Taken::yes);
     ask_for(*opening, reading_.brief);
-    hear(reading_.brief, {said.tokens.begin, static_cast<std::uint32_t>(end)}, Heard::As::thing,
-         opening->wish.kind);
+    hear_without(opening->unread, {said.tokens.begin, static_cast<std::uint32_t>(end)}, opening->wish.kind);
+  }
+  // "two broken windows": nothing was made of "broken".
+  void hear_without(const std::vector<std::size_t>& unread, Run words, const std::string& kind) {
+    for (const std::size_t i : unread) {
+      const auto token = reading_.left[i].source.begin;
+      if (token < words.begin || token >= words.end) continue;
+      if (token > words.begin) hear(reading_.brief, {words.begin, token}, Heard::As::thing, kind);
+      words.begin = token + 1;
+    }
+    if (!words.empty()) hear(reading_.brief, words, Heard::As::thing, kind);
   }
   // The first of the tokens that are left, from a token of the prompt on.
   std::size_t left_index(std::uint32_t token) const {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "language/inflection.h"
+
 #include "which_of.h"
 
 namespace roomgen::design {
@@ -51,7 +53,9 @@ void OwnedReader::read_those_behind_each() {
 bool OwnedReader::says_each(const Attachment& attachment) const {
   const auto begin = attachment.tokens.begin;
   const NounPhrase& from = reading_.phrase(attachment.from);
-  return (begin > 0 && reading_.is_word(begin - 1, "each")) ||
+  // "each with", "each loaded with"
+  const bool is_participle = begin > 1 && reading_.word(begin - 1).ends_with("ed") && language::verb(reading_.word(begin - 1));
+  return (begin > 0 && reading_.is_word(begin - 1, "each")) || (is_participle && reading_.is_word(begin - 2, "each")) ||
          (from.determiner == Determiner::each && !is_reciprocal(from));
 }
 

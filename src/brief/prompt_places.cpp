@@ -84,12 +84,27 @@ class PlaceReader {
   // they are at.
   Indices whom_place_means(const Attachment& attachment, const SaidPlacement& said) const {
     const Indices subjects = reading_.subjects_of(attachment);
-    if (subjects.size() != 1 || said.target == none || reading_.mention_of(said.target)) return subjects;
+    if (subjects.size() != 1 || said.target == none) return subjects;
+    if (const auto target = reading_.mention_of(said.target)) {
+      const auto carrier = owned_.owner_of(subjects.front());
+      return carrier && carrier != target && is_said_of_carrier(attachment, said, *carrier) ? Indices{*carrier} : subjects;
+    }
     const auto owner = owned_.owner_of(subjects.front());
     const auto place = reading_.place_named(reading_.phrase(said.target));
     const bool is_seat = reading_.text.table.is_any_of(reading_.talk.mention(subjects.front()).category, {"chair", "stool"});
     if (!place || !owner || !is_seat || place->place == Place::floor) return subjects;
     return {*owner};
+  }
+  // "a cake with six candles on the table", "a board with tools over the bench": of what small things are with, unless a
+  // further thing follows that carries them.
+  bool is_said_of_carrier(const Attachment& attachment, const SaidPlacement& said, std::size_t carrier) const {
+    const NounPhrase& target = reading_.phrase(said.target);
+    const bool is_with = std::any_of(reading_.parse.attachments.begin(), reading_.parse.attachments.end(), [&](const Attachment& with) {
+      return with.to == attachment.from && reading_.owns(with) && reading_.mention_of(with.from) == carrier && !with.is_verb;
+    });
+    const bool is_behind = reading_.phrase(attachment.from).head + 1 == attachment.tokens.begin;
+    return is_with && is_behind && !target.is_pronoun && target.determiner == Determiner::definite && !said.placement->flank &&
+           reading_.talk.is_small(*reading_.mention_of(attachment.from));
   }
   // "a bed, a nightstand with a lamp on each side": the nightstands are at the sides of the bed, each with its lamp.
   bool stand_owners_beside(const Indices& subjects, const Attachment& attachment, const Placement& placement) {
@@ -159,7 +174,7 @@ class PlaceReader {
     }
     if (is_way_in(target, *said.placement))
       return reading_.talk.locate(subjects, *said.placement, PlacePhrase{.place = Place::door});
-    if (const auto both = both_places(attachment, said)) return reading_.talk.locate_at_both(subjects, *both);
+    if (const auto both = both_places(attachment, said)) return locate_at_both(subjects, *both, target.determiner == Determiner::each);
     if (reading_.is_room(target)) {
       if (said.placement->centered) reading_.talk.locate(subjects, *said.placement, PlacePhrase{});
       return;
@@ -174,6 +189,12 @@ class PlaceReader {
       return locate_in_middle(attachment, subjects, *said.placement, *place);
     reading_.talk.locate(subjects, *said.placement, *place);
   }
+  // "four shelves along each long wall" are eight.
+  void locate_at_both(const Indices& subjects, Discourse::Both both, bool at_each) {
+    for (const std::size_t subject : subjects)
+      if (at_each && reading_.talk.mention(subject).counted && reading_.talk.mention(subject).quantity > 1) reading_.talk.multiply(subject, 2);
+    reading_.talk.locate_at_both(subjects, both);
+  }
   // "at opposite ends of the room", "along both long walls": places that there are two of.
   std::optional<Discourse::Both> both_places(const Attachment& attachment, const SaidPlacement& said) const {
     static const WordSet twos = {"both", "two", "opposite", "opposing", "each", "either"}, ends = {"end", "ends", "sides"};
@@ -185,10 +206,11 @@ class PlaceReader {
       are_sides = are_sides || reading_.is_word(i, "side");
     }
     if (are_two && ends.count(reading_.word(target.head)) && is_of_room(said.target)) return Discourse::Both::ends;
+    if (said.placement->relations.front() == RelationKind::face_to) return std::nullopt;
     const auto place = reading_.place_named(target);
     if (!place || place->place != Place::wall) return std::nullopt;
-    const bool is_each = target.determiner == Determiner::each || reading_.is_word(target.tokens.begin, "either");
-    if (!(target.is_plural || is_each) || (!are_two && !are_sides && place->length_of_wall.empty())) return std::nullopt;
+    const bool is_either = target.determiner == Determiner::each || reading_.is_word(target.tokens.begin, "either");
+    if (!(target.is_plural || is_either) || (!are_two && !are_sides && place->length_of_wall.empty())) return std::nullopt;
     if (place->length_of_wall == "short") return Discourse::Both::short_walls;
     return are_sides ? Discourse::Both::side_walls : Discourse::Both::long_walls;
   }
@@ -249,8 +271,10 @@ class PlaceReader {
       return reading_.talk.demand(subjects, {RelationKind::on, *owner, "", false});
     for (const Attachment& of : reading_.parse.attachments) {
       if (of.from != attachment.to || of.relation != "of") continue;
-      if (const auto thing = reading_.mention_of(of.to))
+      if (const auto thing = reading_.mention_of(of.to)) {
+        if (reading_.phrase(of.to).determiner == Determiner::each) shares_.give_each(*thing, subjects, attachment.tokens.begin);
         return reading_.talk.demand(subjects, {RelationKind::on, *thing, "", false});
+      }
       auto wall = reading_.place_named(reading_.phrase(of.to));
       const bool is_of_opening = wall && (wall->place == Place::window || wall->place == Place::door);  // "of the window wall"
       if (wall && (wall->place == Place::wall || is_of_opening)) {

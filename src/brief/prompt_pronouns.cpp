@@ -94,6 +94,7 @@ Indices PronounReader::pair_before(std::int32_t id, const Indices& subjects) con
 std::optional<std::size_t> PronounReader::stands_for(std::int32_t id) const {
   const NounPhrase& said = reading_.phrase(id);
   const bool is_it = reading_.is_word(said.head, "it");
+  if (const auto same = same_each_before(id)) return same;
   if (is_one_of_several(said))
     if (const auto several = reading_.talk.last_of_several(what_stands_at(id), is_of_them(id))) return several;
   for (const Attachment& attachment : reading_.parse.attachments) {
@@ -108,6 +109,18 @@ std::optional<std::size_t> PronounReader::stands_for(std::int32_t id) const {
     return reading_.talk.antecedent(subjects, is_it);
   }
   return topic_before(id);
+}
+
+// "a cloth on every table and a vase in the centre of each": of what "every" was said in the sentence before.
+std::optional<std::size_t> PronounReader::same_each_before(std::int32_t id) const {
+  const NounPhrase& said = reading_.phrase(id);
+  if (!reading_.is_word(said.head, "each")) return std::nullopt;
+  const Indices standing = what_stands_at(id);
+  for (std::int32_t i = id; i-- > 0 && reading_.sentence_of(reading_.phrase(i).head) == reading_.sentence_of(said.head);) {
+    const auto mention = reading_.mention_of(i);
+    if (reading_.phrase(i).determiner == Determiner::each && mention && !is_among(standing, *mention)) return mention;
+  }
+  return std::nullopt;
 }
 
 // "two armchairs with a table between them and a lamp on it": it is one thing; of "desks, each with a lamp on it" each is.

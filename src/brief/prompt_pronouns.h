@@ -17,9 +17,11 @@ class PronounReader {
   void read(std::int32_t phrase);
   /// What the clauses before were about.
   std::optional<std::size_t> topic_before(std::int32_t phrase) const;
+  /// What a pronoun means, or the owner of "its shelf".
+  std::optional<std::size_t> stands_for(std::int32_t phrase) const;
 
  private:
-  std::optional<std::size_t> stands_for(std::int32_t phrase) const;
+  std::optional<std::size_t> same_each_before(std::int32_t phrase) const;
   bool means_nothing(const language::NounPhrase& said) const;
   bool is_one_of_several(const language::NounPhrase& said) const;
   bool means_all(const language::NounPhrase& said) const;

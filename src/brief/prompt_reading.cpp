@@ -108,10 +108,21 @@ std::vector<bool> PromptReading::tokens_with_sense() const {
 }
 
 void PromptReading::look_back_from(std::size_t token) {
-  std::size_t made = 0;
+  std::size_t made = 0, next = talk.count();
+  for (std::size_t i = 0; i < parse.phrases.size(); ++i) {
+    if (!mentions[i] || talk.mention(*mentions[i]).part_of != Demand::none) continue;
+    if (parse.phrases[i].head < token)
+      made = std::max(made, *mentions[i] + 1);
+    else if (!is_named_before(*mentions[i], token))
+      next = std::min(next, *mentions[i]);
+  }
+  talk.look_back_from(std::min(made, next));
+}
+
+bool PromptReading::is_named_before(std::size_t mention, std::size_t token) const {
   for (std::size_t i = 0; i < parse.phrases.size() && parse.phrases[i].head < token; ++i)
-    if (mentions[i] && talk.mention(*mentions[i]).part_of == Demand::none) made = std::max(made, *mentions[i] + 1);
-  talk.look_back_from(made);
+    if (mentions[i] == mention) return true;
+  return false;
 }
 
 bool PromptReading::owns(const Attachment& attachment) const {

@@ -23,7 +23,7 @@ bool tells_what_nothing_shows(const std::string& word) {
   static const WordSet words = {"clear",   "free",       "empty",    "unobstructed", "unblocked", "passable", "reach",   "reachable",
                                 "reaches", "visible",    "invisible", "accessible",  "escape",    "see",      "apart",   "away",
                                 "aisle",   "aisles",     "passage",  "gap",          "gaps",      "path",     "walkway", "clearance",
-                                "circle",  "semicircle", "horseshoe", "arc",         "arcs",      "staggered"};
+                                "circle",  "semicircle", "horseshoe", "arc",         "arcs",      "staggered",   "because"};
   return words.count(word) > 0;
 }
 

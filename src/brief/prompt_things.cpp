@@ -60,6 +60,7 @@ class ThingReader {
     const bool is_denied = said.is_denied || is_of_nobody(id);
     if (is_denied && exclude_look(id, thing)) return;
     if (is_denied && !is_denied_place(id)) return exclude(id, thing);
+    if (const auto picture = names_occupants(said) ? what_shows(id) : std::nullopt) return reading_.hearing.part(id, *picture);
     if ((thing.kind.length == 0 || thing.kind.is_inferred()) && names_occupants(said)) {
       occupants_.push_back(id);
       return;
@@ -198,11 +199,20 @@ class ThingReader {
   // "a stack of books": what comes behind is part of the name.
   bool names_thing(std::int32_t id, const ThingPhrase& thing) const {
     const NounPhrase& said = reading_.phrase(id);
-    if (said.tokens.begin < skip_to_ || names_tone(said, thing) || is_talked_about(id) || is_formation(id) || is_handled(id) || is_of_occupant(said) || is_who_it_is_for(id)) return false;
+    if (said.tokens.begin < skip_to_ || gives_reason(said) || names_tone(said, thing) || is_talked_about(id) || is_formation(id) || is_handled(id) || is_of_occupant(said) || is_who_it_is_for(id)) return false;
     if (thing.kind.length == 0)
       return is_new_thing(id, thing) || (thing.definite && reading_.talk.known(thing));
     if (thing.kind.length == 1 && (is_bare_material(thing) || is_light(said, thing))) return false;
     return !is_of_owner(id, thing) && !is_inside(id) && !tells_what_it_is_of(id, thing);
+  }
+  // "because I have run out of shelves": up to the mark before.
+  bool gives_reason(const NounPhrase& said) const {
+    for (std::uint32_t i = said.tokens.begin; i-- > 0;) {
+      const auto kind = reading_.text.plain[i].kind;
+      if (reading_.is_word(i, "because")) return true;
+      if (kind == Token::Kind::comma || kind == Token::Kind::stop) return false;
+    }
+    return false;
   }
   // "who uses a wheelchair": the words name the person.
   bool is_of_occupant(const NounPhrase& said) const {
@@ -442,6 +452,7 @@ class ThingReader {
     if (said.determiner != Determiner::possessive ||
         !(reading_.words.portions.count(noun) || reading_.words.parts.count(noun)))
       return std::nullopt;
+    if (is_target(id)) return pronouns_.stands_for(id);
     const bool has_place = std::any_of(
         reading_.parse.attachments.begin(), reading_.parse.attachments.end(),
         [&](const Attachment& one) { return one.from == id && reading_.placement(one); });
@@ -505,6 +516,15 @@ class ThingReader {
     const auto begin = reading_.occupants.begin();
     return std::any_of(begin + said.tokens.begin, begin + said.head + 1,
                        [](const auto& found) { return found.has_value(); });
+  }
+
+  // "posters of bands", "a statue of a dog": who is shown does not live here.
+  std::optional<std::size_t> what_shows(std::int32_t id) const {
+    for (const Attachment& attachment : reading_.parse.attachments)
+      if (attachment.to == id && attachment.relation == "of" && attachment.from != none &&
+          reading_.thing(attachment.from).kind.length > 0)
+        if (const auto thing = reading_.mention_of(attachment.from)) return thing;
+    return std::nullopt;
   }
 
   PromptReading& reading_;

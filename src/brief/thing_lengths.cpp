@@ -60,9 +60,9 @@ class LengthReader : private PhraseWords {
       if (n <= measure && language::bound_at(parse.tokens, measure - n).length == n) return measure - n;
     return measure;
   }
-  // "a shelf 1.5 m above the floor", "2 m from the wall": where it is, and no size.
+  // "a shelf 1.5 m above the floor", "2 m from the wall": where it is, and no size; "1.2 m of aisle" is of something else.
   bool is_distance(std::size_t behind) const {
-    return behind < text.plain.size() && text.words.distances.count(word(behind)) > 0;
+    return behind < text.plain.size() && (text.words.distances.count(word(behind)) > 0 || text.plain[behind].is_word("of"));
   }
   // The first that begins there.
   void add_measure_in(const Run& run) {

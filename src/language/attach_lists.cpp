@@ -27,9 +27,20 @@ void Attacher::further_member(std::int32_t id) {
   is_joined_ = has_comma_ = false;
 }
 
+// "without rug, desk or plant"; of "a bed without headboard, a lamp, a desk" only the headboard is not there.
+bool Attacher::is_past_denied(const OpenList& list, std::int32_t id) {
+  if (list.attachment == none || !has_comma_ || ended_by_conjunction_) return false;
+  const Attachment& by = parse_.attachments[static_cast<std::size_t>(list.attachment)];
+  if (!by.is_denied || by.is_verb) return false;
+  for (auto i = at(id).tokens.end; i < parse_.tokens.size() && parse_.tokens[i].kind != Token::Kind::stop; ++i)
+    if (parse_.tokens[i].is("or") || parse_.tokens[i].is("nor")) return false;
+  return true;
+}
+
 // Whether the noun phrase is another member of the list, rather than of one around it.
 bool Attacher::takes(const OpenList& list, std::int32_t id) {
   if (is_all_there_is(id) && at(list.last).is_denied) return false;
+  if (is_past_denied(list, id)) return false;
   if (list.by != Opened::subject && list.by != Opened::object && is_share(id)) return false;
   if ((list.by == Opened::object || list.by == Opened::clause) && brings_something_new(list, id)) return false;
   // "two chairs facing a sofa, a lamp and ...": the sofa ends the clause.

@@ -104,6 +104,7 @@ class Attacher {
   void further_member(std::int32_t id);
   bool takes(const OpenList& list, std::int32_t id);
   bool brings_something_new(const OpenList& list, std::int32_t id);
+  bool is_past_denied(const OpenList& list, std::int32_t id);
   bool is_past_each(const OpenList& list, std::int32_t id);
   bool is_within_list() const;
   bool is_bare(std::int32_t id);

@@ -222,3 +222,95 @@ TEST_CASE("The middle of the window wall is at the window") {
   CHECK(target("A salon with a plant in the middle of the window wall.", "plant", RelationKind::middle) == "nothing");
   CHECK(target("A salon with a plant in the middle of the room.", "plant", RelationKind::middle).empty());
 }
+
+TEST_CASE("What follows in the list behind something that is not there is there") {
+  for (const auto& [prompt, category] : {std::pair{"A bedroom with a bed without headboard, a paper lantern, a desk.", "desk"},
+                                         {"A study, a chair without arms, a bookcase, a globe.", "bookshelf"},
+                                         {"A hall, no rug, with a bench without a back, a mirror.", "mirror"}}) {
+    INFO(prompt);
+    CHECK(number_of(prompt, category) == 1);
+  }
+  const auto brief = read_brief("A bedroom without a rug, a desk or plants.");
+  CHECK(find(brief, "desk") == nullptr);
+  CHECK(brief.excluded.size() == 3);
+}
+
+TEST_CASE("At each of two walls stand as many") {
+  for (const char* prompt : {"A store with four shelving units along each of the long walls.", "A store. Along each long wall stand four shelving units.",
+                             "A store with four shelving units against each of the two side walls."}) {
+    INFO(prompt);
+    int all = 0;
+    for (const auto& mention : read_brief(prompt).mentions) all += mention.quantity;
+    CHECK(all == 8);
+  }
+  CHECK(number_of("A store with two shelving units along both long walls.", "shelving unit") == 1);
+}
+
+TEST_CASE("Each means what every was said of") {
+  for (const auto& [prompt, category] :
+       {std::pair{"A hall with six round tables, each table surrounded by four chairs, a vase in the centre of each.", "vase"},
+        {"A hall with six round tables, a lamp on every table and a vase on each.", "vase"},
+        {"A hall with six round tables, every table with four chairs and a vase on each.", "vase"}}) {
+    INFO(prompt);
+    CHECK(number_of(prompt, category) == 6);
+    CHECK(target(prompt, category, RelationKind::on) == "round table");
+  }
+}
+
+TEST_CASE("What each is loaded with counts for each") {
+  for (const char* prompt : {"A store with four shelving units, each loaded with five storage boxes.",
+                             "A store with four shelving units, each stocked with five storage boxes.",
+                             "A store with four shelving units, each filled with five storage boxes."}) {
+    INFO(prompt);
+    CHECK(number_of(prompt, "storage box") == 20);
+  }
+}
+
+TEST_CASE("Where it is said of what small things are with, a place is not that of the small things") {
+  for (const auto& [prompt, category, kind, there] :
+       {std::tuple{"A room with a table and a cake with six candles on the table.", "cake", RelationKind::on, "table"},
+        {"A workshop with a workbench and a pegboard with tools over the workbench.", "pegboard", RelationKind::above, "workbench"},
+        {"A nursery with a changing table with towels on its shelf.", "towel", RelationKind::on, "changing table"}}) {
+    INFO(prompt);
+    CHECK(target(prompt, category, kind) == there);
+  }
+}
+
+TEST_CASE("Seats at the ends are at the ends of what was spoken of, not of what comes") {
+  const std::string prompt = "A dining room with an oval table: three chairs along each long side and one at either end. A sideboard by the wall.";
+  for (const auto& mention : read_brief(prompt).mentions)
+    for (const auto& demand : mention.demands)
+      if (mention.category == "dining chair") CHECK(read_brief(prompt).mentions.at(demand.mention).category == "round table");
+}
+
+TEST_CASE("Opposite the window is across the room from it") {
+  for (const auto& [prompt, category] : {std::pair{"A study with a desk opposite the window.", "desk"},
+                                         {"A den with a sofa opposite the window.", "sofa"},
+                                         {"A hall. Opposite the window stands a piano.", "piano"}}) {
+    INFO(prompt);
+    CHECK(target(prompt, category, RelationKind::far) == "window-0");
+    CHECK(target(prompt, category, RelationKind::near) == "nothing");
+  }
+}
+
+TEST_CASE("The far corner is one of the back wall's") {
+  for (const auto& [prompt, part] : {std::pair{"A gym with a bench in the far corner.", "north-half"},
+                                     {"A gym with a bench in the front corner.", "south-half"},
+                                     {"A gym with a bench in the back left corner.", "north-west-quarter"}}) {
+    INFO(prompt);
+    CHECK(target(prompt, "bench", RelationKind::corner) == "");
+    CHECK(target(prompt, "bench", RelationKind::in_part) == part);
+  }
+}
+
+TEST_CASE("Why something is wanted, and who is shown, brings nothing") {
+  CHECK(number_of("A nook with books on the floor because I have run out of shelves.", "shelf") == 0);
+  CHECK(number_of("A hall with two coats on hooks because the wardrobe broke.", "wardrobe") == 0);
+  CHECK(number_of("A boy's room with posters of bands above the bed.", "drum kit") == 0);
+}
+
+TEST_CASE("What a desk is covered in lies on it") {
+  CHECK(target("A cabin with a table covered in magazines.", "magazine stack", RelationKind::on) == "table");
+  CHECK(target("A cabin with a table loaded with books.", "book", RelationKind::on) == "table");
+  CHECK(target("A cabin with a table littered with bottles.", "bottle", RelationKind::on) == "table");
+}
