@@ -46,7 +46,7 @@ class PaletteReader {
     if (said.empty()) return;
     std::string words;
     for (const auto& word : said) words += (words.empty() ? "" : " ") + word;
-    hear(reading_.brief, segment, Heard::As::style);
+    hear(reading_.brief, segment, Heard::As::style, words);
     reading_.brief.palette.push_back(std::move(words));
   }
 

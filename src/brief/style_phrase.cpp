@@ -27,7 +27,7 @@ std::optional<StylePhrase> style_at(std::span<const Token> tokens, std::size_t a
 }
 
 void hear_style(Brief& brief, const StylePhrase& style, const language::Run& tokens) {
-  hear(brief, tokens, Heard::As::style);
+  hear(brief, tokens, Heard::As::style, style.name);
   if (std::find(brief.styles.begin(), brief.styles.end(), style.name) == brief.styles.end())
     brief.styles.push_back(style.name);
 }

@@ -14,6 +14,7 @@
 #include "room_clause.h"
 #include "scene/judgement.h"
 #include "scene/mount_attribute.h"
+#include "style_clause.h"
 
 namespace roomgen {
 
@@ -95,10 +96,16 @@ class Checker {
       case Requirement::Kind::absence:
         return judge_absence(requirement);
       case Requirement::Kind::room:
-        return requirement.attribute == "rooms" ? count_rooms(requirement)
-                                                : judge_room(requirement, scene_.room);
+        return judge_whole_room(requirement);
     }
     return {};
+  }
+
+  Finding judge_whole_room(const Requirement& requirement) const {
+    if (requirement.attribute == "rooms") return count_rooms(requirement);
+    if (requirement.attribute == style_of_room) return judge_style(requirement, scene_, has_attribute_);
+    if (requirement.attribute == palette_of_room) return judge_palette(requirement, scene_, has_attribute_);
+    return judge_room(requirement, scene_.room);
   }
 
   Finding count_rooms(const Requirement& requirement) const {

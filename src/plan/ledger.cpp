@@ -9,6 +9,7 @@
 #include "coverage.h"
 #include "floor_plan.h"
 #include "formations.h"
+#include "library/style_words.h"
 #include "roomgen/base/text.h"
 #include "scene/mount_attribute.h"
 
@@ -389,7 +390,15 @@ class Ledger {
       of_room("proportion", "", ratio, "a long room", words_of(Heard::As::room, "proportion"), true);
     }
     openings();
+    styles();
     remarks();
+  }
+
+  // How the room looks as a whole; moods that no style is defined by only colour what is chosen.
+  void styles() {
+    for (const auto& style : brief_.styles)
+      if (StyleWords::built_in().find(style)) of_room("style", bounded_name(style), 0.0, style, words_of(Heard::As::style, style));
+    for (const auto& colors : brief_.palette) of_room("palette", bounded_name(colors), 0.0, colors, words_of(Heard::As::style, colors));
   }
 
   // What nothing in a room can show, each in its own words.

@@ -3,6 +3,7 @@
 #include "catch.h"
 #include "evaluate/attributes.h"
 #include "evaluate/identity.h"
+#include "evaluate/style_clause.h"
 #include "support/rooms.h"
 
 using namespace roomgen;
@@ -189,4 +190,32 @@ TEST_CASE("What hangs is at a height that lies between its bottom and its top") 
   wanted.at_least = false, wanted.at_most = true;
   CHECK_FALSE(met(1.6));
   CHECK(met(0.6));
+}
+
+TEST_CASE("A room is of a style when half of its furniture is, and in colours that are all there") {
+  Scene scene = bedroom();
+  scene.objects.push_back(rooms::thing("desk-0", "desk", {1.2, 0.6, 0.75}, {1, 0.5}));
+  std::vector<std::string> rustic;
+  const AttributeJudge judge = [&](const Object& object, const std::string& word) {
+    AttributeVerdict verdict;
+    verdict.held = word == "rustic" ? std::find(rustic.begin(), rustic.end(), object.id) != rustic.end()
+                                    : word == "navy" && object.id == "table lamp-0";
+    return verdict;
+  };
+  const auto check_room = [&](std::string_view what, const std::string& said) {
+    Requirement wanted;
+    wanted.kind = Requirement::Kind::room;
+    wanted.attribute = what;
+    wanted.category = said;
+    return check_requirements(std::vector{wanted}, scene, KindTable::built_in(), judge)[0];
+  };
+  // Three pieces of furniture; the lamp on the nightstand is none.
+  rustic = {"bed-0", "table lamp-0"};
+  CHECK(check_room(style_of_room, "rustic").reason == "1 of 3 pieces of furniture are so");
+  rustic = {"bed-0", "desk-0"};
+  CHECK(check_room(style_of_room, "rustic").met());
+  CHECK(check_room(style_of_room, "cosy").compliance == Compliance::not_judged);
+  CHECK(check_room(palette_of_room, "navy").met());
+  CHECK(check_room(palette_of_room, "navy oak").met());  // the floor is of oak
+  CHECK(check_room(palette_of_room, "navy red").reason == "nothing is known to be red");
 }
