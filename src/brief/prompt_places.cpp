@@ -172,6 +172,8 @@ class PlaceReader {
         if (reaches_all(said.placement->relations.front()) && !is_among(subjects, further)) say(subjects, said, further);
       return;
     }
+    if (said.placement->relations.front() == RelationKind::face_to && reading_.is_somebody(target))
+      if (const auto seats = seats_of_several()) return say(subjects, said, *seats);
     if (is_way_in(target, *said.placement))
       return reading_.talk.locate(subjects, *said.placement, PlacePhrase{.place = Place::door});
     if (const auto both = both_places(attachment, said)) return locate_at_both(subjects, *both, target.determiner == Determiner::each);
@@ -245,6 +247,16 @@ class PlaceReader {
   static bool reaches_all(RelationKind kind) {
     return kind == RelationKind::between || kind == RelationKind::under || kind == RelationKind::above ||
            kind == RelationKind::face_to || kind == RelationKind::in_front_of;
+  }
+  // "facing the pupils" is facing where they sit.
+  std::optional<std::size_t> seats_of_several() const {
+    std::optional<std::size_t> most;
+    for (std::size_t i = 0; i < reading_.talk.count(); ++i) {
+      const Mention& mention = reading_.talk.mention(i);
+      const bool is_seat = mention.quantity > 1 && reading_.text.table.is_any_of(mention.category, {"seat"});
+      if (is_seat && (!most || mention.quantity > reading_.talk.mention(*most).quantity)) most = i;
+    }
+    return most;
   }
   // "facing the entrance" means the door, "in the entrance" the room.
   bool is_way_in(const NounPhrase& target, const Placement& placement) const {

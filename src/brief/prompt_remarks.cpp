@@ -37,6 +37,7 @@ class RemarkReader {
     for (const auto& verb : reading_.parse.verbs)
       if (verb.subject != none && !verb.is_denied && is_somebody(reading_.phrase(verb.subject)))
         remark_on_deed(verb);
+    pass_over_courtesies();
     remark_on_what_nothing_shows();
     remark_on_moods();
   }
@@ -78,6 +79,14 @@ class RemarkReader {
     const auto index = static_cast<std::int32_t>(&verb - reading_.parse.verbs.data());
     for (const Attachment& attachment : reading_.parse.attachments)
       if (attachment.verb == index && !attachment.is_denied) about(attachment.to);
+  }
+
+  void pass_over_courtesies() {
+    for (std::uint32_t i = 0; i < used_.size(); ++i) {
+      if (used_[i] || !reading_.words.courtesies.count(reading_.word(i))) continue;
+      hear(reading_.brief, {i, i + 1}, Heard::As::room);
+      used_[i] = true;
+    }
   }
 
   // "Keep 90 cm clear from the door to the balcony": from the verb or the mark before to the mark behind.

@@ -91,7 +91,7 @@ Result<Vocabulary> parse_vocabulary(std::string_view text, const std::string& so
                    "limits", "exceptions", "anything",          "measured",       "distances", "stops",    "parts",        "no things",
                    "materials",     "sizes",          "people",   "people words", "room words",
                    "generic rooms", "parts of rooms", "walls",    "placements",   "pairs",
-                   "verbs",         "tops",           "portions", "built in", "asking",     "further",  "shares", "wall lengths", "groups", "areas", "rows", "round formations", "palette frames", "height beginnings", "height endings"});
+                   "verbs",         "tops",           "portions", "built in", "asking",     "further",  "shares", "wall lengths", "groups", "areas", "rows", "round formations", "palette frames", "height beginnings", "height endings", "courtesies"});
   Vocabulary words;
   words.numbers = read_integers(root["numbers"]);
   words.people = read_integers(root["people"]);
@@ -135,6 +135,7 @@ Result<Vocabulary> parse_vocabulary(std::string_view text, const std::string& so
                                                    {"areas", &words.areas},
                                                    {"rows", &words.rows},
                                                    {"height beginnings", &words.height_beginnings},
+                                                   {"courtesies", &words.courtesies},
                                                    {"height endings", &words.height_endings},
                                                    {"palette frames", &words.palette_frames}};
   for (const auto& [key, set] : sets) *set = read_set(root[key]);

@@ -41,6 +41,7 @@ struct Vocabulary {
   std::map<std::string, Placement, std::less<>> placements;
   WordSet pairs;     ///< one thing though a plural: "headphones", "a pair of scissors"
   WordSet verbs;     ///< finite: what stands before begins a clause
+  WordSet courtesies;  ///< "hey", "please": of no consequence
   WordSet height_beginnings, height_endings;  ///< around a length: "at" 1.8 m, 1.5 m "above the floor"
   WordSet distances;  ///< behind a length: "1.5 m above the floor" is where a thing is, and no size of it
   WordSet tops;      ///< "the countertop": of what was spoken of

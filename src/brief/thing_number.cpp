@@ -70,6 +70,7 @@ class NumberReader : private PhraseWords {
     const std::string& here = word(token);
     static const WordSet sets = {"set", "pair", "group", "row", "collection", "series"};
     thing_.set = thing_.set || (sets.count(here) && token < thing_.name_tokens.begin);
+    if (here == "own") thing_.count_tokens.push_back(token);
     if (text.words.further.count(here) && !is_modifier(token))
       add_modifier(thing_, here, {token, token + 1});
     if (is_measured(token, thing_)) {
