@@ -75,7 +75,7 @@ void OwnedReader::read(const Attachment& attachment) {
   if (!thing) return;
   for (const std::size_t owner : reading_.subjects_of(attachment)) {
     if (owner == *thing || reading_.talk.mention(owner).part_of != Demand::none) continue;
-    if (says_each(attachment) && is_told_in_room(attachment.to)) continue;
+    if (says_each(attachment) && is_past_each(attachment)) continue;
     // "two armchairs with a table between them and a lamp on it": it is none of the two.
     if (!says_each(attachment) && reading_.talk.mention(owner).quantity > 1 && is_told_at_one(attachment.to)) continue;
     if (!says_each(attachment) && !is_told_somewhere(attachment.to) && follows_told_place(attachment)) continue;
@@ -96,6 +96,12 @@ bool OwnedReader::is_told_in_room(std::int32_t id) const {
     const NounPhrase& target = reading_.phrase(said.target);
     return reading_.place_named(target) && target.determiner != Determiner::possessive;
   });
+}
+
+bool OwnedReader::is_past_each(const Attachment& attachment) const {
+  const auto before = named_before(attachment);
+  return is_told_in_room(attachment.to) ||
+         std::any_of(before.begin(), before.end(), [&](const Attachment* one) { return is_told_in_room(one->to); });
 }
 
 // Those of its list that were named before it.

@@ -23,6 +23,8 @@ class OwnedReader {
   std::optional<std::size_t> owner_of(std::size_t mention) const;
   /// "each with", "every desk has", "each of them holding"
   bool says_each(const language::Attachment& attachment) const;
+  /// "each loaded with boxes, a jack by the door, an extinguisher": is it no more of what each has?
+  bool is_past_each(const language::Attachment& attachment) const;
   /// "behind it", "on top": whether words at the thing of a phrase say where it is.
   bool is_told_somewhere(std::int32_t phrase) const;
 

@@ -340,6 +340,7 @@ class PlaceReader {
     const auto owner = reading_.mention_of(attachment.from),
                thing = reading_.mention_of(attachment.to);
     if (!owner || !thing || *owner == *thing) return;
+    if (owned_.says_each(attachment) && owned_.is_past_each(attachment)) return;
     const Indices things = reading_.all_of(attachment.to);
     if (owned_.says_each(attachment)) shares_.give_each(*owner, things, attachment.tokens.begin);
     for (const std::size_t one : things)

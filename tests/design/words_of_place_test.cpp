@@ -264,6 +264,9 @@ TEST_CASE("What each is loaded with counts for each") {
     INFO(prompt);
     CHECK(number_of(prompt, "storage box") == 20);
   }
+  const std::string more = "A store with four shelving units, each loaded with five storage boxes, a bench near the door, and one ladder.";
+  CHECK(number_of(more, "bench") == 1);
+  CHECK(number_of(more, "ladder") == 1);
 }
 
 TEST_CASE("Where it is said of what small things are with, a place is not that of the small things") {
