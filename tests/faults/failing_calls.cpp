@@ -121,6 +121,11 @@ void* operator new(std::size_t size) {
   throw std::bad_alloc();
 }
 
+// All of a kind, or memory of the sanitizer's own operators would be freed by these.
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  return fails(Call::allocate, ENOMEM) ? nullptr : std::malloc(size > 0 ? size : 1);
+}
+
 void operator delete(void* bytes) noexcept { std::free(bytes); }
 void operator delete(void* bytes, std::size_t) noexcept { std::free(bytes); }
 
