@@ -1,5 +1,8 @@
 #include "program.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <csignal>
 #include <cstdio>
 #include <exception>
@@ -22,6 +25,13 @@ void on_interrupt(int signal) {
   if (interrupted && !interrupted->cancelled()) return interrupted->cancel();
   std::signal(signal, SIG_DFL);
   std::raise(signal);
+}
+
+// The number of a stream that the caller has closed would be that of the first file that is opened, and messages would go
+// into it.
+void open_closed_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (::fcntl(stream, F_GETFD) == -1) (void)!::open("/dev/null", O_RDWR);
 }
 
 int exit_code_of(const Error& error) {
@@ -69,6 +79,7 @@ void print_confinement() {
 }  // namespace
 
 int run_program(int argc, char** argv, void (*add_commands)(CLI::App& app, Context& context)) {
+  open_closed_streams();
   Context context;
   CLI::App app("roomgen furnishes 3D rooms from a sentence.", "roomgen");
   bool version = false, verbose = false;

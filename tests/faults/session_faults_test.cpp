@@ -119,6 +119,7 @@ TEST_CASE("Wherever memory ends, the scene is that of one of the steps") {
     });
     INFO("allocation " << tried * stride);
     const auto history = open_history(scene, SceneAccess::edit);
+    INFO((history ? "" : history.error().message));
     REQUIRE(history);
     const auto left = scene_from_json(history->state().document, "scene.json");
     REQUIRE(left);
