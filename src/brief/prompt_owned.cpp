@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "language/inflection.h"
-
 #include "which_of.h"
 
 namespace roomgen::design {

@@ -95,8 +95,8 @@ class PlaceReader {
     if (!place || !owner || !is_seat || place->place == Place::floor) return subjects;
     return {*owner};
   }
-  // "a cake with six candles on the table", "a board with tools over the bench": of what small things are with, unless a
-  // further thing follows that carries them.
+  // "a cake with six candles on the table", "a board with tools over the bench": of what small things are with, where
+  // something known is named ("a board with tools on a rail": the tools are on that).
   bool is_said_of_carrier(const Attachment& attachment, const SaidPlacement& said, std::size_t carrier) const {
     const NounPhrase& target = reading_.phrase(said.target);
     const bool is_with = std::any_of(reading_.parse.attachments.begin(), reading_.parse.attachments.end(), [&](const Attachment& with) {

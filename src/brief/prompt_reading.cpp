@@ -109,20 +109,18 @@ std::vector<bool> PromptReading::tokens_with_sense() const {
 
 void PromptReading::look_back_from(std::size_t token) {
   std::size_t made = 0, next = talk.count();
+  std::vector<bool> is_named_before(talk.count(), false);
   for (std::size_t i = 0; i < parse.phrases.size(); ++i) {
-    if (!mentions[i] || talk.mention(*mentions[i]).part_of != Demand::none) continue;
-    if (parse.phrases[i].head < token)
+    if (!mentions[i]) continue;
+    const bool is_before = parse.phrases[i].head < token;
+    if (is_before) is_named_before[*mentions[i]] = true;
+    if (talk.mention(*mentions[i]).part_of != Demand::none) continue;
+    if (is_before)
       made = std::max(made, *mentions[i] + 1);
-    else if (!is_named_before(*mentions[i], token))
+    else if (!is_named_before[*mentions[i]])
       next = std::min(next, *mentions[i]);
   }
   talk.look_back_from(std::min(made, next));
-}
-
-bool PromptReading::is_named_before(std::size_t mention, std::size_t token) const {
-  for (std::size_t i = 0; i < parse.phrases.size() && parse.phrases[i].head < token; ++i)
-    if (mentions[i] == mention) return true;
-  return false;
 }
 
 bool PromptReading::owns(const Attachment& attachment) const {

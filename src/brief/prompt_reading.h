@@ -97,7 +97,6 @@ struct PromptReading {
   std::vector<bool> is_share;  ///< by noun phrase: means some of several things, no more
 
  private:
-  bool is_named_before(std::size_t mention, std::size_t token) const;
   const language::Attachment& of_thing(const language::Attachment& attachment) const;
 };
 

@@ -59,8 +59,9 @@ class ThingReader {
     if (thing.kind.length == 0 && reading_.is_somebody(said))
       hear(reading_.brief, {said.tokens.begin, said.head + 1}, Heard::As::person);
     if (read_exclusion(reading_, id, thing)) return;
-    if (const auto picture = names_occupants(said) ? what_shows(id) : std::nullopt) return reading_.hearing.part(id, *picture);
-    if ((thing.kind.length == 0 || thing.kind.is_inferred()) && names_occupants(said)) {
+    const bool is_of_people = names_occupants(said);
+    if (const auto picture = is_of_people ? what_shows(id) : std::nullopt) return reading_.hearing.part(id, *picture);
+    if ((thing.kind.length == 0 || thing.kind.is_inferred()) && is_of_people) {
       occupants_.push_back(id);
       return;
     }
