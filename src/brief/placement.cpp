@@ -73,7 +73,9 @@ const Placement* by_words(const PromptText& text, const Attachment& attachment,
 }  // namespace
 
 std::optional<SaidPlacement> placement_of(const PromptText& text, const Attachment& attachment) {
+  const bool is_elided = attachment.tokens.size() == 0;  // "a lamp either side of the bed"
   const std::string relation = attachment.is_verb ? text.plain[attachment.tokens.end - 1].text
+                               : is_elided        ? attachment.relation
                                                   : text_of(text, attachment.tokens);
   const std::string verb = attachment.is_verb ? "" : verb_of(text, attachment);
   if (attachment.to == language::none) return std::nullopt;

@@ -91,11 +91,12 @@ Result<Vocabulary> parse_vocabulary(std::string_view text, const std::string& so
                    "limits", "exceptions", "anything",          "measured",       "distances", "stops",    "parts",        "no things",
                    "materials",     "sizes",          "people",   "people words", "room words",
                    "generic rooms", "parts of rooms", "walls",    "placements",   "pairs",
-                   "verbs",         "tops",           "portions", "built in", "asking",     "further",  "shares", "wall lengths", "groups", "areas", "rows", "round formations", "palette frames", "height beginnings", "height endings", "courtesies"});
+                   "verbs", "spreads",        "tops",           "portions", "built in", "asking",     "further",  "shares", "wall lengths", "groups", "areas", "rows", "round formations", "palette frames", "height beginnings", "height endings", "courtesies"});
   Vocabulary words;
   words.numbers = read_integers(root["numbers"]);
   words.people = read_integers(root["people"]);
   words.walls = read_integers(root["walls"]);
+  words.spreads = read_integers(root["spreads"]);
   for (const auto& [word, scale] : root["sizes"].members()) {
     const auto v = scale.numbers(3, 0.1, 5.0);
     words.sizes[word] = {v[0], v[1], v[2]};

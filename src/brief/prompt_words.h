@@ -36,6 +36,7 @@ struct Vocabulary {
   std::map<std::string, int, std::less<>> numbers, people, walls;
   std::map<std::string, Vec3, std::less<>> sizes;
   std::map<std::string, std::string, std::less<>> room_parts, shares;
+  std::map<std::string, int, std::less<>> spreads;  ///< "all over": at least so many
   std::map<std::string, std::string, std::less<>> wall_lengths;  ///< "longer": long
   std::map<std::string, std::string, std::less<>> limits;  ///< "nothing else", "nothing but": else, but, only, nothing
   std::map<std::string, Placement, std::less<>> placements;

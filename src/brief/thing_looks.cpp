@@ -84,6 +84,8 @@ class LookReader : private PhraseWords {
         ++i;
         continue;
       }
+      // "a single chair"
+      if (std::find(thing_.count_tokens.begin(), thing_.count_tokens.end(), i) != thing_.count_tokens.end()) continue;
       if (text.plain[i].is_word("built") && i + 1 < run.end && text.plain[i + 1].is_word("in")) {
         add_modifier(thing_, "built in", {i, i + 2});
         ++i;

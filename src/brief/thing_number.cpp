@@ -26,6 +26,7 @@ class NumberReader : private PhraseWords {
     qualifier();
     for (std::uint32_t i = said.tokens.begin; i < thing_.name_tokens.begin; ++i) count_word(i);
     range();
+    spread();
     if (thing_.article || said.count <= 0) return;
     // Numbers of several words.
     const bool part_of_name = is_number(thing_.name_tokens.begin) || measured_;
@@ -45,6 +46,14 @@ class NumberReader : private PhraseWords {
       for (auto i = first; i < first + amount->length; ++i) thing_.count_tokens.push_back(i);
       return;
     }
+  }
+  // "posters all over the walls", "plants everywhere": lots of them.
+  void spread() {
+    if (thing_.article || thing_.count_tokens.size() > 0 || !said.is_plural || said.determiner != Determiner::absent || said.count > 0) return;
+    const auto behind = longest(text.words.spreads, text.plain, said.head + 1);
+    if (!behind) return;
+    set_count(*behind.value, false);
+    if (behind.length == 1 && !text.words.placements.count(word(said.head + 1))) thing_.count_tokens.push_back(said.head + 1);
   }
   // "at least five", "exactly two", "no more than one"
   void qualifier() {
@@ -87,7 +96,7 @@ class NumberReader : private PhraseWords {
       if (said.measure == language::none)
         set_count(said.count, true);
     } else if (const auto value = text.words.numbers.find(here);
-               value != text.words.numbers.end() && !is_modifier(token)) {
+               value != text.words.numbers.end() && (!is_modifier(token) || value->second == 1)) {
       // "a dozen", "twenty-four": what the parse makes of the words counts.
       thing_.count_tokens.push_back(token);
       const bool exact = !text.words.vague.count(here);

@@ -76,10 +76,21 @@ bool Attacher::is_past_each(const OpenList& list, std::int32_t id) {
   if (!has_comma_ || open_.size() < 2) return false;
   const Attachment& with = parse_.attachments[static_cast<std::size_t>(list.attachment)];
   if (with.tokens.begin == 0 || !parse_.tokens[with.tokens.begin - 1].is("each")) return false;
-  if (small_words().additions.contains(conjunction_)) return true;
+  if (small_words().additions.contains(conjunction_) || has_one_member(list, id)) return true;
   const bool is_apart = with.tokens.begin > 1 && parse_.tokens[with.tokens.begin - 2].kind == Token::Kind::comma;
   const auto is_counted = [&](std::int32_t one) { return at(one).determiner == Determiner::absent && at(one).count > 0; };
   return !is_apart && is_counted(with.from) && is_counted(id) && !is_counted(list.last);
+}
+
+// "desks, each with its own lamp, and a sofa", "chairs, each with its own footstool, sideboard covered in photos": a list of
+// two has no comma before "and", and what is none's own stands behind no comma of a list that nothing ends.
+bool Attacher::has_one_member(const OpenList& list, std::int32_t id) {
+  if (list.first != list.last) return false;
+  if (ended_by_conjunction_) return true;
+  std::size_t i = at_;
+  while (i < chunks_.size() && chunks_[i].tag != Tag::stop && chunks_[i].tag != Tag::conjunction) ++i;
+  const bool goes_on = i < chunks_.size() && chunks_[i].tag == Tag::conjunction && is_bare(id);
+  return at(list.last).determiner == Determiner::possessive && at(id).determiner != Determiner::possessive && !goes_on;
 }
 
 // "a sofa facing the TV and a bookshelf": behind what is known a thing is introduced beside the sofa; but what holds the

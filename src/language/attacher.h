@@ -106,6 +106,7 @@ class Attacher {
   bool brings_something_new(const OpenList& list, std::int32_t id);
   bool is_past_denied(const OpenList& list, std::int32_t id);
   bool is_past_each(const OpenList& list, std::int32_t id);
+  bool has_one_member(const OpenList& list, std::int32_t id);
   bool is_within_list() const;
   bool is_bare(std::int32_t id);
   bool is_adjectival(const OpenList& list);

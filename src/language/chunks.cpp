@@ -37,7 +37,8 @@ class Chunker {
     Extent extent{at_, at_};
     const std::size_t last = at_ + longest_phrase;
     std::size_t i = at_;
-    if (tag_at(i) == Tag::pronoun) return {i, i + 1, true};
+    if (tag_at(i) == Tag::pronoun && !denies_noun(i)) return {i, i + 1, true};
+    if (tag_at(i) == Tag::pronoun) ++i;
     while (tag_at(i) == Tag::determiner && i < last) ++i;
     if (tag_at(i) == Tag::pronoun && i > at_) {
       // "the other two"
@@ -61,6 +62,11 @@ class Chunker {
     extent.end = i;
     if (!extent.has_noun && !stands_for_noun(first, i, extent.head)) extent.end = at_;
     return extent;
+  }
+
+  // "nothing leather"
+  bool denies_noun(std::size_t i) const {
+    return small_words().negative_pronouns.count(parse_.tokens[pieces_[i].tokens.begin].text) > 0 && tag_at(i + 1) == Tag::noun;
   }
 
   // "the larger", "two", "the other": no noun, but something is meant. A lone adjective is none.
@@ -172,7 +178,7 @@ class Chunker {
     const std::string& word = parse_.tokens[piece.tokens.begin].text;
     switch (piece.tag) {
       case Tag::pronoun:
-        phrase.is_pronoun = true;
+        phrase.is_pronoun = is_head;
         if (word == "one") phrase.count = 1.0;
         if (const auto found = small_words().determiners.find(word);
             found != small_words().determiners.end())

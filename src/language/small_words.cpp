@@ -78,6 +78,7 @@ SmallWords read(const JsonReader& root) {
   read(root["verbs of having"], words.verbs_of_having);
   read(root["prepositions"], words.prepositions);
   read(root["prepositions behind things"], words.prepositions_behind_things);
+  read(root["sides without a preposition"], words.sides_without_preposition);
   read(root["denying prepositions"], words.denying_prepositions);
   read(root["adverbs"], words.adverbs);
   read(root["quantities"], words.quantities);

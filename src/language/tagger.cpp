@@ -116,6 +116,7 @@ class Tagger {
 
   /// How many units it took.
   std::size_t read() {
+    add_elided_preposition();
     if (const std::size_t length = amount()) return length;
     switch (units_[at_].kind) {
       case Unit::Kind::stop:
@@ -287,6 +288,18 @@ class Tagger {
     for (auto i = piece.tokens.begin; i < piece.tokens.end; ++i)
       piece.base += (piece.base.empty() ? "" : " ") + tokens_[i].text;
     return known;
+  }
+
+  // "a lamp either side of the bed": "on", which takes no words, where sides stand behind what is there.
+  void add_elided_preposition() {
+    if (pieces_.empty() || run_of(small_words().sides_without_preposition, 2) == 0) return;
+    const Tag before = pieces_.back().tag;
+    if (before != Tag::noun && before != Tag::number && before != Tag::pronoun) return;
+    Piece piece;
+    piece.tag = Tag::preposition;
+    piece.tokens = {units_[at_].tokens.begin, units_[at_].tokens.begin};
+    piece.base = "on";
+    pieces_.push_back(std::move(piece));
   }
 
   void auxiliary() {

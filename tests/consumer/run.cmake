@@ -23,7 +23,7 @@ file(COPY "${SOURCE}/tests/consumer/CMakeLists.txt" "${SOURCE}/tests/consumer/co
 
 run(${CMAKE_COMMAND} --install "${BINARY}" --prefix "${prefix}")
 run(${CMAKE_COMMAND} -S "${WORK}/source" -B "${WORK}/build" -G Ninja "-DCMAKE_PREFIX_PATH=${prefix}"
-    -DCMAKE_BUILD_TYPE=Release "-DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}")
+    -DCMAKE_BUILD_TYPE=Release "-DCMAKE_CXX_FLAGS=${FLAGS}" "-DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}")
 run(${CMAKE_COMMAND} --build "${WORK}/build")
 run("${WORK}/build/core_consumer")
 run("${WORK}/build/consumer")
