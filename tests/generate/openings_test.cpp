@@ -197,7 +197,8 @@ Generation furnished(const std::string& prompt, std::uint64_t seed) {
 bool crosses(const Object& object, const Room& room, const Opening& opening) {
   const Segment wall = room.polygon.edge(opening.wall);
   double low = 1e9, high = -1e9, off = 1e9;
-  for (const auto& corner : footprint(object).outline()) {
+  const Footprint base = footprint(object);
+  for (const auto& corner : base.outline()) {
     low = std::min(low, (corner - wall.a).dot(wall.direction()));
     high = std::max(high, (corner - wall.a).dot(wall.direction()));
     off = std::min(off, (corner - wall.a).dot(room.polygon.inward(opening.wall)));

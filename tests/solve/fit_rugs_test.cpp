@@ -108,7 +108,8 @@ TEST_CASE("Nothing stands on a rug with some of its feet") {
         continue;
       }
       lifted += rise > 0 ? 1 : 0;
-      for (const auto& corner : footprint(object).outline())
+      const Footprint base = footprint(object);
+      for (const auto& corner : base.outline())
         if (rise > 0) CHECK(gap(footprint(lying), corner) < 3e-3);
     }
   }

@@ -225,7 +225,8 @@ TEST_CASE("What stands on a rug stays on it, and what stands beside it stays bes
   CHECK(samples.layouts.size() == 50);
   for (const auto& layout : scenes_of(samples)) {
     const Object& rug = *find_object(layout, "rug-0");
-    for (const auto& corner : footprint(*find_object(layout, "coffee table-0")).outline())
+    const Footprint table = footprint(*find_object(layout, "coffee table-0"));
+    for (const auto& corner : table.outline())
       CHECK(gap(footprint(rug), corner) < 2e-3);
     CHECK_FALSE(overlaps(footprint(rug), footprint(*find_object(layout, "plant-0"))));
   }

@@ -39,7 +39,8 @@ void check_supported(const Scene& scene) {
     INFO(object.id << " on " << object.on);
     REQUIRE(support);
     CHECK(bottom(object) == Approx(top(*support)).margin(0.002));
-    for (const auto& corner : footprint(object).outline()) {
+    const Footprint base = footprint(object);
+    for (const auto& corner : base.outline()) {
       const Vec2 local = footprint(*support).to_local(corner).cwiseAbs();
       CHECK((local - footprint(*support).half()).maxCoeff() <= 0.006);
     }
