@@ -44,8 +44,11 @@ void Discourse::locate(const std::vector<std::size_t>& subjects, const Placement
       return;
     case Place::middle:
       return say(RelationKind::middle, "");
-    case Place::wall:
-      return locate_at_wall(subjects, first, place);
+    case Place::wall: {
+      PlacePhrase wall = place;
+      wall.centered = wall.centered || first == RelationKind::center_aligned;  // "centred on the long wall"
+      return locate_at_wall(subjects, first, wall);
+    }
     case Place::ceiling:
       return hang_at_ceiling(subjects, first);
     case Place::room:

@@ -63,6 +63,13 @@ std::optional<SaidPlacement> by_part(const PromptText& text, const Attachment& a
   return std::nullopt;
 }
 
+// "its back to the window"
+const Placement* by_own_part(const PromptText& text, const Attachment& attachment, const std::string& relation) {
+  if (attachment.is_verb || attachment.from == language::none) return nullptr;
+  const std::uint32_t head = phrase_at(text, attachment.from).head;
+  return head + 1 == attachment.tokens.begin ? find(text, text.plain[head].text + " " + relation) : nullptr;
+}
+
 const Placement* by_words(const PromptText& text, const Attachment& attachment,
                           const std::string& relation, const std::string& verb) {
   for (const std::string& phrase : {verb + " " + relation, relation})
@@ -80,7 +87,8 @@ std::optional<SaidPlacement> placement_of(const PromptText& text, const Attachme
   const std::string verb = attachment.is_verb ? "" : verb_of(text, attachment);
   if (attachment.to == language::none) return std::nullopt;
   if (const auto found = by_part(text, attachment, relation, verb)) return found;
-  const Placement* placement = by_words(text, attachment, relation, verb);
+  const Placement* placement = by_own_part(text, attachment, relation);
+  if (!placement) placement = by_words(text, attachment, relation, verb);
   if (!placement) return std::nullopt;
   SaidPlacement said{placement, attachment.to, false};
   // "the edge of the bathtub" is the bathtub's.

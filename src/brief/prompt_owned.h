@@ -25,6 +25,8 @@ class OwnedReader {
   bool says_each(const language::Attachment& attachment) const;
   /// "each loaded with boxes, a jack by the door, an extinguisher": is it no more of what each has?
   bool is_past_each(const language::Attachment& attachment) const;
+  /// "a bed with a lamp, a rack near the door, an armchair": is it behind what has its own place in the room?
+  bool goes_on_about_room(const language::Attachment& attachment) const;
   /// "behind it", "on top": whether words at the thing of a phrase say where it is.
   bool is_told_somewhere(std::int32_t phrase) const;
 
@@ -38,7 +40,6 @@ class OwnedReader {
   bool is_told_at_another(std::int32_t phrase, std::size_t owner) const;
   std::vector<const language::Attachment*> named_before(const language::Attachment& attachment) const;
   bool follows_told_place(const language::Attachment& attachment) const;
-  bool goes_on_about_room(const language::Attachment& attachment) const;
   std::optional<std::size_t> several_before(std::size_t phrase) const;
 
   PromptReading& reading_;

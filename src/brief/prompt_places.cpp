@@ -92,7 +92,9 @@ class PlaceReader {
     const auto owner = owned_.owner_of(subjects.front());
     const auto place = reading_.place_named(reading_.phrase(said.target));
     const bool is_seat = reading_.text.table.is_any_of(reading_.talk.mention(subjects.front()).category, {"chair", "stool"});
-    if (!place || !owner || !is_seat || place->place == Place::floor) return subjects;
+    // "a barrel with two glasses on top in the middle"
+    const bool is_told_on_it = owner && stands_on(subjects.front(), *owner);
+    if (!place || !owner || !(is_seat || is_told_on_it) || place->place == Place::floor) return subjects;
     return {*owner};
   }
   // "a cake with six candles on the table", "a board with tools over the bench": of what small things are with, where
@@ -160,7 +162,9 @@ class PlaceReader {
       return reading_.talk.locate(subjects, *said.placement, *place);
     const NounPhrase& target = reading_.phrase(said.target);
     if (const auto thing = reading_.mention_of(said.target)) {
-      if (target.determiner == Determiner::each &&
+      if (const auto some = shares_.number_of_some(*thing, target, said.placement->relations.front() == RelationKind::between))
+        shares_.give_some(*some, subjects, target);
+      else if (target.determiner == Determiner::each &&
           said.placement->relations.front() != RelationKind::aligned)
         shares_.give_each(*thing, with_small_before(attachment, subjects), attachment.tokens.begin);
       if (is_all(target) && !reading_.talk.mention(subjects.front()).counted)
@@ -340,7 +344,7 @@ class PlaceReader {
     const auto owner = reading_.mention_of(attachment.from),
                thing = reading_.mention_of(attachment.to);
     if (!owner || !thing || *owner == *thing) return;
-    if (owned_.says_each(attachment) && owned_.is_past_each(attachment)) return;
+    if (owned_.says_each(attachment) ? owned_.is_past_each(attachment) : owned_.goes_on_about_room(attachment)) return;
     const Indices things = reading_.all_of(attachment.to);
     if (owned_.says_each(attachment)) shares_.give_each(*owner, things, attachment.tokens.begin);
     for (const std::size_t one : things)

@@ -59,7 +59,7 @@ class RemarkReader {
   }
   bool is_remark(std::int32_t id) const {
     const NounPhrase& said = reading_.phrase(id);
-    return !reading_.mention_of(id) && !reading_.is_taken(said) && !said.is_pronoun && !said.is_denied;
+    return !reading_.mention_of(id) && !reading_.is_taken(said) && !said.is_pronoun && !said.is_denied && !is_of_place(reading_.word(said.head));
   }
 
   bool is_somebody(const NounPhrase& said) const {
@@ -96,8 +96,19 @@ class RemarkReader {
       Run clause{i, i + 1};
       while (clause.begin > 0 && !is_mark(clause.begin - 1)) --clause.begin;
       while (clause.end < used_.size() && !is_mark(clause.end)) ++clause.end;
-      for_each_left(clause, [&](const Run& piece) { remark(piece, Heard::As::activity); });
+      for_each_left(clause, [&](const Run& piece) {
+        if (!names_something(piece)) remark(piece, Heard::As::activity);
+      });
     }
+  }
+
+  // "two robot arms on it about 1 m apart": no thing is passed over.
+  bool names_something(const Run& run) const {
+    return std::any_of(reading_.parse.phrases.begin(), reading_.parse.phrases.end(), [&](const NounPhrase& phrase) {
+      const std::string noun = language::singular(reading_.word(phrase.head));
+      return phrase.head >= run.begin && phrase.head < run.end && (phrase.count > 0 || phrase.determiner == language::Determiner::indefinite) &&
+             !phrase.is_pronoun && is_physical(noun) && !is_of_place(noun) && !tells_what_nothing_shows(reading_.word(phrase.head));
+    });
   }
 
   // "Unfussy, windblown", "time forgets to pass", "a silence you'd pay for": where no word of what is left between two
@@ -161,7 +172,10 @@ class RemarkReader {
     });
   }
   // Places, numbers, sizes and what stands for several are never moods.
-  bool is_of_place(const std::string& word) const {
+  bool is_of_place(const std::string& said) const {
+    return names_place(said) || names_place(language::singular(said));
+  }
+  bool names_place(const std::string& word) const {
     const Vocabulary& words = reading_.words;
     return words.room_parts.count(word) || words.walls.count(word) || words.shares.count(word) || words.portions.count(word) ||
            words.parts.count(word) || words.groups.count(word) || words.sizes.count(word) || words.numbers.count(word) ||

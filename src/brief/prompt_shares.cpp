@@ -18,6 +18,25 @@ void ShareReader::give_each(std::size_t owner, const Indices& things, std::uint3
     }
 }
 
+std::optional<int> ShareReader::number_of_some(std::size_t owner, const NounPhrase& said, bool between) const {
+  if (said.determiner != Determiner::each) return std::nullopt;
+  const int number = number_of(owner);
+  int every = said.count == 2.0 ? 2 : 0;
+  for (auto i = said.tokens.begin; i < said.head; ++i)
+    every = reading_.is_word(i, "other") || reading_.is_word(i, "second") ? 2 : reading_.is_word(i, "third") ? 3 : every;
+  if (every == 0 || number < 2) return std::nullopt;
+  if (said.count == 2.0) return between ? number - 1 : number / 2;
+  return (number + every - 1) / every;
+}
+
+void ShareReader::give_some(int number, const Indices& things, const NounPhrase& owner) {
+  for (const std::size_t thing : things) {
+    if (!given_.insert(thing).second) continue;
+    reading_.talk.set_count(thing, std::max(1, reading_.talk.mention(thing).quantity) * number);
+    reading_.hearing.number(language::Run{owner.tokens.begin, owner.head}, thing);
+  }
+}
+
 void ShareReader::give_each_place(const PlacePhrase& place, const Indices& things, std::uint32_t at) {
   constexpr int corners = 4;
   const bool is_corner = place.place == Place::corner, is_window = place.place == Place::window;
@@ -74,15 +93,37 @@ void ShareReader::give_each_side(const Attachment& attachment, const Indices& th
 }
 
 void ShareReader::read_for_each(const Attachment& attachment) {
+  if (is_for_each_person(attachment)) return give_each_person(attachment);
   if (!is_for_each(attachment)) return;
   const std::size_t owner = *reading_.mention_of(attachment.to);
   const Indices things = reading_.subjects_of(attachment);
   reading_.talk.told_by(reading_.hearing.relation(attachment, none));
-  give_each(owner, things, attachment.tokens.begin);
+  if (const auto some = number_of_some(owner, reading_.phrase(attachment.to), false))
+    give_some(*some, things, reading_.phrase(attachment.to));
+  else
+    give_each(owner, things, attachment.tokens.begin);
   for (const std::size_t thing : things) {
     if (thing == owner) continue;
     reading_.talk.own(owner, thing, true);
     if (!is_tied(thing, owner)) reading_.talk.add(thing, {RelationKind::near, owner, "", false});
+  }
+}
+
+// "for two painters, with an easel for each"
+bool ShareReader::is_for_each_person(const Attachment& attachment) const {
+  if (attachment.relation != "for" && attachment.relation != "per") return false;
+  const NounPhrase& whom = reading_.phrase(attachment.to);
+  const bool is_each = attachment.relation == "per" || whom.determiner == Determiner::each;
+  return is_each && reading_.brief.people > 1 && !reading_.mention_of(attachment.to) && (whom.is_pronoun || reading_.is_somebody(whom));
+}
+
+void ShareReader::give_each_person(const Attachment& attachment) {
+  reading_.talk.told_by(reading_.hearing.relation(attachment, none));
+  const NounPhrase& whom = reading_.phrase(attachment.to);
+  for (const std::size_t thing : reading_.subjects_of(attachment)) {
+    if (!given_.insert(thing).second) continue;
+    reading_.talk.multiply(thing, reading_.brief.people);
+    reading_.hearing.number(language::Run{whom.tokens.begin, whom.head + 1}, thing);
   }
 }
 

@@ -16,6 +16,10 @@ class ShareReader {
   /// "a lamp on each nightstand", "desks, each with two drawers": as many for each of the owners as were said of one.
   /// `at`: the token of what says so.
   void give_each(std::size_t owner, const Indices& things, std::uint32_t at);
+  /// "a curtain between every two beds", "a candle on every other table": of how many of the owners something is said, where
+  /// it is of some.
+  std::optional<int> number_of_some(std::size_t owner, const language::NounPhrase& said, bool between) const;
+  void give_some(int number, const Indices& things, const language::NounPhrase& owner);
   /// "a plant in each corner", "a bench under every window"
   void give_each_place(const PlacePhrase& place, const Indices& things, std::uint32_t at);
   /// "every window has a bench below it", "each corner has a plant": whether that is what an attachment says. What is
@@ -32,6 +36,8 @@ class ShareReader {
 
  private:
   bool is_for_each(const language::Attachment& attachment) const;
+  bool is_for_each_person(const language::Attachment& attachment) const;
+  void give_each_person(const language::Attachment& attachment);
   bool is_tied(std::size_t thing, std::size_t owner) const;
   bool has_parts(std::size_t thing) const { return reading_.talk.with_parts(thing).size() > 1; }
   int number_of(std::size_t owner) const;

@@ -77,6 +77,7 @@ class ThingReader {
     }
     if (const auto owner = words_.owner_of_part(id, thing)) return reading_.hearing.part(id, *owner);
     if (said.tokens.begin < skip_to_ || !words_.names_thing(id, thing)) return;
+    if (const auto first = first_of_alternatives(id)) return take_first(id, *first);
     if (!thing.article && !thing.definite) read_listed_without_commas(said, thing);
     const std::size_t before = reading_.talk.count();
     reading_.mentions[number] = refer(id, thing);
@@ -92,6 +93,19 @@ class ThingReader {
       reading_.hearing.thing(thing, *reading_.mentions[number]);
     }
     skip_to_ = std::max(skip_to_, thing.end);
+  }
+  // "either a workbench or a folding table": what the last thing of a list before "or" is.
+  std::optional<std::size_t> first_of_alternatives(std::int32_t id) const {
+    const NounPhrase& said = reading_.phrase(id);
+    if (said.list == none || said.tokens.begin == 0 || !reading_.is_word(said.tokens.begin - 1, "or") || is_target(id)) return std::nullopt;
+    for (std::int32_t before = id; before-- > 0;)
+      if (reading_.phrase(before).list == said.list) return reading_.mention_of(before);
+    return std::nullopt;
+  }
+  void take_first(std::int32_t id, std::size_t first) {
+    reading_.hearing.stand_in(id, first);
+    reading_.brief.notes.push_back("of \"" + reading_.talk.mention(first).noun + " or " + reading_.parse.head_of(reading_.phrase(id)) +
+                                   "\" the first is taken");
   }
   // Among which things the newest is named; of "eight desks and chairs" the chairs are joined to eight.
   void note_list(const NounPhrase& said) {

@@ -28,7 +28,7 @@ void settle_between(Mention& mention, const Brief& brief) {
     only->kind = RelationKind::next_to;
 }
 
-// Two at one table, or two things on it, are opposite each other without being far apart.
+// Two at one table, two things on it, or a seat and its table are opposite each other without being far apart.
 void calm_opposites(Brief& brief, const KindTable& table) {
   const auto small_or_seat = [&](const Mention& mention) {
     return mention.mount == Mount::surface || table.is_any_of(mention.category, {"chair", "stool"});
@@ -36,7 +36,8 @@ void calm_opposites(Brief& brief, const KindTable& table) {
   for (auto& mention : brief.mentions)
     std::erase_if(mention.demands, [&](const Demand& demand) {
       return demand.kind == RelationKind::far && demand.mention != Demand::none &&
-             small_or_seat(mention) && small_or_seat(brief.mentions[demand.mention]);
+             small_or_seat(mention) &&
+             (small_or_seat(brief.mentions[demand.mention]) || table.is_a(brief.mentions[demand.mention].category, "table"));
     });
 }
 

@@ -85,6 +85,17 @@ int number_of(const Mention& mention, const Brief& brief, const KindTable& table
   return is_personal(mention, table) ? std::max(usual_few, number_of_places(brief, table)) : usual_few;
 }
 
+// "beds, a lamp over each bed": as many as the beds turn out to be.
+void settle_shared(Brief& brief) {
+  for (const auto& shared : brief.shared_out) {
+    if (!shared.place.empty()) continue;
+    const Mention& owner = brief.mentions[shared.owner];
+    Mention& thing = brief.mentions[shared.thing];
+    const int number = shared.count * owner.quantity;
+    if (owner.open && !thing.open && thing.quantity == shared.count && number <= most_for_all) thing.quantity = number;
+  }
+}
+
 }  // namespace
 
 void settle_numbers(Brief& brief, const KindTable& table) {
@@ -95,6 +106,7 @@ void settle_numbers(Brief& brief, const KindTable& table) {
         mention.open = true;
         mention.quantity = std::min(most_for_all, number_of(mention, brief, table));
       }
+  settle_shared(brief);
 }
 
 void settle_numbers_on_carriers(Brief& brief) {

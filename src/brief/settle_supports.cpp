@@ -108,9 +108,11 @@ void hang_what_is_above(Mention& mention, const Brief& brief, const KindTable& t
   }
 }
 
-// Wider both ways than what shall carry it?
+// Wider both ways than what shall carry it, or much longer?
 bool is_too_large(const Mention& mention, const Mention& carrier) {
-  return mention.size.head<2>().minCoeff() > carrier.size.head<2>().minCoeff();
+  constexpr double much = 1.5;
+  const auto base = mention.size.head<2>(), carrying = carrier.size.head<2>();
+  return base.minCoeff() > carrying.minCoeff() || base.maxCoeff() > much * carrying.maxCoeff();
 }
 
 // What is beside a thing on a table is on that table too, and the other way round.

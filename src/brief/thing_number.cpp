@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "language/amount.h"
 
@@ -27,10 +28,10 @@ class NumberReader : private PhraseWords {
     for (std::uint32_t i = said.tokens.begin; i < thing_.name_tokens.begin; ++i) count_word(i);
     range();
     spread();
-    if (thing_.article || said.count <= 0) return;
     // Numbers of several words.
     const bool part_of_name = is_number(thing_.name_tokens.begin) || measured_;
-    if (!part_of_name) set_count(said.count, true);
+    if (!thing_.article && said.count > 0 && !part_of_name) set_count(said.count, true);
+    exclude_bound();
   }
 
  private:
@@ -57,8 +58,8 @@ class NumberReader : private PhraseWords {
   }
   // "at least five", "exactly two", "no more than one"
   void qualifier() {
-    static const WordSet words = {"least", "exactly", "only",  "more",   "most",
-                                  "just",  "than",    "fewer", "precisely"};
+    static const WordSet words = {"least", "exactly", "only",  "more", "most",
+                                  "just",  "than",    "fewer", "less", "precisely"};
     auto first = said.tokens.begin, end = first;
     while (said.tokens.begin - first < 3 && first > 0 && words.count(word(first - 1))) --first;
     while (end < thing_.name_tokens.begin && (words.count(word(end)) || word(end) == "at")) ++end;
@@ -68,11 +69,20 @@ class NumberReader : private PhraseWords {
   // "at", "no" may stand before the words that qualify.
   void limit(std::uint32_t first) {
     using Limit = language::Measure::Limit;
-    auto bound = first > 0 ? language::bound_at(parse.tokens, first - 1) : language::Bound{};
-    if (bound.length > 0) thing_.count_tokens.push_back(first - 1);
-    if (bound.length == 0) bound = language::bound_at(parse.tokens, first);
+    const bool begins_before = first > 0 && language::bound_at(parse.tokens, first - 1).length > 0;
+    if (begins_before) thing_.count_tokens.push_back(--first);
+    const auto bound = language::bound_at(parse.tokens, first);
     thing_.at_least = bound.limit == Limit::least;
     thing_.at_most = bound.limit == Limit::most;
+    bound_at_ = first;
+  }
+  // "fewer than five" are four at most, "more than three" at least four.
+  void exclude_bound() {
+    const auto amount = bound_at_ ? language::amount_at(parse.tokens, *bound_at_) : std::nullopt;
+    if (!amount || amount->is_share || *bound_at_ + amount->length > thing_.name_tokens.begin) return;
+    thing_.at_least = std::isinf(amount->high);
+    thing_.at_most = amount->low == 0.0 && amount->high >= 1.0;
+    if (thing_.at_least || thing_.at_most) set_count(thing_.at_least ? amount->low : amount->high, true);
   }
 
   void count_word(std::uint32_t token) {
@@ -113,6 +123,7 @@ class NumberReader : private PhraseWords {
 
   ThingPhrase& thing_;
   bool measured_ = false;
+  std::optional<std::uint32_t> bound_at_;  ///< where words begin that bound the number
 };
 
 }  // namespace

@@ -131,7 +131,7 @@ bool ThingOrNot::is_light(const NounPhrase& said, const ThingPhrase& thing) cons
 // A noun that nobody knows is a thing where things are introduced.
 bool ThingOrNot::is_new_thing(std::int32_t id, const ThingPhrase& thing) const {
   const NounPhrase& said = reading_.phrase(id);
-  const bool introduced = thing.article || (said.list != none && !may_be_stuff(thing.noun));
+  const bool introduced = thing.article || (said.list != none && !may_be_stuff(thing.noun)) || begins_with_place(id);
   const bool names_thing = may_be_thing(reading_.text, thing.noun) && is_physical(thing.noun);
   if (!introduced || (thing.definite && !thing.article) || !(names_thing || may_stand_there(id, thing.noun)) ||
       reading_.text.words.room_parts.count(thing.noun) || is_of_owner(id, thing) || is_inside(id))
@@ -139,6 +139,18 @@ bool ThingOrNot::is_new_thing(std::int32_t id, const ThingPhrase& thing) const {
   for (const Attachment& attachment : reading_.parse.attachments)
     if (attachment.to == id && !introduces(attachment)) return false;
   return true;
+}
+
+// "..., neon sign over the couch": in the manner of notes, where a segment begins with it and says where it is.
+bool ThingOrNot::begins_with_place(std::int32_t id) const {
+  const NounPhrase& said = reading_.phrase(id);
+  if (said.determiner != Determiner::absent || said.tokens.begin == 0 ||
+      reading_.text.plain[said.tokens.begin - 1].kind == Token::Kind::word)
+    return false;
+  return std::any_of(reading_.parse.attachments.begin(), reading_.parse.attachments.end(), [&](const Attachment& one) {
+    const auto& place = reading_.placement(one);
+    return one.from == id && one.tokens.begin == said.head + 1 && place && !place->placement->inverse && place->target != none;
+  });
 }
 
 // "a branch in a vase", "a shelf holding a dollhouse miniature": whatever its noun means else, it is a thing where

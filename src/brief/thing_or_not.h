@@ -31,6 +31,7 @@ class ThingOrNot {
   bool is_bare_material(const ThingPhrase& thing) const;
   bool is_light(const language::NounPhrase& said, const ThingPhrase& thing) const;
   bool is_new_thing(std::int32_t id, const ThingPhrase& thing) const;
+  bool begins_with_place(std::int32_t id) const;
   bool may_stand_there(std::int32_t id, const std::string& noun) const;
   static bool names_artefact(const std::string& noun);
   bool introduces(const language::Attachment& attachment) const;

@@ -103,6 +103,8 @@ void Attacher::end_clause() {
 void Attacher::join(const Chunk& chunk) {
   pending_ = none;
   participle_ = share_ = none;
+  // "a coffee table between, toys in a basket": nothing comes that it is between.
+  if (before_ == Tag::preposition && (chunk.tag == Tag::comma || ahead() == Tag::noun)) preposition_.reset();
   if (chunk.tag == Tag::comma) has_comma_ = true;
   is_joined_ = true;
   // "At the foot of the bed, a rack ...": what was told beforehand is told.

@@ -63,6 +63,8 @@ bool Attacher::takes(const OpenList& list, std::int32_t id) {
   if (relation == "between" && list.first == list.last && !means_several(list.first)) return true;
   // "a sink at one end and four stools"
   if (names_part(list.last) != names_part(id)) return false;
+  // "in a semicircle and a cello resting against the chair"
+  if (ahead() == Tag::participle && at(id).determiner == Determiner::indefinite) return false;
   if (ahead() == Tag::preposition || has_comma_)
     return list.by == Opened::of && open_.size() == 2 && is_bare(id) && is_adjectival(list);
   return at(id).determiner == at(list.last).determiner &&

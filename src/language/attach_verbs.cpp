@@ -106,7 +106,8 @@ void Attacher::participle(const Piece& piece) {
   if (last_ == none) return fronted_participle(piece);
   VerbPhrase& verb = add_verb(VerbPhrase::Kind::participle, piece.tokens, piece.base);
   // "beside the sofa holding a mug": what is known already is not described.
-  const bool is_known = at(last_).determiner == Determiner::definite;
+  const bool is_known = at(last_).determiner == Determiner::definite || parse_.tokens[at(last_).head].is("them") ||
+                        parse_.tokens[at(last_).head].is("it");
   is_told_of_all_ = each_ != none && is_of_all_;
   if (each_ != none)
     verb.subject = std::exchange(each_, none);

@@ -1,10 +1,14 @@
 #include "chunks.h"
 
+#include <algorithm>
+
 #include "small_words.h"
 
 namespace roomgen::language {
 
 namespace {
+
+constexpr double most_counted = 1e6;  ///< things are no more, so that who counts them on may use whole numbers
 
 class Chunker {
  public:
@@ -189,7 +193,7 @@ class Chunker {
         return determiner(word, is_head, phrase);
       case Tag::number:
         phrase.is_pronoun = is_head;
-        phrase.count = piece.value;
+        phrase.count = std::min(piece.value, most_counted);
         phrase.is_vague = false;
         return;
       case Tag::measure:

@@ -178,6 +178,11 @@ TEST_CASE("Parts of groups are repaired in the frame of their group") {
 }
 
 TEST_CASE("Hostile programs are answered in time") {
+#ifdef __SANITIZE_ADDRESS__
+  constexpr double longest = 200.0;  // seconds: its checks take their time
+#else
+  constexpr double longest = 20.0;
+#endif
   std::vector<shape::Program> programs;
   std::string many, shower, rings;
   for (int k = 0; k < 300; ++k) {
@@ -211,7 +216,7 @@ TEST_CASE("Hostile programs are answered in time") {
     REQUIRE(result);
     CHECK(result->after.pieces <= result->before.pieces);
     CHECK(result->after.open_connections.size() <= result->before.open_connections.size());
-    CHECK(took.count() < 20.0);
+    CHECK(took.count() < longest);
     CHECK(shape::evaluate(result->program).ok());
   }
   CHECK_FALSE(validate(shape::Program{}));
