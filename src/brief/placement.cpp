@@ -67,7 +67,8 @@ std::optional<SaidPlacement> by_part(const PromptText& text, const Attachment& a
 const Placement* by_own_part(const PromptText& text, const Attachment& attachment, const std::string& relation) {
   if (attachment.is_verb || attachment.from == language::none) return nullptr;
   const std::uint32_t head = phrase_at(text, attachment.from).head;
-  return head + 1 == attachment.tokens.begin ? find(text, text.plain[head].text + " " + relation) : nullptr;
+  const bool is_part = text.words.portions.count(text.plain[head].text) > 0;
+  return is_part && head + 1 == attachment.tokens.begin ? find(text, text.plain[head].text + " " + relation) : nullptr;
 }
 
 const Placement* by_words(const PromptText& text, const Attachment& attachment,

@@ -93,7 +93,7 @@ class PlaceReader {
     const auto place = reading_.place_named(reading_.phrase(said.target));
     const bool is_seat = reading_.text.table.is_any_of(reading_.talk.mention(subjects.front()).category, {"chair", "stool"});
     // "a barrel with two glasses on top in the middle"
-    const bool is_told_on_it = owner && stands_on(subjects.front(), *owner);
+    const bool is_told_on_it = owner && place && place->place != Place::wall && place->place != Place::ceiling && stands_on(subjects.front(), *owner);
     if (!place || !owner || !(is_seat || is_told_on_it) || place->place == Place::floor) return subjects;
     return {*owner};
   }
