@@ -17,14 +17,20 @@ std::vector<std::string> forms_of(const std::string& before, const std::string& 
   return forms;
 }
 
-int number_before(const PromptText& text, std::uint32_t token) {
-  if (token == 0) return 0;
-  const Token& before = text.plain[token - 1];
-  if (before.kind == Token::Kind::number)
-    return static_cast<int>(std::clamp(before.value, 0.0, 1.0 * most_people));
-  const auto number = text.words.numbers.find(before.text);
-  const bool exact = number != text.words.numbers.end() && !text.words.vague.count(before.text);
-  return exact && before.text != "a" && before.text != "an" ? std::min(number->second, most_people) : 0;
+int number_at(const PromptText& text, std::uint32_t i) {
+  const Token& token = text.plain[i];
+  if (token.kind == Token::Kind::number) return static_cast<int>(std::clamp(token.value, 0.0, 1.0 * most_people));
+  const auto number = text.words.numbers.find(token.text);
+  const bool exact = number != text.words.numbers.end() && !text.words.vague.count(token.text);
+  return exact && token.text != "a" && token.text != "an" ? std::min(number->second, most_people) : 0;
+}
+
+// "a family of five", but not "a mother of two boys"
+int number_of_members(const PromptText& text, std::uint32_t token) {
+  if (token + 1 >= text.plain.size() || !text.plain[token].is_word("of")) return 0;
+  const bool is_all = std::any_of(text.parse.phrases.begin(), text.parse.phrases.end(),
+                                  [&](const auto& phrase) { return phrase.head == token + 1 && phrase.is_pronoun; });
+  return is_all ? number_at(text, token + 1) : 0;
 }
 
 /// Adds what one occupant means to a brief.
@@ -184,8 +190,9 @@ std::optional<OccupantPhrase> occupant_at(const PromptText& text, const Occupant
     before += last.text + " ";
   }
   if (!best) return std::nullopt;
-  best->persons = number_before(text, token);
+  best->persons = token > 0 ? number_at(text, token - 1) : 0;
   if (best->persons > 0) --best->tokens.begin;
+  if (const int members = number_of_members(text, best->tokens.end)) best->persons = members, best->tokens.end += 2;
   return best;
 }
 

@@ -61,7 +61,9 @@ class OccupantReader {
   }
   // "eight backpackers" are eight people, "three cats" are none.
   void count_people(const OccupantPhrase& phrase) {
-    const bool are_people = language::lexicon().is(phrase.occupant->name, language::WordClass::person);
+    const auto& english = language::lexicon();
+    const std::string& name = phrase.occupant->name;
+    const bool are_people = english.is(name, language::WordClass::person) || english.is(name, language::WordClass::group);
     if (phrase.persons > 1 && are_people && reading_.brief.people == 0) reading_.brief.people = phrase.persons;
   }
   // "sleeps on two chairs", "plays chess": what it is done on, or with, was said.

@@ -76,9 +76,16 @@ class PlaceReader {
     if (said->placement->flank) shares_.give_each_side(attachment, reading_.all_of(attachment.from));
     if (said->target == none) {
       if (said->placement->flank && stand_owners_beside(subjects, attachment, *said->placement)) return;
+      // "a throne, six columns down each side": where no table has them at its sides, the room has.
+      if (said->placement->flank && said->placement->relations.front() == RelationKind::around && !are_at_table(*said->placement, subjects))
+        return reading_.talk.locate_at_both(subjects, Discourse::Both::side_walls);
       return relate_to_implied(subjects, *said->placement);
     }
     read_target(attachment, *said, subjects);
+  }
+  bool are_at_table(const Placement& placement, const Indices& subjects) const {
+    const auto what = reading_.talk.antecedent(placement.relations.front(), with_kin(subjects));
+    return what && reading_.text.table.is_any_of(reading_.talk.mention(*what).category, {"table", "kitchen island"});
   }
   // "a bar with seven stools along the back wall": where seats and what they are at are told of, the place is said of what
   // they are at.
@@ -390,6 +397,8 @@ class PlaceReader {
     }
     // "a board with a knife on top", "a bed with a nightstand on one side"
     if (const auto owner = owned_.owner_of(subjects.front())) target = owner;
+    // "a galley kitchen, cabinets on both sides"
+    if (!target && placement.flank) return reading_.talk.locate_at_both(subjects, Discourse::Both::side_walls);
     if (target) say(subjects, {&placement, none, false}, *target);
   }
   // "A mirror on the wall. On the left, a pew": what stands is at a side of the room, not of what hangs.

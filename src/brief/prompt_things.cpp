@@ -56,8 +56,7 @@ class ThingReader {
       hear(reading_.brief, {said.tokens.begin, said.head + 1}, Heard::As::person);
       return;
     }
-    if (thing.kind.length == 0 && reading_.is_somebody(said))
-      hear(reading_.brief, {said.tokens.begin, said.head + 1}, Heard::As::person);
+    if (thing.kind.length == 0 && reading_.is_somebody(said)) hear_people(said);
     if (read_exclusion(reading_, id, thing)) return;
     const bool is_of_people = names_occupants(said);
     if (const auto picture = is_of_people ? what_shows(id) : std::nullopt) return reading_.hearing.part(id, *picture);
@@ -106,6 +105,12 @@ class ThingReader {
     reading_.hearing.stand_in(id, first);
     reading_.brief.notes.push_back("of \"" + reading_.talk.mention(first).noun + " or " + reading_.parse.head_of(reading_.phrase(id)) +
                                    "\" the first is taken");
+  }
+  // "where two painters work"
+  void hear_people(const NounPhrase& said) {
+    hear(reading_.brief, {said.tokens.begin, said.head + 1}, Heard::As::person);
+    constexpr double most = 200.0;
+    if (said.count >= 2.0 && reading_.brief.people == 0) reading_.brief.people = static_cast<int>(std::min(said.count, most));
   }
   // Among which things the newest is named; of "eight desks and chairs" the chairs are joined to eight.
   void note_list(const NounPhrase& said) {
