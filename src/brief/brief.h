@@ -27,13 +27,16 @@ struct HeardWords {
   std::string word;  ///< of an attribute the look, of an absence the category, of a room what of it
 };
 
+/// The part of the room that is each of its walls.
+inline constexpr const char* each_wall = "walls";
+
 /// "next to the bed": a relation of a mention to another one or to a part of the room.
 struct Demand {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
   RelationKind kind = RelationKind::near;
   std::size_t mention = none;  ///< index into Brief::mentions
-  std::string part;            ///< "window-0", "wall-2", "corner"; empty for edge and middle
+  std::string part;            ///< "window-0", "wall-2", "wall" (the nearest), "walls" (each), "corner"; empty for edge and middle
   bool flank = false;          ///< left and right of the target in turn
   bool shared = false;         ///< with other mentions: each takes a side
   int nth = -1;                ///< which of the mention's things; -1: in turn
@@ -42,6 +45,7 @@ struct Demand {
   std::optional<RelationKind> said = {};  ///< what was asked for, where this is only the next best: the clause is that
   std::size_t said_of = none;             ///< the mention that it was asked of, where this is of no other
   bool is_means = false;                  ///< only serves another demand: no clause of its own
+  Gap gap = {};                           ///< of RelationKind::gap
 };
 
 /// The word of what is heard as a length of a thing.

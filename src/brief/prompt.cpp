@@ -7,6 +7,7 @@
 #include "measures.h"
 #include "prompt_additions.h"
 #include "prompt_colours.h"
+#include "prompt_distances.h"
 #include "prompt_formations.h"
 #include "prompt_groups.h"
 #include "prompt_headings.h"
@@ -82,6 +83,7 @@ Brief read_prompt(std::string_view prompt, const RoomKinds& kinds, const KindTab
   read_partitions(reading);
   read_formations(reading);
   read_heights(reading);
+  read_distances(reading);
   read_places(reading);
   read_headings(reading);
   read_groups(reading);

@@ -22,7 +22,7 @@ class OccupantReader {
       auto found = reading_.occupants[i];
       if (!found || found->tokens.begin < said.tokens.begin) continue;
       i = found->tokens.end - 1;
-      if (found->persons == 0 && said.count > 1 && !is_age(said))
+      if (found->persons == 0 && said.count > 1 && !tells_age(reading_, said))
         found->persons = static_cast<int>(std::min(said.count, 1.0 * most_people));
       if (is_for_thing(id)) {
         hear(reading_.brief, found->tokens, Heard::As::person);
@@ -31,13 +31,6 @@ class OccupantReader {
       const auto lead = bring(*found);
       if (lead && found->occupant->is_activity) locate_activity(id, *found, *lead);
     }
-  }
-  // "my 15 yr old son"
-  bool is_age(const NounPhrase& said) const {
-    static const WordSet spans = {"yr", "yrs", "yo", "year", "years", "month", "months", "week", "weeks"};
-    for (auto i = said.tokens.begin; i < said.head; ++i)
-      if (spans.count(reading_.word(i))) return true;
-    return false;
   }
   // "where we knit", "to read": what is done is said by verbs too.
   void read_activities() {
@@ -103,6 +96,13 @@ class OccupantReader {
 };
 
 }  // namespace
+
+bool tells_age(const PromptReading& reading, const NounPhrase& said) {
+  static const WordSet spans = {"yr", "yrs", "yo", "year", "years", "month", "months", "week", "weeks"};
+  for (auto i = said.tokens.begin; i < said.head; ++i)
+    if (spans.count(reading.word(i))) return true;
+  return false;
+}
 
 void read_occupants(PromptReading& reading, std::int32_t phrase) {
   OccupantReader(reading).read_occupants(phrase);

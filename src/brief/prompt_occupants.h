@@ -11,4 +11,7 @@ void read_occupants(PromptReading& reading, std::int32_t phrase);
 /// Reads the activities that no noun phrase names: "where we knit", "to read".
 void read_activities(PromptReading& reading);
 
+/// "my 15 yr old son": the number is an age.
+bool tells_age(const PromptReading& reading, const language::NounPhrase& said);
+
 }  // namespace roomgen::design

@@ -7,6 +7,7 @@
 #include "prompt_counts.h"
 #include "prompt_ellipsis.h"
 #include "prompt_exclusions.h"
+#include "prompt_occupants.h"
 #include "prompt_pronouns.h"
 #include "roomgen/base/text.h"
 #include "thing_or_not.h"
@@ -110,7 +111,7 @@ class ThingReader {
   void hear_people(const NounPhrase& said) {
     hear(reading_.brief, {said.tokens.begin, said.head + 1}, Heard::As::person);
     constexpr double most = 200.0;
-    if (said.count >= 2.0 && reading_.brief.people == 0) reading_.brief.people = static_cast<int>(std::min(said.count, most));
+    if (said.count >= 2.0 && reading_.brief.people == 0 && !tells_age(reading_, said)) reading_.brief.people = static_cast<int>(std::min(said.count, most));
   }
   // Among which things the newest is named; of "eight desks and chairs" the chairs are joined to eight.
   void note_list(const NounPhrase& said) {

@@ -62,6 +62,9 @@ class LengthReader : private PhraseWords {
   }
   // "a shelf 1.5 m above the floor", "2 m from the wall": where it is, and no size; "1.2 m of aisle" is of something else.
   bool is_distance(std::size_t behind) const {
+    // "2 m in front of the screen"
+    const auto place = longest(text.words.placements, text.plain, behind);
+    if (place && place.length >= 3 && !place.value->pronoun) return true;
     return behind < text.plain.size() && (text.words.distances.count(word(behind)) > 0 || text.plain[behind].is_word("of"));
   }
   // The first that begins there.

@@ -10,6 +10,7 @@
 #include "reply_words.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
+#include "scene/room_part.h"
 
 namespace roomgen::design {
 
@@ -163,6 +164,7 @@ class RelationReader {
   /// "near, bed-0": what stands between two bars.
   void read(std::string_view piece) {
     if (!waiting_) state_ = State::none;
+    if (read_gap(piece.substr(0, max_piece))) return;
     std::string text(piece.substr(0, max_piece));
     for (char& c : text)
       if (std::string_view(":()=[]").find(c) != std::string_view::npos) c = ',';
@@ -177,6 +179,22 @@ class RelationReader {
 
  private:
   enum class State { none, kind, unknown };
+
+  // "gap 0.8 m, bed-0"
+  bool read_gap(std::string_view piece) {
+    auto relation = parse_relation(piece);
+    if (!relation || relation->kind != RelationKind::gap) return false;
+    end_waiting();
+    const NamedTarget target = relation->target == nearest_wall ? NamedTarget{relation->target, ""} : targets_.find(relation->target);
+    if (target.id.empty()) {
+      notes_.lose("\"" + to_text(*relation) + "\" was dropped: " + target.repair);
+      return true;
+    }
+    if (!target.repair.empty()) notes_.repair(target.repair);
+    relation->target = target.id;
+    add_relation(relations_, *relation, notes_);
+    return true;
+  }
 
   static Pieces split_at_and(std::string_view part) {
     Pieces result;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "each_clause.h"
@@ -313,11 +314,15 @@ class Checker {
   }
 
   bool holds(RelationKind relation, const Object& object, const std::string& target) const {
-    if (relation == RelationKind::on && object.on == target) return true;
+    return holds(Relation{relation, target}, object);
+  }
+  bool holds(const Relation& relation, const Object& object) const {
+    const std::string& target = relation.target;
+    if (relation.kind == RelationKind::on && object.on == target) return true;
     Object asked = object;
     // Alignment depends on what else is asked of the same target.
     std::erase_if(asked.relations, [&](const Relation& other) { return other.target != target; });
-    asked.relations.push_back({relation, target});
+    asked.relations.push_back(relation);
     const auto resolved = resolve(asked, scene_.room, scene_.objects, categories_);
     return judge(resolved.back(), {footprint(object), bottom(object), top(object)}, scene_.room).held;
   }
@@ -346,11 +351,26 @@ class Checker {
     }));
   }
 
+  // "at least 1.5 m from every wall" is so of all targets, "2 m from the window" of one.
+  std::string gap_fault(const Requirement& requirement, const Object& object) const {
+    const Gap gap{requirement.at_most ? 0.0 : requirement.amount,
+                  requirement.at_least ? std::numeric_limits<double>::infinity() : requirement.amount};
+    const auto is_so = [&](const std::string& target) {
+      return target != object.id && holds(Relation{RelationKind::gap, target, gap}, object);
+    };
+    const auto& targets = requirement.targets;
+    const bool are_met = requirement.at_least ? std::all_of(targets.begin(), targets.end(), [&](const auto& target) {
+      return target == object.id || is_so(target);
+    }) : std::any_of(targets.begin(), targets.end(), is_so);
+    return are_met ? "" : "is not " + to_text(gap) + " from " + join(targets, requirement.at_least ? " and " : " or ");
+  }
+
   std::string relation_fault(const Requirement& requirement, const Object& object) const {
     if (requirement.relation == RelationKind::between)
       return is_between(requirement.targets, object)
                  ? ""
                  : "is not between " + join(requirement.targets, " and ");
+    if (requirement.relation == RelationKind::gap) return gap_fault(requirement, object);
     const auto is_so = [&](const std::string& target) { return holds(requirement.relation, object, target); };
     const auto& targets = requirement.targets;
     if (targets.empty() ? is_so("") : std::any_of(targets.begin(), targets.end(), is_so)) return "";

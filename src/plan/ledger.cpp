@@ -1,6 +1,7 @@
 #include "ledger.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -203,6 +204,7 @@ class Ledger {
     requirement.relation = kind;
     const bool is_told = mention.source == Requirement::Source::prompt;
     requirement.clause = mention.category + " " + std::string(is_told ? as_told(kind) : name(kind));
+    if (kind == RelationKind::gap) set_gap(requirement, mention, demand.gap);
     if (demand.mention != Demand::none) {
       requirement.targets = with_parts(demand.mention);
       // "the second bench"
@@ -212,11 +214,21 @@ class Ledger {
       // Rows face what is before their middle.
       if (mention.formation && !mention.formation->is_round() && demand.kind == RelationKind::face_to)
         requirement.subjects = middle_of_rows(requirement.subjects, *mention.formation);
+    } else if (demand.part == each_wall) {
+      for (std::size_t k = 0; k < room_.polygon.size(); ++k) requirement.targets.push_back("wall-" + std::to_string(k));
+      requirement.clause += " each wall";
     } else if (!demand.part.empty()) {
       requirement.targets = {part_of(room_, demand.part)};
       requirement.clause += " " + demand.part;
     }
     add(std::move(requirement), {demand.heard});
+  }
+  // "chair 0.5 m from"
+  static void set_gap(Requirement& requirement, const Mention& mention, const Gap& gap) {
+    requirement.at_least = std::isinf(gap.most);
+    requirement.at_most = gap.least < gap.most && !requirement.at_least;
+    requirement.amount = requirement.at_least ? gap.least : gap.most;
+    requirement.clause = mention.category + " " + to_text(gap) + " from";
   }
 
   // Of several of which some are told of apart, all are meant.

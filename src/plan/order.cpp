@@ -184,7 +184,11 @@ class Resolver {
     bool along = false;  ///< at the long sides
     std::size_t sharing = draft.mention;  // which mentions take the sides in turn
     for (const auto& demand : draft.demands) {
-      Relation relation{demand.kind, part_of(room_, demand.part)};
+      if (demand.part == each_wall) {
+        for (std::size_t k = 0; k < room_.polygon.size(); ++k) add(relations, {demand.kind, "wall-" + std::to_string(k), demand.gap});
+        continue;
+      }
+      Relation relation{demand.kind, part_of(room_, demand.part), demand.gap};
       if (demand.kind == RelationKind::between && is_only_between(draft, demand)) {
         for (const auto& id : ids_.next_two(draft.mention, demand.mention))
           add(relations, {RelationKind::between, id});

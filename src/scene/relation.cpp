@@ -1,6 +1,10 @@
 #include "relation_named.h"
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <optional>
 
 #include "relation_table.h"
 #include "roomgen/base/text.h"
@@ -57,8 +61,15 @@ bool takes_target(RelationKind kind) {
   return definition(kind).has(RelationDefinition::targeted);
 }
 
+std::string to_text(const Gap& gap) {
+  const bool is_open = std::isinf(gap.most);
+  const std::string bound = gap.least == gap.most ? "" : is_open ? "at least " : "at most ";
+  return bound + format_number(is_open ? gap.least : gap.most) + " m";
+}
+
 std::string to_text(const Relation& relation) {
   std::string text(name(relation.kind));
+  if (relation.kind == RelationKind::gap) text += " " + to_text(relation.gap);
   return relation.target.empty() ? text : text + ", " + relation.target;
 }
 
@@ -68,10 +79,37 @@ std::string to_text(const std::vector<Relation>& relations) {
   return join(pieces, " | ");
 }
 
+namespace {
+
+constexpr double most_metres = 1000.0;
+
+// "0.5 m", "at least 1.5 m"
+std::optional<Gap> parse_gap(std::string text) {
+  const bool at_least = text.starts_with("at least "), at_most = text.starts_with("at most ");
+  if (at_least) text.erase(0, 9);
+  if (at_most) text.erase(0, 8);
+  if (text.ends_with("m")) text.pop_back();
+  double metres = 0.0;
+  const std::string_view number = trim(text);
+  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), metres);
+  if (error != std::errc() || end != number.data() + number.size() || !(metres >= 0.0 && metres <= most_metres)) return std::nullopt;
+  return Gap{at_most ? 0.0 : metres, at_least ? std::numeric_limits<double>::infinity() : metres};
+}
+
+}  // namespace
+
 Result<Relation> parse_relation(std::string_view text) {
   const std::string low = lower(text);
   const auto comma = low.find(',');
-  const std::string word = with_single_spaces(low.substr(0, comma));
+  std::string word = with_single_spaces(low.substr(0, comma));
+  const std::string gap_name(name(RelationKind::gap));
+  Gap gap;
+  if (word == gap_name || word.starts_with(gap_name + " ")) {
+    const auto said = parse_gap(word.substr(std::min(word.size(), gap_name.size() + 1)));
+    if (!said) return relation_error("\"" + word + "\" needs a length, as in \"gap 0.5 m, bed-0\" or \"gap at least 1 m, bed-0\"");
+    gap = *said;
+    word = gap_name;
+  }
   const std::string target(comma == std::string::npos ? "" : trim(low.substr(comma + 1)));
 
   const auto kind = relation_named(word);
@@ -86,7 +124,7 @@ Result<Relation> parse_relation(std::string_view text) {
     return relation_error("\"" + word + "\" needs a target, as in \"" + word + ", bed-0\"");
   if (!takes_target(*kind) && !target.empty())
     return relation_error("\"" + word + "\" takes no target, but has \"" + target + "\"");
-  return Relation{*kind, target};
+  return Relation{*kind, target, gap};
 }
 
 Result<std::vector<Relation>> parse_relations(std::string_view text) {

@@ -15,6 +15,7 @@ constexpr double edge_gap = 0.05;
 constexpr double middle_gap = 0.30;
 constexpr double corner_gap = 0.10;
 constexpr double near_gap = 1.5;
+constexpr double gap_tolerance = 0.10;  // the pitch of the grid of candidates
 constexpr double beside_gap = 0.5;
 constexpr double around_gap = 0.6;
 constexpr double align_offset = 0.05;
@@ -127,6 +128,12 @@ Judgement judge_next_to(const RelationCase& one) {
 Judgement judge_far(const RelationCase& one) {
   const double gap = gap_of(one);
   return {gap >= near_gap - rounding, clamp01(gap / (2.0 * near_gap))};
+}
+
+Judgement judge_gap(const RelationCase& one) {
+  const double gap = one.relation.is_of_nearest_wall ? distance_to_boundary(one.room.polygon, one.own()) : gap_of(one);
+  const double off = outside(gap, one.relation.gap_low, one.relation.gap_high);
+  return {off <= gap_tolerance + rounding, clamp01(1.0 - off / near_gap)};
 }
 
 // Beyond one side of the target (`beyond` is the signed distance past it), at most `allowed` off
@@ -278,6 +285,7 @@ constexpr RelationDefinition definitions[] = {
     {Relate::near, Sort::distance, targeted | beside | in_prompts, judge_near, {"near", "close to"}},
     {Relate::next_to, Sort::distance, targeted | beside, judge_next_to, {"next to"}},
     {Relate::far, Sort::distance, targeted, judge_far, {"far", "far from"}},
+    {Relate::gap, Sort::distance, targeted | beside, judge_gap, {"gap"}},
     {Relate::in_front_of, Sort::position, targeted | beside | in_prompts, judge_in_front, {"in front of"}},
     {Relate::behind, Sort::position, targeted | beside, judge_behind, {"behind"}},
     {Relate::left_of, Sort::position, targeted | beside | in_prompts, judge_left, {"left of", "to the left of"}},

@@ -139,6 +139,7 @@ Json to_json(const Requirement& requirement) {
       break;
     case Requirement::Kind::relation:
       json["relation"] = name(requirement.relation);
+      if (requirement.relation == RelationKind::gap) json["amount"] = rounded(requirement.amount), write_limits(requirement, json);
       if (requirement.denied) json["denied"] = true;
       if (!requirement.targets.empty()) json["targets"] = requirement.targets;
       break;

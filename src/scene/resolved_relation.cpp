@@ -17,6 +17,12 @@ std::vector<Footprint> corners(const Room& room) {
   return result;
 }
 
+std::vector<Footprint> walls(const Room& room) {
+  std::vector<Footprint> result;
+  for (std::size_t k = 0; k < room.polygon.size(); ++k) result.push_back(*part_of_room(room, "wall-" + std::to_string(k)));
+  return result;
+}
+
 AlignAxis align_axis(const Object& object, const std::string& target) {
   for (const auto& relation : object.relations) {
     if (relation.target != target) continue;
@@ -59,6 +65,7 @@ std::vector<Footprint> targets_of(const Relation& relation, const Room& room,
                                   std::span<const Object> placed) {
   if (!takes_target(relation.kind)) return {Footprint()};
   if (relation.target == "corner") return corners(room);
+  if (relation.target == nearest_wall) return walls(room);
   if (const auto part = part_of_room(room, relation.target)) {
     if (!is_at_side(relation.kind)) return {*part};
     return {Footprint(part->center(), {2.0 * part->half().x(), 2.0 * beside_opening}, part->yaw())};
@@ -95,6 +102,14 @@ void set_preferred_gap(ResolvedRelation& resolved, const Kind& own, const Kind& 
   }
 }
 
+// How far it shall be from a target: "2 m in front of it" is tried there.
+const Gap* gap_told(const Object& object, const std::string& target) {
+  const auto told = std::find_if(object.relations.begin(), object.relations.end(), [&](const Relation& one) {
+    return one.kind == RelationKind::gap && one.target == target;
+  });
+  return told == object.relations.end() ? nullptr : &told->gap;
+}
+
 }  // namespace
 
 std::vector<ResolvedRelation> resolve(const Object& object, const Room& room,
@@ -112,6 +127,7 @@ std::vector<ResolvedRelation> resolve(const Object& object, const Room& room,
       resolved.gap_high = near_gap_high;
     }
     resolved.targets = targets_of(relation, room, placed);
+    resolved.is_of_nearest_wall = relation.target == nearest_wall;
     if (relation.kind == RelationKind::between)
       resolved.other = other_end(object, relation, room, placed);
     if (const Object* target = find_object(placed, relation.target)) {
@@ -119,6 +135,7 @@ std::vector<ResolvedRelation> resolve(const Object& object, const Room& room,
       resolved.target_top = top(*target);
       set_preferred_gap(resolved, own, categories.get(target->category));
     }
+    if (const auto gap = gap_told(object, relation.target)) resolved.gap_low = gap->least, resolved.gap_high = gap->most;
     result.push_back(std::move(resolved));
   }
   return result;

@@ -24,6 +24,7 @@ struct ResolvedRelation {
   AlignAxis axis = AlignAxis::either;
   std::optional<Footprint> other;  ///< of `between`: the second of the two
   double least_gap = 0.0;  ///< from which `near` holds
+  bool is_of_nearest_wall = false;  ///< a gap: to whichever wall is nearest
 };
 
 /// Looks up the targets of an object's relations among the placed objects and the parts of the

@@ -101,7 +101,7 @@ std::vector<std::string> region_names() {
 }
 
 bool is_part_of_room(const Room& room, std::string_view name) {
-  return name == "corner" || part_of_room(room, name) || region_of_room(room, name);
+  return name == "corner" || name == nearest_wall || part_of_room(room, name) || region_of_room(room, name);
 }
 
 }  // namespace roomgen

@@ -25,7 +25,10 @@ std::optional<Footprint> region_of_room(const Room& room, std::string_view name)
 /// All that region_of_room knows.
 std::vector<std::string> region_names();
 
-/// Whether a relation may name it without naming an object: also "corner".
+/// The target that is the wall that is nearest.
+inline constexpr std::string_view nearest_wall = "wall";
+
+/// Whether a relation may name it without naming an object: also "corner" and "wall".
 bool is_part_of_room(const Room& room, std::string_view name);
 
 }  // namespace roomgen

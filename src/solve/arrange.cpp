@@ -161,6 +161,7 @@ class LayoutSearch {
       case RelationKind::near:
       case RelationKind::next_to:
       case RelationKind::far:
+      case RelationKind::gap:
       case RelationKind::around:
         return 1;
       default:

@@ -1,6 +1,7 @@
 #include "compatible.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "scene/relation_table.h"
 
@@ -14,6 +15,8 @@ RelationSort sort(const Relation& relation) {
 
 bool contradicts(const Relation& asked, const Relation& habit) {
   if (sort(asked) == sort(habit)) return true;
+  // What keeps its distance from a wall is not at one.
+  if (asked.kind == RelationKind::gap && asked.target.starts_with("wall") && sort(habit) == RelationSort::wall) return true;
   if (sort(habit) == RelationSort::wall) return asked.kind == RelationKind::on;
   // Once its place is asked, habits about other things have no say, nor those that place it anew.
   if (places(asked)) return asked.target != habit.target || sort(habit) != RelationSort::facing;
@@ -25,7 +28,8 @@ bool contradicts(const Relation& asked, const Relation& habit) {
 
 bool places(const Relation& relation) {
   const RelationSort what = sort(relation);
-  return !relation.target.empty() && relation.kind != RelationKind::far &&
+  const bool keeps_away = relation.kind == RelationKind::far || (relation.kind == RelationKind::gap && std::isinf(relation.gap.most));
+  return !relation.target.empty() && !keeps_away &&
          (what == RelationSort::distance || what == RelationSort::position || what == RelationSort::support);
 }
 

@@ -142,6 +142,7 @@ class UsualPlacing {
                  return true;
                case RelationKind::in_part:
                case RelationKind::far:
+               case RelationKind::gap:
                case RelationKind::face_to:
                  return false;
                default:

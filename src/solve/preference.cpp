@@ -37,6 +37,7 @@ double wish_degree(const Surroundings& around, const Surroundings::Wish& wish,
     case RelationKind::near:
     case RelationKind::next_to:
     case RelationKind::around:
+    case RelationKind::gap:
       return (wish.asked ? around.weights.asked_pair_gap : around.weights.pair_gap) *
              pair_gap_degree(wish.relation, own);
     case RelationKind::middle:

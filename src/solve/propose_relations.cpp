@@ -12,15 +12,17 @@ namespace {
 
 // The gaps to a target that are worth trying.
 std::vector<double> useful_gaps(const ProposalContext& context, const ResolvedRelation& relation) {
+  constexpr double farther = 0.5;  // where there is no most
+  const double high = std::isinf(relation.gap_high) ? relation.gap_low + farther : relation.gap_high;
   std::vector<double> gaps = {relation.gap_low + flush,
-                              0.5 * (relation.gap_low + relation.gap_high),
-                              relation.gap_high,
+                              0.5 * (relation.gap_low + high),
+                              high,
                               0.3,
                               0.6,
                               0.9,
                               1.2};
   if (context.task.object.mount == Mount::surface)
-    return {relation.gap_low + apart_on_surface, relation.gap_high, 0.01, 0.03, 0.06, 0.1, 0.2};
+    return {relation.gap_low + apart_on_surface, high, 0.01, 0.03, 0.06, 0.1, 0.2};
   if (context.layout.may_tuck(context.layout.categories().get(context.task.object.category),
                               context.layout.categories().get("table")))
     gaps.insert(gaps.end(), {-0.10, -0.20});

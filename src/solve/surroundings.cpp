@@ -63,6 +63,7 @@ bool is_matter_of_degree(RelationKind kind) {
     case RelationKind::around:
     case RelationKind::middle:
     case RelationKind::far:
+    case RelationKind::gap:
     case RelationKind::face_to:
       return true;
     default:

@@ -1,6 +1,8 @@
 #include "roomgen/scene/relation.h"
 
+#include <limits>
 #include <set>
+#include <utility>
 
 #include "catch.h"
 #include "roomgen/base/file.h"
@@ -53,7 +55,7 @@ TEST_CASE("No spelling means two relations") {
   for (const auto& spelling : relation_spellings()) {
     INFO(spelling.text);
     CHECK(seen.insert(spelling.text).second);
-    CHECK(parse_relation(std::string(spelling.text) + (takes_target(spelling.kind) ? ", x" : ""))->kind ==
+    CHECK(parse_relation(std::string(spelling.text) + (spelling.kind == RelationKind::gap ? " 1 m" : "") + (takes_target(spelling.kind) ? ", x" : ""))->kind ==
           spelling.kind);
   }
 }
@@ -115,6 +117,25 @@ TEST_CASE("A list as text parses back to the list") {
   std::vector<Relation> all;
   for (const auto kind : all_kinds()) all.push_back({kind, takes_target(kind) ? "wall-0" : ""});
   CHECK(*parse_relations(to_text(all)) == all);
+}
+
+TEST_CASE("A gap says how far, and parses back") {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  const std::pair<const char*, Gap> said[] = {{"gap 0.5 m, desk-0", {0.5, 0.5}},
+                                              {"gap at least 1.25 m, wall-2", {1.25, infinite}},
+                                              {"gap at most 1 m, door-0", {0.0, 1.0}}};
+  for (const auto& [text, gap] : said) {
+    INFO(text);
+    const auto relation = parse_relation(text);
+    REQUIRE(relation);
+    CHECK(relation->kind == RelationKind::gap);
+    CHECK(relation->gap == gap);
+    CHECK(to_text(*relation) == text);
+  }
+  for (const char* wrong : {"gap, desk-0", "gap wide, desk-0", "gap -1 m, desk-0", "gap 1e9 m, desk-0", "gap nan, desk-0", "gap 1 m"}) {
+    INFO(wrong);
+    CHECK_FALSE(parse_relation(wrong));
+  }
 }
 
 TEST_CASE("An unknown word suggests the nearest known one") {

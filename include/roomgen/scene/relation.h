@@ -18,6 +18,7 @@ enum class RelationKind {
   near,
   next_to,
   far,
+  gap,
   in_front_of,
   behind,
   left_of,
@@ -37,12 +38,21 @@ enum class RelationKind {
   hang_from,
 };
 
+/// How far apart the footprints of an object and its target are, in metres.
+struct Gap {
+  double least = 0.0;
+  double most = 0.0;  ///< infinity: there is no most
+
+  bool operator==(const Gap&) const = default;
+};
+
 /// "near, bed-0": what an object shall be to a target, which is the id of an object, an opening
-/// ("door-0"), a wall ("wall-2"), "corner" or a region of the room ("north-half"). edge, middle and
+/// ("door-0"), a wall ("wall-2"; "wall": the nearest), "corner" or a region of the room ("north-half"). edge, middle and
 /// corner have no target; what is between two things has the relation twice, once with each.
 struct Relation {
   RelationKind kind = RelationKind::edge;
   std::string target;
+  Gap gap = {};  ///< of RelationKind::gap
 
   bool operator==(const Relation&) const = default;
 };
@@ -69,8 +79,10 @@ std::span<const RelationSpelling> relation_spellings();
 /// "in front of"
 std::string_view name(RelationKind kind);
 bool takes_target(RelationKind kind);
-/// "in front of, desk-0"
+/// "in front of, desk-0"; "gap 0.5 m, desk-0", "gap at least 1.5 m, wall-2", "gap at most 1 m, door-0"
 std::string to_text(const Relation& relation);
+/// "0.5 m", "at least 1.5 m"
+std::string to_text(const Gap& gap);
 /// "edge | near, bed-0"
 std::string to_text(const std::vector<Relation>& relations);
 

@@ -39,7 +39,7 @@ struct Requirement {
   std::string attribute;              ///< of Kind::attribute, a word; of Kind::room what of it, as
                                       ///< docs/requirements.md lists them
   double amount = 0.0;                ///< of Kind::room: metres, square metres, a number; of a
-                                      ///< length of things: metres
+                                      ///< length of things and of RelationKind::gap: metres
   RelationKind relation = RelationKind::near;
   std::vector<std::string> targets;   ///< ids or parts of the room, of which one will do; none for
                                       ///< edge and middle
