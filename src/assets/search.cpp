@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
+#include <string>
 
 #include "index_file.h"
 #include "library/ranking.h"
@@ -16,6 +18,8 @@ namespace {
 constexpr double general_kind = 0.8;  // a plain bed where the description says bunk bed
 constexpr double family_match = 0.6;  // oak where walnut was wanted: both are wood
 constexpr double usual_size_share = 0.25;
+constexpr double loud_fit = 0.85;     // bright furniture where no colour was asked for
+constexpr const char* furniture[] = {"seat", "table", "storage", "bed"};
 constexpr std::size_t max_words = 16;
 
 bool mentions(const std::vector<std::string>& names, const std::string& name) {
@@ -153,6 +157,15 @@ double mount_term(const SearchPlan& plan, const AssetInfo& asset, const Vocabula
                    asset.size.z());
 }
 
+// Where no colour is asked for, quiet furniture goes with whatever else is in the room.
+double quiet_term(const SearchPlan& plan, const AssetInfo& asset, const Vocabulary& vocabulary) {
+  static const std::set<std::string> loud = {"red", "orange", "yellow", "green", "blue", "purple", "pink"};
+  if (!plan.looks.colors.empty() || asset.colors.empty() || !loud.count(asset.colors.front())) return 1.0;
+  const bool is_furniture = std::any_of(std::begin(furniture), std::end(furniture),
+                                        [&](const char* kind) { return vocabulary.is_a(asset.category, kind); });
+  return is_furniture ? loud_fit : 1.0;
+}
+
 double kind_term(const SearchPlan& plan, const AssetInfo& asset, const Vocabulary& vocabulary) {
   if (!plan.free_kind.empty()) return vocabulary.fit(asset.category, plan.free_kind);
   const auto found = plan.kinds.find(asset.category);
@@ -217,7 +230,8 @@ Result<std::vector<AssetMatch>> run_search(const std::vector<const Database*>& d
       match.score =
           match_score({kind_term(plan, match.asset, vocabulary),
                        text_relevance(words.found(i, row)),
-                       size_term(plan, match.asset), mount_term(plan, match.asset, vocabulary)});
+                       size_term(plan, match.asset), mount_term(plan, match.asset, vocabulary)}) *
+          quiet_term(plan, match.asset, vocabulary);
       if (match.score <= 0.0) continue;
       match.contradicts = contradiction_of(plan, match.asset, words.found(i, row), vocabulary);
       match.asset.mount = plan.query.mount.value_or(match.asset.mount);

@@ -231,6 +231,9 @@ class ThingReader {
     if (said.determiner != Determiner::possessive ||
         !(reading_.words.portions.count(noun) || reading_.words.parts.count(noun)))
       return std::nullopt;
+    // "a desk with its back to the window"
+    for (const Attachment& with : reading_.parse.attachments)
+      if (with.to == id && with.relation == "with" && reading_.mention_of(with.from)) return reading_.mention_of(with.from);
     if (is_target(id)) return pronouns_.stands_for(id);
     const bool has_place = std::any_of(
         reading_.parse.attachments.begin(), reading_.parse.attachments.end(),

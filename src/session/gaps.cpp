@@ -46,26 +46,26 @@ std::optional<Read<std::string>> other_at(const EditText& text, std::size_t at, 
 }
 
 // "between it and the dresser", "between the bed and the wall", "from the nightstand to the bed", "to the wardrobe"
-MayRead<Gap> ends_of(const EditText& text, const Space& space, const Ids& subjects) {
+MayRead<KeptGap> ends_of(const EditText& text, const Space& space, const Ids& subjects) {
   const bool is_between = text.is_word(space.end, "between") || text.is_word(space.end, "from");
   if (is_between && longest_in(text.edits.pronouns, text.tokens, space.end + 1) == 1 && !subjects.empty() &&
       text.is_word(space.end + 2, "and"))
     if (const auto second = other_at(text, space.end + 3, subjects))
-      return Read<Gap>{{space.metres, subjects, second->value}, second->end};
+      return Read<KeptGap>{{space.metres, subjects, second->value}, second->end};
   if (is_between) {
     const auto first = things_at(text, space.end + 1, false);
     // "between the bed and the wardrobe" is two things at once.
     if (first && *first && (*first)->value.size() == 2 && text.is_word(space.end, "between"))
-      return Read<Gap>{{space.metres, {(*first)->value[0]}, (*first)->value[1]}, (*first)->end};
+      return Read<KeptGap>{{space.metres, {(*first)->value[0]}, (*first)->value[1]}, (*first)->end};
     if (first && *first && (text.is_word((*first)->end, "and") || text.is_word((*first)->end, "to")))
       if (const auto second = other_at(text, (*first)->end + 1, (*first)->value))
-        return Read<Gap>{{space.metres, (*first)->value, second->value}, second->end};
+        return Read<KeptGap>{{space.metres, (*first)->value, second->value}, second->end};
   }
   const auto to = longest_in(text.edits.gap_to, text.tokens, space.end);
   if (subjects.empty()) return std::nullopt;
   const auto second = other_at(text, space.end + std::max<std::size_t>(to, is_between ? 1 : 0), subjects);
   if (!second) return std::nullopt;
-  return Read<Gap>{{space.metres, subjects, second->value}, second->end};
+  return Read<KeptGap>{{space.metres, subjects, second->value}, second->end};
 }
 
 // How far apart along x and y, below 0 where they overlap; and which way the first lies.
@@ -94,7 +94,7 @@ Apart apart(const Bounds2& first, const Bounds2& second) {
 }
 
 // Along the axis on which they stand farther apart; what lies aside of each other counts too.
-std::optional<Vec3> way_to_gap(const EditText& text, const Object& object, const Gap& gap) {
+std::optional<Vec3> way_to_gap(const EditText& text, const Object& object, const KeptGap& gap) {
   const Bounds2 target = bounds_of_target(text, object, gap.second);
   if (target.high.x() < target.low.x()) return std::nullopt;
   const Apart now = apart(footprint(object).bounds(), target);
@@ -108,14 +108,14 @@ std::optional<Vec3> way_to_gap(const EditText& text, const Object& object, const
 
 }  // namespace
 
-MayRead<Gap> gap_at(const EditText& text, std::size_t at, const Ids& subjects) {
+MayRead<KeptGap> gap_at(const EditText& text, std::size_t at, const Ids& subjects) {
   const auto space = space_at(text, at);
   if (!space) return std::nullopt;
   if (!space->is_named && !text.is_word(space->end, "between")) return std::nullopt;
   return ends_of(text, *space, subjects);
 }
 
-ReadClause keep_gap(const EditText& text, const Read<Gap>& gap) {
+ReadClause keep_gap(const EditText& text, const Read<KeptGap>& gap) {
   Clause clause;
   clause.about = gap.value.first;
   clause.end = gap.end;
