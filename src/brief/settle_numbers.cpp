@@ -92,7 +92,8 @@ void settle_shared(Brief& brief) {
     const Mention& owner = brief.mentions[shared.owner];
     Mention& thing = brief.mentions[shared.thing];
     const int number = shared.count * owner.quantity;
-    if (owner.open && !thing.open && thing.quantity == shared.count && number <= most_for_all) thing.quantity = number;
+    const bool is_short = thing.open ? thing.quantity < number : owner.open && thing.quantity == shared.count;
+    if (is_short && number <= most_for_all) thing.quantity = number;
   }
 }
 
