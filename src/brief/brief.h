@@ -108,6 +108,7 @@ struct Brief {
   std::optional<double> height;  ///< of the ceiling, metres
   SaidShape shape;             ///< of the floor
   int people = 0;              ///< 0: not said
+  int seated = 0;             ///< of the people those for whom such a room has seats
   std::optional<int> windows;  ///< how many, apart from those of `openings`
   bool wide_windows = false;
   bool told_from_door = false;  ///< sides of the room are those that who comes in sees: "the back wall"

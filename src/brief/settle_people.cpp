@@ -29,6 +29,20 @@ bool is_seat(const Piece& piece, const Lexicon& lexicon) {
   return lexicon.table.is_any_of(piece.any.front().first, {"chair", "stool"});
 }
 
+// Such a room has seats, and nobody lies there.
+bool is_for_sitting(const Lexicon& lexicon) {
+  const auto has = [&](const char* kind) {
+    const auto is_so = [&](const Piece& piece) {
+      return std::any_of(piece.any.begin(), piece.any.end(), [&](const auto& option) { return lexicon.table.is_a(option.first, kind); });
+    };
+    const auto& core = lexicon.kind.core;
+    return std::any_of(core.begin(), core.end(), [&](const Piece& piece) {
+      return is_so(piece) || std::any_of(piece.then.begin(), piece.then.end(), is_so);
+    });
+  };
+  return has("seat") && !has("bed");
+}
+
 // Such a room always has it.
 bool is_certain(const Piece& piece) {
   return piece.chance >= 1.0 && piece.area <= 0.0 && piece.unless.empty() && piece.needs.empty();
@@ -54,6 +68,7 @@ void bring(const Piece& piece, int number, const Lexicon& lexicon, Brief& brief)
 }  // namespace
 
 void bring_for_people(const Lexicon& lexicon, Brief& brief) {
+  if (brief.people > 1 && is_for_sitting(lexicon)) brief.seated = brief.people;
   if (brief.people < 2 || brief.bare || are_seated(brief, lexicon)) return;
   for (const Piece& piece : lexicon.kind.core) {
     const bool is_there = is_named(piece, lexicon, brief);

@@ -15,6 +15,8 @@
 #include "room_clause.h"
 #include "scene/judgement.h"
 #include "scene/mount_attribute.h"
+#include "scene/seats_attribute.h"
+#include "seats_clause.h"
 #include "style_clause.h"
 
 namespace roomgen {
@@ -106,6 +108,7 @@ class Checker {
     if (requirement.attribute == "rooms") return count_rooms(requirement);
     if (requirement.attribute == style_of_room) return judge_style(requirement, scene_, has_attribute_);
     if (requirement.attribute == palette_of_room) return judge_palette(requirement, scene_, has_attribute_);
+    if (requirement.attribute == seats_for_people) return judge_seats(requirement, scene_, categories_);
     return judge_room(requirement, scene_.room);
   }
 

@@ -13,6 +13,7 @@
 #include "library/style_words.h"
 #include "roomgen/base/text.h"
 #include "scene/mount_attribute.h"
+#include "scene/seats_attribute.h"
 
 namespace roomgen::design {
 
@@ -402,8 +403,18 @@ class Ledger {
       of_room("proportion", "", ratio, "a long room", words_of(Heard::As::room, "proportion"), true);
     }
     openings();
+    seats();
     styles();
     remarks();
+  }
+
+  // "for eight people"
+  void seats() {
+    if (brief_.seated < 2) return;
+    std::vector<std::size_t> words;
+    for (std::size_t i = 0; i < brief_.heard.size(); ++i)
+      if (brief_.heard[i].as == Heard::As::person) words.push_back(i);
+    of_room(seats_for_people.data(), "", brief_.seated, "seats for " + std::to_string(brief_.seated) + " people", words, true);
   }
 
   // How the room looks as a whole; moods that no style is defined by only colour what is chosen.

@@ -5,6 +5,7 @@
 #include "brief/prompt.h"
 #include "brief/room_kinds.h"
 #include "catch.h"
+#include "plans.h"
 #include "read_brief.h"
 #include "roomgen/kinds/kind_table.h"
 
@@ -141,4 +142,17 @@ TEST_CASE("Twins lie in cribs in a nursery, and in beds of their own in a bedroo
   CHECK(things(read_brief("a nursery for twins")).find("2 crib") != std::string::npos);
   CHECK(things(read_brief("a nursery for twins")).find("bed") == std::string::npos);
   CHECK(things(read_brief("a bedroom for twins")).find("2 single bed") != std::string::npos);
+}
+
+TEST_CASE("A room where people sit has a requirement of seats for those who are named") {
+  const auto seats_of = [](const std::string& prompt) {
+    for (const auto& one : test::plan_of(prompt).requirements)
+      if (one.attribute == "seats for people") return static_cast<int>(one.amount);
+    return 0;
+  };
+  CHECK(seats_of("A dining room for ten.") == 10);
+  CHECK(seats_of("A conference room for eight people with an oval table and black chairs.") == 8);
+  CHECK(seats_of("A living room for a family of five with a sofa.") == 5);
+  CHECK(seats_of("A bedroom for two with an armchair.") == 0);
+  CHECK(seats_of("A living room with a sofa.") == 0);
 }
