@@ -56,7 +56,7 @@ Sun sun_of(std::span<const Room> rooms, const View& view, const Camera& camera) 
 // How far the soft edge of a shadow may lie beside the shadow of a point.
 int shadow_margin(const Camera& camera, const Sun& sun) {
   const double metres = 2.0 * shadow_width + 3.0 * ShadowMap::texel(sun);
-  return static_cast<int>(std::ceil(metres * camera.pixels_per_metre)) + 2;
+  return pixel_at(std::ceil(metres * camera.pixels_per_metre)) + 2;
 }
 
 // The pixels that change when something in this box comes or goes: the box, its shadow, and around.

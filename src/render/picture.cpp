@@ -68,9 +68,8 @@ PixelRect covered_pixels(const Camera& camera, const Bounds3& box) {
   if (corners.empty()) return {};
   Bounds2 extent;
   for (const Vec3& p : corners) extent.add(camera.pixel(p));
-  const auto down = [](double v) { return static_cast<int>(std::floor(std::clamp(v, -1e6, 1e6))); };
-  return {down(extent.low.x()) - 1, down(extent.low.y()) - 1, down(extent.high.x()) + 2,
-          down(extent.high.y()) + 2};
+  return {pixel_at(extent.low.x()) - 1, pixel_at(extent.low.y()) - 1, pixel_at(extent.high.x()) + 2,
+          pixel_at(extent.high.y()) + 2};
 }
 
 Picture::Picture(const Gl& gl)
@@ -92,7 +91,7 @@ Result<Picture> Picture::create(const Gl& gl) {
 }
 
 int Picture::reach(const Camera& camera) {
-  return static_cast<int>(std::ceil(radius_in_pixels(camera))) + blur + 2;
+  return pixel_at(std::ceil(radius_in_pixels(camera))) + blur + 2;
 }
 
 void Picture::reserve(int width, int height) {

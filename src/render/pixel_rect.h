@@ -1,8 +1,15 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 namespace roomgen::detail {
+
+/// The pixel that a coordinate falls into; what is far beyond any picture ends a million pixels off, what is no number is 0.
+inline int pixel_at(double coordinate) {
+  constexpr double far = 1e6;
+  return std::isnan(coordinate) ? 0 : static_cast<int>(std::floor(std::clamp(coordinate, -far, far)));
+}
 
 /// Pixels [x0, x1) x [y0, y1).
 struct PixelRect {

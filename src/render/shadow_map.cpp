@@ -29,7 +29,7 @@ PixelRect ShadowMap::covered_by(const Sun& sun, const Bounds3& box) {
     extent.add((sun.clip_from_room * p.homogeneous()).head<2>());
   }
   const auto pixel = [](double clip) {
-    return static_cast<int>(std::floor((0.5 * clip + 0.5) * size));
+    return pixel_at((0.5 * clip + 0.5) * size);
   };
   return PixelRect{pixel(extent.low.x()), pixel(extent.low.y()), pixel(extent.high.x()) + 1,
                    pixel(extent.high.y()) + 1}
