@@ -97,6 +97,7 @@ void Discourse::locate_at_window(const std::vector<std::size_t>& subjects,
                                      first == RelationKind::in_front_of);
   auto relations = placement.relations;
   if (before) relations = {RelationKind::near, RelationKind::in_front_of};
+  if (first == RelationKind::face_same_as) demand(subjects, {RelationKind::near, Demand::none, "window-0", false});  // the back to it
   for (auto kind : relations)
     if (kind != RelationKind::side_of) demand(subjects, {kind, Demand::none, "window-0", false});
 }

@@ -27,7 +27,7 @@ class DistanceReader {
 
   void run() {
     for (std::uint32_t i = 0; i < reading_.text.plain.size(); ++i)
-      if (const auto said = gap_at(i)) {
+      if (const auto said = gap_at(i); said && !is_denied(*said)) {
         const bool is_read = read_apart(*said) || read_from(*said) || read_beside(*said);
         if (is_read) i = said->tokens.end - 1;
       }
@@ -48,6 +48,13 @@ class DistanceReader {
     const auto end = i + static_cast<std::uint32_t>(measure->length);
     const bool is_apart = reading_.is_word(end - 1, "apart") || reading_.is_word(end, "apart");
     return SaidGap{gap, {begin, reading_.is_word(end, "apart") ? end + 1 : end}, is_apart};
+  }
+
+  // "nothing within 1 m of them"
+  bool is_denied(const SaidGap& said) const {
+    const auto before = said.tokens.begin;
+    return before > 0 && (reading_.words.negations.count(reading_.word(before - 1)) > 0 || reading_.words.anything.count(reading_.word(before - 1)) > 0 ||
+                          reading_.is_word(before - 1, "nothing"));
   }
 
   // "two beds 60 cm apart": the one from the other.

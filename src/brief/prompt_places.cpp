@@ -397,8 +397,8 @@ class PlaceReader {
     }
     // "a board with a knife on top", "a bed with a nightstand on one side"
     if (const auto owner = owned_.owner_of(subjects.front())) target = owner;
-    // "a galley kitchen, cabinets on both sides"
-    if (!target && placement.flank) return reading_.talk.locate_at_both(subjects, Discourse::Both::side_walls);
+    // "a galley kitchen, cabinets on both sides": nothing was named that has sides.
+    if (!target && placement.flank && subjects == Indices{0}) return reading_.talk.locate_at_both(subjects, Discourse::Both::side_walls);
     if (target) say(subjects, {&placement, none, false}, *target);
   }
   // "A mirror on the wall. On the left, a pew": what stands is at a side of the room, not of what hangs.
@@ -442,6 +442,9 @@ class PlaceReader {
       place_at_ = static_cast<std::uint32_t>(i);
       if (!match || (!match.value->pronoun && !match.value->adverb && !match.value->mutual))
         continue;
+      // "Between sofa and console: a table" names what it is between.
+      const bool goes_on = i + match.length < reading_.text.plain.size() && reading_.text.plain[i + match.length].kind == Token::Kind::word;
+      if (goes_on && match.value->relations.front() == RelationKind::between) continue;
       const Indices subjects = subjects_at(i);
       const auto first = static_cast<std::uint32_t>(i);
       const auto heard = hear(reading_.brief, {first, first + static_cast<std::uint32_t>(match.length)},
