@@ -27,7 +27,8 @@ class DistanceReader {
 
   void run() {
     for (std::uint32_t i = 0; i < reading_.text.plain.size(); ++i)
-      if (const auto said = gap_at(i); said && !is_denied(*said)) {
+      // Not "nothing within 1 m of them".
+      if (const auto said = gap_at(i); said && !reading_.is_denied(said->tokens.begin)) {
         const bool is_read = read_apart(*said) || read_from(*said) || read_beside(*said);
         if (is_read) i = said->tokens.end - 1;
       }
@@ -50,24 +51,17 @@ class DistanceReader {
     return SaidGap{gap, {begin, reading_.is_word(end, "apart") ? end + 1 : end}, is_apart};
   }
 
-  // "nothing within 1 m of them"
-  bool is_denied(const SaidGap& said) const {
-    const auto before = said.tokens.begin;
-    return before > 0 && (reading_.words.negations.count(reading_.word(before - 1)) > 0 || reading_.words.anything.count(reading_.word(before - 1)) > 0 ||
-                          reading_.is_word(before - 1, "nothing"));
-  }
-
   // "two beds 60 cm apart": the one from the other.
   bool read_apart(const SaidGap& said) {
     if (!said.is_apart) return false;
-    const auto things = named_before(said.tokens.begin);
-    if (!things) return false;
-    const auto parts = reading_.talk.with_parts(*things);
-    std::size_t one = *things, other = *things;
+    const Indices before = reading_.named_before(said.tokens.begin);
+    if (before.empty()) return false;
+    const auto parts = reading_.talk.with_parts(before.back());
+    std::size_t one = before.back(), other = one;
     if (parts.size() == 2)
       one = parts.front(), other = parts.back();
-    else if (parts.size() == 1 && reading_.talk.mention(*things).quantity == 2)
-      other = reading_.talk.part(*things, 1);
+    else if (parts.size() == 1 && reading_.talk.mention(one).quantity == 2)
+      other = reading_.talk.part(one, 1);
     if (one == other) return false;
     demand({other}, said.tokens, said.gap, one, "");
     return true;
@@ -80,9 +74,9 @@ class DistanceReader {
     const bool is_of = reading_.is_word(at, "of") && reading_.is_word(said.tokens.begin, "within");
     if (!(reading_.is_word(at, "from") || reading_.is_word(at, "off") || is_of)) return false;
     const NounPhrase* target = phrase_at(at + 1);
-    const auto subject = named_before(said.tokens.begin);
-    if (!target || !subject) return false;
-    return keep_from({*subject}, {said.tokens.begin, target->head + 1}, said.gap, *target);
+    const Indices before = reading_.named_before(said.tokens.begin);
+    if (!target || before.empty()) return false;
+    return keep_from({before.back()}, {said.tokens.begin, target->head + 1}, said.gap, *target);
   }
 
   // "2 m in front of the screen": beside what is said of its place.
@@ -132,15 +126,6 @@ class DistanceReader {
         reading_.placements[i].reset();
   }
 
-  // The thing that was named last before a token, in its sentence.
-  std::optional<std::size_t> named_before(std::uint32_t token) const {
-    std::optional<std::size_t> last;
-    for (std::size_t i = 0; i < reading_.parse.phrases.size(); ++i) {
-      const std::uint32_t head = reading_.parse.phrases[i].head;
-      if (reading_.mentions[i] && head < token && reading_.sentence_of(head) == reading_.sentence_of(token)) last = reading_.mentions[i];
-    }
-    return last;
-  }
   const NounPhrase* phrase_at(std::uint32_t token) const {
     const auto found = std::find_if(reading_.parse.phrases.begin(), reading_.parse.phrases.end(),
                                     [&](const NounPhrase& one) { return one.tokens.begin == token; });

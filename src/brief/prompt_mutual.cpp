@@ -22,17 +22,6 @@ bool stand_in_row(PromptReading& reading, std::size_t things, std::size_t heard)
   return true;
 }
 
-// Those that are named before a token, in its sentence.
-Indices named_up_to(const PromptReading& reading, std::size_t token) {
-  Indices things;
-  for (std::size_t i = 0; i < reading.parse.phrases.size(); ++i) {
-    const std::size_t head = reading.parse.phrases[i].head;
-    if (head < token && reading.mentions[i] && reading.sentence_of(head) == reading.sentence_of(token))
-      things.push_back(*reading.mentions[i]);
-  }
-  return things;
-}
-
 // Half of them are at the others.
 void turn_halves(PromptReading& reading, std::size_t things, const Placement& placement) {
   const int number = reading.talk.mention(things).quantity;
@@ -81,7 +70,7 @@ void relate_listed(PromptReading& reading, std::size_t token, const Placement& p
     if (verb.tokens.begin == token && verb.subject != language::none) things = reading.mentions_of_list(verb.subject);
   if (things.size() == 1) return relate_each_other(reading, things.front(), placement);
   if (things.size() > 1) return relate_mutually(reading, things, placement);
-  things = named_up_to(reading, token);
+  things = reading.named_before(token);
   if (turns(placement)) {
     if (!things.empty() && reading.talk.mention(things.back()).quantity != 1)
       return relate_each_other(reading, things.back(), placement);

@@ -123,6 +123,15 @@ void PromptReading::look_back_from(std::size_t token) {
   talk.look_back_from(std::min(made, next));
 }
 
+Indices PromptReading::named_before(std::size_t token) const {
+  Indices things;
+  for (std::size_t i = 0; i < parse.phrases.size(); ++i) {
+    const std::size_t head = parse.phrases[i].head;
+    if (head < token && mentions[i] && sentence_of(head) == sentence_of(token)) things.push_back(*mentions[i]);
+  }
+  return things;
+}
+
 bool PromptReading::owns(const Attachment& attachment) const {
   static const WordSet relations = {"with", "have", "feature", "include"};
   return relations.count(attachment.relation) > 0;

@@ -76,6 +76,8 @@ struct PromptReading {
   /// The mentions of which a place is said.
   Indices subjects_of(const language::Attachment& attachment) const;
   Indices mentions_of_list(std::int32_t phrase) const;
+  /// The mentions of the noun phrases before a token in its sentence, in the order of the text.
+  Indices named_before(std::size_t token) const;
   /// "a vase on it", "a bench below it": is that where the thing of a phrase is?
   bool is_told_at_pronoun(std::int32_t phrase) const;
 

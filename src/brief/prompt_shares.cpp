@@ -111,10 +111,9 @@ void ShareReader::read_for_each(const Attachment& attachment) {
 
 // "for two painters, with an easel for each"
 bool ShareReader::is_for_each_person(const Attachment& attachment) const {
-  if (attachment.relation != "for" && attachment.relation != "per") return false;
+  if (!says_for_each(attachment)) return false;
   const NounPhrase& whom = reading_.phrase(attachment.to);
-  const bool is_each = attachment.relation == "per" || whom.determiner == Determiner::each;
-  return is_each && reading_.brief.people > 1 && !reading_.mention_of(attachment.to) && (whom.is_pronoun || reading_.is_somebody(whom));
+  return reading_.brief.people > 1 && !reading_.mention_of(attachment.to) && (whom.is_pronoun || reading_.is_somebody(whom));
 }
 
 void ShareReader::give_each_person(const Attachment& attachment) {
@@ -128,9 +127,12 @@ void ShareReader::give_each_person(const Attachment& attachment) {
 }
 
 bool ShareReader::is_for_each(const Attachment& attachment) const {
-  if (!reading_.mention_of(attachment.to)) return false;
+  return reading_.mention_of(attachment.to) && says_for_each(attachment);
+}
+
+bool ShareReader::says_for_each(const Attachment& attachment) const {
   return attachment.relation == "per" ||
-         (attachment.relation == "for" && reading_.phrase(attachment.to).determiner == Determiner::each);
+         (attachment.relation == "for" && attachment.to != none && reading_.phrase(attachment.to).determiner == Determiner::each);
 }
 
 bool ShareReader::is_tied(std::size_t thing, std::size_t owner) const {

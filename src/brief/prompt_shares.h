@@ -36,6 +36,7 @@ class ShareReader {
 
  private:
   bool is_for_each(const language::Attachment& attachment) const;
+  bool says_for_each(const language::Attachment& attachment) const;
   bool is_for_each_person(const language::Attachment& attachment) const;
   void give_each_person(const language::Attachment& attachment);
   bool is_tied(std::size_t thing, std::size_t owner) const;

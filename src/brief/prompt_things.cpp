@@ -110,8 +110,8 @@ class ThingReader {
   // "where two painters work"
   void hear_people(const NounPhrase& said) {
     hear(reading_.brief, {said.tokens.begin, said.head + 1}, Heard::As::person);
-    constexpr double most = 200.0;
-    if (said.count >= 2.0 && reading_.brief.people == 0 && !tells_age(reading_, said)) reading_.brief.people = static_cast<int>(std::min(said.count, most));
+    if (said.count >= 2.0 && reading_.brief.people == 0 && !tells_age(reading_, said))
+      reading_.brief.people = static_cast<int>(std::min(said.count, 1.0 * most_people));
   }
   // Among which things the newest is named; of "eight desks and chairs" the chairs are joined to eight.
   void note_list(const NounPhrase& said) {

@@ -358,13 +358,11 @@ class Checker {
   std::string gap_fault(const Requirement& requirement, const Object& object) const {
     const Gap gap{requirement.at_most ? 0.0 : requirement.amount,
                   requirement.at_least ? std::numeric_limits<double>::infinity() : requirement.amount};
-    const auto is_so = [&](const std::string& target) {
-      return target != object.id && holds(Relation{RelationKind::gap, target, gap}, object);
-    };
-    const auto& targets = requirement.targets;
-    const bool are_met = requirement.at_least ? std::all_of(targets.begin(), targets.end(), [&](const auto& target) {
-      return target == object.id || is_so(target);
-    }) : std::any_of(targets.begin(), targets.end(), is_so);
+    std::vector<std::string> targets = requirement.targets;
+    std::erase(targets, object.id);  // "two beds 60 cm apart"
+    const auto is_so = [&](const std::string& target) { return holds(Relation{RelationKind::gap, target, gap}, object); };
+    const bool are_met = requirement.at_least ? std::all_of(targets.begin(), targets.end(), is_so)
+                                              : std::any_of(targets.begin(), targets.end(), is_so);
     return are_met ? "" : "is not " + to_text(gap) + " from " + join(targets, requirement.at_least ? " and " : " or ");
   }
 

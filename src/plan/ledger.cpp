@@ -11,6 +11,7 @@
 #include "room_clauses.h"
 #include "roomgen/base/text.h"
 #include "scene/mount_attribute.h"
+#include "scene/room_part.h"
 
 namespace roomgen::design {
 
@@ -203,7 +204,7 @@ class Ledger {
       if (mention.formation && !mention.formation->is_round() && demand.kind == RelationKind::face_to)
         requirement.subjects = middle_of_rows(requirement.subjects, *mention.formation);
     } else if (demand.part == each_wall) {
-      for (std::size_t k = 0; k < room_.polygon.size(); ++k) requirement.targets.push_back("wall-" + std::to_string(k));
+      requirement.targets = wall_names(room_);
       requirement.clause += " each wall";
     } else if (!demand.part.empty()) {
       requirement.targets = {part_of(room_, demand.part)};

@@ -7,6 +7,7 @@
 #include "floor_plan.h"
 #include "formations.h"
 #include "roomgen/base/text.h"
+#include "scene/room_part.h"
 
 namespace roomgen::design {
 
@@ -185,7 +186,7 @@ class Resolver {
     std::size_t sharing = draft.mention;  // which mentions take the sides in turn
     for (const auto& demand : draft.demands) {
       if (demand.part == each_wall) {
-        for (std::size_t k = 0; k < room_.polygon.size(); ++k) add(relations, {demand.kind, "wall-" + std::to_string(k), demand.gap});
+        for (const auto& wall : wall_names(room_)) add(relations, {demand.kind, wall, demand.gap});
         continue;
       }
       Relation relation{demand.kind, part_of(room_, demand.part), demand.gap};

@@ -19,7 +19,7 @@ std::vector<Footprint> corners(const Room& room) {
 
 std::vector<Footprint> walls(const Room& room) {
   std::vector<Footprint> result;
-  for (std::size_t k = 0; k < room.polygon.size(); ++k) result.push_back(*part_of_room(room, "wall-" + std::to_string(k)));
+  for (const auto& name : wall_names(room)) result.push_back(*part_of_room(room, name));
   return result;
 }
 

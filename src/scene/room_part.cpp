@@ -61,6 +61,12 @@ std::optional<Footprint> part_of_room(const Room& room, std::string_view name) {
   return std::nullopt;
 }
 
+std::vector<std::string> wall_names(const Room& room) {
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < room.polygon.size(); ++k) names.push_back("wall-" + std::to_string(k));
+  return names;
+}
+
 std::optional<Footprint> region_of_room(const Room& room, std::string_view name) {
   const auto share = std::find_if(shares.begin(), shares.end(),
                                   [&](const Share& one) { return name.ends_with(one.name); });

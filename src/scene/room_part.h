@@ -25,6 +25,9 @@ std::optional<Footprint> region_of_room(const Room& room, std::string_view name)
 /// All that region_of_room knows.
 std::vector<std::string> region_names();
 
+/// "wall-0", "wall-1", ...
+std::vector<std::string> wall_names(const Room& room);
+
 /// The target that is the wall that is nearest.
 inline constexpr std::string_view nearest_wall = "wall";
 

@@ -76,15 +76,15 @@ std::optional<ReadClause> read_facing_away(const EditText& text, const Read<Ids>
   const auto length = longest_in(text.edits.facing_away, text.tokens, what.end);
   if (length == 0 || text.is_word(what.end, "away")) return std::nullopt;
   const auto place = place_named_at(text, what.end + length);
-  const bool is_nearest_wall = place && place->place == design::Place::wall && place->wall < 0 && !place->opposite;
-  const auto target = is_nearest_wall ? std::nullopt : target_at(text, what.end + length, what.value);
-  if (!is_nearest_wall && (!target || !*target)) return std::nullopt;
-  Clause clause{{}, what.value, {}, is_nearest_wall ? what.end + length + place->length : (*target)->end};
+  const bool is_any_wall = place && place->place == design::Place::wall && place->wall < 0 && !place->opposite;
+  const auto target = is_any_wall ? std::nullopt : target_at(text, what.end + length, what.value);
+  if (!is_any_wall && (!target || !*target)) return std::nullopt;
+  Clause clause{{}, what.value, {}, is_any_wall ? what.end + length + place->length : (*target)->end};
   for (const auto& id : what.value) {
     const Object* object = find_object(text.scene, id);
     if (!object) return not_understood(id + " has no place yet");
     const Vec2 away = Vec2(object->position.head<2>()) -
-                      middle_of_target(text, *object, is_nearest_wall ? nearest_wall(text, *object) : (*target)->id);
+                      middle_of_target(text, *object, is_any_wall ? nearest_wall(text, *object) : (*target)->id);
     if (away.norm() < 1e-6) return not_understood("it is not clear which way " + id + " shall face");
     const double yaw = std::atan2(away.x(), -away.y());  // at 0 the front looks to -Y
     clause.operations.push_back(edit::Turn{id, std::remainder(yaw - object->yaw, 2.0 * pi)});

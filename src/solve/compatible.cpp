@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "scene/relation_table.h"
+#include "scene/room_part.h"
 
 namespace roomgen {
 
@@ -13,10 +14,12 @@ RelationSort sort(const Relation& relation) {
   return definition(relation.kind).sort;
 }
 
+bool is_wall(const std::string& target) { return target == nearest_wall || target.starts_with("wall-"); }
+
 bool contradicts(const Relation& asked, const Relation& habit) {
   if (sort(asked) == sort(habit)) return true;
   // What keeps its distance from a wall is not at one.
-  if (asked.kind == RelationKind::gap && asked.target.starts_with("wall") && sort(habit) == RelationSort::wall) return true;
+  if (asked.kind == RelationKind::gap && is_wall(asked.target) && sort(habit) == RelationSort::wall) return true;
   if (sort(habit) == RelationSort::wall) return asked.kind == RelationKind::on;
   // Once its place is asked, habits about other things have no say, nor those that place it anew.
   if (places(asked)) return asked.target != habit.target || sort(habit) != RelationSort::facing;

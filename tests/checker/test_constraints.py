@@ -97,6 +97,17 @@ class Gaps(Case):
         self.yes("next to, t-0", (1 + 0.45 + 0.2, 0))
         self.no("next to, t-0", (1 + 0.55 + 0.2, 0))
 
+    def test_so_far(self):
+        self.yes("gap 0.5 m, t-0", (1 + 0.59 + 0.2, 0))
+        self.yes("gap 0.5 m, t-0", (1 + 0.41 + 0.2, 0))
+        self.no("gap 0.5 m, t-0", (1 + 0.61 + 0.2, 0))
+        self.no("gap 0.5 m, t-0", (1 + 0.39 + 0.2, 0))
+        self.yes("gap at least 1.25 m, t-0", (1 + 3.0 + 0.2, 0))
+        self.no("gap at least 1.25 m, t-0", (1 + 1.1 + 0.2, 0))
+        self.yes("gap at most 1 m, t-0", (1 + 0.2, 0))
+        self.no("gap at most 1 m, t-0", (1 + 1.15 + 0.2, 0))
+        self.no("gap wide, t-0", (1 + 0.5 + 0.2, 0))
+
     #        .-'''-.
     #       (   t   )               the corner of a round target's box is empty:
     #        `-...-'                the diagonal gap is larger than that of the box

@@ -4,6 +4,7 @@
 """
 
 import math
+import re
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -13,6 +14,7 @@ from . import geometry as geo
 
 ONE_DEGREE = math.radians(1.0) + 1e-6
 RAY_LENGTH = 1000.0
+GAP = re.compile(r"gap (at least |at most )?(\d+(?:\.\d+)?) m")
 PLAIN = ("edge", "middle", "corner")
 FRONT_OR_BACK = ("in front of", "behind")
 SIDEWAYS = ("left of", "right of", "side of")
@@ -50,6 +52,7 @@ class Limits:
     beside: float = 0.5
     around: float = 0.6
     aligned: float = 0.05
+    gap: float = 0.10
 
 
 STRICT = Limits()
@@ -132,6 +135,8 @@ class Judge:
             return self.hangs(thing, target)
         if name == "in part":
             return self.in_region(thing, target)
+        if said := GAP.fullmatch(name):
+            return self.keeps_gap(thing, target, said[1], float(said[2]))
         place = self.places.get(target)
         if place is None or target == thing.id.lower() or name not in NAMES:
             return False
@@ -202,6 +207,17 @@ class Judge:
 
     def gap(self, thing, place):
         return self.shape(thing).distance(place.box if self.limits.loose else place.shape)
+
+    def keeps_gap(self, thing, target, bound, said):
+        """So far from a place, or from the nearest wall."""
+        if target == "wall":
+            there = self.room.polygon.exterior.distance(self.shape(thing))
+        elif target in self.places and target != thing.id.lower():
+            there = self.gap(thing, self.places[target])
+        else:
+            return False
+        slack = self.limits.gap + geo.SLACK
+        return (bound == "at most " or there >= said - slack) and (bound == "at least " or there <= said + slack)
 
     def near(self, thing, place):
         return self.gap(thing, place) <= self.limits.near + geo.SLACK
