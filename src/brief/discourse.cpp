@@ -154,6 +154,8 @@ void Discourse::multiply(std::size_t mention, int factor) {
   if (factor > 1 && factor <= most_for_each) quantity *= factor;
 }
 
+void Discourse::expect(std::size_t mention, int count) { brief_.mentions[mention].quantity = count; }
+
 void Discourse::set_count(std::size_t mention, int count) {
   brief_.mentions[mention].quantity = count;
   brief_.mentions[mention].counted = true;
@@ -276,6 +278,8 @@ void Discourse::own(std::size_t owner, std::size_t index, bool is_each, int nth)
     const bool is_beside = (is_each || works_at(index, owner)) && mention(index).mount == Mount::floor && mention(owner).mount == Mount::floor;
     if (!seats_at(index, owner) && !is_beside) return;
     what.kind = seats_at(index, owner) ? RelationKind::around : RelationKind::near;
+  } else if (stands_beside_seat(index, owner)) {
+    what.kind = RelationKind::near;
   } else if (!may_carry(owner)) {
     return;
   }
@@ -288,6 +292,13 @@ bool Discourse::seats_at(std::size_t seat, std::size_t other) const {
   return other != Demand::none &&
          table.is_any_of(mention(seat).category, {"chair", "stool", "bench"}) &&
          table.is_a(mention(other).category, "table");
+}
+
+// "an armchair with a lamp": what also stands on the floor does not stand on a seat.
+bool Discourse::stands_beside_seat(std::size_t index, std::size_t owner) const {
+  const auto& table = lexicon_.table;
+  return !table.get(mention(index).category).forms.small.empty() && mention(owner).mount == Mount::floor &&
+         table.is_any_of(mention(owner).category, {"seat", "bed"});
 }
 
 bool Discourse::works_at(std::size_t seat, std::size_t other) const {

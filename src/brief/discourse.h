@@ -56,6 +56,8 @@ class Discourse {
   /// The mention, and those that are parts of it.
   std::vector<std::size_t> with_parts(std::size_t mention) const;
   void multiply(std::size_t mention, int factor);
+  /// How many there are at least, of a plural without a number.
+  void expect(std::size_t mention, int count);
   /// How many there are, said behind them.
   void set_count(std::size_t mention, int count);
   /// Another word of what it is like.
@@ -106,6 +108,7 @@ class Discourse {
   bool seats_at(std::size_t seat, std::size_t other) const;
   /// A chair that something to sit or work at is with: "a counter with six stools".
   bool works_at(std::size_t seat, std::size_t other) const;
+  bool stands_beside_seat(std::size_t index, std::size_t owner) const;
   void locate_at_window(const std::vector<std::size_t>& subjects, const Placement& placement);
   void locate_at_wall(const std::vector<std::size_t>& subjects, RelationKind first,
                       const PlacePhrase& place);

@@ -74,7 +74,7 @@ std::vector<NamedRoom> find_room_names(const DwellingText& text) {
                           text.dwellings.dwellings.count(text.tokens[i].text) &&
                           mention_at(text.things, text.tokens, i).length == 0;
     if (dwelling) name = {"", 1};
-    if (name.length == 0) continue;
+    if (name.length == 0 || is_within_name(text.things, text.tokens, i)) continue;
     NamedRoom named;
     named.type = name.type;
     named.noun = i;

@@ -51,4 +51,10 @@ KindMention mention_at(const KindTable& kinds, std::span<const Token> tokens, st
   return best;
 }
 
+bool is_within_name(const KindTable& kinds, std::span<const Token> tokens, std::size_t at) {
+  for (std::size_t n = 1; n < longest_name && n <= at; ++n)
+    if (mention_at(kinds, tokens, at - n).length > n) return true;
+  return false;
+}
+
 }  // namespace roomgen::design

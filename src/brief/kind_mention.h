@@ -29,6 +29,9 @@ struct KindMention {
 /// The longest name of a kind that starts at `at`, in the singular or the plural.
 KindMention mention_at(const KindTable& kinds, std::span<const Token> tokens, std::size_t at);
 
+/// Whether a word belongs to the name of a kind that begins before it: "kitchen" of a play kitchen.
+bool is_within_name(const KindTable& kinds, std::span<const Token> tokens, std::size_t at);
+
 /// What a word may be in the singular; the word itself first.
 std::vector<std::string> singulars(const std::string& word);
 

@@ -156,7 +156,7 @@ class AdditionReader {
     using language::PartOfSpeech;
     const std::string& word = reading_.word(at);
     const auto& english = language::lexicon();
-    if (tokens_[at].kind != Kind::word || language::is_function_word(tokens_[at])) return false;
+    if (tokens_[at].kind != Kind::word || language::is_function_word(tokens_[at]) || reading_.words.numbers.count(word)) return false;
     if (reading_.words.materials.count(word) || reading_.words.sizes.count(word) ||
         may_be_stuff(word) || finish_words().describes(word))
       return true;

@@ -4,8 +4,8 @@
 
 namespace roomgen::design {
 
-/// Gives each of several things its own where as many colours are said of them: "four bins (red, blue, green, yellow)".
-/// Of two things both may be of both colours.
+/// Gives each of several things its own where as many colours are said of them: "four bins (red, blue, green, yellow)", or they are
+/// said to alternate. Of two other things both may be of both colours.
 void share_colours(PromptReading& reading);
 
 }  // namespace roomgen::design

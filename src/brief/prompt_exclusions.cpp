@@ -46,6 +46,15 @@ bool exclude_look(PromptReading& reading, std::int32_t id, const ThingPhrase& th
   return true;
 }
 
+void forbid(PromptReading& reading, const std::string& category) {
+  auto& excluded = reading.brief.excluded;
+  if (std::find(excluded.begin(), excluded.end(), category) == excluded.end()) excluded.push_back(category);
+}
+
+bool is_closed_compound_of(const std::string& name, const std::string& noun) {
+  return name.size() > noun.size() && name.ends_with(noun) && name.find(' ') == std::string::npos;
+}
+
 void exclude(PromptReading& reading, std::int32_t id, const ThingPhrase& thing) {
   if (denies_others(reading, reading.phrase(id))) return;
   const std::string& noun = reading.word(reading.phrase(id).head);
@@ -65,9 +74,11 @@ void exclude(PromptReading& reading, std::int32_t id, const ThingPhrase& thing) 
     return;
   }
   reading.hearing.absence(id, category);
-  if (std::find(reading.brief.excluded.begin(), reading.brief.excluded.end(), category) ==
-      reading.brief.excluded.end())
-    reading.brief.excluded.push_back(category);
+  forbid(reading, category);
+  // Who wants no chairs wants no armchairs.
+  const std::string& parent = reading.text.table.get(category).parent;
+  for (const auto& [name, kind] : reading.text.table.all())
+    if (kind.parent == parent && !parent.empty() && is_closed_compound_of(name, category)) forbid(reading, name);
 }
 
 }  // namespace

@@ -105,6 +105,8 @@ class FormationReader {
     take_word_before(said, {"a", "one"});
     if (reading_.is_word(at + 1, "of")) read_size(at + 2, said);
     take_word_before(said, {"in"});
+    // "in two columns": rows of two
+    if (reading_.word(at).starts_with("column")) std::swap(said.formation.rows, said.formation.columns);
     return said;
   }
   void take_word_before(SaidFormation& said, const WordSet& words) const {

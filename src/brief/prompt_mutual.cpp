@@ -37,8 +37,20 @@ void turn_halves(PromptReading& reading, std::size_t things, const Placement& pl
   reading.talk.add(things, free);
 }
 
+// "twelve desks in pairs": each of the second half is at one of its own of the first.
+void stand_in_pairs(PromptReading& reading, std::size_t things, const Placement& placement) {
+  const Mention& mention = reading.talk.mention(things);
+  const int number = mention.quantity;
+  if (mention.mount != Mount::floor || number < 4 || number % 2 != 0) return;
+  const std::size_t second = reading.talk.part(things, number / 2);
+  if (second == things) return;
+  for (auto kind : placement.relations) reading.talk.add(second, {kind, things, "", false});
+  reading.brief.shared_out.push_back({.thing = second, .owner = things, .heard = reading.talk.told()});
+}
+
 void relate_each_other(PromptReading& reading, std::size_t things, const Placement& placement) {
   const Mention& mention = reading.talk.mention(things);
+  if (placement.paired) return stand_in_pairs(reading, things, placement);
   if (!turns(placement)) {
     if (mention.mount == Mount::floor) stand_in_row(reading, things, reading.talk.told());
     return;

@@ -88,6 +88,10 @@ class OccupantReader {
     reading_.brief.mentions[lead].heard.push_back(place);
     const auto part = reading_.words.room_parts.find(reading_.word(said.head));
     if (part == reading_.words.room_parts.end() || part->second != "corner") return;
+    // "six armchairs and a reading corner": one of them is there.
+    const Mention& first = reading_.talk.mention(lead);
+    if (first.counted && first.quantity > 1) lead = reading_.talk.part(lead, 1);
+    reading_.mentions[static_cast<std::size_t>(id)] = lead;
     reading_.talk.told_by(hear(reading_.brief, {said.head, said.head + 1}, Heard::As::relation));
     reading_.talk.demand({lead}, {RelationKind::corner, Demand::none, "", false});
   }

@@ -81,12 +81,13 @@ class PromptOpenings {
   }
   // "a wardrobe with sliding doors"
   bool is_part_of_thing(std::int32_t id, const OpeningPhrase& opening) const {
-    if (opening.wish.type == OpeningType::window || opening.wish.has_place()) return false;
-    for (const Attachment& attachment : reading_.parse.attachments)
-      if (attachment.to == id && attachment.from != none && reading_.owns(attachment) &&
-          reading_.thing(attachment.from).kind.length > 0)
-        return true;
-    return false;
+    if (opening.wish.type == OpeningType::window) return false;
+    return std::any_of(reading_.parse.attachments.begin(), reading_.parse.attachments.end(), [&](const Attachment& attachment) {
+      if (attachment.to != id || attachment.from == none || !reading_.owns(attachment)) return false;
+      const KindMention& owner = reading_.thing(attachment.from).kind;
+      // "a cabinet with glass doors on the left wall": the cabinet is there.
+      return owner.length > 0 && (!opening.wish.has_place() || reading_.text.table.is_a(owner.category->name, "storage"));
+    });
   }
 
   PromptReading& reading_;

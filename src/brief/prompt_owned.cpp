@@ -97,10 +97,18 @@ bool OwnedReader::is_told_in_room(std::int32_t id) const {
   });
 }
 
+// ", a printer between the clusters": neither is what stands between things, behind a comma.
+bool OwnedReader::is_told_between(std::int32_t id) const {
+  const auto begin = reading_.phrase(id).tokens.begin;
+  return begin > 0 && reading_.text.plain[begin - 1].kind == Token::Kind::comma && is_told(id, [&](const Attachment&, const SaidPlacement& said) {
+    return said.placement->relations.front() == RelationKind::between && !reading_.phrase(said.target).is_pronoun;
+  });
+}
+
 bool OwnedReader::is_past_each(const Attachment& attachment) const {
+  const auto is_elsewhere = [&](std::int32_t id) { return is_told_in_room(id) || is_told_between(id); };
   const auto before = named_before(attachment);
-  return is_told_in_room(attachment.to) ||
-         std::any_of(before.begin(), before.end(), [&](const Attachment* one) { return is_told_in_room(one->to); });
+  return is_elsewhere(attachment.to) || std::any_of(before.begin(), before.end(), [&](const Attachment* one) { return is_elsewhere(one->to); });
 }
 
 // Those of its list that were named before it.

@@ -1,6 +1,7 @@
 #include "prompt_partitions.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "language/function_word.h"
 #include "language/lexicon.h"
@@ -33,9 +34,9 @@ class PartitionReader {
     const auto looks = looks_of(id);
     const auto* place = place_of(id);
     if (looks.empty() && !place) return;
-    const int all = reading_.talk.mention(*whole).quantity, few = share_of(id, place, all);
+    const int all = reading_.talk.mention(*whole).quantity, few = share_of(id, place, *whole);
     if (few < 1 || few > all) return;
-    const auto own = reading_.phrase(id).is_pronoun ? std::nullopt : reading_.mention_of(id);
+    const auto own = stands_for_things(id) ? std::nullopt : reading_.mention_of(id);
     if (own) reading_.talk.adopt(*own, *whole);
     const auto part = own ? *own : few == all ? *whole : reading_.talk.part(*whole, few);
     reading_.mentions[static_cast<std::size_t>(id)] = part;
@@ -79,18 +80,44 @@ class PartitionReader {
   std::optional<std::size_t> whole_of(std::int32_t id) const {
     const NounPhrase& said = reading_.phrase(id);
     if (is_rest(said)) return rest_of(id);
-    if (!said.is_pronoun) return named_again(id);
-    if (said.count < 1 || said.determiner == Determiner::each || said.determiner == Determiner::all ||
+    if (!stands_for_things(id)) return named_again(id);
+    if (!said.is_pronoun) return several_before(id);
+    if (said.count <= 0 || reading_.place_named(said) || said.determiner == Determiner::each || said.determiner == Determiner::all ||
         said.determiner == Determiner::both || is_of_row(id) || is_bounded(said))
       return std::nullopt;
-    for (const Attachment& one : reading_.parse.attachments)
-      if (one.from == id && one.relation == "of")
-        if (const auto named = reading_.mention_of(one.to)) return whole(*named);
-    const auto before = reading_.mention_of(id);
-    if (!before) return std::nullopt;
-    const std::size_t known = reading_.talk.mention(*before).part_of;
-    return whole(known == Demand::none ? *before : known);
+    for (const Attachment& one : reading_.parse.attachments) {
+      if (one.from != id || one.relation != "of") continue;
+      const auto all = reading_.mention_of(one.to) ? whole_behind(*reading_.mention_of(one.to)) : std::nullopt;
+      if (all || (reading_.mention_of(one.to) && !is_fraction(said))) return all;
+      if (is_fraction(said) && !reading_.phrase(one.to).is_pronoun) return std::nullopt;  // "half of the room"
+    }
+    const auto before = reading_.mention_of(id) ? whole_behind(*reading_.mention_of(id)) : std::nullopt;
+    return before || !is_fraction(said) ? before : several_before(id);
   }
+  std::optional<std::size_t> whole_behind(std::size_t mention) const {
+    const std::size_t known = reading_.talk.mention(mention).part_of;
+    return whole(known == Demand::none ? mention : known);
+  }
+  // "half", "a third"
+  static bool is_fraction(const NounPhrase& said) { return said.count > 0 && said.count < 1; }
+  // "three" of five; "three red", where a colour comes for the noun.
+  bool stands_for_things(std::int32_t id) const {
+    const NounPhrase& said = reading_.phrase(id);
+    const bool is_elliptic = said.count > 0 && said.determiner == Determiner::absent && is_look(said.head) && is_last_word(said.head) &&
+                             reading_.thing(id).kind.length == 0;
+    return said.is_pronoun || is_elliptic;
+  }
+  // The several that were named last in the sentence.
+  std::optional<std::size_t> several_before(std::int32_t id) const {
+    for (std::int32_t i = id; i-- > 0 && is_same_sentence(id, i);) {
+      const auto mention = reading_.mention_of(i);
+      if (!mention || reading_.phrase(i).is_pronoun || is_among_shares(i)) continue;
+      const auto all = whole_behind(*mention);
+      return all && reading_.phrase(i).count > 1 ? all : std::nullopt;
+    }
+    return std::nullopt;
+  }
+  bool is_among_shares(std::int32_t id) const { return reading_.is_share[static_cast<std::size_t>(id)]; }
   // "never more than three at a round one"
   bool is_bounded(const NounPhrase& said) const {
     const auto begin = said.tokens.begin;
@@ -106,12 +133,12 @@ class PartitionReader {
   // Several of which the number is known.
   std::optional<std::size_t> whole(std::size_t mention) const {
     const Mention& things = reading_.talk.mention(mention);
-    return things.counted && things.quantity > 0 && things.most == 0 ? std::optional(mention) : std::nullopt;
+    return things.counted && things.quantity > 1 && things.most == 0 ? std::optional(mention) : std::nullopt;
   }
   bool is_rest(const NounPhrase& said) const {
     const std::string& noun = reading_.word(said.head);
     return noun == "rest" || noun == "others" || noun == "remaining" ||
-           (noun == "other" && said.determiner == Determiner::definite);
+           ((noun == "other" || (noun == "half" && reading_.is_word(said.tokens.begin + 1, "other"))) && said.determiner == Determiner::definite);
   }
   // What was parted before in the text keeps what is left of it.
   std::optional<std::size_t> rest_of(std::int32_t id) const {
@@ -155,14 +182,21 @@ class PartitionReader {
     return nullptr;
   }
   // "four on each long side" are eight; "one in each corner" are all, each in its own.
-  int share_of(std::int32_t id, const Attachment* place, int all) const {
+  int share_of(std::int32_t id, const Attachment* place, std::size_t whole) const {
     const NounPhrase& said = reading_.phrase(id);
-    if (is_rest(said) && said.count == 0) return all;
-    const int count = static_cast<int>(said.count);
+    const int all = reading_.talk.mention(whole).quantity;
+    if (is_rest(said) && said.count < 1) return all;
+    const int count = static_cast<int>(is_fraction(said) ? std::round(said.count * number_with_parts(whole)) : said.count);
     const bool is_each = place && place->to != none &&
                          (reading_.phrase(place->to).determiner == Determiner::each || reading_.placement(*place)->placement->flank);
-    if (is_each && count == 1) return all;
+    if (is_each && (count == 1 || is_fraction(said))) return all;
     return is_each ? 2 * count : count;
+  }
+  // A second half is a half of all that there were before the first was parted.
+  int number_with_parts(std::size_t whole) const {
+    int all = 0;
+    for (const std::size_t part : reading_.talk.with_parts(whole)) all += reading_.talk.mention(part).quantity;
+    return all;
   }
 
   // "four are square", "one red and one black"
@@ -174,7 +208,7 @@ class PartitionReader {
           if (!reading_.parse.modifiers[i].is_denied) looks.push_back(reading_.parse.modifiers[i].tokens);
     for (const auto& verb : reading_.parse.verbs)
       if (verb.subject == id && verb.base == "be" && !verb.is_denied && verb.object != none) add_looks(looks, verb.object);
-    if (reading_.phrase(id).is_pronoun && is_look(reading_.phrase(id).head) && is_last_word(reading_.phrase(id).head))
+    if (stands_for_things(id) && is_look(reading_.phrase(id).head) && is_last_word(reading_.phrase(id).head))
       add_looks(looks, id);
     for (auto i = behind(id); is_look(i); ++i) looks.push_back({i, i + 1});
     return looks;

@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <optional>
-#include <utility>
 
+#include "place_adverbs.h"
+#include "place_teller.h"
 #include "prompt_denials.h"
 #include "prompt_mutual.h"
 #include "prompt_owned.h"
 #include "prompt_shares.h"
-#include "view_from_door.h"
+#include "two_places.h"
 #include "which_of.h"
 
 namespace roomgen::design {
@@ -24,16 +25,16 @@ using language::Run;
 class PlaceReader {
  public:
   explicit PlaceReader(PromptReading& reading)
-      : reading_(reading), left_(words_left(reading.parse)), views_(views_from_door(reading)), shares_(reading), owned_(reading, shares_) {}
+      : reading_(reading), shares_(reading), owned_(reading, shares_), teller_(reading, owned_), adverbs_(reading, teller_) {}
 
   void run() {
     for (const auto& attachment : reading_.parse.attachments) {
-      read_adverbs(attachment.tokens.begin);
+      adverbs_.read_up_to(attachment.tokens.begin);
       reading_.look_back_from(attachment.tokens.begin);
-      place_at_ = attachment.tokens.begin;
+      teller_.come_to(attachment.tokens.begin);
       read_attachment(attachment);
     }
-    read_adverbs(reading_.text.plain.size());
+    adverbs_.read_up_to(reading_.text.plain.size());
     owned_.read_those_behind_each();
     note_lost_sides();
   }
@@ -71,26 +72,36 @@ class PlaceReader {
     if (said->placement->inverse) return read_inverse(attachment, *said);
     const Indices subjects = whom_place_means(attachment, *said);
     if (subjects.empty()) return;
+    if (const auto sides = left_and_right(reading_, attachment)) return stand_left_and_right(subjects, *sides);
     if (said->placement->mutual) return relate_mutually(reading_, subjects, *said->placement);
-    if (said->placement->flank && is_of_room(attachment.to)) return reading_.talk.locate_at_both(subjects, Discourse::Both::ends);
+    if (said->placement->flank && is_of_room(reading_, attachment.to)) return reading_.talk.locate_at_both(subjects, Discourse::Both::ends);
     if (said->placement->flank) shares_.give_each_side(attachment, reading_.all_of(attachment.from));
     if (said->target == none) {
       if (said->placement->flank && stand_owners_beside(subjects, attachment, *said->placement)) return;
       // "a throne, six columns down each side": where no table has them at its sides, the room has.
       if (said->placement->flank && said->placement->relations.front() == RelationKind::around && !are_at_table(*said->placement, subjects))
         return reading_.talk.locate_at_both(subjects, Discourse::Both::side_walls);
-      return relate_to_implied(subjects, *said->placement);
+      return teller_.say_of_implied(subjects, *said->placement);
     }
     read_target(attachment, *said, subjects);
   }
+  // "shelves on the left and right" are at those walls, lamps of a bed at its sides.
+  void stand_left_and_right(const Indices& subjects, const Run& words) {
+    reading_.talk.told_by(hear(reading_.brief, words, Heard::As::relation));
+    const auto both = reading_.words.placements.find("on both sides");
+    const bool hang = reading_.talk.mention(subjects.front()).mount == Mount::wall;
+    const bool are_of_room = hang || reading_.is_word(words.end - 1, "walls") || !owned_.owner_of(subjects.front());
+    if (are_of_room || both == reading_.words.placements.end()) return reading_.talk.locate_at_both(subjects, Discourse::Both::side_walls);
+    teller_.say_of_implied(subjects, both->second);
+  }
   bool are_at_table(const Placement& placement, const Indices& subjects) const {
-    const auto what = reading_.talk.antecedent(placement.relations.front(), with_kin(subjects));
+    const auto what = teller_.implied(placement.relations.front(), subjects);
     return what && reading_.text.table.is_any_of(reading_.talk.mention(*what).category, {"table", "kitchen island"});
   }
   // "a bar with seven stools along the back wall": where seats and what they are at are told of, the place is said of what
   // they are at.
   Indices whom_place_means(const Attachment& attachment, const SaidPlacement& said) const {
-    const Indices subjects = reading_.subjects_of(attachment);
+    const Indices subjects = with_joined_before(attachment, reading_.subjects_of(attachment));
     if (subjects.size() != 1 || said.target == none) return subjects;
     if (const auto target = reading_.mention_of(said.target)) {
       const auto carrier = owned_.owner_of(subjects.front());
@@ -100,9 +111,23 @@ class PlaceReader {
     const auto place = reading_.place_named(reading_.phrase(said.target));
     const bool is_seat = reading_.text.table.is_any_of(reading_.talk.mention(subjects.front()).category, {"chair", "stool"});
     // "a barrel with two glasses on top in the middle"
-    const bool is_told_on_it = owner && place && place->place != Place::wall && place->place != Place::ceiling && stands_on(subjects.front(), *owner);
+    const bool is_told_on_it = owner && place && place->place != Place::wall && place->place != Place::ceiling &&
+                               (teller_.stands_on(subjects.front(), *owner) || reading_.talk.is_small(subjects.front()));
     if (!place || !owner || !(is_seat || is_told_on_it) || place->place == Place::floor) return subjects;
     return {*owner};
+  }
+  // "a watering can by the door, an iron chair and small table at the far end": without an article of its own the last is
+  // one with what it is joined to.
+  Indices with_joined_before(const Attachment& attachment, Indices subjects) const {
+    const auto id = attachment.from;
+    const NounPhrase& said = reading_.phrase(id);
+    const auto begin = said.tokens.begin;
+    const bool is_joined = id > 0 && begin > 0 && reading_.is_word(begin - 1, "and") && said.determiner == Determiner::absent && said.count == 0 &&
+                           !said.is_plural && !said.is_pronoun && reading_.mention_of(id);
+    const NounPhrase& before = reading_.phrase(id - (is_joined ? 1 : 0));
+    const auto other = is_joined && before.tokens.end + 1 == begin && before.list == said.list ? reading_.mention_of(id - 1) : std::nullopt;
+    if (other && !is_among(subjects, *other)) subjects.insert(subjects.begin(), *other);
+    return subjects;
   }
   // "a cake with six candles on the table", "a board with tools over the bench": of what small things are with, where
   // something known is named ("a board with tools on a rail": the tools are on that).
@@ -112,8 +137,13 @@ class PlaceReader {
       return with.to == attachment.from && reading_.owns(with) && reading_.mention_of(with.from) == carrier && !with.is_verb;
     });
     const bool is_behind = reading_.phrase(attachment.from).head + 1 == attachment.tokens.begin;
+    const auto had = reading_.mention_of(attachment.from);
+    if (!had) return false;
+    // "a vanity with a mirror across from the bed"
+    const RelationKind relation = said.placement->relations.front();
+    const bool hangs_on_it = reading_.talk.mention(*had).mount == Mount::wall && relation != RelationKind::above && relation != RelationKind::on;
     return is_with && is_behind && !target.is_pronoun && target.determiner == Determiner::definite && !said.placement->flank &&
-           reading_.talk.is_small(*reading_.mention_of(attachment.from));
+           (reading_.talk.is_small(*had) || hangs_on_it);
   }
   // "a bed, a nightstand with a lamp on each side": the nightstands are at the sides of the bed, each with its lamp.
   bool stand_owners_beside(const Indices& subjects, const Attachment& attachment, const Placement& placement) {
@@ -123,9 +153,9 @@ class PlaceReader {
     const auto owner = owned_.owner_of(subjects.front());
     if (!owner || reading_.talk.mention(*owner).mount != Mount::floor) return false;
     const std::size_t carrier = *owner;
-    const auto target = reading_.talk.antecedent(placement.relations.front(), with_kin({carrier, subjects.front()}));
+    const auto target = teller_.implied(placement.relations.front(), {carrier, subjects.front()});
     if (!target) return false;
-    say({carrier}, {&placement, none, false}, *target);
+    teller_.say({carrier}, {&placement, none, false}, *target);
     shares_.give_each(carrier, subjects, attachment.tokens.begin);
     return true;
   }
@@ -139,18 +169,14 @@ class PlaceReader {
     }
     return nullptr;
   }
-  static bool is_beside(const Placement& placement) {
-    return placement.relations.size() == 1 && (placement.relations.front() == RelationKind::left_of ||
-                                               placement.relations.front() == RelationKind::right_of);
-  }
   // "the crib's left", "its right end": beside what owns the side.
   bool stand_beside_owner(const NounPhrase& phrase, const Indices& subjects) {
     const Placement* side = side_named(phrase);
     if (!side) return false;
-    if (phrase.determiner == Determiner::possessive) return relate_to_implied(subjects, *side), true;
+    if (phrase.determiner == Determiner::possessive) return teller_.say_of_implied(subjects, *side), true;
     const auto owner = owner_named(phrase);
     if (!owner || is_among(subjects, *owner)) return false;
-    say(subjects, {side, none, false}, *owner);
+    teller_.say(subjects, {side, none, false}, *owner);
     return true;
   }
   // "the crib's": the thing spoken of before that the words mean.
@@ -178,16 +204,16 @@ class PlaceReader {
         shares_.give_each(*thing, subjects, attachment.tokens.begin);
       if (is_own(target) && reading_.talk.mention(*thing).quantity == 1)
         shares_.give_each(subjects.front(), {*thing}, attachment.tokens.begin);
-      say(subjects, said, *thing);
+      teller_.say(subjects, said, *thing);
       for (const std::size_t further : reading_.also[static_cast<std::size_t>(said.target)])
-        if (reaches_all(said.placement->relations.front()) && !is_among(subjects, further)) say(subjects, said, further);
+        if (reaches_all(said.placement->relations.front()) && !is_among(subjects, further)) teller_.say(subjects, said, further);
       return;
     }
     if (said.placement->relations.front() == RelationKind::face_to && reading_.is_somebody(target))
-      if (const auto seats = seats_of_several()) return say(subjects, said, *seats);
+      if (const auto seats = seats_of_several()) return teller_.say(subjects, said, *seats);
     if (is_way_in(target, *said.placement))
       return reading_.talk.locate(subjects, *said.placement, PlacePhrase{.place = Place::door});
-    if (const auto both = both_places(attachment, said)) return locate_at_both(subjects, *both, target.determiner == Determiner::each);
+    if (const auto both = two_places(reading_, attachment, said)) return locate_at_both(subjects, *both, target.determiner == Determiner::each && !is_share(attachment.from));
     if (reading_.is_room(target)) {
       if (said.placement->centered) reading_.talk.locate(subjects, *said.placement, PlacePhrase{});
       return;
@@ -197,41 +223,17 @@ class PlaceReader {
     if (place->place == Place::region && place->side >= 0 && is_along(attachment)) place->place = Place::wall, place->wall = place->side;
     if (target.determiner == Determiner::possessive && is_portion(*place))
       return lie_on_owner(subjects);
-    if (target.determiner == Determiner::each) shares_.give_each_place(*place, subjects, attachment.tokens.begin);
+    if (target.determiner == Determiner::each || is_all(target)) shares_.give_each_place(*place, subjects, attachment.tokens.begin);
     if (place->place == Place::middle)
       return locate_in_middle(attachment, subjects, *said.placement, *place);
     reading_.talk.locate(subjects, *said.placement, *place);
   }
-  // "four shelves along each long wall" are eight.
+  bool is_share(std::int32_t id) const { return reading_.is_share[static_cast<std::size_t>(id)]; }
+  // "four shelves along each long wall" are eight; of six "three along each" are all.
   void locate_at_both(const Indices& subjects, Discourse::Both both, bool at_each) {
     for (const std::size_t subject : subjects)
       if (at_each && reading_.talk.mention(subject).counted && reading_.talk.mention(subject).quantity > 1) reading_.talk.multiply(subject, 2);
     reading_.talk.locate_at_both(subjects, both);
-  }
-  // "at opposite ends of the room", "along both long walls": places that there are two of.
-  std::optional<Discourse::Both> both_places(const Attachment& attachment, const SaidPlacement& said) const {
-    static const WordSet twos = {"both", "two", "opposite", "opposing", "each", "either"}, ends = {"end", "ends", "sides"};
-    const NounPhrase& target = reading_.phrase(said.target);
-    if (reading_.is_room(target) && said.placement->flank) return Discourse::Both::ends;
-    bool are_two = false, are_sides = false;
-    for (auto i = std::min(target.tokens.begin, attachment.tokens.begin); i < target.head; ++i) {
-      are_two = are_two || twos.count(reading_.word(i));
-      are_sides = are_sides || reading_.is_word(i, "side");
-    }
-    if (are_two && ends.count(reading_.word(target.head)) && is_of_room(said.target)) return Discourse::Both::ends;
-    if (said.placement->relations.front() == RelationKind::face_to) return std::nullopt;
-    const auto place = reading_.place_named(target);
-    if (!place || place->place != Place::wall) return std::nullopt;
-    const bool is_either = target.determiner == Determiner::each || reading_.is_word(target.tokens.begin, "either");
-    if (!(target.is_plural || is_either) || (!are_two && !are_sides && place->length_of_wall.empty())) return std::nullopt;
-    if (place->length_of_wall == "short") return Discourse::Both::short_walls;
-    return are_sides ? Discourse::Both::side_walls : Discourse::Both::long_walls;
-  }
-  // "the ends of the room"
-  bool is_of_room(std::int32_t part) const {
-    return std::any_of(reading_.parse.attachments.begin(), reading_.parse.attachments.end(), [&](const Attachment& of) {
-      return of.from == part && of.relation == "of" && reading_.is_room(reading_.phrase(of.to));
-    });
   }
   // "a monitor and keyboard on each": the small things of the list that were named before.
   Indices with_small_before(const Attachment& attachment, Indices subjects) const {
@@ -310,42 +312,6 @@ class PlaceReader {
     }
     reading_.talk.locate(subjects, placement, place);
   }
-  void say(const Indices& subjects, const SaidPlacement& said, std::size_t target) {
-    if (said.placement->hanging) reading_.talk.hang_from_ceiling(subjects);
-    const bool lies_on_part =
-        said.is_portion && std::all_of(subjects.begin(), subjects.end(), [&](std::size_t i) {
-          return reading_.talk.mention(i).mount == Mount::surface;
-        });
-    if (lies_on_part) return reading_.talk.demand(subjects, {RelationKind::on, target, "", false});
-    // "two speakers on the console, one at either end": not beside it.
-    const bool is_on_it = said.placement->flank && std::all_of(subjects.begin(), subjects.end(), [&](std::size_t i) {
-      return stands_on(i, target);
-    });
-    if (is_on_it) return;
-    const Placement& placement = at_long_sides(*said.placement, subjects, target);
-    for (auto kind : placement.relations)
-      reading_.talk.demand(subjects, {kind, target, "", placement.flank, false, which_of(reading_, said.target)});
-    if (is_beside(*said.placement)) last_side_ = {said.placement->relations.front(), target};
-  }
-  // Seats on each side of a table stand at its long sides.
-  const Placement& at_long_sides(const Placement& placement, const Indices& subjects, std::size_t target) const {
-    const auto& table = reading_.text.table;
-    const auto found = reading_.words.placements.find("on each long side of");
-    const bool are_seats = placement.flank && placement.relations.front() == RelationKind::next_to &&
-                           std::all_of(subjects.begin(), subjects.end(), [&](std::size_t one) {
-                             return table.is_any_of(reading_.talk.mention(one).category, {"chair", "stool", "bench"});
-                           });
-    const std::string& what = reading_.talk.mention(target).category;
-    return are_seats && found != reading_.words.placements.end() && table.is_a(what, "table") && !table.is_a(what, "desk")
-               ? found->second
-               : placement;
-  }
-  bool stands_on(std::size_t mention, std::size_t target) const {
-    const auto& demands = reading_.talk.mention(mention).demands;
-    return std::any_of(demands.begin(), demands.end(), [&](const Demand& demand) {
-      return demand.kind == RelationKind::on && demand.mention == target;
-    });
-  }
   // "flanked by two lamps", "holds a vase": the subject is the target.
   void read_inverse(const Attachment& attachment, const SaidPlacement& said) {
     const auto owner = reading_.mention_of(attachment.from),
@@ -367,128 +333,11 @@ class PlaceReader {
                                   other.tokens == attachment.tokens;
                          }) > 1;
   }
-  // Subjects, and what they are some of: none of them is what they stand beside.
-  Indices with_kin(const Indices& subjects) const {
-    Indices all = subjects;
-    for (const std::size_t subject : subjects) {
-      const std::size_t whole = reading_.talk.mention(subject).part_of;
-      for (const std::size_t kin : reading_.talk.with_parts(whole == Demand::none ? subject : whole))
-        if (!is_among(all, kin)) all.push_back(kin);
-      for (std::size_t other = 0; other < subject; ++other)
-        if (reading_.talk.mention(other).description == reading_.talk.mention(subject).description && !is_among(all, other))
-          all.push_back(other);
-    }
-    return all;
-  }
-  // "to its left", "overhead": of what was spoken of before.
-  void relate_to_implied(const Indices& subjects, const Placement& placement) {
-    const RelationKind first = placement.relations.front();
-    auto target = reading_.talk.antecedent(first, with_kin(subjects));
-    if (is_beside(placement) && !owned_.owner_of(subjects.front()) && (!target || is_seen_from_door() || hangs_over(*target, subjects))) {
-      const int wall = first == RelationKind::left_of ? left_wall : right_wall;
-      PlacePhrase half;
-      half.place = Place::region, half.region = half_at(wall);
-      return reading_.talk.locate(subjects, placement, half);
-    }
-    if (placement.owner.empty()) {
-      if (const auto other = other_side_of(placement, subjects)) target = other;
-    } else if (const auto owner = reading_.talk.last_of_category(placement.owner, subjects)) {
-      target = owner;
-    }
-    // "a board with a knife on top", "a bed with a nightstand on one side"
-    if (const auto owner = owned_.owner_of(subjects.front())) target = owner;
-    // "a galley kitchen, cabinets on both sides": nothing was named that has sides.
-    if (!target && placement.flank && subjects == Indices{0}) return reading_.talk.locate_at_both(subjects, Discourse::Both::side_walls);
-    if (target) say(subjects, {&placement, none, false}, *target);
-  }
-  // "A mirror on the wall. On the left, a pew": what stands is at a side of the room, not of what hangs.
-  bool hangs_over(std::size_t target, const Indices& subjects) const {
-    const Mount mount = reading_.talk.mention(target).mount;
-    return (mount == Mount::wall || mount == Mount::ceiling) && std::all_of(subjects.begin(), subjects.end(), [&](std::size_t one) {
-             return reading_.talk.mention(one).mount == Mount::floor && !reading_.talk.is_small(one);
-           });
-  }
-  // "On the left as you come in there is a rack, on the right a bench": of who enters, until the sentence ends.
-  bool is_seen_from_door() const {
-    return std::any_of(views_.begin(), views_.end(), [&](const Run& view) {
-      const auto here = reading_.sentence_of(place_at_);
-      return reading_.sentence_of(view.begin) == here || (view.begin < place_at_ && reading_.sentence_of(view.begin) + 1 == here);
-    });
-  }
-  // "Left of the sofa a lamp, to its right a plant": both stand beside one thing.
-  std::optional<std::size_t> other_side_of(const Placement& placement, const Indices& subjects) const {
-    if (!is_beside(placement) || !last_side_ || last_side_->first == placement.relations.front() ||
-        is_among(subjects, last_side_->second))
-      return std::nullopt;
-    return last_side_->second;
-  }
-  // Words that no phrase has and no attachment.
-  static std::vector<bool> words_left(const language::Parse& parse) {
-    std::vector<bool> left(parse.tokens.size(), true);
-    const auto use = [&](const Run& run) {
-      std::fill(left.begin() + run.begin, left.begin() + run.end, false);
-    };
-    for (const auto& one : parse.attachments) use(one.tokens);
-    for (const auto& one : parse.phrases) use({one.tokens.begin, one.head + 1});
-    return left;
-  }
-  // "nearby", "on top", "side by side": those up to a token that were not read yet.
-  void read_adverbs(std::size_t end) {
-    for (; next_adverb_ < end; ++next_adverb_) {
-      const std::size_t i = next_adverb_;
-      const auto match = longest(reading_.words.placements, reading_.text.plain, i);
-      if (!left_[i] && !(match && is_doubled(i, match.length))) continue;
-      reading_.look_back_from(i);
-      place_at_ = static_cast<std::uint32_t>(i);
-      if (!match || (!match.value->pronoun && !match.value->adverb && !match.value->mutual))
-        continue;
-      // "Between sofa and console: a table" names what it is between.
-      const bool goes_on = i + match.length < reading_.text.plain.size() && reading_.text.plain[i + match.length].kind == Token::Kind::word;
-      if (goes_on && match.value->relations.front() == RelationKind::between) continue;
-      const Indices subjects = subjects_at(i);
-      const auto first = static_cast<std::uint32_t>(i);
-      const auto heard = hear(reading_.brief, {first, first + static_cast<std::uint32_t>(match.length)},
-                              Heard::As::relation);
-      reading_.talk.told_by(heard);
-      if (!subjects.empty() && match.value->mutual)
-        relate_listed(reading_, i, *match.value, heard);
-      else if (!subjects.empty())
-        relate_to_implied(subjects, *match.value);
-      next_adverb_ += match.length - 1;
-    }
-  }
-  // "back to back", whatever noun it is made of.
-  bool is_doubled(std::size_t first, std::size_t length) const {
-    return length == 3 && reading_.text.plain[first].text == reading_.text.plain[first + 2].text;
-  }
-  // Of what an adverb is said: the subject of the verb before it, what was named last in its
-  // sentence, or what it is said before ("Above hangs a lantern").
-  Indices subjects_at(std::size_t token) const {
-    for (const auto& verb : reading_.parse.verbs)
-      if (verb.tokens.end == token && verb.subject != none)
-        if (const auto subjects = reading_.mentions_of_list(verb.subject); !subjects.empty())
-          return subjects;
-    std::optional<std::size_t> before, after;
-    for (std::size_t i = 0; i < reading_.parse.phrases.size(); ++i) {
-      const std::size_t head = reading_.parse.phrases[i].head;
-      if (!reading_.mentions[i] || reading_.sentence_of(head) != reading_.sentence_of(token))
-        continue;
-      if (head < token)
-        before = reading_.mentions[i];
-      else if (!after)
-        after = reading_.mentions[i];
-    }
-    if (!before) before = after;
-    return before ? Indices{*before} : Indices{};
-  }
   PromptReading& reading_;
-  const std::vector<bool> left_;                 ///< by token
-  const std::vector<Run> views_;                 ///< "as you come in"
-  std::uint32_t place_at_ = 0;                   ///< the token of what is being read
-  std::size_t next_adverb_ = 0;                  ///< token
-  std::optional<std::pair<RelationKind, std::size_t>> last_side_;  ///< left or right of which mention
   ShareReader shares_;
   OwnedReader owned_;
+  PlaceTeller teller_;
+  PlaceAdverbs adverbs_;
 };
 
 }  // namespace

@@ -159,13 +159,18 @@ bool PromptReading::is_told_at_pronoun(std::int32_t phrase_number) const {
   });
 }
 
+// "a cabinet with glass doors"
+bool PromptReading::is_part_of_thing(const Attachment& with) const {
+  return with.to != none && phrase(with.to).list == none && mention_of(with.from) && words.parts.count(word(phrase(with.to).head));
+}
+
 // "in the corner next to the door": what is said of a place is said of what is there.
 const Attachment& PromptReading::of_thing(const Attachment& attachment) const {
   const Attachment* said = &attachment;
   for (int steps = 0; steps < 4 && said->from != none && !mention_of(said->from); ++steps) {
     const auto to_place =
         std::find_if(parse.attachments.begin(), parse.attachments.end(), [&](const Attachment& one) {
-          return one.to == said->from && one.relation != "of" && !owns(one);
+          return one.to == said->from && one.relation != "of" && (!owns(one) || is_part_of_thing(one));
         });
     if (to_place == parse.attachments.end()) break;
     said = &*to_place;

@@ -99,6 +99,7 @@ struct PromptReading {
   std::vector<bool> is_share;  ///< by noun phrase: means some of several things, no more
 
  private:
+  bool is_part_of_thing(const language::Attachment& with) const;
   const language::Attachment& of_thing(const language::Attachment& attachment) const;
 };
 

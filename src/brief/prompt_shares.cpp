@@ -43,7 +43,8 @@ void ShareReader::give_each_place(const PlacePhrase& place, const Indices& thing
   if (!is_corner && !is_window && place.place != Place::door) return;
   const int number = is_corner ? corners : is_window ? std::max(2, reading_.brief.windows.value_or(0)) : doors_said();
   for (const std::size_t thing : things)
-    if (reading_.talk.mention(thing).quantity == 1 && given_.insert(thing).second) {
+    if (const Mention& one = reading_.talk.mention(thing); (one.quantity == 1 || !one.counted) && given_.insert(thing).second) {
+      if (one.quantity == 0) reading_.talk.expect(thing, 1);
       share({.thing = thing, .place = is_corner ? "corner" : is_window ? "window" : "door"}, at);
       reading_.talk.multiply(thing, number);
     }
@@ -121,6 +122,7 @@ void ShareReader::give_each_person(const Attachment& attachment) {
   const NounPhrase& whom = reading_.phrase(attachment.to);
   for (const std::size_t thing : reading_.subjects_of(attachment)) {
     if (!given_.insert(thing).second) continue;
+    if (reading_.talk.mention(thing).quantity == 0) reading_.talk.expect(thing, 1);
     reading_.talk.multiply(thing, reading_.brief.people);
     reading_.hearing.number(language::Run{whom.tokens.begin, whom.head + 1}, thing);
   }

@@ -156,8 +156,8 @@ std::vector<NamedRoom> named_rooms(const std::vector<Token>& tokens, const langu
   for (std::size_t i = 0; i < tokens.size(); ++i) {
     if (tokens[i].kind != Token::Kind::word) continue;
     const auto room = longest(names, tokens, i, 3);
-    // "bathroom cabinet", "kitchen sink" and "hall table" name things.
-    if (!room || mention_at(table, tokens, i).length > room.length) continue;
+    // "bathroom cabinet", "kitchen sink", "hall table" and "play kitchen" name things.
+    if (!room || mention_at(table, tokens, i).length > room.length || is_within_name(table, tokens, i)) continue;
     rooms.push_back({i, room.length, *room.value, is_head(tokens[i + room.length - 1], parse)});
     i += room.length - 1;
   }

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "language/amount.h"
+#include "language/number.h"
 
 namespace roomgen::design {
 
@@ -30,11 +31,20 @@ class NumberReader : private PhraseWords {
     spread();
     // Numbers of several words.
     const bool part_of_name = is_number(thing_.name_tokens.begin) || measured_;
-    if (!thing_.article && said.count > 0 && !part_of_name) set_count(said.count, true);
+    if (!thing_.article && said.count > 0 && !part_of_name) count_in_words();
     exclude_bound();
   }
 
  private:
+  // "sixty", "two hundred"
+  void count_in_words() {
+    set_count(said.count, true);
+    for (auto first = said.tokens.begin; first < thing_.name_tokens.begin; ++first)
+      if (const auto number = language::number_at(parse.tokens, first); number && first + number->length <= thing_.name_tokens.begin) {
+        for (auto i = first; i < first + number->length; ++i) thing_.count_tokens.push_back(i);
+        return;
+      }
+  }
   // "8 to 12", "two or three", "about a dozen": what stands before the noun is a range.
   void range() {
     for (std::uint32_t first = said.tokens.begin; first < thing_.name_tokens.begin; ++first) {

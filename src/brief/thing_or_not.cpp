@@ -63,9 +63,12 @@ bool ThingOrNot::is_of_occupant(const NounPhrase& said) const {
   return false;
 }
 
-// "a podcast studio for four speakers"
+// "a podcast studio for four speakers", "a conservatory for painting"
 bool ThingOrNot::is_who_it_is_for(std::int32_t id) const {
-  if (!language::lexicon().may_be(reading_.parse.head_of(reading_.phrase(id)), language::WordClass::person)) return false;
+  const NounPhrase& said = reading_.phrase(id);
+  const auto verb = language::verb(reading_.word(said.head));
+  const bool is_deed = verb && verb->form == language::VerbForm::gerund && said.tokens.size() == 1;
+  if (!is_deed && !language::lexicon().may_be(reading_.parse.head_of(said), language::WordClass::person)) return false;
   return std::any_of(reading_.parse.attachments.begin(), reading_.parse.attachments.end(), [&](const Attachment& one) {
     return one.to == id && one.relation == "for" && one.from != none && reading_.is_room(reading_.phrase(one.from));
   });

@@ -16,7 +16,8 @@ void Attacher::further_member(std::int32_t id) {
   OpenList& list = open_.back();
   // "no rug, desk or plant"
   const bool is_list_of_bare = is_bare(list.last) || at(list.last).determiner == Determiner::no || at(list.last).determiner == Determiner::any;
-  if (at(list.last).is_denied && is_list_of_bare && is_bare(id)) at(id).is_denied = true;
+  const bool has_place = before_ == Tag::comma && ahead() == Tag::preposition;  // "no rugs, low bookcase under the window"
+  if (at(list.last).is_denied && is_list_of_bare && is_bare(id) && !has_place) at(id).is_denied = true;
   link(list, id);
   if (list.attachment != none) {
     Attachment attachment = parse_.attachments[static_cast<std::size_t>(list.attachment)];

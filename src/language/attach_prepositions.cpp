@@ -51,7 +51,7 @@ void Attacher::set_from(Attachment& attachment) {
   } else if (governs_places()) {
     attachment.verb = verb_;
     attachment.from = verb_at(verb_).subject;
-    attachment.is_of_list = true;
+    attachment.is_of_list = !is_of_one(verb_at(verb_));
   } else if (is_joined_ && is_with(attachment.relation)) {
     attachment.from = main_ != none ? main_ : last_;
   } else if (is_joined_ && open_.empty()) {
@@ -74,6 +74,13 @@ bool Attacher::governs_places() {
                       open_.back().by == Opened::subject && at(last_).tokens.begin >= verb.tokens.end;
   if (is_new) return false;
   return verb_at(verb_).object == none;
+}
+
+// "a bench and a plant that is near the door": the plant alone.
+bool Attacher::is_of_one(const VerbPhrase& verb) const {
+  const std::string& word = parse_.tokens[verb.tokens.begin].text;
+  const bool is_singular = word == "is" || word == "was" || (word != verb.base && word.ends_with('s'));
+  return verb.kind == VerbPhrase::Kind::relative && is_singular;
 }
 
 void Attacher::from_nearest(Attachment& attachment) {

@@ -80,6 +80,7 @@ class Attacher {
   }
   bool begins_with_place() const;
   void set_from(Attachment& attachment);
+  bool is_of_one(const VerbPhrase& verb) const;
   bool governs_places();
   void from_nearest(Attachment& attachment);
   std::int32_t top_of(std::int32_t phrase) const;

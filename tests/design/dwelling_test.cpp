@@ -63,6 +63,8 @@ const char* const prompts[] = {
 TEST_CASE("The rooms of a prompt") {
   CHECK(rooms_in("a two-bedroom apartment with a kitchen, a bathroom and a living room") ==
         "bathroom 1, bedroom 2, kitchen 1, living room 1");
+  // A play kitchen is no room.
+  CHECK(rooms_in("a nursery with a play kitchen and a doll house").empty());
   CHECK(rooms_in("a modern three-bedroom house") ==
         "bathroom 1, bedroom 3, hallway 1, kitchen 1, living room 1");
   CHECK(rooms_in("a studio with a separate bathroom") == "bathroom 1, studio 1");

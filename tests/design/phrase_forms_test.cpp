@@ -100,3 +100,63 @@ TEST_CASE("a nightstand with a lamp on each side of what came before are two, ea
   REQUIRE(bench.mentions.size() == 4);
   CHECK(places(bench, 3).find("nightstand") == std::string::npos);
 }
+
+TEST_CASE("halves and thirds of several are parts of them") {
+  const Brief looks = read_brief("A dining room with six chairs. Half of them are black, the rest are grey.");
+  REQUIRE(things(looks) == "3 dining chair, 3 dining chair");
+  CHECK(looks.mentions[0].looks == std::vector<std::string>{"grey"});
+  CHECK(looks.mentions[1].looks == std::vector<std::string>{"black"});
+  const Brief halves = read_brief("A dining room with six chairs, half black and half grey.");
+  CHECK(things(halves).ends_with("3 dining chair, 3 dining chair"));
+  const Brief other = read_brief("A room with six stools at a table, half of them black and the other half grey.");
+  CHECK(std::count_if(other.mentions.begin(), other.mentions.end(), [](const Mention& one) { return one.category == "stool" && one.quantity == 3; }) == 2);
+  const Brief places_of = read_brief("An office with nine chairs. A third of them face the window.");
+  REQUIRE(things(places_of) == "6 office chair, 3 office chair");
+  CHECK(places(places_of, 0).empty());
+  CHECK(places(places_of, 1) == "face to, window-0");
+}
+
+TEST_CASE("a number and a colour stand for some of several") {
+  const Brief brief = read_brief("A dining room with six chairs, two red and four white.");
+  const auto with = [&](const std::string& look) {
+    int number = 0;
+    for (const auto& one : brief.mentions)
+      if (one.looks == std::vector<std::string>{look}) number += one.quantity;
+    return number;
+  };
+  INFO(things(brief));
+  for (const auto& one : brief.mentions) UNSCOPED_INFO(one.description);
+  CHECK(with("red") == 2);
+  CHECK(with("white") == 4);
+}
+
+TEST_CASE("colours that alternate are each on as many") {
+  for (const char* prompt : {"A dining room with seven chairs, alternating black and grey.", "A dining room with seven alternating black and grey chairs."}) {
+    INFO(prompt);
+    const Brief brief = read_brief(prompt);
+    for (const auto& one : brief.mentions) UNSCOPED_INFO(one.description << " | " << one.looks.size());
+    REQUIRE(things(brief) == "4 dining chair, 3 dining chair");
+    CHECK(brief.mentions[0].looks == std::vector<std::string>{"black"});
+    CHECK(brief.mentions[1].looks == std::vector<std::string>{"grey"});
+  }
+}
+
+TEST_CASE("what stands in pairs stands by one of the others") {
+  const Brief brief = read_brief("A classroom with twelve desks in pairs.");
+  REQUIRE(things(brief) == "6 student desk, 6 student desk");
+  CHECK(places(brief, 0).empty());
+  CHECK(places(brief, 1) == "next to, student desk");
+  REQUIRE(brief.shared_out.size() == 1);
+}
+
+TEST_CASE("a lamp does not stand on the seat that it is for") {
+  const Brief brief = read_brief("A reading room with four armchairs, each with its own lamp.");
+  REQUIRE(things(brief).starts_with("4 armchair, 4 "));
+  CHECK(places(brief, 1) == "near, armchair");
+}
+
+TEST_CASE("one of several is in the corner that is for an activity") {
+  const Brief brief = read_brief("A lounge with six armchairs and a reading corner.");
+  CHECK(brief.mentions[0].quantity == 5);
+  CHECK(places(brief, 0).empty());
+}

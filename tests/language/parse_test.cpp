@@ -171,3 +171,12 @@ TEST_CASE("The same text gives the same parse") {
     CHECK(a.attachments[i].tokens == b.attachments[i].tokens);
   }
 }
+
+TEST_CASE("A relative clause in the singular is of the last of a list") {
+  const auto one = parse("A bench, a mirror and a plant that is near the door.");
+  REQUIRE(!one.attachments.empty());
+  CHECK(!one.attachments.back().is_of_list);
+  CHECK(one.attachments.back().from == 2);
+  CHECK(parse("A bench, a mirror and a plant that are near the door.").attachments.back().is_of_list);
+  CHECK(!parse("A bench and a plant that stands by the door.").attachments.back().is_of_list);
+}
