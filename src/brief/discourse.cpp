@@ -80,7 +80,7 @@ std::optional<std::size_t> Discourse::refer(const ThingPhrase& phrase, int sente
       std::any_of(phrase.modifiers.begin(), phrase.modifiers.end(),
                   [&](const std::string& word) { return lexicon_.words.further.count(word) > 0; });
   if (!further && (!phrase.article || phrase.definite))
-    if (const auto before = known(phrase)) {
+    if (const auto before = known(phrase); before && !are_others(phrase, *before)) {
       if (!is_other_kind(phrase, *before)) return before;
       const std::string name = category_name(phrase.kind);
       for (std::size_t i = made(); i-- > 0;)
@@ -93,11 +93,21 @@ std::optional<std::size_t> Discourse::refer(const ThingPhrase& phrase, int sente
   return count() - 1;
 }
 
+// "the judge's bench ..., public benches": several are not the one.
+bool Discourse::are_others(const ThingPhrase& phrase, std::size_t known) const {
+  const Mention& before = mention(known);
+  return phrase.kind.plural && !phrase.definite && before.quantity == 1 && before.noun == phrase.kind.name;
+}
+
 // "Washer, dryer, shelf": without an article a name of its own is a thing of its own, however near its kind is.
 bool Discourse::is_other_kind(const ThingPhrase& phrase, std::size_t known) const {
-  if (phrase.definite || phrase.kind.length == 0 || phrase.kind.plural) return false;
+  if (phrase.definite || phrase.kind.length == 0) return false;
   const std::string name = category_name(phrase.kind);
   const Mention& before = mention(known);
+  // "seats ..., benches", "plants ..., orchids": who says more means others.
+  const bool says_more = before.category != name || names_more_than(phrase.kind) || phrase.kind.category->variant;
+  if (phrase.kind.plural)
+    return says_more && lexicon_.table.is_a(name, before.category) && before.noun != phrase.kind.name && !before.noun.ends_with(phrase.kind.name);
   return before.category != name && !before.category.ends_with(phrase.kind.name) && !before.noun.ends_with(phrase.kind.name);
 }
 

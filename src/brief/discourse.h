@@ -98,6 +98,7 @@ class Discourse {
 
  private:
   Mention new_mention(const ThingPhrase& phrase, int sentence) const;
+  bool are_others(const ThingPhrase& phrase, std::size_t known) const;
   bool is_other_kind(const ThingPhrase& phrase, std::size_t known) const;
   void note_bound(const ThingPhrase& phrase);
   void note_reading(const KindMention& kind);

@@ -84,6 +84,7 @@ void PlaceTeller::say_of_implied(const Indices& subjects, const Placement& place
     half.place = Place::region, half.region = half_at(wall);
     return reading_.talk.locate(subjects, placement, half);
   }
+  if (const auto same = placement.pronoun && is_beside(placement) ? told_by_it(subjects) : std::nullopt) target = same;
   if (placement.owner.empty()) {
     if (const auto other = other_side_of(placement, subjects)) target = other;
   } else if (const auto owner = reading_.talk.last_of_category(placement.owner, subjects)) {
@@ -110,6 +111,18 @@ bool PlaceTeller::is_seen_from_door() const {
     const auto here = reading_.sentence_of(place_at_);
     return reading_.sentence_of(view.begin) == here || (view.begin < place_at_ && reading_.sentence_of(view.begin) + 1 == here);
   });
+}
+
+// "a chair by the window, a lamp behind it, a table to its right": what "it" was before in the sentence.
+std::optional<std::size_t> PlaceTeller::told_by_it(const Indices& subjects) const {
+  for (std::size_t i = reading_.parse.phrases.size(); i-- > 0;) {
+    const auto& phrase = reading_.parse.phrases[i];
+    if (phrase.head >= place_at_ || !phrase.is_pronoun || !reading_.is_word(phrase.head, "it")) continue;
+    if (reading_.sentence_of(phrase.head) != reading_.sentence_of(place_at_)) return std::nullopt;
+    const auto same = reading_.mentions[i];
+    return same && !is_among(subjects, *same) ? same : std::nullopt;
+  }
+  return std::nullopt;
 }
 
 // "Left of the sofa a lamp, to its right a plant": both stand beside one thing.

@@ -36,6 +36,7 @@ class PlaceTeller {
   const Placement& at_long_sides(const Placement& placement, const Indices& subjects, std::size_t target) const;
   bool hangs_over(std::size_t target, const Indices& subjects) const;
   bool is_seen_from_door() const;
+  std::optional<std::size_t> told_by_it(const Indices& subjects) const;
   std::optional<std::size_t> other_side_of(const Placement& placement, const Indices& subjects) const;
 
   PromptReading& reading_;

@@ -36,6 +36,7 @@ class OwnedReader {
   template <typename Test>
   bool is_told(std::int32_t phrase, Test test) const;
   bool is_told_in_room(std::int32_t phrase) const;
+  bool hangs_over(const language::Attachment& attachment, std::size_t owner, std::size_t thing) const;
   bool is_told_between(std::int32_t phrase) const;
   bool is_told_at_one(std::int32_t phrase) const;
   bool is_told_at_another(std::int32_t phrase, std::size_t owner) const;

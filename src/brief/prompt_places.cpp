@@ -119,13 +119,9 @@ class PlaceReader {
   // "a watering can by the door, an iron chair and small table at the far end": without an article of its own the last is
   // one with what it is joined to.
   Indices with_joined_before(const Attachment& attachment, Indices subjects) const {
-    const auto id = attachment.from;
-    const NounPhrase& said = reading_.phrase(id);
-    const auto begin = said.tokens.begin;
-    const bool is_joined = id > 0 && begin > 0 && reading_.is_word(begin - 1, "and") && said.determiner == Determiner::absent && said.count == 0 &&
-                           !said.is_plural && !said.is_pronoun && reading_.mention_of(id);
-    const NounPhrase& before = reading_.phrase(id - (is_joined ? 1 : 0));
-    const auto other = is_joined && before.tokens.end + 1 == begin && before.list == said.list ? reading_.mention_of(id - 1) : std::nullopt;
+    const NounPhrase& said = reading_.phrase(attachment.from);
+    const bool is_bare = said.determiner == Determiner::absent && said.count == 0 && !said.is_plural && !said.is_pronoun;
+    const auto other = is_bare && reading_.mention_of(attachment.from) ? reading_.joined_before(attachment.from) : std::nullopt;
     if (other && !is_among(subjects, *other)) subjects.insert(subjects.begin(), *other);
     return subjects;
   }
@@ -188,8 +184,9 @@ class PlaceReader {
     }
     return std::nullopt;
   }
-  void read_target(const Attachment& attachment, const SaidPlacement& said,
-                   const Indices& subjects) {
+  void read_target(const Attachment& attachment, const SaidPlacement& said, const Indices& told) {
+    const bool is_of_each = said.target != none && reading_.phrase(said.target).determiner == Determiner::each;
+    const Indices subjects = is_of_each && reading_.mention_of(said.target) ? with_those_before(attachment, told) : told;
     if (stand_beside_owner(reading_.phrase(attachment.to), subjects)) return;
     if (const auto* place = shares_.place_having(subjects.front()); place && reading_.phrase(said.target).is_pronoun)
       return reading_.talk.locate(subjects, *said.placement, *place);
@@ -199,7 +196,7 @@ class PlaceReader {
         shares_.give_some(*some, subjects, target);
       else if (target.determiner == Determiner::each &&
           said.placement->relations.front() != RelationKind::aligned)
-        shares_.give_each(*thing, with_small_before(attachment, subjects), attachment.tokens.begin);
+        shares_.give_each(*thing, subjects, attachment.tokens.begin);
       if (is_all(target) && !reading_.talk.mention(subjects.front()).counted)
         shares_.give_each(*thing, subjects, attachment.tokens.begin);
       if (is_own(target) && reading_.talk.mention(*thing).quantity == 1)
@@ -221,7 +218,9 @@ class PlaceReader {
     auto place = reading_.place_named(target);
     if (!place) return;
     if (place->place == Place::region && place->side >= 0 && is_along(attachment)) place->place = Place::wall, place->wall = place->side;
-    if (target.determiner == Determiner::possessive && is_portion(*place))
+    // "three beds, each in its own corner": what stands on the floor has a corner of the room.
+    const bool has_own = is_own(target) && reading_.talk.mention(subjects.front()).mount == Mount::floor;
+    if (target.determiner == Determiner::possessive && is_portion(*place) && !has_own)
       return lie_on_owner(subjects);
     if (target.determiner == Determiner::each || is_all(target)) shares_.give_each_place(*place, subjects, attachment.tokens.begin);
     if (place->place == Place::middle)
@@ -235,8 +234,11 @@ class PlaceReader {
       if (at_each && reading_.talk.mention(subject).counted && reading_.talk.mention(subject).quantity > 1) reading_.talk.multiply(subject, 2);
     reading_.talk.locate_at_both(subjects, both);
   }
-  // "a monitor and keyboard on each": the small things of the list that were named before.
-  Indices with_small_before(const Attachment& attachment, Indices subjects) const {
+  // "a monitor and keyboard on each", "a stool and a trolley next to each": the small things of the list that were named
+  // before, and what is joined to the last.
+  Indices with_those_before(const Attachment& attachment, Indices subjects) const {
+    const auto joined = reading_.joined_before(attachment.from);
+    if (joined && !owned_.is_told_somewhere(attachment.from - 1) && !is_among(subjects, *joined)) subjects.push_back(*joined);
     for (const auto id : reading_.parse.with_list(static_cast<std::uint32_t>(attachment.from))) {
       const auto mention = reading_.mention_of(static_cast<std::int32_t>(id));
       const bool is_meant = mention && static_cast<std::int32_t>(id) < attachment.from && reading_.talk.is_small(*mention) &&
@@ -310,6 +312,10 @@ class PlaceReader {
         return reading_.talk.locate(subjects, against, *wall);
       }
     }
+    // "three candlesticks down the middle": of the table.
+    const auto carrier = is_along(attachment) ? teller_.implied(RelationKind::on, subjects) : std::nullopt;
+    if (carrier && std::all_of(subjects.begin(), subjects.end(), [&](std::size_t i) { return reading_.talk.is_small(i); }))
+      return reading_.talk.demand(subjects, {RelationKind::on, *carrier, "", false});
     reading_.talk.locate(subjects, placement, place);
   }
   // "flanked by two lamps", "holds a vase": the subject is the target.

@@ -22,10 +22,11 @@ void PronounReader::read(std::int32_t id) {
   reading_.mentions[number] = stands_for(id);
 }
 
-// "I", "each other"
+// "I", "everyone", "each other"
 bool PronounReader::means_nothing(const NounPhrase& said) const {
+  static const WordSet people = {"i", "we", "you", "he", "she", "me", "us", "him", "everyone", "everybody", "someone", "somebody", "anyone", "nobody"};
   const std::string& noun = reading_.word(said.head);
-  return noun == "i" || noun == "we" || noun == "you" || (noun == "other" && said.determiner == Determiner::each) ||
+  return people.count(noun) || (noun == "other" && said.determiner == Determiner::each) ||
          (noun == "another" && said.tokens.size() > 1);
 }
 

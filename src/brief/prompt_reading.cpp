@@ -153,6 +153,13 @@ Indices PromptReading::all_of(std::int32_t phrase) const {
   return all;
 }
 
+std::optional<std::size_t> PromptReading::joined_before(std::int32_t id) const {
+  const auto begin = phrase(id).tokens.begin;
+  if (id == 0 || begin == 0 || !is_word(begin - 1, "and")) return std::nullopt;
+  const language::NounPhrase& before = phrase(id - 1);
+  return before.tokens.end + 1 == begin && before.list == phrase(id).list && before.list != none ? mention_of(id - 1) : std::nullopt;
+}
+
 bool PromptReading::is_told_at_pronoun(std::int32_t phrase_number) const {
   return std::any_of(parse.attachments.begin(), parse.attachments.end(), [&](const Attachment& one) {
     return one.from == phrase_number && one.to != none && phrase(one.to).is_pronoun && placement(one);

@@ -78,6 +78,8 @@ struct PromptReading {
   Indices mentions_of_list(std::int32_t phrase) const;
   /// The mentions of the noun phrases before a token in its sentence, in the order of the text.
   Indices named_before(std::size_t token) const;
+  /// "a stool" of "a stool and a trolley next to each": what a phrase of a list is joined to right before it.
+  std::optional<std::size_t> joined_before(std::int32_t phrase) const;
   /// "a vase on it", "a bench below it": is that where the thing of a phrase is?
   bool is_told_at_pronoun(std::int32_t phrase) const;
 

@@ -120,7 +120,9 @@ bool ShareReader::is_for_each_person(const Attachment& attachment) const {
 void ShareReader::give_each_person(const Attachment& attachment) {
   reading_.talk.told_by(reading_.hearing.relation(attachment, none));
   const NounPhrase& whom = reading_.phrase(attachment.to);
-  for (const std::size_t thing : reading_.subjects_of(attachment)) {
+  Indices things = reading_.subjects_of(attachment);
+  if (const auto joined = reading_.joined_before(attachment.from); joined && !is_among(things, *joined)) things.push_back(*joined);
+  for (const std::size_t thing : things) {
     if (!given_.insert(thing).second) continue;
     if (reading_.talk.mention(thing).quantity == 0) reading_.talk.expect(thing, 1);
     reading_.talk.multiply(thing, reading_.brief.people);
@@ -133,8 +135,10 @@ bool ShareReader::is_for_each(const Attachment& attachment) const {
 }
 
 bool ShareReader::says_for_each(const Attachment& attachment) const {
-  return attachment.relation == "per" ||
-         (attachment.relation == "for" && attachment.to != none && reading_.phrase(attachment.to).determiner == Determiner::each);
+  if (attachment.relation == "per") return true;
+  if (attachment.relation != "for" || attachment.to == none) return false;
+  const NounPhrase& whom = reading_.phrase(attachment.to);
+  return whom.determiner == Determiner::each || reading_.is_word(whom.head, "everyone") || reading_.is_word(whom.head, "everybody");
 }
 
 bool ShareReader::is_tied(std::size_t thing, std::size_t owner) const {

@@ -161,12 +161,31 @@ bool stands_beside(const Mention& mention, std::size_t target) {
   });
 }
 
+// "pots under the benches": on the floor.
+void stand_under_things(Mention& mention, const Brief& brief) {
+  if (mention.mount != Mount::surface) return;
+  const bool is_below = std::any_of(mention.demands.begin(), mention.demands.end(), [&](const Demand& demand) {
+    return demand.kind == RelationKind::under && demand.mention != Demand::none && brief.mentions[demand.mention].mount != Mount::surface &&
+           brief.mentions[demand.mention].mount != Mount::ceiling;
+  });
+  if (!is_below) return;
+  mention.mount = Mount::floor;
+  std::erase_if(mention.demands, [](const Demand& demand) { return is_support(demand) && demand.listed; });
+}
+
+// "by the door", "in the corner"; "down the middle" may be a table's
+bool has_place_in_room(const Mention& mention) {
+  return std::any_of(mention.demands.begin(), mention.demands.end(), [](const Demand& demand) {
+    return demand.mention == Demand::none && demand.kind != RelationKind::on && demand.kind != RelationKind::face_to && demand.kind != RelationKind::middle;
+  });
+}
+
 // "The table holds a lamp … and a book": small things of which nothing else is said stand where
 // others of their sentence do, the nearest in the text.
 void support_by_sentence(Brief& brief) {
   auto& mentions = brief.mentions;
   for (std::size_t i = 0; i < mentions.size(); ++i) {
-    if (mentions[i].mount != Mount::surface || support_of(mentions[i])) continue;
+    if (mentions[i].mount != Mount::surface || support_of(mentions[i]) || has_place_in_room(mentions[i])) continue;
     std::optional<std::size_t> nearest;
     for (std::size_t j = 0; j < mentions.size(); ++j) {
       const auto support = support_of(mentions[j]);
@@ -218,6 +237,7 @@ void settle_supports(Brief& brief, const KindTable& table) {
   for (auto& mention : brief.mentions) hang_what_is_above(mention, brief, table);
   for (auto& mention : brief.mentions) stand_on_things(mention, brief, table);
   shrink_beside_small(brief, table);
+  for (auto& mention : brief.mentions) stand_under_things(mention, brief);
   share_supports(brief);
   support_by_sentence(brief);
   stand_on_what_was_named(brief, table);

@@ -152,6 +152,9 @@ class Tagger {
       add(Tag::there);
       return part_contraction(), 1;
     }
+    // "for everyone": what no other list has is a pronoun, whatever its neighbours suggest.
+    const bool is_pronoun = is_in(words.pronouns, at_) && !is_in(words.determiners, at_) && !is_in(words.relatives, at_) && !is_in(words.adverbs, at_);
+    if (is_pronoun && tags_[at_] != WordTag::pronoun) return add(Tag::pronoun), 1;
     switch (tags_[at_]) {
       case WordTag::determiner:
       case WordTag::quantity:

@@ -160,3 +160,91 @@ TEST_CASE("one of several is in the corner that is for an activity") {
   CHECK(brief.mentions[0].quantity == 5);
   CHECK(places(brief, 0).empty());
 }
+
+TEST_CASE("each has what is named up to what stands between things") {
+  const Brief brief = read_brief(
+      "An office with six desks, each desk has a monitor and a keyboard, a printer between the desks and the wall, and a plant.");
+  CHECK(things(brief).find("6 monitor, 6 keyboard, 1 printer, 1 ") != std::string::npos);
+}
+
+TEST_CASE("what is for each person or everyone is there for all of them") {
+  CHECK(things(read_brief("A meeting room for twelve with notepads and pens for each person.")).find("12 notepad, 12 pen") != std::string::npos);
+  const std::string dinner = things(read_brief("A dining room where ten people eat: a table, a plate and a wine glass for everyone."));
+  CHECK(dinner.find("10 plate, 10 wine glass") != std::string::npos);
+}
+
+TEST_CASE("all four corners are each corner") {
+  const Brief brief = read_brief("A home cinema with speakers in all four corners.");
+  REQUIRE(things(brief) == "4 speaker");
+  REQUIRE(brief.shared_out.size() == 1);
+  CHECK(brief.shared_out[0].place == "corner");
+}
+
+TEST_CASE("the share of some along each wall is not doubled twice") {
+  CHECK(things(read_brief("A ward with six beds, three along each long wall.")) == "3 hospital bed, 3 hospital bed");
+}
+
+TEST_CASE("the left and right are two places") {
+  for (const char* prompt : {"A shop with wall shelves on the left and right.", "A shop with wall shelves on the left and right walls."}) {
+    INFO(prompt);
+    const Brief brief = read_brief(prompt);
+    REQUIRE(brief.mentions.size() == 2);
+    CHECK(places(brief, 0).ends_with("near, wall-3 | face same as, wall-3"));
+    CHECK(places(brief, 1).ends_with("near, wall-1 | face same as, wall-1"));
+  }
+}
+
+TEST_CASE("columns are side by side") {
+  const Brief brief = read_brief("A chapel with eight pews in two columns.");
+  REQUIRE(brief.mentions.size() == 1);
+  REQUIRE(brief.mentions[0].formation);
+  CHECK(brief.mentions[0].formation->columns == 2);
+}
+
+TEST_CASE("what is told behind what a thing has is the thing's place where that hangs on it or is a part of it") {
+  const Brief vanity = read_brief("A bedroom with a bed and a vanity with an oval mirror across from the bed.");
+  REQUIRE(things(vanity) == "1 bed, 1 vanity, 1 round mirror");
+  CHECK(places(vanity, 1).starts_with("in front of, bed"));
+  CHECK(places(vanity, 2) == "above, vanity");
+  const Brief cabinet = read_brief("A clinic with a cabinet with glass doors on the left wall.");
+  REQUIRE(cabinet.mentions.size() == 1);
+  CHECK(cabinet.openings.empty());
+  CHECK(places(cabinet, 0).find("near, wall-3") != std::string::npos);
+}
+
+TEST_CASE("its right is that of what it was before") {
+  const Brief brief = read_brief("A nook with one armchair by the window, a floor lamp behind it, a side table to its right.");
+  REQUIRE(things(brief) == "1 armchair, 1 floor lamp, 1 side table");
+  CHECK(places(brief, 2).ends_with(" of, armchair"));
+}
+
+TEST_CASE("several are not the one that was named, nor plants orchids") {
+  const Brief benches = read_brief("A courtroom. A judge's bench at the front and public benches in four rows at the back.");
+  REQUIRE(benches.mentions.size() == 2);
+  CHECK(benches.mentions[1].formation);
+  const Brief plants = read_brief("A greenhouse with two benches. Tomato plants stand on the left bench and orchids on the right one.");
+  CHECK(plants.mentions.size() == 3);
+}
+
+TEST_CASE("what is under a bench is on no bench") {
+  const Brief brief = read_brief("A greenhouse with two potting benches and terracotta pots under the benches.");
+  REQUIRE(brief.mentions.size() == 2);
+  CHECK(places(brief, 1) == "under, potting bench");
+  CHECK(brief.mentions[1].mount == Mount::floor);
+}
+
+TEST_CASE("without an article the last of a pair shares its place") {
+  const Brief brief = read_brief("A greenhouse with a watering can by the door, an iron chair and small table at the far end.");
+  REQUIRE(brief.mentions.size() == 3);
+  CHECK(places(brief, 1) == places(brief, 2));
+}
+
+TEST_CASE("what a room is for is no thing of it") {
+  CHECK(things(read_brief("A conservatory for painting.")).find("picture") == std::string::npos);
+}
+
+TEST_CASE("a denied list ends at what has its own place") {
+  const Brief brief = read_brief("A lounge: no rugs, low bookcase under the window.");
+  CHECK(brief.excluded == std::vector<std::string>{"rug"});
+  CHECK(things(brief) == "1 bookshelf");
+}
