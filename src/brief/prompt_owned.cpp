@@ -84,20 +84,22 @@ void OwnedReader::read(const Attachment& attachment) {
     if (says_each(attachment) || is_each_behind(reading_.phrase(attachment.to)))
       shares_.give_each(owner, reading_.all_of(attachment.to), attachment.tokens.begin);
     for (const std::size_t one : reading_.all_of(attachment.to))
-      if (hangs_over(attachment, owner, one))
-        reading_.talk.add(one, {RelationKind::above, owner, "", false});
-      else
+      if (!is_alone_with(attachment) || !hang_over(owner, one))
         reading_.talk.own(owner, one, says_each(attachment), which_of(reading_, attachment.from));
     owner_of_[*thing] = owner;
   }
 }
 
-// "a vanity with a mirror": what it is with first, and alone, where it stands at a wall.
-bool OwnedReader::hangs_over(const Attachment& attachment, std::size_t owner, std::size_t thing) const {
-  const Mention& what = reading_.talk.mention(thing);
-  return attachment.relation == "with" && named_before(attachment).empty() && reading_.phrase(attachment.to).list == none &&
-         what.mount == Mount::wall && what.demands.empty() && !is_told_somewhere(attachment.to) && reading_.talk.mention(owner).mount == Mount::floor &&
-         needs_wall(reading_.talk.mention(owner), reading_.text.table);
+// "a vanity with a mirror", and nothing else is said of the mirror
+bool OwnedReader::is_alone_with(const Attachment& attachment) const {
+  return attachment.relation == "with" && reading_.phrase(attachment.to).list == none && !is_told_somewhere(attachment.to);
+}
+
+bool OwnedReader::hang_over(std::size_t owner, std::size_t thing) {
+  const Mention &what = reading_.talk.mention(thing), &below = reading_.talk.mention(owner);
+  const bool may_hang = what.mount == Mount::wall && what.demands.empty() && below.mount == Mount::floor && needs_wall(below, reading_.text.table);
+  if (may_hang) reading_.talk.add(thing, {RelationKind::above, owner, "", false});
+  return may_hang;
 }
 
 // "each with a chair, a lego table in the middle": what has its own place in the room is no more of the list.

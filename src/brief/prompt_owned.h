@@ -20,6 +20,9 @@ class OwnedReader {
   /// "two bistro tables by the window, a pair of chairs each": of the last several before it.
   void read_those_behind_each();
 
+  /// "a vanity with a mirror": what hangs on walls is above what stands at one; whether it is.
+  bool hang_over(std::size_t owner, std::size_t thing);
+
   std::optional<std::size_t> owner_of(std::size_t mention) const;
   /// "each with", "every desk has", "each of them holding"
   bool says_each(const language::Attachment& attachment) const;
@@ -36,7 +39,7 @@ class OwnedReader {
   template <typename Test>
   bool is_told(std::int32_t phrase, Test test) const;
   bool is_told_in_room(std::int32_t phrase) const;
-  bool hangs_over(const language::Attachment& attachment, std::size_t owner, std::size_t thing) const;
+  bool is_alone_with(const language::Attachment& attachment) const;
   bool is_told_between(std::int32_t phrase) const;
   bool is_told_at_one(std::int32_t phrase) const;
   bool is_told_at_another(std::int32_t phrase, std::size_t owner) const;

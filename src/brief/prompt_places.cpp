@@ -100,12 +100,14 @@ class PlaceReader {
   }
   // "a bar with seven stools along the back wall": where seats and what they are at are told of, the place is said of what
   // they are at.
-  Indices whom_place_means(const Attachment& attachment, const SaidPlacement& said) const {
+  Indices whom_place_means(const Attachment& attachment, const SaidPlacement& said) {
     const Indices subjects = with_joined_before(attachment, reading_.subjects_of(attachment));
     if (subjects.size() != 1 || said.target == none) return subjects;
     if (const auto target = reading_.mention_of(said.target)) {
       const auto carrier = owned_.owner_of(subjects.front());
-      return carrier && carrier != target && is_said_of_carrier(attachment, said, *carrier) ? Indices{*carrier} : subjects;
+      if (!carrier || carrier == target || !is_said_of_carrier(attachment, said, *carrier)) return subjects;
+      owned_.hang_over(*carrier, subjects.front());
+      return {*carrier};
     }
     const auto owner = owned_.owner_of(subjects.front());
     const auto place = reading_.place_named(reading_.phrase(said.target));
