@@ -1,6 +1,7 @@
 #include "mention_shape.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "roomgen/scene/requirement.h"
 #include "table_size.h"
@@ -55,6 +56,18 @@ bool is_round(const ThingPhrase& phrase) {
   });
 }
 
+// "a 65 inch TV"
+bool is_diagonal(const Mention& mention) {
+  const auto& words = built_in_vocabulary();
+  return words && words->diagonals.count(mention.category) > 0;
+}
+
+// Of a screen of 16 to 9, as nearly all are.
+language::Measure width_of_diagonal(language::Measure measure) {
+  for (double& value : measure.values) value *= 16.0 / std::hypot(16.0, 9.0);
+  return measure;
+}
+
 }  // namespace
 
 // One length is the longer side, two are width and depth, unless it is said which.
@@ -76,7 +89,7 @@ void set_length(Mention& mention, const language::Measure& measure) {
     case Measure::Side::width:
       return set_side(mention, 0, "width", measure);
     default:
-      return set_side(mention, 0, "longer side", measure);
+      return set_side(mention, 0, "longer side", is_diagonal(mention) ? width_of_diagonal(measure) : measure);
   }
 }
 

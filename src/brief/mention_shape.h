@@ -15,7 +15,8 @@ void shape(Mention& mention, const ThingPhrase& phrase, const Vocabulary& words,
 Mention unnamed_mention(const std::string& kind, int number, Requirement::Source source, const std::string& reason,
                         const Vocabulary& words, const KindTable& table);
 
-/// A length or sides that are told of a thing; what is at most or at least so long keeps its own within that.
+/// A length or sides that are told of a thing; what is at most or at least so long keeps its own within that; the one
+/// length of a screen is its diagonal.
 void set_length(Mention& mention, const language::Measure& measure);
 
 /// What is smaller, metres, may stand on other things.

@@ -100,6 +100,7 @@ std::optional<PlacePhrase> read_place(std::span<const Token> tokens, std::size_t
       return phrase;
     }
     if (token.kind != Token::Kind::word) return std::nullopt;
+    if (i + 2 < tokens.size() && tokens[i + 1].is_word("to") && tokens[i + 2].text == token.text) return std::nullopt;  // "back to back"
     const auto wall = words.walls.find(token.text);
     if (const auto length = words.wall_lengths.find(token.text); length != words.wall_lengths.end() && names_wall(tokens, i + 1)) {
       phrase.length_of_wall = length->second;

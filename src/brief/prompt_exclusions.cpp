@@ -29,6 +29,13 @@ bool is_denied_place(const PromptReading& reading, std::int32_t id) {
                      [&](const Attachment& one) { return one.to == id && one.is_denied && reading.placement(one); });
 }
 
+// "half of them without mattresses": the others have some.
+bool is_of_some(const PromptReading& reading, std::int32_t id) {
+  return std::any_of(reading.parse.attachments.begin(), reading.parse.attachments.end(), [&](const Attachment& one) {
+    return one.to == id && one.is_denied && one.from != none && reading.phrase(one.from).is_pronoun && reading.phrase(one.from).count > 0;
+  });
+}
+
 // "no pink", "no red things": no thing shall look so.
 bool exclude_look(PromptReading& reading, std::int32_t id, const ThingPhrase& thing) {
   static const WordSet of_nothing = {"colour", "colours", "color", "colors", "whatsoever"};
@@ -87,6 +94,11 @@ bool read_exclusion(PromptReading& reading, std::int32_t phrase, const ThingPhra
   if (!reading.phrase(phrase).is_denied && !is_of_nobody(reading, phrase)) return false;
   if (exclude_look(reading, phrase, thing)) return true;
   if (is_denied_place(reading, phrase)) return false;
+  if (is_of_some(reading, phrase)) {
+    const NounPhrase& said = reading.phrase(phrase);
+    hear(reading.brief, {said.tokens.begin, said.head + 1}, Heard::As::not_understood);
+    return true;
+  }
   exclude(reading, phrase, thing);
   return true;
 }

@@ -58,7 +58,8 @@ class GroupReader {
     const bool is_corner = reading_.is_word(phrase.head, "corner");
     return !is_corner || std::any_of(reading_.parse.modifiers.begin() + phrase.modifiers.begin,
                                      reading_.parse.modifiers.begin() + phrase.modifiers.end, [&](const auto& modifier) {
-                                       return !reading_.words.walls.count(reading_.word(modifier.tokens.begin));
+                                       const std::string& word = reading_.word(modifier.tokens.begin);
+                                       return !reading_.words.walls.count(word) && word != "own";
                                      });
   }
   std::string name_of(std::int32_t id) const {

@@ -193,7 +193,8 @@ class PlaceReader {
     if (const auto* place = shares_.place_having(subjects.front()); place && reading_.phrase(said.target).is_pronoun)
       return reading_.talk.locate(subjects, *said.placement, *place);
     const NounPhrase& target = reading_.phrase(said.target);
-    if (const auto thing = reading_.mention_of(said.target)) {
+    const auto thing = reading_.mention_of(said.target);
+    if (thing && !(is_among(subjects, *thing) && reading_.place_named(target))) {
       if (const auto some = shares_.number_of_some(*thing, target, said.placement->relations.front() == RelationKind::between))
         shares_.give_some(*some, subjects, target);
       else if (target.determiner == Determiner::each &&
@@ -221,7 +222,7 @@ class PlaceReader {
     if (!place) return;
     if (place->place == Place::region && place->side >= 0 && is_along(attachment)) place->place = Place::wall, place->wall = place->side;
     // "three beds, each in its own corner": what stands on the floor has a corner of the room.
-    const bool has_own = is_own(target) && reading_.talk.mention(subjects.front()).mount == Mount::floor;
+    const bool has_own = reading_.talk.mention(subjects.front()).mount == Mount::floor && !owned_.owner_of(subjects.front());
     if (target.determiner == Determiner::possessive && is_portion(*place) && !has_own)
       return lie_on_owner(subjects);
     if (target.determiner == Determiner::each || is_all(target)) shares_.give_each_place(*place, subjects, attachment.tokens.begin);

@@ -13,6 +13,10 @@ void PronounReader::read(std::int32_t id) {
   const NounPhrase& said = reading_.phrase(id);
   if (means_nothing(said)) return;
   const auto number = static_cast<std::size_t>(id);
+  if (const auto whole = named_behind(id)) {
+    reading_.mentions[number] = whole;
+    return;
+  }
   if (means_all(said))
     if (const Indices all = several_before(id); !all.empty()) {
       reading_.mentions[number] = all.front();
@@ -20,6 +24,16 @@ void PronounReader::read(std::int32_t id) {
       return;
     }
   reading_.mentions[number] = stands_for(id);
+}
+
+// "some of the seats": what was spoken of before.
+std::optional<std::size_t> PronounReader::named_behind(std::int32_t id) const {
+  if (reading_.phrase(id).count > 0) return std::nullopt;
+  for (const Attachment& of : reading_.parse.attachments) {
+    if (of.from != id || of.relation != "of" || of.to == none || reading_.phrase(of.to).is_pronoun) continue;
+    if (reading_.thing(of.to).definite && reading_.thing(of.to).kind.length > 0) return reading_.talk.known(reading_.thing(of.to));
+  }
+  return std::nullopt;
 }
 
 // "I", "everyone", "each other"

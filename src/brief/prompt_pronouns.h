@@ -22,6 +22,7 @@ class PronounReader {
 
  private:
   std::optional<std::size_t> same_each_before(std::int32_t phrase) const;
+  std::optional<std::size_t> named_behind(std::int32_t id) const;
   bool means_nothing(const language::NounPhrase& said) const;
   bool is_one_of_several(const language::NounPhrase& said) const;
   bool means_all(const language::NounPhrase& said) const;

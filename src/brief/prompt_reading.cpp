@@ -66,7 +66,7 @@ bool PromptReading::is_somebody(const language::NounPhrase& phrase) const {
   using language::WordClass;
   const std::string noun = language::singular(word(phrase.head));
   const auto& english = language::lexicon();
-  if (finish_words().describes(noun)) return false;  // "in blue and white"
+  if (finish_words().describes(noun) || kinds.style(noun)) return false;  // "in blue and white", "minimalist"
   return english.is(noun, WordClass::person) || english.is(noun, WordClass::animal);
 }
 

@@ -42,6 +42,7 @@ struct Vocabulary {
   std::map<std::string, std::string, std::less<>> limits;  ///< "nothing else", "nothing but": else, but, only, nothing
   std::map<std::string, Placement, std::less<>> placements;
   WordSet pairs;     ///< one thing though a plural: "headphones", "a pair of scissors"
+  WordSet diagonals;  ///< kinds whose one length is that of a diagonal: a television of 65 inches
   WordSet verbs;     ///< finite: what stands before begins a clause
   WordSet courtesies;  ///< "hey", "please": of no consequence
   WordSet height_beginnings, height_endings;  ///< around a length: "at" 1.8 m, 1.5 m "above the floor"

@@ -57,7 +57,7 @@ Piece read_piece(const JsonReader& json) {
   piece.size = read_size(json["size"]);
   read_count(json["count"], piece.low, piece.high);
   piece.people = json["people"].boolean_or(false);
-  piece.for_people = json["for people"].integer_or(0, 0, 100);
+  piece.for_people = static_cast<int>(json["for people"].integer_or(0, 0, 100));
   piece.chance = json["chance"].number_or(1.0, 0, 1);
   piece.weight = json["weight"].number_or(1.0, 0, 1000);
   piece.area = json["area"].number_or(0.0, 0, 1000);

@@ -37,6 +37,8 @@ void read_contents(const PhraseWords& phrase, ThingPhrase& thing) {
 
 // "headphones", "a pair of scissors"
 void pair_is_one(const PhraseWords& phrase, ThingPhrase& thing) {
+  // "six pairs of boots", which are each a "pair of boots"
+  if (thing.kind.name.starts_with("pair of ") && thing.counted && thing.count > 1) thing.count /= 2;
   if (!phrase.text.words.pairs.count(phrase.word(phrase.said.head))) return;
   thing.kind.plural = false;
   if (thing.set || !thing.counted) thing.count = 1;
