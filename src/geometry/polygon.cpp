@@ -55,6 +55,12 @@ double distance(const Bounds2& a, const Segment& b) {
   return below.cwiseMax(above).cwiseMax(0.0).norm();
 }
 
+// Whether a box lies wholly on one side of both ends of an edge, across or along.
+bool is_beyond(const Bounds2& box, const Vec2& a, const Vec2& b, double margin) {
+  return (a.x() < box.low.x() - margin && b.x() < box.low.x() - margin) || (a.x() > box.high.x() + margin && b.x() > box.high.x() + margin) ||
+         (a.y() < box.low.y() - margin && b.y() < box.low.y() - margin) || (a.y() > box.high.y() + margin && b.y() > box.high.y() + margin);
+}
+
 }  // namespace
 
 bool Polygon::is_convex_corner(std::size_t k) const {
@@ -116,14 +122,18 @@ bool contains(const Polygon& polygon, const Vec2& point) {
 }
 
 bool contains(const Polygon& polygon, const Footprint& footprint, double tolerance) {
-  // Inside when the centre is and no edge enters the footprint.
-  if (!contains(polygon, footprint.center())) return false;
+  // Inside when the centre is and no edge enters the footprint. Of a room's many walls most are far from it.
+  if (polygon.points.empty()) return false;
+  const Bounds2& box = footprint.bounds();
+  const double margin = std::abs(tolerance);
+  bool inside = false;
   const Vec2* a = &polygon.points.back();
   for (const Vec2& b : polygon.points) {
-    if (passes_through(footprint, {*a, b}, tolerance)) return false;
+    if (passes_right_of(footprint.center(), *a, b)) inside = !inside;
+    if (!is_beyond(box, *a, b, margin) && passes_through(footprint, {*a, b}, tolerance)) return false;
     a = &b;
   }
-  return true;
+  return inside;
 }
 
 double distance_to_boundary(const Polygon& polygon, const Footprint& footprint) {
