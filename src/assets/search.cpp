@@ -26,13 +26,19 @@ bool mentions(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+// "tatami mats" are rugs to a plan, though who asks for a rug is not served by one.
+bool is_planned_as(const std::string& name, const std::string& kind, const Vocabulary& vocabulary) {
+  const Kind* variant = vocabulary.kinds().by_name(name);
+  return variant && variant->variant && vocabulary.kinds().planned(*variant).name == kind;
+}
+
 // Kinds that the description names among those that would do: "bunk bed for two" where a bed is
 // asked.
 std::vector<std::string> special_kinds(const std::string& kind, const std::string& description,
                                        const Vocabulary& vocabulary) {
   std::vector<std::string> result;
   for (const auto& mentioned : vocabulary.mentioned(description))
-    if (mentioned != kind && vocabulary.fit(mentioned, kind) > 0.0 && !mentions(result, mentioned))
+    if (mentioned != kind && (vocabulary.fit(mentioned, kind) > 0.0 || is_planned_as(mentioned, kind, vocabulary)) && !mentions(result, mentioned))
       result.push_back(mentioned);
   return result;
 }
@@ -42,7 +48,7 @@ std::map<std::string, double> fitting_kinds(const std::string& kind, const Asset
   const auto special = special_kinds(kind, query.description, vocabulary);
   std::map<std::string, double> result;
   for (const auto& [name, candidate] : vocabulary.kinds().all()) {
-    if (query.asked && !vocabulary.is_a(name, kind)) continue;
+    if (query.asked && !vocabulary.is_a(name, kind) && !mentions(special, name)) continue;
     double fit = vocabulary.fit(name, kind);
     if (!special.empty()) {
       fit *= general_kind;

@@ -94,7 +94,7 @@ Result<Vocabulary> parse_vocabulary(std::string_view text, const std::string& so
   root.allow_only({"about",         "numbers",        "vague",    "definite",     "negations",
                    "limits", "exceptions", "anything",          "measured",       "distances", "stops",    "parts",        "no things",
                    "materials",     "sizes",          "people",   "people words", "room words",
-                   "generic rooms", "parts of rooms", "walls",    "placements",   "pairs",         "diagonals",
+                   "generic rooms", "parts of rooms", "walls",    "placements",   "pairs",         "diagonals", "manners",
                    "verbs", "spreads",        "tops",           "portions", "built in", "asking",     "further",  "shares", "wall lengths", "groups", "areas", "rows", "round formations", "palette frames", "height beginnings", "height endings", "courtesies"});
   Vocabulary words;
   words.numbers = read_integers(root["numbers"]);
@@ -131,6 +131,7 @@ Result<Vocabulary> parse_vocabulary(std::string_view text, const std::string& so
                                                    {"generic rooms", &words.generic_rooms},
                                                    {"pairs", &words.pairs},
                                                    {"diagonals", &words.diagonals},
+                                                   {"manners", &words.manners},
                                                    {"verbs", &words.verbs},
                                                    {"tops", &words.tops},
                                                    {"portions", &words.portions},

@@ -43,6 +43,7 @@ struct Vocabulary {
   std::map<std::string, Placement, std::less<>> placements;
   WordSet pairs;     ///< one thing though a plural: "headphones", "a pair of scissors"
   WordSet diagonals;  ///< kinds whose one length is that of a diagonal: a television of 65 inches
+  WordSet manners;   ///< how things stand or lie where nothing plans or judges it: "leaning", "stacked"
   WordSet verbs;     ///< finite: what stands before begins a clause
   WordSet courtesies;  ///< "hey", "please": of no consequence
   WordSet height_beginnings, height_endings;  ///< around a length: "at" 1.8 m, 1.5 m "above the floor"
