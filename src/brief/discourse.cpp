@@ -84,7 +84,7 @@ std::optional<std::size_t> Discourse::refer(const ThingPhrase& phrase, int sente
       if (!is_other_kind(phrase, *before)) return before;
       const std::string name = category_name(phrase.kind);
       for (std::size_t i = made(); i-- > 0;)
-        if (mention(i).category == name) return i;
+        if (mention(i).category == name && !are_others(phrase, i)) return i;
     }
   if (count() >= max_mentions) return std::nullopt;
   brief_.mentions.push_back(new_mention(phrase, sentence));

@@ -173,6 +173,20 @@ void stand_under_things(Mention& mention, const Brief& brief) {
   std::erase_if(mention.demands, [](const Demand& demand) { return is_support(demand) && demand.listed; });
 }
 
+bool is_told_beside(const Mention& mention, const Brief& brief) {
+  return std::any_of(mention.demands.begin(), mention.demands.end(), [&](const Demand& demand) {
+    return demand.mention != Demand::none && !demand.listed && (demand.kind == RelationKind::next_to || demand.kind == RelationKind::near) &&
+           brief.mentions[demand.mention].mount == Mount::floor;
+  });
+}
+
+// "a perch next to the desk": what is tall enough to stand beside it on the floor.
+void stand_beside_things(Mention& mention, const Brief& brief) {
+  constexpr double tall = 0.3;  ///< metres
+  if (mention.mount != Mount::surface || support_of(mention) || mention.size.z() < tall) return;
+  if (is_told_beside(mention, brief)) mention.mount = Mount::floor;
+}
+
 // "by the door", "in the corner"; "down the middle" may be a table's
 bool has_place_in_room(const Mention& mention) {
   return std::any_of(mention.demands.begin(), mention.demands.end(), [](const Demand& demand) {
@@ -182,15 +196,16 @@ bool has_place_in_room(const Mention& mention) {
 
 // "The table holds a lamp … and a book": small things of which nothing else is said stand where
 // others of their sentence do, the nearest in the text.
-void support_by_sentence(Brief& brief) {
+void support_by_sentence(Brief& brief, const KindTable& table) {
   auto& mentions = brief.mentions;
   for (std::size_t i = 0; i < mentions.size(); ++i) {
-    if (mentions[i].mount != Mount::surface || support_of(mentions[i]) || has_place_in_room(mentions[i])) continue;
+    if (mentions[i].mount != Mount::surface || support_of(mentions[i]) || has_place_in_room(mentions[i]) || is_told_beside(mentions[i], brief)) continue;
     std::optional<std::size_t> nearest;
     for (std::size_t j = 0; j < mentions.size(); ++j) {
       const auto support = support_of(mentions[j]);
       if (j == i || mentions[j].sentence != mentions[i].sentence || !support || *support == i ||
-          stands_beside(mentions[*support], i) || is_too_large(mentions[i], mentions[*support]))
+          stands_beside(mentions[*support], i) || stands_beside(mentions[i], *support) || is_too_large(mentions[i], mentions[*support]) ||
+          (table.is_a(mentions[i].category, "tv") && table.is_a(mentions[*support].category, "desk")))
         continue;
       const auto distance = [&](std::size_t k) { return k > i ? k - i : i - k; };
       if (!nearest || distance(j) < distance(*nearest)) nearest = j;
@@ -238,8 +253,9 @@ void settle_supports(Brief& brief, const KindTable& table) {
   for (auto& mention : brief.mentions) stand_on_things(mention, brief, table);
   shrink_beside_small(brief, table);
   for (auto& mention : brief.mentions) stand_under_things(mention, brief);
+  for (auto& mention : brief.mentions) stand_beside_things(mention, brief);
   share_supports(brief);
-  support_by_sentence(brief);
+  support_by_sentence(brief, table);
   stand_on_what_was_named(brief, table);
   share_supports(brief);
 }

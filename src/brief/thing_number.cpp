@@ -60,7 +60,7 @@ class NumberReader : private PhraseWords {
   }
   // "posters all over the walls", "plants everywhere": lots of them.
   void spread() {
-    if (thing_.article || thing_.count_tokens.size() > 0 || !said.is_plural || said.determiner != Determiner::absent || said.count > 0) return;
+    if (thing_.article || thing_.count_tokens.size() > 0 || said.determiner != Determiner::absent || said.count > 0) return;
     const auto behind = longest(text.words.spreads, text.plain, said.head + 1);
     if (!behind) return;
     set_count(*behind.value, false);

@@ -178,8 +178,12 @@ class Tagger {
         return auxiliary(), 1;
       case WordTag::verb:
         return verb(Tag::verb), 1;
-      case WordTag::gerund:
       case WordTag::participle:
+        // ", framed art all over the wall": behind a comma, before a noun.
+        if (!pieces_.empty() && pieces_.back().tag == Tag::comma && at_ + 1 < units_.size() && tags_[at_ + 1] == WordTag::noun)
+          return adjective(), 1;
+        [[fallthrough]];
+      case WordTag::gerund:
         return verb(is_behind_be() ? Tag::verb : Tag::participle), 1;
       case WordTag::adjective:
         return adjective(), 1;

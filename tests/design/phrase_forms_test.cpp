@@ -250,3 +250,19 @@ TEST_CASE("a denied list ends at what has its own place") {
   CHECK(brief.excluded == std::vector<std::string>{"rug"});
   CHECK(things(brief) == "1 bookshelf");
 }
+
+TEST_CASE("a participle behind a comma and before a noun describes that noun") {
+  const Brief brief = read_brief("A parlour with two chairs, framed art all over the left wall and a counter.");
+  REQUIRE(brief.mentions.size() == 3);
+  CHECK(brief.mentions[1].looks == std::vector<std::string>{"framed"});
+  CHECK(brief.mentions[1].quantity == 6);
+  CHECK(places(brief, 1).find("wall-3") != std::string::npos);
+}
+
+TEST_CASE("what is next to a desk is not on it, nor is a television") {
+  const Brief perch = read_brief("A study with a desk covered in candles and an hourglass next to the desk.");
+  CHECK(places(perch, 2).find("on, ") == std::string::npos);
+  const Brief tv = read_brief("A teenager's room with a desk with three monitors and a bean bag in front of the TV.");
+  for (std::size_t i = 0; i < tv.mentions.size(); ++i)
+    if (tv.mentions[i].category == "tv") CHECK(places(tv, i).find("on, desk") == std::string::npos);
+}
