@@ -73,6 +73,11 @@ bool clips(const Vec2& a, const Vec2& b, const Vec2& half) {
   return enter < leave;
 }
 
+// No more than the distance of what is in the box.
+double box_distance(const Bounds2& box, const Vec2& point) {
+  return (box.low - point).cwiseMax(point - box.high).cwiseMax(0.0).norm();
+}
+
 Bounds2 box_of(const Segment& segment) {
   Bounds2 box;
   box.add(segment.a), box.add(segment.b);
@@ -151,8 +156,11 @@ double gap(const Footprint& a, const Footprint& b) {
   if (overlaps(a, b, 0.0)) return 0.0;
   // Convex and apart: the nearest points are a corner of one and some point of the other.
   double best = std::numeric_limits<double>::max();
-  for (const auto& corner : a.outline()) best = std::min(best, gap(b, corner));
-  for (const auto& corner : b.outline()) best = std::min(best, gap(a, corner));
+  const auto come_closer = [&best](const Footprint& from, const Footprint& to) {
+    for (const auto& corner : from.outline())
+      if (box_distance(to.bounds(), corner) < best) best = std::min(best, gap(to, corner));
+  };
+  come_closer(a, b), come_closer(b, a);
   return best;
 }
 

@@ -26,6 +26,7 @@ constexpr int max_attempts = 9;  ///< while something of the prompt is not heede
 constexpr double growth = 1.05;  ///< of the sides from attempt to attempt
 constexpr std::size_t enough_things = 2;  ///< named, to furnish a room of no known kind
 constexpr std::size_t most_tried = 80;  ///< things; larger plans are taken as they are
+constexpr double most_work = 24'000;    ///< things times square metres, over all attempts: a full hall of 180 m2 is tried thrice
 constexpr std::size_t most_corners = 64;  ///< of a room in which plans are tried: each wall offers places, and each is held against all walls
 
 /// One plan and what was wrong with it.
@@ -52,9 +53,11 @@ class Planner {
 
   Plan plan() const {
     Attempt best = attempt(0, std::numeric_limits<double>::infinity());
-    for (int n = 1; n < max_attempts && best.fault > 0 && !request_.cancel.cancelled(); ++n) {
+    double work = work_of(best.plan);
+    for (int n = 1; n < max_attempts && best.fault > 0 && work < most_work && !request_.cancel.cancelled(); ++n) {
       if (n >= usual_attempts && best.heeds_prompt) break;
       Attempt next = attempt(n, best.fault);
+      work += work_of(next.plan);
       if (next.fault < best.fault) best = std::move(next);
     }
     if (!best.missed.empty()) leave_out(best);
@@ -86,6 +89,10 @@ class Planner {
     kind_ = kinds_.get(brief_.type);
     kind_.type = brief_.type;
     if (brief_.height) kind_.height = *brief_.height;
+  }
+
+  static double work_of(const Plan& plan) {
+    return static_cast<double>(planned_objects(plan).size()) * area(plan.room.polygon);
   }
 
   double size_factor() const {
