@@ -194,6 +194,11 @@ bool has_place_in_room(const Mention& mention) {
   });
 }
 
+// A television has a stand of its own, if no desk is told of.
+bool is_no_place_for(const Mention& support, const Mention& mention, const KindTable& table) {
+  return table.is_a(mention.category, "tv") && table.is_a(support.category, "desk");
+}
+
 // "The table holds a lamp … and a book": small things of which nothing else is said stand where
 // others of their sentence do, the nearest in the text.
 void support_by_sentence(Brief& brief, const KindTable& table) {
@@ -205,7 +210,7 @@ void support_by_sentence(Brief& brief, const KindTable& table) {
       const auto support = support_of(mentions[j]);
       if (j == i || mentions[j].sentence != mentions[i].sentence || !support || *support == i ||
           stands_beside(mentions[*support], i) || stands_beside(mentions[i], *support) || is_too_large(mentions[i], mentions[*support]) ||
-          (table.is_a(mentions[i].category, "tv") && table.is_a(mentions[*support].category, "desk")))
+          is_no_place_for(mentions[*support], mentions[i], table))
         continue;
       const auto distance = [&](std::size_t k) { return k > i ? k - i : i - k; };
       if (!nearest || distance(j) < distance(*nearest)) nearest = j;
@@ -225,7 +230,7 @@ void stand_on_what_was_named(Brief& brief, const KindTable& table) {
     for (std::size_t j = i; j-- > 0 && mentions[j].sentence == mentions[i].sentence;) {
       const bool is_listed_with_it = mentions[j].list != language::none && mentions[j].list == mentions[i].list;
       if (!keeps_things(mentions[j].category, table) || is_listed_with_it) continue;
-      if (mentions[j].mount == Mount::floor && !is_too_large(mentions[i], mentions[j]))
+      if (mentions[j].mount == Mount::floor && !is_too_large(mentions[i], mentions[j]) && !is_no_place_for(mentions[j], mentions[i], table))
         put_on(mentions[i], j);
       break;
     }
