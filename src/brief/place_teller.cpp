@@ -30,10 +30,28 @@ void PlaceTeller::say(const Indices& subjects, const SaidPlacement& said, std::s
     return stands_on(i, target);
   });
   if (is_on_it) return;
+  if (is_at_table(said, target)) return say_at_table(subjects, said, target);
   const Placement& placement = at_long_sides(*said.placement, subjects, target);
   for (auto kind : placement.relations)
     reading_.talk.demand(subjects, {kind, target, "", placement.flank, false, which_of(reading_, said.target)});
   if (is_beside(*said.placement)) last_side_ = {said.placement->relations.front(), target};
+}
+
+// "a chair and a monitor at each desk": one sits at it, what stands on things is on it.
+bool PlaceTeller::is_at_table(const SaidPlacement& said, std::size_t target) const {
+  const auto at = reading_.words.placements.find("at");
+  return at != reading_.words.placements.end() && said.placement == &at->second &&
+         reading_.text.table.is_any_of(reading_.talk.mention(target).category, {"table", "desk"});
+}
+
+void PlaceTeller::say_at_table(const Indices& subjects, const SaidPlacement& said, std::size_t target) {
+  for (const std::size_t subject : subjects) {
+    const Mention& one = reading_.talk.mention(subject);
+    const RelationKind kind = reading_.text.table.is_any_of(one.category, {"chair", "stool"}) ? RelationKind::around
+                              : one.mount == Mount::surface                                     ? RelationKind::on
+                                                                                                : said.placement->relations.front();
+    reading_.talk.demand({subject}, {kind, target, "", false, subjects.size() > 1, which_of(reading_, said.target)});
+  }
 }
 
 // Seats on each side of a table stand at its long sides.

@@ -33,6 +33,8 @@ class PlaceTeller {
 
  private:
   Indices with_kin(const Indices& subjects) const;
+  bool is_at_table(const SaidPlacement& said, std::size_t target) const;
+  void say_at_table(const Indices& subjects, const SaidPlacement& said, std::size_t target);
   const Placement& at_long_sides(const Placement& placement, const Indices& subjects, std::size_t target) const;
   bool hangs_over(std::size_t target, const Indices& subjects) const;
   bool is_seen_from_door() const;

@@ -246,7 +246,7 @@ class PlaceReader {
       const auto mention = reading_.mention_of(static_cast<std::int32_t>(id));
       const bool is_meant = mention && static_cast<std::int32_t>(id) < attachment.from && reading_.talk.is_small(*mention) &&
                             !owned_.is_told_somewhere(static_cast<std::int32_t>(id));
-      if (is_meant && !is_among(subjects, *mention)) subjects.push_back(*mention);
+      if (is_meant && reading_.talk.mention(*mention).demands.empty() && !is_among(subjects, *mention)) subjects.push_back(*mention);
     }
     return subjects;
   }

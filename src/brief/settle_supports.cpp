@@ -175,7 +175,7 @@ void stand_under_things(Mention& mention, const Brief& brief) {
 
 bool is_told_beside(const Mention& mention, const Brief& brief) {
   return std::any_of(mention.demands.begin(), mention.demands.end(), [&](const Demand& demand) {
-    return demand.mention != Demand::none && !demand.listed && (demand.kind == RelationKind::next_to || demand.kind == RelationKind::near) &&
+    return demand.mention != Demand::none && !demand.listed && demand.kind == RelationKind::next_to &&
            brief.mentions[demand.mention].mount == Mount::floor;
   });
 }

@@ -175,6 +175,13 @@ TEST_CASE("what is for each person or everyone is there for all of them") {
   CHECK(dinner.find("10 plate, 10 wine glass") != std::string::npos);
 }
 
+TEST_CASE("at a desk one sits, and a monitor is on it") {
+  const Brief brief = read_brief("An office with four desks, an office chair and a monitor at each desk.");
+  REQUIRE(things(brief) == "4 desk, 4 office chair, 4 monitor");
+  CHECK(places(brief, 1).starts_with("around, desk"));
+  CHECK(places(brief, 2) == "on, desk");
+}
+
 TEST_CASE("all four corners are each corner") {
   const Brief brief = read_brief("A home cinema with speakers in all four corners.");
   REQUIRE(things(brief) == "4 speaker");
