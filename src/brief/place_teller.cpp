@@ -47,9 +47,10 @@ bool PlaceTeller::is_at_table(const SaidPlacement& said, std::size_t target) con
 void PlaceTeller::say_at_table(const Indices& subjects, const SaidPlacement& said, std::size_t target) {
   for (const std::size_t subject : subjects) {
     const Mention& one = reading_.talk.mention(subject);
-    const RelationKind kind = reading_.text.table.is_any_of(one.category, {"chair", "stool"}) ? RelationKind::around
-                              : one.mount == Mount::surface                                     ? RelationKind::on
-                                                                                                : said.placement->relations.front();
+    const bool is_seat = one.category == "seat" || reading_.text.table.is_any_of(one.category, {"chair", "stool"});
+    const RelationKind kind = is_seat ? RelationKind::around
+                              : one.mount == Mount::surface ? RelationKind::on
+                                                            : said.placement->relations.front();
     reading_.talk.demand({subject}, {kind, target, "", false, subjects.size() > 1, which_of(reading_, said.target)});
   }
 }

@@ -30,9 +30,11 @@ void Attacher::further_member(std::int32_t id) {
 
 // "without rug, desk or plant"; of "a bed without headboard, a lamp, a desk" only the headboard is not there.
 bool Attacher::is_past_denied(const OpenList& list, std::int32_t id) {
-  if (list.attachment == none || !has_comma_ || ended_by_conjunction_) return false;
+  if (list.attachment == none || !has_comma_) return false;
   const Attachment& by = parse_.attachments[static_cast<std::size_t>(list.attachment)];
   if (!by.is_denied || by.is_verb) return false;
+  // "stools without backs, and a pair of armchairs"
+  if (ended_by_conjunction_) return conjunction_ == "and" && is_bare(list.last) && !is_bare(id);
   for (auto i = at(id).tokens.end; i < parse_.tokens.size() && parse_.tokens[i].kind != Token::Kind::stop; ++i)
     if (parse_.tokens[i].is("or") || parse_.tokens[i].is("nor")) return false;
   return true;

@@ -172,6 +172,13 @@ TEST_CASE("The same text gives the same parse") {
   }
 }
 
+TEST_CASE("What comes with an article behind a denied bare noun is there") {
+  const auto parsed = parse("A bar with eight stools without backs, and a sofa in the corner.");
+  REQUIRE(parsed.phrases.size() >= 4);
+  CHECK(parsed.phrases[2].is_denied);
+  CHECK(!parsed.phrases[3].is_denied);
+}
+
 TEST_CASE("A relative clause in the singular is of the last of a list") {
   const auto one = parse("A bench, a mirror and a plant that is near the door.");
   REQUIRE(!one.attachments.empty());
