@@ -38,6 +38,16 @@ install_packages() {
 
 . "$root/scripts/cpr.sh"
 
+# A tree that was configured before cpr or the tests' own tools were there knows nothing of them, and has fewer tests.
+is_to_configure() {
+  local tool
+  [ -f "$1" ] || return 0
+  for tool in "$cpr_prefix" "$root/build/venv/requirements.txt" "$root/build/node_modules"; do
+    [ "$tool" -nt "$1" ] && return 0
+  done
+  return 1
+}
+
 # build PRESET TARGET: into build/PRESET, with a line of progress on a terminal and the log beside it.
 build() {
   local preset="$1" target="$2" log
@@ -45,8 +55,7 @@ build() {
   install_cpr
   mkdir -p "build/$preset"
   log="build/$preset/build.log"
-  # A tree that was configured before cpr was there knows nothing of it.
-  if [ ! -f "build/$preset/build.ninja" ] || [ "$cpr_prefix" -nt "build/$preset/build.ninja" ]; then
+  if is_to_configure "build/$preset/build.ninja"; then
     say "Configuring build/$preset"
     cmake --preset "$preset" >"$log" 2>&1 || { cat "$log" >&2; exit 1; }
   fi
