@@ -70,10 +70,12 @@ std::size_t Hearing::relation(const language::Attachment& attachment, std::int32
   Run tokens = attachment.tokens;
   if (attachment.verb != none) {
     const auto& verb = text_.parse.verbs[static_cast<std::size_t>(attachment.verb)];
-    const bool is_joined = verb.tokens.end == tokens.begin, tells_how = text_.words.manners.count(text_.plain[verb.tokens.end - 1].text) > 0;
+    const bool is_joined = verb.tokens.end == tokens.begin;
     // "six paintings leaning on the wall": where they are is planned, how they are there is not.
-    if (is_joined && tells_how) hear(brief_, {verb.tokens.end - 1, verb.tokens.end}, Heard::As::not_understood);
-    if (is_joined && !tells_how) tokens.begin = verb.tokens.begin;
+    if (is_joined && text_.words.manners.count(text_.plain[verb.tokens.end - 1].text))
+      hear(brief_, {verb.tokens.end - 1, verb.tokens.end}, Heard::As::not_understood);
+    else if (is_joined)
+      tokens.begin = verb.tokens.begin;
   }
   if (place != none) {
     const auto& target = phrase(place);

@@ -39,9 +39,7 @@ void PlaceTeller::say(const Indices& subjects, const SaidPlacement& said, std::s
 
 // "a chair and a monitor at each desk": one sits at it, what stands on things is on it.
 bool PlaceTeller::is_at_table(const SaidPlacement& said, std::size_t target) const {
-  const auto at = reading_.words.placements.find("at");
-  return at != reading_.words.placements.end() && said.placement == &at->second &&
-         reading_.text.table.is_any_of(reading_.talk.mention(target).category, {"table", "desk"});
+  return said.placement->seated && reading_.text.table.is_any_of(reading_.talk.mention(target).category, {"table", "desk"});
 }
 
 void PlaceTeller::say_at_table(const Indices& subjects, const SaidPlacement& said, std::size_t target) {

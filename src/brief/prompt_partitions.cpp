@@ -57,7 +57,7 @@ class PartitionReader {
         !(reading_.is_word(begin - 1, "and") || is_beyond(said)))
       return std::nullopt;
     for (std::int32_t i = id; i-- > 0 && is_same_sentence(id, i);) {
-      if (reading_.is_share[static_cast<std::size_t>(i)]) return std::nullopt;
+      if (reading_.means_some(i)) return std::nullopt;
       const NounPhrase& before = reading_.phrase(i);
       const auto named = before.is_pronoun ? std::nullopt : reading_.mention_of(i);
       if (!named || before.count < 2) continue;
@@ -111,13 +111,12 @@ class PartitionReader {
   std::optional<std::size_t> several_before(std::int32_t id) const {
     for (std::int32_t i = id; i-- > 0 && is_same_sentence(id, i);) {
       const auto mention = reading_.mention_of(i);
-      if (!mention || reading_.phrase(i).is_pronoun || is_among_shares(i)) continue;
+      if (!mention || reading_.phrase(i).is_pronoun || reading_.means_some(i)) continue;
       const auto all = whole_behind(*mention);
       return all && reading_.phrase(i).count > 1 ? all : std::nullopt;
     }
     return std::nullopt;
   }
-  bool is_among_shares(std::int32_t id) const { return reading_.is_share[static_cast<std::size_t>(id)]; }
   // "never more than three at a round one"
   bool is_bounded(const NounPhrase& said) const {
     const auto begin = said.tokens.begin;
@@ -143,7 +142,7 @@ class PartitionReader {
   // What was parted before in the text keeps what is left of it.
   std::optional<std::size_t> rest_of(std::int32_t id) const {
     for (std::int32_t i = id; i-- > 0;)
-      if (reading_.is_share[static_cast<std::size_t>(i)]) {
+      if (reading_.means_some(i)) {
         const std::size_t whole = reading_.talk.mention(*reading_.mention_of(i)).part_of;
         return whole == Demand::none ? std::nullopt : std::optional(whole);  // all of them leave no rest
       }

@@ -213,7 +213,7 @@ class PlaceReader {
       if (const auto seats = seats_of_several()) return teller_.say(subjects, said, *seats);
     if (is_way_in(target, *said.placement))
       return reading_.talk.locate(subjects, *said.placement, PlacePhrase{.place = Place::door});
-    if (const auto both = two_places(reading_, attachment, said)) return locate_at_both(subjects, *both, target.determiner == Determiner::each && !is_share(attachment.from));
+    if (const auto both = two_places(reading_, attachment, said)) return locate_at_both(subjects, *both, target.determiner == Determiner::each && !reading_.means_some(attachment.from));
     if (reading_.is_room(target)) {
       if (said.placement->centered) reading_.talk.locate(subjects, *said.placement, PlacePhrase{});
       return;
@@ -230,7 +230,6 @@ class PlaceReader {
       return locate_in_middle(attachment, subjects, *said.placement, *place);
     reading_.talk.locate(subjects, *said.placement, *place);
   }
-  bool is_share(std::int32_t id) const { return reading_.is_share[static_cast<std::size_t>(id)]; }
   // "four shelves along each long wall" are eight; of six "three along each" are all.
   void locate_at_both(const Indices& subjects, Discourse::Both both, bool at_each) {
     for (const std::size_t subject : subjects)

@@ -147,7 +147,7 @@ Indices PromptReading::subjects_of(const Attachment& attachment) const {
 Indices PromptReading::all_of(std::int32_t phrase) const {
   const auto mention = mention_of(phrase);
   if (!mention) return {};
-  Indices all = is_share[static_cast<std::size_t>(phrase)] ? Indices{*mention} : talk.with_parts(*mention);
+  Indices all = means_some(phrase) ? Indices{*mention} : talk.with_parts(*mention);
   for (const std::size_t further : also[static_cast<std::size_t>(phrase)])
     if (!is_among(all, further)) all.push_back(further);
   return all;

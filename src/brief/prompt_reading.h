@@ -80,6 +80,7 @@ struct PromptReading {
   Indices named_before(std::size_t token) const;
   /// "a stool" of "a stool and a trolley next to each": what a phrase of a list is joined to right before it.
   std::optional<std::size_t> joined_before(std::int32_t phrase) const;
+  bool means_some(std::int32_t phrase) const { return is_share[static_cast<std::size_t>(phrase)]; }
   /// "a vase on it", "a bench below it": is that where the thing of a phrase is?
   bool is_told_at_pronoun(std::int32_t phrase) const;
 

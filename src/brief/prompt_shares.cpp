@@ -44,10 +44,14 @@ void ShareReader::give_each_place(const PlacePhrase& place, const Indices& thing
   const int number = is_corner ? corners : is_window ? std::max(2, reading_.brief.windows.value_or(0)) : doors_said();
   for (const std::size_t thing : things)
     if (const Mention& one = reading_.talk.mention(thing); (one.quantity == 1 || !one.counted) && given_.insert(thing).second) {
-      if (one.quantity == 0) reading_.talk.expect(thing, 1);
       share({.thing = thing, .place = is_corner ? "corner" : is_window ? "window" : "door"}, at);
-      reading_.talk.multiply(thing, number);
+      have_for_each(thing, number);
     }
+}
+
+void ShareReader::have_for_each(std::size_t thing, int number) {
+  if (reading_.talk.mention(thing).quantity == 0) reading_.talk.expect(thing, 1);
+  reading_.talk.multiply(thing, number);
 }
 
 bool ShareReader::give_what_each_place_has(const Attachment& attachment) {
@@ -124,8 +128,7 @@ void ShareReader::give_each_person(const Attachment& attachment) {
   if (const auto joined = reading_.joined_before(attachment.from); joined && !is_among(things, *joined)) things.push_back(*joined);
   for (const std::size_t thing : things) {
     if (!given_.insert(thing).second) continue;
-    if (reading_.talk.mention(thing).quantity == 0) reading_.talk.expect(thing, 1);
-    reading_.talk.multiply(thing, reading_.brief.people);
+    have_for_each(thing, reading_.brief.people);
     reading_.hearing.number(language::Run{whom.tokens.begin, whom.head + 1}, thing);
   }
 }

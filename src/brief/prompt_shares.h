@@ -38,6 +38,8 @@ class ShareReader {
   bool is_for_each(const language::Attachment& attachment) const;
   bool says_for_each(const language::Attachment& attachment) const;
   bool is_for_each_person(const language::Attachment& attachment) const;
+  /// One for each of so many at least, where a plural was said without a number.
+  void have_for_each(std::size_t thing, int number);
   void give_each_person(const language::Attachment& attachment);
   bool is_tied(std::size_t thing, std::size_t owner) const;
   bool has_parts(std::size_t thing) const { return reading_.talk.with_parts(thing).size() > 1; }

@@ -52,6 +52,10 @@ Placement read_placement(const JsonReader& json) {
       placement.mutual = true;
       continue;
     }
+    if (word == "sit") {
+      placement.seated = true;
+      continue;
+    }
     if (word == "pairs") {
       placement.paired = true;
       continue;

@@ -27,6 +27,7 @@ struct Placement {
   bool centered = false;  ///< of a room: in its middle
   bool hanging = false;   ///< of lamps: from the ceiling
   bool mutual = false;    ///< of things to each other: "side by side"
+  bool seated = false;    ///< of tables: one sits at them so, and what stands on things is on them: "at"
   bool paired = false;    ///< of several, by twos: "in pairs"
   std::string owner = {};   ///< what alone has such a part: "at the foot" is a bed's
   bool inverse = false;   ///< said of the target: "a sofa flanked by two lamps"

@@ -35,15 +35,18 @@ void read_contents(const PhraseWords& phrase, ThingPhrase& thing) {
   }
 }
 
-// "headphones", "a pair of scissors"
+// "headphones", "a pair of scissors"; "six pairs of boots" are six of what is called a pair of boots.
 void pair_is_one(const PhraseWords& phrase, ThingPhrase& thing) {
-  // "six pairs of boots", which are each a "pair of boots"
-  if (thing.kind.name.starts_with("pair of ") && thing.counted && thing.count > 1) thing.count /= 2;
-  if (!phrase.text.words.pairs.count(phrase.word(phrase.said.head))) return;
-  thing.kind.plural = false;
-  if (thing.set || !thing.counted) thing.count = 1;
-  if (phrase.said.head >= 2 && phrase.word(phrase.said.head - 2) == "pairs") thing.count = std::max(1, thing.count / 2);
-  thing.article = true;
+  const auto head = phrase.said.head;
+  const bool is_one = phrase.text.words.pairs.count(phrase.word(head)) > 0;
+  if (is_one) {
+    thing.kind.plural = false;
+    if (thing.set || !thing.counted) thing.count = 1;
+    thing.article = true;
+  }
+  const bool is_called_pair = thing.kind.name.starts_with("pair of ") && thing.counted;
+  const bool are_pairs = is_called_pair || (is_one && head >= 2 && phrase.word(head - 2) == "pairs");
+  if (are_pairs) thing.count = std::max(1, thing.count / 2);
 }
 
 // "A case" is rather an event, yet it may be what holds a guitar.

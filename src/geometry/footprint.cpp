@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "inside.h"
+
 namespace roomgen {
 
 namespace {
@@ -78,17 +80,11 @@ double box_distance(const Bounds2& box, const Vec2& point) {
   return (box.low - point).cwiseMax(point - box.high).cwiseMax(0.0).norm();
 }
 
-Bounds2 box_of(const Segment& segment) {
-  Bounds2 box;
-  box.add(segment.a), box.add(segment.b);
-  return box;
-}
-
 }  // namespace
 
 bool passes_through(const Footprint& footprint, const Segment& segment, double margin) {
   // Of a room's many walls most are far from any thing.
-  if (margin >= 0.0 && !footprint.bounds().overlaps(box_of(segment), touching)) return false;
+  if (margin >= 0.0 && is_beyond(footprint.bounds(), segment.a, segment.b, touching)) return false;
   const Vec2 half = (footprint.half().array() - margin).max(1e-9).matrix();
   const Vec2 a = footprint.to_local(segment.a), b = footprint.to_local(segment.b);
   if (!footprint.round()) return clips(a, b, half);

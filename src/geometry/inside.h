@@ -12,6 +12,12 @@ inline bool passes_right_of(const Vec2& point, const Vec2& a, const Vec2& b) {
   return point.x() < a.x() + (point.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
 }
 
+/// Does an edge from `a` to `b` lie wholly on one side of a box, and at least so far from it? Asked of every wall for every pose.
+inline bool is_beyond(const Bounds2& box, const Vec2& a, const Vec2& b, double margin) {
+  return (a.x() < box.low.x() - margin && b.x() < box.low.x() - margin) || (a.x() > box.high.x() + margin && b.x() > box.high.x() + margin) ||
+         (a.y() < box.low.y() - margin && b.y() < box.low.y() - margin) || (a.y() > box.high.y() + margin && b.y() > box.high.y() + margin);
+}
+
 /// contains(polygon, point) for many points: what it looks at are the edges near the point's height only.
 class Inside {
  public:

@@ -55,12 +55,6 @@ double distance(const Bounds2& a, const Segment& b) {
   return below.cwiseMax(above).cwiseMax(0.0).norm();
 }
 
-// Whether a box lies wholly on one side of both ends of an edge, across or along.
-bool is_beyond(const Bounds2& box, const Vec2& a, const Vec2& b, double margin) {
-  return (a.x() < box.low.x() - margin && b.x() < box.low.x() - margin) || (a.x() > box.high.x() + margin && b.x() > box.high.x() + margin) ||
-         (a.y() < box.low.y() - margin && b.y() < box.low.y() - margin) || (a.y() > box.high.y() + margin && b.y() > box.high.y() + margin);
-}
-
 }  // namespace
 
 bool Polygon::is_convex_corner(std::size_t k) const {

@@ -149,6 +149,11 @@ TEST_CASE("what stands in pairs stands by one of the others") {
   REQUIRE(brief.shared_out.size() == 1);
 }
 
+TEST_CASE("pairs are as many as are said of them") {
+  CHECK(things(read_brief("A hall with six pairs of shoes and a pair of slippers.")) == "6 shoes, 1 slippers");
+  CHECK(things(read_brief("A craft room with two pairs of scissors and four pairs of headphones.")) == "2 scissors, 4 headphones");
+}
+
 TEST_CASE("a lamp does not stand on the seat that it is for") {
   const Brief brief = read_brief("A reading room with four armchairs, each with its own lamp.");
   REQUIRE(things(brief).starts_with("4 armchair, 4 "));
