@@ -26,21 +26,20 @@ void guess_size(Mention& mention, const KindTable& table) {
   if (like.is_stand_in()) mention.mount = like.mount;
 }
 
-// Metres that a thing may be told to be long.
-double told(double length) {
-  return std::clamp(length, 0.05, 10.0);
-}
+// Metres that a thing is planned to be long, and that it hangs above the floor, whatever is told; verdicts go by that.
+double planned_length(double told) { return std::clamp(told, 0.05, 10.0); }
+double planned_height(double told) { return std::clamp(told, 0.0, 10.0); }
 
 // A side that is told: at most so long, at least so long, or exactly.
 void set_side(Mention& mention, int axis, const char* side, const language::Measure& measure,
               int value = 0) {
   using Limit = language::Measure::Limit;
-  const double length = told(measure.values[value]);
+  const double length = planned_length(measure.values[value]);
   double& planned = mention.size[axis];
   planned = measure.limit == Limit::most    ? std::min(planned, length)
             : measure.limit == Limit::least ? std::max(planned, length)
                                             : length;
-  mention.lengths.push_back({side, length, measure.limit});
+  mention.lengths.push_back({side, measure.values[value], measure.limit});
 }
 
 // Width and depth, and perhaps height.
@@ -99,7 +98,7 @@ void set_hanging_height(Mention& mention, const language::Measure& measure) {
 
 std::optional<double> hanging_height(const Mention& mention) {
   for (const auto& length : mention.lengths)
-    if (length.side == height_above_floor) return length.metres;
+    if (length.side == height_above_floor) return planned_height(length.metres);
   return std::nullopt;
 }
 

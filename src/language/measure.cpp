@@ -1,5 +1,7 @@
 #include "measure.h"
 
+#include <algorithm>
+
 #include "number.h"
 #include "small_words.h"
 
@@ -8,6 +10,9 @@ namespace roomgen::language {
 namespace {
 
 using Units = std::map<std::string, double, std::less<>>;
+
+// No room is longer (docs/limits.md), so that what is told can be planned and written.
+constexpr double longest_length = 1000.0;
 
 struct UnitWord {
   double factor = 0.0;
@@ -103,7 +108,7 @@ void convert(Measure& measure, const Length* sides) {
     if (sides[i].factor > 0) factor = sides[i].factor;
     if (factor == 0.0)
       for (int k = 0; k < i && factor == 0.0; ++k) factor = sides[k].factor;
-    measure.values[i] = sides[i].value * (factor > 0 ? factor : 1.0);
+    measure.values[i] = std::min(sides[i].value * (factor > 0 ? factor : 1.0), longest_length);
   }
   measure.has_unit = factor > 0;
 }
@@ -128,7 +133,7 @@ std::optional<Measure> area_at(std::span<const Token> tokens, std::size_t at) {
   if (unit.length == 0) return std::nullopt;
   Measure area;
   area.kind = Measure::Kind::area;
-  area.values[0] = number->value * unit.factor;
+  area.values[0] = std::min(number->value * unit.factor, longest_length * longest_length);
   area.length = number->length + unit.length;
   return area;
 }

@@ -39,7 +39,7 @@ struct Measure {
 /// The measure that begins at a token: 1.8 m, two metres, half a metre, 6'2", 5 feet 10 inches,
 /// 2.5 by 3 metres, 80 x 60 x 75 cm, 2-3 m, 20 m2, twelve square feet; with the side that it is
 /// said of ("1.8 m wide", "2-metre-long"). Sides without units of their own have that of the last;
-/// sides without any are measures too, single numbers are none.
+/// sides without any are measures too, single numbers are none. What is longer than 1 km is read as 1 km.
 std::optional<Measure> measure_at(std::span<const Token> tokens, std::size_t at);
 
 /// Words that bound what is measured or counted behind them: "at least", "no taller than".

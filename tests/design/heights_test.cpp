@@ -1,4 +1,6 @@
 #include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
 
 #include "catch.h"
 #include "plans.h"
@@ -14,6 +16,13 @@ double height_of(const std::string& prompt, const std::string& category) {
   for (const auto& item : test::plan_of(prompt).items)
     if (item.category == category) return item.height.value_or(0.0);
   return -1.0;
+}
+
+// Of the thing asked for with that side; nothing if none was.
+std::optional<double> asked(const Plan& plan, const std::string& side) {
+  for (const auto& requirement : plan.requirements)
+    if (requirement.kind == Requirement::Kind::attribute && requirement.attribute == side) return requirement.amount;
+  return std::nullopt;
 }
 
 }  // namespace
@@ -42,5 +51,29 @@ TEST_CASE("A size, an interval and a distance from something else are no height 
                              "A kitchen with a wall shelf 0.5 m above the counter.", "A study with a wall shelf 1.2 m wide."}) {
     INFO(prompt);
     for (const auto& item : test::plan_of(prompt).items) CHECK_FALSE(item.height);
+  }
+}
+
+TEST_CASE("Sizes and heights that no thing has are asked for as they are told, and planned as well as can be") {
+  struct Said {
+    const char *prompt, *side;
+    double metres;
+  };
+  for (const auto& [prompt, side, metres] :
+       {Said{"A hall with a mirror hung at 99999999999999999999 cm.", "height above the floor", 1000.0},
+        Said{"A hall with a mirror hung at 40 m.", "height above the floor", 40.0},
+        Said{"A hall with a bench 30 m wide.", "width", 30.0}, Said{"A hall with a bench 1 cm high.", "height", 0.01},
+        Said{"A hall with a bench 99999999999999999999 m wide.", "width", 1000.0},
+        Said{"A hall with a 99999999999999999999 x 0.5 bench.", "width", 1000.0}}) {
+    INFO(prompt);
+    const Plan plan = test::plan_of(prompt);
+    CHECK(plan_from_json(to_json(plan), "plan.json"));
+    const auto amount = asked(plan, side);
+    REQUIRE(amount);
+    CHECK(std::abs(*amount - metres) < 1e-3);
+    for (const auto& item : plan.items) {
+      CHECK((!item.size || item.size->maxCoeff() <= 10.0));
+      CHECK(item.height.value_or(0.0) <= 10.0);
+    }
   }
 }
