@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* lines_name = "results.jsonl";
 
-std::string line_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n"; }
+std::string line_of(const Json& json) { return json_line(json) + "\n"; }
 
 }  // namespace
 

@@ -61,7 +61,7 @@ std::string text_of(const std::vector<JsonReader>& blocks) {
   for (const auto& block : blocks) {
     const std::string type = block["type"].text_or("");
     if (type == "tool_use" && block["input"].exists())
-      return block["input"].raw()->dump(-1, ' ', false, Json::error_handler_t::replace);
+      return json_line(*block["input"].raw());
     if (type == "text") text += block["text"].text_or("", max_answer_text);
   }
   return text;

@@ -76,7 +76,7 @@ class HttpModel final : public ChatModel {
     HttpRequest http;
     http.url = endpoint().url();
     http.headers = headers_for(sender_.destination());
-    http.body = body.dump(-1, ' ', false, Json::error_handler_t::replace);
+    http.body = json_line(body);
     http.direct = endpoint().is_loopback();
     return http;
   }

@@ -58,7 +58,7 @@ bool on_one_line(const Json& value) {
 
 void dump(const Json& value, int indent, std::string& out) {
   if (!value.is_structured() || value.empty() || on_one_line(value)) {
-    out += value.dump(-1, ' ', false, Json::error_handler_t::replace);
+    out += json_line(value);
     return;
   }
   const std::string inner(static_cast<std::size_t>(indent) + 2, ' ');
@@ -69,7 +69,7 @@ void dump(const Json& value, int indent, std::string& out) {
     first = false;
     out += inner;
     if (value.is_object())
-      out += Json(key).dump(-1, ' ', false, Json::error_handler_t::replace) + ": ";
+      out += json_line(key) + ": ";
     dump(element, indent + 2, out);
   }
   out += "\n" + std::string(static_cast<std::size_t>(indent), ' ') + (value.is_array() ? "]" : "}");
@@ -93,6 +93,9 @@ Result<Json> parse_json(std::string_view text, const std::string& source) {
                  source + ": nested more than " + std::to_string(max_depth) + " deep"};
   detail::JsonBuilder builder;
   if (Json::sax_parse(text, &builder)) return builder.take();
+  if (builder.fault() == detail::JsonBuilder::Fault::number)
+    return Error{Error::Kind::limit, source + ": JSON of more than " +
+                                         std::to_string(detail::JsonBuilder::most_values) + " values"};
   if (builder.fault() == detail::JsonBuilder::Fault::range)
     return Error{Error::Kind::invalid_input, source + ": JSON with a value out of range"};
   return Error{Error::Kind::invalid_input,
@@ -103,6 +106,10 @@ Json json_literal(std::string_view text) {
   auto json = parse_json(text, "literal");
   assert(json);
   return *std::move(json);
+}
+
+std::string json_line(const Json& value) {
+  return value.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 std::string dump_json(const Json& value) {

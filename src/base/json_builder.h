@@ -14,7 +14,10 @@ namespace roomgen::detail {
 /// through all earlier keys of an object for each new one. Of a key that comes twice the last value counts, as there.
 class JsonBuilder : public nlohmann::json_sax<Json> {
  public:
-  enum class Fault { none, syntax, range };
+  enum class Fault { none, syntax, range, number };
+
+  /// Values within one another, all told: what 64 MB of "[[],[],…]" would be takes more than 2 GB.
+  static constexpr std::size_t most_values = 4'000'000;
 
   Fault fault() const { return fault_; }
   std::size_t fault_byte() const { return fault_byte_; }
@@ -44,6 +47,7 @@ class JsonBuilder : public nlohmann::json_sax<Json> {
   std::vector<std::size_t> opened_;
   std::string key_;
   std::vector<std::string> outer_keys_;
+  std::size_t count_ = 0;
   Fault fault_ = Fault::none;
   std::size_t fault_byte_ = 0;
 };

@@ -60,8 +60,4 @@ ChatReply read_reply(const JsonReader& json) {
   return reply;
 }
 
-std::string json_line(const Json& value) {
-  return value.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
-
 }  // namespace roomgen

@@ -19,7 +19,5 @@ std::string question_key(const Json& question);
 Json reply_json(const ChatReply& reply);
 ChatReply read_reply(const JsonReader& json);
 
-/// One line of compact JSON, whatever bytes the texts hold.
-std::string json_line(const Json& value);
 
 }  // namespace roomgen

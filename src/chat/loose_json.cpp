@@ -53,7 +53,7 @@ std::string without_thoughts(std::string_view text) {
 
 // Bytes that are no UTF-8 replaced: whoever writes the texts to a file can rely on it.
 std::string as_utf8(std::string_view text) {
-  const auto quoted = Json(std::string(text)).dump(-1, ' ', false, Json::error_handler_t::replace);
+  const auto quoted = json_line(std::string(text));
   return json_literal(quoted).get<std::string>();
 }
 

@@ -12,10 +12,6 @@ namespace {
 // Small models lose the question behind long examples.
 constexpr std::size_t most_examples = 3, most_example_bytes = 12000;
 
-std::string dumped(const Json& json) {
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
-
 }  // namespace
 
 std::string description_text(const Description& description) {
@@ -47,7 +43,7 @@ std::string kinds_text(const std::vector<std::string>& kinds) {
 }
 
 std::string program_text(const shape::Program& program) {
-  return dumped(write_program(program));
+  return json_line(write_program(program));
 }
 
 }  // namespace roomgen::create

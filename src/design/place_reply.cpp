@@ -65,7 +65,7 @@ std::map<std::string, std::string> read_others(const Json& json) {
     const Json* id = one.is_object() ? member(one, {"id", "object", "name"}) : nullptr;
     if (id && id->is_string() && others.size() < most_others)
       others.emplace(id->get<std::string>(),
-                     one.dump(-1, ' ', false, Json::error_handler_t::replace));
+                     json_line(one));
   }
   return others;
 }

@@ -125,7 +125,7 @@ std::string GlbBuffer::finish(Json& gltf) {
 
 std::string glb_file(const Json& gltf, std::string binary) {
   // Names come from strangers' files: what is not UTF-8 is replaced rather than refused.
-  std::string text = gltf.dump(-1, ' ', false, Json::error_handler_t::replace);
+  std::string text = json_line(gltf);
   pad(text, ' ');
   pad(binary, '\0');
   std::string file = "glTF";

@@ -93,7 +93,7 @@ Result<GlbMaterials::Use> GlbMaterials::use(const Material& material, bool has_u
   }
   if (material.double_sided) json["doubleSided"] = true;
 
-  const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  const std::string text = json_line(json);
   const auto [known, is_new] =
       material_by_text_.try_emplace(text, static_cast<int>(materials_.size()));
   if (is_new) materials_.push_back(std::move(json));

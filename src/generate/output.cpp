@@ -35,10 +35,6 @@ bool is_part_of_room(const fs::path& relative) {
   return names.count(path) > 0 || path.starts_with("marks/step-") || path.starts_with("marks/shown-");
 }
 
-std::string line_of(const Json& json) {
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
-}
-
 // The last line of the trace: what the improvement at the end moved.
 Json finish_json(const std::vector<Move>& moved) {
   Json json;
@@ -75,8 +71,8 @@ std::string folder_name(const std::string& prompt) {
 
 Status write_documents(const OutputFolder& folder, const Json& plan, const Generation& generation) {
   std::string trace;
-  for (const auto& step : generation.trace) trace += line_of(to_json(step));
-  if (!generation.moved.empty()) trace += line_of(finish_json(generation.moved));
+  for (const auto& step : generation.trace) trace += json_line(to_json(step)) + "\n";
+  if (!generation.moved.empty()) trace += json_line(finish_json(generation.moved)) + "\n";
   if (auto s = folder.write("plan.json", dump_json(plan)); !s) return s;
   if (auto s = folder.write("trace.jsonl", trace); !s) return s;
   return folder.write("scene.json", dump_json(to_json(generation.scene)));

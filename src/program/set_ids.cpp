@@ -9,7 +9,7 @@ namespace roomgen {
 std::size_t SetIds::of(const ProgramSet& set) {
   const auto [entry, is_new] = known_.try_emplace(&set);
   if (is_new) {
-    const std::string text = to_json(set).dump(-1, ' ', false, Json::error_handler_t::replace);
+    const std::string text = json_line(to_json(set));
     entry->second = texts_.try_emplace(text, texts_.size()).first->second;
   }
   return entry->second;

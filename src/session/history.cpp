@@ -145,11 +145,12 @@ Status History::commit(const Scene& scene, const Deed& deed) {
   entry.branch = timeline_.branch();
   entry.by = deed.by;
   entry.asked = deed.asked;
-  entry.operations = deed.operations;
+  if (!deed.operations.is_null()) entry.operations = json_line(deed.operations);
   entry.before = timeline_.hash(state_.sequence);
   entry.after = hash_of(next);
-  entry.patch = scene_patch(state_.document, next.document);
-  if (entry.patch.empty()) return {};
+  const Json patch = scene_patch(state_.document, next.document);
+  if (patch.empty()) return {};
+  entry.patch = json_line(patch);
   std::vector<JournalEntry> entries = {entry};
   const std::size_t bytes = journal_text(entry).size();
   const bool with_snapshot = wants_snapshot(bytes);

@@ -35,25 +35,42 @@ std::size_t read_number(const JsonReader& json) {
   return static_cast<std::size_t>(json.integer_or(0, 0, most_entries));
 }
 
+/// An object of JSON on one line, key by key.
+class Members {
+ public:
+  void add(std::string_view key, const Json& value) { add_written(key, json_line(value)); }
+  void add_written(std::string_view key, std::string_view json) {
+    text_ += text_.empty() ? "{\"" : ",\"";
+    text_.append(key).append("\":").append(json);
+  }
+  std::string take() { return std::move(text_) + '}'; }
+
+ private:
+  std::string text_;
+};
+
 }  // namespace
 
 std::string journal_text(const JournalEntry& entry) {
-  Json json = {{"sequence", entry.sequence}, {"kind", kind_name(entry.kind)}, {"branch", entry.branch}};
-  const bool is_state = entry.kind == JournalEntry::Kind::edit || entry.kind == JournalEntry::Kind::scene;
-  if (is_state) json["parent"] = entry.parent;
-  else json["to"] = entry.to;
+  Members members;
+  members.add("sequence", entry.sequence);
+  members.add("kind", kind_name(entry.kind));
+  members.add("branch", entry.branch);
+  const bool is_edit = entry.kind == JournalEntry::Kind::edit, is_state = is_edit || entry.kind == JournalEntry::Kind::scene;
+  if (is_state) members.add("parent", entry.parent);
+  else members.add("to", entry.to);
   if (entry.kind != JournalEntry::Kind::snapshot) {
-    json["by"] = entry.by;
-    json["asked"] = entry.asked;
+    members.add("by", entry.by);
+    members.add("asked", entry.asked);
   }
-  if (entry.kind == JournalEntry::Kind::edit) {
-    if (!entry.operations.is_null()) json["operations"] = entry.operations;
-    json["before"] = entry.before;
+  if (is_edit) {
+    if (!entry.operations.empty()) members.add_written("operations", entry.operations);
+    members.add("before", entry.before);
   }
-  if (is_state) json["after"] = entry.after;
-  if (entry.kind == JournalEntry::Kind::edit) json["patch"] = entry.patch;
-  if (entry.kind == JournalEntry::Kind::scene || entry.kind == JournalEntry::Kind::snapshot) json["text"] = entry.text;
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  if (is_state) members.add("after", entry.after);
+  if (is_edit) members.add_written("patch", entry.patch);
+  if (entry.kind == JournalEntry::Kind::scene || entry.kind == JournalEntry::Kind::snapshot) members.add("text", entry.text);
+  return members.take();
 }
 
 Result<JournalEntry> parse_entry(std::string_view text, const std::string& source) {
@@ -74,10 +91,13 @@ Result<JournalEntry> parse_entry(std::string_view text, const std::string& sourc
   entry.before = root["before"].text_or("", 64);
   entry.after = root["after"].text_or("", 64);
   entry.text = root["text"].text_or("", max_document_bytes);
-  if (const auto operations = root["operations"]; operations.exists()) entry.operations = *operations.raw();
-  if (const auto patch = root["patch"]; patch.exists()) entry.patch = *patch.raw();
-  if (entry.kind == JournalEntry::Kind::edit && !entry.patch.is_object())
+  if (const auto operations = root["operations"]; operations.exists()) entry.operations = json_line(*operations.raw());
+  if (const auto patch = root["patch"]; patch.exists()) entry.patch = json_line(*patch.raw());
+  if (entry.kind == JournalEntry::Kind::edit && !root["patch"].is_object())
     root["patch"].report("an edit says what changed");
+  // So that whoever goes back from a state comes to an end.
+  if (entry.parent > 0 && entry.parent >= entry.sequence) root["parent"].report("is no earlier entry");
+  if (entry.to > 0 && entry.to >= entry.sequence) root["to"].report("is no earlier entry");
   if (problems.first()) return *problems.first();
   return entry;
 }

@@ -1,10 +1,8 @@
 #pragma once
 
 #include <cstddef>
-#include <nlohmann/json.hpp>
 #include <string>
 
-#include "roomgen/base/json.h"
 #include "roomgen/base/result.h"
 
 namespace roomgen {
@@ -26,9 +24,9 @@ struct JournalEntry {
   std::string branch;
   std::string by;     ///< who asked: "person", "model", a name
   std::string asked;  ///< in words
-  Json operations;    ///< of edits: what was done; null if nothing is said
+  std::string operations;     ///< of edits: what was done, as JSON; empty if nothing is said
   std::string before, after;  ///< SHA-256 of scene.json in the states `parent` and this one
-  Json patch;         ///< of edits (scene_patch.h)
+  std::string patch;          ///< of edits: JSON (scene_patch.h), as text, which is a thirtieth of what values take
   std::string text;   ///< of scene and snapshot: the bytes of scene.json
 };
 

@@ -33,7 +33,8 @@ Result<Object> reworded(const Object& object, const std::string& words) {
   ProceduralSource& source = *changed.asset.procedural;
   Json params = Json::parse(source.params, nullptr, false);
   if (!params.is_object()) return cannot(object.id + " does not say how it was made");
-  const std::string before = params.value("description", object.description);
+  const std::string said = text_parameter(source, "description");
+  const std::string& before = said.empty() ? object.description : said;
   params["description"] = before + ", " + words;
   source.params = params.dump();
   changed.description = before + ", " + words;

@@ -59,6 +59,8 @@ class LockedJournal {
 Result<std::string> read_journal_file(const fs::path& path) {
   auto bytes = read_file(path, max_journal_bytes);
   if (!bytes && bytes.error().kind == Error::Kind::not_found) return std::string();
+  if (!bytes && bytes.error().kind == Error::Kind::limit)
+    return Error{Error::Kind::limit, bytes.error().message + "; move it away, and its history begins anew"};
   return bytes;
 }
 

@@ -27,8 +27,8 @@ struct SceneFiles {
   std::function<Status(std::size_t)> cut;
 };
 
-/// Largest journal that is read.
-inline constexpr std::size_t max_journal_bytes = 512u << 20;
+/// Largest journal that is read: tens of thousands of changes, in about 1 GB of memory.
+inline constexpr std::size_t max_journal_bytes = 128u << 20;
 
 /// "room/scene.journal" for "room/scene.json".
 std::filesystem::path journal_of(const std::filesystem::path& scene_file);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -14,6 +15,8 @@ namespace roomgen {
 namespace {
 
 constexpr const char* lists_with_ids[] = {"objects", "unplaced", "requirements"};
+// No scene has as many, and no list of one is as long.
+constexpr std::size_t most_members = 50, longest_list = 20'000;
 
 Error misfit(const std::string& what) {
   return {Error::Kind::invalid_input, "the change does not fit the scene: " + what};
@@ -74,43 +77,48 @@ std::optional<Json> list_patch(const Json& before, const Json& after) {
   return changes;
 }
 
-Json member_or_null(const Json& document, const std::string& key) {
-  const auto found = document.find(key);
-  return found == document.end() ? Json() : *found;
+// Null where there is none.
+const Json& member(const Json& value, const std::string& key) {
+  static const Json nothing;
+  const auto found = value.is_object() ? value.find(key) : value.end();
+  return value.is_object() && found != value.end() ? *found : nothing;
 }
 
 bool is_list_with_ids(const std::string& key) {
   return std::find(std::begin(lists_with_ids), std::end(lists_with_ids), key) != std::end(lists_with_ids);
 }
 
-const Json& member(const Json& value, const char* key) {
-  static const Json nothing;
-  const auto found = value.is_object() ? value.find(key) : value.end();
-  return value.is_object() && found != value.end() ? *found : nothing;
+/// Where in a list the elements are that have ids.
+using Places = std::unordered_map<std::string, std::size_t>;
+
+Places places_in(const Json& list) {
+  Places places;
+  for (std::size_t i = 0; i < list.size(); ++i)
+    if (std::string id = id_of(list[i]); !id.empty()) places.emplace(std::move(id), i);
+  return places;
 }
 
-Status change_element(Json& list, const std::string& id, const Json& before, const Json& after) {
-  for (auto& element : list) {
-    if (id_of(element) != id) continue;
-    if (element == before) return element = after, Status();
-    for (const auto& [key, value] : before.items()) {
-      if (!element.contains(key) || element[key] != value || !after.contains(key))
-        return misfit("\"" + key + "\" of " + id + " is another");
-      element[key] = after[key];
-    }
-    return {};
+Status change_element(Json& element, const std::string& id, const Json& before, const Json& after) {
+  if (element == before) return element = after, Status();
+  for (const auto& [key, value] : before.items()) {
+    if (!element.contains(key) || element[key] != value || !after.contains(key))
+      return misfit("\"" + key + "\" of " + id + " is another");
+    element[key] = after[key];
   }
-  return misfit("there is no " + id);
+  return {};
 }
 
 // Went first, at its own place; what came goes in by rising places.
 Status patch_list(Json& list, const Json& changes) {
   std::vector<std::pair<std::size_t, const Json*>> gone, come;
+  const Places places = places_in(list);
   for (const auto& change : changes) {
     const Json &before = member(change, "before"), &after = member(change, "after");
     if (!member(change, "at").is_number_unsigned()) {
       if (!before.is_object() || !after.is_object() || id_of(change).empty()) return misfit("it is not whole");
-      if (auto status = change_element(list, id_of(change), before, after); !status) return status;
+      const auto place = places.find(id_of(change));
+      if (place == places.end()) return misfit("there is no " + id_of(change));
+      if (auto status = change_element(list[place->second], place->first, before, after); !status) return status;
       continue;
     }
     const auto at = change["at"].get<std::size_t>();
@@ -125,21 +133,21 @@ Status patch_list(Json& list, const Json& changes) {
     list.erase(list.begin() + static_cast<std::ptrdiff_t>(one->first));
   }
   for (const auto& [at, element] : come) {
-    if (at > list.size()) return misfit("there is no place " + std::to_string(at));
+    if (at > list.size() || at >= longest_list) return misfit("there is no place " + std::to_string(at));
     list.insert(list.begin() + static_cast<std::ptrdiff_t>(at), *element);
   }
   return {};
 }
 
 // The members in the order in which scenes are written, whatever came or went.
-Json in_order(const Json& document) {
+Json in_order(Json document) {
   static const char* const order[] = {"format", "version", "units", "up", "front", "prompt", "seed", "incomplete",
                                       "room", "rooms", "objects", "unplaced", "requirements", "heard"};
   Json sorted = Json::object();
   for (const auto* key : order)
-    if (const auto found = document.find(key); found != document.end()) sorted[key] = *found;
-  for (const auto& [key, value] : document.items())
-    if (!sorted.contains(key)) sorted[key] = value;
+    if (const auto found = document.find(key); found != document.end()) sorted[key] = std::move(*found);
+  for (auto& [key, value] : document.items())
+    if (!sorted.contains(key)) sorted[key] = std::move(value);
   return sorted;
 }
 
@@ -151,7 +159,7 @@ Json scene_patch(const Json& before, const Json& after) {
   for (const auto& [key, value] : before.items()) keys.insert(key);
   for (const auto& [key, value] : after.items()) keys.insert(key);
   for (const auto& key : keys) {
-    const Json old = member_or_null(before, key), now = member_or_null(after, key);
+    const Json &old = member(before, key), &now = member(after, key);
     if (old == now) continue;
     const bool by_element = is_list_with_ids(key) && old.is_array() && now.is_array();
     if (auto changes = by_element ? list_patch(old, now) : std::nullopt) patch["lists"][key] = *std::move(changes);
@@ -176,19 +184,20 @@ Json inverse_patch(const Json& patch) {
   return inverse;
 }
 
-Result<Json> apply_patch(const Json& document, const Json& patch) {
-  Json result = document;
+Result<Json> apply_patch(Json document, const Json& patch) {
   for (const auto& [key, changes] : member(patch, "lists").items()) {
-    if (!result.contains(key) || !result[key].is_array() || !changes.is_array())
+    if (!document.contains(key) || !document[key].is_array() || !changes.is_array())
       return misfit("\"" + key + "\" is no list");
-    if (auto status = patch_list(result[key], changes); !status) return status.error();
+    if (auto status = patch_list(document[key], changes); !status) return status.error();
   }
-  for (const auto& [key, change] : member(patch, "members").items()) {
-    if (member_or_null(result, key) != member(change, "before")) return misfit("\"" + key + "\" is another");
-    if (member(change, "after").is_null()) result.erase(key);
-    else result[key] = member(change, "after");
+  const Json& members = member(patch, "members");
+  if (members.size() > most_members) return misfit("it has more members than scenes");
+  for (const auto& [key, change] : members.items()) {
+    if (member(document, key) != member(change, "before")) return misfit("\"" + key + "\" is another");
+    if (member(change, "after").is_null()) document.erase(key);
+    else document[key] = member(change, "after");
   }
-  return in_order(result);
+  return in_order(std::move(document));
 }
 
 }  // namespace roomgen

@@ -21,6 +21,6 @@ Json scene_patch(const Json& before, const Json& after);
 Json inverse_patch(const Json& patch);
 
 /// Fails where the document is not what the patch was made from.
-Result<Json> apply_patch(const Json& document, const Json& patch);
+Result<Json> apply_patch(Json document, const Json& patch);
 
 }  // namespace roomgen

@@ -62,11 +62,13 @@ struct Session::Impl {
   std::set<std::string> named_by_last() const {
     std::set<std::string> ids;
     const auto entry = history.timeline().entries().find(history.state().sequence);
-    if (entry == history.timeline().entries().end() || !entry->second.operations.is_array()) return ids;
+    if (entry == history.timeline().entries().end()) return ids;
+    const auto operations = parse_json(entry->second.operations, "operations");
+    if (!operations || !operations->is_array()) return ids;
     const auto add = [&](const Json& id) {
       if (id.is_string()) ids.insert(id.get<std::string>());
     };
-    for (const auto& operation : entry->second.operations) {
+    for (const auto& operation : *operations) {
       for (const char* key : {"object", "first", "second"})
         if (operation.contains(key)) add(operation[key]);
       if (operation.contains("objects"))

@@ -12,6 +12,9 @@ namespace roomgen {
 
 namespace {
 
+// Snapshots lie far closer; so many changes of the largest scene take some ten seconds.
+constexpr std::size_t most_steps = 20'000;
+
 bool makes_state(const JournalEntry& entry) {
   return entry.kind == JournalEntry::Kind::edit || entry.kind == JournalEntry::Kind::scene;
 }
@@ -48,7 +51,10 @@ void Timeline::add(JournalEntry entry) {
   current_ = entry.branch;
   Branch& branch = branches_[current_];
   if (makes_state(entry)) {
-    if (entry.parent > 0) children_.emplace(entry.parent, sequence);
+    if (entry.parent > 0) {
+      children_.emplace(entry.parent, sequence);
+      descents_[sequence] = below(entry.parent);
+    }
     branch.head = branch.tip = sequence;
   } else {
     branch.head = entry.to;
@@ -74,14 +80,31 @@ std::optional<std::size_t> Timeline::before(std::size_t sequence) const {
   return found->second.parent;
 }
 
+Timeline::Descent Timeline::descent(std::size_t sequence) const {
+  const auto found = descents_.find(sequence);
+  return found == descents_.end() ? Descent{0, sequence} : found->second;
+}
+
+// Jumps twice as long wherever two of one length meet (Myers, "An applicative random-access stack", 1983): any state before is
+// a logarithm of them away.
+Timeline::Descent Timeline::below(std::size_t parent) const {
+  const Descent one = descent(parent), two = descent(one.jump);
+  const bool are_alike = one.depth - two.depth == two.depth - descent(two.jump).depth;
+  return {one.depth + 1, are_alike ? two.jump : parent};
+}
+
+// The state at that depth on the way back.
+std::size_t Timeline::ancestor(std::size_t sequence, std::size_t depth) const {
+  for (Descent at = descent(sequence); at.depth > depth; at = descent(sequence))
+    sequence = descent(at.jump).depth >= depth ? at.jump : entries_.at(sequence).parent;
+  return sequence;
+}
+
 std::optional<std::size_t> Timeline::after(std::size_t sequence, std::size_t tip) const {
-  for (auto at = tip; at != sequence;) {
-    const auto parent = before(at);
-    if (!parent) return std::nullopt;
-    if (*parent == sequence) return at;
-    at = *parent;
-  }
-  return std::nullopt;
+  const std::size_t depth = descent(sequence).depth + 1;
+  if (descent(tip).depth < depth) return std::nullopt;
+  const std::size_t next = ancestor(tip, depth);
+  return before(next) == sequence ? std::optional(next) : std::nullopt;
 }
 
 std::string Timeline::hash(std::size_t sequence) const {
@@ -147,10 +170,14 @@ Result<SceneState> Timeline::state(std::size_t sequence, const SceneState& known
   std::size_t start = 0;
   const auto way = way_to(sequence, known, start);
   if (start == 0) return damaged(sequence, "the journal is damaged around it");
+  if (way.size() > most_steps)
+    return damaged(sequence, "it is more than " + std::to_string(most_steps) + " changes from one that is written out");
   auto state = written(start, known);
   if (!state) return damaged(sequence, state.error().message);
   for (const auto& step : way) {
-    auto document = apply_patch(state->document, step.backward ? inverse_patch(step.edit->patch) : step.edit->patch);
+    const auto patch = parse_json(step.edit->patch, "its patch");
+    if (!patch) return damaged(sequence, patch.error().message);
+    auto document = apply_patch(std::move(state->document), step.backward ? inverse_patch(*patch) : *patch);
     if (!document) return damaged(sequence, document.error().message);
     // Only the last text is wanted.
     state = step.to == sequence ? state_of(step.to, *std::move(document))

@@ -67,6 +67,13 @@ class Timeline {
     const JournalEntry* edit = nullptr;
     bool backward = false;
   };
+  /// How far a state is from the first one, and one far before it.
+  struct Descent {
+    std::size_t depth = 0, jump = 0;
+  };
+  Descent descent(std::size_t sequence) const;
+  Descent below(std::size_t parent) const;
+  std::size_t ancestor(std::size_t sequence, std::size_t depth) const;
   std::vector<Step> steps_from(std::size_t sequence) const;
   Result<SceneState> written(std::size_t sequence, const SceneState& known) const;
   bool is_written(std::size_t sequence, const SceneState& known) const;
@@ -74,6 +81,7 @@ class Timeline {
 
   std::map<std::size_t, JournalEntry> entries_;
   std::multimap<std::size_t, std::size_t> children_;        ///< edits and scenes by the state before
+  std::map<std::size_t, Descent> descents_;                 ///< of the states that have one before
   std::map<std::size_t, std::size_t> snapshots_;            ///< entries by the state that they hold
   std::map<std::string, Branch> branches_;
   std::string current_;

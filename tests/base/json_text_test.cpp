@@ -130,6 +130,23 @@ TEST_CASE("Text is read as nlohmann's own parser reads it, keys that come twice 
   }
 }
 
+TEST_CASE("A document of four million values is read, one more is too many") {
+  const auto zeros = [](std::size_t count) {
+    std::string text(2 * count + 1, '0');
+    for (std::size_t i = 0; i < text.size(); i += 2) text[i] = ',';
+    text.front() = '[', text.back() = ']';
+    return text;
+  };
+  // The array is one of them.
+  const auto most = parse_json(zeros(3'999'999), "text");
+  REQUIRE(most);
+  CHECK(most->size() == 3'999'999);
+  const auto more = parse_json(zeros(4'000'000), "text");
+  REQUIRE_FALSE(more);
+  CHECK(more.error().kind == Error::Kind::limit);
+  CHECK(more.error().message == "text: JSON of more than 4000000 values");
+}
+
 TEST_CASE("An object of a hundred thousand members is read") {
   std::string text = "{";
   for (int i = 0; i < 100000; ++i) text += (i > 0 ? ",\"" : "\"") + std::to_string(i) + "\":" + std::to_string(i);

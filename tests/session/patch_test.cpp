@@ -52,3 +52,12 @@ TEST_CASE("A patch of another scene is refused, whatever it says") {
                            R"({"lists":{"objects":[{"id":"box-0","before":4,"after":[]}]}})"})
     CHECK(!apply_patch(document, Json::parse(text)));
 }
+
+TEST_CASE("A patch that would swell a scene is refused") {
+  Json many = Json::array(), keys = Json::object();
+  for (int i = 0; i < 30'000; ++i) many.push_back({{"at", 0}, {"after", {{"id", std::to_string(i)}}}});
+  for (int i = 0; i < 100; ++i) keys["m" + std::to_string(i)] = {{"before", nullptr}, {"after", i}};
+  const Json document = to_json(row_of_boxes(2));
+  CHECK(!apply_patch(document, {{"lists", {{"objects", many}}}}));
+  CHECK(!apply_patch(document, {{"members", keys}}));
+}

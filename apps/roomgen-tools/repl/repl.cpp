@@ -101,7 +101,7 @@ class Printer {
     Json json = {{"ok", answer.ok()}};
     if (answer) json.update(answer->data);
     else json.update({{"error", answer.error().message}, {"understood", code_of(answer.error()) != exit_usage}});
-    std::printf("%s\n", json.dump(-1, ' ', false, Json::error_handler_t::replace).c_str());
+    std::printf("%s\n", json_line(json).c_str());
   }
 
   bool json_, is_terminal_;
