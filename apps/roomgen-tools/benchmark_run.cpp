@@ -173,6 +173,7 @@ using Answers = std::map<std::string, std::string>;
 Status add_answer(const Json& json, const std::string& where, Answers& answers) {
   if (!json.is_object() || !json.contains("id") || !json["id"].is_string() || !json.contains("answer"))
     return bad_run(where + ": a line must have an id and an answer");
+  if (!json.value("shown", Json("")).is_string()) return bad_run(where + ": what was \"shown\" must be a text");
   answers[json["id"].get<std::string>()] = json["answer"].is_string() ? json["answer"].get<std::string>() : json["answer"].dump();
   return {};
 }

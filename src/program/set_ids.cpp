@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "program_json.h"
+#include "roomgen/base/json.h"
 
 namespace roomgen {
 

@@ -32,7 +32,10 @@ SpatialQuestion question_from(const JsonReader& root) {
     question.frames.push_back(static_cast<std::size_t>(frame.number(0, 1e9)));
   for (const auto& object : root["objects"].elements_or_none(100000)) question.objects.push_back(object.text());
   if (const auto arguments = root["arguments"]; arguments.exists()) question.arguments = *arguments.raw();
-  if (const auto complexity = root["complexity"]; complexity.exists()) question.complexity = *complexity.raw();
+  if (const auto complexity = root["complexity"]; complexity.exists()) {
+    for (const char* key : {"folder", "compositional", "relational", "observational"}) complexity[key].text_or("");
+    question.complexity = *complexity.raw();
+  }
   return question;
 }
 

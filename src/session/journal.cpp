@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "journal_line.h"
+#include "roomgen/base/json.h"
 
 namespace roomgen {
 
@@ -27,7 +28,7 @@ bool may_be_unbegun(std::string_view bytes) {
 Status check_header(std::string_view body, const std::string& name) {
   const auto header = parse_json(body, name + ": line 1");
   if (!header) return header.error();
-  if (!header->is_object() || header->value("format", "") != "roomgen-journal")
+  if (!header->is_object() || header->value("format", Json()) != "roomgen-journal")
     return Error{Error::Kind::invalid_input, name + ": line 1: is no journal of roomgen"};
   const Json version = header->value("version", Json());
   if (version == journal_version) return {};

@@ -10,6 +10,7 @@
 #include "hand_edits.h"
 #include "history.h"
 #include "model_editing.h"
+#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "roomgen/evaluate/report.h"
 

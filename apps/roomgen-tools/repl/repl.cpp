@@ -13,6 +13,7 @@
 #include "repl/commands.h"
 #include "repl/line_editor.h"
 #include "room_options.h"
+#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "tool_commands.h"
 
