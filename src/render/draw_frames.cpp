@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "base/json_reader.h"
 #include "base/sha256.h"
 #include "base/threads.h"
 #include "frame_labels.h"
@@ -179,6 +180,21 @@ Status draw_in_parallel(const std::vector<TourFrame>& frames, const FrameOptions
   return status;
 }
 
+// The file of a frame, which may be of an earlier run: as this program writes it for a scene of so many things, or refused.
+Result<Json> read_side_file(const fs::path& path, std::size_t things) {
+  const auto text = read_file(path, most_side_file_bytes);
+  if (!text) return text.error();
+  auto json = parse_json(*text, path.string());
+  if (!json) return json.error();
+  JsonReader::Problems problems(path.string());
+  const JsonReader root(*json, problems);
+  root["kitti"].text(most_side_file_bytes);
+  if (root["record"]["objects"].elements(things).size() != things) root["record"]["objects"].report("are not the scene's");
+  for (const auto& run : root["segments"].elements(things)) run["value"].number(1.0, static_cast<double>(things));
+  if (const auto problem = problems.first()) return Error{problem->kind, problem->message + "; it is no frame of this scene: remove it and draw again"};
+  return *std::move(json);
+}
+
 // Reads the frames' own files once more and puts them together.
 Status put_together(const Scene& scene, const std::vector<TourFrame>& frames, const fs::path& folder) {
   std::string lines;
@@ -186,13 +202,8 @@ Status put_together(const Scene& scene, const std::vector<TourFrame>& frames, co
   if (auto status = make_folder(folder / "kitti"); !status) return status;
   for (const auto& frame : frames) {
     const std::string name = frame_name(frame.number);
-    const fs::path path = folder / frames_folder / (name + ".json");
-    const auto text = read_file(path, most_side_file_bytes);
-    if (!text) return text.error();
-    const auto json = parse_json(*text, path.string());
+    const auto json = read_side_file(folder / frames_folder / (name + ".json"), scene.objects.size());
     if (!json) return json.error();
-    if (!json->is_object() || !json->contains("record") || !json->contains("segments") || !json->contains("kitti"))
-      return Error{Error::Kind::invalid_input, path.string() + ": is no frame; remove it and draw again"};
     lines += (*json)["record"].dump() + "\n";
     runs.push_back((*json)["segments"]);
     if (auto status = write_file(folder / "kitti" / (name + ".txt"), (*json)["kitti"].get<std::string>()); !status)

@@ -77,6 +77,27 @@ TEST_CASE("Frames are the same on any number of threads, and are drawn once") {
   CHECK(contents(one.path()).count("frames/000007.json") == 0);
 }
 
+TEST_CASE("Files of frames that somebody changed are refused by name") {
+  const TemporaryFolder folder;
+  drawn(folder.path());
+  const auto path = folder / "frames/000002.json";
+  const Json whole = *parse_json(*read_file(path), "frame");
+  const std::pair<const char*, const char*> changes[] = {{"/kitti", "5"}, {"/segments", R"([{"value":99,"counts":[0]}])"},
+                                                         {"/segments", R"([{"value":"x"}])"}, {"/segments", "[7]"},
+                                                         {"/record", R"("none")"}, {"/record/objects", "[]"}};
+  for (const auto& [place, value] : changes) {
+    INFO(place << " " << value);
+    Json changed = whole;
+    changed[Json::json_pointer(place)] = *parse_json(value, "value");
+    REQUIRE(write_file(path, changed.dump()));
+    const auto figures = draw_frames(small_room(), {}, small_tour(), small_frames(1), folder.path());
+    REQUIRE_FALSE(figures);
+    CHECK(figures.error().kind == Error::Kind::invalid_input);
+    CHECK(figures.error().message.find("000002.json") != std::string::npos);
+    CHECK(figures.error().message.find("remove it and draw again") != std::string::npos);
+  }
+}
+
 TEST_CASE("Boxes of frames.jsonl project around the pixels that are counted") {
   const TemporaryFolder folder;
   drawn(folder.path());
