@@ -87,7 +87,10 @@ Result<Session> open_room(const fs::path& scene_file, const AssetLibrary& librar
 
 Status write_room(const fs::path& scene_file, Session& session, PictureDrawer* drawer, int pixels, const Tell& tell,
                   const CancelToken& cancel) {
-  const auto status = write_all_files(fs::absolute(scene_file), session, drawer, pixels, cancel);
+  std::error_code code;
+  const fs::path whole = fs::absolute(scene_file, code);
+  if (code) return Error{Error::Kind::io, scene_file.string() + ": " + code.message()};
+  const auto status = write_all_files(whole, session, drawer, pixels, cancel);
   if (status) return {};
   if (status.error().kind == Error::Kind::cancelled) return status;
   if (tell)

@@ -45,7 +45,8 @@ Result<RoomScore> score_file(const Requirements& row, const fs::path& file,
 }
 
 fs::path scene_in(const fs::path& path) {
-  return fs::is_directory(path) ? path / "scene.json" : path;
+  std::error_code code;
+  return fs::is_directory(path, code) ? path / "scene.json" : path;
 }
 
 struct Scores {
@@ -72,7 +73,8 @@ Result<Scores> score_rooms(const std::vector<Requirements>& rows, const Evaluate
   for (const auto& row : rows) {
     if (context.cancel.cancelled()) return Error{Error::Kind::cancelled, "stopped"};
     const fs::path file = fs::path(command.rooms) / row.id / "scene.json";
-    if (!fs::exists(file)) {
+    std::error_code code;
+    if (!fs::exists(file, code)) {
       ++missing;
       continue;
     }

@@ -52,7 +52,8 @@ void remove_left_overs(const fs::path& folder, const fs::path& where) {
 Result<fs::path> without_links(const fs::path& folder) {
   std::error_code code;
   if (!is_there(folder)) {
-    const fs::path whole = fs::weakly_canonical(fs::absolute(folder), code);
+    const fs::path named = fs::absolute(folder, code);  // fails where the working folder is gone
+    const fs::path whole = code ? fs::path() : fs::weakly_canonical(named, code);
     if (code) return folder_error(folder, code.message());
     return whole.has_filename() ? whole : whole.parent_path();
   }

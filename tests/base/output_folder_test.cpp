@@ -57,6 +57,19 @@ TEST_CASE("A new folder appears at the commit, with the folders above it") {
   CHECK(text_of(room / "sub" / "c") == "text");
 }
 
+TEST_CASE("Where the working folder is gone a folder in it is refused") {
+  const TemporaryFolder folder;
+  const fs::path before = fs::current_path();
+  fs::create_directory(folder / "gone");
+  fs::current_path(folder / "gone");
+  fs::remove(folder / "gone");
+  const auto output = OutputFolder::open("room");
+  fs::current_path(before);
+  REQUIRE_FALSE(output);
+  CHECK(output.error().kind == Error::Kind::io);
+  CHECK(contains_text(output.error().message, "room: "));
+}
+
 TEST_CASE("Without a commit nothing has happened") {
   const TemporaryFolder folder;
   REQUIRE(write_version(folder / "old", "1"));
