@@ -89,8 +89,8 @@ Status write_room(const fs::path& scene_file, Session& session, PictureDrawer* d
                   const CancelToken& cancel) {
   std::error_code code;
   const fs::path whole = fs::absolute(scene_file, code);
-  if (code) return Error{Error::Kind::io, scene_file.string() + ": " + code.message()};
-  const auto status = write_all_files(whole, session, drawer, pixels, cancel);
+  const Status status = code ? Status(Error{Error::Kind::io, scene_file.string() + ": " + code.message()})
+                             : write_all_files(whole, session, drawer, pixels, cancel);
   if (status) return {};
   if (status.error().kind == Error::Kind::cancelled) return status;
   if (tell)

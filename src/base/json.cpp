@@ -93,7 +93,7 @@ Result<Json> parse_json(std::string_view text, const std::string& source) {
                  source + ": nested more than " + std::to_string(max_depth) + " deep"};
   detail::JsonBuilder builder;
   if (Json::sax_parse(text, &builder)) return builder.take();
-  if (builder.fault() == detail::JsonBuilder::Fault::number)
+  if (builder.fault() == detail::JsonBuilder::Fault::too_many)
     return Error{Error::Kind::limit, source + ": JSON of more than " +
                                          std::to_string(detail::JsonBuilder::most_values) + " values"};
   if (builder.fault() == detail::JsonBuilder::Fault::range)

@@ -44,7 +44,7 @@ void unite_many(Members& members) {
 }  // namespace
 
 bool JsonBuilder::add(Json value) {
-  if (++count_ > most_values) return fault_ = Fault::number, false;
+  if (++count_ > most_values) return fault_ = Fault::too_many, false;
   values_.emplace_back(std::move(key_), std::move(value));
   key_.clear();
   return true;

@@ -14,9 +14,9 @@ namespace roomgen::detail {
 /// through all earlier keys of an object for each new one. Of a key that comes twice the last value counts, as there.
 class JsonBuilder : public nlohmann::json_sax<Json> {
  public:
-  enum class Fault { none, syntax, range, number };
+  enum class Fault { none, syntax, range, too_many };
 
-  /// Values within one another, all told: what 64 MB of "[[],[],…]" would be takes more than 2 GB.
+  /// Of a whole document, containers included: 64 MB of "[[],[],…]" would take more than 2 GB.
   static constexpr std::size_t most_values = 4'000'000;
 
   Fault fault() const { return fault_; }

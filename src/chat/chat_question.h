@@ -19,5 +19,4 @@ std::string question_key(const Json& question);
 Json reply_json(const ChatReply& reply);
 ChatReply read_reply(const JsonReader& json);
 
-
 }  // namespace roomgen

@@ -64,8 +64,7 @@ std::map<std::string, std::string> read_others(const Json& json) {
   for (const auto& one : *list) {
     const Json* id = one.is_object() ? member(one, {"id", "object", "name"}) : nullptr;
     if (id && id->is_string() && others.size() < most_others)
-      others.emplace(id->get<std::string>(),
-                     json_line(one));
+      others.emplace(id->get<std::string>(), json_line(one));
   }
   return others;
 }

@@ -190,7 +190,10 @@ Result<Json> read_side_file(const fs::path& path, std::size_t things) {
   const JsonReader root(*json, problems);
   root["kitti"].text(most_side_file_bytes);
   if (root["record"]["objects"].elements(things).size() != things) root["record"]["objects"].report("are not the scene's");
-  for (const auto& run : root["segments"].elements(things)) run["value"].number(1.0, static_cast<double>(things));
+  for (const auto& run : root["segments"].elements(things)) {
+    run["value"].number(1.0, static_cast<double>(things));
+    if (!run["counts"].is_array()) run["counts"].report("must be an array");
+  }
   if (const auto problem = problems.first()) return Error{problem->kind, problem->message + "; it is no frame of this scene: remove it and draw again"};
   return *std::move(json);
 }

@@ -83,7 +83,7 @@ TEST_CASE("Files of frames that somebody changed are refused by name") {
   const auto path = folder / "frames/000002.json";
   const Json whole = *parse_json(*read_file(path), "frame");
   const std::pair<const char*, const char*> changes[] = {{"/kitti", "5"}, {"/segments", R"([{"value":99,"counts":[0]}])"},
-                                                         {"/segments", R"([{"value":"x"}])"}, {"/segments", "[7]"},
+                                                         {"/segments", R"([{"value":"x"}])"}, {"/segments", R"([{"value":1}])"}, {"/segments", "[7]"},
                                                          {"/record", R"("none")"}, {"/record/objects", "[]"}};
   for (const auto& [place, value] : changes) {
     INFO(place << " " << value);
