@@ -1,9 +1,9 @@
 #include "designers.h"
 
-#include <cstdio>
 #include <filesystem>
 
 #include "no_fallback.h"
+#include "print.h"
 #include "roomgen/base/file.h"
 #include "roomgen/design/designer.h"
 #include "roomgen/kinds/kind_table.h"
@@ -37,9 +37,7 @@ Result<std::unique_ptr<ChatModel>> open_endpoint(const DesignerOptions& options,
   http.limits.call = HttpLimits::Seconds(options.seconds_per_call);
   http.retry.total = RetryPolicy::Seconds(options.seconds_per_call);
   if (!context.quiet)
-    http.log = [](LogLevel, std::string_view message) {
-      std::fprintf(stderr, "roomgen: %.*s\n", static_cast<int>(message.size()), message.data());
-    };
+    http.log = [](LogLevel, std::string_view message) { warn(message); };
   return load_http_model(http);
 }
 #else

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <optional>
 
+#include "print.h"
 #include "roomgen/base/text.h"
 #include "roomgen/create/create.h"
 #include "roomgen/library/library.h"
@@ -75,7 +76,7 @@ Result<std::unique_ptr<assets::Catalogue>> open_libraries(const LibraryOptions& 
   if (!context.quiet)
     catalogue.log = [verbose = options.verbose](LogLevel level, std::string_view message) {
       if (verbose || level == LogLevel::warning)
-        std::fprintf(stderr, "roomgen: %s\n", printable(message).c_str());
+        warn(message);
     };
   return assets::open_catalogue(catalogue);
 }
@@ -98,7 +99,7 @@ Result<std::unique_ptr<AssetLibrary>> open_all_libraries(const LibraryOptions& o
     return catalogue.error();
   else
     std::fprintf(stderr, "roomgen: %s; everything is made from words\n",
-                 catalogue.error().message.c_str());
+                 printable(catalogue.error().message).c_str());
   libraries.push_back(create::make_finishing_library(create::make_created_library()));
   return make_first_of(std::move(libraries));
 }

@@ -1,9 +1,9 @@
 #include "models.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <optional>
 
+#include "print.h"
 #include "roomgen/import/import.h"
 #include "roomgen/library/library.h"
 #ifdef ROOMGEN_HAS_ASSETS
@@ -50,7 +50,7 @@ class WrittenModels {
     if (!std::filesystem::is_regular_file(path_, code)) return {};
     auto models = read_glb_models(path_, image_decoder());
     if (models) return *std::move(models);
-    std::fprintf(stderr, "roomgen: %s\n", models.error().message.c_str());
+    warn(models.error().message);
     return {};
   }
 
@@ -96,10 +96,7 @@ Result<ModelTable> models_of(const Scene& scene, const std::filesystem::path& fi
   if (is_all_boxes(scene)) return ModelTable();
   auto library = open_for(options, context);
   if (!library) return library.error();
-  const auto tell = [](LogLevel, std::string_view message) {
-    std::fprintf(stderr, "roomgen: %.*s; taken as a box\n", static_cast<int>(message.size()),
-                 message.data());
-  };
+  const auto tell = [](LogLevel, std::string_view message) { warn(std::string(message) + "; taken as a box"); };
   ModelTable models = load_models(scene, **library, tell, written_models(file));
   if (context.cancel.cancelled()) return Error{Error::Kind::cancelled, "stopped while meshes were read"};
   return models;

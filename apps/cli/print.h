@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "roomgen/base/text.h"
@@ -14,6 +15,6 @@ inline void print_lines(const std::vector<std::string>& lines) {
 }
 
 /// What people should know besides the answer.
-inline void warn(const std::string& text) { std::fprintf(stderr, "roomgen: %s\n", printable(text).c_str()); }
+inline void warn(std::string_view text) { std::fprintf(stderr, "roomgen: %s\n", printable(text).c_str()); }
 
 }  // namespace roomgen::cli

@@ -72,7 +72,7 @@ void print_confinement() {
     return;
   }
   std::puts("the process that reads meshes:");
-  for (const auto& line : *report) std::printf("  %s\n", line.c_str());
+  for (const auto& line : *report) std::printf("  %s\n", printable(line).c_str());
 #endif
 }
 

@@ -24,9 +24,9 @@ ExportOptions export_options() {
 
 Status write_model_files(const OutputFolder& folder, const Scene& scene, const ModelTable& models) {
   if (auto status = folder.write("ATTRIBUTION.md", attribution_markdown(scene)); !status) return status;
-  const auto place = folder.place_for("scene.glb");
-  if (!place) return place.error();
-  return GlbExporter(export_options()).write(scene, models, *place);
+  return folder.write_with("scene.glb", [&](const std::filesystem::path& now) {
+    return GlbExporter(export_options()).write(scene, models, now);
+  });
 }
 
 Status write_pictures(const OutputFolder& folder, const Scene& scene, const ModelTable& models, Renderer& renderer,

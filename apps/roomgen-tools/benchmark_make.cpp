@@ -135,7 +135,7 @@ Status make_all(const Context& context, const BenchmarkMakeOptions& options, con
       const std::lock_guard lock(mutex);
       if (!made && status) status = made;
       if (!status) next = jobs.size();
-      if (made && !context.quiet) std::fprintf(stderr, "[%zu/%zu] %s\n", ++done, jobs.size(), jobs[k].folder().c_str());
+      if (made && !context.quiet) std::fprintf(stderr, "[%zu/%zu] %s\n", ++done, jobs.size(), printable(jobs[k].folder()).c_str());
     }
   };
   std::vector<std::thread> threads;
@@ -245,7 +245,7 @@ Result<int> make_benchmark(const Context& context, const BenchmarkMakeOptions& o
     std::printf("%s\n", Json{{"folder", options.output}, {"scenes", jobs.size()}, {"questions", *questions}}.dump().c_str());
   else if (!context.quiet)
     std::fprintf(stderr, "%s%zu questions about %zu scenes in %s\n", shortfall_list(*levels, jobs).c_str(), *questions,
-                 jobs.size(), options.output.c_str());
+                 jobs.size(), printable(options.output).c_str());
   return exit_ok;
 }
 

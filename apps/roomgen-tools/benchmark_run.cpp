@@ -71,7 +71,7 @@ class Examiner {
       if (reply) return reply->text;
       const auto kind = reply.error().kind;
       if (took_video_ || kind == Error::Kind::cancelled || kind == Error::Kind::limit) return reply.error();
-      std::fprintf(stderr, "no video is taken: %s; frames are shown\n", reply.error().message.c_str());
+      std::fprintf(stderr, "no video is taken: %s; frames are shown\n", printable(reply.error().message).c_str());
       refused_video_ = true;
     }
     const auto frames = frames_in(folder);
@@ -190,7 +190,7 @@ Status write_results(const Context& context, const fs::path& folder, const std::
   for (const std::string factor : {"compositional", "relational", "observational"})
     if (const auto plot = benchmark_plot(scored, factor); !plot.empty())
       if (auto status = write_file(folder / (factor + ".svg"), plot); !status) return status;
-  if (!context.quiet) std::fputs(report.c_str(), stdout);
+  if (!context.quiet) std::fputs(printable(report).c_str(), stdout);
   return {};
 }
 
@@ -226,7 +226,7 @@ Result<int> run_benchmark(const Context& context, const BenchmarkRunOptions& opt
                                             " are answered, the same command goes on from there"};
     if (auto status = lines->add(line_json(question, *answer, examiner.shows())); !status) return status.error();
     answers[question.id] = *answer;
-    if (!context.quiet) std::fprintf(stderr, "[%zu/%zu] %s\n", answers.size(), questions->size(), question.id.c_str());
+    if (!context.quiet) std::fprintf(stderr, "[%zu/%zu] %s\n", answers.size(), questions->size(), printable(question.id).c_str());
   }
   if (auto status = write_results(context, options.output, *questions, answers); !status) return status.error();
   return exit_ok;

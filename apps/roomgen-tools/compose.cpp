@@ -61,7 +61,7 @@ void print_summary(const Context& context, const fs::path& folder, const Composi
   }
   print_lines(chosen.written.notes);
   print_lines(composition.notes);
-  std::printf("%s: %s (%zu rounds, %.1f s)\n", folder.string().c_str(),
+  std::printf("%s: %s (%zu rounds, %.1f s)\n", printable(folder.string()).c_str(),
               optimisation_headline(chosen.result).c_str(), composition.rounds.size(), seconds);
   print_lines(composed_lines(composition));
 }

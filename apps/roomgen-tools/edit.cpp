@@ -136,7 +136,7 @@ Result<int> run_branch(const Context& context, const EditCommand& command) {
   if (!session) return session.error();
   if (command.branch.empty()) {
     for (const auto& name : session->branches())
-      std::printf("%c %s\n", name == session->current_branch() ? '*' : ' ', name.c_str());
+      std::printf("%c %s\n", name == session->current_branch() ? '*' : ' ', printable(name).c_str());
     return exit_ok;
   }
   const Scene before = session->scene();
@@ -145,7 +145,7 @@ Result<int> run_branch(const Context& context, const EditCommand& command) {
   const auto changes = differences(before, session->scene());
   if (context.json) std::fputs(dump_json(Json{{"branch", session->current_branch()}, {"changes", changes}}).c_str(), stdout);
   else {
-    std::printf("on branch %s\n", session->current_branch().c_str());
+    std::printf("on branch %s\n", printable(session->current_branch()).c_str());
     if (!changes.empty()) print_lines(changes);
   }
   return exit_ok;

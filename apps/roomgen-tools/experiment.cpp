@@ -251,8 +251,8 @@ void tell(const Context& context, std::size_t done, std::size_t total,
   if (context.quiet) return;
   const auto& failures = result.assessment.failures;
   std::fprintf(stderr, "[%zu/%zu] %s %d %s: %s\n", done, total, create::name(result.variant),
-               result.number, shortened(result.prompt, 60).c_str(),
-               failures.empty() ? "as it should be" : shortened(join(failures, "; "), 120).c_str());
+               result.number, printable(shortened(result.prompt, 60)).c_str(),
+               failures.empty() ? "as it should be" : printable(shortened(join(failures, "; "), 120)).c_str());
 }
 
 // Makes what is missing; what ends the experiment early, if anything does.
@@ -295,7 +295,7 @@ Result<int> experiment(const Context& context, const ExperimentOptions& options)
   if (context.json)
     std::fputs(dump_json(create::suite_summary(finished)).c_str(), stdout);
   else
-    std::fputs(create::suite_markdown(finished).c_str(), stdout);
+    std::fputs(printable(create::suite_markdown(finished)).c_str(), stdout);
   if (!context.quiet)
     std::fprintf(stderr, "To drop them in MuJoCo (bench/create/README.md):\n%s",
                  physics_text(options).c_str());

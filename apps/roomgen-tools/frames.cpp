@@ -8,6 +8,7 @@
 
 #include "add_commands.h"
 #include "models.h"
+#include "roomgen/base/text.h"
 #include "tool_commands.h"
 #include "tours.h"
 
@@ -31,9 +32,9 @@ void report(const Context& context, const std::string& folder, const FrameFigure
   }
   if (context.quiet) return;
   if (figures.video.empty() && !figures.no_video.empty())
-    std::fprintf(stderr, "no video: %s\n", figures.no_video.c_str());
+    std::fprintf(stderr, "no video: %s\n", printable(figures.no_video).c_str());
   if (!context.json)
-    std::fprintf(stderr, "%zu frames in %s, %zu of them drawn now\n", figures.frames, folder.c_str(), figures.drawn);
+    std::fprintf(stderr, "%zu frames in %s, %zu of them drawn now\n", figures.frames, printable(folder).c_str(), figures.drawn);
 }
 
 // Tours that were written by hand may lead through walls.

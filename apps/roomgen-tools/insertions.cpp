@@ -115,7 +115,7 @@ class Insertions {
 
   Status tell_step(Session& session, const fs::path& inside, int step, const std::string& asked,
                    const std::string& outcome) {
-    if (!context_.quiet) std::fprintf(stderr, "room %d, %d: %s: %s\n", rooms_, step, asked.c_str(), outcome.c_str());
+    if (!context_.quiet) std::fprintf(stderr, "room %d, %d: %s: %s\n", rooms_, step, printable(asked).c_str(), printable(outcome).c_str());
     const fs::path picture = inside / (std::to_string(step) + ".png");
     View view;
     view.kind = View::Kind::top;

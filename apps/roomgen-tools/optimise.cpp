@@ -53,9 +53,9 @@ void print_summary(const Context& context, const fs::path& folder, const Optimis
     return;
   }
   print_lines(notes);
-  std::printf("%s: %s (%lld moves, %.1f s)\n", folder.string().c_str(), optimisation_headline(result).c_str(),
+  std::printf("%s: %s (%lld moves, %.1f s)\n", printable(folder.string()).c_str(), optimisation_headline(result).c_str(),
               result.moves, seconds);
-  for (const auto& line : unmet_lines(result)) std::printf("  %s\n", line.c_str());
+  for (const auto& line : unmet_lines(result)) std::printf("  %s\n", printable(line).c_str());
 }
 
 Result<Room> wanted_room(const OptimiseCommand& command, const ConstraintProgram& program,

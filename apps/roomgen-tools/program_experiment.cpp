@@ -211,12 +211,12 @@ Result<int> run_program_experiment(const Context& context, const ProgramExperime
                                            std::to_string(total) + " are done, the same command goes on from there"};
       if (auto status = lines->add(to_json(*run)); !status) return status.error();
       runs.push_back(*std::move(run));
-      if (!context.quiet) std::fprintf(stderr, "[%zu/%zu] %s\n", runs.size(), total, description.id.c_str());
+      if (!context.quiet) std::fprintf(stderr, "[%zu/%zu] %s\n", runs.size(), total, printable(description.id).c_str());
     }
   const std::string report = report_of(runs);
   if (auto status = write_file(folder / "report.md", report); !status) return status.error();
   if (auto status = write_file(folder / "fidelity.svg", plot_of(runs)); !status) return status.error();
-  std::fputs(report.c_str(), stdout);
+  std::fputs(printable(report).c_str(), stdout);
   return exit_ok;
 }
 

@@ -10,6 +10,7 @@
 #include "models.h"
 #include "question_files.h"
 #include "roomgen/base/file.h"
+#include "roomgen/base/text.h"
 #include "tool_commands.h"
 
 namespace roomgen::cli {
@@ -30,8 +31,8 @@ void report(const Context& context, const std::string& path, const std::vector<S
     return;
   }
   if (context.quiet) return;
-  std::fprintf(stderr, "wrote %zu questions into %s\n", questions.size(), path.c_str());
-  for (const auto& [task, count] : by_task) std::fprintf(stderr, "  %s: %d\n", task.c_str(), count);
+  std::fprintf(stderr, "wrote %zu questions into %s\n", questions.size(), printable(path).c_str());
+  for (const auto& [task, count] : by_task) std::fprintf(stderr, "  %s: %d\n", printable(task).c_str(), count);
 }
 
 Result<int> ask(const Context& context, const QuestionsCommand& command) {

@@ -93,7 +93,7 @@ void report(const Context& context, const std::string& path, const Tour& tour) {
   for (const auto& target : tour.unseen)
     std::fprintf(stderr, "not seen: %s: %s\n", printable(target.id).c_str(), printable(target.reason).c_str());
   if (!context.json)
-    std::fprintf(stderr, "wrote a tour of %zu views into %s\n", tour.views.size(), path.c_str());
+    std::fprintf(stderr, "wrote a tour of %zu views into %s\n", tour.views.size(), printable(path).c_str());
 }
 
 Result<int> make(const Context& context, const TourCommand& command) {

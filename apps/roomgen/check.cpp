@@ -37,7 +37,7 @@ Result<int> check_scene(const Context& context, const CheckCommand& command, con
   if (context.json) {
     std::fputs(dump_json(check_json(scene, report)).c_str(), stdout);
   } else {
-    std::printf("%s: %s\n", command.file.c_str(), printable(check_headline(scene, report)).c_str());
+    std::printf("%s: %s\n", printable(command.file).c_str(), printable(check_headline(scene, report)).c_str());
     print_lines(check_lines(report));
   }
   return report.violations.empty() ? exit_ok : exit_failure;
@@ -58,7 +58,7 @@ void print_sound(const Context& context, const std::string& file, const std::str
     const Json summary = {{"file", file}, {"sound", what}};
     std::fputs(dump_json(summary).c_str(), stdout);
   } else {
-    std::printf("%s: sound %s\n", file.c_str(), printable(what).c_str());
+    std::printf("%s: sound %s\n", printable(file).c_str(), printable(what).c_str());
   }
 }
 

@@ -36,10 +36,10 @@ Json findings_json(const Findings& findings) {
 
 void print_program(const std::string& file, const ConstraintProgram& program, const Findings& findings,
                    std::size_t errors) {
-  std::printf("%s: %s\n", file.c_str(), printable(program_headline(program, errors)).c_str());
+  std::printf("%s: %s\n", printable(file).c_str(), printable(program_headline(program, errors)).c_str());
   for (const auto& finding : findings)
     std::printf("  %s: %s: %s\n", severity(finding).c_str(), printable(finding.at).c_str(), printable(finding.message).c_str());
-  std::fputs(to_text(program).c_str(), stdout);
+  std::fputs(printable(to_text(program)).c_str(), stdout);
 }
 
 }  // namespace

@@ -196,7 +196,7 @@ void report(const Context& context, const CreateOptions& options, const MadeAll&
   for (const auto& made : objects) {
     const Vec3 size = shape::bounds(made.shape).size();
     std::fprintf(stderr, "%s: %s x %s x %s m, %zu bodies, %zu triangles\n",
-                 made.program.name.empty() ? options.program.c_str() : made.program.name.c_str(),
+                 printable(made.program.name.empty() ? options.program : made.program.name).c_str(),
                  format_number(size.x()).c_str(), format_number(size.y()).c_str(),
                  format_number(size.z()).c_str(), made.shape.bodies.size(),
                  shape::triangle_count(made.shape));
@@ -223,7 +223,7 @@ Result<int> make_one(const Context& context, const CreateOptions& options) {
   if (options.add) {
     const auto kept = create::keep_program(main.program, kept_folder(options.cache));
     if (!kept) return kept.error();
-    if (!context.quiet && !context.json) std::fprintf(stderr, "kept as %s\n", kept->c_str());
+    if (!context.quiet && !context.json) std::fprintf(stderr, "kept as %s\n", printable(*kept).c_str());
   }
   report(context, options, *made);
   return exit_ok;

@@ -8,6 +8,7 @@
 
 #include "add_commands.h"
 #include "models.h"
+#include "print.h"
 #include "roomgen/base/file.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
@@ -83,13 +84,13 @@ Result<Scores> score_rooms(const std::vector<Requirements>& rows, const Evaluate
       scores.scored.push_back(*std::move(score));
       continue;
     }
-    std::fprintf(stderr, "roomgen: %s; not scored\n", score.error().message.c_str());
+    warn(score.error().message + "; not scored");
     scores.unscored.push_back({row.id, score.error().message});
   }
   if (scores.scored.empty() && scores.unscored.empty())
     return Error{Error::Kind::not_found, command.rooms + ": holds no room of a row's id"};
   if (missing > 0 && !context.quiet)
-    std::fprintf(stderr, "roomgen: %zu rows have no room in %s\n", missing, command.rooms.c_str());
+    std::fprintf(stderr, "roomgen: %zu rows have no room in %s\n", missing, printable(command.rooms).c_str());
   return scores;
 }
 
@@ -108,7 +109,7 @@ Result<int> run(const Context& context, const EvaluateCommand& command) {
       return status.error();
   if (!command.markdown.empty())
     if (auto status = write_file(command.markdown, markdown); !status) return status.error();
-  std::fputs(context.json ? dump_json(json).c_str() : markdown.c_str(), stdout);
+  std::fputs((context.json ? dump_json(json) : printable(markdown)).c_str(), stdout);
   return scores->unscored.empty() ? exit_ok : exit_failure;
 }
 

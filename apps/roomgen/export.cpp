@@ -7,6 +7,7 @@
 #include "models.h"
 #include "room_files.h"
 #include "roomgen/base/json.h"
+#include "roomgen/base/text.h"
 #include "roomgen/export/exporter.h"
 #include "roomgen/scene/scene.h"
 
@@ -48,7 +49,7 @@ Result<int> export_scene(const Context& context, const Options& options) {
   if (context.json)
     std::printf("%s\n", Json{{"file", options.output}, {"format", (*format)->name}}.dump().c_str());
   else if (!context.quiet)
-    std::fprintf(stderr, "wrote %s\n", options.output.c_str());
+    std::fprintf(stderr, "wrote %s\n", printable(options.output).c_str());
   return exit_ok;
 }
 

@@ -55,7 +55,7 @@ class ProgressBar {
     constexpr std::size_t width = 24;
     const std::size_t filled = total == 0 ? width : width * done / total;
     std::fprintf(stderr, "\r\033[K[%s%s] %zu/%zu %s", std::string(filled, '#').c_str(),
-                 std::string(width - filled, '.').c_str(), done, total, what.c_str());
+                 std::string(width - filled, '.').c_str(), done, total, printable(what).c_str());
   }
   void clear() const {
     if (shown_) std::fputs("\r\033[K", stderr);
@@ -187,7 +187,7 @@ void print_summary(const Context& context, const fs::path& folder, const AnyPlan
     return;
   }
   print_lines(note_lines(plan, generation));
-  std::printf("%s: %s (%.1f s)\n", folder.string().c_str(), printable(headline(generation.scene)).c_str(), seconds);
+  std::printf("%s: %s (%.1f s)\n", printable(folder.string()).c_str(), printable(headline(generation.scene)).c_str(), seconds);
   if (composed.model) print_model_use(composed, generation);
   print_lines(lack_lines(generation.scene));
 }

@@ -8,6 +8,7 @@
 #include "models.h"
 #include "roomgen/base/file.h"
 #include "roomgen/base/json.h"
+#include "roomgen/base/text.h"
 #include "roomgen/render/pictures.h"
 #include "roomgen/tour/tour.h"
 #include "roomgen/scene/scene.h"
@@ -38,7 +39,7 @@ void report(const Context& context, const RenderOptions& options, const Image& i
     const Json summary = {{"file", path}, {"width", image.width}, {"height", image.height}};
     std::printf("%s\n", summary.dump().c_str());
   } else if (!context.quiet) {
-    std::fprintf(stderr, "wrote %s (%d x %d)\n", path.c_str(), image.width, image.height);
+    std::fprintf(stderr, "wrote %s (%d x %d)\n", printable(path).c_str(), image.width, image.height);
   }
 }
 
@@ -89,7 +90,7 @@ Result<int> write_all_layers(const Context& context, const RenderOptions& option
   for (const auto& [name, shot] : *shots) {
     if (context.cancel.cancelled()) return Error{Error::Kind::cancelled, "interrupted; nothing was written"};
     if (!options.cameras.empty() && !context.quiet && !is_indoors(scene, shot.camera.eye->head<2>()))
-      std::fprintf(stderr, "in a wall or outdoors: camera %s of %s\n", name.c_str(), options.cameras.c_str());
+      std::fprintf(stderr, "in a wall or outdoors: camera %s of %s\n", printable(name).c_str(), printable(options.cameras).c_str());
     const auto layers = renderer.layers(scene, models, shot);
     if (!layers) return layers.error();
     if (auto status = write_layers(*folder, name, *layers); !status) return status.error();
@@ -99,7 +100,7 @@ Result<int> write_all_layers(const Context& context, const RenderOptions& option
   if (context.json)
     std::printf("%s\n", Json{{"folder", options.output_path()}, {"shots", names}}.dump().c_str());
   else if (!context.quiet)
-    std::fprintf(stderr, "wrote the layers of %zu shots into %s\n", shots->size(), options.output_path().c_str());
+    std::fprintf(stderr, "wrote the layers of %zu shots into %s\n", shots->size(), printable(options.output_path()).c_str());
   return exit_ok;
 }
 

@@ -54,7 +54,7 @@ void tell(const Context& context, const SampleWish& wish, const Samples& samples
     std::fputs(dump_json(samples_json(wish, samples, seconds)).c_str(), stream);
     return;
   }
-  std::fprintf(stream, "%s\n", samples_text(wish, samples, seconds).c_str());
+  std::fprintf(stream, "%s\n", printable(samples_text(wish, samples, seconds)).c_str());
   for (const auto& missing : samples.scene.unplaced) std::fprintf(stream, "  %s\n", printable(missing.reason).c_str());
 }
 
@@ -96,7 +96,7 @@ void print_counts(const Context& context, const std::string& file, const LineCou
     std::fputs(dump_json(json).c_str(), stdout);
     return;
   }
-  std::printf("%s: %zu layouts, %zu with faults; %d to %d constraints held\n", file.c_str(), counts.layouts,
+  std::printf("%s: %zu layouts, %zu with faults; %d to %d constraints held\n", printable(file).c_str(), counts.layouts,
               counts.faulty, counts.least_held, counts.most_held);
   print_lines(counts.told);
 }

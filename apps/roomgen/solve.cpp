@@ -42,7 +42,7 @@ void print_solution(const Context& context, const SolveCommand& command, const S
     return;
   }
   std::printf("%s: %zu of %zu objects placed, %d of %d constraints held (%.1f ms)\n",
-              command.output.c_str(), scene.objects.size(),
+              printable(command.output).c_str(), scene.objects.size(),
               scene.objects.size() + scene.unplaced.size(), solution.held, solution.constraints,
               1e3 * seconds);
   for (const auto& missing : scene.unplaced) std::printf("  %s\n", printable(missing.reason).c_str());

@@ -15,6 +15,7 @@ namespace roomgen {
 namespace {
 
 constexpr int max_depth = 64;
+constexpr std::size_t longest_quoted = 2000;  // bytes of a pointer or of a report, which may quote what the file says
 
 // nlohmann's parser is not recursive, but whoever walks the value afterwards may be.
 bool deeper_than(const std::string_view text, int limit) {
@@ -76,7 +77,7 @@ void dump(const Json& value, int indent, std::string& out) {
 }
 
 std::string range(double low, double high) {
-  return "from " + format_number(low) + " to " + format_number(high);
+  return "from " + format_number(low, 6) + " to " + format_number(high, 6);
 }
 
 std::string below(const std::string& pointer, std::string_view key) {
@@ -125,9 +126,11 @@ double rounded(double value, int decimals) {
 }
 
 void JsonReader::Problems::add(const std::string& pointer, const std::string& what) {
-  if (!first_)
-    first_ = Error{Error::Kind::invalid_input,
-                   source_ + ": " + (pointer.empty() ? "" : pointer + ": ") + what};
+  if (first_) return;
+  const auto bounded = [](const std::string& text) {
+    return text.size() <= longest_quoted ? text : shortened(text, longest_quoted) + "...";
+  };
+  first_ = Error{Error::Kind::invalid_input, source_ + ": " + (pointer.empty() ? "" : bounded(pointer) + ": ") + bounded(what)};
 }
 
 bool JsonReader::is_object() const { return value_ && value_->is_object(); }
@@ -210,7 +213,7 @@ double JsonReader::number_or(double fallback, double low, double high) const {
   }
   const double value = value_->get<double>();
   if (!(value >= low && value <= high)) {
-    report(format_number(value) + " is out of range; expected a number " + range(low, high));
+    report(value_->dump() + " is out of range; expected a number " + range(low, high));
     return fallback;
   }
   return value;

@@ -179,9 +179,18 @@ struct OutputFolder::Impl {
     return files;
   }
 
+  // People do not know where it is written for now.
+  Error by_final_name(Error error) const {
+    const std::string now = stage.string();
+    if (const auto at = error.message.find(now); at != std::string::npos) error.message.replace(at, now.size(), shown.string());
+    return error;
+  }
+
   Status put_in_place() {
     std::error_code code;
     fs::rename(stage, folder, code);
+    if (code == std::errc::directory_not_empty || code == std::errc::file_exists)
+      return folder_error(shown, "cannot write: somebody else has written it meanwhile; that is left as it is");
     if (code) return folder_error(shown, "cannot write: " + code.message());
     stage.clear();
     detail::keep_on_disk(folder.parent_path());
@@ -226,16 +235,16 @@ Result<OutputFolder> OutputFolder::open(const fs::path& folder, Ours ours) {
   return OutputFolder(std::move(impl));
 }
 
-Result<fs::path> OutputFolder::place_for(const fs::path& relative) const {
-  if (auto status = impl_->check_name(relative); !status) return status.error();
+Status OutputFolder::write_with(const fs::path& relative, const Writer& writer) const {
+  if (auto status = impl_->check_name(relative); !status) return status;
   const fs::path path = impl_->stage / relative;
-  if (auto status = make_folder(path.parent_path()); !status) return status.error();
-  return path;
+  auto status = make_folder(path.parent_path());
+  if (status) status = writer(path);
+  return status ? status : Status(impl_->by_final_name(status.error()));
 }
 
 Status OutputFolder::write(const fs::path& relative, std::string_view bytes) const {
-  const auto path = place_for(relative);
-  return path ? write_file(*path, bytes) : Status(path.error());
+  return write_with(relative, [&](const fs::path& now) { return write_file(now, bytes); });
 }
 
 Status OutputFolder::commit() {

@@ -157,9 +157,13 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }
 
 std::string closest_name(std::string_view name, const std::vector<std::string>& names) {
+  constexpr std::size_t longest_name = 60;  // what is longer is no slip of the pen, and would take long to compare
   std::string best;
+  if (name.size() > longest_name) return best;
   std::size_t best_distance = std::max<std::size_t>(1, name.size() / 4) + 1;
   for (const auto& candidate : names) {
+    const std::size_t longer = std::max(name.size(), candidate.size()) - std::min(name.size(), candidate.size());
+    if (longer >= best_distance) continue;
     const std::size_t distance = edit_distance(name, candidate);
     if (distance < best_distance) {
       best_distance = distance;

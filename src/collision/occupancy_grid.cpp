@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/inside.h"
+
 namespace roomgen {
 
 namespace {
@@ -34,16 +36,42 @@ OccupancyGrid::OccupancyGrid(const Room& room, double pitch) : pitch_(pitch) {
   blocked_.resize(static_cast<std::size_t>(columns_) * rows_);
   free_.resize(static_cast<std::size_t>(words_) * rows_);
   reachable_.resize(free_.size());
-  for (int r = 0; r < rows_; ++r)
-    for (int c = 0; c < columns_; ++c) {
-      const Vec2 point = center(c, r);
-      const bool clear = contains(room.polygon, point) &&
-                         distance_to_boundary(room.polygon, point) >= person_radius - slack;
-      blocked_[static_cast<std::size_t>(r) * columns_ + c] = 1;
-      if (clear) change_count(c, r, -1);
-    }
+  std::fill(blocked_.begin(), blocked_.end(), std::uint16_t{1});
+  for (int r = 0; r < rows_; ++r) open_inside(room.polygon, r);
+  for (std::size_t k = 0; k < room.polygon.size(); ++k) block_along(room.polygon.edge(k));
   for (const auto& opening : room.openings)
     if (opening.is_entrance()) doors_.push_back(cells_in(door_clearance(room, opening)));
+}
+
+// The crossings of the walls with a row part it into what is inside and what is not.
+void OccupancyGrid::open_inside(const Polygon& polygon, int row) {
+  const double y = center(0, row).y();
+  std::vector<double> crossings;
+  for (std::size_t k = 0; k < polygon.size(); ++k)
+    if (const Segment wall = polygon.edge(k); crosses_height(y, wall.a, wall.b)) crossings.push_back(crossing(y, wall.a, wall.b));
+  std::sort(crossings.begin(), crossings.end());
+  std::size_t passed = 0;
+  for (int c = 0; c < columns_; ++c) {
+    while (passed < crossings.size() && crossings[passed] <= center(c, row).x()) ++passed;
+    if (passed % 2 == 1) change_count(c, row, -1);
+  }
+}
+
+// Only cells beside that part of the wall that comes near enough to their row are measured.
+void OccupancyGrid::block_along(const Segment& wall) {
+  const auto [low, high] = std::minmax({wall.a.y(), wall.b.y()});
+  for (int r = row(low - person_radius); r <= row(high + person_radius); ++r) {
+    const double y = center(0, r).y();
+    const auto at = [&](double height) {
+      const double along = (std::clamp(height, low, high) - wall.a.y()) / (wall.b.y() - wall.a.y());
+      return wall.a.x() + along * (wall.b.x() - wall.a.x());
+    };
+    const bool is_level = high - low < slack;
+    const auto [left, right] = is_level ? std::minmax({wall.a.x(), wall.b.x()})
+                                        : std::minmax({at(y - person_radius), at(y + person_radius)});
+    for (int c = column(left - person_radius - slack); c <= column(right + person_radius + slack); ++c)
+      if (is_free(c, r) && distance(wall, center(c, r)) < person_radius - slack) change_count(c, r, +1);
+  }
 }
 
 int OccupancyGrid::column(double x) const {
@@ -56,6 +84,10 @@ int OccupancyGrid::row(double y) const {
 
 Vec2 OccupancyGrid::center(int column, int row) const {
   return low_ + pitch_ * Vec2(column + 0.5, row + 0.5);
+}
+
+bool OccupancyGrid::is_free(int column, int row) const {
+  return blocked_[static_cast<std::size_t>(row) * columns_ + column] == 0;
 }
 
 bool OccupancyGrid::is_reachable(int column, int row) const {

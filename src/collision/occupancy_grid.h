@@ -37,9 +37,12 @@ class OccupancyGrid {
   int column(double x) const;
   int row(double y) const;
   Vec2 center(int column, int row) const;
+  void open_inside(const Polygon& polygon, int row);
+  void block_along(const Segment& wall);
   void stamp(const Footprint& footprint, int change);
   void change_count(int column, int row, int change);
   std::vector<Cell> cells_in(const Footprint& area) const;
+  bool is_free(int column, int row) const;
   bool is_reachable(int column, int row) const;
   bool flood_row(int row, int from_row);
 

@@ -13,6 +13,9 @@ namespace {
 
 constexpr double clearance_tolerance = 1e-3;
 constexpr double ceiling_tolerance = 1e-3;
+// A thousand things at one spot are half a million pairs of meshes. Rooms have a few pairs for each thing.
+constexpr std::size_t most_overlaps = 200;
+constexpr std::size_t most_pairs = 10000;
 
 bool is_inside(const Object& object, const Room& room) {
   return contains(room.polygon, footprint(object)) && bottom(object) >= -ceiling_tolerance &&
@@ -35,10 +38,16 @@ bool keeps_clear(const Object& object, const Kind& category, const Room& room,
 }
 
 void find_overlaps(const Scene& scene, Solids& solids, std::vector<Violation>& found) {
+  std::size_t overlaps = 0, pairs = 0;
   for (std::size_t i = 0; i < scene.objects.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j)
-      if (solids.overlap(scene.objects[i], scene.objects[j]))
-        found.push_back({Fault::overlap, scene.objects[i].id, scene.objects[j].id});
+    for (std::size_t j = 0; j < i; ++j) {
+      const Object &one = scene.objects[i], &other = scene.objects[j];
+      if (!both_solid(one, other) || !boxes_overlap(one, other)) continue;
+      if (overlaps == most_overlaps || ++pairs > most_pairs) return found.push_back({Fault::too_crowded, one.id, ""});
+      if (!solids.overlap(one, other)) continue;
+      ++overlaps;
+      found.push_back({Fault::overlap, one.id, other.id});
+    }
 }
 
 void find_blocked_openings(const Scene& scene, const KindTable& categories,
@@ -71,6 +80,7 @@ std::string_view name(Fault fault) {
     case Fault::unusable: return "unusable";
     case Fault::doors_apart: return "doors not connected";
     case Fault::no_access: return "room without access";
+    case Fault::too_crowded: return "too crowded to look for overlaps from here on";
   }
   return "";
 }

@@ -6,10 +6,15 @@
 
 namespace roomgen {
 
+/// Does the edge from `a` to `b` cross the line of all points at height `y`?
+inline bool crosses_height(double y, const Vec2& a, const Vec2& b) { return (a.y() > y) != (b.y() > y); }
+
+/// Where it does. Precondition: crosses_height.
+inline double crossing(double y, const Vec2& a, const Vec2& b) { return a.x() + (y - a.y()) / (b.y() - a.y()) * (b.x() - a.x()); }
+
 /// Does the edge from `a` to `b` pass the point's height on its right? A point is inside that has an odd number of them.
 inline bool passes_right_of(const Vec2& point, const Vec2& a, const Vec2& b) {
-  if ((a.y() > point.y()) == (b.y() > point.y())) return false;
-  return point.x() < a.x() + (point.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
+  return crosses_height(point.y(), a, b) && point.x() < crossing(point.y(), a, b);
 }
 
 /// Does an edge from `a` to `b` lie wholly on one side of a box, and at least so far from it? Asked of every wall for every pose.

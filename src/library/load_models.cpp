@@ -1,24 +1,71 @@
 #include "roomgen/library/library.h"
 
+#include <set>
+#include <string>
+#include <utility>
+
 namespace roomgen {
 
-ModelTable load_models(const Scene& scene, const AssetLibrary& library, const LogSink& log_sink,
-                       const SpareModels& spare) {
-  ModelTable models;
-  const auto add = [&](const std::string& owner, const AssetRef& asset) {
+namespace {
+
+std::size_t bytes_of(const Mesh& mesh) {
+  return mesh.positions.size() * sizeof mesh.positions[0] + mesh.normals.size() * sizeof mesh.normals[0] +
+         mesh.uvs.size() * sizeof mesh.uvs[0] + mesh.triangles.size() * sizeof mesh.triangles[0];
+}
+
+/// Fills a table with the models of a scene, until it is full.
+class Loading {
+ public:
+  Loading(const AssetLibrary& library, const LogSink& log_sink, const SpareModels& spare, const ModelLimits& limits)
+      : library_(library), log_sink_(log_sink), spare_(spare), limits_(limits) {}
+
+  void add(const std::string& owner, const AssetRef& asset) {
     const std::string key = asset_key(asset);
-    if (key.empty() || models.find(key)) return;
-    auto model = library.load(asset);
-    if (model) return models.add(key, *std::move(model));
-    if (auto other = spare ? spare(key) : nullptr)
-      models.add(key, std::move(other));
-    else
-      log(log_sink, LogLevel::warning, owner + ": " + model.error().message);
-  };
+    if (key.empty() || models_.find(key)) return;
+    if (count_ >= limits_.models || bytes_ >= limits_.bytes) return tell_full(owner);
+    ++count_;  // whether or not it can be read: failing takes time as well
+    auto model = library_.load(asset);
+    if (model) return keep(key, *std::move(model));
+    if (auto other = spare_ ? spare_(key) : nullptr) return keep(key, std::move(other));
+    log(log_sink_, LogLevel::warning, owner + ": " + model.error().message);
+  }
+
+  ModelTable table() && { return std::move(models_); }
+
+ private:
+  void keep(const std::string& key, std::shared_ptr<const Model> model) {
+    for (const auto& part : model->parts) bytes_ += bytes_of(part.mesh);
+    for (const auto& material : model->materials)
+      if (material.texture && textures_.insert(material.texture.get()).second) bytes_ += material.texture->pixels.size();
+    models_.add(key, std::move(model));
+  }
+
+  void tell_full(const std::string& owner) {
+    if (!std::exchange(is_full_, true))
+      log(log_sink_, LogLevel::warning,
+          owner + " and what comes after it with another model: a scene may have " + std::to_string(limits_.models) +
+              " of them, of " + std::to_string(limits_.bytes >> 20) + " MB in all");
+  }
+
+  const AssetLibrary& library_;
+  const LogSink& log_sink_;
+  const SpareModels& spare_;
+  const ModelLimits& limits_;
+  ModelTable models_;
+  std::size_t count_ = 0, bytes_ = 0;
+  std::set<const Image*> textures_;  ///< models share them
+  bool is_full_ = false;
+};
+
+}  // namespace
+
+ModelTable load_models(const Scene& scene, const AssetLibrary& library, const LogSink& log_sink,
+                       const SpareModels& spare, const ModelLimits& limits) {
+  Loading loading(library, log_sink, spare, limits);
   for (const auto& room : rooms_of(scene))
-    for (const auto& opening : room.openings) add(opening.id, opening.joinery.asset);
-  for (const auto& object : scene.objects) add(object.id, object.asset);
-  return models;
+    for (const auto& opening : room.openings) loading.add(opening.id, opening.joinery.asset);
+  for (const auto& object : scene.objects) loading.add(object.id, object.asset);
+  return std::move(loading).table();
 }
 
 }  // namespace roomgen

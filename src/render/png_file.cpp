@@ -83,8 +83,7 @@ Status write_png(const std::filesystem::path& path, const Image& image) {
 
 Status write_png(const OutputFolder& folder, const std::filesystem::path& name,
                  const Image& image) {
-  const auto place = folder.place_for(name);
-  return place ? write_png(*place, image) : Status(place.error());
+  return folder.write_with(name, [&](const std::filesystem::path& now) { return write_png(now, image); });
 }
 
 }  // namespace roomgen

@@ -162,6 +162,10 @@ const Opening* find_opening(const Room& room, std::string_view id) {
 Status check(const Room& room) {
   if (room.polygon.size() < 3)
     return Error{Error::Kind::invalid_input, "room: the polygon needs at least three corners"};
+  if (const Vec2 size = bounds(room.polygon).size(); size.prod() > largest_floor)
+    return Error{Error::Kind::limit, "room: the rectangle round its floor is " + format_number(size.x()) + " x " +
+                                         format_number(size.y()) + " m, and " + format_number(largest_floor) +
+                                         " m2 is the most; are the lengths in metres?"};
   for (std::size_t i = 0; i < room.openings.size(); ++i) {
     const Opening& opening = room.openings[i];
     if (auto status = check_opening(room, opening); !status) return status;

@@ -12,6 +12,10 @@ namespace roomgen {
 
 namespace {
 
+bool is_of_overlaps(const Violation& violation) {
+  return violation.fault == Fault::overlap || violation.fault == Fault::too_crowded;
+}
+
 bool is_same(const Violation& a, const Violation& b) {
   return a.fault == b.fault && a.object == b.object && a.other == b.other;
 }
@@ -28,8 +32,11 @@ Status check_new_faults(const Scene& before, const Draft& draft) {
   const auto now = violations(draft.scene, solids, draft.shop.kinds());
   if (now.empty()) return {};
   const auto was = violations(before, solids, draft.shop.kinds());
+  // Of a room that was too crowded not all overlaps are known.
+  const bool are_known = std::none_of(was.begin(), was.end(), [](const Violation& old) { return old.fault == Fault::too_crowded; });
   for (const auto& violation : now)
-    if (std::none_of(was.begin(), was.end(), [&](const Violation& old) { return is_same(old, violation); }))
+    if ((are_known || !is_of_overlaps(violation)) &&
+        std::none_of(was.begin(), was.end(), [&](const Violation& old) { return is_same(old, violation); }))
       return cannot("the room would not be valid any more: " + words_of(violation));
   return {};
 }

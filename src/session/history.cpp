@@ -1,5 +1,6 @@
 #include "history.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -10,7 +11,6 @@
 namespace roomgen {
 
 namespace {
-
 
 constexpr const char* first_branch = "main";
 constexpr std::size_t longest_branch_name = 100;
@@ -32,8 +32,9 @@ JournalEntry scene_entry(const SceneState& state, std::size_t parent, const std:
 }
 
 Status check_branch_name(const std::string& name) {
-  const bool is_plain = !name.empty() && name.size() <= longest_branch_name &&
-                        name.find_first_of("\n\r\t\0") == std::string::npos && name.front() != '-';
+  const auto steers = [](char c) { return (c >= 0 && c < ' ') || c == '\x7f'; };
+  const bool is_plain = !name.empty() && name.size() <= longest_branch_name && std::ranges::none_of(name, steers) &&
+                        name.front() != '-';
   if (is_plain) return {};
   return Error{Error::Kind::invalid_input, "\"" + name + "\" is no name for a branch"};
 }
@@ -99,8 +100,9 @@ Status History::meet(const Result<std::string>& scene_text) {
   if (!state) return with_context(state.error(), files_.journal_name);
   state_ = *std::move(state);
   is_saved_ = false;
+  const bool is_written = access_ == SceneAccess::edit;
   notices_.push_back(files_.scene_name + (is_behind ? ": was one change behind the journal" : ": was not there") +
-                     "; it is written again from the journal");
+                     (is_written ? "; it is written again from the journal" : "; the next edit writes it again from the journal"));
   return {};
 }
 
@@ -121,6 +123,8 @@ Status History::take_over(std::string scene_text) {
 Status History::write(std::vector<JournalEntry> entries, bool begins) {
   if (is_broken_)
     return Error{Error::Kind::io, files_.journal_name + ": could not be written before; open the scene again"};
+  if (entries.back().sequence > max_sequence)
+    return Error{Error::Kind::limit, files_.journal_name + ": has no numbers for more entries; move it away, and its history begins anew"};
   if (access_ == SceneAccess::edit) {
     // So scene.json is never more than one entry behind, and what is not of the journal was made by hand.
     if (auto status = save(); !status) return status;

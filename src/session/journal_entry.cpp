@@ -15,7 +15,6 @@ constexpr std::pair<JournalEntry::Kind, std::string_view> kinds_of_entries[] = {
     {JournalEntry::Kind::edit, "edit"},
     {JournalEntry::Kind::head, "head"},
     {JournalEntry::Kind::snapshot, "snapshot"}};
-constexpr long long most_entries = 1'000'000'000;
 
 std::string_view kind_name(JournalEntry::Kind kind) {
   for (const auto& [value, name] : kinds_of_entries)
@@ -32,7 +31,7 @@ JournalEntry::Kind read_kind(const JsonReader& json) {
 }
 
 std::size_t read_number(const JsonReader& json) {
-  return static_cast<std::size_t>(json.integer_or(0, 0, most_entries));
+  return static_cast<std::size_t>(json.integer_or(0, 0, max_sequence));
 }
 
 /// An object of JSON on one line, key by key.

@@ -7,6 +7,8 @@
 
 namespace roomgen {
 
+inline constexpr std::size_t max_sequence = 1'000'000'000;
+
 /// One entry of a journal (docs/journal.schema.json). Entries that make a state are known by their sequence
 /// number ever after.
 struct JournalEntry {

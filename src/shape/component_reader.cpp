@@ -92,9 +92,9 @@ double copy_angle(const Radial& radial, int index, int count) {
 }
 
 bool ComponentReader::spend(const JsonReader& json) {
-  ++numbers_.budget().components;
+  ++numbers_.reading().components;
   if (!numbers_.spend(json, 10)) return false;
-  if (numbers_.budget().components <= max_components) return true;
+  if (numbers_.reading().components <= max_components) return true;
   json.report("more than " + std::to_string(max_components) + " components");
   return false;
 }
@@ -132,14 +132,14 @@ void ComponentReader::read_into(std::vector<Component>& list, const JsonReader& 
 
 void ComponentReader::read_copied(std::vector<Component>& list, const JsonReader& json,
                                   std::size_t operation, int count) {
-  const std::size_t components_before = numbers_.budget().components;
+  const std::size_t components_before = numbers_.reading().components;
   std::optional<Component> first;
   {
     const CopyIndex bound(*numbers_.scope(), 0, count);
     first = read_one(json);
   }
   if (numbers_.used.i) {
-    numbers_.budget().components = components_before;  // that one was only a look
+    numbers_.reading().components = components_before;  // that one was only a look
     read_copies(list, json, operation, count);
   } else if (first) {
     list.push_back(*std::move(first));
@@ -239,7 +239,7 @@ std::optional<Component> ComponentReader::read_one(const JsonReader& json,
   allow_keys(json);
   if (numbers_.failed()) return std::nullopt;
   if (json["when"].exists() && numbers_.number(json["when"], -1e9, 1e9) == 0.0) {
-    --numbers_.budget().components;
+    --numbers_.reading().components;
     return std::nullopt;
   }
   Component component;

@@ -132,8 +132,11 @@ std::vector<std::pair<std::string, std::string>> read_connections(
     }
     const std::string first = ends[0].text(max_reference), second = ends[1].text(max_reference);
     const bool of_room = is_part_of_room(second) && !has(written, second);
-    if (!has(written, first)) report_unknown(ends[0], first, written);
-    if (!of_room && !has(written, second)) report_unknown(ends[1], second, written);
+    if (!has(written, first) || !(of_room || has(written, second))) {
+      const std::size_t unknown = has(written, first) ? 1 : 0;
+      report_unknown(ends[unknown], unknown == 0 ? first : second, written);
+      return connections;
+    }
     if (has(made, first) && (of_room || has(made, second))) connections.emplace_back(first, second);
   }
   return connections;

@@ -51,27 +51,32 @@ void require_points(const JsonReader& json, std::size_t found, bool closed) {
 }  // namespace
 
 bool Numbers::spend(const JsonReader& json, std::size_t work) const {
-  budget_->work += work;
-  if (budget_->work <= max_work) return true;
+  reading_->work += work;
+  if (reading_->work <= max_work) return true;
   json.report("the program takes too much work to read; use fewer copies and formulas");
   return false;
 }
 
-std::optional<Expression> Numbers::compiled(const JsonReader& json, std::size_t limit) const {
+const Expression* Numbers::compiled(const JsonReader& json, std::size_t limit) const {
   const std::string text = json.text(limit);
-  auto expression = Expression::compile(text, limit);
-  if (!expression) {
-    json.report("\"" + text.substr(0, 60) + "\": " + expression.error().message);
-    return std::nullopt;
+  auto known = reading_->formulas.find(text);
+  if (known == reading_->formulas.end()) {
+    auto expression = Expression::compile(text, limit);
+    if (!expression) {
+      json.report("\"" + text.substr(0, 60) + "\": " + expression.error().message);
+      return nullptr;
+    }
+    known = reading_->formulas.emplace(text, *std::move(expression)).first;
   }
-  if (!spend(json, expression->size())) return std::nullopt;
-  used.i = used.i || expression->mentions("i");
-  used.j = used.j || expression->mentions("j");
-  return *std::move(expression);
+  const Expression& formula = known->second;
+  if (!spend(json, formula.size())) return nullptr;
+  used.i = used.i || formula.mentions("i");
+  used.j = used.j || formula.mentions("j");
+  return &formula;
 }
 
 std::optional<Value> Numbers::evaluated(const JsonReader& json) const {
-  const auto expression = compiled(json, Expression::max_length);
+  const Expression* expression = compiled(json, Expression::max_length);
   if (!expression) return std::nullopt;
   auto value = expression->value(*scope_);
   if (value) return *std::move(value);
@@ -180,7 +185,7 @@ std::string Numbers::word(const JsonReader& json, std::string fallback) const {
 std::string Numbers::height(const JsonReader& json) const {
   Scope none;
   if (!json.is_string()) return Json(number(json, 0.0, greatest_length)).dump();
-  const auto expression = compiled(json, scope_ ? Expression::max_length : Expression::max_bound_length);
+  const Expression* expression = compiled(json, scope_ ? Expression::max_length : Expression::max_bound_length);
   if (!expression) return "0";
   auto text = expression->bound(scope_ ? *scope_ : none, {"u", "v"});
   if (text && text->size() <= Expression::max_bound_length) return *std::move(text);

@@ -2,9 +2,9 @@
 
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
-#include "base/json_reader.h"
 #include "base/json_reader.h"
 #include "expression.h"
 #include "roomgen/shape/primitives.h"
@@ -14,10 +14,12 @@ namespace roomgen::shape::detail {
 inline constexpr std::size_t max_curve_points = 256;
 inline constexpr double max_degrees = 36000.0;
 
-/// Shared by a document and everything that it uses: what bounds the work of reading it.
-struct Budget {
+/// Shared by a document and everything that it uses: what bounds the work of reading it, and the formulas that
+/// were parsed, as all copies of a component have the same ones.
+struct Reading {
   std::size_t components = 0;
   std::size_t work = 0;
+  std::unordered_map<std::string, Expression> formulas;
 };
 
 /// Reads numbers of a document. With a scope they may be formulas; without, numbers only.
@@ -26,11 +28,11 @@ struct Budget {
 class Numbers {
  public:
   /// `problems`: of the document that is read.
-  Numbers(Scope* scope, Budget& budget, JsonReader::Problems& problems)
-      : scope_(scope), budget_(&budget), problems_(&problems) {}
+  Numbers(Scope* scope, Reading& reading, JsonReader::Problems& problems)
+      : scope_(scope), reading_(&reading), problems_(&problems) {}
 
   Scope* scope() const { return scope_; }
-  Budget& budget() const { return *budget_; }
+  Reading& reading() const { return *reading_; }
   /// Was anything reported? Then the rest need not be read.
   bool failed() const { return problems_->first().has_value(); }
   /// Counts work; false, and a report, once there was too much of it.
@@ -65,11 +67,12 @@ class Numbers {
 
  private:
   std::vector<JsonReader> tuple(const JsonReader& json, std::size_t count) const;
-  std::optional<Expression> compiled(const JsonReader& json, std::size_t limit) const;
+  /// Null, and a report, if it is no formula.
+  const Expression* compiled(const JsonReader& json, std::size_t limit) const;
   std::optional<Value> evaluated(const JsonReader& json) const;
 
   Scope* scope_;
-  Budget* budget_;
+  Reading* reading_;
   JsonReader::Problems* problems_;
 };
 

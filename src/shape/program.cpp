@@ -81,8 +81,8 @@ std::size_t component_count(const std::vector<Component>& components) {
 Result<Program> read_program(const Json& json, const std::string& source) {
   JsonReader::Problems problems(source);
   const JsonReader root(json, problems);
-  Budget budget;
-  const Numbers numbers(nullptr, budget, problems);
+  Reading reading;
+  const Numbers numbers(nullptr, reading, problems);
   check_head(root, numbers);
   if (problems.first()) return *problems.first();
   for (const char* key : {"parameters", "let"})

@@ -57,7 +57,7 @@ class Builder {
               JsonReader::Problems& problems) {
     Built built;
     const JsonReader root(json, problems);
-    check_head(root, Numbers(nullptr, budget_, problems));
+    check_head(root, Numbers(nullptr, reading_, problems));
     if (problems.first()) return built;
     root.allow_only({"format", "version", "name", "about", "parameters", "let", "materials",
                      "components", "connections"});
@@ -68,7 +68,7 @@ class Builder {
     if (problems.first()) return built;
 
     Scope scope = make_scope(parameters, values, site.seed);
-    const Numbers numbers(&scope, budget_, problems);
+    const Numbers numbers(&scope, reading_, problems);
     add_lets(root["let"], numbers);
     const auto own = read_surfaces(root["materials"], numbers);
     if (problems.first()) return built;
@@ -101,7 +101,7 @@ class Builder {
     for (const auto& [name, ignored] : values) {
       if (std::find(names.begin(), names.end(), name) != names.end()) continue;
       const std::string close = closest_name(name, names);
-      root.report("no parameter \"" + name + "\"" +
+      return root.report("no parameter \"" + name + "\"" +
                   (!close.empty()  ? "; did you mean \"" + close + "\"?"
                    : names.empty() ? "; there are none"
                                    : "; there are " + join(names, ", ")));
@@ -240,7 +240,7 @@ class Builder {
   }
 
   const RecipeSource& lookup_;
-  Budget budget_;
+  Reading reading_;
   std::map<std::string, Json> recipes_;
   ComponentReader* reader_ = nullptr;  ///< of the document that is being built
 };

@@ -88,7 +88,7 @@ class Drawer {
   Vec2 place_near(GridNode node) {
     const Vec2 middle = site_.grid.place(node);
     const double x = random_.uniform(-0.5, 0.5), y = random_.uniform(-0.5, 0.5);
-    const Vec2 place(rounded(middle.x() + WalkGrid::pitch * x), rounded(middle.y() + WalkGrid::pitch * y));
+    const Vec2 place(rounded(middle.x() + site_.grid.pitch() * x), rounded(middle.y() + site_.grid.pitch() * y));
     return in_range(site_.options, gap(footprint_, place)) && site_.space.is_free({middle, place}) ? place : middle;
   }
 

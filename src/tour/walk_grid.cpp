@@ -13,24 +13,27 @@ namespace {
 
 constexpr double clearance_of_interest = 0.2;  // beyond the radius: more tells nothing of single steps
 constexpr double grid_rounding = 1e-6;
+constexpr double finest_pitch = 0.05;
+constexpr double most_places = 1e6;  // the ways to all of them are sought once for each target
+constexpr double centimetre = 0.01;
+
+double pitch_over(const Vec2& size) {
+  const double wanted = std::sqrt(size.prod() / most_places);
+  return wanted <= finest_pitch ? finest_pitch : std::ceil(wanted / centimetre) * centimetre;
+}
 
 }  // namespace
 
-// A step and its reverse are four apart.
-const std::vector<WalkGrid::Step>& WalkGrid::steps() {
-  static const double across = std::numbers::sqrt2 * pitch;
-  static const std::vector<Step> steps = {{1, 0, pitch},  {1, 1, across},   {0, 1, pitch},  {-1, 1, across},
-                                          {-1, 0, pitch}, {-1, -1, across}, {0, -1, pitch}, {1, -1, across}};
-  return steps;
-}
-
 WalkGrid::WalkGrid(const FreeSpace& space)
-    : space_(&space), least_clearance_(space.radius() - grid_rounding) {
+    : space_(&space), pitch_(pitch_over(space.extent().size())), least_clearance_(space.radius() - grid_rounding) {
+  const double across = std::numbers::sqrt2 * pitch_;
+  steps_ = {{1, 0, pitch_},  {1, 1, across},   {0, 1, pitch_},  {-1, 1, across},
+            {-1, 0, pitch_}, {-1, -1, across}, {0, -1, pitch_}, {1, -1, across}};
   // Places are as files hold them.
   low_ = {rounded(space.extent().low.x()), rounded(space.extent().low.y())};
   const Vec2 size = space.extent().size();
-  columns_ = static_cast<int>(std::floor(size.x() / pitch)) + 1;
-  rows_ = static_cast<int>(std::floor(size.y() / pitch)) + 1;
+  columns_ = static_cast<int>(std::floor(size.x() / pitch_)) + 1;
+  rows_ = static_cast<int>(std::floor(size.y() / pitch_)) + 1;
   clearance_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
   for (GridNode node = 0; node < clearance_.size(); ++node)
     clearance_[node] = space.clearance(place(node), space.radius() + clearance_of_interest);
@@ -39,7 +42,7 @@ WalkGrid::WalkGrid(const FreeSpace& space)
 
 Vec2 WalkGrid::place(GridNode node) const {
   const int column = static_cast<int>(node) % columns_, row = static_cast<int>(node) / columns_;
-  return low_ + pitch * Vec2(column, row);
+  return low_ + pitch_ * Vec2(column, row);
 }
 
 // No clearance changes faster than one moves: only steps that pass close to something are measured.
@@ -54,10 +57,10 @@ void WalkGrid::find_steps() {
   for (GridNode node = 0; node < open_.size(); ++node) {
     const int column = static_cast<int>(node) % columns_, row = static_cast<int>(node) / columns_;
     for (std::size_t k = 0; k < 4; ++k) {
-      const int c = column + steps()[k].columns, r = row + steps()[k].rows;
+      const int c = column + steps_[k].columns, r = row + steps_[k].rows;
       if (c < 0 || c >= columns_ || r >= rows_) continue;
       const auto next = static_cast<GridNode>(r * columns_ + c);
-      if (!is_free(node, next, steps()[k].metres)) continue;
+      if (!is_free(node, next, steps_[k].metres)) continue;
       open_[node] = static_cast<std::uint8_t>(open_[node] | 1u << k);
       open_[next] = static_cast<std::uint8_t>(open_[next] | 1u << (k + 4));
     }
@@ -76,10 +79,10 @@ ShortestWays WalkGrid::ways_from(GridNode start) const {
     const auto [metres, node] = queue.top();
     queue.pop();
     if (metres > ways.metres[node]) continue;
-    for (std::size_t k = 0; k < steps().size(); ++k) {
+    for (std::size_t k = 0; k < steps_.size(); ++k) {
       if (!(open_[node] >> k & 1u)) continue;
-      const auto next = static_cast<GridNode>(static_cast<int>(node) + steps()[k].rows * columns_ + steps()[k].columns);
-      const double there = metres + steps()[k].metres;
+      const auto next = static_cast<GridNode>(static_cast<int>(node) + steps_[k].rows * columns_ + steps_[k].columns);
+      const double there = metres + steps_[k].metres;
       if (there >= ways.metres[next]) continue;
       ways.metres[next] = there;
       ways.before[next] = node;

@@ -20,13 +20,13 @@ struct ShortestWays {
   std::vector<GridNode> to(GridNode node) const;
 };
 
-/// Places to stand, and steps to the eight neighbours of each; every step is free from end to end.
+/// Places to stand, and steps to the eight neighbours of each; every step is free from end to end. Places are 5 cm
+/// apart, or as many whole centimetres as leave about a million of them (beyond 50 x 50 m).
 class WalkGrid {
  public:
-  static constexpr double pitch = 0.05;
-
   explicit WalkGrid(const FreeSpace& space);
 
+  double pitch() const { return pitch_; }
   std::size_t size() const { return clearance_.size(); }
   Vec2 place(GridNode node) const;
   bool can_stand(GridNode node) const { return clearance_[node] >= least_clearance_; }
@@ -37,16 +37,17 @@ class WalkGrid {
     int columns, rows;
     double metres;
   };
-  static const std::vector<Step>& steps();
   bool is_free(GridNode from, GridNode to, double metres) const;
   void find_steps();
 
   const FreeSpace* space_;
+  double pitch_;
+  std::vector<Step> steps_;  ///< a step and its reverse are four apart
   Vec2 low_;
   int columns_ = 0, rows_ = 0;
   double least_clearance_ = 0.0;
   std::vector<double> clearance_;
-  std::vector<std::uint8_t> open_;  ///< bit k: steps()[k] is free
+  std::vector<std::uint8_t> open_;  ///< bit k: steps_[k] is free
 };
 
 /// The same way with fewer corners: each part is the longest straight line that stays free.

@@ -141,3 +141,19 @@ TEST_CASE("A strange key is named together with all that are known") {
                 [](const JsonReader& root) { root.allow_only({"width", "height"}); }),
       "known are width, height"));
 }
+
+TEST_CASE("A complaint quotes no more than some lines of what a file says") {
+  const std::string key(100000, 'k');
+  const auto text = complaint(("{\"" + key + "\": {\"" + key + "\": 1}}").c_str(), [&](const JsonReader& root) { root[key].allow_only({"known"}); });
+  CHECK(contains_text(text, "unknown key"));
+  CHECK(text.size() < 5000);
+}
+
+TEST_CASE("A number that is out of range is told as the file has it") {
+  const auto told = [](const char* text) {
+    return complaint(text, [](const JsonReader& root) { root["a"].number(0.0001, 1000); });
+  };
+  CHECK(contains_text(told(R"({"a": 1e-30})"), "1e-30 is out of range; expected a number from 0.0001 to 1000"));
+  CHECK(contains_text(told(R"({"a": -2e+80})"), "-2e+80 is out of range"));
+  CHECK(contains_text(told(R"({"a": 1001})"), "1001 is out of range"));
+}

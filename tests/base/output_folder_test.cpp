@@ -208,3 +208,34 @@ TEST_CASE("A writer that is killed at any moment leaves the folder of one versio
   CHECK(names_in(folder.path()) == Names{"room"});
   CHECK(names_in(room) == Names{"a", "b", "notes", "sub"});
 }
+
+TEST_CASE("Of two that begin a folder the first keeps it, and the second says so") {
+  const TemporaryFolder folder;
+  auto first = OutputFolder::open(folder / "room", is_ours), second = OutputFolder::open(folder / "room", is_ours);
+  REQUIRE(first);
+  REQUIRE(second);
+  REQUIRE(first->write("a", "1"));
+  REQUIRE(second->write("a", "2"));
+  REQUIRE(first->commit());
+  const auto status = second->commit();
+  REQUIRE(!status);
+  CHECK(contains_text(status.error().message, "somebody else has written it meanwhile"));
+  second = Error{};  // the owner goes
+  CHECK(text_of(folder / "room" / "a") == "1");
+  CHECK(names_in(folder.path()) == Names{"room"});
+}
+
+TEST_CASE("A write that fails names the file where it is to be") {
+  const TemporaryFolder folder;
+  const auto output = OutputFolder::open(folder / "room", is_ours);
+  REQUIRE(output);
+  const auto status = output->write_with("a", [](const fs::path& now) {
+    return Status(Error{Error::Kind::io, now.string() + ": cannot write"});
+  });
+  REQUIRE(!status);
+  CHECK(status.error().message == (folder / "room" / "a").string() + ": cannot write");
+  const FileSizeLimit limit(10000);
+  const auto full = output->write("a", std::string(50000, 'x'));
+  REQUIRE(!full);
+  CHECK(full.error().message.starts_with((folder / "room" / "a").string() + ": cannot write"));
+}

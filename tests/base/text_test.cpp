@@ -107,4 +107,8 @@ TEST_CASE("A misspelt name finds its neighbour and a strange one finds none") {
   CHECK(closest_name("dsek-0", names) == "desk-0");
   CHECK(closest_name("piano-0", names).empty());
   CHECK(closest_name("desk-0", {}).empty());
+  // What is longer than any name is no misspelling.
+  const std::string longest(60, 'a'), longer(61, 'a');
+  CHECK(closest_name(longest, {longest + 'b'}) == longest + 'b');
+  CHECK(closest_name(longer, {longer}).empty());
 }

@@ -5,6 +5,7 @@
 #include "roomgen/base/file.h"
 #include "roomgen/base/json.h"
 #include "roomgen/export/exporter.h"
+#include "support/contains.h"
 #include "support/furnished_room.h"
 
 using namespace roomgen;
@@ -59,4 +60,27 @@ TEST_CASE("A program is checked, and said in words") {
   CHECK((*json)["findings"][0]["at"] == "/sets/a");
   REQUIRE(write_file(wrong, R"({"room": {"type": "kitchen"}, "sets": {}, "constraints": {"n": ["in", 1]}})"));
   CHECK(failed_in_one_line(run({"check", wrong}), 1));
+}
+
+TEST_CASE("Names of a stranger's scene do not steer the terminal") {
+  const TemporaryFolder folder;
+  Scene scene;
+  scene.room = test::plain_room();
+  scene.objects = {test::box("table\x1b[31m-0", {1.2, 0.8, 0.75}, {2, 1.8, 0}), test::box("crate\x07-0", {0.4, 0.4, 0.4}, {2, 1.8, 0})};
+  for (auto& object : scene.objects) {
+    object.asset.library = "gone\x1b]0;title\x07";
+    object.asset.id = "chair\x1b[2J";
+  }
+  REQUIRE(write_file(folder / "scene.json", dump_json(to_json(scene))));
+  const std::string file = folder / "scene.json";
+  for (const auto& arguments : {std::vector<std::string>{"check", file}, {"export", file, "--format", "glb", "-o", folder / "room.glb"},
+                                {"render", file, "--view", "top", "-o", folder / "top.png"}}) {
+    auto with_library = arguments;
+    with_library.insert(with_library.end(), {"--no-default-libraries", "--cache", folder / "cache"});
+    const auto ended = run(with_library);
+    INFO(arguments.front() << "\n" << ended.err << ended.out);
+    CHECK(contains_text(ended.err, "gone?]0;title?"));
+    CHECK(ended.err.find_first_of("\x1b\x07") == std::string::npos);
+    CHECK(ended.out.find_first_of("\x1b\x07") == std::string::npos);
+  }
 }

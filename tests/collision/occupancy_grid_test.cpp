@@ -140,3 +140,34 @@ TEST_CASE("A room that is too small to stand in has nothing to reach") {
   map.flood();
   CHECK_FALSE(map.reaches(Footprint({0.2, 0.2}, {0.2, 0.2}, 0)));
 }
+
+TEST_CASE("Cells are free where the disc is inside and clear of every wall, whatever the room's shape") {
+  Random random(7);
+  for (int round = 0; round < 40; ++round) {
+    Room room;
+    room.polygon = shapes::random_star(random, shapes::random_point(random, -2, 2), 0.4, 4, random.integer(3, 40));
+    OccupancyGrid map(room);
+    map.flood();
+    const Vec2 low = bounds(room.polygon).low;
+    // Is there a cell at which the disc, so much larger, touches the point?
+    const auto touched = [&](const Vec2& p, double larger) {
+      const Vec2 first = ((p - low).array() / 0.05 - 8.0).floor().max(0.0);
+      for (int c = static_cast<int>(first.x()); c < first.x() + 17; ++c)
+        for (int r = static_cast<int>(first.y()); r < first.y() + 17; ++r) {
+          const Vec2 at = low + 0.05 * Vec2(c + 0.5, r + 0.5);
+          if ((at - p).norm() > person_radius - larger || !shapes::winds_around(room.polygon.points, at)) continue;
+          double clear = 1e9;
+          for (std::size_t k = 0; k < room.polygon.size(); ++k) clear = std::min(clear, distance(room.polygon.edge(k), at));
+          if (clear > person_radius + larger) return true;
+        }
+      return false;
+    };
+    for (int i = 0; i < 100; ++i) {
+      const Vec2 p = low + shapes::random_point(random, 0, 1).cwiseProduct(bounds(room.polygon).size());
+      const bool reached = map.reaches(Footprint(p, {2e-4, 2e-4}, 0));
+      INFO("round " << round << ", (" << p.x() << ", " << p.y() << ")");
+      if (touched(p, 3e-4)) CHECK(reached);
+      if (!touched(p, -3e-4)) CHECK_FALSE(reached);
+    }
+  }
+}

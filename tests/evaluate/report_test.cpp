@@ -1,5 +1,7 @@
 #include "roomgen/evaluate/report.h"
 
+#include <algorithm>
+
 #include "catch.h"
 #include "support/rooms.h"
 
@@ -123,4 +125,37 @@ TEST_CASE("The verdicts on all relations come in order, and those that hold are 
         "bed-0: edge yes\nbed-0: middle no\nlamp-0: near, bed-0 yes\nlamp-0: far, bed-0 no\n"
         "lamp-0: near, gone-0 no\n");
   CHECK(report.relations_held() == 2);
+}
+
+TEST_CASE("Overlaps are looked for until there are 200, and what comes after that is named") {
+  const Room room = rooms::box(30, 30);
+  std::vector<Object> objects;
+  const auto pile = [&](int count, double x) {
+    for (int i = 0; i < count; ++i) objects.push_back(cube("c-" + std::to_string(objects.size()), x, 5));
+  };
+  pile(20, 5);   // 190 pairs
+  pile(5, 10);   // 10 more
+  CHECK(faults(objects, room).size() == 200);
+  pile(3, 15);
+  const auto found = faults(objects, room);
+  REQUIRE(found.size() == 201);
+  CHECK(found.back() == "too crowded to look for overlaps from here on c-26 ");
+  CHECK(std::count_if(found.begin(), found.end(), [](const auto& text) { return text.starts_with("overlap "); }) == 200);
+}
+
+TEST_CASE("Things that overlap by their boxes only are looked at 10,000 times") {
+  // Each cylinder stands in the corners of four others' boxes.
+  std::vector<Object> objects;
+  for (int i = 0; i < 70; ++i)
+    for (int j = 0; j < 73; ++j) {
+      objects.push_back(rooms::thing("c-" + std::to_string(objects.size()), "thing", {1, 1, 1},
+                                     {1 + 0.8 * (i + j), 60 + 0.8 * (i - j)}));
+      objects.back().traits.round = true;
+    }
+  const auto of_pairs = [&](std::size_t count) {
+    const auto found = faults({objects.begin(), objects.begin() + static_cast<std::ptrdiff_t>(count)}, rooms::box(119, 121));
+    return std::count_if(found.begin(), found.end(), [](const auto& text) { return text.starts_with("too crowded"); });
+  };
+  CHECK(of_pairs(69 * 73) == 0);  // 2 * 69 * 73 - 69 - 73 = 9,932
+  CHECK(of_pairs(70 * 73) == 1);  // 10,077
 }

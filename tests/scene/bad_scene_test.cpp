@@ -31,6 +31,24 @@ TEST_CASE("The scene that the following cases spoil is sound") {
   CHECK(complaint([](Json&) {}).empty());
 }
 
+TEST_CASE("Nothing stands on itself, nor is near itself") {
+  const auto with = [](const char* first, const char* second) {
+    return complaint([&](Json& j) {
+      Json lamp = j["objects"][0], box = lamp;
+      lamp["id"] = "lamp-0", box["id"] = "box-0";
+      lamp["mount"] = box["mount"] = "surface";
+      lamp["on"] = first, box["on"] = second;
+      j["objects"].push_back(lamp);
+      j["objects"].push_back(box);
+    });
+  };
+  CHECK(with("bed-0", "lamp-0").empty());
+  CHECK(contains_text(with("lamp-0", "bed-0"), "\"lamp-0\": stands on itself"));
+  CHECK(contains_text(with("box-0", "lamp-0"), "stands on itself, or on what stands on it"));
+  CHECK(contains_text(with("box-0", "nobody"), "stands on \"nobody\", which is not in the scene"));
+  CHECK(contains_text(complaint([](Json& j) { j["objects"][0]["relations"] = {"near, bed-0"}; }), "cannot be \"near, bed-0\""));
+}
+
 TEST_CASE("Each mistake in a scene gives one located line") {
   using Change = void (*)(Json&);
   const std::vector<std::pair<Change, const char*>> cases = {

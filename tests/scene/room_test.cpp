@@ -95,3 +95,17 @@ TEST_CASE("A sliding door and a window sweep nothing") {
   CHECK(clearances(room, sliding).size() == 1);
   CHECK(clearances(room, rooms::window("window-0", 0, 1.0, 2.5)).size() == 1);
 }
+
+TEST_CASE("A floor is at most 40,000 square metres of the rectangle round it") {
+  CHECK(check(rooms::box(200, 200)));
+  CHECK(check(rooms::box(1000, 40)));
+  for (const auto& [width, depth] : {std::pair(200.0, 200.01), std::pair(1000.0, 40.01), std::pair(2000.0, 2000.0)}) {
+    const auto status = check(rooms::box(width, depth));
+    REQUIRE(!status);
+    CHECK(status.error().kind == Error::Kind::limit);
+    CHECK(status.error().message.find("40000 m2 is the most") != std::string::npos);
+  }
+  Room room;  // a small floor in a large rectangle
+  room.polygon.points = {{0, 0}, {300, 0}, {300, 300}, {299, 300}, {299, 1}, {0, 1}};
+  CHECK(!check(room));
+}

@@ -187,3 +187,28 @@ TEST_CASE("A scene that did not change is no new state") {
   REQUIRE(history.commit(scene_of(history), {"nothing"}));
   CHECK(history.state().sequence == 1);
 }
+
+TEST_CASE("A name of a branch has nothing that steers a terminal") {
+  const auto disk = disk_with(dump_json(to_json(row_of_boxes(2))));
+  auto history = opened(disk);
+  for (const char* name : {"\x1b[31mred", "a\nb", "bell\a", "\x7f", "", "-d"}) CHECK(!history.branch(name, std::nullopt, "test"));
+  CHECK(history.branch("räume 2", std::nullopt, "test"));
+}
+
+TEST_CASE("A journal whose numbers have come to their end takes no more, and keeps what it has") {
+  const auto disk = disk_with(dump_json(to_json(row_of_boxes(2))));
+  {
+    auto history = opened(disk);
+    REQUIRE(history.save());
+  }
+  auto read = read_journal(disk->journal, "scene.journal");
+  REQUIRE(read);
+  read->entries.front().sequence = max_sequence;
+  disk->journal = journal_lines(read->entries, true);
+  const std::string before = disk->journal;
+  auto history = opened(disk);
+  const auto status = history.commit(row_of_boxes(3), {"one more"});
+  REQUIRE(!status);
+  CHECK(status.error().kind == Error::Kind::limit);
+  CHECK(disk->journal == before);
+}

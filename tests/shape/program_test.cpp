@@ -75,7 +75,7 @@ TEST_CASE("Errors of a concrete program name the place") {
         "test: /components/0/box/size: expected an array of 3 numbers");
   CHECK(contains_text(
       error(R"({"name": "a", "box": {"size": [1, 2, 21]}})"),
-      "/components/0/box/size/2: 21 is out of range; expected a number from 0 to 20"));
+      "/components/0/box/size/2: 21 is out of range; expected a number from 0.0002 to 20"));
   CHECK(contains_text(error(R"({"name": "a", "box": {"size": [1, 2, 3], "bevle": 1}})"),
                       "/components/0/box: unknown key \"bevle\"; did you mean \"bevel\"?"));
   CHECK(contains_text(error(R"({"name": "a", "box": {"size": ["w", 2, 3]}})"),

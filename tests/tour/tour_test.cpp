@@ -73,6 +73,16 @@ double room_to_spare(const Scene& scene, const Vec2& p) {
   return least;
 }
 
+// Along all ways of a tour.
+double least_to_spare(const Scene& scene, const Tour& tour) {
+  double least = 1e9;
+  for (std::size_t k = 1; k < tour.keyframes.size(); ++k) {
+    const Vec3 a = tour.keyframes[k - 1].pose.eye, b = tour.keyframes[k].pose.eye;
+    for (int i = 0; i <= 10; ++i) least = std::min(least, room_to_spare(scene, (a + 0.1 * i * (b - a)).head<2>()));
+  }
+  return least;
+}
+
 struct Axes {
   Vec3 ahead, right, up;
 };
@@ -139,12 +149,25 @@ TEST_CASE("Every way of a tour keeps its distance to walls and things") {
     options.agent_radius = seed % 2 ? 0.25 : 0.2;
     const Tour tour = tour_of(scene, options);
     REQUIRE(!tour.views.empty());
-    double least = 1e9;
-    for (std::size_t k = 1; k < tour.keyframes.size(); ++k) {
-      const Vec3 a = tour.keyframes[k - 1].pose.eye, b = tour.keyframes[k].pose.eye;
-      for (int i = 0; i <= 10; ++i) least = std::min(least, room_to_spare(scene, (a + 0.1 * i * (b - a)).head<2>()));
+    CHECK(least_to_spare(scene, tour) >= options.agent_radius - 1e-5);
+  }
+}
+
+// Where places to walk by lie farther apart.
+TEST_CASE("So does every way through a hall of 6,000 square metres") {
+  for (std::uint64_t seed = 60; seed < 63; ++seed) {
+    INFO("seed " << seed);
+    Scene scene = random_room(seed);
+    scene.room.polygon = rooms::box(100, 60).polygon;
+    for (auto& object : scene.objects) object.position.head<2>() *= 12.0;
+    const Tour tour = tour_of(scene);
+    CHECK(tour.views.size() == scene.objects.size());
+    CHECK(least_to_spare(scene, tour) >= TourOptions().agent_radius - 1e-5);
+    for (std::size_t k = 1; k < tour.views.size(); ++k) {
+      const auto &from = tour.views[k - 1].pose.eye, &to = tour.views[k].pose.eye;
+      CHECK(tour.views[k].walked >= (to - from).head<2>().norm() - 1e-6);
+      CHECK(tour.views[k].walked <= 1.2 * (to - from).head<2>().norm() + 1.0);  // little is in the way
     }
-    CHECK(least >= options.agent_radius - 1e-5);
   }
 }
 

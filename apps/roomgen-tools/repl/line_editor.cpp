@@ -100,7 +100,7 @@ struct LineEditor::Impl {
     if (found.choices.empty()) return CC_REFRESH_BEEP;
     if (!found.insert.empty())
       return edit.el_insertstr(line, found.insert.c_str()) == 0 ? CC_REFRESH : CC_ERROR;
-    std::printf("\n%s\n", join(found.choices, "  ").c_str());
+    std::printf("\n%s\n", printable(join(found.choices, "  ")).c_str());
     return CC_REDISPLAY;
   }
 

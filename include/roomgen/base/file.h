@@ -74,10 +74,13 @@ class OutputFolder {
   /// Without a commit, nothing has happened.
   ~OutputFolder();
 
-  /// Where the file of this relative name ("marks/step-00.png") is to be written now; the folders above
-  /// it are made. Fails if the folder holds something of that name that is no file.
-  Result<std::filesystem::path> place_for(const std::filesystem::path& relative) const;
+  /// Writes the file of this relative name ("marks/step-00.png"), after the folders above it. Fails if the
+  /// folder holds something of that name that is no file.
   Status write(const std::filesystem::path& relative, std::string_view bytes) const;
+  /// The same by somebody else, who is told where it is to be written now. Its errors name the file by the
+  /// place that it is to have.
+  using Writer = std::function<Status(const std::filesystem::path& now)>;
+  Status write_with(const std::filesystem::path& relative, const Writer& writer) const;
 
   /// Once, at the end.
   Status commit();

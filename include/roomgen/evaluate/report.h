@@ -15,10 +15,11 @@
 
 namespace roomgen {
 
-enum class Fault { outside, overlap, blocks_door, blocks_window, unusable, doors_apart, no_access };
+enum class Fault { outside, overlap, blocks_door, blocks_window, unusable, doors_apart, no_access, too_crowded };
 std::string_view name(Fault fault);
 
-/// Something that docs/constraints.md ("Valid") forbids.
+/// Something that docs/constraints.md ("Valid") forbids. After 200 overlaps of a room, or 10,000 pairs of things
+/// whose boxes overlap, overlaps are looked for no further: too_crowded names the thing at which that was.
 struct Violation {
   Fault fault = Fault::outside;
   std::string object;  ///< id, or empty for the room

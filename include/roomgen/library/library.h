@@ -93,9 +93,16 @@ std::unique_ptr<AssetLibrary> make_first_of(
 /// Where else a mesh may come from, by asset_key(); null if not from there either.
 using SpareModels = std::function<std::shared_ptr<const Model>(const std::string& key)>;
 
+/// A stranger's scene of 5,000 things, each of another model, would take minutes and gigabytes.
+struct ModelLimits {
+  std::size_t models = 1000;                 ///< that differ
+  std::size_t bytes = std::size_t{1} << 30;  ///< of their meshes and textures
+};
+
 /// The meshes of all objects and openings of a scene. An asset that neither the library has (any more)
 /// nor `spare` is reported to `log`; its objects stay boxes, its openings keep the room's own woodwork.
+/// So do those that come when the limits are reached, which is reported once.
 ModelTable load_models(const Scene& scene, const AssetLibrary& library, const LogSink& log = {},
-                       const SpareModels& spare = {});
+                       const SpareModels& spare = {}, const ModelLimits& limits = {});
 
 }  // namespace roomgen

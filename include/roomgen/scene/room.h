@@ -100,7 +100,12 @@ std::vector<Footprint> clearances(const Room& room, const Opening& opening);
 std::size_t accent_wall(const Room& room);
 const Opening* find_opening(const Room& room, std::string_view id);
 
-/// Openings must lie on their wall, below the ceiling, and not overlap each other.
+/// The largest floor, in square metres of the rectangle round it: what looks at every spot of a floor, as walking does,
+/// takes time and memory with it.
+inline constexpr double largest_floor = 40000.0;
+
+/// Openings must lie on their wall, below the ceiling, and not overlap each other; the floor must not be larger than
+/// the greatest.
 Status check(const Room& room);
 
 std::string_view name(OpeningType type);
