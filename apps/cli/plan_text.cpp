@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "print.h"
 #include "roomgen/base/text.h"
 #include "roomgen/kinds/kind_table.h"
 
@@ -10,14 +11,6 @@ namespace roomgen::cli {
 namespace {
 
 using Lines = std::vector<std::string>;
-
-// Line breaks as blanks, without those at the ends.
-std::string one_line(std::string text) {
-  for (char& c : text)
-    if (c == '\n' || c == '\t' || c == '\r') c = ' ';
-  const auto first = text.find_first_not_of(' ');
-  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(' ') - first + 1);
-}
 
 std::string padded(std::string text, std::size_t width) {
   if (text.size() < width) text.resize(width, ' ');
@@ -75,7 +68,7 @@ std::string heard_line(const Heard& words, const std::vector<Requirement>& requi
   for (const auto& requirement : requirements)
     for (const auto& id : words.requirements)
       if (id == requirement.id) clauses.push_back(requirement.clause);
-  return "  [" + one_line(words.text) + "] " + std::string(name(words.as)) + (clauses.empty() ? "" : ": ") +
+  return "  [" + std::string(trim(one_line(words.text))) + "] " + std::string(name(words.as)) + (clauses.empty() ? "" : ": ") +
          join(clauses, "; ");
 }
 
@@ -93,7 +86,7 @@ std::vector<std::string> heard_lines(const AnyPlan& plan) {
     const auto requirements = all_requirements(each);
     std::size_t end = 0;
     for (const auto& words : each.heard) {
-      if (words.begin > end) lines.push_back(one_line(each.prompt.substr(end, words.begin - end)));
+      if (words.begin > end) lines.emplace_back(trim(one_line(each.prompt.substr(end, words.begin - end))));
       lines.push_back(heard_line(words, requirements));
       end = words.end;
     }

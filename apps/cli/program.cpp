@@ -9,7 +9,7 @@
 #include <new>
 #include <string>
 
-#include "roomgen/base/text.h"
+#include "print.h"
 #ifdef ROOMGEN_HAS_ASSETS
 #include "roomgen/assets/catalogue.h"
 #endif
@@ -68,7 +68,7 @@ void print_confinement() {
 #ifdef ROOMGEN_HAS_ASSETS
   const auto report = assets::decoder_report({});
   if (!report) {
-    std::printf("meshes cannot be read: %s\n", printable(report.error().message).c_str());
+    std::printf("meshes cannot be read: %s\n", one_line(report.error().message).c_str());
     return;
   }
   std::puts("the process that reads meshes:");
@@ -98,7 +98,7 @@ int run_program(int argc, char** argv, void (*add_commands)(CLI::App& app, Conte
       app.exit(error);
       return all_was_written() ? exit_ok : exit_failure;
     }
-    std::fprintf(stderr, "roomgen: %s\n", printable(error.what()).c_str());
+    std::fprintf(stderr, "roomgen: %s\n", one_line(error.what()).c_str());
     return exit_usage;
   }
 
@@ -118,7 +118,7 @@ int run_program(int argc, char** argv, void (*add_commands)(CLI::App& app, Conte
   std::signal(SIGTERM, on_interrupt);
   const auto result = run_held(context);
   if (result) return all_was_written() ? *result : exit_failure;
-  std::fprintf(stderr, "roomgen: %s\n", printable(result.error().message).c_str());
+  std::fprintf(stderr, "roomgen: %s\n", one_line(result.error().message).c_str());
   return exit_code_of(result.error());
 }
 

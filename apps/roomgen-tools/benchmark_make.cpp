@@ -13,6 +13,7 @@
 #include "benchmark_levels.h"
 #include "question_files.h"
 #include "roomgen/base/file.h"
+#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "roomgen/render/pictures.h"
 #include "roomgen/tour/frames.h"
@@ -242,7 +243,7 @@ Result<int> make_benchmark(const Context& context, const BenchmarkMakeOptions& o
   const auto questions = put_together(options, *levels, jobs);
   if (!questions) return questions.error();
   if (context.json)
-    std::printf("%s\n", Json{{"folder", options.output}, {"scenes", jobs.size()}, {"questions", *questions}}.dump().c_str());
+    std::printf("%s\n", json_line(Json{{"folder", options.output}, {"scenes", jobs.size()}, {"questions", *questions}}).c_str());
   else if (!context.quiet)
     std::fprintf(stderr, "%s%zu questions about %zu scenes in %s\n", shortfall_list(*levels, jobs).c_str(), *questions,
                  jobs.size(), printable(options.output).c_str());

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "roomgen/base/text.h"
 
@@ -48,17 +49,21 @@ std::string level_of(const SpatialQuestion& question, const std::string& factor)
   return complexity.is_object() && complexity.contains(factor) ? complexity.at(factor).get<std::string>() : "";
 }
 
-// low, medium, high, then others.
+// What a table and a plot have room for.
+constexpr std::size_t most_levels = 20;
+
+// low, medium, high, then others; the first of them if there are many.
 std::vector<std::string> levels_of(const std::vector<ScoredQuestion>& scored, const std::string& factor) {
-  std::vector<std::string> levels;
-  for (const auto& one : scored)
-    if (const auto level = level_of(*one.question, factor); !level.empty() && std::count(levels.begin(), levels.end(), level) == 0)
-      levels.push_back(level);
   const std::vector<std::string> order = {"low", "medium", "high"};
-  std::sort(levels.begin(), levels.end(), [&](const std::string& a, const std::string& b) {
-    const auto place = [&](const std::string& level) { return std::find(order.begin(), order.end(), level) - order.begin(); };
-    return std::pair(place(a), a) < std::pair(place(b), b);
-  });
+  std::set<std::pair<std::ptrdiff_t, std::string>> sorted;
+  for (const auto& one : scored)
+    if (auto level = level_of(*one.question, factor); !level.empty()) {
+      const auto place = std::find(order.begin(), order.end(), level) - order.begin();
+      sorted.emplace(place, std::move(level));
+      if (sorted.size() > most_levels) sorted.erase(std::prev(sorted.end()));
+    }
+  std::vector<std::string> levels;
+  for (const auto& [place, level] : sorted) levels.push_back(level);
   return levels;
 }
 

@@ -31,6 +31,9 @@ fs::path folder_of(const std::string& set, const SpatialQuestion& question) {
   return set;
 }
 
+bool is_picture(std::string_view bytes) { return bytes.starts_with("\x89PNG\r\n") || bytes.starts_with("\xFF\xD8\xFF"); }
+bool is_video(std::string_view bytes) { return bytes.size() > 8 && bytes.substr(4, 4) == "ftyp"; }
+
 // Those where the camera stops and, between them, evenly spread ones; never more than `most`.
 std::vector<std::size_t> spread_frames(const std::vector<FrameRecord>& frames, std::size_t most) {
   std::vector<std::size_t> stops, all;
@@ -102,6 +105,8 @@ class Examiner {
       if (frames[k].picture.empty()) return bad_run(folder.string() + ": the frames have no rgb layer");
       auto picture = read_file(folder / frames[k].picture);
       if (!picture) return picture.error();
+      // It goes to the model: a stranger's set may name, or link to, what is no picture.
+      if (!is_picture(*picture)) return bad_run((folder / frames[k].picture).string() + ": is no PNG or JPEG picture");
       user.images.push_back(std::move(*picture));
       times.push_back(format_number(frames[k].frame.time, 1));
     }
@@ -112,6 +117,7 @@ class Examiner {
     auto video = read_file(folder / "tour.mp4", most_video_bytes);
     if (!video)
       return bad_run(video.error().message + ": `benchmark make` makes it where ffmpeg is installed; without --video frames are shown");
+    if (!is_video(*video)) return bad_run((folder / "tour.mp4").string() + ": is no MP4 video");
     return request_of({ChatMessage::Role::user, "", {std::move(*video)}}, question, "question-video-user", {});
   }
 
@@ -186,10 +192,14 @@ Status write_results(const Context& context, const fs::path& folder, const std::
       scored.push_back({&question, score_answer(question, answer->second)});
   const std::string report = benchmark_report(scored);
   if (auto status = make_folder(folder); !status) return status;
-  if (auto status = write_file(folder / "report.md", report); !status) return status;
-  for (const std::string factor : {"compositional", "relational", "observational"})
+  for (const std::string factor : {"compositional", "relational", "observational"}) {
+    const fs::path file = folder / (factor + ".svg");
+    std::error_code code;
+    fs::remove(file, code);  // of other answers
     if (const auto plot = benchmark_plot(scored, factor); !plot.empty())
-      if (auto status = write_file(folder / (factor + ".svg"), plot); !status) return status;
+      if (auto status = write_file(file, plot); !status) return status;
+  }
+  if (auto status = write_file(folder / "report.md", report); !status) return status;
   if (!context.quiet) std::fputs(printable(report).c_str(), stdout);
   return {};
 }

@@ -27,8 +27,8 @@ struct EditCommand : RoomOptions {
   DesignerOptions designer;
 };
 
-Result<Session> open_session(const EditCommand& command, const AssetLibrary& library, bool look_only) {
-  return open_room(command.scene, library, {.look_only = look_only, .repair = command.may_repair(), .tell = warn});
+Result<Session> open_session(const Context& context, const EditCommand& command, const AssetLibrary& library, bool look_only) {
+  return open_room(command.scene, library, {.look_only = look_only, .repair = command.may_repair(), .tell = warn, .cancel = context.cancel});
 }
 
 Status write_followers(const Context& context, const EditCommand& command, Session& session) {
@@ -83,7 +83,7 @@ void print_report(const Context& context, const EditReport& report) {
 
 Result<int> run_edit(const Context& context, const EditCommand& command) {
   const auto library = make_later_library(command.libraries, context);
-  auto session = open_session(command, *library, command.dry_run);
+  auto session = open_session(context, command, *library, command.dry_run);
   if (!session) return session.error();
   const auto operations = operations_of(context, command, *session);
   if (!operations) return operations.error();
@@ -104,7 +104,7 @@ using Steps = Result<std::size_t> (Session::*)(std::size_t steps, const std::str
 // Undo and redo.
 Result<int> run_steps(const Context& context, const EditCommand& command, const char* name, Steps take) {
   const auto library = make_later_library(command.libraries, context);
-  auto session = open_session(command, *library, false);
+  auto session = open_session(context, command, *library, false);
   if (!session) return session.error();
   const Scene before = session->scene();
   const auto taken = ((*session).*take)(command.steps, command.by);
@@ -123,7 +123,7 @@ Result<int> run_steps(const Context& context, const EditCommand& command, const 
 
 Result<int> run_history(const Context& context, const EditCommand& command) {
   const auto library = make_later_library(command.libraries, context);
-  const auto session = open_session(command, *library, true);
+  const auto session = open_session(context, command, *library, true);
   if (!session) return session.error();
   if (context.json) std::fputs(dump_json(history_json(*session)).c_str(), stdout);
   else print_lines(history_lines(*session));
@@ -132,7 +132,7 @@ Result<int> run_history(const Context& context, const EditCommand& command) {
 
 Result<int> run_branch(const Context& context, const EditCommand& command) {
   const auto library = make_later_library(command.libraries, context);
-  auto session = open_session(command, *library, command.branch.empty());
+  auto session = open_session(context, command, *library, command.branch.empty());
   if (!session) return session.error();
   if (command.branch.empty()) {
     for (const auto& name : session->branches())
@@ -153,7 +153,7 @@ Result<int> run_branch(const Context& context, const EditCommand& command) {
 
 Result<int> run_diff(const Context& context, const EditCommand& command) {
   const auto library = make_later_library(command.libraries, context);
-  const auto session = open_session(command, *library, true);
+  const auto session = open_session(context, command, *library, true);
   if (!session) return session.error();
   const auto lines = session->diff(command.from, command.to);
   if (!lines) return lines.error();

@@ -8,6 +8,7 @@
 
 #include "add_commands.h"
 #include "models.h"
+#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "tool_commands.h"
 #include "tours.h"
@@ -28,7 +29,7 @@ void report(const Context& context, const std::string& folder, const FrameFigure
                           {"frames", figures.frames},
                           {"drawn", figures.drawn},
                           {"video", figures.video.empty() ? Json() : Json(figures.video)}};
-    std::printf("%s\n", summary.dump().c_str());
+    std::printf("%s\n", json_line(summary).c_str());
   }
   if (context.quiet) return;
   if (figures.video.empty() && !figures.no_video.empty())

@@ -54,7 +54,7 @@ Result<int> run_import(const Context& context, const ImportCommand& command) {
   if (!nodes) return nodes.error();
   const auto library = make_later_library(command.libraries, context);
   auto session = open_room(command.scene, *library,
-                           {.look_only = command.dry_run, .tell = warn});
+                           {.look_only = command.dry_run, .tell = warn, .cancel = context.cancel});
   if (!session) return session.error();
   auto edits = session->compare(*nodes);
   if (!edits) return edits.error();

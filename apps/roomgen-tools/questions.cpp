@@ -10,6 +10,7 @@
 #include "models.h"
 #include "question_files.h"
 #include "roomgen/base/file.h"
+#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "tool_commands.h"
 
@@ -27,7 +28,7 @@ void report(const Context& context, const std::string& path, const std::vector<S
   std::map<std::string, int> by_task;
   for (const auto& question : questions) ++by_task[question.task];
   if (context.json) {
-    std::printf("%s\n", Json{{"file", path}, {"questions", questions.size()}, {"by_task", by_task}}.dump().c_str());
+    std::printf("%s\n", json_line(Json{{"file", path}, {"questions", questions.size()}, {"by_task", by_task}}).c_str());
     return;
   }
   if (context.quiet) return;
@@ -55,7 +56,7 @@ Result<int> ask(const Context& context, const QuestionsCommand& command) {
 
 std::string question_lines(const std::vector<SpatialQuestion>& questions) {
   std::string lines;
-  for (const auto& question : questions) lines += to_json(question).dump() + "\n";
+  for (const auto& question : questions) lines += json_line(to_json(question)) + "\n";
   return lines;
 }
 

@@ -77,6 +77,7 @@ Result<Session> open_room(const fs::path& scene_file, const AssetLibrary& librar
   SessionOptions options;
   options.look_only = access.look_only;
   options.repair = access.repair;
+  options.cancel = access.cancel;
   options.spare_models = written_models(scene_file);
   options.log = [tell](LogLevel, std::string_view message) { tell(std::string(message) + "; taken as a box"); };
   auto session = Session::open(scene_file, library, KindTable::built_in(), std::move(options));

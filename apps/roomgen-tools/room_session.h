@@ -20,6 +20,7 @@ struct RoomAccess {
   bool look_only = false;
   bool repair = true;
   Tell tell = {};  ///< notices, and meshes that are missing
+  CancelToken cancel = {};
 };
 
 /// A room's session, with the meshes that were written beside its scene.json. `library` must outlive it.

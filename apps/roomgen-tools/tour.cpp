@@ -1,4 +1,3 @@
-#include "roomgen/base/text.h"
 #include "roomgen/tour/tour.h"
 
 #include <cstdio>
@@ -14,6 +13,8 @@
 #include "add_commands.h"
 #include "models.h"
 #include "roomgen/base/file.h"
+#include "roomgen/base/json.h"
+#include "roomgen/base/text.h"
 #include "roomgen/render/pictures.h"
 #include "tool_commands.h"
 #include "tours.h"
@@ -87,7 +88,7 @@ void report(const Context& context, const std::string& path, const Tour& tour) {
                           {"views", tour.views.size()},
                           {"unseen", tour.unseen.size()},
                           {"seconds", tour.keyframes.empty() ? 0.0 : rounded(tour.keyframes.back().time)}};
-    std::printf("%s\n", summary.dump().c_str());
+    std::printf("%s\n", json_line(summary).c_str());
   }
   if (context.quiet) return;
   for (const auto& target : tour.unseen)

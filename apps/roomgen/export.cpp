@@ -47,7 +47,7 @@ Result<int> export_scene(const Context& context, const Options& options) {
   const auto exporter = (*format)->make(export_options());
   if (auto status = exporter->write(*scene, *models, options.output); !status) return status.error();
   if (context.json)
-    std::printf("%s\n", Json{{"file", options.output}, {"format", (*format)->name}}.dump().c_str());
+    std::printf("%s\n", json_line(Json{{"file", options.output}, {"format", (*format)->name}}).c_str());
   else if (!context.quiet)
     std::fprintf(stderr, "wrote %s\n", printable(options.output).c_str());
   return exit_ok;

@@ -7,8 +7,8 @@
 
 #include "add_commands.h"
 #include "beside_program.h"
+#include "print.h"
 #include "program.h"
-#include "roomgen/base/text.h"
 #include "tool_commands.h"
 
 namespace {
@@ -52,7 +52,7 @@ int hand_over(std::string_view command, char** argv) {
   } else {
     reason = tools.error().message;
   }
-  std::fprintf(stderr, "roomgen: %s\n", roomgen::printable(reason).c_str());
+  std::fprintf(stderr, "roomgen: %s\n", roomgen::cli::one_line(reason).c_str());
   return exit_failure;
 }
 

@@ -37,7 +37,7 @@ void report(const Context& context, const RenderOptions& options, const Image& i
   const std::string path = options.output_path();
   if (context.json) {
     const Json summary = {{"file", path}, {"width", image.width}, {"height", image.height}};
-    std::printf("%s\n", summary.dump().c_str());
+    std::printf("%s\n", json_line(summary).c_str());
   } else if (!context.quiet) {
     std::fprintf(stderr, "wrote %s (%d x %d)\n", printable(path).c_str(), image.width, image.height);
   }
@@ -98,7 +98,7 @@ Result<int> write_all_layers(const Context& context, const RenderOptions& option
   }
   if (auto status = folder->commit(); !status) return status.error();
   if (context.json)
-    std::printf("%s\n", Json{{"folder", options.output_path()}, {"shots", names}}.dump().c_str());
+    std::printf("%s\n", json_line(Json{{"folder", options.output_path()}, {"shots", names}}).c_str());
   else if (!context.quiet)
     std::fprintf(stderr, "wrote the layers of %zu shots into %s\n", shots->size(), printable(options.output_path()).c_str());
   return exit_ok;

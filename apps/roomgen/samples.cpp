@@ -113,7 +113,7 @@ Result<int> write_samples(const Context& context, const SampleWish& wish) {
   if (!samples) return samples.error();
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   std::string lines;
-  for (std::size_t i = 0; i < samples->layouts.size(); ++i) lines += to_json(*samples, i).dump() + "\n";
+  for (std::size_t i = 0; i < samples->layouts.size(); ++i) lines += json_line(to_json(*samples, i)) + "\n";
   if (auto written = write_lines(wish, lines); !written) return written.error();
   if (varied->is_made && !wish.output.empty())
     if (auto written = write_file(scene_beside(wish.output), dump_json(to_json(varied->scene))); !written)

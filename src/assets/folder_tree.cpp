@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "base/relative_name.h"
 #include "open_tree.h"
 #include "roomgen/base/file.h"
 
@@ -23,7 +24,7 @@ Result<FileTree> open_folder(const fs::path& path) {
       if (ignored || !target.starts_with(root.string() + "/")) continue;
     }
     std::string name = entry->path().lexically_relative(root).generic_string();
-    if (is_safe_name(name)) tree.names.push_back(std::move(name));
+    if (stays_below(name)) tree.names.push_back(std::move(name));
     if (tree.names.size() > max_tree_files)
       return Error{Error::Kind::limit,
                    path.string() + ": more than " + std::to_string(max_tree_files) + " files"};
@@ -31,7 +32,7 @@ Result<FileTree> open_folder(const fs::path& path) {
   if (code) return Error{Error::Kind::io, path.string() + ": " + code.message()};
   std::sort(tree.names.begin(), tree.names.end());
   tree.read = [root](const std::string& name) -> Result<std::string> {
-    if (!is_safe_name(name)) return Error{Error::Kind::invalid_input, name + ": leads outside"};
+    if (!stays_below(name)) return Error{Error::Kind::invalid_input, name + ": leads outside"};
     return read_file(root / name, max_asset_bytes);
   };
   return tree;

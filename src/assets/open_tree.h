@@ -10,7 +10,6 @@ namespace roomgen::assets {
 using decode::extension_of;
 using decode::file_name_of;
 using decode::FileTree;
-using decode::is_safe_name;
 using decode::max_asset_bytes;
 
 inline constexpr std::size_t max_tree_files = 200000;

@@ -9,6 +9,8 @@ namespace roomgen::assets {
 
 namespace {
 
+constexpr std::size_t most_properties = 2'000'000;  // a hundred for each model of a catalogue
+
 void append_utf8(std::string& text, std::uint32_t code) {
   const auto put = [&](std::uint32_t byte) { text += static_cast<char>(byte); };
   if (code < 0x80) {
@@ -102,14 +104,17 @@ std::size_t key_length(std::string_view line) {
 
 }  // namespace
 
-std::map<std::string, std::string, std::less<>> parse_properties(std::string_view latin1) {
+Result<std::map<std::string, std::string, std::less<>>> parse_properties(std::string_view latin1) {
   std::map<std::string, std::string, std::less<>> result;
   while (!latin1.empty()) {
     std::string line(trim(take_line(latin1)));
     if (line.empty() || line.front() == '#' || line.front() == '!') continue;
-    while (ends_in_continuation(line) && !latin1.empty()) {
+    // What was joined ends in no lone backslash, so the line that came last decides.
+    for (bool goes_on = ends_in_continuation(line); goes_on && !latin1.empty();) {
+      const auto next = trim(take_line(latin1));
+      goes_on = ends_in_continuation(next);
       line.pop_back();
-      line += trim(take_line(latin1));
+      line += next;
     }
     const std::string_view view = line;
     const auto length = key_length(view);
@@ -117,6 +122,8 @@ std::map<std::string, std::string, std::less<>> parse_properties(std::string_vie
     if (!value.empty() && (value.front() == '=' || value.front() == ':'))
       value = trim(value.substr(1));
     result[unescape(view.substr(0, length))] = unescape(value);
+    if (result.size() > most_properties)
+      return Error{Error::Kind::limit, "more than " + std::to_string(most_properties) + " properties"};
   }
   return result;
 }

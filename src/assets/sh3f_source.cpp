@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "asset_source.h"
+#include "base/relative_name.h"
 #include "properties.h"
 #include "roomgen/base/text.h"
 #include "scene/opening_kind.h"
@@ -174,7 +175,7 @@ Result<SourceAsset> read_entry(const Entry& entry, const FileTree& tree, const s
   asset.frame.size = info.size;
   asset.frame.ours_from_source = ours_from_sh3d(entry);
   asset.mesh = relative(entry.text("model"));
-  if (!is_safe_name(asset.mesh) || !tree.contains(asset.mesh))
+  if (!stays_below(asset.mesh) || !tree.contains(asset.mesh))
     return refuse("its model \"" + asset.mesh + "\" is not in the library");
   return asset;
 }
@@ -189,7 +190,12 @@ std::vector<SourceAsset> list_sh3f(const FileTree& tree, const std::string& libr
     roomgen::log(log, LogLevel::warning, text.error().message);
     return assets;
   }
-  const Properties all = parse_properties(*text);
+  const auto properties = parse_properties(*text);
+  if (!properties) {
+    roomgen::log(log, LogLevel::warning, library + ": " + properties.error().message);
+    return assets;
+  }
+  const Properties& all = *properties;
   for (int number = 1; number <= max_models; ++number) {
     const Entry entry(all, number);
     if (entry.text("name").empty()) break;  // Sweet Home 3D stops at the first gap, too

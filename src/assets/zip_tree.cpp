@@ -4,6 +4,7 @@
 #include <memory>
 #include <mutex>
 
+#include "base/relative_name.h"
 #include "open_tree.h"
 
 namespace roomgen::assets {
@@ -45,7 +46,7 @@ Result<FileTree> Zip::list(const LogSink& sink) const {
     const char* raw = zip_get_name(archive_.get(), i, ZIP_FL_ENC_GUESS);
     const std::string name = raw ? raw : "";
     if (name.ends_with('/')) continue;
-    if (is_safe_name(name))
+    if (stays_below(name))
       tree.names.push_back(name);
     else
       log(sink, LogLevel::warning, path_ + ": entry \"" + name + "\" leads outside; left out");

@@ -121,8 +121,7 @@ std::string printable(std::string_view text) {
 std::string shortened(std::string text, std::size_t limit) {
   if (text.size() <= limit) return text;
   while (limit > 0 && (static_cast<unsigned char>(text[limit]) & 0xC0) == 0x80) --limit;
-  text.resize(limit);
-  return text;
+  return text.substr(0, limit);  // and not the memory of all of it
 }
 
 std::string singular(std::string word) {

@@ -14,7 +14,7 @@ namespace roomgen {
 
 namespace {
 
-constexpr std::size_t max_recording_bytes = 1u << 30;
+constexpr std::size_t max_recording_bytes = 128u << 20;
 
 class ReplayingModel final : public ChatModel {
  public:

@@ -29,6 +29,21 @@ class Solids {
   std::unique_ptr<Impl> impl_;
 };
 
+/// What was asked of the pairs of one room whose boxes overlap. A thousand things at one spot are half a million
+/// pairs of meshes; rooms have a few for each thing (docs/limits.md).
+struct Crowd {
+  static constexpr std::size_t most_pairs = 10000, most_overlaps = 200;
+  std::size_t pairs = 0, overlaps = 0;
+
+  bool is_full() const { return pairs == most_pairs || overlaps == most_overlaps; }
+  /// Returns what it is told.
+  bool add(bool overlap) {
+    ++pairs;
+    overlaps += overlap ? 1 : 0;
+    return overlap;
+  }
+};
+
 /// Do the boxes share space? Touching is no overlap.
 bool boxes_overlap(const Object& a, const Object& b);
 /// Would `object`, were it there, share space with the other's box where that is not allowed in general? Rugs

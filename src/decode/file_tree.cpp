@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/relative_name.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen::decode {
@@ -30,24 +31,13 @@ std::string FileTree::resolve(const std::string& folder, std::string_view refere
   std::string path(trim(reference));
   std::replace(path.begin(), path.end(), '\\', '/');
   while (path.starts_with("./")) path.erase(0, 2);
-  if (is_safe_name(path)) {
+  if (stays_below(path)) {
     const std::string below = folder_of(path);
     const std::string whole =
         folder.empty() || below.empty() ? folder + below : folder + "/" + below;
     if (auto found = find_in_folder(whole, file_name_of(path)); !found.empty()) return found;
   }
   return find_in_folder(folder, file_name_of(path));
-}
-
-bool is_safe_name(std::string_view name) {
-  if (name.empty() || name.front() == '/' || name.find('\\') != std::string_view::npos)
-    return false;
-  if (name.size() > 1 && name[1] == ':') return false;
-  if (std::any_of(name.begin(), name.end(), [](unsigned char c) { return c < 32 || c == 127; }))
-    return false;
-  const auto parts = split(name, '/');
-  return std::none_of(parts.begin(), parts.end(),
-                      [](const std::string& part) { return part == ".."; });
 }
 
 std::string folder_of(std::string_view name) {

@@ -32,8 +32,6 @@ struct FileTree {
   std::vector<std::string> files_in(std::string_view folder) const;
 };
 
-/// True for a name that stays inside: relative, forward slashes, no "..", no control characters.
-bool is_safe_name(std::string_view name);
 std::string folder_of(std::string_view name);
 /// The last part of a path of any system: "C:\\tex\\wood.jpg" gives wood.jpg.
 std::string file_name_of(std::string_view path);

@@ -4,6 +4,8 @@ namespace roomgen {
 
 namespace {
 
+constexpr std::size_t most_records = 100'000, most_fields = 1000;
+
 class CsvReader {
  public:
   CsvReader(std::string_view text, const std::string& source) : text_(text), source_(source) {
@@ -19,13 +21,16 @@ class CsvReader {
       while (more) {
         auto field = read_field();
         if (!field) return field.error();
+        if (record.fields.size() == most_fields) return error(line_, "has more than " + std::to_string(most_fields) + " columns");
         record.fields.push_back(*std::move(field));
         more = at_ < text_.size() && text_[at_] == ',';
         if (more) ++at_;
       }
       end_line();
-      if (record.fields.size() > 1 || !record.fields.front().empty())
-        records.push_back(std::move(record));
+      if (record.fields.size() == 1 && record.fields.front().empty()) continue;
+      if (records.size() == most_records)
+        return error(record.line, "is beyond the " + std::to_string(most_records) + " records that are read");
+      records.push_back(std::move(record));
     }
     return records;
   }

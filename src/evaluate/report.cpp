@@ -13,9 +13,6 @@ namespace {
 
 constexpr double clearance_tolerance = 1e-3;
 constexpr double ceiling_tolerance = 1e-3;
-// A thousand things at one spot are half a million pairs of meshes. Rooms have a few pairs for each thing.
-constexpr std::size_t most_overlaps = 200;
-constexpr std::size_t most_pairs = 10000;
 
 bool is_inside(const Object& object, const Room& room) {
   return contains(room.polygon, footprint(object)) && bottom(object) >= -ceiling_tolerance &&
@@ -38,15 +35,13 @@ bool keeps_clear(const Object& object, const Kind& category, const Room& room,
 }
 
 void find_overlaps(const Scene& scene, Solids& solids, std::vector<Violation>& found) {
-  std::size_t overlaps = 0, pairs = 0;
+  Crowd crowd;
   for (std::size_t i = 0; i < scene.objects.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
       const Object &one = scene.objects[i], &other = scene.objects[j];
       if (!both_solid(one, other) || !boxes_overlap(one, other)) continue;
-      if (overlaps == most_overlaps || ++pairs > most_pairs) return found.push_back({Fault::too_crowded, one.id, ""});
-      if (!solids.overlap(one, other)) continue;
-      ++overlaps;
-      found.push_back({Fault::overlap, one.id, other.id});
+      if (crowd.is_full()) return found.push_back({Fault::too_crowded, one.id, ""});
+      if (crowd.add(solids.overlap(one, other))) found.push_back({Fault::overlap, one.id, other.id});
     }
 }
 

@@ -13,6 +13,8 @@ namespace roomgen {
 namespace {
 
 constexpr int max_quantity = 10000;
+// Of one field, in names, and of a whole table.
+constexpr std::size_t most_of_field = 200, longest_name = 200, most_in_all = 200'000;
 
 std::optional<int> whole_number(std::string_view text) {
   int value = 0;
@@ -39,6 +41,9 @@ std::string without_number(const std::string& thing) { return thing.substr(0, th
 class FieldReader {
  public:
   FieldReader(std::string where, std::string_view field) : where_(std::move(where)) {
+    // A field of a million semicolons is not taken apart first.
+    is_too_long_ = static_cast<std::size_t>(std::count(field.begin(), field.end(), ';')) > most_of_field;
+    if (is_too_long_) return;
     for (auto& piece : split(field, ';'))
       if (!piece.empty()) specs_.push_back(std::move(piece));
   }
@@ -46,7 +51,10 @@ class FieldReader {
   /// `take` gets the text, the wanted count and what follows them, at least `least` pieces.
   template <typename Take>
   Status each(std::size_t least, Take take) const {
+    if (is_too_long_)
+      return Error{Error::Kind::limit, where_ + ": has more than " + std::to_string(most_of_field) + " requirements"};
     for (const auto& text : specs_) {
+      if (text.size() > longest_name) return error(shortened(text, 60) + "...", "is too long");
       auto pieces = split(text, ',');
       Wanted wanted;
       if (auto status = read_wanted(text, pieces, wanted); !status) return status;
@@ -83,6 +91,7 @@ class FieldReader {
 
   std::string where_;
   std::vector<std::string> specs_;
+  bool is_too_long_ = false;
 };
 
 using Pieces = std::vector<std::string>;
@@ -195,9 +204,14 @@ Result<std::vector<Requirements>> parse_requirements(std::string_view text,
       return Error{Error::Kind::invalid_input,
                    source + ":1: no column \"" + needed + "\" in the head line"};
   std::vector<Requirements> rows;
+  std::size_t in_all = 0;
   for (std::size_t i = 1; i < records->size(); ++i) {
     auto row = RowReader(columns, (*records)[i], source).read();
     if (!row) return row.error();
+    in_all += row->counts.size() + row->attributes.size() + row->object_relations.size() + row->room_relations.size();
+    if (in_all > most_in_all)
+      return Error{Error::Kind::limit, source + ":" + std::to_string((*records)[i].line) + ": is beyond the " +
+                                           std::to_string(most_in_all) + " requirements that are read"};
     rows.push_back(*std::move(row));
   }
   return rows;

@@ -43,9 +43,12 @@ class RoomPhysics {
   void find_collisions(RoomScore& score) {
     const auto& objects = scene_.objects;
     std::set<std::size_t> all, among_solids;
+    Crowd crowd;
     for (std::size_t i = 0; i < objects.size(); ++i)
       for (std::size_t j = i + 1; j < objects.size(); ++j) {
-        if (!solids_.intersect(objects[i], objects[j])) continue;
+        // Beyond what is looked into, boxes that overlap are collisions.
+        if (!boxes_overlap(objects[i], objects[j])) continue;
+        if (!crowd.is_full() && !crowd.add(solids_.intersect(objects[i], objects[j]))) continue;
         score.collisions.emplace_back(objects[i].id, objects[j].id);
         all.insert({i, j});
         if (both_solid(objects[i], objects[j])) among_solids.insert({i, j});

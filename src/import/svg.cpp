@@ -43,8 +43,10 @@ class SvgReader {
       return located(source_, elements_[0].line, "is no SVG: its first element is \"" +
                                                      elements_[0].name + "\"");
     const double unit = metres_per_unit();
-    for (std::size_t i = 0; i < elements_.size() && !error_; ++i)
-      if (!is_hidden(i)) draw(i, unit);
+    for (std::size_t i = 0; i < elements_.size() && !error_; ++i) {
+      enter(i);
+      if (!groups_.back().is_hidden) draw(elements_[i], unit);
+    }
     if (error_) return *error_;
     return room_from_lines(std::move(lines_), source_, svg_units_hint);
   }
@@ -101,34 +103,49 @@ class SvgReader {
 
   // --- Elements -------------------------------------------------------------------------------
 
-  // In a definition, or not displayed.
-  bool is_hidden(std::size_t i) const {
-    static constexpr std::array<std::string_view, 6> definitions = {
-        "defs", "symbol", "clippath", "mask", "pattern", "marker"};
-    for (; i != XmlElement::none; i = elements_[i].parent) {
-      const std::string name = local_name(elements_[i].name);
-      if (std::find(definitions.begin(), definitions.end(), name) != definitions.end()) return true;
-      const std::string* display = elements_[i].find("display");
-      const std::string* style = elements_[i].find("style");
-      if ((display && *display == "none") ||
-          (style && style->find("display:none") != std::string::npos))
-        return true;
-    }
-    return false;
+  /// What an element and the groups around it say together.
+  struct Group {
+    std::size_t element = XmlElement::none;
+    bool is_hidden = false;  ///< in a definition, or not displayed
+    std::optional<Transform> place;  ///< once something is drawn in it
+    DrawnRole role = DrawnRole::other;  ///< of the nearest that says what it is
+    std::string name;                   ///< of that one, or of the nearest that has any
+  };
+
+  // Elements come parents first, so those around this one are still there.
+  void enter(std::size_t i) {
+    const XmlElement& element = elements_[i];
+    while (!groups_.empty() && groups_.back().element != element.parent) groups_.pop_back();
+    Group group = groups_.empty() ? Group() : groups_.back();
+    group.element = i;
+    group.is_hidden = group.is_hidden || hides(element);
+    group.place.reset();
+    name_group(element, i == 0, group);
+    groups_.push_back(std::move(group));
   }
 
-  // By its own name or that of the nearest group which says what it is.
-  void name_line(std::size_t i, DrawnLine& line) const {
-    for (; i != XmlElement::none; i = elements_[i].parent)
-      for (const char* key : {"id", "inkscape:label", "class"}) {
-        const std::string* value = elements_[i].find(key);
-        if (!value) continue;
-        if (line.name.empty()) line.name = shortened(*value, 60);
-        if (role_of(*value) == DrawnRole::other || i == 0) continue;
-        line.role = role_of(*value);
-        line.name = shortened(*value, 60);
-        return;
-      }
+  static bool hides(const XmlElement& element) {
+    static constexpr std::array<std::string_view, 6> definitions = {
+        "defs", "symbol", "clippath", "mask", "pattern", "marker"};
+    const std::string* display = element.find("display");
+    const std::string* style = element.find("style");
+    return std::find(definitions.begin(), definitions.end(), local_name(element.name)) != definitions.end() ||
+           (display && *display == "none") || (style && style->find("display:none") != std::string::npos);
+  }
+
+  // The drawing itself may have a name, but is no wall.
+  static void name_group(const XmlElement& element, bool is_drawing, Group& group) {
+    bool is_named = false;
+    for (const char* key : {"id", "inkscape:label", "class"}) {
+      const std::string* value = element.find(key);
+      if (!value || value->empty()) continue;
+      const DrawnRole role = is_drawing ? DrawnRole::other : role_of(*value);
+      if (role == DrawnRole::other && (is_named || group.role != DrawnRole::other)) continue;
+      is_named = true;
+      group.name = shortened(*value, 60);
+      group.role = role;
+      if (role != DrawnRole::other) return;
+    }
   }
 
   double number(const XmlElement& element, const char* attribute) {
@@ -140,13 +157,13 @@ class SvgReader {
     return value.value_or(0.0);
   }
 
-  void draw(std::size_t i, double unit) {
-    const XmlElement& element = elements_[i];
+  void draw(const XmlElement& element, double unit) {
     auto lines = lines_of(element);
     if (lines.empty() || error_) return;
-    const Transform place = transform_of(i);
+    const Transform& place = place_here();
     for (auto& line : lines) {
-      name_line(i, line);
+      line.name = groups_.back().name;
+      line.role = groups_.back().role;
       for (auto& corner : line.points) {
         const Vec2 p = unit * (place * corner.point);
         // The page of an SVG counts downwards.
@@ -239,12 +256,18 @@ class SvgReader {
 
   // --- Transforms -----------------------------------------------------------------------------
 
-  Transform transform_of(std::size_t i) {
-    Transform total = Transform::Identity();
-    for (; i != XmlElement::none; i = elements_[i].parent)
-      if (const std::string* text = elements_[i].find("transform"))
-        total = parse_transform(elements_[i], *text) * total;
-    return total;
+  // Only where something is drawn: what is not need not be understood.
+  const Transform& place_here() {
+    Transform around = Transform::Identity();
+    for (Group& group : groups_) {
+      if (!group.place) {
+        const XmlElement& element = elements_[group.element];
+        const std::string* text = element.find("transform");
+        group.place = text ? around * parse_transform(element, *text) : around;
+      }
+      around = *group.place;
+    }
+    return *groups_.back().place;
   }
 
   Transform parse_transform(const XmlElement& element, std::string_view rest) {
@@ -289,6 +312,7 @@ class SvgReader {
 
   std::vector<XmlElement> elements_;
   const std::string& source_;
+  std::vector<Group> groups_;  ///< around the element that is read, and itself
   std::vector<DrawnLine> lines_;
   std::optional<Error> error_;
 };

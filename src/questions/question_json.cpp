@@ -1,16 +1,25 @@
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "base/json_lines.h"
 #include "base/json_reader.h"
+#include "base/relative_name.h"
 #include "roomgen/questions/questions.h"
 
 namespace roomgen {
 
 namespace {
 
-constexpr std::size_t most_question_bytes = 256u << 20;
+constexpr std::size_t most_question_bytes = 128u << 20;
+constexpr std::size_t longest_level = 60;
 constexpr double greatest_number = 1e9;
+
+// Reports and plots show it.
+bool is_level(std::string_view text) {
+  return std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isalnum(c) || c == ' ' || c == '-' || c == '_'; });
+}
 
 SpatialQuestion question_from(const JsonReader& root) {
   SpatialQuestion question;
@@ -33,7 +42,10 @@ SpatialQuestion question_from(const JsonReader& root) {
   for (const auto& object : root["objects"].elements_or_none(100000)) question.objects.push_back(object.text());
   if (const auto arguments = root["arguments"]; arguments.exists()) question.arguments = *arguments.raw();
   if (const auto complexity = root["complexity"]; complexity.exists()) {
-    for (const char* key : {"folder", "compositional", "relational", "observational"}) complexity[key].text_or("");
+    for (const char* key : {"compositional", "relational", "observational"})
+      if (!is_level(complexity[key].text_or("", longest_level))) complexity[key].report("a level has letters, digits, spaces, - and _ only");
+    const std::string folder = complexity["folder"].text_or("");
+    if (!folder.empty() && !stays_below(folder)) complexity["folder"].report("leads outside the set");
     question.complexity = *complexity.raw();
   }
   return question;

@@ -4,9 +4,11 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/random.h"
+#include "roomgen/base/cancel.h"
 #include "roomgen/generate/generate.h"
 #include "roomgen/scene/scene.h"
 #include "workshop.h"
@@ -29,13 +31,15 @@ Pose pose_of(const Object& object);
 
 /// A scene while an edit is at work on it. Given up, it leaves nothing behind.
 struct Draft {
-  Draft(Workshop& the_shop, const Scene& the_scene, bool may_repair)
-      : shop(the_shop), scene(the_scene), repair(may_repair), random(Random(the_scene.seed).fork("edit")) {}
+  Draft(Workshop& the_shop, const Scene& the_scene, bool may_repair, CancelToken the_cancel)
+      : shop(the_shop), scene(the_scene), repair(may_repair), cancel(std::move(the_cancel)),
+        random(Random(the_scene.seed).fork("edit")) {}
 
   Workshop& shop;
   Scene scene;
   const Scene* earlier = nullptr;  ///< before the last edit; null if there was none
   bool repair = true;
+  CancelToken cancel;  ///< the search for places ends with it
   Random random;
   std::set<std::string> named;  ///< objects that the edit is about, whatever became of them
   std::vector<std::string> added;

@@ -1,6 +1,7 @@
 #include "edit_scene.h"
 
 #include <algorithm>
+#include <chrono>
 
 #include "edited_ledger.h"
 #include "evaluate/violations.h"
@@ -41,6 +42,12 @@ Status check_new_faults(const Scene& before, const Draft& draft) {
   return {};
 }
 
+Error stopped(const SessionOptions& options) {
+  if (options.cancel.cancelled()) return {Error::Kind::cancelled, "stopped; nothing is changed"};
+  return {Error::Kind::limit, "this takes more than " + format_number(options.seconds, 1) +
+                                  " s; nothing is changed: ask for less at once"};
+}
+
 double distance_between(const Object& a, const Object& b) {
   const bool same_height = bottom(a) < top(b) && bottom(b) < top(a);
   return same_height ? gap(footprint(a), footprint(b)) : 1e9;
@@ -58,11 +65,14 @@ double nearest_to(const Scene& scene, const Cluster& cluster) {
 }  // namespace
 
 Result<EditedScene> edit_scene(Workshop& shop, const Scene& scene, const Scene* earlier,
-                               std::span<const edit::Operation> operations, bool repair) {
-  Draft draft(shop, scene, repair);
+                               std::span<const edit::Operation> operations, const SessionOptions& options) {
+  Draft draft(shop, scene, options.repair, options.cancel.within(std::chrono::duration<double>(options.seconds)));
   draft.earlier = earlier;
-  for (const auto& operation : operations)
-    if (auto status = carry_out(draft, operation); !status) return status.error();
+  for (const auto& operation : operations) {
+    auto status = carry_out(draft, operation);
+    if (draft.cancel.cancelled()) return stopped(options);
+    if (!status) return status.error();
+  }
   shop.fetch_models(draft.scene);
   if (auto status = check_new_faults(scene, draft); !status) return status.error();
   EditedScene edited;
@@ -77,7 +87,7 @@ Result<EditedScene> edit_scene(Workshop& shop, const Scene& scene, const Scene* 
 }
 
 Result<Preview> preview_pose(Workshop& shop, const Scene& scene, std::string_view id, const WantedPose& wanted) {
-  Draft draft(shop, scene, false);
+  Draft draft(shop, scene, false, {});
   const auto object = object_named(draft, id);
   if (!object) return object.error();
   Cluster cluster = cluster_of(scene, *object);

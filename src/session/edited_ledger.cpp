@@ -206,7 +206,7 @@ std::vector<std::string> broken_relations(const Scene& before, const Draft& draf
 }
 
 std::vector<std::string> update_ledger(Draft& draft, const Scene& before) {
-  Draft earlier(draft.shop, before, false);
+  Draft earlier(draft.shop, before, false, {});
   earlier.named = draft.named;
   const auto was = ledger_of(earlier);
   forget(gone_ids(before, draft.scene), draft);

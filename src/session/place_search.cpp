@@ -65,8 +65,9 @@ class PlaceSearch {
   std::optional<Cluster> best_of_solver(const PlacementTask& task, Acceptance& accepts) {
     PlaceOptions options;
     options.except = aim_.except;
+    options.cancel = draft_.cancel;
     options.accepts = [&](const Pose& pose) { return accepts(pose); };
-    for (int choice = 0; choice < most_choices; ++choice) {
+    for (int choice = 0; choice < most_choices && !draft_.cancel.cancelled(); ++choice) {
       auto placed = place(layout_, task, {}, options, draft_.random);
       if (!placed) {
         if (why_.empty()) why_ = placed.error().message;
@@ -81,6 +82,7 @@ class PlaceSearch {
   std::optional<Cluster> first_of_floor(const PlacementTask& task, Acceptance& accepts) {
     int tests_left = most_tests_in_the_end;
     for (const auto& pose : floor_points(layout_, task.object, aim_, middle_of(draft_, layout_, aim_))) {
+      if (draft_.cancel.cancelled()) break;
       if (!accepts(pose)) continue;
       if (tests_left-- == 0) break;
       if (auto found = suited(at_pose(task.object, pose))) return found;

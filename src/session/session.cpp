@@ -158,7 +158,7 @@ Result<Understanding> Session::understand(std::string_view sentence, const Model
   const auto earlier = impl_->earlier();
   const auto attempt = [&](std::span<const edit::Operation> operations) -> Status {
     const auto edited =
-        edit_scene(impl_->shop, impl_->scene, earlier ? &*earlier : nullptr, operations, impl_->options.repair);
+        edit_scene(impl_->shop, impl_->scene, earlier ? &*earlier : nullptr, operations, impl_->options);
     return edited ? Status() : Status(edited.error());
   };
   return ask_for_edit(editing, sentence, impl_->scene, impl_->recall(), attempt);
@@ -176,7 +176,7 @@ Result<EditReport> Session::apply(std::span<const edit::Operation> operations, c
     return std::holds_alternative<edit::Revert>(one);
   });
   const auto earlier = may_revert ? impl_->earlier() : std::nullopt;
-  auto edited = edit_scene(impl_->shop, impl_->scene, earlier ? &*earlier : nullptr, operations, impl_->options.repair);
+  auto edited = edit_scene(impl_->shop, impl_->scene, earlier ? &*earlier : nullptr, operations, impl_->options);
   if (!edited) return edited.error();
   const Deed deed{asker.asked, asker.by, operations_json(operations)};
   if (auto status = impl_->history.commit(edited->scene, deed); !status) return status.error();

@@ -6,6 +6,7 @@
 
 #include "base/json_lines.h"
 #include "base/json_reader.h"
+#include "base/relative_name.h"
 #include "pose_json.h"
 #include "roomgen/base/text.h"
 #include "view/camera_json.h"
@@ -18,7 +19,7 @@ using namespace detail;
 
 constexpr double least_rate = 0.1, most_rate = 120.0;
 constexpr double same_time = 1e-6;  // seconds
-constexpr std::size_t most_frame_bytes = std::size_t{1} << 30;
+constexpr std::size_t most_frame_bytes = 512u << 20;
 constexpr int most_side = 65536;
 
 using Matrix34 = Eigen::Matrix<double, 3, 4>;
@@ -90,6 +91,7 @@ Result<FrameRecord> record_from(const Json& json, const std::string& source) {
   record.width = static_cast<int>(camera["width"].integer_or(0, 1, most_side));
   record.height = static_cast<int>(camera["height"].integer_or(0, 1, most_side));
   record.picture = root["files"]["rgb"].text_or("");
+  if (!record.picture.empty() && !stays_below(record.picture)) root["files"]["rgb"].report("leads outside the folder of the frames");
   for (const auto& object : root["objects"].elements(100000)) record.objects.push_back(seen_from_json(object));
   if (auto error = problems.first()) return *error;
   return record;

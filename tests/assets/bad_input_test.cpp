@@ -2,6 +2,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "assets/properties.h"
 #include "catch.h"
 #include "fixture.h"
 #include "roomgen/base/file.h"
@@ -220,4 +221,23 @@ TEST_CASE("Absurd queries get an answer, if an empty one") {
     CHECK((*catalogue)->search({.description = text, .limit = 0}));
   }
   CHECK((*catalogue)->search({.category = "table", .size = Vec3(0, -1, 1e308)}));
+}
+
+TEST_CASE("A line of properties goes on as long as lines end in a lone backslash") {
+  const auto value = [](const std::string& text) {
+    const auto all = assets::parse_properties("a=" + text + "\nb=last\n");
+    REQUIRE(all);
+    CHECK(all->count("b") == 1);
+    return all->at("a");
+  };
+  CHECK(value("one") == "one");
+  CHECK(value("one\\\n  two") == "onetwo");
+  CHECK(value("one\\\\") == "one\\");
+  CHECK(value("one\\\\\\\ntwo") == "one\\two");
+  CHECK(value("one\\\n\\\n two\\\nthree") == "onetwothree");
+  // Backslashes before the end of one line do not count for the next.
+  CHECK(value("\\\\\\\n\\\n\\\\") == "\\\\");
+  std::string many;
+  for (int i = 0; i <= 2'000'000; ++i) many += std::to_string(i) + "\n";
+  CHECK(!assets::parse_properties(many));
 }

@@ -30,3 +30,10 @@ TEST_CASE("All copies of a cancel token are one flag") {
   CHECK(copy.cancelled());
   CHECK_FALSE(other.cancelled());
 }
+
+TEST_CASE("A time that no clock counts is a long one") {
+  CancelToken token;
+  CHECK_FALSE(token.within(std::chrono::duration<double>(1e300)).cancelled());
+  CHECK_FALSE(token.within(std::chrono::duration<double>(std::numeric_limits<double>::infinity())).cancelled());
+  CHECK(token.within(std::chrono::duration<double>(0.0)).cancelled());
+}

@@ -74,3 +74,20 @@ TEST_CASE("What is no requirement is refused with its line and column") {
   }
   CHECK(message(head + "1,x,,,\"eq,1,on,first,a,b\",,\n").find("anchor") != std::string::npos);
 }
+
+TEST_CASE("Tables of requirements are bounded in every direction") {
+  const auto table = [](const std::string& counts) { return "ID,Description,ObjCount\n1,x,\"" + counts + "\"\n"; };
+  const auto many = [](std::size_t count, const std::string& one) {
+    std::string text;
+    for (std::size_t i = 0; i < count; ++i) text += one;
+    return text;
+  };
+  const auto refused = [](const std::string& text) { return error_of(parse_requirements(text, "rows.csv")); };
+  CHECK(parse_requirements(table(many(200, "eq,1,a;")), "rows.csv"));
+  CHECK(refused(table(many(202, "eq,1,a;"))).find("rows.csv:2: ObjCount: has more than 200 requirements") == 0);
+  CHECK(parse_requirements(table("eq,1," + std::string(190, 'a')), "rows.csv"));
+  CHECK(refused(table("eq,1," + std::string(300, 'a'))).find("is too long") != std::string::npos);
+  CHECK(refused("ID,Description,ObjCount" + many(1000, ",")).find("rows.csv:1: has more than 1000 columns") == 0);
+  CHECK(refused("ID,Description,ObjCount\n" + many(100001, "1,x,\"eq,1,a\"\n")).find("rows.csv:100001: is beyond the 100000 records") == 0);
+  CHECK(refused("ID,Description,ObjCount\n" + many(1001, "1,x,\"" + many(200, "eq,1,a;") + "\"\n")).find("is beyond the 200000 requirements") != std::string::npos);
+}

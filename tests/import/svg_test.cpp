@@ -142,3 +142,24 @@ TEST_CASE("A file of JSON is still a room") {
   CHECK(room->polygon.size() == 8);
   CHECK_FALSE(read_floor_plan(svg_files + "missing.svg"));
 }
+
+TEST_CASE("What a group says holds for all in it, the nearest before those around it") {
+  const std::string walls = "<rect width='400' height='300'/>";
+  const auto openings = [&](const std::string& body) {
+    const auto room = room_from_svg(svg(walls + body), "plan.svg");
+    INFO((room ? "" : room.error().message));
+    REQUIRE(room);
+    return room->openings;
+  };
+  const std::string line = "<line x1='100' x2='190'/>";
+  CHECK(openings("<g id='door'><g class='of oak'>" + line + "</g></g>").at(0).type == OpeningType::door);
+  CHECK(openings("<g id='door'><g class='window'>" + line + "</g></g>").at(0).type == OpeningType::window);
+  CHECK(openings("<g id='window'>" + line + "</g><g><line x1='200' x2='290' id='door'/></g>").size() == 2);
+  CHECK(openings("<g display='none'><g id='door'>" + line + "</g></g>").empty());
+  CHECK(openings("<g style='a:b;display:none'>" + line + "</g><defs><g>" + line + "</g></defs>").empty());
+  // What is beside a group is not of it. The wall at the top runs from the right to the left.
+  CHECK(openings("<g id='door' transform='translate(10)'/><g id='window' transform='translate(20)'>" + line + "</g>").at(0).from == Approx(4.0 - 2.1));
+  // Transforms that are not read do no harm where nothing is drawn.
+  CHECK(openings("<g transform='skewX(3)'><text>oak</text></g><g id='door'>" + line + "</g>").size() == 1);
+  CHECK(contains_text(refusal_of_svg(svg(walls + "\n<g transform='skewX(3)'>" + line + "</g>")), "plan.svg:3: \"skewX\" is no transform"));
+}

@@ -10,6 +10,7 @@
 
 #include "base/random.h"
 #include "catch.h"
+#include "roomgen/base/file.h"
 #include "support/rooms.h"
 #include "support/temporary_folder.h"
 
@@ -420,4 +421,18 @@ TEST_CASE("Counts are whole in files") {
       ++counts;
     }
   CHECK(counts > 0);
+}
+
+TEST_CASE("Names in a set of questions stay in its folder, and levels are plain words") {
+  const TemporaryFolder folder;
+  const auto told = [&](const std::string& complexity) {
+    const std::string line = R"({"id": "q", "task": "count", "form": "f", "question": "how many?", "unit": "", "answer": 2, "tolerance": 0, "complexity": )" + complexity + "}";
+    REQUIRE(write_file(folder / "questions.jsonl", line + "\n"));
+    const auto read = read_questions(folder / "questions.jsonl");
+    return read ? std::string() : read.error().message;
+  };
+  CHECK(told(R"({"folder": "scene-0/a", "relational": "very low_2"})").empty());
+  for (const char* name : {"../a", "/etc", "a/../../b", "c:/a", "a\\\\b"})
+    CHECK(told(std::string(R"({"folder": ")") + name + "\"}").find("/complexity/folder: leads outside the set") != std::string::npos);
+  CHECK(told(R"({"relational": "<script>"})").find("/complexity/relational: a level has") != std::string::npos);
 }

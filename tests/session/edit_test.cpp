@@ -388,3 +388,23 @@ TEST_CASE("A corner that is set out anew stands to each other as it did, or all 
   for (const char* id : {"sofa-0", "coffee table-0", "armchair-0"})
     CHECK(find_object(session.scene(), id)->position != find_object(before, id)->position);
 }
+
+TEST_CASE("An edit that is stopped, or takes too long, changes nothing") {
+  const TemporaryFolder folder;
+  const std::string text = furnished("a bedroom with a desk", 5);
+  REQUIRE(write_file(folder / "scene.json", text));
+  SessionOptions hurried, stopped;
+  hurried.seconds = 1e-9;
+  stopped.cancel.cancel();
+  for (const auto& [options, kind] : {std::pair(hurried, Error::Kind::limit), std::pair(stopped, Error::Kind::cancelled)}) {
+    auto session = Session::open(folder / "scene.json", things_from_words(), KindTable::built_in(), options);
+    REQUIRE(session);
+    const std::vector<edit::Operation> operations = {edit::Add{"armchair", ""}};
+    const auto report = session->apply(operations, {"add an armchair", "test"});
+    REQUIRE(!report);
+    CHECK(report.error().kind == kind);
+    CHECK(report.error().message.find("nothing is changed") != std::string::npos);
+    CHECK(session->history().size() == 1);
+  }
+  CHECK(*read_file(folder / "scene.json") == text);
+}

@@ -48,7 +48,7 @@ Result<ToolAnswer> edit_room(Workplace& place, const ToolCall& call) {
   std::vector<std::string> notices;
   const bool dry_run = call.arguments.value("dry_run", false);
   auto room = open_room(place, call.arguments["room"].get<std::string>(), notices,
-                        {.look_only = dry_run, .repair = call.arguments.value("make_way", true)});
+                        {.look_only = dry_run, .repair = call.arguments.value("make_way", true), .cancel = call.cancel});
   if (!room) return room.error();
   const auto operations = operations_of(call, room->session, notices);
   if (!operations) return operations.error();

@@ -21,9 +21,11 @@ class CancelToken {
   }
 
   /// The same flag with an end of its own: cancelled when the flag is set, or after this time.
+  /// A time of more than thirty years is so long.
   CancelToken within(std::chrono::duration<double> time) const {
+    constexpr std::chrono::duration<double> longest(1e9);  // what a clock can count
     CancelToken token = *this;
-    const auto end = Clock::now() + std::chrono::duration_cast<Clock::duration>(time);
+    const auto end = Clock::now() + std::chrono::duration_cast<Clock::duration>(time < longest ? time : longest);
     token.end_ = end_ ? std::min(*end_, end) : end;
     return token;
   }

@@ -28,6 +28,8 @@ struct SessionOptions {
   bool repair = true;
   SpareModels spare_models = {};  ///< where meshes come from that the library does not have
   LogSink log = {};
+  double seconds = 60.0;    ///< most time of one edit; over it Error::Kind::limit, and nothing is changed
+  CancelToken cancel = {};  ///< stops an edit: Error::Kind::cancelled, and nothing is changed
 };
 
 /// What a sentence asks for.
