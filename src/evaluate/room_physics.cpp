@@ -13,12 +13,17 @@ namespace roomgen {
 
 namespace {
 
+// Each thing has a mesh of its own where it stands: so many take about a gigabyte.
+constexpr std::size_t most_triangles = 10'000'000;
+
 class RoomPhysics {
  public:
   RoomPhysics(const Scene& scene, const ModelTable& models, const RoomSurfaces& around)
       : scene_(scene), around_(around), solids_(models) {
+    std::size_t triangles = 0;
     for (const auto& object : scene.objects) {
-      things_.push_back(thing_of(object, models));
+      things_.push_back(thing_of(object, triangles < most_triangles ? models : ModelTable()));
+      triangles += things_.back().mesh().triangles.size();
       mounts_.push_back(object.mount);
       boxes_.push_back(box_of(object));
     }
@@ -43,13 +48,14 @@ class RoomPhysics {
   void find_collisions(RoomScore& score) {
     const auto& objects = scene_.objects;
     std::set<std::size_t> all, among_solids;
-    Crowd crowd;
     for (std::size_t i = 0; i < objects.size(); ++i)
       for (std::size_t j = i + 1; j < objects.size(); ++j) {
-        // Beyond what is looked into, boxes that overlap are collisions.
+        // Beyond what is looked into, boxes that overlap collide; the pairs are too many to be named.
         if (!boxes_overlap(objects[i], objects[j])) continue;
-        if (!crowd.is_full() && !crowd.add(solids_.intersect(objects[i], objects[j]))) continue;
-        score.collisions.emplace_back(objects[i].id, objects[j].id);
+        if (!crowd_.is_full()) {
+          if (!crowd_.add(solids_.intersect(objects[i], objects[j]))) continue;
+          score.collisions.emplace_back(objects[i].id, objects[j].id);
+        }
         all.insert({i, j});
         if (both_solid(objects[i], objects[j])) among_solids.insert({i, j});
       }
@@ -57,8 +63,10 @@ class RoomPhysics {
     for (const auto i : among_solids) score.colliding_solids.push_back(objects[i].id);
   }
 
+  // In a crowd nothing counts as held: rays from each thing to all that it is in the middle of would take minutes.
   void find_unheld(RoomScore& score) const {
-    const auto held = sceneeval::supported(things_, mounts_, scene_.room, around_.parts);
+    const auto held = crowd_.is_full() ? std::vector<bool>(things_.size(), false)
+                                       : sceneeval::supported(things_, mounts_, scene_.room, around_.parts);
     for (std::size_t i = 0; i < things_.size(); ++i) {
       const std::string& id = scene_.objects[i].id;
       if (!held[i]) score.unsupported.push_back(id);
@@ -81,6 +89,7 @@ class RoomPhysics {
   const Scene& scene_;
   const RoomSurfaces& around_;
   Solids solids_;
+  Crowd crowd_;
   std::vector<Thing> things_;
   std::vector<Mount> mounts_;
   std::vector<OrientedBox> boxes_;

@@ -217,3 +217,18 @@ TEST_CASE("Blanking every description and wish in a scene changes no verdict") {
   CHECK(std::count_if(verdicts.begin(), verdicts.end(),
                       [](const auto& text) { return text.find(" yes ") != std::string::npos; }) >= 3);
 }
+
+TEST_CASE("Of a crowd 200 pairs are named, all that collide are counted, and nothing is held") {
+  const auto pile = [](int count) {
+    std::vector<Object> objects;
+    for (int i = 0; i < count; ++i) objects.push_back(rooms::thing("c-" + std::to_string(i), "thing", {0.5, 0.5, 0.5}, {2, 2}));
+    return score_room(asking("", ""), rooms::scene(rooms::box(6, 6), objects), ModelTable());
+  };
+  const RoomScore some = pile(20), many = pile(30);
+  CHECK(some.collisions.size() == 190);
+  CHECK(some.colliding.size() == 20);
+  CHECK(some.unsupported.empty());
+  CHECK(many.collisions.size() == 200);
+  CHECK(many.colliding.size() == 30);
+  CHECK(many.unsupported.size() == 30);
+}
