@@ -13,8 +13,8 @@ namespace roomgen {
 namespace {
 
 constexpr int max_quantity = 10000;
-// Of one field, in names, and of a whole table.
-constexpr std::size_t most_of_field = 200, longest_name = 200, most_in_all = 200'000;
+// Of one field, in bytes, and of a whole table.
+constexpr std::size_t most_of_field = 2000, longest_requirement = 500, most_in_all = 200'000;
 
 std::optional<int> whole_number(std::string_view text) {
   int value = 0;
@@ -54,7 +54,7 @@ class FieldReader {
     if (is_too_long_)
       return Error{Error::Kind::limit, where_ + ": has more than " + std::to_string(most_of_field) + " requirements"};
     for (const auto& text : specs_) {
-      if (text.size() > longest_name) return error(shortened(text, 60) + "...", "is too long");
+      if (text.size() > longest_requirement) return error(shortened(text, 60) + "...", "is too long");
       auto pieces = split(text, ',');
       Wanted wanted;
       if (auto status = read_wanted(text, pieces, wanted); !status) return status;

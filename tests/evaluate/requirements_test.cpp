@@ -83,11 +83,11 @@ TEST_CASE("Tables of requirements are bounded in every direction") {
     return text;
   };
   const auto refused = [](const std::string& text) { return error_of(parse_requirements(text, "rows.csv")); };
-  CHECK(parse_requirements(table(many(200, "eq,1,a;")), "rows.csv"));
-  CHECK(refused(table(many(202, "eq,1,a;"))).find("rows.csv:2: ObjCount: has more than 200 requirements") == 0);
-  CHECK(parse_requirements(table("eq,1," + std::string(190, 'a')), "rows.csv"));
-  CHECK(refused(table("eq,1," + std::string(300, 'a'))).find("is too long") != std::string::npos);
+  CHECK(parse_requirements(table(many(2000, "eq,1,a;")), "rows.csv"));
+  CHECK(refused(table(many(2002, "eq,1,a;"))).find("rows.csv:2: ObjCount: has more than 2000 requirements") == 0);
+  CHECK(parse_requirements(table("eq,1," + std::string(490, 'a')), "rows.csv"));
+  CHECK(refused(table("eq,1," + std::string(600, 'a'))).find("is too long") != std::string::npos);
   CHECK(refused("ID,Description,ObjCount" + many(1000, ",")).find("rows.csv:1: has more than 1000 columns") == 0);
   CHECK(refused("ID,Description,ObjCount\n" + many(100001, "1,x,\"eq,1,a\"\n")).find("rows.csv:100001: is beyond the 100000 records") == 0);
-  CHECK(refused("ID,Description,ObjCount\n" + many(1001, "1,x,\"" + many(200, "eq,1,a;") + "\"\n")).find("is beyond the 200000 requirements") != std::string::npos);
+  CHECK(refused("ID,Description,ObjCount\n" + many(101, "1,x,\"" + many(2000, "eq,1,a;") + "\"\n")).find("is beyond the 200000 requirements") != std::string::npos);
 }
