@@ -135,7 +135,7 @@ Result<int> run(const Context& context, const RoomOptions& command) {
   const bool is_terminal = ::isatty(STDIN_FILENO) && ::isatty(STDOUT_FILENO);
   const auto library = make_later_library(command.libraries, context);
   const Tell tell = warn;
-  auto scene = repl::OpenScene::open(command.scene, *library, {.repair = command.may_repair(), .tell = tell});
+  auto scene = repl::OpenScene::open(command.scene, *library, {.repair = command.may_repair(), .tell = tell, .cancel = context.cancel});
   if (!scene) return scene.error();
   repl::Desk desk{*std::move(scene), !command.no_pictures, command.pixels, command.by, tell};
   const auto lines = lines_for(desk, command, context.cancel, is_terminal);
