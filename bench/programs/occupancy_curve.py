@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """RoomGen's figure 3 as a picture: which share of a room's things find a place, over the floor that they would cover.
 
-    bench_occupancy > TABLE; bench/programs/occupancy_curve.py TABLE docs/images/occupancy.svg"""
+    bench_occupancy > TABLE; bench/programs/occupancy_curve.py TABLE occupancy.svg"""
 import pathlib
 import re
 import sys
