@@ -69,7 +69,7 @@ def cell(text, row, column, which=1):
 
 
 def figure(text, find, before):
-    """The figure that `find` tells of; a number where the one before was a number. None if it is not there."""
+    """The figure that `find` tells of; a number of the same sort where the one before was one. None if it is not there."""
     if isinstance(find, str):
         match = re.search(find, text, re.MULTILINE)
         said = match and match.group(1)
@@ -78,7 +78,7 @@ def figure(text, find, before):
     if said is None or isinstance(before, str):
         return said
     number = re.search(r"-?\d+(\.\d+)?", said.replace(",", ""))
-    return number and (float(number[0]) if number[1] else int(number[0]))
+    return number and type(before)(float(number[0]))
 
 
 def record(name, text):
