@@ -9,7 +9,6 @@ import collections
 import datetime
 import json
 import os
-import platform
 import re
 import subprocess
 from pathlib import Path
@@ -82,18 +81,24 @@ def figure(text, find, before):
 
 
 def record(name, text):
-    """Puts what a benchmark printed into its file. Returns the names of the values that were not found."""
+    """Puts what a benchmark printed into its file. Returns the names of the values that were not found: they stay, with
+    the commit that they are of."""
     result, missing = load()[name], []
     for value in result["values"]:
         found = figure(text, value["find"], value["value"]) if "find" in value else None
-        if found is None:
-            missing.append(value["name"])
-        else:
+        if found is not None:
             value["value"] = found
+            if value.get("note", "").startswith("at "):
+                del value["note"]
+        else:
+            missing.append(value["name"])
+            value.setdefault("note", f"at {result['commit']}")
     git = ["git", "-C", str(ROOT), "rev-parse", "--short=8", "HEAD"]
     result["commit"] = subprocess.run(git, capture_output=True, text=True, check=True).stdout.strip()
     result["date"] = datetime.date.today().isoformat()
-    result["machine"] = f"{os.cpu_count()} cores, {platform.machine()}"
+    # The benchmark itself may have kept all of its cores busy, but no more than that.
+    busy = os.getloadavg()[0] > os.cpu_count() + 0.5
+    result["machine"] = f"{os.cpu_count()} cores{', beside other work' if busy else ''}"
     save(name, result)
     return missing
 
