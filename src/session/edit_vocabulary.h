@@ -17,7 +17,7 @@ struct Growth {
   double factor = 1.0;
 };
 
-/// The words of data/edits.json; docs/editing.md explains the lists.
+/// The words of data/edits.json; docs/word-lists.md explains the lists.
 struct EditVocabulary {
   template <typename T>
   using Map = std::map<std::string, T, std::less<>>;
