@@ -16,7 +16,8 @@ struct Explanation {
   std::vector<std::string> lines;
 };
 
-/// What stands where, what was asked for and what became of it.
+/// What stands where, what was asked for and what became of it: a line for each element of the
+/// lists, in order.
 Explanation explain_scene(const Scene& scene);
 
 /// One thing: its relations and whether they hold, what was asked of it, and, from its line of trace.jsonl, why

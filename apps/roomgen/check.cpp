@@ -38,7 +38,7 @@ Result<int> check_scene(const Context& context, const CheckCommand& command, con
     std::fputs(dump_json(check_json(scene, report)).c_str(), stdout);
   } else {
     std::printf("%s: %s\n", printable(command.file).c_str(), printable(check_headline(scene, report)).c_str());
-    print_lines(check_lines(report));
+    print_lines(check_lines(scene, report));
   }
   return report.violations.empty() ? exit_ok : exit_failure;
 }

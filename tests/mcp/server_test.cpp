@@ -1,11 +1,13 @@
 #include "mcp/server.h"
 
+#include <algorithm>
 #include <random>
 #include <set>
 #include <thread>
 
 #include "catch.h"
 #include "mcp/about.h"
+#include "mcp/page.h"
 #include "support/contains.h"
 
 using namespace roomgen;
@@ -28,9 +30,10 @@ struct Conversation {
     offer.version = "1";
     for (const auto& tool : offer.about["tools"])
       offer.tools[tool["name"]] = [](const ToolCall& call) -> Result<ToolAnswer> {
-        call.progress(1, 2, "half");
+        for (const double done : {0, 1, 1, 2, 2}) call.progress(done, 2, "so far");
         const std::string room = call.arguments.value("room", "");
         if (room == "missing") return Error{Error::Kind::not_found, "no such room"};
+        if (room == "huge") return huge_answer();
         if (room == "broken") throw std::runtime_error("broken");
         return text_answer("did it", call.arguments);
       };
@@ -40,6 +43,16 @@ struct Conversation {
       return Error{Error::Kind::not_found, "no resource"};
     };
     return offer;
+  }
+
+  static ToolAnswer huge_answer() {
+    std::string text;
+    Json data = {{"changes", Json::array()}, {"notices", {"one"}}};
+    for (int i = 0; i < 10'000; ++i) {
+      data["changes"].push_back("chair-" + std::to_string(i) + " moved");
+      text += (i > 0 ? "\n" : "") + data["changes"].back().get<std::string>();
+    }
+    return text_answer(text, data);
   }
 
   /// The answer to one request.
@@ -126,10 +139,25 @@ TEST_CASE("Tools are called with what keeps to their schema, and say so when the
 TEST_CASE("Who gives a token is told how far the work is, before the answer") {
   Conversation talk;
   talk.call("check", {{"room", "a"}}, {{"progressToken", "t"}});
-  REQUIRE(talk.sent.size() == 2);
-  CHECK(talk.sent[0]["method"] == "notifications/progress");
-  CHECK(talk.sent[0]["params"]["progressToken"] == "t");
-  CHECK(talk.sent[0]["params"]["progress"] == 1);
+  REQUIRE(talk.sent.size() == 4);
+  for (int i = 0; i < 3; ++i) {
+    CHECK(talk.sent[i]["method"] == "notifications/progress");
+    CHECK(talk.sent[i]["params"]["progressToken"] == "t");
+    CHECK(talk.sent[i]["params"]["progress"] == i);  // larger each time
+    CHECK(talk.sent[i]["params"]["message"] == "so far");
+  }
+}
+
+TEST_CASE("No answer is longer than a model can read") {
+  Conversation talk;
+  const Json result = talk.call("check", {{"room", "huge"}})["result"];
+  CHECK(to_line(result).size() < 2 * answer_bytes + 1'000);
+  const Json& data = result["structuredContent"];
+  CHECK(data["changes"].size() + data["cut"]["changes"].get<std::size_t>() == 10'000);
+  CHECK(data["notices"].size() == 1);
+  const std::string text = result["content"][0]["text"];
+  const auto lines = std::count(text.begin(), text.end(), '\n');
+  CHECK(contains_text(text, "(cut here; " + std::to_string(10'000 - lines) + " more lines)"));
 }
 
 TEST_CASE("A call that is cancelled while it waits is not answered, and the others are") {

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "arguments.h"
@@ -26,12 +25,29 @@ Result<cli::AnyPlan> wanted_plan(const Workplace& place, const ToolCall& call, D
   return cli::make_plan(*wish, designer, call.cancel);
 }
 
+// Between two things that were tried, so that each event is further than the one before.
+double how_far(const BuildEvent& event) {
+  using Kind = BuildEvent::Kind;
+  const auto done = static_cast<double>(event.done);
+  if (event.kind == Kind::begun) return done + 0.25;
+  if (event.kind == Kind::improving) return done + 0.5;
+  return event.kind == Kind::improved ? done + 0.75 : done;
+}
+
+std::string in_words(const BuildEvent& event) {
+  using Kind = BuildEvent::Kind;
+  if (event.kind == Kind::begun) return "placing " + event.object;
+  if (event.kind == Kind::placed) return event.object + " stands";
+  if (event.kind == Kind::left_out) return event.object + " found no place";
+  return event.kind == Kind::improving ? "improving the room" : "the room is improved";
+}
+
 Result<Generation> furnish(const Workplace& place, const ToolCall& call, const cli::AnyPlan& plan, Designer& designer) {
   BuildOptions options;
   options.seed = std::visit([](const auto& each) { return each.seed; }, plan);
   options.cancel = call.cancel;
   options.on_event = [&call](const BuildEvent& event) {
-    call.progress(static_cast<double>(event.done), static_cast<double>(event.total), event.object);
+    call.progress(how_far(event), static_cast<double>(event.total + 1), in_words(event));
   };
   return std::visit(
       [&](const auto& each) { return generate(each, designer, place.library, KindTable::built_in(), options); }, plan);
@@ -39,12 +55,12 @@ Result<Generation> furnish(const Workplace& place, const ToolCall& call, const c
 
 Json answer_json(const std::string& name, const Generation& made) {
   const Scene& scene = made.scene;
+  const cli::Clauses clauses = cli::clauses_of(scene);
   Json json = {{"room", name},
                {"objects", scene.objects.size()},
-               {"asked", scene.requirements.size()},
-               {"met", std::count_if(scene.requirements.begin(), scene.requirements.end(),
-                                     [](const RequirementVerdict& verdict) { return verdict.met(); })},
-               {"not_met", cli::unmet(scene)},
+               {"asked", clauses.asked},
+               {"met", clauses.met},
+               {"not_met", clauses.unmet},
                {"not_understood", not_understood(scene)},
                {"left_out", Json::array()},
                {"notes", made.notes},

@@ -19,18 +19,17 @@ bool is_whole(const Json& value) {
   return value.is_number() && std::floor(value.get<double>()) == value.get<double>();
 }
 
-bool is_of_type(const Json& value, const std::string& type) {
-  if (type == "object") return value.is_object();
-  if (type == "array") return value.is_array();
-  if (type == "string") return value.is_string();
-  if (type == "boolean") return value.is_boolean();
-  if (type == "integer") return is_whole(value);
-  return value.is_number();
+std::string list_in_words(const std::string& elements) {
+  if (elements == "number") return "a list of numbers, as in [1.5, 2]";
+  if (elements == "string") return "a list of texts, as in [\"a\", \"b\"]";
+  return elements == "object" ? "a list of objects, as in [{...}, {...}]" : "a list";
 }
 
-std::string in_words(const std::string& type) {
+std::string in_words(const Json& schema) {
+  const std::string type = schema.value("type", "");
   if (type == "object") return "an object";
-  if (type == "array") return "a list";
+  if (type == "array")
+    return list_in_words(schema.value("items", Json::object()).value("type", ""));
   if (type == "string") return "a text";
   if (type == "boolean") return "true or false";
   return type == "integer" ? "a whole number" : "a number";
@@ -74,7 +73,7 @@ Status check_members(const Json& schema, const Json& value, const std::string& p
   }
   for (const auto& key : schema.value("required", Json::array()))
     if (!value.contains(key.get<std::string>()))
-      return fault(pointer, "\"" + key.get<std::string>() + "\" is missing");
+      return fault(pointer, "\"" + key.get<std::string>() + "\" is missing or empty");
   return {};
 }
 
@@ -87,7 +86,8 @@ Status check_elements(const Json& schema, const Json& value, const std::string& 
 
 Status check(const Json& schema, const Json& value, const std::string& pointer) {
   const std::string type = schema.value("type", "");
-  if (!type.empty() && !is_of_type(value, type)) return fault(pointer, "expected " + in_words(type));
+  if (!type.empty() && !is_of_type(value, type))
+    return fault(pointer, "expected " + in_words(schema));
   if (const auto known = schema.find("enum"); known != schema.end()) return check_enum(*known, value, pointer);
   if (value.is_number()) return check_bounds(schema, value.get<double>(), "minimum", "maximum", "the number", pointer);
   if (value.is_string()) {
@@ -103,6 +103,15 @@ Status check(const Json& schema, const Json& value, const std::string& pointer) 
 }
 
 }  // namespace
+
+bool is_of_type(const Json& value, const std::string& type) {
+  if (type == "object") return value.is_object();
+  if (type == "array") return value.is_array();
+  if (type == "string") return value.is_string();
+  if (type == "boolean") return value.is_boolean();
+  if (type == "integer") return is_whole(value);
+  return type == "number" && value.is_number();
+}
 
 Status check_input(const Json& schema, const Json& value) { return check(schema, value, ""); }
 

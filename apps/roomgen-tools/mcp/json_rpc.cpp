@@ -11,7 +11,6 @@ namespace {
 
 using Reading = std::variant<Message, Refused>;
 
-// Objects are searched name by name, so that one of very many names would take very long.
 constexpr std::size_t max_members = 10'000;
 constexpr std::size_t max_batch = 100;
 
@@ -67,16 +66,21 @@ std::vector<Reading> read_batch(const Json& batch) {
   return readings;
 }
 
-Refused too_much(const std::string& what) { return refused(nullptr, "a message " + what + "; send less at a time"); }
-
 }  // namespace
+
+Result<Json> parse_from_client(std::string_view text, const std::string& source) {
+  if (has_too_many_members(text))
+    return Error{Error::Kind::limit, source + ": more than " + std::to_string(max_members) +
+                                         " members; send less at a time"};
+  return parse_json(text, source);
+}
 
 std::vector<Reading> read_messages(std::string_view line) {
   if (trim(line).empty()) return {};
   if (line.size() > max_message_bytes)
-    return {too_much("of more than " + std::to_string(max_message_bytes) + " bytes")};
-  if (has_too_many_members(line)) return {too_much("of more than " + std::to_string(max_members) + " members")};
-  const auto json = parse_json(line, "the message");
+    return {refused(nullptr, "a message of more than " + std::to_string(max_message_bytes) +
+                                 " bytes; send less at a time")};
+  const auto json = parse_from_client(line, "the message");
   if (!json && json.error().kind == Error::Kind::limit) return {refused(nullptr, json.error().message)};
   if (!json) return {Refused{nullptr, {parse_error, json.error().message}}};
   if (json->is_array()) return read_batch(*json);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "roomgen/base/json.h"
+#include "roomgen/base/result.h"
 
 /// JSON-RPC 2.0: what a line of the protocol says, and the lines that answer it.
 namespace roomgen::mcp {
@@ -47,6 +48,10 @@ struct Refused {
 
 /// Largest message that is read; what an agent has to say is far shorter.
 inline constexpr std::size_t max_message_bytes = 1u << 20;
+
+/// JSON that a client wrote. Objects are searched name by name, so that one of very many names would
+/// take very long: more than 10,000 members are refused (Error::Kind::limit), however they are spread.
+Result<Json> parse_from_client(std::string_view text, const std::string& source);
 
 /// The messages of a line: one, or those of a batch. Answers to requests are left out, since none are made.
 std::vector<std::variant<Message, Refused>> read_messages(std::string_view line);

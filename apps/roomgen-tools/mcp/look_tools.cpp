@@ -1,10 +1,10 @@
-#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "arguments.h"
 #include "check_report.h"
 #include "explain.h"
+#include "page.h"
 #include "roomgen/base/file.h"
 #include "roomgen/base/text.h"
 #include "tools.h"
@@ -14,6 +14,16 @@ namespace roomgen::mcp {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
+constexpr std::size_t most_of_prompt = 2'000, most_of_trace = 20'000;  // bytes
+
+std::size_t skipped(const ToolCall& call) { return call.arguments.value("skip", std::size_t{0}); }
+
+// What was tried for one thing may be very much; the file has it all.
+void shorten_trace(cli::Explanation& one) {
+  if (!one.data.contains("placed") || json_line(one.data["placed"]).size() <= most_of_trace) return;
+  one.data["placed"].erase("attempts");
+  one.lines.push_back("  what was tried for it is too long for an answer: trace.jsonl has it");
+}
 
 Result<ToolAnswer> preview(Workplace& place, const ToolCall& call) {
   std::vector<std::string> notices;
@@ -42,21 +52,11 @@ Result<ToolAnswer> check(Workplace& place, const ToolCall& call) {
   if (!room) return room.error();
   const Scene& scene = room->session.scene();
   const SceneReport report = examined(*room);
-  std::vector<std::string> lines = {cli::check_headline(scene, report)};
-  for (const auto& line : cli::check_lines(report)) lines.push_back(line);
-  Json data = cli::check_json(scene, report);
-  data.erase("format");
-  data["valid"] = report.violations.empty();
-  data["not_held"] = Json::array();
-  for (const auto& verdict : report.relations)
-    if (!verdict.judgement.held) data["not_held"].push_back(verdict.object + " | " + to_text(verdict.relation));
-  data["asked"] = scene.requirements.size();
-  data["met"] = std::count_if(scene.requirements.begin(), scene.requirements.end(),
-                              [](const RequirementVerdict& verdict) { return verdict.met(); });
-  data["not_met"] = cli::unmet(scene);
-  for (const auto& clause : cli::unmet(scene)) lines.push_back("  not met: " + clause);
-  lines.insert(lines.end(), notices.begin(), notices.end());
-  return text_answer(text_of(lines), std::move(data));
+  Report found{cli::check_json(scene, report), {"violations", "not_held", "not_met"},
+               {cli::check_headline(scene, report)}, cli::check_lines(scene, report)};
+  found.data.erase("format");
+  found.head.insert(found.head.end(), notices.begin(), notices.end());
+  return page_of(found, skipped(call));
 }
 
 Result<ToolAnswer> explain(Workplace& place, const ToolCall& call) {
@@ -66,11 +66,17 @@ Result<ToolAnswer> explain(Workplace& place, const ToolCall& call) {
   const Scene& scene = room->session.scene();
   if (!call.arguments.contains("object")) {
     auto all = cli::explain_scene(scene);
-    return text_answer(text_of(all.lines), std::move(all.data));
+    all.data["prompt"] = shortened(scene.prompt, most_of_prompt);
+    const Report found{std::move(all.data),
+                       {"rooms", "objects", "requirements", "not_understood", "left_out"},
+                       {},
+                       std::move(all.lines)};
+    return page_of(found, skipped(call));
   }
   const std::string id = call.arguments["object"].get<std::string>();
   auto one = cli::explain_object(scene, examined(*room), id, cli::traced(room->scene_file, id));
   if (!one) return one.error();
+  shorten_trace(*one);
   return text_answer(text_of(one->lines), std::move(one->data));
 }
 

@@ -11,12 +11,16 @@
 
 namespace roomgen::mcp {
 
+/// Tells how far the work is: of `total`, `done`, and in words.
+using Progress = std::function<void(double done, double total, const std::string& what)>;
+
 /// A call of a tool. Its arguments keep to the tool's schema.
 struct ToolCall {
   Json arguments = Json::object();
   CancelToken cancel = {};
-  /// Tells who waits how far the work is; does nothing unless somebody asked to be told.
-  std::function<void(double done, double total, const std::string& what)> progress = [](auto&&...) {};
+  /// Tells who waits; does nothing unless somebody asked to be told. What is not further than before
+  /// is not sent.
+  Progress progress = [](auto&&...) {};
 };
 
 /// What a tool answers: texts and pictures for the model that asked, and the same as data.

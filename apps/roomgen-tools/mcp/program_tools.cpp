@@ -1,4 +1,5 @@
 #include <nlohmann/json.hpp>
+#include <numeric>
 
 #include "arguments.h"
 #include "options.h"
@@ -75,9 +76,12 @@ Result<ToolAnswer> optimise_room(Workplace& place, const ToolCall& call) {
   const KindTable& kinds = KindTable::built_in();
   std::vector<std::string> lines = remarks_on(*program);
   OptimiseOptions options = search_options(call, call.arguments.value("seed", program->seed));
+  std::vector<int> steps(static_cast<std::size_t>(options.chains));  // of each chain
   options.on_progress = [&](const OptimiseProgress& progress) {
+    steps[static_cast<std::size_t>(progress.chain)] = progress.step;
     if (progress.step % steps_of_progress == 0)
-      call.progress(progress.step, options.steps, std::to_string(progress.things) + " things");
+      call.progress(std::accumulate(steps.begin(), steps.end(), 0.0),
+                    options.steps * options.chains, std::to_string(progress.things) + " things");
   };
   const auto room = room_of(*program, options.seed, lines);
   if (!room) return room.error();

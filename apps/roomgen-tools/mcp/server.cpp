@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "input_schema.h"
+#include "meant_input.h"
+#include "page.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen::mcp {
@@ -181,6 +183,17 @@ const Json* Server::tool_named(const std::string& name) const {
   return nullptr;
 }
 
+// The protocol wants each amount to be larger than the one before: what is no further is not sent.
+Progress Server::progress_to(const Json& token) {
+  return [this, token, last = -1.0](double done, double total, const std::string& what) mutable {
+    if (!(done > last)) return;
+    last = done;
+    const Json params = {
+        {"progressToken", token}, {"progress", done}, {"total", total}, {"message", what}};
+    send(notification("notifications/progress", params));
+  };
+}
+
 Server::Outcome Server::call_tool(const Call& call) {
   const Json& params = call.request.params;
   const std::string name = text_of(params, "name");
@@ -191,18 +204,19 @@ Server::Outcome Server::call_tool(const Call& call) {
     return Fault{invalid_params, "unknown tool \"" + shortened(name, 100) + "\"; there are " + join(names, ", ")};
   }
   ToolCall made;
-  if (const auto given = params.find("arguments"); given != params.end() && !given->is_null()) made.arguments = *given;
+  const Json& schema = (*tool)["inputSchema"];
+  if (const auto given = params.find("arguments"); given != params.end() && !given->is_null())
+    made.arguments = as_meant(schema, *given);
   made.cancel = call.cancel;
   const Json meta = params.value("_meta", Json());
   if (meta.is_object() && meta.contains("progressToken"))
-    made.progress = [this, token = meta["progressToken"]](double done, double total, const std::string& what) {
-      send(notification("notifications/progress",
-                        {{"progressToken", token}, {"progress", done}, {"total", total}, {"message", what}}));
-    };
-  if (auto status = check_input((*tool)["inputSchema"], made.arguments); !status)
+    made.progress = progress_to(meta["progressToken"]);
+  if (auto status = check_input(schema, made.arguments); !status)
     return failed(name + ": " + status.error().message);
-  const auto answer = offer_.tools.at(name)(made);
-  return answer ? succeeded(*answer) : failed(answer.error().message);
+  auto answer = offer_.tools.at(name)(made);
+  if (!answer) return failed(answer.error().message);
+  keep_within_bounds(*answer);
+  return succeeded(*answer);
 }
 
 Server::Outcome Server::read_resource(const Call& call) const {

@@ -51,6 +51,7 @@ class Server {
   Outcome perform(const Call& call);
   Outcome initialize(const Json& params) const;
   Outcome discover() const;
+  Progress progress_to(const Json& token);
   Outcome call_tool(const Call& call);
   Outcome read_resource(const Call& call) const;
   const Json* tool_named(const std::string& name) const;
