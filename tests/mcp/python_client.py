@@ -8,6 +8,7 @@ import base64
 import json
 import os
 import shutil
+import subprocess
 import sys
 from pathlib import Path
 
@@ -58,7 +59,9 @@ async def furnish(client):
     assert not made.is_error, text_of(made)
     assert made.structured_content["room"] == "study" and made.structured_content["objects"] >= 2
     assert max(picture_of(made)) == 512
-    assert told, "no progress was told"
+    assert len(told) > 2 and told[0][0] >= 0, told
+    assert all(before[0] < after[0] for before, after in zip(told, told[1:])), told
+    assert all(amount <= total and message for amount, total, message in told), told
 
 
 async def change(client, root):
@@ -96,6 +99,67 @@ async def look(client, root):
     exported = await done(client, "export", room="study", file="out/study.glb")
     glb = (root / "out/study.glb").read_bytes()
     assert glb.startswith(b"glTF") and len(glb) == exported.structured_content["bytes"]
+
+
+async def clauses(client, root, roomgen):
+    """Tool and command count the same, and nothing that an edit withdrew."""
+    before = (await done(client, "check", room="study")).structured_content
+    await done(client, "edit", room="study", change="remove the desk chair", picture="none")
+    after = (await done(client, "check", room="study")).structured_content
+    ledger = json.loads((await client.read_resource("roomgen:///study/ledger.json")).contents[0].text)
+    verdicts = [each["verdict"] for each in ledger["requirements"]]
+    assert "withdrawn" in verdicts and after["not_met"] == [], (ledger, after)
+    assert after["asked"] == len(verdicts) - verdicts.count("withdrawn") < before["asked"], (before, after)
+    assert after["met"] == after["asked"], after
+    said = subprocess.run([roomgen, "check", str(root / "study/scene.json"), "--json", "--no-default-libraries",
+                           "--cache", str(root.parent / "cache")], capture_output=True, text=True)
+    assert {**after, "format": "roomgen-scene"} == json.loads(said.stdout), said
+    await done(client, "undo", room="study", picture="none")
+
+
+async def long_answers(client, root):
+    """A crowd is explained page by page, each of a size that a model can read."""
+    scene = json.loads((root / "study/scene.json").read_text())
+    desk = next(thing for thing in scene["objects"] if thing["id"] == "desk-0")
+    scene["objects"] = [{**desk, "id": f"desk-{i}", "relations": []} for i in range(500)]
+    (root / "crowd").mkdir()
+    (root / "crowd/scene.json").write_text(json.dumps(scene))
+    ids, skip = [], 0
+    while skip is not None:
+        page = await done(client, "explain", room="crowd", skip=skip)
+        assert len(text_of(page)) + len(json.dumps(page.structured_content)) < 60_000
+        ids += [thing["id"] for thing in page.structured_content["objects"]]
+        skip = page.structured_content.get("next")
+    assert ids == [thing["id"] for thing in scene["objects"]], len(ids)
+    await refused(client, "explain", "/skip", room="crowd", skip=10**6)
+    shutil.rmtree(root / "crowd")
+
+
+async def as_meant(client, root):
+    """What clients in strict mode and careless models send: null and "" for what is left out, texts of values."""
+    plan = "plans/study.json"
+    for left_out in ({"prompt": None, "seed": None, "size": None, "floor_plan": None},
+                     {"prompt": "", "size": "", "floor_plan": ""}):
+        await done(client, "generate", folder="meant", plan=plan, picture="none", replace=True, **left_out)
+    for given in ({"replace": True, "seed": 7.0}, {"replace": True, "seed": "7"},
+                  {"replace": "true", "seed": 7, "plan": ""}):
+        await done(client, "generate", folder="meant", prompt="a study with a desk", picture="none", **given)
+    lock = '{"do": "lock", "objects": ["desk-0"]}'
+    for operations in ("[" + lock + "]", [lock]):
+        await done(client, "edit", room="meant", operations=operations, picture="none", dry_run=True)
+    turn = {"do": "turn", "object": "desk-0", "by_deg": 0, "position": None, "relations": [], "on": ""}
+    await done(client, "edit", room="meant", operations=[turn], picture="none", dry_run=True)
+    for position in ("[1.5, 1.5]", "1.5, 1.5", [1.5, 1.5]):
+        await done(client, "preview", room="meant/", object="desk-0", position=position)
+    await done(client, "preview", room="./meant/scene.json", object="desk-0", position=[1.5, 1.5])
+    await refused(client, "preview", "/position: expected a list of numbers", room="meant", object="desk-0",
+                  position={"x": 1.5, "y": 1.5})
+    for operations in (None, []):
+        await done(client, "edit", room="meant", change="turn the desk by 0 degrees", operations=operations,
+                   picture="none", dry_run=True)
+        await refused(client, "edit", "either change or operations", room="meant", change="", operations=operations)
+    await refused(client, "plan", "\"prompt\" is missing", prompt="")
+    shutil.rmtree(root / "meant")
 
 
 async def resources(client, root):
@@ -202,6 +266,10 @@ async def talk(roomgen, root, mode):
         await furnish(client)
         await change(client, root)
         await look(client, root)
+        await clauses(client, root, roomgen)
+        if mode == "auto":  # whatever the revision
+            await long_answers(client, root)
+            await as_meant(client, root)
         await resources(client, root)
         await wrong_calls(client, root)
         await programs(client, root)

@@ -51,6 +51,12 @@ assert.equal((await done('check', { room: 'study' })).structuredContent.valid, t
 await done('render', { room: 'study', view: 'top' });
 await done('export', { room: 'study', file: 'study.glb' });
 
+// As clients in strict mode call: every property, null or empty for what is left out, and values as texts.
+const everything = await done('explain', { room: 'study', object: null, skip: '0' });
+assert.ok(everything.structuredContent.objects.length >= 2 && everything.structuredContent.next === undefined);
+await done('render', { room: 'study', view: '', pixels: '128', file: null });
+await refused('edit', { room: 'study', change: '', operations: [] }, /either change or operations/);
+
 const { resources } = await client.listResources();
 assert.equal(resources.length, 2);
 const ledger = await client.readResource({ uri: 'roomgen:///study/ledger.json' });
