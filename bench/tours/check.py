@@ -23,7 +23,7 @@ PERSON = 1.8  # metres: what begins below is in the way
 
 
 def read_meshes(path):
-    """Triangles of each object in the room's frame, by name."""
+    """Triangles of each object in the room's frame, by its id."""
     data = path.read_bytes()
     length = struct.unpack("<I", data[12:16])[0]
     gltf = json.loads(data[20 : 20 + length])
@@ -51,7 +51,8 @@ def read_meshes(path):
             points = points @ turn.T + node.get("translation", [0, 0, 0])
             points = np.stack([points[:, 0], -points[:, 2], points[:, 1]], 1)  # Y up to Z up
             triangles.append(points[accessor(part["indices"]).reshape(-1, 3)])
-        meshes[node["name"]] = np.concatenate(triangles)
+        extras = node.get("extras", {})
+        meshes["shell" not in extras and extras.get("id") or node["name"]] = np.concatenate(triangles)
     return meshes
 
 

@@ -7,7 +7,7 @@ import numpy as np
 
 
 def read_glb(path):
-    """Vertices and triangles of every node that has a mesh, in metres, Z up, by the node's name."""
+    """Vertices and triangles of every node that has a mesh, in metres, Z up, by the node's id or name."""
     with open(path, "rb") as file:
         data = file.read()
     length = struct.unpack("<I", data[12:16])[0]
@@ -42,7 +42,8 @@ def read_glb(path):
     def visit(index, parent, name):
         node = gltf["nodes"][index]
         to_world = parent @ matrix(node)
-        name = node.get("name", name)
+        extras = node.get("extras", {})
+        name = ("shell" not in extras and extras.get("id")) or node.get("name", name)
         if "mesh" in node:
             for part in gltf["meshes"][node["mesh"]]["primitives"]:
                 points = accessor(part["attributes"]["POSITION"]).astype(float)

@@ -13,6 +13,7 @@
 #include "roomgen/base/file.h"
 #include "roomgen/base/json.h"
 #include "scene/box_model.h"
+#include "scene/plain_names.h"
 #include "scene/room_shell.h"
 
 namespace roomgen {
@@ -51,6 +52,16 @@ class GlbWriter {
   explicit GlbWriter(const ExportOptions& options)
       : options_(options), materials_(options_.encode_image, buffer_) {}
 
+  Status add_scene(const Scene& scene, const ModelTable& models) {
+    // Things have the first choice of names: theirs are what people and programs look for.
+    const auto names = node_names(scene, node_names_);
+    if (auto status = add_rooms(rooms_of(scene), models); !status) return status;
+    for (std::size_t i = 0; i < names.size(); ++i)
+      if (auto status = add_object(scene.objects[i], names[i], models); !status) return status;
+    if (options_.lights) add_lights(scene);
+    return {};
+  }
+
   Status add_rooms(std::span<const Room> rooms, const ModelTable& models) {
     for (std::size_t i = 0; i < rooms.size(); ++i)
       if (auto status = add_room(rooms, i, models); !status) return status;
@@ -59,36 +70,40 @@ class GlbWriter {
 
   Status add_room(std::span<const Room> rooms, std::size_t index, const ModelTable& models) {
     const Room& shown = rooms[index];
+    const std::string id = shown.id.empty() ? "room" : shown.id;
     Json children = Json::array();
-    Json room = {{"name", shown.id.empty() ? "room" : shown.id}};
+    Json room = {{"name", node_names_.take(id, "room")}};
     const std::size_t room_node = nodes_.size();
     nodes_.push_back(nullptr);
     for (const auto& part : room_shell(rooms, index, {}, models)) {
-      const auto mesh = add_mesh(part.name, part.model);
+      const auto mesh = add_mesh(name_in(shown, part), part.model);
       if (!mesh) return mesh.error();
       if (!*mesh) continue;
       children.push_back(nodes_.size());
-      nodes_.push_back({{"name", part.name},
-                        {"mesh", **mesh},
-                        {extras, {{"category", category_of(shown, part.name)}}}});
+      const std::string category = category_of(shown, part.name);
+      Json node = {{"name", node_names_.take(name_in(shown, part), category)}, {"mesh", **mesh}};
+      node[extras] = {{"category", category}, {"id", part.name}, {"shell", true}};
+      if (!shown.id.empty()) node[extras]["room"] = shown.id;
+      nodes_.push_back(std::move(node));
     }
     room["children"] = std::move(children);
-    room[extras] = {{"category", "room"}, {"type", shown.type}};
+    room[extras] = {{"category", "room"}, {"id", id}, {"shell", true}, {"type", shown.type}};
     nodes_[room_node] = std::move(room);
     roots_.push_back(room_node);
     return {};
   }
 
-  Status add_object(const Object& object, const ModelTable& models) {
+  Status add_object(const Object& object, const std::string& name, const ModelTable& models) {
     const std::string key = model_key(object, models);
     auto known = assets_.find(key);
     if (known == assets_.end()) {
       const auto model = model_or_box(object, models);
-      const auto mesh = add_mesh(key, *model);
+      const auto mesh = add_mesh(object.category, *model);
       if (!mesh) return with_context(mesh.error(), "object \"" + object.id + "\"");
+      if (*mesh) meshes_[**mesh][extras] = {{"key", key}};
       known = assets_.emplace(key, Asset{*mesh, bounds(*model)}).first;
     }
-    Json node = {{"name", object.id}};
+    Json node = {{"name", name}};
     if (known->second.mesh) node["mesh"] = *known->second.mesh;
     place(node, model_placement(object, known->second.box));
     node[extras] = describe(object);
@@ -98,8 +113,9 @@ class GlbWriter {
   }
 
   void add_lights(const Scene& scene) {
-    Json group = {{"name", "lights"}, {"children", Json::array()}};
+    Json group = {{"name", node_names_.take("lights", "lights")}, {"children", Json::array()}};
     const auto add = [&](Json node) {
+      node["name"] = node_names_.take(node["name"].get<std::string>(), "light");
       group["children"].push_back(nodes_.size());
       nodes_.push_back(std::move(node));
     };
@@ -118,7 +134,7 @@ class GlbWriter {
   Status add_model(const std::string& name, const Model& model) {
     const auto mesh = add_mesh(name, model);
     if (!mesh) return mesh.error();
-    Json node = {{"name", name}};
+    Json node = {{"name", node_names_.take(name, "model")}};
     if (*mesh) node["mesh"] = **mesh;
     node[extras] = {{"size", to_json(bounds(model).size())}};
     roots_.push_back(nodes_.size());
@@ -131,7 +147,7 @@ class GlbWriter {
     gltf["asset"] = {{"version", "2.0"}, {"generator", "roomgen"}};
     if (!credits.empty()) gltf["asset"]["copyright"] = credits;
     gltf["scene"] = 0;
-    gltf["scenes"] = {{{"name", name}, {"nodes", roots_}}};
+    gltf["scenes"] = {{{"name", PlainNames().take(name, "scene")}, {"nodes", roots_}}};
     gltf["nodes"] = std::move(nodes_);
     gltf["meshes"] = std::move(meshes_);
     materials_.finish(gltf);
@@ -145,6 +161,11 @@ class GlbWriter {
     std::optional<std::size_t> mesh;  ///< none if the model has no triangles
     Bounds3 box;
   };
+
+  // Every room of a dwelling has a floor and a "wall-0".
+  static std::string name_in(const Room& room, const ShellPart& part) {
+    return room.id.empty() ? part.name : room.id + " " + part.name;
+  }
 
   static std::string category_of(const Room& room, const std::string& part) {
     if (const auto* opening = find_opening(room, part)) return std::string(name(opening->type));
@@ -162,7 +183,8 @@ class GlbWriter {
       primitives.push_back(add_primitive(mesh, *material));
     }
     if (primitives.empty()) return std::optional<std::size_t>{};
-    meshes_.push_back({{"name", mesh_name}, {"primitives", std::move(primitives)}});
+    meshes_.push_back({{"name", mesh_names_.take(mesh_name, "model")},
+                       {"primitives", std::move(primitives)}});
     return std::optional<std::size_t>(meshes_.size() - 1);
   }
 
@@ -196,7 +218,8 @@ class GlbWriter {
   }
 
   static Json describe(const Object& object) {
-    Json json = {{"category", object.category}, {"size", to_json(object.size)}};
+    Json json = {
+        {"category", object.category}, {"id", object.id}, {"size", to_json(object.size)}};
     if (!object.description.empty()) json["description"] = object.description;
     if (!object.room.empty()) json["room"] = object.room;
     if (!object.relations.empty()) {
@@ -211,6 +234,7 @@ class GlbWriter {
   GlbMaterials materials_;
   detail::GlbLights lights_;
   Json nodes_ = Json::array(), meshes_ = Json::array(), roots_ = Json::array();
+  PlainNames node_names_, mesh_names_;
   std::map<std::string, Asset> assets_;
 };
 
@@ -219,10 +243,7 @@ class GlbWriter {
 Result<std::string> make_glb(const Scene& scene, const ModelTable& models,
                              const ExportOptions& options) {
   GlbWriter writer(options);
-  if (auto status = writer.add_rooms(rooms_of(scene), models); !status) return status.error();
-  for (const auto& object : scene.objects)
-    if (auto status = writer.add_object(object, models); !status) return status.error();
-  if (options.lights) writer.add_lights(scene);
+  if (auto status = writer.add_scene(scene, models); !status) return status.error();
   const std::string type = scene.rooms.empty() ? scene.room.type : "dwelling";
   return writer.finish(type.empty() ? "room" : type, attribution_line(scene));
 }

@@ -36,14 +36,16 @@ std::array<float, 4> mean_color(const Image& image) {
 
 }  // namespace
 
-Result<int> GlbMaterials::texture_of(const Image& image) {
+Result<int> GlbMaterials::texture_of(const Image& image,
+                                    const std::string& material) {
   auto encoded = encode_(image);
   if (!encoded) return with_context(encoded.error(), "texture");
   const auto [known, is_new] =
       texture_by_hash_.try_emplace(sha256_hex(encoded->bytes), static_cast<int>(images_.size()));
   if (is_new)
-    images_.push_back(
-        {{"mimeType", encoded->mime_type}, {"bufferView", buffer_.add_image(encoded->bytes)}});
+    images_.push_back({{"name", image_names_.take(material, "picture")},
+                       {"mimeType", encoded->mime_type},
+                       {"bufferView", buffer_.add_image(encoded->bytes)}});
   return known->second;
 }
 
@@ -55,7 +57,7 @@ Result<GlbMaterials::Surface> GlbMaterials::surface_of(const Material& material)
   opaque.texture = material.texture;
   surface.alpha = alpha_mode(opaque);
   if (encode_) {
-    const auto texture = texture_of(*image);
+    const auto texture = texture_of(*image, material.name);
     if (!texture) return texture.error();
     surface.texture = *texture;
   } else {
@@ -96,7 +98,13 @@ Result<GlbMaterials::Use> GlbMaterials::use(const Material& material, bool has_u
   const std::string text = json_line(json);
   const auto [known, is_new] =
       material_by_text_.try_emplace(text, static_cast<int>(materials_.size()));
-  if (is_new) materials_.push_back(std::move(json));
+  if (is_new) {
+    json["name"] = material_names_.take(material.name, "material");
+    // Looks are told by words in the name, which may be of any script.
+    if (!material.name.empty() && json["name"] != material.name)
+      json["extras"] = {{"name", material.name}};
+    materials_.push_back(std::move(json));
+  }
   return Use{known->second, surface.texture >= 0};
 }
 
@@ -105,7 +113,7 @@ void GlbMaterials::finish(Json& gltf) {
   if (images_.empty()) return;
   Json textures = Json::array();
   for (std::size_t i = 0; i < images_.size(); ++i)
-    textures.push_back({{"sampler", 0}, {"source", i}});
+    textures.push_back({{"name", images_[i]["name"]}, {"sampler", 0}, {"source", i}});
   gltf["textures"] = std::move(textures);
   gltf["images"] = std::move(images_);
   constexpr int linear = 9729, linear_mipmap_linear = 9987, repeat = 10497;

@@ -7,6 +7,7 @@
 #include "glb_buffer.h"
 #include "roomgen/export/exporter.h"
 #include "roomgen/geometry/model.h"
+#include "scene/plain_names.h"
 
 namespace roomgen::detail {
 
@@ -33,7 +34,7 @@ class GlbMaterials {
     AlphaMode alpha = AlphaMode::opaque;
   };
   Result<Surface> surface_of(const Material& material);
-  Result<int> texture_of(const Image& image);
+  Result<int> texture_of(const Image& image, const std::string& material);
 
   const ImageEncoder& encode_;
   GlbBuffer& buffer_;
@@ -41,6 +42,7 @@ class GlbMaterials {
   std::vector<std::shared_ptr<const Image>> kept_;  ///< so that addresses stay unique
   std::map<std::string, int> texture_by_hash_;
   std::map<std::string, int> material_by_text_;
+  PlainNames material_names_, image_names_;
   Json materials_ = Json::array(), images_ = Json::array();
 };
 

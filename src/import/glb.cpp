@@ -37,7 +37,7 @@ class GlbReader {
       materials_.push_back(read_material(material));
     ModelTable models;
     for (const auto& mesh : root_["meshes"].elements_or_none(most_elements))
-      models.add(mesh["name"].text_or("", longest_name), std::make_shared<const Model>(read_model(mesh)));
+      models.add(key_of(mesh), std::make_shared<const Model>(read_model(mesh)));
     return models;
   }
 
@@ -49,6 +49,12 @@ class GlbReader {
       return static_cast<std::size_t>(value);
     if (index.exists()) index.report("names nothing that is in the file");
     return std::nullopt;
+  }
+
+  // Older files have keys for names.
+  static std::string key_of(const JsonReader& mesh) {
+    const std::string key = detail::text_in_extras(mesh, "key");
+    return key.empty() ? mesh["name"].text_or("", longest_name) : key;
   }
 
   // The part of the binary chunk that a buffer view is; empty if it has none.
@@ -147,7 +153,8 @@ class GlbReader {
 
   Material read_material(const JsonReader& json) {
     Material material;
-    material.name = json["name"].text_or("");
+    material.name = detail::text_in_extras(json, "name");
+    if (material.name.empty()) material.name = json["name"].text_or("");
     const JsonReader surface = json["pbrMetallicRoughness"];
     if (surface["baseColorFactor"].exists()) {
       const auto color = surface["baseColorFactor"].numbers(4, 0.0, 1.0);

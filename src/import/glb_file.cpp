@@ -56,4 +56,11 @@ Result<GlbFile> read_glb_file(const std::filesystem::path& path) {
   return GlbFile{*std::move(json), *std::move(bytes), begin, chunks->binary.size()};
 }
 
+std::string text_in_extras(const JsonReader& owner, std::string_view key) {
+  const JsonReader extras = owner["extras"];
+  if (!extras.is_object()) return {};
+  const JsonReader text = extras[key];
+  return text.is_string() ? text.raw()->get<std::string>() : std::string();
+}
+
 }  // namespace roomgen::detail

@@ -4,8 +4,10 @@
 #include <cstring>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <set>
 
+#include "base/random.h"
 #include "catch.h"
 #include "roomgen/base/file.h"
 #include "roomgen/base/json.h"
@@ -256,6 +258,98 @@ TEST_CASE("nodes say what the thing is") {
   CHECK(extras["description"] == "a wide bed");
   CHECK(vector_of(extras["size"]) == Vec3(1.6, 2.0, 0.5));
   CHECK(extras["relations"] == Json({"edge", "far, door-0"}));
+}
+
+namespace {
+
+// What strangers call things: any script, marks of programs and of file names, and very long.
+std::string nasty_text(Random& random) {
+  static const std::vector<std::string> pieces = {
+      "chair", "Chair", "a b", "a_b", "a.b", "{\"kind\":", "}", "/", "\\", "[0]", ":", "%s", "{0}",
+      " ", ".", "_", "-", "кресло", "椅子", "é", "\xff", "\n", "\t", "0", "1", "\"", "'", "🪑"};
+  std::string text;
+  const int most = random.chance(0.1) ? 90 : 3;
+  for (int n = random.integer(1, most); n > 0; --n)
+    text += random.pick(pieces);
+  return text;
+}
+
+Scene nasty_scene(Random& random, ModelTable& models) {
+  Scene scene = test::random_scene(random.next());
+  scene.room.openings = test::plain_room().openings;
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    auto& object = scene.objects[i];
+    object.id = nasty_text(random);
+    object.category = random.chance(0.2) ? "desk lamp" : nasty_text(random);
+    object.description = nasty_text(random);
+    Model model = textured_box(false);
+    model.materials[0].name = nasty_text(random);
+    model.materials[0].roughness = static_cast<float>(random.uniform(0, 1));
+    if (random.chance(0.8)) test::use_model(object, models, nasty_text(random), std::move(model));
+  }
+  std::set<std::string> ids;
+  std::erase_if(scene.objects, [&](const Object& o) { return !ids.insert(o.id).second; });
+  return scene;
+}
+
+// Plain, and none of them twice: written on its own, from the words of the header.
+void check_names(const Json& things) {
+  std::set<std::string> seen;
+  for (const auto& thing : things) {
+    const auto name = thing["name"].get<std::string>();
+    INFO(name);
+    CHECK(!name.empty());
+    CHECK(name.size() < 64);
+    CHECK(std::regex_match(name, std::regex("[-A-Za-z0-9 _.]+")));
+    const std::string threejs =
+        std::regex_replace(std::regex_replace(name, std::regex(" "), "_"), std::regex("[.]"), "");
+    CHECK(seen.insert(threejs).second);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("names are plain and single whatever things are called, and ids stand beside them") {
+  int calls = 0;
+  ExportOptions options;
+  options.encode_image = counting_encoder(calls);
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    Random random(seed);
+    ModelTable models;
+    const Scene scene = nasty_scene(random, models);
+    const Glb glb = write_and_parse(scene, models, options);
+    for (const char* kind : {"nodes", "meshes", "materials", "textures", "images", "scenes"})
+      check_names(glb.json[kind]);
+    std::vector<std::string> ids, wanted;
+    for (const auto& node : glb.json["nodes"])
+      if (const Json extras = node.value("extras", Json::object()); !extras.contains("shell") && extras.contains("id"))
+        ids.push_back(extras["id"]);
+    // As JSON has them: what is no UTF-8 is replaced.
+    for (const auto& object : scene.objects) wanted.push_back(Json::parse(json_line(object.id)));
+    CHECK(ids == wanted);
+  }
+}
+
+TEST_CASE("plain ids are names as they are, before those of the room") {
+  Scene scene = test::furnished_room();
+  scene.objects[0].id = "floor";
+  scene.objects[1].id = "wall-0";
+  const Glb glb = write_and_parse(scene, {});
+  for (const auto& object : scene.objects) CHECK(glb.node(object.id)["extras"]["id"] == object.id);
+  CHECK(glb.node("floor 2")["extras"] == Json({{"category", "floor"}, {"id", "floor"}, {"shell", true}}));
+}
+
+TEST_CASE("rooms of a dwelling and their walls have names of their own") {
+  Scene scene;
+  scene.rooms = {test::plain_room(), test::plain_room()};
+  scene.rooms[0].id = "kitchen-0";
+  scene.rooms[1].id = "bedroom-0";
+  for (auto& p : scene.rooms[1].polygon.points) p.x() += 4.1;
+  const Glb glb = write_and_parse(scene, {});
+  check_names(glb.json["nodes"]);
+  const Json& wall = glb.node("bedroom-0 wall-0")["extras"];
+  CHECK(wall["id"] == "wall-0");
+  CHECK(wall["room"] == "bedroom-0");
 }
 
 TEST_CASE("a texture is embedded once, whoever uses it") {

@@ -33,6 +33,25 @@ Scene sample(ModelTable& models) {
   return scene;
 }
 
+// Things made from words, with ids and materials that have in them what breaks readers.
+Scene created(ModelTable& models) {
+  Scene scene = test::furnished_room();
+  const char* ids[] = {"{0} bed", "bed_0", "bed 0", "кровать/0", "a \"chair\": [0]"};
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    auto& object = scene.objects[i];
+    object.id = ids[i];
+    object.asset.procedural = ProceduralSource{"words", R"({"kind":"bed","n":)" + std::to_string(i / 2) + "}", 1};
+    Model model = test::colored_box({1, 1, 1}, {200, 220, 255});
+    model.materials[0].name = "{wood}";
+    model.materials.push_back(model.materials[0]);
+    model.materials[1].roughness = 0.1f;
+    model.parts.push_back({model.parts[0].mesh, 1});
+    models.add(asset_key(object.asset), std::make_shared<const Model>(std::move(model)));
+  }
+  scene.objects[3].on = ids[1];
+  return scene;
+}
+
 bool write(const std::string& path, const Scene& scene, const ModelTable& models) {
   ExportOptions options;
 #ifdef ROOMGEN_HAS_RENDER
@@ -48,10 +67,11 @@ bool write(const std::string& path, const Scene& scene, const ModelTable& models
 int main(int argc, char** argv) {
   const std::string folder = argc > 1 ? argv[1] : ".";
   ModelTable models;
-  const Scene furnished = sample(models);
+  const Scene furnished = sample(models), of_words = created(models);
   Scene empty;
   empty.room = test::l_shaped_room();
   const bool ok = write(folder + "/furnished.glb", furnished, models) &&
+                  write(folder + "/created.glb", of_words, models) &&
                   write(folder + "/empty.glb", empty, models) &&
                   write(folder + "/boxes.glb", test::furnished_room(), {});
   return ok ? 0 : 1;

@@ -82,6 +82,24 @@ TEST_CASE("What was written is read back: each model by its key, where it was, w
   }
 }
 
+TEST_CASE("Keys and names of materials come back whatever is in them") {
+  Furnished made;
+  Model model = test::colored_box({1, 1, 1}, {9, 9, 9});
+  model.materials.push_back(model.materials[0]);
+  model.parts.push_back({model.parts[0].mesh, 1});
+  model.materials[0].name = "chêne: {oak}/1";
+  model.materials[1].name = "_";
+  auto& asset = made.scene.objects[0].asset;
+  asset.procedural = ProceduralSource{"words", R"({"kind":"{}[0]: a/b"})", 3};
+  made.models.add(asset_key(asset), std::make_shared<const Model>(model));
+  const auto read = read_back(bytes_of(made));
+  REQUIRE(read);
+  const auto found = read->find(asset_key(asset));
+  REQUIRE(found);
+  CHECK(found->materials[0].name == "chêne: {oak}/1");
+  CHECK(found->materials[1].name == "_");
+}
+
 TEST_CASE("Pictures go through the decoder, and are left out without one") {
   Furnished made;
   Model model = test::colored_box({1, 1, 1}, {255, 255, 255});

@@ -53,17 +53,24 @@ const ExportFormat* find_export_format(std::string_view name);
 
 /// The scene as binary glTF 2.0 (Khronos specification 2.0.1): metres, Y up, fronts towards +Z.
 ///
-/// Nodes: "room" with its floor, walls, ceiling, doors and windows as children, then one node an object,
-/// named by its id, whose extras hold category, size (width, depth, height), description and relations. One
-/// mesh an asset, shared by its objects; a node's scale brings it to the object's size. Textures are
-/// embedded once. asset.copyright names creators and licences.
+/// Nodes: "room" with its floor, walls, ceiling, doors and windows as children, then one node an object, whose
+/// extras hold id, category, size (width, depth, height), description, room and relations. Those of the room
+/// itself have the extras id, category and "shell": true. One mesh an asset, shared by its objects; a node's
+/// scale brings it to the object's size. Textures are embedded once. asset.copyright names creators and licences.
+///
+/// Names of nodes, meshes, materials and textures have letters and digits of ASCII, blanks, '-', '_' and '.'
+/// only, at most 63 of them, and each stands once of its kind, also after three.js has made '_' of the blanks.
+/// An object's node is called by its id, as far as that is such a name; programs may change it, and read_glb_nodes
+/// (import/import.h) goes by the extras. A mesh is called by what it is of, and its asset_key() is in its
+/// extras as "key"; a material that had another name has that in its extras as "name".
 ///
 /// A node "lights" holds the lamps as point or spot lights, in candela, each named by its object, and the
 /// sun that shines in as a directional one, in lux (extension KHR_lights_punctual; docs/materials.md).
 Result<std::string> make_glb(const Scene& scene, const ModelTable& models,
                              const ExportOptions& options = {});
 
-/// One model alone: a single node of this name in the model's frame, whose extras hold its size.
+/// One model alone: a single node in the model's frame, called by this name as objects are by their ids, whose
+/// extras hold its size.
 Result<std::string> make_glb(const std::string& name, const Model& model,
                              const ExportOptions& options = {});
 

@@ -102,12 +102,13 @@ class Glb:
             self.collect(child, transform, parts)
 
     def named(self, wanted):
-        """{name: (vertices, triangles)} in the scene's frame for the wanted nodes."""
+        """{name: (vertices, triangles)} in the scene's frame for the nodes with the wanted ids, or names."""
         found = {}
 
         def visit(index, transform):
             node = self.json["nodes"][index]
-            name = node.get("name", "").lower()
+            extras = node.get("extras", {})
+            name = ("" if "shell" in extras else extras.get("id") or node.get("name", "")).lower()
             if name in wanted and name not in found:
                 parts = []
                 self.collect(index, transform, parts)
