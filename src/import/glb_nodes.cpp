@@ -80,13 +80,21 @@ class NodeReader {
     return children;
   }
 
+  // The room itself has ids of its own, which those of things may equal.
+  static std::string id_of(const JsonReader& node) {
+    const JsonReader extras = node["extras"];
+    const bool is_shell = extras.is_object() && extras["shell"].exists();
+    return is_shell ? std::string() : detail::text_in_extras(node, "id");
+  }
+
   void visit() {
     const Open next = open_.back();
     open_.pop_back();
     const JsonReader& node = nodes_[next.node];
     const Matrix4d world = next.above * transform_of(node);
-    if (const std::string name = node["name"].text_or("", longest_node_name); !name.empty())
-      found_.push_back({name, from_room_.inverse() * world * from_room_});
+    const std::string name = node["name"].text_or("", longest_node_name), id = id_of(node);
+    if (!name.empty() || !id.empty())
+      found_.push_back({name, id, from_room_.inverse() * world * from_room_});
     for (const std::size_t child : children_[next.node]) open_.push_back({child, world});
   }
 

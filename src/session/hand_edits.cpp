@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "roomgen/base/text.h"
 #include "scene/box_model.h"
@@ -26,7 +25,7 @@ struct Placed {
 
 Result<Placed> placed_by(const SceneNode& node, const Object& object, const Bounds3& box) {
   const auto cannot_be = [&](const std::string& why) {
-    return Error{Error::Kind::invalid_input, node.name + " " + why};
+    return Error{Error::Kind::invalid_input, object.id + " " + why};
   };
   const Eigen::Matrix3d linear = node.to_room.topLeftCorner<3, 3>();
   if (!node.to_room.allFinite()) return cannot_be("has no finite transform");
@@ -52,40 +51,29 @@ Result<Placed> placed_by(const SceneNode& node, const Object& object, const Boun
   return placed;
 }
 
-// "chair-0.001": what Blender calls a copy.
-std::string name_of_copied(const std::string& name) {
-  const auto dot = name.rfind('.');
-  const bool is_copy = dot != std::string::npos && dot + 1 < name.size() &&
-                       name.find_first_not_of("0123456789", dot + 1) == std::string::npos;
-  return is_copy ? name.substr(0, dot) : "";
-}
-
 }  // namespace
 
 Result<HandEdits> read_hand_edits(const Scene& scene, const ModelTable& models, std::span<const SceneNode> nodes) {
-  std::map<std::string, const SceneNode*> by_name;
+  const auto matched = match_nodes(scene, nodes);
+  if (!matched) return matched.error();
   HandEdits edits;
-  for (const auto& node : nodes) {
-    const bool is_first = by_name.emplace(node.name, &node).second;
-    if (!is_first && find_object(scene, node.name))
-      return Error{Error::Kind::invalid_input, "two nodes are called " + node.name};
-    if (const std::string copied = name_of_copied(node.name); find_object(scene, copied))
-      edits.notes.push_back(node.name + " is a copy of " + copied + " and is left out; add it with \"add ...\"");
-  }
+  for (const auto& copy : matched->copies)
+    edits.notes.push_back(copy.name + " is a copy of " + copy.of + " and is left out; add it with \"add ...\"");
   edit::Arrange arrange;
-  for (const auto& object : scene.objects) {
-    const auto node = by_name.find(object.id);
-    if (node == by_name.end()) {
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    const Object& object = scene.objects[i];
+    const SceneNode* node = matched->nodes[i];
+    if (!node) {
       edits.missing.push_back(object.id);
       continue;
     }
-    auto placed = placed_by(*node->second, object, bounds(*model_or_box(object, models)));
+    auto placed = placed_by(*node, object, bounds(*model_or_box(object, models)));
     if (!placed) edits.notes.push_back(placed.error().message + "; it stays as it was");
     else if (placed->has_changed) arrange.spots.push_back(std::move(placed->spot));
   }
   if (edits.missing.size() == scene.objects.size() && !scene.objects.empty())
     return Error{Error::Kind::invalid_input,
-                 "no node is called as a thing of the scene; nodes keep the names of scene.glb"};
+                 "no node is called as a thing of the scene, or has its \"id\" in its extras; nodes keep the names of scene.glb"};
   if (!arrange.spots.empty()) edits.operations.push_back(std::move(arrange));
   return edits;
 }

@@ -1,6 +1,8 @@
 // Scenes that another program has changed: the file is written by the exporter, and altered as other writers do.
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cstring>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "base/random.h"
@@ -149,10 +151,39 @@ TEST_CASE("What changed places in another program changes places, with what stan
   CHECK(dump_json(to_json(room.session->scene())) == dump_json(to_json(before)));
 }
 
+TEST_CASE("What three.js or Blender have renamed is found, and nothing counts as removed") {
+  Bedroom room;
+  const auto moved = [&](bool keeps_extras, const std::function<std::string(std::string)>& rename) {
+    GlbFile file = room.file;
+    auto& bed = node(file, "bed-0")["translation"];
+    bed[0] = bed[0].get<double>() + 0.15;
+    for (auto& one : file.gltf["nodes"]) {
+      one["name"] = rename(one["name"]);
+      if (!keeps_extras) one.erase("extras");
+    }
+    const auto edits = room.compare(file);
+    REQUIRE(edits);
+    CHECK(edits->missing.empty());
+    REQUIRE(edits->operations.size() == 1);
+    const auto& spots = std::get<edit::Arrange>(edits->operations[0]).spots;
+    REQUIRE(spots.size() == 1);
+    CHECK(spots[0].object == "bed-0");
+  };
+  const auto threejs = [](std::string name) {
+    std::replace(name.begin(), name.end(), ' ', '_');
+    std::erase_if(name, [](char c) { return std::string_view("[].:/").find(c) != std::string_view::npos; });
+    return name;
+  };
+  moved(true, [](const std::string& name) { return name + ".002"; });
+  moved(true, threejs);
+  moved(false, threejs);
+}
+
 TEST_CASE("Nodes that cannot be followed are named, and the others are") {
   Bedroom room;
   GlbFile bad = room.file;
   node(bad, "wardrobe-0")["matrix"] = {1, 0.4, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+  node(bad, "nightstand-1")["extras"].erase("id");
   node(bad, "nightstand-1")["name"] = "nightstand-1.001";
   node(bad, "bed-0")["rotation"] = {0.3, 0.0, 0.0, 0.954};
   auto& desk = node(bad, "desk-0")["translation"];
@@ -202,7 +233,10 @@ TEST_CASE("Files that are no scene, or go in a circle, are refused") {
   circle.gltf["nodes"].push_back({{"name", "a"}, {"children", {circle.gltf["nodes"].size()}}});
   CHECK(!room.compare(circle));
   GlbFile renamed = room.file;
-  for (auto& one : renamed.gltf["nodes"]) one["name"] = "x" + one.value("name", "");
+  for (auto& one : renamed.gltf["nodes"]) {
+    one["name"] = "x" + one.value("name", "");
+    one.erase("extras");
+  }
   CHECK(!room.compare(renamed));
   Random random(9);
   const std::string bytes = bytes_of(room.file);

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <filesystem>
 #include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "roomgen/geometry/model.h"
 #include "roomgen/scene/model_table.h"
 #include "roomgen/scene/room.h"
+#include "roomgen/scene/scene.h"
 
 namespace roomgen {
 
@@ -41,12 +43,27 @@ Result<ModelTable> read_glb_models(const std::filesystem::path& path,
 /// A node of a glTF file.
 struct SceneNode {
   std::string name;
+  std::string id;  ///< of a thing in scene.json, from the node's extras; empty if it tells none
   /// From the node's own coordinates to those of the room, both as we have them (Z up, metres).
   Eigen::Matrix4d to_room = Eigen::Matrix4d::Identity();
 };
 
-/// All nodes of a .glb file with a name, whoever wrote it, with the transforms of those above them. Fails when the
-/// file is none, or its nodes go in a circle.
+/// All nodes of a .glb file that have a name or tell an id, whoever wrote it, with the transforms of those
+/// above them. Fails when the file is none, or its nodes go in a circle.
 Result<std::vector<SceneNode>> read_glb_nodes(const std::filesystem::path& path);
+
+/// Which nodes of a file are the things of a scene.
+struct MatchedNodes {
+  std::vector<const SceneNode*> nodes;  ///< for each object, in the scene's order; null: there is none
+  struct Copy {
+    std::string name, of;  ///< of a node, and the id of the thing that it is a copy of
+  };
+  std::vector<Copy> copies;
+};
+
+/// By the ids that nodes tell; else by their names, also as three.js changes them when it loads a file
+/// (blanks become '_', "[].:/" go). Of several nodes with one id the one that is called so is the thing, the
+/// others are its copies. Fails where that does not decide between two. The nodes must outlive what is returned.
+Result<MatchedNodes> match_nodes(const Scene& scene, std::span<const SceneNode> nodes);
 
 }  // namespace roomgen

@@ -124,7 +124,7 @@ class Session {
   /// Fails as the model does (ChatModel::chat) if it gives none.
   Result<Understanding> understand(std::string_view sentence, const ModelEditing& editing);
   /// How the nodes of a file differ from the scene: of scene.glb, after another program has moved, turned or
-  /// scaled things in it. Nodes are matched by name.
+  /// scaled things in it. Nodes are matched as match_nodes() does.
   Result<HandEdits> compare(std::span<const SceneNode> nodes);
   /// All of them, in order, as one step of undo. not_found, saying what stands in the way and what would
   /// help, if one cannot be done.
