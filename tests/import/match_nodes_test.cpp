@@ -38,8 +38,8 @@ TEST_CASE("A node is found by its id, else by its name, else by what three.js ma
         Names{"c", "a", "b"});
   CHECK(found(scene, {node("desk-0"), node("office chair-0"), node("table.1_ _x_")}) ==
         Names{"office chair-0", "desk-0", "table.1_ _x_"});
-  CHECK(found(scene, {node("table1__x_"), node("office_chair-0")}) ==
-        Names{"office_chair-0", "-", "table1__x_"});
+  CHECK(found(scene, {node("table1___x_"), node("office_chair-0")}) ==
+        Names{"office_chair-0", "-", "table1___x_"});
   // A file of an earlier version, and what three.js made of it.
   CHECK(found(scene, {node("table.1: [x]")}) == Names{"-", "-", "table.1: [x]"});
   CHECK(found(scene, {node("table1_x")}) == Names{"-", "-", "table1_x"});
