@@ -218,7 +218,7 @@ def main():
     for name in readers:
         read = read_all(name, rooms, options.trips)
         program = {"three.js": "three", "Blender": "blender"}.get(name)
-        trip = import_all(options.roomgen, rooms[: options.trips], program) if program else None
+        trip = import_all(options.roomgen, rooms[: options.trips], program) if program and options.trips else None
         right = f"{trip['right']} of {trip['of']}" if trip else ""
         print(f"| {name} {version[name]} | {read['files']} of {len(rooms)} | {read['things']} of {read['of']} | {right} |")
         values.append({"name": f"{name} {version[name]}: files in which all is found", "value": read["files"], "unit": ""})
