@@ -1,7 +1,7 @@
 #include "roomgen/generate/room_builder.h"
 
-#include <atomic>
-#include <chrono>
+#include <condition_variable>
+#include <mutex>
 #include <nlohmann/json.hpp>
 #include <thread>
 
@@ -18,8 +18,6 @@
 using namespace roomgen;
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 Plan bedroom() {
   Plan plan = rooms::plan_of({rooms::item("bed"), rooms::item("nightstand", Mount::floor, 2),
@@ -63,25 +61,53 @@ std::string made_at_one_go(const Plan& plan) {
   return text_of(*made);
 }
 
-/// Reads its first mesh more slowly than anybody waits.
-class SlowLibrary final : public AssetLibrary {
+/// Reads meshes at once, until it is held: then a reader stays in the middle of its mesh until it is let go.
+class HeldLibrary final : public AssetLibrary {
  public:
   Result<std::vector<AssetMatch>> search(const AssetQuery& query) const override {
     return inner_->search(query);
   }
   Result<std::shared_ptr<const Model>> load(const AssetRef& ref) const override {
-    if (!was_slow_.exchange(true)) std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+    {
+      std::unique_lock lock(mutex_);
+      ++begun_;
+      changed_.notify_all();
+      changed_.wait(lock, [this] { return !held_; });
+      ++ended_;
+    }
     return inner_->load(ref);
   }
 
- private:
-  std::unique_ptr<AssetLibrary> inner_ = create::make_created_library();
-  mutable std::atomic<bool> was_slow_ = false;
-};
+  void hold() {
+    const std::lock_guard lock(mutex_);
+    held_ = true;
+    begun_ = ended_ = 0;
+  }
+  void let_go() {
+    const std::lock_guard lock(mutex_);
+    held_ = false;
+    changed_.notify_all();
+  }
+  void wait_for_reader() {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return begun_ > 0; });
+  }
+  /// Meshes since it was held.
+  int begun() const { return number(begun_); }
+  int ended() const { return number(ended_); }
 
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
+ private:
+  int number(const int& count) const {
+    const std::lock_guard lock(mutex_);
+    return count;
+  }
+
+  std::unique_ptr<AssetLibrary> inner_ = create::make_created_library();
+  mutable std::mutex mutex_;
+  mutable std::condition_variable changed_;
+  mutable int begun_ = 0, ended_ = 0;
+  bool held_ = false;
+};
 
 }  // namespace
 
@@ -265,21 +291,24 @@ TEST_CASE("Events name what was placed, where, and what stands by then") {
   CHECK(lines == trace);
 }
 
-TEST_CASE("A call that is cancelled ends at once, even in the middle of reading a mesh") {
-  const SlowLibrary library;
+TEST_CASE("A call that is cancelled ends in the middle of reading a mesh") {
+  HeldLibrary library;
   const auto designer = make_rule_designer();
   BuildOptions options;
   auto builder =
       RoomBuilder::begin(bedroom(), *designer, library, KindTable::built_in(), options);
   REQUIRE(builder);
-  std::thread stopper([token = options.cancel]() mutable {
-    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  library.hold();
+  std::thread stopper([&library, token = options.cancel]() mutable {
+    library.wait_for_reader();
     token.cancel();
   });
-  const auto start = Clock::now();
   const auto step = builder->step();
-  CHECK(seconds_since(start) < 0.7);  // the mesh alone takes 1.5 s
+  const int begun = library.begun(), ended = library.ended();
+  library.let_go();
   stopper.join();
+  CHECK(begun == 1);  // and it is still being read
+  CHECK(ended == 0);
   REQUIRE_FALSE(step);
   CHECK(step.error().kind == Error::Kind::cancelled);
   CHECK(builder->scene().objects.empty());
@@ -289,13 +318,15 @@ TEST_CASE("A call that is cancelled ends at once, even in the middle of reading 
 }
 
 TEST_CASE("A call that runs out of its time changes nothing and may be made again") {
-  const SlowLibrary library;
+  HeldLibrary library;
   const auto designer = make_rule_designer();
   auto builder = RoomBuilder::begin(bedroom(), *designer, library, KindTable::built_in());
   REQUIRE(builder);
-  const auto start = Clock::now();
+  library.hold();
   const auto hasty = builder->step(RoomBuilder::Seconds(0.05));
-  CHECK(seconds_since(start) < 0.7);
+  const int ended = library.ended();
+  library.let_go();
+  CHECK(ended == 0);  // no mesh was waited for
   REQUIRE_FALSE(hasty);
   CHECK(hasty.error().kind == Error::Kind::limit);
   CHECK(builder->scene().objects.empty());
