@@ -54,7 +54,7 @@ class ModelDesigner : public Designer {
     if (!reply && incomplete) reply = *std::move(incomplete);
     if (reply) {
       const auto claimed = design::claim(reply->plan, brief, categories_);
-      design::fulfil(claimed, brief, categories_, reply->plan);
+      design::fulfil(request, claimed, brief, categories_, reply->plan);
       note(reply->plan, reply->repairs);
       note(reply->plan, planning_.notes);
       return std::move(reply->plan);

@@ -60,7 +60,7 @@ std::string objection(const Claim& claim, const Brief& brief) {
   return "the description asks for things that your plan lacks: " + join(lacking, ", ");
 }
 
-void fulfil(const Claim& claim, const Brief& brief, const KindTable& table, Plan& plan) {
+void fulfil(const PlanRequest& request, const Claim& claim, const Brief& brief, const KindTable& table, Plan& plan) {
   const auto asked = asked_items(brief, table);
   std::vector<std::size_t> mention_of = claim.mention_of;
   for (std::size_t i = 0; i < plan.items.size(); ++i)
@@ -81,7 +81,7 @@ void fulfil(const Claim& claim, const Brief& brief, const KindTable& table, Plan
   }
   std::vector<Draft> drafts(plan.items.size());
   for (std::size_t i = 0; i < drafts.size(); ++i) drafts[i].mention = mention_of[i];
-  auto ledger = ledger_of(brief, drafts, plan);
+  auto ledger = ledger_of(request, brief, drafts, plan);
   plan.requirements = std::move(ledger.requirements);
   plan.heard = std::move(ledger.heard);
 }

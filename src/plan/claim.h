@@ -31,6 +31,6 @@ Claim claim(const Plan& plan, const Brief& brief, const KindTable& table);
 std::string objection(const Claim& claim, const Brief& brief);
 
 /// Adds what was forgotten, and makes the prompt's clauses the requirements of the plan.
-void fulfil(const Claim& claim, const Brief& brief, const KindTable& table, Plan& plan);
+void fulfil(const PlanRequest& request, const Claim& claim, const Brief& brief, const KindTable& table, Plan& plan);
 
 }  // namespace roomgen::design

@@ -25,8 +25,8 @@ std::string_view as_told(RelationKind kind) {
 
 class Ledger {
  public:
-  Ledger(const Brief& brief, const std::vector<Draft>& drafts, const Plan& plan)
-      : prompt_(plan.prompt), brief_(brief), room_(plan.room), ids_by_words_(brief.heard.size()) {
+  Ledger(const PlanRequest& request, const Brief& brief, const std::vector<Draft>& drafts, const Plan& plan)
+      : request_(request), brief_(brief), room_(plan.room), ids_by_words_(brief.heard.size()) {
     for (const auto& planned : planned_objects(plan)) {
       const std::size_t mention = drafts[planned.item].mention;
       if (mention != Demand::none) ids_[mention].push_back(planned.id);
@@ -53,8 +53,8 @@ class Ledger {
     material("walls", brief_.materials.walls);
     material("ceiling", brief_.materials.ceiling);
     material("accent wall", brief_.materials.accent);
-    for (auto& [requirement, words] : clauses_of_room(brief_, prompt_)) add(std::move(requirement), words);
-    return {std::move(requirements_), heard_words(prompt_, brief_, ids_by_words_)};
+    for (auto& [requirement, words] : clauses_of_room(brief_, request_)) add(std::move(requirement), words);
+    return {std::move(requirements_), heard_words(request_.prompt, brief_, ids_by_words_)};
   }
 
  private:
@@ -352,7 +352,7 @@ class Ledger {
     add(std::move(requirement), words_heard_as(brief_, Heard::As::absence, what));
   }
 
-  const std::string& prompt_;
+  const PlanRequest& request_;
   const Brief& brief_;
   const Room& room_;
   std::map<std::size_t, std::vector<std::string>> ids_;  ///< by mention
@@ -362,8 +362,9 @@ class Ledger {
 
 }  // namespace
 
-LedgerOfPrompt ledger_of(const Brief& brief, const std::vector<Draft>& drafts, const Plan& plan) {
-  return Ledger(brief, drafts, plan).run();
+LedgerOfPrompt ledger_of(const PlanRequest& request, const Brief& brief, const std::vector<Draft>& drafts,
+                         const Plan& plan) {
+  return Ledger(request, brief, drafts, plan).run();
 }
 
 }  // namespace roomgen::design

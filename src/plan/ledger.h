@@ -16,7 +16,8 @@ struct LedgerOfPrompt {
 
 /// Every clause of the prompt that can be checked: how many of each thing, how they look, how they
 /// stand to others and to the room, what the room is like, what is not there. `drafts` are those of
-/// plan.items.
-LedgerOfPrompt ledger_of(const Brief& brief, const std::vector<Draft>& drafts, const Plan& plan);
+/// plan.items; what the request gives besides wins over what the prompt says of the room's size.
+LedgerOfPrompt ledger_of(const PlanRequest& request, const Brief& brief, const std::vector<Draft>& drafts,
+                         const Plan& plan);
 
 }  // namespace roomgen::design

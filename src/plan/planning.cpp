@@ -63,7 +63,7 @@ class Planner {
     if (!best.missed.empty()) leave_out(best);
     if (best.plan.items.empty())
       best.plan.notes.push_back("nothing that such a room usually holds fits into it");
-    auto ledger = ledger_of(brief_, best.drafts, best.plan);
+    auto ledger = ledger_of(request_, brief_, best.drafts, best.plan);
     best.plan.requirements = std::move(ledger.requirements);
     best.plan.heard = std::move(ledger.heard);
     return std::move(best.plan);

@@ -1,22 +1,27 @@
 #include "room_clauses.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include "brief/bound_mentions.h"
 #include "brief/prompt_remarks.h"
 #include "library/style_words.h"
 #include "roomgen/base/text.h"
+#include "roomgen/geometry/polygon.h"
 #include "scene/seats_attribute.h"
 
 namespace roomgen::design {
 
 namespace {
 
+constexpr double side_tolerance = 0.05;  ///< metres, as the clauses are judged
+constexpr double area_share = 0.05;      ///< the same
 constexpr double least_long = 1.5;  ///< ratio of the sides of a "long" room; docs/requirements.md
 
 class RoomClauses {
  public:
-  RoomClauses(const Brief& brief, const std::string& prompt) : brief_(brief), prompt_(prompt) {}
+  RoomClauses(const Brief& brief, const PlanRequest& request) : brief_(brief), request_(request) {}
 
   std::vector<SaidClause> run() {
     room();
@@ -41,15 +46,7 @@ class RoomClauses {
     const bool is_kind = brief_.type_known && !brief_.type_inferred;
     if (const auto words = words_heard_as(brief_, Heard::As::room, "kind"); !words.empty())
       of_room(is_kind ? "kind" : "character", bounded_name(brief_.type), 0.0, "a " + brief_.type, words);
-    if (brief_.size) {
-      const auto words = words_heard_as(brief_, Heard::As::room, "size");
-      const double longer = brief_.size->maxCoeff(), shorter = brief_.size->minCoeff();
-      of_room("longer side", "", longer, format_number(longer, 2) + " m long", words);
-      of_room("shorter side", "", shorter, format_number(shorter, 2) + " m wide", words);
-    }
-    if (brief_.area)
-      of_room("area", "", *brief_.area, format_number(*brief_.area, 2) + " m2",
-              words_heard_as(brief_, Heard::As::room, "area"));
+    size();
     if (brief_.height)
       of_room("height", "", *brief_.height, format_number(*brief_.height, 2) + " m high",
               words_heard_as(brief_, Heard::As::room, "height"));
@@ -64,6 +61,43 @@ class RoomClauses {
     seats();
     styles();
     remarks();
+  }
+
+  void size() {
+    if (brief_.size) {
+      const auto words = words_heard_as(brief_, Heard::As::room, "size");
+      const double longer = brief_.size->maxCoeff(), shorter = brief_.size->minCoeff();
+      const auto given = given_size();
+      const bool is_long = !given || is_side(given->maxCoeff(), longer);
+      const bool is_wide = !given || is_side(given->minCoeff(), shorter);
+      // Sides that cannot be are one contradiction, told once.
+      if (!is_long || !is_wide) {
+        of_room(is_long ? "shorter side" : "longer side", "", is_long ? shorter : longer,
+                sides_text(*brief_.size) + overruled_by(*given), words);
+      } else {
+        of_room("longer side", "", longer, format_number(longer, 2) + " m long", words);
+        of_room("shorter side", "", shorter, format_number(shorter, 2) + " m wide", words);
+      }
+    }
+    if (brief_.area) {
+      const auto given = given_size();
+      const bool is_other = given && std::abs(given->prod() - *brief_.area) > area_share * *brief_.area;
+      of_room("area", "", *brief_.area, format_number(*brief_.area, 2) + " m2" + (is_other ? overruled_by(*given) : ""),
+              words_heard_as(brief_, Heard::As::room, "area"));
+    }
+  }
+
+  // Beside the prompt; how the rooms of a dwelling lie nobody has said.
+  std::optional<Vec2> given_size() const {
+    if (request_.room) return request_.room->id.empty() ? std::optional(bounds(request_.room->polygon).size()) : std::nullopt;
+    return request_.size;
+  }
+  static bool is_side(double given, double said) { return std::abs(given - said) <= side_tolerance; }
+  static std::string sides_text(const Vec2& size) {
+    return format_number(size.x(), 2) + " x " + format_number(size.y(), 2) + " m";
+  }
+  std::string overruled_by(const Vec2& given) const {
+    return std::string(", but the ") + (request_.room ? "floor plan" : "size") + " that is given, " + sides_text(given) + ", wins";
   }
 
   // "for eight people"
@@ -93,7 +127,7 @@ class RoomClauses {
   }
   std::string text_of(const language::Run& tokens) const {
     const auto begin = brief_.tokens[tokens.begin].span.begin, end = brief_.tokens[tokens.end - 1].span.end;
-    return prompt_.substr(begin, end - begin);
+    return request_.prompt.substr(begin, end - begin);
   }
 
   void openings() {
@@ -111,7 +145,7 @@ class RoomClauses {
   }
 
   const Brief& brief_;
-  const std::string& prompt_;
+  const PlanRequest& request_;
   std::vector<SaidClause> clauses_;
 };
 
@@ -124,6 +158,8 @@ std::vector<std::size_t> words_heard_as(const Brief& brief, Heard::As as, const 
   return result;
 }
 
-std::vector<SaidClause> clauses_of_room(const Brief& brief, const std::string& prompt) { return RoomClauses(brief, prompt).run(); }
+std::vector<SaidClause> clauses_of_room(const Brief& brief, const PlanRequest& request) {
+  return RoomClauses(brief, request).run();
+}
 
 }  // namespace roomgen::design

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "brief/brief.h"
+#include "roomgen/scene/plan.h"
 #include "roomgen/scene/requirement.h"
 
 namespace roomgen::design {
@@ -16,7 +17,7 @@ struct SaidClause {
 };
 
 /// What is asked of the room itself: its kind, sides, shape, openings, seats, style, and what nothing in it can show.
-std::vector<SaidClause> clauses_of_room(const Brief& brief, const std::string& prompt);
+std::vector<SaidClause> clauses_of_room(const Brief& brief, const PlanRequest& request);
 
 /// The words that were heard as that and are said of no thing, by Brief::heard.
 std::vector<std::size_t> words_heard_as(const Brief& brief, Heard::As as, const std::string& word);
