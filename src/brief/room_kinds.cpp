@@ -96,7 +96,7 @@ WindowHabit read_windows(const JsonReader& json) {
 }
 
 RoomKind read_room_kind(const JsonReader& json, const std::string& type) {
-  json.allow_only({"names", "leading", "alone", "known_by", "width", "depth", "height", "smallest", "share",
+  json.allow_only({"names", "leading", "alone", "known_by", "made_by", "width", "depth", "height", "smallest", "share",
                    "objects", "windows", "door", "door_on", "swing", "floors", "walls", "means",
                    "core", "extras", "details"});
   RoomKind kind;
@@ -105,6 +105,7 @@ RoomKind read_room_kind(const JsonReader& json, const std::string& type) {
   kind.leading = read_texts(json["leading"]);
   kind.alone = read_texts(json["alone"]);
   if (json["known_by"].exists()) kind.known_by = read_texts(json["known_by"]);
+  kind.made_by = read_texts(json["made_by"]);
   kind.width = read_range(json["width"], {4.0, 5.0}, 20.0);
   kind.depth = read_range(json["depth"], {3.5, 4.5}, 20.0);
   kind.height = json["height"].number_or(kind.height, 1.0, 10.0);

@@ -57,6 +57,8 @@ struct RoomKind {
   std::vector<std::string> alone;
   /// What tells that a room of no name is of this kind; the first piece of its core unless told.
   std::optional<std::vector<std::string>> known_by;
+  /// Kinds of things of which it has at least one, or is none of its kind; empty: nothing makes it what it is.
+  std::vector<std::string> made_by;
   Range width, depth;
   double height = default_room_height;
   double smallest = 3.0;                   ///< least side of a room whose size is chosen

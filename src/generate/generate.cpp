@@ -10,6 +10,7 @@ Result<Generation> generate(const Plan& plan, Designer& designer, const AssetLib
     if (const auto step = builder->step(); !step && step.error().kind != Error::Kind::cancelled)
       return step.error();
   if (builder->stopped().empty() && !options.cancel.cancelled()) (void)builder->improve();
+  if (auto status = builder->check_kind(); !status) return status.error();
   return builder->generation();
 }
 

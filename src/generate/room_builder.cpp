@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "attempts.h"
+#include "check_kind.h"
 #include "hang_cover.h"
 #include "moves.h"
 #include "order.h"
@@ -173,6 +174,7 @@ const std::string& RoomBuilder::stopped() const { return impl_->state.stopped; }
 Scene RoomBuilder::scene() const { return impl_->scene(); }
 const ModelTable& RoomBuilder::models() const { return impl_->state.models; }
 Generation RoomBuilder::generation() const { return outcome(*impl_->place, impl_->state); }
+Status RoomBuilder::check_kind() const { return roomgen::check_kind(*impl_->place, impl_->state); }
 
 Status RoomBuilder::choose(std::string_view id) {
   const auto& left = impl_->state.left;

@@ -42,6 +42,7 @@ class Completion {
     in_core_ = true;
     for (const auto& piece : kind_.core)
       if (random_.chance(piece.chance)) add(piece, core_excess * kind_.share.high * area);
+    add_what_makes_it();
     in_core_ = false;
     // A desk that is asked for gets its chair as well.
     for (const auto& piece : kind_.extras)
@@ -220,7 +221,28 @@ class Completion {
     return others;
   }
 
-  bool add_if_it_fits(const Piece& piece, const std::string& category, const std::string& variant, int count, double budget) {
+  // The smallest thing that makes the room what it is, where its share of the floor has room for none: whether it
+  // finds a place is seen when the plan is tried.
+  void add_what_makes_it() {
+    if (std::any_of(drafts_.begin(), drafts_.end(), [&](const Draft& draft) { return makes_it(draft.item.category); }))
+      return;
+    const Piece* least = nullptr;
+    std::string category, variant;
+    const auto area = [&](const Piece& piece, const std::string& kind, const std::string& of) {
+      return size_of(piece, kind, of).head<2>().prod();
+    };
+    for (const auto& piece : kind_.core)
+      for (const auto& [kind, weight] : piece.any) {
+        if (!makes_it(kind) || excluded(kind) || pointless(piece)) continue;
+        for (const auto& of : variants_from(draw_variant(piece), piece, kind))
+          if (!least || area(piece, kind, of) < area(*least, category, variant)) least = &piece, category = kind, variant = of;
+      }
+    if (least) drafts_.push_back(drafted(*least, category, variant, 1));
+  }
+
+  bool makes_it(const std::string& category) const { return table_.is_any_of(category, kind_.made_by); }
+
+  Draft drafted(const Piece& piece, const std::string& category, const std::string& variant, int count) {
     Draft draft;
     draft.core = in_core_;
     PlanItem& item = draft.item;
@@ -233,6 +255,12 @@ class Completion {
     item.size = size;
     const int seats = seats_with(piece);
     if (seats > 0) item.size = table_for(size, table_.get(category).traits.round, seats);
+    return draft;
+  }
+
+  bool add_if_it_fits(const Piece& piece, const std::string& category, const std::string& variant, int count, double budget) {
+    Draft draft = drafted(piece, category, variant, count);
+    PlanItem& item = draft.item;
     while (item.quantity > 1 && !fits(item, budget)) --item.quantity;
     if (item.quantity < 1 || !fits(item, budget)) return false;
     drafts_.push_back(std::move(draft));

@@ -9,8 +9,10 @@
 #include "floor_plan.h"
 #include "formations.h"
 #include "inventory.h"
+#include "least_size.h"
 #include "ledger.h"
 #include "looks.h"
+#include "makers.h"
 #include "order.h"
 #include "palette.h"
 #include "room_openings.h"
@@ -26,6 +28,7 @@ constexpr int max_attempts = 9;  ///< while something of the prompt is not heede
 constexpr double growth = 1.05;  ///< of the sides from attempt to attempt
 constexpr std::size_t enough_things = 2;  ///< named, to furnish a room of no known kind
 constexpr std::size_t most_tried = 80;  ///< things; larger plans are taken as they are
+constexpr double none_of_its_kind = 1e6;  ///< fault of a room without what makes it what it is: any other is better
 constexpr double most_work = 24'000;    ///< things times square metres, over all attempts: a full hall of 180 m2 is tried thrice
 constexpr std::size_t most_corners = 64;  ///< of a room in which plans are tried: each wall offers places, and each is held against all walls
 
@@ -36,6 +39,7 @@ struct Attempt {
   std::vector<PlannedObject> missed;  ///< found no place
   double fault = 0.0;
   bool heeds_prompt = true;  ///< what was asked for has its place
+  bool is_of_its_kind = true;  ///< something that makes the room what it is has its place
 };
 
 class Planner {
@@ -51,15 +55,16 @@ class Planner {
     choose_kind();
   }
 
-  Plan plan() const {
+  Result<Plan> plan() const {
     Attempt best = attempt(0, std::numeric_limits<double>::infinity());
     double work = work_of(best.plan);
     for (int n = 1; n < max_attempts && best.fault > 0 && work < most_work && !request_.cancel.cancelled(); ++n) {
-      if (n >= usual_attempts && best.heeds_prompt) break;
+      if (n >= usual_attempts && best.heeds_prompt && best.is_of_its_kind) break;
       Attempt next = attempt(n, best.fault);
       work += work_of(next.plan);
       if (next.fault < best.fault) best = std::move(next);
     }
+    if (!best.is_of_its_kind) return too_small(best.plan.room);
     if (!best.missed.empty()) leave_out(best);
     if (best.plan.items.empty())
       best.plan.notes.push_back("nothing that such a room usually holds fits into it");
@@ -67,6 +72,13 @@ class Planner {
     best.plan.requirements = std::move(ledger.requirements);
     best.plan.heard = std::move(ledger.heard);
     return std::move(best.plan);
+  }
+
+  // Whether plan() would give a room that is what it is called.
+  bool is_of_its_kind() const {
+    for (int n = 0; n < max_attempts && !request_.cancel.cancelled(); ++n)
+      if (attempt(n, none_of_its_kind).is_of_its_kind) return true;
+    return false;
   }
 
  private:
@@ -80,7 +92,8 @@ class Planner {
       brief_.type = "room";
       brief_.notes.push_back("the prompt names no kind of room; little was added to what it names");
     }
-    if (brief_.type.empty()) {
+    const bool is_called = !brief_.type.empty();
+    if (!is_called) {
       brief_.type = default_room_type;
       brief_.type_known = true;
       brief_.notes.push_back(std::string("the prompt names no kind of room; taken for a ") +
@@ -88,7 +101,19 @@ class Planner {
     }
     kind_ = kinds_.get(brief_.type);
     kind_.type = brief_.type;
+    if (is_called) kind_.made_by = needed_makers(kind_, brief_, table_);
+    else kind_.made_by.clear();
     if (brief_.height) kind_.height = *brief_.height;
+  }
+
+  Error too_small(const Room& room) const {
+    const auto works = [&](const Vec2& size) {
+      PlanRequest request = request_;
+      request.size = size;
+      request.room.reset();
+      return Planner(request, brief_, kinds_, table_, arrangements_).is_of_its_kind();
+    };
+    return no_place_for(usual_makers(kind_, table_), room, least_size(bounds(room.polygon).size(), works));
   }
 
   static double work_of(const Plan& plan) {
@@ -185,6 +210,7 @@ class Planner {
     DryRun run = dry_run(attempt.plan, table_, arrangements_,
                          [&](const DryRun& so_far) { return fault(so_far) >= bar; });
     attempt.fault = fault(run);
+    attempt.is_of_its_kind = holds_maker(attempt.plan, run);
     attempt.heeds_prompt =
         run.broken == 0 && std::none_of(run.missed.begin(), run.missed.end(), [&](const auto& object) {
           return attempt.plan.items[object.item].asked;
@@ -194,13 +220,24 @@ class Planner {
 
   // Grows with everything that goes wrong.
   double fault_of(const Attempt& attempt, int on_floor, const DryRun& run) const {
-    double fault = 2.0 * run.broken;
+    double fault = 2.0 * run.broken + (holds_maker(attempt.plan, run) ? 0.0 : none_of_its_kind);
     for (const auto& object : run.missed) {
       const PlanItem& item = attempt.plan.items[object.item];
       on_floor -= item.mount == Mount::floor;
       fault += item.asked ? 20.0 : attempt.drafts[object.item].core ? 5.0 : 1.0;
     }
     return brief_.bare ? fault : fault + 3.0 * std::max(0, fewest_things - on_floor);
+  }
+
+  // Whether something that makes the room what it is found a place, if it needs that.
+  bool holds_maker(const Plan& plan, const DryRun& run) const {
+    if (kind_.made_by.empty()) return true;
+    for (std::size_t i = 0; i < plan.items.size(); ++i) {
+      const auto missed = std::count_if(run.missed.begin(), run.missed.end(),
+                                        [&](const PlannedObject& object) { return object.item == i; });
+      if (plan.items[i].quantity > missed && table_.is_any_of(plan.items[i].category, kind_.made_by)) return true;
+    }
+    return false;
   }
 
   // Drops what found no place and was not asked for.
@@ -225,8 +262,8 @@ class Planner {
 
 }  // namespace
 
-Plan make_plan(const PlanRequest& request, const Brief& brief, const RoomKinds& kinds, const KindTable& table,
-               const Arrangements& arrangements) {
+Result<Plan> make_plan(const PlanRequest& request, const Brief& brief, const RoomKinds& kinds,
+                       const KindTable& table, const Arrangements& arrangements) {
   return Planner(request, brief, kinds, table, arrangements).plan();
 }
 

@@ -149,3 +149,44 @@ TEST_CASE("Ctrl-C into a new folder writes what is placed so far, valid, with it
   }
   CHECK(placed > 0);
 }
+
+TEST_CASE("A room that cannot be what it is called ends with 1 and one line, and leaves nothing behind") {
+  const TemporaryFolder folder;
+  REQUIRE(roomgen::write_file(folder / "cell.json",
+                              R"({"polygon": [[0,0],[2,0],[2,2],[0,2]]})"));
+  REQUIRE(roomgen::write_file(
+      folder / "plan.json",
+      R"({"format": "roomgen-plan", "version": 1, "room": {"type": "bedroom", "polygon": [[0,0],[2,0],[2,2],[0,2]],
+          "openings": [{"id": "door-0", "type": "door", "wall": 0, "from": 0.4, "to": 1.3}]},
+          "objects": [{"category": "bed"}, {"category": "plant"}]})"));
+  const std::string cell = folder / "cell.json", plan = folder / "plan.json";
+  const std::vector<std::vector<std::string>> rooms = {{"a bedroom", "--size", "2x2"},
+                                                       {"a bedroom", "--size", "2x2", "--strict"},
+                                                       {"a 2x2 m bedroom for two"},
+                                                       {"a bedroom", "--room", cell},
+                                                       {"--plan", plan}};
+  for (const auto& room : rooms) {
+    const auto ended = run(with({"generate", "-o", folder / "room", "--no-default-libraries", "--no-pictures",
+                                 "--cache", folder / "cache"}, room));
+    INFO(room.front() << ": " << ended.err);
+    CHECK(failed_in_one_line(ended, 1));
+    CHECK(contains_text(ended.err, "a bedroom of 2 x 2 m cannot be one: no bed finds a place in it; "));
+    CHECK(contains_text(ended.err, "is the least size that would do"));
+    CHECK_FALSE(fs::exists(folder / "room"));
+  }
+  CHECK(failed_in_one_line(run({"plan", "a bedroom", "--size", "2x2", "-o", folder / "made.json"}), 1));
+  CHECK_FALSE(fs::exists(folder / "made.json"));
+}
+
+TEST_CASE("What the prompt names and finds no place is left out, and a room may be wanted without what makes it") {
+  const TemporaryFolder folder;
+  const auto made = [&](const std::string& prompt, const std::vector<std::string>& more) {
+    return run(with({"generate", prompt, "--size", "2x2", "-o", folder / "room", "--no-default-libraries",
+                     "--no-pictures", "--cache", folder / "cache"}, more));
+  };
+  const auto named = made("a bedroom with a double bed", {});
+  CHECK(named.code == 0);
+  CHECK(contains_text(named.out, "left out: "));
+  CHECK(made("a bedroom with a double bed", {"--strict"}).code == 1);
+  CHECK(made("a bedroom without a bed", {}).code == 0);
+}

@@ -153,8 +153,8 @@ TEST_CASE("Doors of furniture, mats and seats are no doors and windows of the ro
 }
 
 TEST_CASE("What does not fit is made narrower, put elsewhere or left out, and a note says so") {
-  for (const char* prompt : {"a 2 x 2 m bathroom with twelve windows and three double doors",
-                             "a 1.2 x 1 m bathroom with a 3 m wide sliding door",
+  for (const char* prompt : {"a 2 x 2 m hallway with twelve windows and three double doors",
+                             "a 1.2 x 1 m hallway with a 3 m wide sliding door",
                              "a 3 x 3 m room with a 9 m wide window on the left wall",
                              "a 2 x 5 m hallway with a 3 m wide door on the front wall",
                              "a 0.6 x 0.6 m room with double doors",

@@ -201,7 +201,11 @@ TEST_CASE("bounds on size are errors, small rooms hold little") {
   CHECK_FALSE(try_plan("bedroom", Vec2(3, 1000)).ok());
   for (const char* type : test::room_types) {
     const auto plan = try_plan(type, Vec2(1, 1));
-    REQUIRE(plan.ok());
+    INFO(type);
+    if (!plan) {
+      CHECK(plan.error().message.find("cannot be one") != std::string::npos);
+      continue;
+    }
     CHECK(check(plan->room).ok());
     CHECK(floor_of(*plan).things <= 4);
   }

@@ -197,6 +197,9 @@ async def wrong_calls(client, root):
     await refused(client, "generate", "holds a room already", folder="study", prompt="a study")
     await refused(client, "generate", "either prompt or plan", folder="other")
     await refused(client, "generate", "below the root", folder=".", prompt="a study")
+    for tool, where in (("plan", {"save_to": "tiny.json"}), ("generate", {"folder": "tiny"})):
+        await refused(client, tool, "no bed finds a place in it", prompt="a bedroom", size="2x2", **where)
+    assert not list(root.glob("tiny*"))
     await refused(client, "render", "does not end with .png", room="study", file="study/scene.json")
     await refused(client, "check", "is no scene", room="study/scene.glb")
     await refused(client, "export", "a room's own file", room="study", file="study/scene.glb")

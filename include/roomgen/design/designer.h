@@ -87,7 +87,10 @@ inline constexpr std::size_t max_prompt_bytes = 100'000;
 /// them from the knowledge in data/rooms.json and places things by data/arrangements.json. What the
 /// prompt says outranks what rooms usually hold.
 ///
-/// plan() fails with invalid_input for an empty prompt and for a size outside 0.5 to 50 m, with limit
+/// plan() fails with invalid_input for an empty prompt, for a size outside 0.5 to 50 m, and where nothing that
+/// makes the room what it is called (data/rooms.json, "made_by": a bedroom's bed) finds a place: the message says
+/// what, and the least size, measured by planning larger rooms, in which it does. Exempt are rooms of which the
+/// prompt says that there is none, or nothing but what it names, and what it names itself. It fails with limit
 /// for a prompt beyond max_prompt_bytes. A prompt that names no room and no furniture gives a living
 /// room and a note. place() keeps no state: equal requests give equal advice, and each refusal in the
 /// request makes it give up more of its own wishes.

@@ -151,12 +151,14 @@ struct BuildOptions {
 /// propose, score, fuse, place; when it does not fit, the next asset, then the designer again with the
 /// reason, then a repair, then it is left out with the reason. A last improvement wins back what was lost.
 /// One object that fails never costs another its place. When cancelled, or when the designer may ask no more
-/// (Error::Kind::limit), what is placed so far is returned and the scene is marked incomplete.
+/// (Error::Kind::limit), what is placed so far is returned and the scene is marked incomplete. Fails with
+/// invalid_input where nothing that makes the room what it is called found a place (RoomBuilder::check_kind()).
 Result<Generation> generate(const Plan& plan, Designer& designer, const AssetLibrary& library,
                             const KindTable& categories, const BuildOptions& options = {});
 
 /// Furnishes the rooms of a dwelling one after the other into one scene; events count through all of them.
-/// What was stopped in one room is stopped in those after it.
+/// What was stopped in one room is stopped in those after it. A room that is not what it is called is a failure
+/// of the whole; the message begins with its id.
 Result<Generation> generate(const DwellingPlan& plan, Designer& designer,
                             const AssetLibrary& library, const KindTable& categories,
                             const BuildOptions& options = {});

@@ -46,6 +46,7 @@ inline constexpr std::size_t max_things_of_room = 300;
 ///       if (!step) return step.error();
 ///     }
 ///     (void)builder->improve();
+///     if (auto status = builder->check_kind(); !status) return status.error();
 ///     Generation room = builder->generation();
 ///
 /// A call either does what it says or leaves everything as it was. Once `options.cancel` is set, or the time
@@ -89,6 +90,12 @@ class RoomBuilder {
   /// All that is known by now: the scene in the plan's order, what found no place, figures, the trace.
   /// Complete when nothing is left.
   Generation generation() const;
+  /// Fails with invalid_input where all was tried and the room is not what it is called: of the kinds that make it
+  /// so (data/rooms.json, "made_by": a bedroom's bed) some are planned, and none found a place. The message says
+  /// which, and the least size that would do, which is measured by trying larger rooms: that may take a while. No
+  /// failure is what the plan leaves out, what the prompt asks for by name (Scene::unplaced says so), and a room
+  /// that was stopped. generate() ends with this check.
+  Status check_kind() const;
 
   // Steps. Each takes one planned object that is not in the room; one that was left out may be
   // tried again.
