@@ -98,7 +98,8 @@ Status begin_job(const fs::path& folder, const std::string& job) {
   return write_file(file, job);
 }
 
-// Draws frames on one thread, one after the other.
+// Draws frame after frame, for several threads: one renderer for all, since two would not draw at once (GlTurn), and the files
+// are made while others draw.
 class FrameDrawer {
  public:
   FrameDrawer(const Scene& scene, const ModelTable& models, const TourIntrinsics& intrinsics,
@@ -106,22 +107,27 @@ class FrameDrawer {
       : scene_(scene), models_(models), intrinsics_(intrinsics), options_(options), folder_(folder) {}
 
   Status draw(const TourFrame& frame) {
-    if (!renderer_) {
-      auto renderer = make_osmesa_renderer();
-      if (!renderer) return renderer.error();
-      renderer_ = std::move(*renderer);
-    }
     const auto camera = tour_camera(frame.pose, intrinsics_);
     if (!camera) return camera.error();
-    Shot shot;
-    shot.camera = *camera;
-    shot.color = wants("rgb");
-    const auto layers = renderer_->layers(scene_, models_, shot);
+    const auto layers = layers_of(*camera);
     if (!layers) return layers.error();
     return write(frame, *layers);
   }
 
  private:
+  Result<Layers> layers_of(const Camera& camera) {
+    const std::lock_guard lock(mutex_);
+    if (!renderer_) {
+      auto renderer = make_osmesa_renderer();
+      if (!renderer) return renderer.error();
+      renderer_ = std::move(*renderer);
+    }
+    Shot shot;
+    shot.camera = camera;
+    shot.color = wants("rgb");
+    return renderer_->layers(scene_, models_, shot);
+  }
+
   bool wants(const std::string& layer) const {
     return std::count(options_.layers.begin(), options_.layers.end(), layer) > 0;
   }
@@ -148,6 +154,7 @@ class FrameDrawer {
   const TourIntrinsics& intrinsics_;
   const FrameOptions& options_;
   const fs::path& folder_;
+  std::mutex mutex_;  ///< of the renderer
   std::unique_ptr<Renderer> renderer_;
 };
 
@@ -160,13 +167,11 @@ std::vector<TourFrame> missing_frames(const std::vector<TourFrame>& frames, cons
 }
 
 // The threads take frame after frame; the first error stops all.
-template <typename MakeDrawer>
-Status draw_in_parallel(const std::vector<TourFrame>& frames, const FrameOptions& options, const MakeDrawer& make) {
+Status draw_in_parallel(const std::vector<TourFrame>& frames, const FrameOptions& options, FrameDrawer& drawer) {
   std::atomic<std::size_t> next{0};
   std::mutex mutex;
   Status status;
   const auto work = [&](std::size_t) {
-    auto drawer = make();
     for (std::size_t k = next++; k < frames.size(); k = next++) {
       Status done = options.cancel.cancelled() ? Status(Error{Error::Kind::cancelled, "frames: interrupted"})
                                                : drawer.draw(frames[k]);
@@ -249,8 +254,8 @@ Result<FrameFigures> draw_frames(const Scene& scene, const ModelTable& models, c
   if (auto status = begin_job(folder, job_text(scene, models, tour, options)); !status) return status.error();
   const auto missing = missing_frames(*frames, folder);
   const TourIntrinsics intrinsics{options.width, options.height, tour.intrinsics.field_of_view};
-  const auto make = [&] { return FrameDrawer(scene, models, intrinsics, options, folder); };
-  if (auto status = draw_in_parallel(missing, options, make); !status) return status.error();
+  FrameDrawer drawer(scene, models, intrinsics, options, folder);
+  if (auto status = draw_in_parallel(missing, options, drawer); !status) return status.error();
   if (auto status = put_together(scene, *frames, folder); !status) return status.error();
   FrameFigures figures{frames->size(), missing.size(), "", ""};
   if (std::count(options.layers.begin(), options.layers.end(), "rgb") > 0) make_video(*frames, options, folder, figures);

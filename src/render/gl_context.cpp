@@ -10,7 +10,18 @@ Error unavailable(const std::string& what) {
   return {Error::Kind::unavailable, "OSMesa: " + what};
 }
 
+std::mutex& turns() {
+  static std::mutex mutex;
+  return mutex;
+}
+
 }  // namespace
+
+GlTurn::GlTurn() : lock_(turns()) {}
+
+GlTurn::~GlTurn() {
+  if (const auto& mesa = osmesa()) mesa->MakeCurrent(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0);
+}
 
 Result<std::unique_ptr<GlContext>> GlContext::create() {
   const auto& mesa = osmesa();

@@ -48,6 +48,7 @@ const std::vector<std::string>& model_view_names() {
 }
 
 Result<std::vector<Image>> draw_views(const Model& model, int pixels) {
+  const GlTurn turn;
   auto context = GlContext::create();
   if (!context) return context.error();
   if (auto status = (*context)->make_current(); !status) return status.error();

@@ -1,6 +1,7 @@
 #include "roomgen/render/pictures.h"
 
 #include <list>
+#include <optional>
 #include <nlohmann/json.hpp>
 
 #include "gl_context.h"
@@ -98,11 +99,15 @@ class OsmesaRenderer : public Renderer {
         layer_pass_(std::move(pass)),
         shadows_(context_->gl()) {}
 
-  ~OsmesaRenderer() override { (void)context_->make_current(); }
+  ~OsmesaRenderer() override {
+    last_turn_.emplace();
+    (void)context_->make_current();
+  }
 
   Result<Image> render(const Scene& scene, const ModelTable& models, const View& view) override {
     const auto camera = make_camera(scene, view);
     if (!camera) return camera.error();
+    const GlTurn turn;
     if (auto status = context_->make_current(); !status) return status.error();
 
     auto image = picture_of(scene, models, view, *camera);
@@ -115,6 +120,7 @@ class OsmesaRenderer : public Renderer {
     if (auto sound = check_camera(shot.camera); !sound) return sound.error();
     auto things = layer_things(scene);
     if (!things) return things.error();
+    const GlTurn turn;
     if (auto status = context_->make_current(); !status) return status.error();
 
     Layers layers;
@@ -143,6 +149,7 @@ class OsmesaRenderer : public Renderer {
     if (auto sound = check_camera(camera); !sound) return sound.error();
     const auto things = layer_things(scene);
     if (!things) return things.error();
+    const GlTurn turn;
     if (auto status = context_->make_current(); !status) return status.error();
     View view;
     view.kind = View::Kind::eye;
@@ -246,7 +253,8 @@ class OsmesaRenderer : public Renderer {
     shadow_sun_ = sun;
   }
 
-  std::unique_ptr<GlContext> context_;  // first: outlives what it made
+  std::optional<GlTurn> last_turn_;     // first: ends after all that is below
+  std::unique_ptr<GlContext> context_;  // outlives what it made
   GpuCache cache_;
   ScenePainter painter_;
   Picture picture_;
@@ -262,6 +270,7 @@ class OsmesaRenderer : public Renderer {
 }  // namespace
 
 Result<std::unique_ptr<Renderer>> make_osmesa_renderer() {
+  const GlTurn turn;
   auto context = GlContext::create();
   if (!context) return context.error();
   auto painter = ScenePainter::create((*context)->gl());

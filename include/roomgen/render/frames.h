@@ -17,7 +17,7 @@ struct FrameOptions {
   int width = 640, height = 480;  ///< what they show from side to side is the tour's
   double per_second = 4.0;        ///< of the tour's time
   std::vector<std::string> layers = {"rgb", "depth", "instance", "category", "normal"};
-  int threads = 2;
+  int threads = 2;  ///< one of them draws (OSMesa with threads of its own), the others make files of what is drawn
   int quality = 92;  ///< of the JPEG pictures, 1 to 100
   CancelToken cancel;
 };

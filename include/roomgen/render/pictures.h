@@ -18,8 +18,9 @@ namespace roomgen {
 /// Draws with OpenGL in main memory (OSMesa): no window, display or graphics card is needed.
 ///
 /// A renderer keeps the meshes, textures and last pictures it has seen, so that the next picture of
-/// a room draws only what changed. One thread at a time may use it; several renderers may work side
-/// by side. Fails with Error::Kind::unavailable when OSMesa gives no OpenGL 4.0 core context.
+/// a room draws only what changed. One thread at a time may use it; several renderers may be used by
+/// several threads, and take turns: OSMesa draws one picture of a process at a time, with threads of its
+/// own. Fails with Error::Kind::unavailable when OSMesa gives no OpenGL 4.0 core context.
 Result<std::unique_ptr<Renderer>> make_osmesa_renderer();
 
 /// A model alone on a plain floor, without a room: square pictures of one scale, `pixels` wide, in the
