@@ -4,6 +4,8 @@
 #include <assimp/IOStream.hpp>
 #include <cstring>
 
+#include "obj_numbers.h"
+
 namespace roomgen::decode {
 
 namespace {
@@ -54,6 +56,7 @@ Assimp::IOStream* MemoryIo::Open(const char* file, const char* mode) {
   const std::string name = tree_.resolve(folder_, below_folder(file));
   if (name.empty()) return nullptr;
   auto bytes = tree_.read(name);
+  if (bytes && extension_of(name) == "obj") *bytes = with_leading_zeros(*bytes);
   return bytes ? new MemoryStream(*std::move(bytes)) : nullptr;
 }
 

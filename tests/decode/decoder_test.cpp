@@ -1,6 +1,7 @@
 #include "decode/decoder.h"
 
 #include "catch.h"
+#include "decode/obj_numbers.h"
 #include "meshes.h"
 #include "roomgen/base/file.h"
 
@@ -129,6 +130,22 @@ TEST_CASE("Files are read by the format that their name says") {
   Decoder decoder(built());
   CHECK(decoder.decode(tree, "a.ply", {}));
   for (const char* other : {"b.off", "c.x3d", "d.md5mesh"}) CHECK_FALSE(decoder.decode(tree, other, {}));
+}
+
+TEST_CASE("Numbers of Wavefront files may begin with their point") {
+  const char* name = "point four stool.obj";
+  const auto tree = tree_of({{name, *read_file(std::filesystem::path(ROOMGEN_TEST_DATA) / "meshes" / name)}});
+  Decoder decoder(built());
+  const auto model = decoder.decode(tree, name, {});
+  REQUIRE(model);
+  CHECK(triangle_count(*model) == 12);
+  const auto box = bounds(*model);
+  CHECK((box.high - box.low - Vec3(0.4, 0.45, 0.4)).norm() < 1e-6);
+  // Nothing but numbers of vertices is touched.
+  const std::string others = "mtllib a .4.mtl\no chair .5\nv 1 -.5 1.5 # a.b\nvt 0.5\t1.\nusemtl oak .3\nf 1 2 3\n# v .4\n";
+  CHECK(decode::with_leading_zeros(others) == others);
+  CHECK(decode::with_leading_zeros("  v .4\t.5 \\\r\n .6\r\nvn .1 0 .2\no .5") ==
+        "  v 0.4\t0.5 \\\r\n 0.6\r\nvn 0.1 0 0.2\no .5");
 }
 
 TEST_CASE("Several libraries are read by one decoder, each with files of its own") {
