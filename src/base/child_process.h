@@ -36,6 +36,9 @@ class ChildProcess {
   /// What it has used so far.
   std::chrono::nanoseconds processor_time() const;
 
+  /// At most so many bytes of addresses from now on, within what it allowed itself for good.
+  void allow_memory(std::size_t bytes) const;
+
   /// Ends it, once `patience` is over; says how it ended by itself before ("signal 11 (Segmentation
   /// fault)"), empty if it did not.
   std::string end(std::chrono::milliseconds patience = {});

@@ -1,10 +1,12 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <spawn.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -112,6 +114,14 @@ std::chrono::nanoseconds ChildProcess::processor_time() const {
       ::clock_gettime(clock, &used) != 0)
     return {};
   return std::chrono::seconds(used.tv_sec) + std::chrono::nanoseconds(used.tv_nsec);
+}
+
+void ChildProcess::allow_memory(std::size_t bytes) const {
+  ::rlimit bound{};
+  const auto id = static_cast<::pid_t>(id_);
+  if (id == 0 || ::prlimit(id, RLIMIT_AS, nullptr, &bound) != 0) return;
+  bound.rlim_cur = std::min<::rlim_t>(bytes, bound.rlim_max);
+  (void)::prlimit(id, RLIMIT_AS, &bound, nullptr);
 }
 
 std::string ChildProcess::end(std::chrono::milliseconds patience) {

@@ -20,6 +20,8 @@ std::optional<std::size_t> ChildProcess::receive(char*, std::size_t, std::chrono
 
 std::chrono::nanoseconds ChildProcess::processor_time() const { return {}; }
 
+void ChildProcess::allow_memory(std::size_t) const {}
+
 std::string ChildProcess::end(std::chrono::milliseconds) { return {}; }
 
 }  // namespace roomgen::detail

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
+#include <mutex>
 #include <optional>
 
 #include "base/child_process.h"
 #include "bytes.h"
 #include "find_decoder.h"
 #include "image_decode.h"
+#include "import_limits.h"
 #include "model_bytes.h"
 #include "roomgen/base/text.h"
 #include "wire.h"
@@ -28,6 +30,9 @@ constexpr std::size_t most_wants = 1000;   // files that one mesh may ask for
 constexpr std::size_t most_warnings = 100;
 constexpr std::size_t piece = 1 << 20;
 constexpr std::size_t most_text_bytes = 1000;
+// Of memory: what each decoder may take, and one at a time of the whole program (confinement_posix.cpp allows no more).
+constexpr std::size_t usual_memory = std::size_t{512} << 20, most_memory = std::size_t{1536} << 20;
+constexpr std::string_view crashed = "its reader crashed";
 
 Error cancelled() { return {Error::Kind::cancelled, "reading meshes was stopped"}; }
 
@@ -72,7 +77,7 @@ class Conversation {
 
   Error gone() const {
     const std::string how = process_.end(farewell);
-    return {Error::Kind::limit, "its reader crashed" + (how.empty() ? how : ": " + how)};
+    return {Error::Kind::limit, std::string(crashed) + (how.empty() ? how : ": " + how)};
   }
 
   Status send_bytes(std::string_view bytes) {
@@ -121,6 +126,18 @@ Status hand_out(Conversation& conversation, const FileTree& tree, const std::str
                : conversation.send(MessageKind::absent, bytes.error().message);
 }
 
+// Libraries that were denied memory say so or crash.
+bool may_lack_memory(const Error& error) {
+  return error.kind == Error::Kind::limit &&
+         (error.message.find(too_much_memory) != std::string::npos || error.message.starts_with(crashed));
+}
+
+// Who holds it may let a decoder take most_memory.
+std::mutex& turn_for_most_memory() {
+  static std::mutex turn;
+  return turn;
+}
+
 }  // namespace
 
 struct Decoder::Impl {
@@ -135,6 +152,9 @@ struct Decoder::Impl {
 
   static Result<Running> start(const DecoderOptions& options);
   Status ensure_running();
+  void allow_memory(std::size_t bytes) const;
+  template <typename Ask>
+  auto ask_again_with_more(const Ask& ask) -> decltype(ask());
   Result<std::uint32_t> ensure_told(const FileTree& tree);
   Result<Model> ask(const FileTree& tree, const std::string& mesh, const ImportOptions& import);
   Result<Image> ask(std::string_view picture, int max_side);
@@ -163,7 +183,28 @@ Status Decoder::Impl::ensure_running() {
   auto started = start(options);
   if (!started) return started.error();
   running = *std::move(started);
+  allow_memory(usual_memory);
   return {};
+}
+
+// Under a sanitizer it has no limits.
+void Decoder::Impl::allow_memory(std::size_t bytes) const {
+  if (running->held.find("limits") != std::string::npos) running->process.allow_memory(bytes);
+}
+
+// Several decoders at work together take little more than the largest of their files does, and no file is refused that
+// would be read alone. The process ends with it: what it took does not come back otherwise.
+template <typename Ask>
+auto Decoder::Impl::ask_again_with_more(const Ask& ask) -> decltype(ask()) {
+  auto answer = ask();
+  if (answer || !may_lack_memory(answer.error())) return answer;
+  const std::lock_guard turn(turn_for_most_memory());
+  running.reset();
+  if (auto status = ensure_running(); !status) return status.error();
+  allow_memory(most_memory);
+  answer = ask();
+  running.reset();
+  return answer;
 }
 
 Result<std::uint32_t> Decoder::Impl::ensure_told(const FileTree& tree) {
@@ -230,13 +271,13 @@ Decoder::~Decoder() = default;
 Result<Model> Decoder::decode(const FileTree& tree, const std::string& mesh,
                               const ImportOptions& options) {
   if (impl_->options.in_process) return import_mesh(tree, mesh, options);
-  auto model = impl_->ask(tree, mesh, options);
+  auto model = impl_->ask_again_with_more([&] { return impl_->ask(tree, mesh, options); });
   return model ? std::move(model) : impl_->failed(model.error(), mesh);
 }
 
 Result<Image> Decoder::decode_picture(std::string_view bytes, int max_side) {
   if (impl_->options.in_process) return decode_image(bytes, max_side);
-  auto image = impl_->ask(bytes, max_side);
+  auto image = impl_->ask_again_with_more([&] { return impl_->ask(bytes, max_side); });
   return image ? std::move(image) : impl_->failed(image.error(), "picture");
 }
 

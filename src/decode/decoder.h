@@ -25,7 +25,8 @@ Result<std::vector<std::string>> decoder_confinement(const DecoderOptions& optio
 /// Reads meshes that anybody may have made, in a process of its own: it gets bytes of the library's files
 /// over one channel and nothing else, and what it answers is checked. A mesh that makes it crash, run for
 /// too long (DecoderOptions::seconds, or half a minute by the clock), or grow beyond 1.5 GB costs only itself: the
-/// next one gets a new process. For one thread at a time.
+/// next one gets a new process. However many decoders there are, one at a time may grow beyond 0.5 GB. For one thread
+/// at a time.
 class Decoder {
  public:
   explicit Decoder(DecoderOptions options);

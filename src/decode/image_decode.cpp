@@ -7,8 +7,10 @@
 #include <cstdint>
 #include <cstdio>  // jpeglib.h needs FILE
 #include <cstring>
+#include <new>
 #include <vector>
 
+#include <jerror.h>
 #include <jpeglib.h>
 
 namespace roomgen::decode {
@@ -111,6 +113,7 @@ Result<Image> decode_jpeg(std::string_view bytes, int max_side) {
   std::vector<std::uint8_t> row;
   const bool good = read_jpeg(bytes, max_side, info, error, image, row);
   jpeg_destroy_decompress(&info);
+  if (!good && error.base.msg_code == JERR_OUT_OF_MEMORY) throw std::bad_alloc();
   if (!good) return broken(error.message);
   return image;
 }

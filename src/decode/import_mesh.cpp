@@ -144,6 +144,12 @@ void keep_only(Assimp::Importer& importer, std::string_view reader) {
     }
 }
 
+// Of some steps assimp keeps the words of an exception, but not the exception.
+void throw_if_memory_lacked(const Assimp::Importer& importer) {
+  if (std::string_view(importer.GetErrorString()).find(std::bad_alloc().what()) != std::string_view::npos)
+    throw std::bad_alloc();
+}
+
 Result<Model> import_checked(const FileTree& tree, const std::string& mesh,
                              const ImportOptions& options) {
   const auto bytes = tree.read(mesh);
@@ -158,11 +164,13 @@ Result<Model> import_checked(const FileTree& tree, const std::string& mesh,
                               aiPrimitiveType_POINT | aiPrimitiveType_LINE);
   const aiScene* scene = importer.ReadFile(mesh, 0);
   if (importer.GetException()) std::rethrow_exception(importer.GetException());
+  throw_if_memory_lacked(importer);
   if (!scene || !scene->mRootNode)
     return Error{Error::Kind::invalid_input, importer.GetErrorString()};
   if (auto status = check_limits(*scene, options.max_triangles); !status) return status.error();
   scene = importer.ApplyPostProcessing(aiProcess_Triangulate | aiProcess_SortByPType |
                                        aiProcess_JoinIdenticalVertices);
+  throw_if_memory_lacked(importer);
   if (!scene) return Error{Error::Kind::invalid_input, "has no triangles"};
 
   MaterialReader materials(tree, mesh, *scene, options);
@@ -186,7 +194,7 @@ Result<Model> import_mesh(const FileTree& tree, const std::string& mesh,
     if (!model) return with_context(model.error(), mesh);
     return model;
   } catch (const std::bad_alloc&) {
-    return Error{Error::Kind::limit, mesh + ": takes more memory than a mesh may"};
+    return Error{Error::Kind::limit, mesh + ": " + std::string(too_much_memory)};
   } catch (const std::logic_error&) {  // of the containers: its text says where in a program, not what in a file
     return Error{Error::Kind::invalid_input, mesh + ": is damaged: a number in it is out of its range"};
   } catch (const std::exception& error) {  // assimp's

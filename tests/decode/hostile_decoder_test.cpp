@@ -6,8 +6,10 @@
 
 #include "catch.h"
 #include "decode/decoder.h"
+#include "decode/import_limits.h"
 #include "decode/wire.h"
 #include "meshes.h"
+#include "roomgen/base/file.h"
 #include "support/temporary_folder.h"
 
 using namespace roomgen;
@@ -76,6 +78,27 @@ TEST_CASE("A decoder that asks without end is stopped") {
   const auto model = answer_of(bytes);
   REQUIRE_FALSE(model);
   CHECK(model.error().message.find("asks for too much") != std::string::npos);
+}
+
+TEST_CASE("A mesh for which its reader lacks memory is read once more with all that one may have") {
+  const TemporaryFolder folder;
+  const auto file = [&](const char* name) { return " '" + (folder / name).string() + "'"; };
+  const std::string said = std::string{static_cast<char>(Error::Kind::limit), '\0', '\0', '\0'} + "cube.obj: " +
+                           std::string(decode::too_much_memory);
+  std::ofstream(folder / "ready", std::ios::binary) << ready;
+  std::ofstream(folder / "failed", std::ios::binary) << message(MessageKind::failed, said);
+  // Once it hears something, it writes down what it may take (in KiB).
+  std::ofstream(folder / "decoder") << "#!/bin/sh\ncat" << file("ready") << " >&0\nhead -c 1 >/dev/null\nulimit -v >>" << file("limits")
+                                    << "\ncat" << file("failed") << " >&0\ncat >/dev/null\n";
+  ::chmod((folder / "decoder").c_str(), 0700);
+  const auto tree = tree_of({{"cube.obj", cube_obj()}});
+  decode::Decoder decoder({.program = folder / "decoder"});
+  for (const std::string& limits : {"524288\n1572864\n", "524288\n1572864\n524288\n1572864\n"}) {
+    const auto model = decoder.decode(tree, "cube.obj", {});
+    REQUIRE_FALSE(model);
+    CHECK(model.error().kind == Error::Kind::limit);
+    CHECK(*read_file(folder / "limits") == limits);
+  }
 }
 
 TEST_CASE("A decoder gets files of the library only") {
