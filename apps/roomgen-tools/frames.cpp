@@ -79,7 +79,7 @@ void add_frames_command(CLI::App& app, Context& context) {
   frames->add_option("--layers", options.layers, "Of rgb, depth, instance, category, normal, with commas (all)")
       ->delimiter(',');
   frames->add_option("--quality", options.quality, "Of the JPEG pictures, 1 to 100")->capture_default_str();
-  frames->add_option("--threads", options.threads, "Frames that are drawn at once")->capture_default_str();
+  frames->add_option("--threads", options.threads, "Frames at work at once: one is drawn, others become files")->capture_default_str();
   add_model_options(*frames, command->models);
   frames->callback([&context, command] { context.run = [&context, command] { return draw(context, *command); }; });
 }

@@ -1,5 +1,6 @@
 #include "roomgen/render/pictures.h"
 
+#include "base/threads.h"
 #include "catch.h"
 #include "drawing.h"
 #include "support/furnished_room.h"
@@ -84,6 +85,31 @@ TEST_CASE("the same scene gives the same pixels, from one renderer or another") 
     const Image first = draw(*one, scene, view);
     CHECK(differing(draw(*one, scene, view), first) == 0);
     CHECK(differing(draw(*other, scene, view), first) == 0);
+  }
+}
+
+TEST_CASE("Renderers of several threads draw what one draws alone") {
+  const Scene scene = test::furnished_room();
+  const View eye = view_of(View::Kind::eye, 96), top = view_of(View::Kind::top, 96, true);
+  const Model box = test::colored_box({1.0, 0.5, 0.8}, {220, 20, 20});
+  const auto all = [&]() -> std::vector<Image> {
+    auto renderer = make_osmesa_renderer();
+    auto views = draw_views(box, 48);
+    if (!renderer || !views) return {};
+    for (const auto& view : {eye, top, eye})
+      if (auto image = (*renderer)->render(scene, {}, view)) views->push_back(*std::move(image));
+    return *std::move(views);
+  };
+  constexpr std::size_t threads = 3, rounds = 2;
+  const auto alone = all();
+  REQUIRE(alone.size() == model_view_names().size() + 3);
+  std::vector<std::vector<Image>> drawn(threads * rounds);
+  on_threads(threads, [&](std::size_t thread) {
+    for (std::size_t round = 0; round < rounds; ++round) drawn[rounds * thread + round] = all();
+  });
+  for (const auto& images : drawn) {
+    REQUIRE(images.size() == alone.size());
+    for (std::size_t k = 0; k < alone.size(); ++k) CHECK(differing(images[k], alone[k]) == 0);
   }
 }
 
