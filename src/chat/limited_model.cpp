@@ -34,6 +34,23 @@ long long longest_answer(const ChatRequest& request) {
   return static_cast<long long>(request.max_tokens) + request.thinking;
 }
 
+// What a question took of a model that does not say so itself. An answer that was too long or too
+// slow was worked for.
+ChatUse use_of(const Result<ChatReply>& reply) {
+  if (!reply && reply.error().kind == Error::Kind::limit) return {};
+  ChatUse use;
+  use.input_tokens = use.output_tokens = 0;
+  if (!reply) return use;
+  use.seconds = reply->seconds;
+  if (reply->input_tokens + reply->output_tokens > 0) {
+    use.input_tokens = reply->input_tokens;
+    use.output_tokens = reply->output_tokens;
+  } else {
+    use = {{}, {}, reply->text.size(), reply->seconds};
+  }
+  return use;
+}
+
 }  // namespace
 
 LimitedModel::LimitedModel(std::unique_ptr<ChatModel> inner, const ChatLimits& limits,
@@ -43,21 +60,27 @@ LimitedModel::LimitedModel(std::unique_ptr<ChatModel> inner, const ChatLimits& l
 }
 
 Result<ChatReply> LimitedModel::chat(const ChatRequest& request) {
-  if (auto error = refusal(request)) return refused_ = true, *error;
-  ++totals_.calls;
-  auto reply = inner_->chat(request);
-  if (reply)
-    count(request, *reply);
-  else if (reply.error().kind == Error::Kind::limit)
-    count_worst(request);
+  if (auto status = admit(request); !status) return status.error();
+  bool is_metered = false;
+  ChatRequest metered = request;
+  metered.meter.admit = [&] { return is_metered = true, admit(request); };
+  metered.meter.count = [&](const ChatUse& use) { count(request, use); };
+  auto reply = inner_->chat(metered);
+  if (!is_metered) count(request, use_of(reply));
   return reply;
+}
+
+Status LimitedModel::admit(const ChatRequest& request) {
+  auto status = within_limits(request);
+  refused_ = refused_ || !status;
+  return status;
 }
 
 long long LimitedModel::estimated_input(const ChatRequest& request) const {
   return static_cast<long long>(correction_ * static_cast<double>(estimated_by_size(request)));
 }
 
-std::optional<Error> LimitedModel::refusal(const ChatRequest& request) const {
+Status LimitedModel::within_limits(const ChatRequest& request) const {
   if (limits_.calls && totals_.calls >= *limits_.calls)
     return limit_error(std::to_string(totals_.calls), std::to_string(*limits_.calls) + " calls");
   const long long input = estimated_input(request);
@@ -68,27 +91,23 @@ std::optional<Error> LimitedModel::refusal(const ChatRequest& request) const {
       *totals_.dollars + price_->of(input, longest_answer(request)) > *limits_.dollars)
     return limit_error(format_number(*totals_.dollars, 4),
                        format_number(*limits_.dollars, 4) + " dollars");
-  return std::nullopt;
+  return {};
 }
 
-void LimitedModel::count(const ChatRequest& request, const ChatReply& reply) {
-  totals_.seconds += reply.seconds;
-  const bool counted = reply.input_tokens + reply.output_tokens > 0;
-  const long long input = counted ? reply.input_tokens : estimated_input(request);
-  const long long output = counted ? reply.output_tokens : estimated_tokens(reply.text.size());
-  add(input, output);
+void LimitedModel::count(const ChatRequest& request, const ChatUse& use) {
+  const long long at_worst = longest_answer(request);
+  const long long by_text =
+      use.answer_bytes ? std::min(at_worst, estimated_tokens(*use.answer_bytes)) : at_worst;
+  const long long input = use.input_tokens.value_or(estimated_input(request));
+  const long long output = use.output_tokens.value_or(by_text);
+  ++totals_.calls;
+  if (!use.input_tokens || !use.output_tokens) ++totals_.estimated_calls;
+  totals_.input_tokens += input;
+  totals_.output_tokens += output;
+  totals_.seconds += use.seconds;
+  if (price_) *totals_.dollars += price_->of(input, output);
   const auto estimate = static_cast<double>(estimated_by_size(request));
   correction_ = std::max(correction_, static_cast<double>(input) / estimate);
-}
-
-void LimitedModel::count_worst(const ChatRequest& request) {
-  add(estimated_input(request), longest_answer(request));
-}
-
-void LimitedModel::add(long long input_tokens, long long output_tokens) {
-  totals_.input_tokens += input_tokens;
-  totals_.output_tokens += output_tokens;
-  if (price_) *totals_.dollars += price_->of(input_tokens, output_tokens);
 }
 
 Result<std::unique_ptr<LimitedModel>> make_limited_model(std::unique_ptr<ChatModel> inner,

@@ -107,6 +107,31 @@ TEST_CASE("Answers without counts are estimated, failures count as calls") {
   CHECK(model->totals().calls == 3);
 }
 
+namespace {
+
+// Sends as many requests for a question as it is granted, each of 10 and 100 tokens, and fails.
+class Repeating final : public ChatModel {
+ public:
+  Result<ChatReply> chat(const ChatRequest& request) override {
+    while (true) {
+      if (auto status = request.meter.admit(); !status) return status.error();
+      request.meter.count({10, 100, {}, 1.0});
+    }
+  }
+};
+
+}  // namespace
+
+TEST_CASE("Requests that are repeated within a question count, and the bound holds between them") {
+  LimitedModel model(std::make_unique<Repeating>(), {{}, 1000, {}}, Price{1.0, 1.0});
+  CHECK_FALSE(model.chat(asking("bed?")));
+  CHECK(model.refused());
+  CHECK(model.totals().calls == 9);  // a tenth could go beyond 1000
+  CHECK(model.totals().output_tokens == 900);
+  CHECK(model.totals().seconds == 9.0);
+  CHECK(*model.totals().dollars == Approx(990e-6));
+}
+
 TEST_CASE("Without a known price money cannot be limited, but all else can") {
   const auto script = many_answers(1, 1);
   ChatLimits limits;

@@ -1,7 +1,9 @@
 #pragma once
 
-#include <map>
+#include <cstddef>
 #include <filesystem>
+#include <functional>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -26,7 +28,24 @@ struct ChatMessage {
 /// "system", "user" or "assistant".
 const char* name(ChatMessage::Role role);
 
-/// What a model is asked. Two requests with equal fields, `cancel` aside, are the same question.
+/// What one request to an endpoint took. A request whose answer never came whole has neither tokens
+/// nor bytes: it may have been worked for all the same.
+struct ChatUse {
+  std::optional<long long> input_tokens;    ///< as the endpoint counts them
+  std::optional<long long> output_tokens;
+  std::optional<std::size_t> answer_bytes;  ///< of an answer whose tokens nobody counted
+  double seconds = 0.0;
+};
+
+/// Whoever pays for a question hears of every request that is sent for it: of those repeated too,
+/// and of those whose answers are of no use.
+struct ChatMeter {
+  std::function<Status()> admit;              ///< before each request; an error ends the question
+  std::function<void(const ChatUse&)> count;  ///< after each one that reached the endpoint
+};
+
+/// What a model is asked. Two requests with equal fields, `cancel` and `meter` aside, are the same
+/// question.
 struct ChatRequest {
   std::vector<ChatMessage> messages;
   /// JSON schema of the answer, for models that can be held to one; null when prose is fine. The
@@ -38,6 +57,7 @@ struct ChatRequest {
   /// Tokens that the model may spend on thinking before it answers, beside max_tokens; 0: as the endpoint does it unasked.
   int thinking = 0;
   CancelToken cancel;  ///< ends the call at once
+  ChatMeter meter;     ///< for models that may send several requests; may be empty
 };
 
 struct ChatReply {
@@ -60,6 +80,7 @@ class ChatModel {
   ///                  asking again will not help
   ///   io             this call failed, after the retries that make sense; another one may succeed
   ///   limit          a bound on time, size, calls, tokens or money was reached
+  ///   invalid_input  the model takes no pictures: the question may be asked without them
   ///   cancelled      the request's token was set
   virtual Result<ChatReply> chat(const ChatRequest& request) = 0;
 };
@@ -129,19 +150,23 @@ struct ChatLimits {
   std::optional<double> dollars;
 };
 
-/// What has been used. Calls count whether they succeeded or not; tokens are the endpoint's, or
-/// estimated from the text where it counts none. An answer that was too long or too slow was worked
-/// for all the same, and counts as the worst it could be; other failures count no tokens.
+/// What has been used, over every request that reached the endpoint, whatever came of it.
+/// Tokens are the endpoint's; where it counts none they are estimated from the text, and for an
+/// answer that was too long or too slow, and was worked for all the same, as the worst it could
+/// be. A question that was refused (429, 500) took none, unless the endpoint says so.
 struct ChatTotals {
   int calls = 0;
+  int estimated_calls = 0;  ///< of these, those whose tokens are estimated
   long long input_tokens = 0;
   long long output_tokens = 0;
   std::optional<double> dollars;  ///< nothing if no price is known
   double seconds = 0.0;
 };
 
-/// Refuses a call with Error::Kind::limit, before it is made, if at worst (an answer of max_tokens)
-/// it would go beyond a limit.
+/// Refuses a request with Error::Kind::limit, before it is sent, if at worst (an answer of
+/// max_tokens) it would go beyond a limit. Models that send several requests for one question
+/// are metered (ChatRequest::meter); of others each question is one request, and a failure
+/// takes no tokens unless it is one of Error::Kind::limit.
 class LimitedModel final : public ChatModel {
  public:
   LimitedModel(std::unique_ptr<ChatModel> inner, const ChatLimits& limits,
@@ -149,15 +174,14 @@ class LimitedModel final : public ChatModel {
 
   Result<ChatReply> chat(const ChatRequest& request) override;
   const ChatTotals& totals() const { return totals_; }
-  /// Has a call been refused for its limits?
+  /// Has a request been refused for its limits?
   bool refused() const { return refused_; }
 
  private:
   long long estimated_input(const ChatRequest& request) const;
-  std::optional<Error> refusal(const ChatRequest& request) const;
-  void count(const ChatRequest& request, const ChatReply& reply);
-  void count_worst(const ChatRequest& request);
-  void add(long long input_tokens, long long output_tokens);
+  Status admit(const ChatRequest& request);
+  Status within_limits(const ChatRequest& request) const;
+  void count(const ChatRequest& request, const ChatUse& use);
 
   std::unique_ptr<ChatModel> inner_;
   ChatLimits limits_;
