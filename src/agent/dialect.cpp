@@ -1,5 +1,8 @@
 #include "dialect.h"
 
+#include <algorithm>
+#include <array>
+
 #include "roomgen/base/text.h"
 
 namespace roomgen {
@@ -10,6 +13,19 @@ bool refuses_option(int status, std::string_view complaint) {
   const auto names = [&](std::string_view word) { return words.find(word) != words.npos; };
   return (status == 500 || status == 501) &&
          (names("grammar") || names("json_schema") || names("response_format"));
+}
+
+bool refuses_pictures(int status, const ChatRequest& request, std::string_view complaint) {
+  constexpr std::array statuses = {400, 404, 415, 422, 500, 501};
+  if (std::find(statuses.begin(), statuses.end(), status) == statuses.end()) return false;
+  const auto& messages = request.messages;
+  if (std::all_of(messages.begin(), messages.end(), [](const auto& m) { return m.images.empty(); }))
+    return false;
+  const std::string words = lower(complaint);
+  constexpr std::array names = {"image", "vision", "multimodal", "mmproj",
+                                "content must be a string"};
+  return std::any_of(names.begin(), names.end(),
+                     [&](const char* name) { return words.find(name) != words.npos; });
 }
 
 std::optional<Dialect> concede(const Dialect& refused, const ChatRequest& request,

@@ -22,6 +22,9 @@ struct Dialect {
 /// rule; some servers fail with 5xx over a schema that they cannot turn into a grammar.
 bool refuses_option(int status, std::string_view complaint);
 
+/// Whether an endpoint refused a question for its pictures, as those of models without eyes do.
+bool refuses_pictures(int status, const ChatRequest& request, std::string_view complaint);
+
 /// The next dialect to try after an endpoint refused a request with a `complaint`; nothing when
 /// there is nothing left to give up. A complaint that names no option costs the schema, the least
 /// common of them.

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "anthropic_wire.h"
+#include "clock.h"
 #include "http_status.h"
 #include "openai_wire.h"
 #include "retrying_sender.h"
@@ -40,20 +41,24 @@ class HttpModel final : public ChatModel {
       : model_(options.model),
         log_(options.log),
         dialect_(first_dialect(destination)),
-        sender_(std::move(destination), options.limits, options.retry, options.log) {}
+        sender_(std::move(destination), options.limits, options.retry, completed(options.clock),
+                options.log) {}
 
   // Asks, with fewer options each time the endpoint refuses one; what it took is remembered.
   Result<ChatReply> chat(const ChatRequest& request) override {
-    Progress progress;
+    Progress progress = sender_.begin(request);
     Dialect dialect = dialect_;
     while (true) {
-      const auto answer = sender_.send(http_request(request, dialect), request.cancel, progress);
+      const auto answer = sender_.send(http_request(request, dialect), progress);
       if (!answer) return answer.error();
       if (answer->status >= 200 && answer->status < 300) {
         dialect_ = dialect;
         return read(*answer, progress);
       }
       const std::string complaint = complaint_in(answer->body);
+      if (refuses_pictures(answer->status, request, complaint))
+        return Error{Error::Kind::invalid_input,
+                     key().scrub(endpoint().shown() + ": takes no pictures (" + complaint + ")")};
       const auto next = refuses_option(answer->status, complaint)
                             ? concede(dialect, request, complaint)
                             : std::nullopt;
@@ -91,7 +96,7 @@ class HttpModel final : public ChatModel {
     reply->text = key().scrub(std::move(reply->text));
     reply->model = reply->model.empty() ? model_ : key().scrub(std::move(reply->model));
     reply->attempts = progress.requests;
-    reply->seconds = progress.elapsed().count();
+    reply->seconds = sender_.elapsed(progress).count();
     return reply;
   }
 

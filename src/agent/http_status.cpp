@@ -68,9 +68,12 @@ Error failure_error(const HttpFailure& failure, const Endpoint& endpoint) {
     case Kind::not_taken:
       return {Error::Kind::limit, at + "takes no connection" + detail + "; check the base URL, or try later"};
     case Kind::timed_out:
-      return {Error::Kind::limit, at + "too slow" + detail + "; allow more time, or try later"};
+      return {Error::Kind::limit,
+              at + "too slow" + detail + "; allow more time (--call-seconds), or try later"};
     case Kind::silent:
-      return {Error::Kind::limit, at + "silent" + detail + "; give a model that thinks longer more idle time"};
+      return {Error::Kind::limit,
+              at + "silent" + detail +
+                  "; a model that is slower, or thinks longer, needs more time (--idle-seconds)"};
     case Kind::too_long:
       return {Error::Kind::limit, at + failure.what + "; this is hardly a model's answer"};
     case Kind::cancelled:

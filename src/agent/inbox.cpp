@@ -31,11 +31,10 @@ bool Inbox::body(std::string_view bytes) {
 }
 
 // How long it took to the first byte of an answer says nothing of how fast the rest comes.
-void Inbox::moved(long long sent, long long received) {
+void Inbox::moved(long long sent, long long received, Seconds now) {
   const long long bytes = sent + received - bytes_then_;
   const bool begins = received > 0 && !has_begun_;
-  const auto now = Clock::now();
-  const HttpLimits::Seconds since = now - last_alive_;
+  const Seconds since = now - last_alive_;
   const bool fast_enough = bytes > 0 && static_cast<double>(bytes) >= limits_.least_speed * since.count();
   if (!begins && !fast_enough) return;
   has_begun_ = has_begun_ || begins;

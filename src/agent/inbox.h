@@ -1,6 +1,5 @@
 #pragma once
 
-#include <chrono>
 #include <cstddef>
 #include <string_view>
 #include <utility>
@@ -12,18 +11,18 @@ namespace roomgen {
 /// What arrives of an answer, within its bounds. Headers and bytes that go beyond them are refused.
 class Inbox {
  public:
-  using Clock = std::chrono::steady_clock;
+  using Seconds = HttpClock::Seconds;
 
-  explicit Inbox(const HttpLimits& limits) : limits_(limits) {}
+  Inbox(const HttpLimits& limits, Seconds now) : limits_(limits), last_alive_(now) {}
 
   bool header(std::string_view line);
   bool body(std::string_view bytes);
   /// The bytes of both bodies that have moved so far.
-  void moved(long long sent, long long received);
+  void moved(long long sent, long long received, Seconds now);
 
   bool too_long() const { return too_long_; }
   /// Have bytes come too slowly for too long? One now and then makes no answer.
-  bool is_silent(Clock::time_point now) const { return now - last_alive_ > limits_.idle; }
+  bool is_silent(Seconds now) const { return now - last_alive_ > limits_.idle; }
   HttpAnswer take() { return std::exchange(answer_, {}); }
 
  private:
@@ -33,7 +32,7 @@ class Inbox {
   bool too_long_ = false;
   bool has_begun_ = false;    ///< to arrive
   long long bytes_then_ = 0;  ///< that had moved when it was last alive
-  Clock::time_point last_alive_ = Clock::now();
+  Seconds last_alive_;
 };
 
 }  // namespace roomgen

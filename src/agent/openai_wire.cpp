@@ -6,6 +6,7 @@
 #include "base/json_reader.h"
 #include "base64.h"
 #include "roomgen/base/json.h"
+#include "roomgen/base/text.h"
 #include "wire.h"
 
 namespace roomgen {
@@ -58,6 +59,17 @@ std::string text_of(const JsonReader& content) {
   return text;
 }
 
+// Where an answer is that is not in the content: in the call of a tool that nobody offered, or, for
+// servers that take the whole of it for thinking, there. Thinking that was cut off is no answer.
+std::string text_elsewhere(const JsonReader& message, bool cut_off) {
+  for (const auto& call : message["tool_calls"].elements_or_none())
+    if (const auto function = call["function"]; function.exists())
+      return function["arguments"].text_or("", max_answer_text);
+  for (const char* key : {"reasoning_content", "reasoning"})
+    if (!cut_off && message[key].is_string()) return message[key].text(max_answer_text);
+  return {};
+}
+
 }  // namespace
 
 Json openai_body(const ChatRequest& request, const std::string& model, const Dialect& dialect) {
@@ -95,6 +107,8 @@ Result<ChatReply> read_openai_reply(const Json& answer, const std::string& sourc
     if (!refusal.empty() || reason == "content_filter") return refused(source, refusal);
     reply.cut_off = reason == "length";
     if (message.exists()) reply.text = text_of(message["content"]);
+    if (message.exists() && trim(reply.text).empty())
+      reply.text = text_elsewhere(message, reply.cut_off);
   }
   return reader.finish(std::move(reply), source);
 }

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <cstdio>
 #include <string>
-#include <thread>
 
 #include "roomgen/base/text.h"
+#include "wire.h"
 
 namespace roomgen {
 
@@ -73,15 +73,10 @@ Seconds backoff(const RetryPolicy& policy, int failures, Random& random) {
   return std::min(full, policy.longest_wait) * random.uniform(0.5, 1.0);
 }
 
-bool pause(Seconds duration, const CancelToken& cancel) {
-  using Clock = std::chrono::steady_clock;
-  const auto end = Clock::now() + std::chrono::duration_cast<Clock::duration>(duration);
-  while (!cancel.cancelled()) {
-    const auto left = end - Clock::now();
-    if (left <= Clock::duration::zero()) return true;
-    std::this_thread::sleep_for(std::min<Clock::duration>(left, std::chrono::milliseconds(20)));
-  }
-  return false;
+bool is_loading(const HttpOutcome& outcome) {
+  const auto* answer = std::get_if<HttpAnswer>(&outcome);
+  return answer && answer->status == 503 &&
+         lower(complaint_in(answer->body)).find("loading") != std::string::npos;
 }
 
 }  // namespace roomgen

@@ -6,7 +6,6 @@
 
 #include "base/random.h"
 #include "roomgen/agent/http_model.h"
-#include "roomgen/base/cancel.h"
 #include "transport.h"
 
 namespace roomgen {
@@ -22,7 +21,7 @@ std::optional<RetryPolicy::Seconds> parse_retry_after(std::string_view text,
 /// The wait after the `failures`-th failure in a row, counted from 1.
 RetryPolicy::Seconds backoff(const RetryPolicy& policy, int failures, Random& random);
 
-/// Waits, or returns false as soon as `cancel` is set.
-bool pause(RetryPolicy::Seconds duration, const CancelToken& cancel);
+/// Whether a server says that it is still loading its model: only time tells when it is ready.
+bool is_loading(const HttpOutcome& outcome);
 
 }  // namespace roomgen

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "answer_form.h"
 #include "dialect.h"
 #include "http_status.h"
 #include "retry.h"
@@ -15,53 +16,64 @@ namespace {
 
 using Seconds = RetryPolicy::Seconds;
 
-bool is_refusal(const HttpOutcome& outcome) {
+bool is_refusal(const HttpOutcome& outcome, const ChatRequest& question) {
   const auto* answer = std::get_if<HttpAnswer>(&outcome);
-  return answer && refuses_option(answer->status, complaint_in(answer->body));
+  if (!answer) return false;
+  const std::string complaint = complaint_in(answer->body);
+  return refuses_option(answer->status, complaint) ||
+         refuses_pictures(answer->status, question, complaint);
 }
 
-Error given_up(const Error& error, const std::string& why, const Progress& progress) {
-  const std::string count =
-      progress.requests == 1 ? "1 attempt" : std::to_string(progress.requests) + " attempts";
-  return {error.kind, error.message + " (" + why + "gave up after " + count + ", " +
-                          format_number(progress.elapsed().count(), 1) + " s)"};
+// What never reached the server cost nothing.
+void count(const HttpOutcome& outcome, Seconds seconds, const ChatMeter& meter) {
+  const auto* failure = std::get_if<HttpFailure>(&outcome);
+  if (!meter.count || (failure && !failure->sent)) return;
+  ChatUse use = failure ? ChatUse() : use_of(std::get<HttpAnswer>(outcome));
+  use.seconds = seconds.count();
+  meter.count(use);
 }
 
 }  // namespace
 
 RetryingSender::RetryingSender(Destination destination, const HttpLimits& limits,
-                               const RetryPolicy& retry, LogSink log)
+                               const RetryPolicy& retry, HttpClock clock, LogSink log)
     : destination_(std::move(destination)),
       limits_(limits),
       retry_(retry),
       log_(std::move(log)),
-      random_(retry.seed) {}
+      clock_(std::move(clock)),
+      random_(retry.seed),
+      transport_(clock_) {}
 
-Result<HttpAnswer> RetryingSender::send(const HttpRequest& http, const CancelToken& cancel,
-                                        Progress& progress) {
+Result<HttpAnswer> RetryingSender::send(const HttpRequest& http, Progress& progress) {
+  const ChatRequest& question = progress.question;
   progress.failures = 0;
   while (true) {
-    auto outcome = post(http, cancel, progress);
-    if (!is_transient(outcome) || is_refusal(outcome)) return settled(std::move(outcome));
+    if (question.meter.admit)
+      if (auto status = question.meter.admit(); !status) return status.error();
+    auto outcome = post(http, progress);
+    if (!is_transient(outcome) || is_refusal(outcome, question)) return settled(std::move(outcome));
 
     ++progress.failures;
     const Error error = error_of(outcome);
     const Seconds wait = wait_after(outcome, progress.failures);
     if (auto why = reason_to_stop(outcome, wait, progress)) return given_up(error, *why, progress);
     note(error.message + "; asking again in " + format_number(wait.count(), 1) + " s");
-    if (!pause(wait, cancel))
+    if (!clock_.pause(wait, question.cancel))
       return Error{Error::Kind::cancelled, destination_.endpoint.shown() + ": cancelled"};
   }
 }
 
 // The key is taken out of an answer before anything is quoted from it: a quotation may end in the
 // middle of the key.
-HttpOutcome RetryingSender::post(const HttpRequest& http, const CancelToken& cancel,
-                                 Progress& progress) {
+HttpOutcome RetryingSender::post(const HttpRequest& http, Progress& progress) {
   HttpLimits limits = limits_;
-  limits.call = std::min(limits.call, retry_.total - progress.elapsed());
+  limits.call = std::min(limits.call, retry_.total - elapsed(progress));
   ++progress.requests;
-  auto outcome = transport_.post(http, limits, cancel);
+  const Seconds start = clock_.now();
+  auto outcome = transport_.post(http, limits, progress.question.cancel);
+  if (auto* answer = std::get_if<HttpAnswer>(&outcome)) *answer = as_meant(std::move(*answer));
+  count(outcome, clock_.now() - start, progress.question.meter);
   if (auto* answer = std::get_if<HttpAnswer>(&outcome)) {
     answer->body = destination_.key.scrub(std::move(answer->body));
     answer->location = destination_.key.scrub(std::move(answer->location));
@@ -76,6 +88,14 @@ Error RetryingSender::error_of(const HttpOutcome& outcome) const {
                     : status_error(std::get<HttpAnswer>(outcome), endpoint, protocol);
   error.message = key.scrub(std::move(error.message));
   return error;
+}
+
+Error RetryingSender::given_up(const Error& error, const std::string& why,
+                               const Progress& progress) const {
+  const std::string count =
+      progress.requests == 1 ? "1 attempt" : std::to_string(progress.requests) + " attempts";
+  return {error.kind, error.message + " (" + why + "gave up after " + count + ", " +
+                          format_number(elapsed(progress).count(), 1) + " s)"};
 }
 
 Result<HttpAnswer> RetryingSender::settled(HttpOutcome outcome) const {
@@ -97,11 +117,11 @@ std::optional<std::string> RetryingSender::reason_to_stop(const HttpOutcome& out
                                                           const Progress& progress) const {
   const auto* failure = std::get_if<HttpFailure>(&outcome);
   const bool is_silent = failure && failure->kind == HttpFailure::Kind::not_taken;
-  if (is_silent && progress.elapsed() + wait >= limits_.idle) return "silent all the time; ";
-  if (progress.failures >= std::max(1, retry_.attempts)) return "";
+  if (is_silent && elapsed(progress) + wait >= limits_.idle) return "silent all the time; ";
+  if (progress.failures >= std::max(1, retry_.attempts) && !is_loading(outcome)) return "";
   if (wait > std::max(retry_.longest_retry_after, retry_.longest_wait))
     return "it asks to wait " + format_number(wait.count(), 0) + " s; ";
-  if (progress.elapsed() + wait >= retry_.total) return "out of time; ";
+  if (elapsed(progress) + wait >= retry_.total) return "out of time; ";
   return std::nullopt;
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <chrono>
 #include <optional>
 #include <string>
 
@@ -21,28 +20,33 @@ struct Destination {
 
 /// One question on its way: what it has cost so far.
 struct Progress {
-  std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+  const ChatRequest& question;
+  HttpClock::Seconds start;
   int requests = 0;
   int failures = 0;  ///< in a row
-
-  RetryPolicy::Seconds elapsed() const { return std::chrono::steady_clock::now() - start; }
 };
 
 /// Sends a request as often as makes sense. Nothing that comes out of it holds the key.
 class RetryingSender {
  public:
   RetryingSender(Destination destination, const HttpLimits& limits, const RetryPolicy& retry,
-                 LogSink log);
+                 HttpClock clock, LogSink log);
 
   const Destination& destination() const { return destination_; }
 
-  /// An answer that waiting would not change, whatever its status, or why there is none.
-  Result<HttpAnswer> send(const HttpRequest& http, const CancelToken& cancel, Progress& progress);
+  Progress begin(const ChatRequest& question) const { return {question, clock_.now()}; }
+  RetryPolicy::Seconds elapsed(const Progress& progress) const {
+    return clock_.now() - progress.start;
+  }
+  /// An answer that waiting would not change, whatever its status, or why there is none. Each
+  /// request asks the question's meter first, and is counted there.
+  Result<HttpAnswer> send(const HttpRequest& http, Progress& progress);
 
  private:
-  HttpOutcome post(const HttpRequest& http, const CancelToken& cancel, Progress& progress);
+  HttpOutcome post(const HttpRequest& http, Progress& progress);
   Result<HttpAnswer> settled(HttpOutcome outcome) const;
   Error error_of(const HttpOutcome& outcome) const;
+  Error given_up(const Error& error, const std::string& why, const Progress& progress) const;
   RetryPolicy::Seconds wait_after(const HttpOutcome& outcome, int failures);
   std::optional<std::string> reason_to_stop(const HttpOutcome& outcome, RetryPolicy::Seconds wait,
                                             const Progress& progress) const;
@@ -52,6 +56,7 @@ class RetryingSender {
   HttpLimits limits_;
   RetryPolicy retry_;
   LogSink log_;
+  HttpClock clock_;
   Random random_;
   Transport transport_;
 };

@@ -3,7 +3,6 @@
 #include <cpr/cpr.h>
 #include <curl/curl.h>
 
-#include <chrono>
 #include <exception>
 #include <optional>
 #include <string_view>
@@ -18,7 +17,7 @@ namespace roomgen {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
+using Seconds = HttpClock::Seconds;
 using Kind = HttpFailure::Kind;
 
 constexpr int poll_ms = 50;
@@ -28,7 +27,7 @@ std::chrono::milliseconds milliseconds(HttpLimits::Seconds seconds) {
 }
 
 void prepare(cpr::Session& session, const HttpRequest& request, const HttpLimits& limits,
-             Inbox& inbox) {
+             Inbox& inbox, const HttpClock& clock) {
   session.SetUrl(cpr::Url{request.url});
   cpr::Header headers;
   for (const auto& [name, value] : request.headers) headers[name] = value;
@@ -42,9 +41,9 @@ void prepare(cpr::Session& session, const HttpRequest& request, const HttpLimits
   session.SetWriteCallback(
       cpr::WriteCallback{[&inbox](std::string_view bytes, intptr_t) { return inbox.body(bytes); }});
   session.SetProgressCallback(
-      cpr::ProgressCallback{[&inbox](cpr::cpr_pf_arg_t, cpr::cpr_pf_arg_t down, cpr::cpr_pf_arg_t,
-                                     cpr::cpr_pf_arg_t up, intptr_t) {
-        inbox.moved(static_cast<long long>(up), static_cast<long long>(down));
+      cpr::ProgressCallback{[&](cpr::cpr_pf_arg_t, cpr::cpr_pf_arg_t down, cpr::cpr_pf_arg_t,
+                                cpr::cpr_pf_arg_t up, intptr_t) {
+        inbox.moved(static_cast<long long>(up), static_cast<long long>(down), clock.now());
         return true;
       }});
   session.PreparePost();
@@ -82,6 +81,13 @@ std::string within(const char* what, HttpLimits::Seconds limit) {
   return std::string(what) + " " + format_number(limit.count(), 1) + " s";
 }
 
+// Whether the server has got some of the request.
+bool was_sent(CURL* handle) {
+  long bytes = 0;
+  curl_easy_getinfo(handle, CURLINFO_REQUEST_SIZE, &bytes);
+  return bytes > 0;
+}
+
 // Takes the request off the connections before the session goes.
 class InFlight {
  public:
@@ -101,7 +107,7 @@ class InFlight {
 
 class Transport::Connections {
  public:
-  Connections() = default;
+  explicit Connections(const HttpClock& clock) : clock_(clock) {}
   Connections(const Connections&) = delete;
   Connections& operator=(const Connections&) = delete;
   ~Connections() {
@@ -110,17 +116,18 @@ class Transport::Connections {
 
   HttpOutcome post(const HttpRequest& request, const HttpLimits& limits,
                    const CancelToken& cancel) {
-    Inbox inbox(limits);
+    Inbox inbox(limits, clock_.now());
     cpr::Session session;
-    prepare(session, request, limits, inbox);
+    prepare(session, request, limits, inbox, clock_);
     if (!multi_) multi_ = curl_multi_init();  // after the session, which initialises the library
     const auto holder = session.GetCurlHolder();
     const InFlight in_flight(multi_, holder->handle);
     if (auto failure = drive(inbox, limits, cancel)) {
       if (inbox.too_long())
-        return HttpFailure{Kind::too_long, "the answer is longer than " +
-                                               std::to_string(limits.answer_bytes) + " bytes"};
+        failure = {Kind::too_long,
+                   "the answer is longer than " + std::to_string(limits.answer_bytes) + " bytes"};
       if (failure->what.empty()) failure->what = holder->error.data();
+      failure->sent = was_sent(holder->handle);
       return *failure;
     }
     long status = 0;
@@ -134,14 +141,14 @@ class Transport::Connections {
   // Until the whole answer is there, or there will be none.
   std::optional<HttpFailure> drive(const Inbox& inbox, const HttpLimits& limits,
                                    const CancelToken& cancel) {
-    const auto start = Clock::now();
+    const Seconds start = clock_.now();
     while (true) {
       int running = 0;
       if (curl_multi_perform(multi_, &running) != CURLM_OK)
         return HttpFailure{Kind::broken, "the connection could not be driven"};
       if (running == 0) return ended();
       if (cancel.cancelled()) return HttpFailure{Kind::cancelled, "cancelled"};
-      const auto now = Clock::now();
+      const Seconds now = clock_.now();
       if (now - start > limits.call)
         return HttpFailure{Kind::timed_out, within("no whole answer within", limits.call)};
       if (inbox.is_silent(now))
@@ -159,10 +166,12 @@ class Transport::Connections {
     return std::nullopt;
   }
 
+  const HttpClock& clock_;
   CURLM* multi_ = nullptr;
 };
 
-Transport::Transport() : connections_(std::make_unique<Connections>()) {}
+Transport::Transport(HttpClock clock)
+    : clock_(std::move(clock)), connections_(std::make_unique<Connections>(clock_)) {}
 Transport::~Transport() = default;
 
 HttpOutcome Transport::post(const HttpRequest& request, const HttpLimits& limits,

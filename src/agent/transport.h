@@ -31,6 +31,7 @@ struct HttpFailure {
   enum class Kind { no_such_host, refused, not_taken, tls, timed_out, silent, too_long, broken, cancelled };
   Kind kind = Kind::broken;
   std::string what;
+  bool sent = false;  ///< the server has got the request, or a part of it
 };
 
 using HttpOutcome = std::variant<HttpAnswer, HttpFailure>;
@@ -38,7 +39,7 @@ using HttpOutcome = std::variant<HttpAnswer, HttpFailure>;
 /// Sends requests, keeps connections open between them, follows no redirect.
 class Transport {
  public:
-  Transport();
+  explicit Transport(HttpClock clock);
   ~Transport();
 
   /// Ends within the limits, and within a tenth of a second once `cancel` is set.
@@ -46,6 +47,7 @@ class Transport {
 
  private:
   class Connections;
+  HttpClock clock_;
   std::unique_ptr<Connections> connections_;
 };
 

@@ -45,12 +45,31 @@ HttpModelOptions quick_options(const std::string& base_url) {
   HttpModelOptions options;
   options.base_url = base_url;
   options.model = "tiny-1";
-  options.limits.connect = options.limits.call = options.limits.idle = Seconds(1);
   options.retry.attempts = 3;
   options.retry.first_wait = options.retry.longest_wait = Seconds(0.05);
   options.retry.longest_retry_after = Seconds(2);
-  options.retry.total = Seconds(4);
+  options.retry.total = Seconds(60);
   return options;
+}
+
+HttpModelOptions quick_options(const std::string& base_url, FakeTime& time) {
+  HttpModelOptions options = quick_options(base_url);
+  options.clock = time.clock();
+  return options;
+}
+
+HttpClock FakeTime::clock() {
+  HttpClock clock;
+  clock.now = [this] {
+    if (server_ && server_->count() > waits_.size()) now_ += step_;
+    return now_;
+  };
+  clock.pause = [this](Seconds duration, const CancelToken&) {
+    now_ += duration;
+    waits_.push_back(duration.count());
+    return true;
+  };
+  return clock;
 }
 
 ChatRequest question(const std::string& text) {
@@ -69,17 +88,11 @@ ChatRequest question_with_schema() {
 }
 
 Asked ask(ChatModel& model, const ChatRequest& request) {
-  const auto start = std::chrono::steady_clock::now();
-  Asked asked;
-  asked.reply = model.chat(request);
-  asked.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return asked;
+  return {model.chat(request)};
 }
 
 Asked ask(const HttpModelOptions& options, const ChatRequest& request) {
   auto model = make_http_model(options);
   if (model) return ask(**model, request);
-  Asked asked;
-  asked.reply = model.error();
-  return asked;
+  return {model.error()};
 }

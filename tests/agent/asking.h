@@ -21,7 +21,6 @@ class Environment {
 /// How a question to a server ended.
 struct Asked {
   roomgen::Result<roomgen::ChatReply> reply = roomgen::Error{};
-  double seconds = 0.0;
 
   bool ok() const { return reply.ok(); }
   std::string text() const { return reply ? reply->text : ""; }
@@ -29,8 +28,32 @@ struct Asked {
   std::string error() const;
 };
 
-/// Options for quick tests: three attempts, a second for each, a twentieth between them.
+/// A time of the test's own. It stands still but for waits, which are over at once and written down;
+/// with a server and a `step` it goes on by that much each time it is looked at while the server has
+/// the request of this attempt, and has not answered it.
+class FakeTime {
+ public:
+  using Seconds = roomgen::HttpClock::Seconds;
+
+  explicit FakeTime(const Server* server = nullptr, Seconds step = Seconds(0))
+      : server_(server), step_(step) {}
+  FakeTime(const FakeTime&) = delete;
+  FakeTime& operator=(const FakeTime&) = delete;
+
+  /// Must not outlive this.
+  roomgen::HttpClock clock();
+  const std::vector<double>& waits() const { return waits_; }
+
+ private:
+  const Server* server_;
+  Seconds step_, now_{0};
+  std::vector<double> waits_;
+};
+
+/// Options for quick tests: three attempts, and a twentieth of a second between them.
 roomgen::HttpModelOptions quick_options(const std::string& base_url);
+/// The same in a time that is not the machine's.
+roomgen::HttpModelOptions quick_options(const std::string& base_url, FakeTime& time);
 
 roomgen::ChatRequest question(const std::string& text = "Where does the bed go?");
 roomgen::ChatRequest question_with_schema();

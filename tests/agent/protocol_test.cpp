@@ -75,6 +75,25 @@ TEST_CASE("A schema goes out as the form of the answer") {
   CHECK(form["json_schema"]["schema"]["required"][0] == "size");
 }
 
+TEST_CASE("An endpoint without eyes says so once, and keeps its schema") {
+  REQUIRE_PYTHON();
+  const Environment environment;
+  const Server server;
+  auto request = question_with_image();
+  request.schema = question_with_schema().schema;
+  const auto asked = ask(quick_options(server.url("no-pictures")), request);
+  REQUIRE_FALSE(asked.ok());
+  CHECK(asked.reply.error().kind == Error::Kind::invalid_input);
+  CHECK(server.count() == 1);
+}
+
+TEST_CASE("An event stream that nobody asked for is read") {
+  REQUIRE_PYTHON();
+  const Environment environment;
+  const Server server;
+  CHECK(ask(quick_options(server.url("stream"))).text() == "hello");
+}
+
 TEST_CASE("What an endpoint refuses is left out, and not tried again") {
   REQUIRE_PYTHON();
   const Environment environment;

@@ -27,6 +27,7 @@ class Server {
   std::string url(const std::string& scenario) const;
   /// The requests so far, as server.py writes them down.
   std::vector<roomgen::Json> requests() const;
+  std::size_t count() const { return requests().size(); }
 
  private:
   TemporaryFolder folder_;

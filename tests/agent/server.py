@@ -17,7 +17,6 @@ import ssl
 import struct
 import sys
 import threading
-import time
 
 HUGE = 200 << 20
 
@@ -123,20 +122,9 @@ class Handler(http.server.BaseHTTPRequestHandler):
         self.begin()
         while True:
             self.wfile.write(b" ")
-            time.sleep(0.05)
 
-    def slow(self):
-        time.sleep(5)
-        self.ok()
-
-    def late(self):
-        """Its first byte after a second, the rest another second later."""
-        data = json.dumps(openai("hello")).encode()
-        time.sleep(1)
-        self.begin(length=len(data))
-        self.wfile.write(data[:1])
-        time.sleep(1)
-        self.wfile.write(data[1:])
+    def silent(self):
+        threading.Event().wait()
 
     def cut(self):
         self.begin(length=1000)
@@ -200,6 +188,11 @@ SCENARIOS = {
     "429-then-ok": lambda h: h.at_first(1, 429, "slow down", Retry_After="1"),
     "quota": plain(429, {"error": {"message": "no credit", "code": "insufficient_quota"}}),
     "500": plain(500, failure("out of order")),
+    "loading": lambda h: h.at_first(6, 503, "Loading model"),
+    "429-inside": plain(200, {"error": {"message": "slow down", "code": 429}}),
+    "stream": plain(200, b': hello\n\ndata: {"choices": [{"delta": {"content": "hel"}}]}\n\n'
+                         b'data: {"choices": [{"delta": {"content": "lo"}}]}\n\ndata: [DONE]\n\n'),
+    "no-pictures": plain(500, failure("image input is not supported")),
     "500-twice": lambda h: h.at_first(2, 500, "out of order"),
     "html": plain(200, b"<!DOCTYPE html><title>Welcome</title>"),
     "truncated": plain(200, b'{"choices": [{"message": {"content": "hel'),
@@ -214,8 +207,7 @@ SCENARIOS = {
     "long": plain(200, openai("", finish_reason="length")),
     "huge": Handler.huge,
     "drip": Handler.drip,
-    "slow": Handler.slow,
-    "late": Handler.late,
+    "silent": Handler.silent,
     "cut": Handler.cut,
     "redirect": Handler.redirect,
     "no-schema": lambda h: h.unless("response_format", "response_format is not supported here"),

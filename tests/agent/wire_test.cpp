@@ -108,6 +108,19 @@ TEST_CASE("An answer that was cut off says so, and is an error when nothing came
   CHECK(contains_text(silent.error().message, "cut off"));
 }
 
+TEST_CASE("An answer may be in the call of a tool, or all of it be taken for thinking") {
+  const auto tool = openai_reply(
+      R"({"choices": [{"message": {"content": null, "tool_calls": [{"function": {"arguments": "{}"}}]}}]})");
+  REQUIRE(tool);
+  CHECK(tool->text == "{}");
+  const auto thought = openai_reply(
+      R"({"choices": [{"message": {"content": "", "reasoning_content": "{}"}, "finish_reason": "stop"}]})");
+  REQUIRE(thought);
+  CHECK(thought->text == "{}");
+  CHECK_FALSE(openai_reply(
+      R"({"choices": [{"message": {"content": "", "reasoning_content": "{"}, "finish_reason": "length"}]})"));
+}
+
 TEST_CASE("The endpoint's complaint is found in all its forms") {
   CHECK(complaint_in(R"({"error": {"message": "no"}})") == "no");
   CHECK(complaint_in(R"({"error": "no"})") == "no");

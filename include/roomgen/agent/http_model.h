@@ -4,10 +4,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 
+#include "roomgen/base/cancel.h"
 #include "roomgen/base/result.h"
 #include "roomgen/chat/chat_model.h"
 
@@ -32,7 +34,8 @@ struct HttpLimits {
 
 /// When a request that failed for the moment is sent again: after 408, 409, 429, 5xx, a time limit,
 /// or a broken connection; not after silence, which would only last as long again. Waits double from `first_wait` to `longest_wait`, each shortened by up
-/// to a half at random, so that many clients do not come back at once.
+/// to a half at random, so that many clients do not come back at once. A server that is still loading its
+/// model (503) is waited for as long as `total` allows, whatever `attempts` says.
 struct RetryPolicy {
   using Seconds = std::chrono::duration<double>;
   int attempts = 5;  ///< of one question, the first one included
@@ -41,6 +44,14 @@ struct RetryPolicy {
   Seconds longest_retry_after{60};  ///< a server that asks for a longer wait ends the call
   Seconds total{600};               ///< over all attempts and waits
   std::uint64_t seed = 0;           ///< of the random part; best another one for each client
+};
+
+/// How time passes for time limits and waits; what is left empty is the machine's.
+struct HttpClock {
+  using Seconds = std::chrono::duration<double>;
+  std::function<Seconds()> now;  ///< since any fixed moment
+  /// Waits, or returns false as soon as the token is set.
+  std::function<bool(Seconds, const CancelToken&)> pause;
 };
 
 struct HttpModelOptions {
@@ -54,6 +65,7 @@ struct HttpModelOptions {
   std::filesystem::path key_file;
   HttpLimits limits;
   RetryPolicy retry;
+  HttpClock clock;
   LogSink log;  ///< told of retries and of what the endpoint does not take
 };
 
@@ -62,7 +74,11 @@ struct HttpModelOptions {
 /// machine. It appears in no error, reply or log.
 ///
 /// An endpoint that refuses an option of the request (a schema, a temperature, the name of the
-/// bound on tokens) is asked again without it, and not with it again.
+/// bound on tokens) is asked again without it, and not with it again. One that takes no pictures fails
+/// with invalid_input.
+///
+/// Every request that reaches the endpoint counts with ChatRequest::meter: those that are repeated,
+/// and those that end in a time limit or an answer of no use.
 ///
 /// Fails with invalid_input for a URL, an option or a key that cannot be right, unavailable without
 /// a needed key. One call at a time; several models may work at once.
