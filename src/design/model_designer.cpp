@@ -63,6 +63,7 @@ class ModelDesigner : public Designer {
     if (!plan)
       return with_context(plan.error(), "the model gave no plan that can be used (" + reply.error().message + ")");
     planning_.fell_back = true;
+    planning_.notes.push_back(reply.error().message);
     note(*plan, {"the model gave no plan that can be used (" + reply.error().message +
                  "); rules made this one"});
     return plan;
@@ -172,6 +173,7 @@ class ModelDesigner : public Designer {
                       Consultation& consultation) const {
     if (options_.mode == ModelMode::constraints || !request.marks || !options_.encode_picture)
       return {};
+    if (is_blind_) return {};
     const auto pictures = request.marks();
     if (!pictures) return pictures.error();
     std::string all;
@@ -185,13 +187,28 @@ class ModelDesigner : public Designer {
     return {};
   }
 
+  // A model without eyes goes on without pictures: the text says where everything stands.
+  Result<ChatReply> call(ChatRequest& question, Consultation& consultation) {
+    auto reply = model_.chat(question);
+    if (!reply && reply.error().kind == Error::Kind::invalid_input && !is_blind_) {
+      is_blind_ = true;
+      const std::string note = reply.error().message + "; it is asked without them from now on";
+      consultation.notes.push_back(note);
+      consultation.image_sha256.clear();
+      log(options_.log, LogLevel::warning, note);
+      for (auto& message : question.messages) message.images.clear();
+      reply = model_.chat(question);
+    }
+    patience_.note(reply);
+    return reply;
+  }
+
   // Asks, and asks again with what was wrong, until `read` can use an answer.
   template <typename Read>
   auto converse(ChatRequest& question, Read read, Consultation& consultation)
       -> decltype(read(std::string())) {
     for (int answer = 1;; ++answer) {
-      auto reply = model_.chat(question);
-      patience_.note(reply);
+      auto reply = call(question, consultation);
       if (!reply) return reply.error();
       consultation.calls += 1;
       consultation.input_tokens += reply->input_tokens;
@@ -227,6 +244,7 @@ class ModelDesigner : public Designer {
   std::string others_prompt_;                  ///< hash of the question
   std::vector<Object> others_scene_;           ///< what stood then
   Patience patience_;
+  bool is_blind_ = false;  ///< the model takes no pictures
 };
 
 }  // namespace

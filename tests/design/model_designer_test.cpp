@@ -113,6 +113,25 @@ TEST_CASE("The second answer counts when it can be used") {
   CHECK(advice->location);
 }
 
+TEST_CASE("A model that takes no pictures goes on without them, and that is said once") {
+  std::vector<std::string> said;
+  ModelDesignerOptions options;
+  options.encode_picture = [](const Image&) { return Result<std::string>("PNG"); };
+  options.log = [&](LogLevel, std::string_view message) { said.emplace_back(message); };
+  Conversation talk({failure(Error::Kind::invalid_input), reply_saying(good_place), reply_saying(good_place)},
+                    options);
+  for (int turn = 0; turn < 2; ++turn) {
+    const auto advice = talk.place();
+    REQUIRE(advice);
+    CHECK_FALSE(advice->consultation.fell_back);
+    CHECK(advice->consultation.image_sha256.empty());
+  }
+  REQUIRE(talk.script->questions.size() == 3);
+  for (const std::size_t turn : {0u, 1u, 2u})
+    CHECK(talk.script->questions[turn].messages.back().images.size() == (turn == 0 ? 1 : 0));
+  CHECK(said.size() == 1);
+}
+
 TEST_CASE("After three failures in a row the model is not asked any more") {
   Conversation talk({failure(Error::Kind::io), failure(Error::Kind::io), reply_saying(good_place),
                      failure(Error::Kind::io), failure(Error::Kind::io), failure(Error::Kind::io),

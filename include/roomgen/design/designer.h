@@ -124,6 +124,7 @@ struct ModelDesignerOptions {
   /// True when the calls, tokens or money that were granted are spent: then the designer fails with
   /// limit.
   std::function<bool()> budget_is_spent;
+  LogSink log;  ///< told once of a model that takes no pictures and is asked without them
 };
 
 /// A designer that asks a language model. Answers are repaired where they are clear; else the model
