@@ -278,6 +278,8 @@ Result<ComposedDesigner> compose_designer(const DesignerOptions& options, const 
   model_options.encode_picture = [options, shown = composed.shown](const Image& image) {
     return encode_shown(options, image, *shown);
   };
+  if (!context.quiet)
+    model_options.log = [](LogLevel, std::string_view message) { warn(message); };
   if (const LimitedModel* limited = composed.limited)
     model_options.budget_is_spent = [limited] { return limited->refused(); };
   composed.designer =

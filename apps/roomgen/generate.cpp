@@ -15,6 +15,7 @@
 #include "any_plan.h"
 #include "designers.h"
 #include "libraries.h"
+#include "model_bill.h"
 #include "options.h"
 #include "print.h"
 #include "room_files.h"
@@ -139,48 +140,11 @@ Json step_times(const Generation& generation) {
   return json;
 }
 
-// The whole job's: of the plan and of all places.
-ModelUse total_use(const Consultation& planning, const Generation& generation) {
-  ModelUse use = generation.model_use;
-  use.calls += planning.calls;
-  use.input_tokens += planning.input_tokens;
-  use.output_tokens += planning.output_tokens;
-  use.seconds += planning.seconds;
-  return use;
-}
-
-Json model_json(const ComposedDesigner& composed, const Generation& generation) {
-  const Consultation planning = composed.designer->plan_consultation();
-  const ModelUse use = total_use(planning, generation);
-  Json json = {{"calls", use.calls},
-               {"input_tokens", use.input_tokens},
-               {"output_tokens", use.output_tokens},
-               {"seconds", rounded(use.seconds, 3)},
-               {"plan_by_rules", planning.fell_back},
-               {"fallbacks", use.fallbacks},
-               {"stopped", generation.stopped}};
-  if (composed.limited && composed.limited->totals().dollars)
-    json["dollars"] = rounded(*composed.limited->totals().dollars);
-  return json;
-}
-
-void print_model_use(const ComposedDesigner& composed, const Generation& generation) {
-  const Consultation planning = composed.designer->plan_consultation();
-  const ModelUse use = total_use(planning, generation);
-  const SuggestionFigures& figures = generation.suggestions;
-  std::printf("  the model: %d calls, %lld + %lld tokens, %.1f s; rules made %s%d of the places\n",
-              use.calls, use.input_tokens, use.output_tokens, use.seconds,
-              planning.fell_back ? "the plan and " : "", use.fallbacks);
-  std::printf("  of %d suggested places %d were followed within 0.5 m (%d when placed), %d within 1 m\n",
-              figures.located, figures.within[1], figures.placed_within[1], figures.within[2]);
-  if (!generation.stopped.empty()) std::printf("  stopped: %s\n", printable(generation.stopped).c_str());
-}
-
 void print_summary(const Context& context, const fs::path& folder, const AnyPlan& plan,
                    const Generation& generation, const ComposedDesigner& composed, double seconds) {
   if (context.json) {
     Json json = summary_json(folder, generation);
-    if (composed.model) json["model"] = model_json(composed, generation);
+    if (composed.model) json["model"] = bill_json(composed, generation);
     json["steps"] = step_times(generation);
     json["seconds"] = rounded(seconds, 3);
     std::fputs(dump_json(json).c_str(), stdout);
@@ -188,7 +152,7 @@ void print_summary(const Context& context, const fs::path& folder, const AnyPlan
   }
   print_lines(note_lines(plan, generation));
   std::printf("%s: %s (%.1f s)\n", printable(folder.string()).c_str(), printable(headline(generation.scene)).c_str(), seconds);
-  if (composed.model) print_model_use(composed, generation);
+  if (composed.model) print_lines(bill_lines(composed, generation));
   print_lines(lack_lines(generation.scene));
 }
 
@@ -226,7 +190,7 @@ Result<int> run(const Context& context, const GenerateCommand& command) {
   auto plan = command.plan_file.empty() ? make_plan(command.wish, designer, context.cancel)
                                         : read_any_plan(command.plan_file);
   bar.clear();
-  if (!plan) return plan.error();
+  if (!plan) return with_bill(plan.error(), *composed);
   auto output = open_room_folder(folder, command.force);
   if (!output) return output.error();
   auto library = open_all_libraries(command.libraries, context);
@@ -252,7 +216,7 @@ Result<int> run(const Context& context, const GenerateCommand& command) {
         return generate(each, designer, **library, KindTable::built_in(), options);
       },
       *plan);
-  if (!generation) return generation.error();
+  if (!generation) return with_bill(generation.error(), *composed);
   if (context.cancel.cancelled() && holds_whole_scene(folder / "scene.json"))
     return older_stays(folder);
   bar.show(1, 1, "writing files");
