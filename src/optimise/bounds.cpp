@@ -2,15 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 namespace roomgen::annealing {
 
 namespace {
 
-constexpr double most_permitted = 4.0;  // beyond the least, where nobody said how many at most
 constexpr std::size_t most_kinds = 12;  // in stock for one bound
 constexpr int most_nested = 32;
+constexpr std::size_t most_drafts = 64;  // for one set: unions of unions multiply
 
 // A recipe before its relations are numbered.
 struct Draft {
@@ -32,18 +33,16 @@ class RecipeFinder {
     return table_.by_name(factory);
   }
 
-  std::vector<Draft> find(const ProgramSet& set, int depth = 0) const {
+  std::vector<Draft> find(const ProgramSet& set, int depth = 0) {
     using Source = ProgramSet::Source;
     if (depth > most_nested) return {};
     if (set.source == Source::objects) return {{{kinds_.begin(), kinds_.end()}, {}, false, nullptr}};
-    if (set.source == Source::named) {
-      const auto found = std::ranges::find(program_.sets, set.name, &NamedSets::value_type::first);
-      return found == program_.sets.end() ? std::vector<Draft>{} : find(found->second, depth + 1);
-    }
+    if (set.source == Source::named) return find_named(set.name, depth);
     if (set.source == Source::united) {
       std::vector<Draft> all;
       for (const auto& part : set.from)
-        for (auto& draft : find(part, depth + 1)) all.push_back(std::move(draft));
+        for (auto& draft : find(part, depth + 1))
+          if (all.size() < most_drafts) all.push_back(std::move(draft));
       return all;
     }
     if (set.source != Source::described) return {};
@@ -60,6 +59,14 @@ class RecipeFinder {
   }
 
  private:
+  // Each name once, however many sets are made of it. In a circle it stands for nothing.
+  const std::vector<Draft>& find_named(const std::string& name, int depth) {
+    const auto [known, is_new] = named_.try_emplace(name);
+    const auto set = std::ranges::find(program_.sets, name, &NamedSets::value_type::first);
+    if (is_new && set != program_.sets.end()) known->second = find(set->second, depth + 1);
+    return known->second;
+  }
+
   bool suits(const Kind& kind, const ProgramSet& set) const {
     const auto has = [&](const std::string& tag) { return has_tag(vocabulary_, kind, tag); };
     return std::ranges::all_of(set.tags, has) && std::ranges::none_of(set.without, has) &&
@@ -70,6 +77,7 @@ class RecipeFinder {
   const std::vector<const Kind*>& kinds_;
   const KindTable& table_;
   const ProgramVocabulary& vocabulary_;
+  std::map<std::string, std::vector<Draft>> named_;
 };
 
 Face level_face(Mount mount) {
@@ -98,7 +106,7 @@ bool may_be_put(const Kind& kind, const std::vector<const PutUp*>& relations) {
 std::vector<Bound> make_bounds(const ConstraintProgram& program, Compiler& compiler, const Compiled& compiled,
                                const std::vector<const Kind*>& kinds, const KindTable& table,
                                const ProgramVocabulary& vocabulary) {
-  const RecipeFinder finder(program, kinds, table, vocabulary);
+  RecipeFinder finder(program, kinds, table, vocabulary);
   // What has a set of its own is not added for one of wider kind: "a dresser" brings no changing table.
   std::set<const Kind*> with_sets;
   for (const auto& [name, set] : program.sets)
@@ -107,7 +115,7 @@ std::vector<Bound> make_bounds(const ConstraintProgram& program, Compiler& compi
   for (const auto& counted : count_bounds(program)) {
     Bound bound;
     bound.low = counted.low;
-    bound.high = std::isinf(counted.high) ? counted.low + most_permitted : counted.high;
+    bound.high = std::isinf(counted.high) ? counted.low + program_limits::permitted : counted.high;
     std::vector<std::string> scope;
     for (const auto& [name, set] : counted.variables) {
       bound.variables.push_back(compiler.set(*set, scope));
@@ -142,7 +150,7 @@ std::vector<const Kind*> kinds_of_bounds(const ConstraintProgram& program, const
   std::vector<const Kind*> all;  // in the table's order, not that of addresses
   for (const auto& [name, kind] : table.all())
     if (!kind.variant && !kind.is_stand_in()) all.push_back(&kind);
-  const RecipeFinder finder(program, all, table, vocabulary);
+  RecipeFinder finder(program, all, table, vocabulary);
   std::set<const Kind*> wanted;
   int number = 0;
   for (const auto& bound : count_bounds(program))

@@ -6,6 +6,7 @@
 
 #include "attachment.h"
 #include "base/random.h"
+#include "program/limits.h"
 #include "roomgen/program/program.h"
 #include "roomgen/scene/relation.h"
 #include "world.h"
@@ -24,7 +25,7 @@ struct Language {
 /// other (a top is a support), at the same margin.
 bool implies(const PutUp& special, const PutUp& general);
 
-inline constexpr std::size_t most_variables = 8;
+inline constexpr std::size_t most_variables = program_limits::variables;
 
 /// A set with its names resolved.
 struct SetNode {

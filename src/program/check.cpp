@@ -1,6 +1,7 @@
 #include "check_counts.h"
 #include "check_members.h"
 #include "check_names.h"
+#include "check_work.h"
 #include "findings.h"
 #include "set_kinds.h"
 
@@ -45,6 +46,7 @@ std::vector<ProgramFinding> check(const ConstraintProgram& program, const KindTa
   SetKinds set_kinds(program, kinds, vocabulary);
   check_members(program, set_kinds, findings);
   check_counts(program, set_kinds, findings);
+  check_work(program, set_kinds, findings);
   return findings.take();
 }
 

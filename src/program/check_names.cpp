@@ -168,6 +168,9 @@ void NameCheck::check_variable(const ProgramTerm& term, const std::string& at) {
   if (!is_program_name(term.name)) findings_.error(at, quoted(term.name) + " cannot name a variable");
   if (is_in(variables_, term.name))
     findings_.error(at, quoted(term.name) + " is a variable here already; take another name");
+  if (variables_.size() == program_limits::variables)
+    findings_.error(at, "more than " + std::to_string(program_limits::variables) +
+                            " variables at one place; nest fewer of all, mean and sum");
 }
 
 void NameCheck::check_operation(const ProgramTerm& term, const std::string& at, int depth) {

@@ -38,10 +38,10 @@ const ProgramSet* SetKinds::named(const std::string& name) const {
   return found == sets_.end() ? nullptr : found->second;
 }
 
-const ProgramSet* SetKinds::bound(const std::string& variable) const {
+const SetKinds::Variable* SetKinds::bound(const std::string& variable) const {
   const auto found = std::find_if(variables_.rbegin(), variables_.rend(),
-                                  [&](const auto& entry) { return entry.first == variable; });
-  return found == variables_.rend() ? nullptr : found->second;
+                                  [&](const Variable& entry) { return entry.name == variable; });
+  return found == variables_.rend() ? nullptr : &*found;
 }
 
 template <typename Test>
@@ -114,8 +114,8 @@ SetKinds::Mask SetKinds::of(const ProgramSet& set) {
     case Source::objects: return all_things();
     case Source::named: return of_name(set.name);
     case Source::variable: {
-      const ProgramSet* members = bound(set.name);
-      return members ? of(*members) : nothing();
+      const Variable* variable = bound(set.name);
+      return variable ? variable->kinds : nothing();
     }
     case Source::described: return described(set);
     case Source::united: return united(set);
@@ -129,9 +129,11 @@ SetKinds::Mask SetKinds::of(const ProgramSet& set) {
 
 bool SetKinds::is_room(const ProgramSet& set) const {
   if (set.source == Source::room) return true;
-  const ProgramSet* other = set.source == Source::named      ? named(set.name)
-                            : set.source == Source::variable ? bound(set.name)
-                                                             : nullptr;
+  if (set.source == Source::variable) {
+    const Variable* variable = bound(set.name);
+    return variable && is_room(*variable->set);
+  }
+  const ProgramSet* other = set.source == Source::named ? named(set.name) : nullptr;
   return other && is_room(*other);
 }
 

@@ -18,7 +18,7 @@ class SetKinds {
   SetKinds(const ConstraintProgram& program, const KindTable& kinds, const ProgramVocabulary& vocabulary);
 
   /// What a variable runs over while its expression is looked at; variables are taken back in turn.
-  void bind(const std::string& variable, const ProgramSet& set) { variables_.emplace_back(variable, &set); }
+  void bind(const std::string& variable, const ProgramSet& set) { variables_.push_back({variable, &set, of(set)}); }
   void unbind() { variables_.pop_back(); }
 
   /// What its members can be.
@@ -46,14 +46,19 @@ class SetKinds {
   Mask of_name(const std::string& name);
   void keep_mountable(const SetRelation& relation, Mask& mask);
   const PutUp* relation(const std::string& name) const;
-  const ProgramSet* bound(const std::string& variable) const;
+  struct Variable {
+    std::string name;
+    const ProgramSet* set = nullptr;
+    Mask kinds;  ///< found once: sets of variables of sets of variables multiply
+  };
+  const Variable* bound(const std::string& variable) const;
 
   const ConstraintProgram& program_;
   const KindTable& table_;
   const ProgramVocabulary& vocabulary_;
   std::vector<const Kind*> kinds_;
   std::map<std::string, const ProgramSet*, std::less<>> sets_;
-  std::vector<std::pair<std::string, const ProgramSet*>> variables_;
+  std::vector<Variable> variables_;
   Memo tags_, factories_, mounts_, names_;
 };
 

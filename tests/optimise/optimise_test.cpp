@@ -52,6 +52,26 @@ TEST_CASE("Every room is valid, early and late") {
     }
 }
 
+TEST_CASE("What multiplies without end is refused, or known once, before anything is tried") {
+  std::string truth = R"([">", ["dist", "$v0", "$v7"], 0])", sets = R"("s0": {"factory": "sofa"})";
+  for (int i = 8; i-- > 0;) truth = R"(["all", "v)" + std::to_string(i) + R"(", "s0", )" + truth + "]";
+  const auto deep = program_of(R"({"room": {"type": "lounge", "width": 9, "depth": 9}, "sets": {)" + sets +
+                               R"(}, "constraints": {"n": ["in", ["count", "s0"], 3, 10], "deep": )" + truth + "}}");
+  std::vector<std::string> notes;
+  const auto refused = optimise(deep, *room_of(deep, 1, notes), box_stock(deep, KindTable::built_in()),
+                                KindTable::built_in(), quick(1));
+  REQUIRE_FALSE(refused);
+  CHECK(refused.error().message.find("/constraints/deep: one look") != std::string::npos);
+  // Sets of ever more of the same.
+  for (int i = 1; i < 30; ++i) {
+    const std::string before = '"' + std::string("s") + std::to_string(i - 1) + '"';
+    sets += R"(, "s)" + std::to_string(i) + R"(": {"union": [)" + before + ", " + before + ", " + before + "]}";
+  }
+  const auto doubled = program_of(R"({"room": {"type": "lounge", "width": 9, "depth": 9}, "sets": {)" + sets +
+                                  R"(}, "constraints": {"n": ["in", ["count", "s29"], 2, 2]}})");
+  CHECK(furnish(doubled, quick(1, 500)).scene.objects.size() == 2);
+}
+
 TEST_CASE("The number of threads does not matter") {
   const auto program = *read_program(example_programs().back());
   auto options = quick(4, 3000);

@@ -203,6 +203,28 @@ TEST_CASE("What was built wrongly is found too") {
   CHECK(says(findings, Severity::error, "/scores/nested", "sets nested too deep"));
 }
 
+TEST_CASE("What is nested without end is refused where it stands, and what is not stays permitted") {
+  // Eight times the same `all`, one in the other, over so many sofas.
+  const auto nested = [](int depth, int sofas) {
+    std::string truth = R"([">", ["dist", "$v0", "$v)" + std::to_string(depth - 1) + R"("], 0])";
+    for (int i = depth; i-- > 0;) truth = R"(["all", "v)" + std::to_string(i) + R"(", "sofas", )" + truth + "]";
+    return findings_about(R"(["and", ["in", ["count", "sofas"], 1, )" + std::to_string(sofas) + "], " + truth + "]");
+  };
+  check_only(nested(8, 10), Severity::error, "/constraints/it/2", "nest fewer of them");
+  CHECK(nested(8, 4).empty());
+  CHECK(nested(5, 10).empty());
+  check_only(nested(6, 10), Severity::error, "/constraints/it/2", "a program may take 1000000");
+  check_only(nested(9, 1), Severity::error, "/constraints/it/2/3/3/3/3/3/3/3/3", "more than 8 variables");
+  // Pairs of what each of many brings.
+  const auto cups = [](const std::string& each) {
+    return findings_about(R"(["and", ["in", ["count", "tables"], 0, 20], ["all", "t", "tables",
+      ["in", ["count", {"factory": "cup", "rel": [["on", "$t"]]}], 0, )" + each + R"(]],
+      ["all", "a", {"factory": "cup"}, ["all", "b", {"factory": "cup"}, [">", ["dist", "$a", {"factory": "cup"}], 0]]]])");
+  };
+  CHECK(cups("4").empty());
+  check_only(cups("6"), Severity::error, "/constraints/it/3", "nest fewer");
+}
+
 TEST_CASE("Any program is checked in bounded time, and its findings are few") {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     const auto program = Generator(seed).program();
@@ -223,4 +245,14 @@ TEST_CASE("Any program is checked in bounded time, and its findings are few") {
   document = {{"room", {{"type", "x"}}}, {"sets", sets},
               {"constraints", {{"it", Json::array({"in", Json::array({"count", "s899"}), 1, 2})}}}};
   CHECK(check(*program_from_json(document, "doubled"), KindTable::built_in()).empty());
+  // Variables of sets of variables of sets.
+  Json truth = Json::array({">", Json::array({"count", "$v7"}), 0});
+  for (int i = 7; i > 0; --i) {
+    const std::vector<std::string> wider(500, "$v" + std::to_string(i - 1));
+    truth = Json::array({"all", "v" + std::to_string(i), {{"union", wider}}, truth});
+  }
+  truth = Json::array({"all", "v0", {{"factory", "sofa"}}, truth});
+  document = {{"room", {{"type", "x"}}}, {"sets", Json::object()}, {"constraints", {{"it", truth}}}};
+  for (const auto& finding : check(*program_from_json(document, "wide"), KindTable::built_in()))
+    CHECK(finding.severity == Severity::warning);
 }
