@@ -47,6 +47,17 @@ int count_constraints(const std::vector<Object>& objects) {
   return static_cast<int>(count);
 }
 
+Status check_amount(std::size_t things, std::size_t layouts) {
+  if (things > most_sampled_things)
+    return Error{Error::Kind::limit, "layouts are drawn of rooms of up to " + std::to_string(most_sampled_things) +
+                                     " things, and this has " + std::to_string(things) + ": leave some out, or draw of "
+                                     "each part of the room by itself"};
+  if (things == 0 || layouts <= most_sampled_poses / things) return {};
+  return Error{Error::Kind::limit, std::to_string(layouts) + " layouts of " + std::to_string(things) +
+                                       " things are too many at once: draw up to " +
+                                       std::to_string(most_sampled_poses / things) + ", and others with another seed"};
+}
+
 class Sampler {
  public:
   Sampler(const Scene& scene, int constraints, RugRule rugs, const ModelTable& models, const KindTable& kinds,
@@ -189,11 +200,13 @@ Result<Samples> sample(const Scene& scene, const ModelTable& models, const KindT
   auto ordered = in_placement_order(scene);
   if (!ordered) return ordered.error();
   const auto& objects = ordered->objects;
+  if (auto sound = check_amount(objects.size(), options.count); !sound) return sound.error();
   return Sampler(*ordered, count_constraints(objects), RugRule(objects, models), models, kinds, options).run();
 }
 
 Result<Samples> sample(const Problem& problem, const ModelTable& models, const KindTable& kinds,
                        const SampleOptions& options) {
+  if (auto sound = check_amount(problem.tasks.size(), options.count); !sound) return sound.error();
   auto solution = solve(problem, models, kinds, options.solve);
   if (!solution) return solution.error();
   return Sampler(solution->scene, solution->constraints, RugRule(), models, kinds, options).run();

@@ -276,6 +276,25 @@ TEST_CASE("A line says where everything stands, and is read as the same layout")
   CHECK_FALSE(scene_of_layout(unknown, things_of(problem), "line"));
 }
 
+TEST_CASE("More things than are varied, and more layouts than are kept, are refused with what to do") {
+  Scene scene = rooms::scene(rooms::box(4, 3), {});
+  for (std::size_t i = 0; i <= most_sampled_things; ++i)
+    scene.objects.push_back(rooms::thing("box-" + std::to_string(i), "box", {0.1, 0.1, 0.1}, {2, 1.5}));
+  auto options = options_of(10);
+  options.solve.cancel.cancel();
+  const auto refusal_of = [&] {
+    const auto samples = sample(scene, ModelTable(), KindTable::built_in(), options);
+    if (samples) return std::string();
+    CHECK(samples.error().kind == Error::Kind::limit);
+    return samples.error().message;
+  };
+  CHECK(refusal_of().find("up to 300 things, and this has 301") != std::string::npos);
+  scene.objects.pop_back();
+  CHECK(refusal_of() == "");
+  options.count = most_sampled_poses / scene.objects.size() + 1;
+  CHECK(refusal_of().find("draw up to " + std::to_string(options.count - 1)) != std::string::npos);
+}
+
 TEST_CASE("A draw that is stopped ends at once") {
   auto options = options_of(100000);
   options.solve.cancel.cancel();

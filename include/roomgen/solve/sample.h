@@ -42,10 +42,15 @@ struct Samples {
   std::size_t drawn = 0;  ///< layouts that were compared; those like an earlier one were dropped
 };
 
+/// Of each thing up to 40,000 places are known, and each layout is kept: what is drawn at once is bounded.
+inline constexpr std::size_t most_sampled_things = 300;        ///< as many as a room is furnished with
+inline constexpr std::size_t most_sampled_poses = 10'000'000;  ///< layouts wanted times things
+
 /// Draws layouts of a problem, every two of them distinct. Each is valid (docs/constraints.md), places what the
 /// solution of solve() places, and holds all constraints that it holds. Fewer than were asked for when no others are
 /// found in bounded time: counted in steps, so that equal input gives equal layouts on any machine, and more begin
-/// with the fewer. They are spread widely, but not evenly: nothing is said of how likely each is.
+/// with the fewer. They are spread widely, but not evenly: nothing is said of how likely each is. Error::Kind::limit for
+/// more things or layouts than the above.
 Result<Samples> sample(const Problem& problem, const ModelTable& models, const KindTable& kinds,
                        const SampleOptions& options = {});
 /// The same for a furnished room of one's own instead of a solution. What is locked stays, and curtains stay at their
