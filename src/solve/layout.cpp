@@ -114,6 +114,7 @@ void Layout::add(Object object) {
   objects_.push_back(std::move(object));
   in_occupancy_.push_back(false);
   refresh_things();
+  free_zones_.add(room_, things_);
 }
 
 void Layout::remove(std::string_view id) {
@@ -121,6 +122,7 @@ void Layout::remove(std::string_view id) {
     if (objects_[i].id != id) continue;
     const auto at = static_cast<std::ptrdiff_t>(i);
     if (in_occupancy_[i]) occupancy_.remove(things_[i].footprint);
+    free_zones_.remove(things_, i);
     objects_.erase(objects_.begin() + at);
     things_.erase(things_.begin() + at);
     arranged_.erase(arranged_.begin() + at);
@@ -203,10 +205,24 @@ Layout::Verdict Layout::fits_exactly(const Candidate& candidate) {
   return verdict;
 }
 
+// Whether the i-th thing has a free zone beside the newcomer, the last of things_, or is that itself.
+bool Layout::keeps_free_zone(std::size_t i) const {
+  if (i == objects_.size()) return has_free_zone(room_, things_, things_[i]);
+  return free_zones_.needs_none(i) ||
+         free_zones_.has_free(things_[i], i, things_.back(), [](const Footprint&) { return true; });
+}
+
+bool Layout::is_usable_still(std::size_t i) const {
+  if (i == objects_.size()) return is_usable(room_, things_, things_[i], occupancy_);
+  return free_zones_.needs_none(i) ||
+         free_zones_.has_free(things_[i], i, things_.back(),
+                              [&](const Footprint& area) { return occupancy_.reaches(area); });
+}
+
 // Cheaper than the walk, and what most bad poses fail.
 Layout::Verdict Layout::all_have_a_free_zone() const {
   for (std::size_t i = 0; i < things_.size(); ++i)
-    if (!has_free_zone(room_, things_, things_[i])) return blame(i);
+    if (!keeps_free_zone(i)) return blame(i);
   return {};
 }
 
@@ -217,7 +233,7 @@ Layout::Verdict Layout::all_are_usable_with(const Footprint& newcomer) {
   Verdict verdict;
   if (!occupancy_.doors_connected()) verdict = {false};
   for (std::size_t i = 0; i < things_.size() && verdict; ++i)
-    if (!is_usable(room_, things_, things_[i], occupancy_)) verdict = blame(i);
+    if (!is_usable_still(i)) verdict = blame(i);
   occupancy_.remove(newcomer);
   return verdict;
 }

@@ -10,6 +10,7 @@
 #include "collision/solids.h"
 #include "collision/support_poses.h"
 #include "collision/usability.h"
+#include "free_zones.h"
 #include "roomgen/kinds/kind_table.h"
 #include "roomgen/scene/scene.h"
 #include "roomgen/solve/solve.h"
@@ -110,6 +111,8 @@ class Layout {
   void refresh_things();
   void bring_occupancy_up_to_date();
   Verdict all_have_a_free_zone() const;
+  bool keeps_free_zone(std::size_t i) const;
+  bool is_usable_still(std::size_t i) const;
   Verdict all_are_usable_with(const Footprint& newcomer);
   Verdict blame(std::size_t useless) const;
 
@@ -127,6 +130,7 @@ class Layout {
   std::vector<const Arrangement*> arranged_;  ///< parallel to objects_
   OccupancyGrid occupancy_;
   bool has_way_in_ = true;
+  FreeZones free_zones_;  ///< of objects_
   /// Parallel to objects_; stamped only when an exact test needs it.
   std::vector<bool> in_occupancy_;
 };

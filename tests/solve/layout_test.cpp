@@ -80,3 +80,51 @@ TEST_CASE("Yaws of walls are square to every wall, each once") {
       }
   }
 }
+
+TEST_CASE("However things came and went, the exact test says what the rules say of all of them") {
+  Random random(3);
+  const ModelTable models;
+  const KindTable& kinds = KindTable::built_in();
+  const std::vector<std::pair<std::string, Vec3>> articles = {{"desk", {1.2, 0.6, 0.75}}, {"chair", {0.5, 0.5, 0.9}},
+                                                              {"wardrobe", {1, 0.6, 2}},  {"bed", {1.4, 2, 0.5}},
+                                                              {"rug", {1, 1, 0.01}},      {"plant", {0.4, 0.4, 1}}};
+  Room room = rooms::box(6, 5);
+  room.openings.push_back(rooms::door("door-0", 0, 0.4, 1.3));
+  Layout layout(room, kinds, models);
+  const auto thrown = [&](const std::string& id) {
+    const auto& [category, size] = random.pick(articles);
+    Object object = rooms::thing(id, category, size, {random.uniform(0.4, 5.6), random.uniform(0.4, 4.6)},
+                                 90.0 * random.integer(0, 3));
+    object.traits.flat = category == "rug";
+    return object;
+  };
+  // Of everybody from scratch.
+  const auto is_right = [&](const Object& newcomer) {
+    std::vector<Object> objects(layout.objects().begin(), layout.objects().end());
+    Solids solids(models);
+    for (const auto& other : objects)
+      if (solids.overlap(newcomer, other)) return false;
+    objects.push_back(newcomer);
+    const auto things = floor_things(objects, kinds);
+    if (!blocks_floor(newcomer, *things.back().category)) return true;
+    const auto ways = make_occupancy_grid(room, things);
+    return ways.doors_connected() && std::all_of(things.begin(), things.end(), [&](const FloorThing& thing) {
+             return is_usable(room, things, thing, ways);
+           });
+  };
+  int right = 0, wrong = 0;
+  for (int step = 0; step < 400; ++step) {
+    if (layout.objects().size() > 7 || (layout.objects().size() > 3 && random.chance(0.4)))
+      layout.remove(std::string(layout.objects()[static_cast<std::size_t>(random.integer(
+          0, static_cast<int>(layout.objects().size()) - 1))].id));
+    const Object newcomer = thrown("thing-" + std::to_string(step));
+    const bool fits = static_cast<bool>(layout.fits_exactly(layout.candidate(newcomer)));
+    INFO("step " << step << ", " << newcomer.category);
+    CHECK(fits == is_right(newcomer));
+    ++(fits ? right : wrong);
+    // Also what makes others useless comes in, as in rooms that somebody else furnished.
+    if (fits || random.chance(0.1)) layout.add(newcomer);
+  }
+  CHECK(right > 40);
+  CHECK(wrong > 40);
+}
