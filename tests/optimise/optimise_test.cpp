@@ -63,12 +63,12 @@ TEST_CASE("What multiplies without end is refused, or known once, before anythin
   REQUIRE_FALSE(refused);
   CHECK(refused.error().message.find("/constraints/deep: one look") != std::string::npos);
   // Sets of ever more of the same.
-  for (int i = 1; i < 30; ++i) {
+  for (int i = 1; i < 15; ++i) {
     const std::string before = '"' + std::string("s") + std::to_string(i - 1) + '"';
     sets += R"(, "s)" + std::to_string(i) + R"(": {"union": [)" + before + ", " + before + ", " + before + "]}";
   }
   const auto doubled = program_of(R"({"room": {"type": "lounge", "width": 9, "depth": 9}, "sets": {)" + sets +
-                                  R"(}, "constraints": {"n": ["in", ["count", "s29"], 2, 2]}})");
+                                  R"(}, "constraints": {"n": ["in", ["count", "s14"], 2, 2]}})");
   CHECK(furnish(doubled, quick(1, 500)).scene.objects.size() == 2);
 }
 
