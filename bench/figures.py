@@ -1,6 +1,7 @@
 """Figures of benchmarks: bench/results/*.json, how they are read from what a command prints, and docs/benchmarks.md.
 
-A file holds {"title"?, "what", "command", "machine", "commit", "date", "order"?, "values"}; a value {"name", "value",
+A file holds {"title"?, "what", "command", "machine", "commit", "date", "order"?, "values"}, and "page": false where it is
+not for users; a value {"name", "value",
 "unit", "note"?, "find"?}. `find` says where the command's output has it: [row, column] of the first Markdown table with
 both ([row, column, n] of the n-th such table, -1 is the last), or a regular expression with one group.
 """
@@ -120,7 +121,7 @@ def section(name, result, usual_machine):
 
 def page():
     """docs/benchmarks.md as the results give it."""
-    results = load()
+    results = {name: result for name, result in load().items() if result.get("page", True)}
     usual = collections.Counter(result["machine"] for result in results.values()).most_common(1)[0][0]
     sections = [section(name, result, usual) for name, result in results.items()]
     return "\n".join([HEAD + f"Unless said otherwise the machine had {usual}.\n", *sections])

@@ -16,11 +16,20 @@ namespace {
 namespace fs = std::filesystem;
 
 const std::map<std::string, double> floors = {
-    {"base", 0}, {"language", 0.5}, {"geometry", 1}, {"shape", 1.5}, {"kinds", 1.75}, {"scene", 2}, {"program", 2.5},
-    {"library", 3},
-    {"collision", 3}, {"export", 3}, {"import", 3}, {"view", 3}, {"chat", 3}, {"brief", 4}, {"plan", 4.25}, {"optimise", 4.5}, {"design", 4.5}, {"compose", 4.75},
-    {"evaluate", 4}, {"solve", 4}, {"create", 5},
-    {"generate", 6}, {"tour", 6.25}, {"questions", 6.375}, {"session", 6.5}, {"decode", 6.75}, {"assets", 7},   {"render", 7}, {"agent", 7},   {"c", 8}};
+    {"base", 0},          {"language", 0.5},  {"geometry", 1},      {"shape", 1.5},    {"kinds", 1.75},
+    {"scene", 2},         {"library", 3},     {"collision", 3},     {"export", 3},     {"import", 3},
+    {"view", 3},          {"chat", 3},        {"brief", 4},         {"evaluate", 4},   {"solve", 4},
+    {"plan", 4.25},       {"design", 4.5},    {"create", 5},        {"generate", 6},   {"edit", 6.5},
+    {"edit_reader", 6.6}, {"decode", 6.75},   {"assets", 7},        {"render", 7},     {"agent", 7},
+    // The laboratory stands on all of it.
+    {"lab/program", 8},   {"lab/tour", 8},    {"lab/sceneeval", 8}, {"lab/suite", 8},  {"lab/annealing", 8.1},
+    {"lab/frames", 8.1},  {"lab/questions", 8.1}, {"lab/compose", 8.2}};
+
+// The laboratory's headers for users, by its parts.
+const std::map<std::string, std::string> lab_headers = {
+    {"compose.h", "lab/compose"},     {"draw_frames.h", "lab/frames"}, {"frames.h", "lab/tour"},
+    {"optimise.h", "lab/annealing"},  {"program.h", "lab/program"},    {"questions.h", "lab/questions"},
+    {"scores.h", "lab/sceneeval"},    {"suite.h", "lab/suite"},        {"tour.h", "lab/tour"}};
 
 // Headers of libraries that a user of the core must not need, and the modules that may include them.
 const std::map<std::string, std::vector<std::string>> adapters = {
@@ -32,7 +41,7 @@ const std::map<std::string, std::vector<std::string>> adapters = {
 const fs::path source = ROOMGEN_SOURCE_DIR;
 const fs::path headers = source / "include" / "roomgen";
 const std::string contents = "roomgen.h";  // the table of contents, of no module
-constexpr std::size_t most_headers = 49;
+constexpr std::size_t most_headers = 49, most_without_lab = 38;
 
 struct Include {
   std::string file, module, target;
@@ -59,11 +68,21 @@ std::vector<fs::path> files_in(const fs::path& root) {
   return files;
 }
 
+// The module of a file below src or include/roomgen: its folder; in the laboratory the part.
+std::string home_of(const fs::path& file, bool is_public) {
+  const std::string folder = file.begin()->string();
+  if (folder != "lab") return folder;
+  const std::string inner = std::next(file.begin())->string();
+  if (!is_public) return folder + "/" + inner;
+  const auto found = lab_headers.find(inner);
+  return found == lab_headers.end() ? "" : found->second;
+}
+
 void collect(const fs::path& root, bool is_public, std::vector<Include>& includes) {
   for (const auto& file : files_in(root)) {
     if (file == contents) continue;
     for (const auto& target : targets_in(root / file))
-      includes.push_back({file.string(), file.begin()->string(), target, is_public});
+      includes.push_back({file.string(), home_of(file, is_public), target, is_public});
   }
 }
 
@@ -77,11 +96,11 @@ std::vector<Include> all_includes() {
 // The module that an include names, empty for the standard library and others.
 std::string module_of(const std::string& target) {
   constexpr std::string_view prefix = "roomgen/";
-  if (target.rfind(prefix, 0) == 0)
-    return target.substr(prefix.size(), target.find('/', prefix.size()) - prefix.size());
+  if (target.rfind(prefix, 0) == 0) return home_of(target.substr(prefix.size()), true);
   // What modules show each other, but not users.
-  const auto folder = target.substr(0, target.find('/'));
-  return folder != target && floors.count(folder) ? folder : "";
+  if (target.find('/') == std::string::npos) return "";
+  const std::string home = home_of(target, false);
+  return floors.count(home) ? home : "";
 }
 
 // What is for users: a header of include/roomgen, or nothing of ours at all.
@@ -144,6 +163,7 @@ TEST_CASE("Every include points to a lower floor or stays in its module") {
 TEST_CASE("Public headers are few, include each other only, and stand in the table of contents") {
   const auto public_headers = files_in(headers);
   CHECK(public_headers.size() <= most_headers);
+  CHECK(public_headers.size() - lab_headers.size() <= most_without_lab);
   const auto listed = targets_in(headers / contents);
   for (const auto& header : public_headers) {
     const std::string target = "roomgen/" + header.generic_string();
@@ -191,6 +211,24 @@ TEST_CASE("A type's name belongs to one header") {
   REQUIRE(homes.size() > 300);
 }
 
+TEST_CASE("A namespace is that of its module") {
+  static const std::regex opened(R"(namespace (roomgen(?:::\w+)*) \{)");
+  for (const auto& file : files_in(source / "src")) {
+    const std::string home = home_of(file, false);
+    const bool is_lab = home.rfind("lab/", 0) == 0;
+    const std::string outer = is_lab ? "roomgen::lab" : "roomgen";
+    const std::string own = outer + "::" + (is_lab ? home.substr(4) : home);
+    std::ifstream stream(source / "src" / file);
+    std::smatch found;
+    for (std::string line; std::getline(stream, line);) {
+      if (!std::regex_match(line, found, opened)) continue;
+      const std::string space = found[1];
+      INFO(file << " opens " << space);
+      CHECK((space == outer || space.rfind(outer + "::detail", 0) == 0 || space.rfind(own, 0) == 0));
+    }
+  }
+}
+
 TEST_CASE("No name of a test has a semicolon, at which CTest would part it") {
   std::size_t names = 0;
   for (const auto& file : files_in(source / "tests")) {
@@ -217,6 +255,10 @@ TEST_CASE("The check of floors finds what it looks for") {
   CHECK(verdict({"collision/a.cpp", "collision", "fcl/fcl.h", false}) == "");
   CHECK(verdict({"scene/a.cpp", "scene", "fcl/fcl.h", false}) != "");
   CHECK(verdict({"new/a.cpp", "new", "vector", false}) != "");
+  CHECK(verdict({"render/a.cpp", "render", "roomgen/lab/tour.h", false}) != "");
+  CHECK(verdict({"generate/a.cpp", "generate", "lab/program/names.h", false}) != "");
+  CHECK(verdict({"lab/program/a.cpp", "lab/program", "lab/annealing/moves.h", false}) != "");
+  CHECK(verdict({"lab/compose/a.cpp", "lab/compose", "roomgen/lab/optimise.h", false}) == "");
   CHECK(is_for_users("roomgen/scene/scene.h"));
   CHECK(is_for_users("vector"));
   CHECK(is_for_users("options.h"));
