@@ -8,7 +8,6 @@ A bedroom for each mode of tests/designer/endpoint.py, over a real HTTP server. 
 
 import argparse
 import json
-import platform
 import subprocess
 import sys
 from datetime import date
@@ -37,15 +36,27 @@ def figures(roomgen, folder, mode):
     }
 
 
-def report(values):
-    commit = subprocess.run(["git", "-C", str(ROOT), "rev-parse", "--short", "HEAD"], capture_output=True, text=True)
+def report(rows):
+    """What the modes come to: of each a row of figures()."""
+    commit = subprocess.run(["git", "-C", str(ROOT), "rev-parse", "--short=8", "HEAD"], capture_output=True, text=True)
+    counted = [row for row in rows if not row["requests without a count"]]
+    values = {
+        "ways in which the endpoint answers": (len(rows), "modes"),
+        "calls of the summary are the endpoint's requests": (sum(r["requests"] == r["calls"] for r in rows), "modes"),
+        "in which the endpoint counts every answer's tokens": (len(counted), "modes"),
+        "tokens of the summary are those of the endpoint": (
+            sum(r["tokens counted"] == r["tokens billed"] for r in counted), "modes"),
+        "requests in all": (sum(r["requests"] for r in rows), "requests"),
+    }
     return {
-        "what": "what roomgen says that a model took, against what the endpoint counted",
-        "command": "bench/bill.py build/release/roomgen FOLDER",
-        "machine": f"{platform.machine()}, {platform.system()}, loopback",
+        "title": "The bill of language models",
+        "what": "What `generate` says that a model took, against what an endpoint counted that answers as servers are "
+                "reported to: thinking without an answer, errors inside a 200, event streams, no pictures, and so on.",
+        "command": "bench/bill.py build/release/roomgen $OUT",
+        "machine": "2 cores",
         "commit": commit.stdout.strip(),
         "date": date.today().isoformat(),
-        "values": values,
+        "values": [{"name": name, "value": value, "unit": unit} for name, (value, unit) in values.items()],
     }
 
 
@@ -55,16 +66,16 @@ def main():
     parser.add_argument("folder", type=Path)
     parser.add_argument("--write", type=Path)
     args = parser.parse_args()
-    values = []
+    rows = []
     for mode in MODES:
         row = figures(args.roomgen, args.folder, mode)
-        if not values:
+        if not rows:
             print("| mode | " + " | ".join(row) + " |\n" + "|---" * (1 + len(row)) + "|")
             columns = list(row)
         print(f"| {mode} | " + " | ".join(str(row[column]) for column in columns) + " |", flush=True)
-        values += [{"name": f"{mode}: {key}", "value": value, "unit": key.split()[0]} for key, value in row.items()]
+        rows.append(row)
     if args.write:
-        args.write.write_text(json.dumps(report(values), indent=1) + "\n")
+        args.write.write_text(json.dumps(report(rows), indent=1) + "\n")
 
 
 if __name__ == "__main__":

@@ -8,7 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "roomgen/session/session.h"
+#include "roomgen/edit/session.h"
+#include "roomgen/edit_reader/understand.h"
 
 namespace {
 
@@ -24,7 +25,7 @@ class NoFurniture final : public AssetLibrary {
 };
 
 Json answer(const Session& session, const std::string& sentence) {
-  const auto understood = session.understand(sentence);
+  const auto understood = understand(session, sentence);
   if (!understood) return {{"error", understood.error().message}};
   Json operations = Json::array();
   for (const auto& operation : understood->operations) operations.push_back(edit::to_json(operation));

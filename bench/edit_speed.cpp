@@ -15,7 +15,7 @@
 #include "random_edits.h"
 #include "roomgen/base/file.h"
 #include "roomgen/base/json.h"
-#include "roomgen/session/session.h"
+#include "roomgen/edit/session.h"
 #include "support/temporary_folder.h"
 
 namespace {

@@ -20,7 +20,7 @@
 #include "roomgen/base/file.h"
 #include "roomgen/evaluate/report.h"
 #include "roomgen/export/exporter.h"
-#include "roomgen/session/session.h"
+#include "roomgen/edit/session.h"
 #include "support/temporary_folder.h"
 
 namespace {

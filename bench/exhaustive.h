@@ -4,9 +4,8 @@
 #include <vector>
 
 #include "roomgen/library/library.h"
-#include "roomgen/scene/model_table.h"
 #include "roomgen/scene/scene.h"
-#include "roomgen/session/operation.h"
+#include "roomgen/edit/operation.h"
 
 namespace roomgen::bench {
 

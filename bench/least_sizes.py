@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The least sizes of rooms that are what they are called, as `roomgen plan` measures them.
 
-    bench/least_sizes.py ROOMGEN COMMIT > bench/results/least_sizes.json
+    bench/least_sizes.py ROOMGEN COMMIT > bench/results/least-sizes.json
 """
 import datetime
 import json

@@ -12,11 +12,12 @@
 #include <string>
 #include <vector>
 
-#include "roomgen/optimise/optimise.h"
+#include "roomgen/lab/optimise.h"
 
 namespace {
 
 using namespace roomgen;
+using namespace roomgen::lab;
 
 class Stopwatch {
  public:

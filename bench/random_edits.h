@@ -2,7 +2,7 @@
 
 #include "base/random.h"
 #include "roomgen/scene/scene.h"
-#include "roomgen/session/operation.h"
+#include "roomgen/edit/operation.h"
 
 namespace roomgen::bench {
 

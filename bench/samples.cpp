@@ -17,7 +17,7 @@
 
 #include "roomgen/evaluate/report.h"
 #include "roomgen/import/import.h"
-#include "roomgen/solve/sample.h"
+#include "roomgen/solve/solve.h"
 
 namespace {
 

@@ -4,7 +4,8 @@
 # and position independent, so that engines can fold the core into a shared library of their own.
 # PUBLIC and PRIVATE are link dependencies; HEADERS, which users may include, are relative to
 # include/roomgen/<name> and must be readable alone (target all_verify_interface_header_sets); other
-# modules may include src/<name>/x.h as "<name>/x.h".
+# modules may include src/<name>/x.h as "<name>/x.h". The modules of the laboratory, lab_<part>, share
+# include/roomgen/lab and lie in src/lab/<part>.
 include_guard()
 
 set_property(GLOBAL PROPERTY ROOMGEN_COMPONENTS "")
@@ -20,7 +21,8 @@ endfunction()
 
 function(roomgen_add_module name)
   cmake_parse_arguments(arg "" "COMPONENT" "HEADERS;SOURCES;PUBLIC;PRIVATE" ${ARGN})
-  list(TRANSFORM arg_HEADERS PREPEND "${PROJECT_SOURCE_DIR}/include/roomgen/${name}/")
+  string(REGEX REPLACE "^lab_.*" "lab" folder "${name}")
+  list(TRANSFORM arg_HEADERS PREPEND "${PROJECT_SOURCE_DIR}/include/roomgen/${folder}/")
 
   set(target roomgen_${name})
   add_library(${target} STATIC ${arg_SOURCES})

@@ -41,8 +41,9 @@ std::string check_headline(const Scene& scene, const SceneReport& report) {
     return std::to_string(part) + " of " + std::to_string(all);
   };
   const Clauses clauses = clauses_of(scene);
-  return "scene of " + std::to_string(scene.objects.size()) + " objects, " + std::to_string(scene.unplaced.size()) +
-         " unplaced; " + of(report.relations_held(), report.relations.size()) + " constraints held; " +
+  return "scene of " + std::to_string(scene.objects.size()) + " objects, " +
+         std::to_string(scene.unplaced.size()) + " unplaced; " +
+         of(report.relations_held(), report.relations.size()) + " constraints held; " +
          (clauses.asked > 0 ? of(clauses.met, clauses.asked) + " clauses met; " : "") +
          std::to_string(report.violations.size()) + " faults";
 }

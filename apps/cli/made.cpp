@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 
 #include "roomgen/base/json.h"
-#include "roomgen/create/suite.h"
 #include "roomgen/generate/generate.h"
 #include "roomgen/render/pictures.h"
 #include "roomgen/shape/evaluate.h"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "roomgen/create/create.h"
-#include "roomgen/create/model_maker.h"
+#include "roomgen/create/maker.h"
 #include "roomgen/export/exporter.h"
 #include "roomgen/geometry/model.h"
 

@@ -2,7 +2,6 @@
 
 #include "made.h"
 #include "roomgen/create/maker.h"
-#include "roomgen/create/model_maker.h"
 #include "roomgen/render/pictures.h"
 
 namespace roomgen::cli {

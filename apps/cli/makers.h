@@ -8,7 +8,6 @@
 #include "command.h"
 #include "designers.h"
 #include "roomgen/create/maker.h"
-#include "roomgen/create/model_maker.h"
 #include "roomgen/geometry/model.h"
 
 namespace roomgen::cli {

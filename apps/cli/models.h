@@ -5,7 +5,6 @@
 
 #include "command.h"
 #include "roomgen/library/library.h"
-#include "roomgen/scene/model_table.h"
 #include "roomgen/scene/scene.h"
 #ifdef ROOMGEN_HAS_ASSETS
 #include "libraries.h"

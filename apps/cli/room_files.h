@@ -5,7 +5,6 @@
 #include "roomgen/base/file.h"
 #include "roomgen/export/exporter.h"
 #include "roomgen/generate/generate.h"
-#include "roomgen/scene/model_table.h"
 #include "roomgen/scene/scene.h"
 #include "roomgen/view/view.h"
 

@@ -11,12 +11,5 @@ void add_edit_commands(CLI::App& app, Context& context);
 void add_import_command(CLI::App& app, Context& context);
 void add_repl_command(CLI::App& app, Context& context);
 void add_mcp_command(CLI::App& app, Context& context);
-void add_compose_command(CLI::App& app, Context& context);
-void add_optimise_command(CLI::App& app, Context& context);
-void add_tour_command(CLI::App& app, Context& context);
-void add_frames_command(CLI::App& app, Context& context);
-void add_questions_command(CLI::App& app, Context& context);
-void add_benchmark_command(CLI::App& app, Context& context);
-void add_experiment_command(CLI::App& app, Context& context);
 
 }  // namespace roomgen::cli

@@ -11,7 +11,8 @@
 #include "room_options.h"
 #include "room_session.h"
 #include "roomgen/base/json.h"
-#include "roomgen/session/session.h"
+#include "roomgen/edit/session.h"
+#include "roomgen/edit_reader/understand.h"
 #include "tool_commands.h"
 #include "views.h"
 
@@ -52,19 +53,20 @@ Result<std::vector<std::string>> pictures_for_model(const EditCommand& command, 
   return pictures;
 }
 
-Result<Understanding> understand(const Context& context, const EditCommand& command, Session& session) {
-  if (command.designer.designer != "model") return session.understand(command.sentence);
+Result<Understanding> understood_by_wish(const Context& context, const EditCommand& command,
+                                         Session& session) {
+  if (command.designer.designer != "model") return understand(session, command.sentence);
   const auto composed = compose_model(command.designer, context, cache_folder(command.libraries));
   if (!composed) return composed.error();
   auto pictures = pictures_for_model(command, session);
   if (!pictures) return pictures.error();
-  return session.understand(command.sentence,
+  return understand(session, command.sentence,
                             {.model = *composed->model, .prompts = composed->prompts, .pictures = *std::move(pictures), .cancel = context.cancel});
 }
 
 Result<std::vector<edit::Operation>> operations_of(const Context& context, const EditCommand& command, Session& session) {
   if (command.operation.empty()) {
-    auto understood = understand(context, command, session);
+    auto understood = understood_by_wish(context, command, session);
     if (!understood) return understood.error();
     for (const auto& remark : understood->remarks) warn(remark_line(remark));
     return std::move(understood->operations);

@@ -86,7 +86,11 @@ void add_import_command(CLI::App& app, Context& context) {
   auto command = std::make_shared<ImportCommand>();
   auto* sub = add_tool_command(app, "import");
   add_scene(*sub, *command);
-  sub->add_option("file", command->file, "The .glb file; its nodes have the names of scene.glb, or its ids in their extras")->required()->check(CLI::ExistingFile);
+  sub->add_option(
+         "file", command->file,
+         "The .glb file; its nodes have the names of scene.glb, or its ids in their extras")
+      ->required()
+      ->check(CLI::ExistingFile);
   sub->add_flag("--remove-missing", command->remove_missing, "Things without a node go");
   sub->add_flag("--skip-invalid", command->skip_invalid, "What cannot stand where it was put stays where it is; the rest is done");
   sub->add_flag("--dry-run", command->dry_run, "Only print the operations");

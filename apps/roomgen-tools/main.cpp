@@ -9,13 +9,6 @@ void add_commands(CLI::App& app, roomgen::cli::Context& context) {
   add_import_command(app, context);
   add_repl_command(app, context);
   add_mcp_command(app, context);
-  add_compose_command(app, context);
-  add_optimise_command(app, context);
-  add_tour_command(app, context);
-  add_frames_command(app, context);
-  add_questions_command(app, context);
-  add_benchmark_command(app, context);
-  add_experiment_command(app, context);
 }
 
 }  // namespace

@@ -9,7 +9,8 @@
 #include "roomgen/base/cancel.h"
 #include "roomgen/base/json.h"
 #include "roomgen/library/library.h"
-#include "roomgen/session/session.h"
+#include "roomgen/edit/session.h"
+#include "roomgen/edit_reader/understand.h"
 
 namespace roomgen::cli {
 

@@ -4,21 +4,21 @@
 #include <nlohmann/json.hpp>
 
 #include "add_commands.h"
-#include "check_program.h"
 #include "check_report.h"
 #include "models.h"
 #include "print.h"
+#include "program_format.h"
 #include "roomgen/base/file.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "roomgen/evaluate/report.h"
 #include "roomgen/import/import.h"
-#include "roomgen/program/program.h"
 #include "roomgen/scene/plan.h"
 #include "roomgen/scene/problem.h"
 #include "roomgen/shape/evaluate.h"
-#include "roomgen/shape/recipe.h"
+#include "roomgen/shape/program.h"
 #include "samples.h"
+#include "tool_commands.h"
 
 namespace roomgen::cli {
 
@@ -127,7 +127,7 @@ Result<int> run(const Context& context, const CheckCommand& command) {
     if (!scene) return scene.error();
     return check_scene(context, command, *scene);
   }
-  if (is_program(*json)) return check_program(context, command.file, *json);
+  if (is_constraint_program(*json)) return hand_over_check(command.file, context.json);
   return check_other(context, command, *json);
 }
 

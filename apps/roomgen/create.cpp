@@ -16,11 +16,10 @@
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "roomgen/create/create.h"
-#include "roomgen/create/suite.h"
 #include "roomgen/export/exporter.h"
 #include "roomgen/render/pictures.h"
 #include "roomgen/shape/evaluate.h"
-#include "roomgen/shape/recipe.h"
+#include "roomgen/shape/program.h"
 
 namespace roomgen::cli {
 

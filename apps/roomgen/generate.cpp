@@ -38,7 +38,6 @@ struct GenerateCommand {
   std::string output, plan_file;
   bool force = false, strict = false, marks = false, no_pictures = false;
   int pixels = 1024;
-  std::string layout = "steps";
   double alpha = 0.5, rrf_c = 60.0, pitch = 0.10;
   double seconds = 0.0;  // 0: usual_seconds()
   LibraryOptions libraries;
@@ -204,7 +203,6 @@ Result<int> run(const Context& context, const GenerateCommand& command) {
   options.place.fusion.c = command.rrf_c;
   apply(command.designer, options);
   options.place.pitch = command.pitch;
-  options.layout = command.layout == "both" ? LayoutSearch::both : LayoutSearch::steps;
   auto renderer = renderer_for(command, *composed);
   if (!renderer) return renderer.error();
   options.renderer = renderer->get();
@@ -263,10 +261,6 @@ void add_generate_command(CLI::App& app, Context& context) {
   sub->add_option("--seconds", command->seconds,
                   "Most time once there is a plan, after which the room so far is written (default: 60 a room, 900 with a model)")
       ->check(CLI::PositiveNumber);
-  sub->add_option("--layout", command->layout,
-                  "How things find their places: steps, one after the other; both, and annealing where something is left out")
-      ->check(CLI::IsMember({"steps", "both"}))
-      ->capture_default_str();
   add_designer_options(*sub, command->designer);
   add_finish_options(*sub, command->designer);
   add_library_options(*sub, command->libraries);

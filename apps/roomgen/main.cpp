@@ -1,13 +1,6 @@
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <string_view>
 
 #include "add_commands.h"
-#include "beside_program.h"
-#include "print.h"
 #include "program.h"
 #include "tool_commands.h"
 
@@ -23,7 +16,6 @@ void add_commands(CLI::App& app, Context& context) {
   add_plan_command(app, context);
   add_solve_command(app, context);
   add_check_command(app, context);
-  add_evaluate_command(app, context);
 #ifdef ROOMGEN_HAS_RENDER
   add_render_command(app, context);
   add_export_command(app, context);
@@ -39,21 +31,6 @@ std::string_view command_of(int argc, char** argv) {
   for (int i = 1; i < argc; ++i)
     if (argv[i][0] != '-') return argv[i];
   return {};
-}
-
-// Returns only when that fails.
-int hand_over(std::string_view command, char** argv) {
-  const auto tools = find_beside_program(
-      "roomgen-tools", "it does roomgen " + std::string(command) + " (scripts/roomgen builds it too)");
-  std::string reason;
-  if (tools) {
-    execv(tools->c_str(), argv);
-    reason = tools->string() + " cannot be run: " + std::strerror(errno);
-  } else {
-    reason = tools.error().message;
-  }
-  std::fprintf(stderr, "roomgen: %s\n", roomgen::cli::one_line(reason).c_str());
-  return exit_failure;
 }
 
 }  // namespace

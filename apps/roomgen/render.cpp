@@ -10,7 +10,6 @@
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "roomgen/render/pictures.h"
-#include "roomgen/tour/tour.h"
 #include "roomgen/scene/scene.h"
 #include "views.h"
 

@@ -104,7 +104,7 @@ void print_counts(const Context& context, const std::string& file, const LineCou
 }  // namespace
 
 Result<int> write_samples(const Context& context, const SampleWish& wish) {
-  const auto varied = read_varied(wish.file, wish.models, wish.options.solve.seed, context);
+  const auto varied = read_varied(wish.file, wish.models, context);
   if (!varied) return varied.error();
   const auto start = std::chrono::steady_clock::now();
   const KindTable& kinds = KindTable::built_in();
@@ -129,7 +129,7 @@ Result<int> check_samples(const Context& context, const std::string& file, const
   if (varied_file.empty())
     return Error{Error::Kind::invalid_input, file + ": layouts are checked with --of and the problem or scene "
                                                     "that they were drawn from"};
-  const auto varied = read_varied(varied_file, models, 0, context);
+  const auto varied = read_varied(varied_file, models, context);
   if (!varied) return varied.error();
   const auto text = read_file(file, most_bytes);
   if (!text) return text.error();

@@ -4,7 +4,7 @@
 
 #include "command.h"
 #include "models.h"
-#include "roomgen/solve/sample.h"
+#include "roomgen/solve/solve.h"
 
 namespace roomgen::cli {
 

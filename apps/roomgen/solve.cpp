@@ -91,7 +91,9 @@ void add_sample_options(CLI::App& sub, SolveCommand& command) {
 void add_solve_command(CLI::App& app, Context& context) {
   auto command = std::make_shared<SolveCommand>();
   auto* sub = app.add_subcommand("solve", "Place the objects of a problem file, without a designer");
-  sub->add_option("problem", command->problem, "problem.json (docs/problem.schema.json), or with --samples scene.json, plan.json or program.json")
+  sub->add_option(
+         "problem", command->problem,
+         "problem.json (docs/problem.schema.json), or with --samples scene.json or plan.json")
       ->required();
   sub->add_option("-o,--output", command->output,
                   "Scene file to write (scene.json unless said), or file of layouts (stdout unless said)");

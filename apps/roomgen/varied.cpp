@@ -2,14 +2,13 @@
 
 #include <nlohmann/json.hpp>
 
+#include "program_format.h"
 #include "roomgen/base/file.h"
 #include "roomgen/base/json.h"
 #include "roomgen/design/designer.h"
 #include "roomgen/generate/generate.h"
-#include "roomgen/optimise/optimise.h"
-#include "roomgen/program/program.h"
 #include "roomgen/scene/plan.h"
-#include "roomgen/solve/sample.h"
+#include "roomgen/solve/solve.h"
 
 namespace roomgen::cli {
 
@@ -39,26 +38,6 @@ Result<Varied> furnished(const Json& json, const std::string& file, const ModelO
   return Varied{std::nullopt, std::move(generation->scene), std::move(generation->models), true};
 }
 
-Result<Varied> optimised(const Json& json, const std::string& file, const ModelOptions& models, std::uint64_t seed,
-                         const Context& context) {
-  const auto program = program_from_json(json, file);
-  if (!program) return program.error();
-  const KindTable& kinds = KindTable::built_in();
-  std::vector<std::string> notes;
-  const auto room = room_of(*program, seed, notes);
-  if (!room) return room.error();
-  const auto library = open_library(models, context);
-  if (!library) return library.error();
-  const auto stock = load_stock(wishes_for(kinds_to_stock(*program, kinds, seed)), **library, kinds);
-  if (!stock) return stock.error();
-  OptimiseOptions options;
-  options.seed = seed;
-  options.cancel = context.cancel;
-  auto result = optimise(*program, *room, *stock, kinds, options);
-  if (!result) return result.error();
-  return Varied{std::nullopt, std::move(result->scene), stock->models, true};
-}
-
 Result<Varied> placed(const Json& json, const std::string& file, const ModelOptions& models, const Context& context) {
   auto scene = scene_from_json(json, file);
   if (!scene) return scene.error();
@@ -76,7 +55,7 @@ Result<Varied> unsolved(const Json& json, const std::string& file) {
 
 }  // namespace
 
-Result<Varied> read_varied(const std::string& file, const ModelOptions& models, std::uint64_t seed,
+Result<Varied> read_varied(const std::string& file, const ModelOptions& models,
                            const Context& context) {
   const auto text = read_file(file);
   if (!text) return text.error();
@@ -85,7 +64,10 @@ Result<Varied> read_varied(const std::string& file, const ModelOptions& models, 
   const Json format = json->is_object() ? json->value("format", Json()) : Json();
   if (format == "roomgen-scene") return placed(*json, file, models, context);
   if (format == "roomgen-plan") return furnished(*json, file, models, context);
-  if (is_program(*json)) return optimised(*json, file, models, seed, context);
+  if (is_constraint_program(*json))
+    return Error{Error::Kind::invalid_input,
+                 file + ": layouts are not drawn of a program; roomgen optimise " + file +
+                     " -o FOLDER makes a room of it, and FOLDER/scene.json can be varied"};
   return unsolved(*json, file);
 }
 

@@ -8,24 +8,21 @@
 #include "roomgen/generate/room_builder.h"  // the same one step at a time: propose, place, refuse, undo
 
 // Change a furnished room.
-#include "roomgen/session/session.h"    // a room and its history: edits, undo, branches, differences
-#include "roomgen/session/operation.h"  // what an edit may do, as values
+#include "roomgen/edit/session.h"            // a room and its history: edits, undo, branches, differences
+#include "roomgen/edit/operation.h"          // what an edit may do, as values
+#include "roomgen/edit_reader/understand.h"  // sentences that say what to change, by rules or a model
 
 // Decide what it holds: by rules, or by a language model.
 #include "roomgen/design/designer.h"        // what a designer is; by rules, or by asking a language model; dwellings
 #include "roomgen/scene/plan.h"             // what is asked of it, and what it makes of that; plan.json
 
 // Look at a room, keep it, hand it on.
-#include "roomgen/scene/scene.h"        // a furnished room or dwelling; scene.json
+#include "roomgen/scene/scene.h"        // a furnished room or dwelling, with its meshes; scene.json
 #include "roomgen/scene/room.h"         // its floor plan, doors and windows; room.json
 #include "roomgen/scene/object.h"       // a thing in it, and where its mesh comes from
 #include "roomgen/scene/relation.h"     // what a thing shall be to others: "near, bed-0"
 #include "roomgen/scene/requirement.h"  // what the prompt asked for, met or not
-#include "roomgen/scene/model_table.h"  // the meshes of a scene, and where in the room they are
 #include "roomgen/view/view.h"          // how to look at a room; cameras, layers; what a renderer is
-#include "roomgen/questions/questions.h"  // questions that the frames of a tour answer
-#include "roomgen/tour/frames.h"        // what the pictures of a tour show; frames.jsonl
-#include "roomgen/tour/tour.h"          // a camera that walks to each thing and shows it; tour.json
 #include "roomgen/export/exporter.h"    // what an exporter is; GLB files; who made the meshes
 #include "roomgen/import/import.h"      // floor plans from SVG and DXF; the meshes of a scene.glb
 
@@ -34,13 +31,7 @@
 
 // Place things without a designer.
 #include "roomgen/scene/problem.h"    // a room and things with constraints; problem.json
-#include "roomgen/solve/sample.h"     // many layouts of one room
-#include "roomgen/solve/solve.h"      // how one pose is chosen, and the poses of all of them
-
-// Describe a room by constraints and scores.
-#include "roomgen/program/program.h"    // the language: its document, checker and words; program.json
-#include "roomgen/optimise/optimise.h"  // rooms that are as a program says, by annealing
-#include "roomgen/compose/compose.h"    // programs for sentences, revised until they are met
+#include "roomgen/solve/solve.h"      // how one pose is chosen, the poses of all of them, many layouts of one room
 
 // Bring meshes and kinds of things.
 #include "roomgen/kinds/kind_table.h"  // what kinds of things there are: sizes, mounts, use zones
@@ -48,12 +39,9 @@
 
 // Make objects from words.
 #include "roomgen/create/create.h"       // a sentence to objects; libraries of created objects
-#include "roomgen/create/maker.h"        // what makes them: words to descriptions to programs, by rules
-#include "roomgen/create/model_maker.h"  // the maker that asks a language model, and the judge that sees
-#include "roomgen/create/suite.h"        // sentences with checks, for experiments
-#include "roomgen/shape/program.h"       // a shape program: named parts of solids
+#include "roomgen/create/maker.h"        // what makes them: words to descriptions to programs, by rules or a model; the judge that sees
+#include "roomgen/shape/program.h"       // a shape program: named parts of solids; programs with parameters
 #include "roomgen/shape/primitives.h"    // the solids
-#include "roomgen/shape/recipe.h"        // programs with parameters
 #include "roomgen/shape/evaluate.h"      // a program's meshes
 
 // Ask language models.
@@ -74,8 +62,21 @@
 #include "roomgen/assets/catalogue.h"  // furniture libraries: Sweet Home 3D archives, folders of meshes
 #endif
 #if __has_include("roomgen/render/pictures.h")
-#include "roomgen/render/frames.h"    // the frames of a tour with all layers and labels
 #include "roomgen/render/pictures.h"  // rooms and single models drawn without a display; PNG and JPEG
+#endif
+#if __has_include("roomgen/lab/program.h")
+// The laboratory, which nothing else needs: link roomgen::lab.
+#include "roomgen/lab/program.h"    // rooms described by constraints and scores: document, checker, words; program.json
+#include "roomgen/lab/optimise.h"   // rooms that are as a program says, by annealing
+#include "roomgen/lab/compose.h"    // programs for sentences, revised until they are met
+#include "roomgen/lab/tour.h"       // a camera that walks to each thing and shows it; tour.json
+#include "roomgen/lab/frames.h"     // what the pictures of a tour show; frames.jsonl
+#include "roomgen/lab/questions.h"  // questions that the frames of a tour answer
+#include "roomgen/lab/scores.h"     // how a room meets written requirements, after SceneEval
+#include "roomgen/lab/suite.h"      // sentences of things with checks
+#endif
+#if __has_include("roomgen/lab/draw_frames.h")
+#include "roomgen/lab/draw_frames.h"  // the frames of a tour with all layers and labels
 #endif
 #if __has_include("roomgen/agent/http_model.h")
 #include "roomgen/agent/http_model.h"  // a language model behind an HTTP endpoint

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 namespace {
 
@@ -56,4 +56,4 @@ void bound_mentions(Brief& brief) {
   for (auto& [category, look] : brief.excluded_looks) bound(category, most_name_bytes), bound(look, most_name_bytes);
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

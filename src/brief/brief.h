@@ -16,7 +16,7 @@
 #include "roomgen/scene/relation.h"
 #include "roomgen/scene/room.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 /// Words of a prompt and what they were taken for.
 struct HeardWords {
@@ -132,4 +132,4 @@ struct Brief {
 /// Adds words to what was heard; which of Brief::heard they are.
 std::size_t hear(Brief& brief, const language::Run& tokens, Heard::As as, std::string word = "");
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

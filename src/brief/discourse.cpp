@@ -5,7 +5,7 @@
 #include "roomgen/base/text.h"
 #include "mention_shape.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 namespace {
 
@@ -375,4 +375,4 @@ std::optional<std::size_t> Discourse::last_carrier(std::string_view top) const {
   return find([&](const Mention& one) { return keeps_things(one.category, lexicon_.table); });
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

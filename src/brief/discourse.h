@@ -13,7 +13,7 @@
 #include "room_kinds.h"
 #include "thing_phrase.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 /// What a reader needs to know to name things.
 struct Lexicon {
@@ -129,4 +129,4 @@ class Discourse {
   std::size_t told_by_ = HeardWords::none;
 };
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

@@ -4,7 +4,7 @@
 #include "discourse.h"
 #include "mention_shape.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 namespace {
 
@@ -168,4 +168,4 @@ void Discourse::mount(const std::vector<std::size_t>& subjects, Mount where) {
   }
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

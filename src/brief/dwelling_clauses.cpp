@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <optional>
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 namespace {
 
@@ -138,4 +138,4 @@ std::vector<std::vector<Stretch>> share_clauses(const DwellingText& text,
   return ClauseSharer(text, names, rooms, kinds, table).run();
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

@@ -4,7 +4,7 @@
 
 #include "dwelling_rooms.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 /// Tokens of a prompt from one to before another.
 struct Stretch {
@@ -19,4 +19,4 @@ std::vector<std::vector<Stretch>> share_clauses(const DwellingText& text,
                                                 const RoomKinds& kinds,
                                                 const KindTable& table);
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

@@ -6,7 +6,7 @@
 #include "base/resource.h"
 #include "roomgen/base/json.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 namespace {
 
@@ -59,4 +59,4 @@ const Result<DwellingKinds>& built_in_dwelling_kinds() {
   return kinds;
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

@@ -9,7 +9,7 @@
 #include "room_kinds.h"
 #include "roomgen/base/result.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 /// What a kind of room is in a dwelling.
 struct DwellingRoom {
@@ -34,4 +34,4 @@ Result<DwellingKinds> parse_dwelling_kinds(std::string_view text, const std::str
 /// The knowledge compiled into the library.
 const Result<DwellingKinds>& built_in_dwelling_kinds();
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

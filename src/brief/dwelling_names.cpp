@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 namespace {
 
@@ -90,4 +90,4 @@ std::vector<NamedRoom> find_room_names(const DwellingText& text) {
   return all;
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

@@ -5,7 +5,7 @@
 
 #include "dwelling_text.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 /// A room, or the dwelling as a whole, where the prompt names it.
 struct NamedRoom {
@@ -24,4 +24,4 @@ struct NamedRoom {
 /// In the order of the prompt.
 std::vector<NamedRoom> find_room_names(const DwellingText& text);
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

@@ -4,7 +4,7 @@
 #include "measures.h"
 #include "style_phrase.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 namespace {
 
@@ -168,4 +168,4 @@ std::optional<SaidDwelling> read_dwelling(std::string_view prompt, const Dwellin
   return said;
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

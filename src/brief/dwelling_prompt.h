@@ -10,7 +10,7 @@
 #include "room_kinds.h"
 #include "roomgen/kinds/kind_table.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 /// Bytes of a room's own prompt that stand for bytes of the whole prompt.
 struct Origin {
@@ -41,4 +41,4 @@ struct SaidDwelling {
 std::optional<SaidDwelling> read_dwelling(std::string_view prompt, const DwellingKinds& dwellings,
                                           const RoomKinds& kinds, const KindTable& table);
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

@@ -6,7 +6,7 @@
 
 #include "roomgen/scene/scene.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 namespace {
 
@@ -247,4 +247,4 @@ std::vector<FoundRoom> find_rooms(const DwellingText& text, std::vector<NamedRoo
   return RoomFinder(text, names, notes).run();
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

@@ -6,7 +6,7 @@
 #include "dwelling_names.h"
 #include "dwelling_prompt.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 /// A room that there shall be.
 struct FoundRoom {
@@ -28,4 +28,4 @@ const NamedRoom* whole_dwelling(const DwellingText& text, const std::vector<Name
 std::vector<FoundRoom> find_rooms(const DwellingText& text, std::vector<NamedRoom>& names,
                                   std::vector<std::string>& notes);
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

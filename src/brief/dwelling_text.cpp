@@ -2,7 +2,7 @@
 
 #include "room_type.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 DwellingText::DwellingText(std::string_view text, const Vocabulary& vocabulary,
                            const DwellingKinds& dwelling_kinds, const RoomKinds& room_kinds,
@@ -23,4 +23,4 @@ bool DwellingText::ends_phrase(std::size_t i) const {
          tokens[i].kind == Token::Kind::stop;
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

@@ -9,7 +9,7 @@
 #include "kind_mention.h"
 #include "room_kinds.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 /// A prompt for several rooms as words, and what the words are known to name.
 struct DwellingText {
@@ -33,4 +33,4 @@ struct DwellingText {
 /// Words before the noun of a room.
 inline constexpr std::size_t longest_phrase = 6;
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

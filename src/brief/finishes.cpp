@@ -5,7 +5,7 @@
 #include "roomgen/base/text.h"
 #include "tone.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 namespace {
 
@@ -212,4 +212,4 @@ void read_finishes(std::vector<Token>& tokens, const Vocabulary& words, const Ki
   }
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

@@ -8,7 +8,7 @@
 #include "scene/finish_words.h"
 #include "tokens.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 /// Reads what floor, walls and ceiling are covered with into Brief::materials ("dark oak floors", "walls
 /// painted in sage", "a brick wall", "tiled"), and takes it out of the tokens, unless something is said
@@ -16,4 +16,4 @@ namespace roomgen::design {
 void read_finishes(std::vector<Token>& tokens, const Vocabulary& words, const KindTable& table,
                    const FinishWords& finishes, Brief& brief);
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

@@ -8,7 +8,7 @@
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 namespace {
 
@@ -119,4 +119,4 @@ shape::Scope drawn(const Draws& draws, Random& random) {
   return scope;
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

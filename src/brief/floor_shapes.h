@@ -11,7 +11,7 @@
 #include "roomgen/base/result.h"
 #include "shape/expression.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 /// Numbers that differ from room to room, by name.
 using Draws = std::map<std::string, Range, std::less<>>;
@@ -52,4 +52,4 @@ const Result<FloorShapes>& built_in_floor_shapes();
 /// One of each, to evaluate formulas with.
 shape::Scope drawn(const Draws& draws, Random& random);
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

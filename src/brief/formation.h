@@ -1,6 +1,6 @@
 #pragma once
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 /// Things that stand in rows, one behind the other; 0: not said how many there are, or how many in each. Or around a
 /// point: in a whole circle, or in an arc that is open on one side.
@@ -20,4 +20,4 @@ struct FormationWord {
   int number = 0;  ///< of things that alone can stand so; 0: any
 };
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 using language::none;
 using language::Run;
@@ -104,4 +104,4 @@ void Hearing::plain_verbs(const std::vector<std::optional<std::size_t>>& mention
   }
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

@@ -5,7 +5,7 @@
 #include "brief.h"
 #include "thing_phrase.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 /// Notes in a brief what the words of its prompt were taken for.
 class Hearing {
@@ -43,4 +43,4 @@ class Hearing {
   Brief& brief_;
 };
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

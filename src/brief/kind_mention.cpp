@@ -4,7 +4,7 @@
 
 #include "language/inflection.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 namespace {
 constexpr std::size_t longest_name = 5;
@@ -57,4 +57,4 @@ bool is_within_name(const KindTable& kinds, std::span<const Token> tokens, std::
   return false;
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

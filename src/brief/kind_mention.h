@@ -8,7 +8,7 @@
 #include "roomgen/kinds/kind_table.h"
 #include "tokens.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 /// A name of a kind in a text.
 struct KindMention {
@@ -35,4 +35,4 @@ bool is_within_name(const KindTable& kinds, std::span<const Token> tokens, std::
 /// What a word may be in the singular; the word itself first.
 std::vector<std::string> singulars(const std::string& word);
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

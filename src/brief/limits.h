@@ -8,7 +8,7 @@
 #include "roomgen/scene/object.h"
 #include "roomgen/scene/relation.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 // What a prompt says of how many of something there are for others, of what there is nothing but, and of where a thing
 // is not. Things are mentions, by their index in Brief::mentions, and what says them is one of Brief::heard.
@@ -46,4 +46,4 @@ struct Denial {
   std::size_t heard = no_mention;
 };
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

@@ -5,7 +5,7 @@
 
 #include "opening_phrase.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 namespace {
 
@@ -277,4 +277,4 @@ void read_people(std::vector<Token>& tokens, const Vocabulary& words, const Kind
   }
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

@@ -7,7 +7,7 @@
 #include "prompt_words.h"
 #include "tokens.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 /// Takes the size of the room ("4 x 5 m", "12 by 15 feet", "20 square metres") out of the tokens
 /// and into the brief; lengths that belong to a thing ("a 1.8 m desk") become single tokens.
@@ -18,4 +18,4 @@ void read_measures(std::vector<Token>& tokens, const std::vector<language::Token
 void read_people(std::vector<Token>& tokens, const Vocabulary& words, const KindTable& table,
                  Brief& brief);
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

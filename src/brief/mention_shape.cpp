@@ -6,7 +6,7 @@
 #include "roomgen/scene/requirement.h"
 #include "table_size.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 namespace {
 
@@ -188,4 +188,4 @@ bool needs_wall(const Mention& mention, const KindTable& table) {
   return table.is_any_of(mention.category, {"storage", "console table", "room divider", "desk"});
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

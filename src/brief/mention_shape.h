@@ -5,7 +5,7 @@
 #include "prompt_words.h"
 #include "thing_phrase.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 /// Size, mount and number of seats of a mention, from its category and the words around it.
 void shape(Mention& mention, const ThingPhrase& phrase, const Vocabulary& words,
@@ -41,4 +41,4 @@ std::optional<double> hanging_height(const Mention& mention);
 /// as small plants are. False if there is no such kind.
 bool become_small(Mention& mention, const KindTable& table);
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

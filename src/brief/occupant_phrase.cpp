@@ -5,7 +5,7 @@
 #include "language/inflection.h"
 #include "mention_shape.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 namespace {
 
@@ -201,4 +201,4 @@ std::optional<std::size_t> bring_things(const OccupantPhrase& phrase, const Occu
   return Bringer(phrase, occupants, lexicon, brief).run();
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

@@ -6,7 +6,7 @@
 #include "occupants.h"
 #include "thing_phrase.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 /// Words of a prompt that name people or what they do.
 struct OccupantPhrase {
@@ -25,4 +25,4 @@ std::optional<OccupantPhrase> occupant_at(const PromptText& text, const Occupant
 std::optional<std::size_t> bring_things(const OccupantPhrase& phrase, const Occupants& occupants,
                                         const Lexicon& lexicon, Brief& brief);
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

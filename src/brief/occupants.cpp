@@ -8,7 +8,7 @@
 #include "roomgen/base/json.h"
 #include "scene/document_parts.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 namespace {
 
@@ -75,4 +75,4 @@ bool Occupants::belongs(const std::string& kind, const std::string& room_type) c
   return std::find(found->second.begin(), found->second.end(), room_type) != found->second.end();
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

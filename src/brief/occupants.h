@@ -9,7 +9,7 @@
 #include "roomgen/base/result.h"
 #include "roomgen/scene/relation.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 /// Who lives or comes somewhere, or what happens there, and what things that means.
 struct Occupant {
@@ -51,4 +51,4 @@ class Occupants {
 /// Words of the longest name.
 inline constexpr std::size_t longest_occupant_name = 3;
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

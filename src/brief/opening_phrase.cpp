@@ -5,7 +5,7 @@
 
 #include "roomgen/base/text.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 namespace {
 
@@ -400,4 +400,4 @@ std::size_t opening_name_at(std::span<const Token> tokens, std::size_t at,
   return name_at(tokens, at, kinds).length;
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

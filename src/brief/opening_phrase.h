@@ -11,7 +11,7 @@
 #include "scene/opening_kind.h"
 #include "tokens.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 /// "two tall windows on the left wall", "the door is opposite the window"
 struct OpeningPhrase {
@@ -39,4 +39,4 @@ void ask_for(const OpeningPhrase& phrase, Brief& brief);
 std::size_t opening_name_at(std::span<const Token> tokens, std::size_t at,
                             const OpeningKinds& kinds);
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

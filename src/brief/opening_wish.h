@@ -6,7 +6,7 @@
 
 #include "roomgen/scene/room.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 /// Doors, windows or passages of one kind as a prompt asks for them.
 struct OpeningWish {
@@ -26,4 +26,4 @@ struct OpeningWish {
   bool has_place() const { return !sides.empty() || walls > 0 || opposite || beside; }
 };
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

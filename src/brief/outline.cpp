@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 namespace {
 
@@ -218,4 +218,4 @@ Vec2 box_of(double area, double ratio, bool wide) {
   return wide ? Vec2(shorter * ratio, shorter) : Vec2(shorter, shorter * ratio);
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

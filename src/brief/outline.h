@@ -8,7 +8,7 @@
 #include "floor_shapes.h"
 #include "roomgen/geometry/polygon.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 /// What a prompt says of the shape of a floor.
 struct SaidShape {
@@ -42,4 +42,4 @@ Outline rectangle_of(const Vec2& size);
 /// Width and depth of that area and ratio (longer to shorter), the longer one along x where `wide`.
 Vec2 box_of(double area, double ratio, bool wide);
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

@@ -1,6 +1,6 @@
 #include "phrase_words.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 bool PhraseWords::is_number(std::size_t token) const {
   return text.plain[token].kind == Token::Kind::number || text.words.numbers.count(word(token));
@@ -33,4 +33,4 @@ std::string PhraseWords::text_between(std::uint32_t first, std::uint32_t last) c
   return joined;
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

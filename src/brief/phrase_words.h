@@ -4,7 +4,7 @@
 
 #include "thing_phrase.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 /// A noun phrase of a prompt and its words, for the readers of a thing's name, number, looks and lengths.
 class PhraseWords {
@@ -34,4 +34,4 @@ inline void add_modifier(ThingPhrase& thing, std::string word, const language::R
   thing.modifier_tokens.push_back(tokens);
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

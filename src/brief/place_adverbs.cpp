@@ -6,7 +6,7 @@
 
 #include "prompt_mutual.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 using language::none;
 using language::Run;
@@ -80,4 +80,4 @@ Indices PlaceAdverbs::subjects_at(std::size_t token) const {
   return before ? Indices{*before} : Indices{};
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

@@ -6,7 +6,7 @@
 #include "place_teller.h"
 #include "prompt_reading.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 /// Reads words of place that name nothing and that no attachment has: "nearby", "on top", "side by side".
 class PlaceAdverbs {
@@ -26,4 +26,4 @@ class PlaceAdverbs {
   std::size_t next_ = 0;          ///< token
 };
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

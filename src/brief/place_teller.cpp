@@ -5,7 +5,7 @@
 #include "view_from_door.h"
 #include "which_of.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 using language::none;
 using language::Run;
@@ -150,4 +150,4 @@ std::optional<std::size_t> PlaceTeller::other_side_of(const Placement& placement
   return last_side_->second;
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

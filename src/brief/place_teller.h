@@ -9,7 +9,7 @@
 #include "prompt_owned.h"
 #include "prompt_reading.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 /// "left of" or "right of" alone.
 bool is_beside(const Placement& placement);
@@ -48,4 +48,4 @@ class PlaceTeller {
   std::optional<std::pair<RelationKind, std::size_t>> last_side_;  ///< left or right of which mention
 };
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

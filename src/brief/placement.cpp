@@ -2,7 +2,7 @@
 
 #include "placement_phrase.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 namespace {
 
@@ -103,4 +103,4 @@ std::optional<SaidPlacement> placement_of(const PromptText& text, const Attachme
   return said;
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

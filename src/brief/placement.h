@@ -4,7 +4,7 @@
 
 #include "thing_phrase.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 /// What an attachment says of where something is.
 struct SaidPlacement {
@@ -19,4 +19,4 @@ struct SaidPlacement {
 std::optional<SaidPlacement> placement_of(const PromptText& text,
                                           const language::Attachment& attachment);
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

@@ -3,7 +3,7 @@
 #include <array>
 #include <utility>
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 namespace {
 
@@ -147,4 +147,4 @@ std::string wall_named(const PlacePhrase& place) {
   return place.centered ? "long-wall" : "";
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

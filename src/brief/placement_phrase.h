@@ -7,7 +7,7 @@
 #include "prompt_words.h"
 #include "tokens.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 /// Part of a room that a placement can name.
 enum class Place { window, door, corner, wall, middle, region, room, floor, ceiling };
@@ -32,4 +32,4 @@ std::optional<PlacePhrase> read_place(std::span<const Token> tokens, std::size_t
 /// wall" a long one is meant.
 std::string wall_named(const PlacePhrase& place);
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

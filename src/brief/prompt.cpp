@@ -28,7 +28,7 @@
 #include "style_phrase.h"
 #include "view_from_door.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 namespace {
 
@@ -108,4 +108,4 @@ Brief read_prompt(std::string_view prompt, const RoomKinds& kinds, const KindTab
   return brief;
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

@@ -10,7 +10,7 @@
 #include "scene/finish_words.h"
 #include "style_phrase.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 namespace {
 
@@ -207,4 +207,4 @@ class AdditionReader {
 
 void read_additions(PromptReading& reading) { AdditionReader(reading).run(); }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

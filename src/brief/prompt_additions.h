@@ -2,10 +2,10 @@
 
 #include "prompt_reading.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 /// What is added to a thing behind it, between marks: "racks, 2 m tall, anthracite", "chairs: ten", "a mat (blue)",
 /// "cabinets, four in number". Needs the things of the prompt; what is no addition as a whole is left.
 void read_additions(PromptReading& reading);
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

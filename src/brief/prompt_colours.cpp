@@ -6,7 +6,7 @@
 #include "roomgen/base/text.h"
 #include "scene/finish_words.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 namespace {
 
@@ -75,4 +75,4 @@ void share_colours(PromptReading& reading) {
   }
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

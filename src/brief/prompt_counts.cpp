@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 namespace {
 
@@ -63,4 +63,4 @@ void read_counts(PromptReading& reading, std::int32_t phrase, std::size_t mentio
   one_for_each_person(reading, phrase, mention);
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

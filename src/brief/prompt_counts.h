@@ -4,7 +4,7 @@
 
 #include "prompt_reading.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 /// So many of one thing are planned where as many people are told of.
 inline constexpr double most_of_them = 40;
@@ -13,4 +13,4 @@ inline constexpr double most_of_them = 40;
 /// has a bin".
 void read_counts(PromptReading& reading, std::int32_t phrase, std::size_t mention);
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 namespace {
 
@@ -74,4 +74,4 @@ void read_denied_place(PromptReading& reading, const Attachment& attachment) {
   }
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

@@ -2,7 +2,7 @@
 
 #include "prompt_reading.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 /// Whether an attachment says where something is not: "not next to the window", "none of them in the corner".
 bool denies_place(const PromptReading& reading, const language::Attachment& attachment);
@@ -10,4 +10,4 @@ bool denies_place(const PromptReading& reading, const language::Attachment& atta
 /// Enters what it says into the brief: it is known where they are not.
 void read_denied_place(PromptReading& reading, const language::Attachment& attachment);
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

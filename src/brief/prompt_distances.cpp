@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 namespace {
 
@@ -139,4 +139,4 @@ class DistanceReader {
 
 void read_distances(PromptReading& reading) { DistanceReader(reading).run(); }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

@@ -5,7 +5,7 @@
 #include "language/lexicon.h"
 #include "scene/finish_words.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 namespace {
 
@@ -80,4 +80,4 @@ std::optional<ThingPhrase> thing_of_next_noun(const PromptReading& reading, std:
   return thing;
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

@@ -6,7 +6,7 @@
 #include "roomgen/base/text.h"
 #include "scene/finish_words.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 namespace {
 
@@ -103,4 +103,4 @@ bool read_exclusion(PromptReading& reading, std::int32_t phrase, const ThingPhra
   return true;
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

@@ -6,7 +6,7 @@
 #include "language/number.h"
 #include "mention_shape.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 namespace {
 
@@ -217,4 +217,4 @@ class FormationReader {
 
 void read_formations(PromptReading& reading) { FormationReader(reading).run(); }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

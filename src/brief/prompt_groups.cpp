@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 namespace {
 
@@ -133,4 +133,4 @@ class GroupReader {
 
 void read_groups(PromptReading& reading) { GroupReader(reading).run(); }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

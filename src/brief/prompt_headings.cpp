@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 namespace {
 
@@ -133,4 +133,4 @@ class HeadingReader {
 
 void read_headings(PromptReading& reading) { HeadingReader(reading).run(); }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

@@ -2,7 +2,7 @@
 
 #include "mention_shape.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 namespace {
 
@@ -91,4 +91,4 @@ class HeightReader {
 
 void read_heights(PromptReading& reading) { HeightReader(reading).run(); }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

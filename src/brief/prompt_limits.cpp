@@ -5,7 +5,7 @@
 #include "language/inflection.h"
 #include "scene/finish_words.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 namespace {
 
@@ -301,4 +301,4 @@ bool denies_others(const PromptReading& reading, const NounPhrase& phrase) {
   return false;
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <optional>
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 namespace {
 
@@ -92,4 +92,4 @@ void relate_listed(PromptReading& reading, std::size_t token, const Placement& p
   relate_mutually(reading, things, placement);
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

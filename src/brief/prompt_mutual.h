@@ -4,7 +4,7 @@
 
 #include "prompt_reading.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 /// "side by side", "back to back", "facing each other" of things: the last two of them, or the halves of several. Of
 /// several that stand next to each other a row is made.
@@ -13,4 +13,4 @@ void relate_mutually(PromptReading& reading, const Indices& things, const Placem
 /// The same said behind a list or a noun, at a token: "a desk and a shelf side by side". `heard`: the words that say so.
 void relate_listed(PromptReading& reading, std::size_t token, const Placement& placement, std::size_t heard);
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

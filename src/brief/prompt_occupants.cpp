@@ -4,7 +4,7 @@
 
 #include "language/lexicon.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 namespace {
 
@@ -116,4 +116,4 @@ void read_activities(PromptReading& reading) {
   OccupantReader(reading).read_activities();
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

@@ -2,7 +2,7 @@
 
 #include "prompt_reading.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 /// Reads the people or the activities that a noun phrase names: they bring what they need, and the
 /// phrase stands for the first of it.
@@ -14,4 +14,4 @@ void read_activities(PromptReading& reading);
 /// "my 15 yr old son": the number is an age.
 bool tells_age(const PromptReading& reading, const language::NounPhrase& said);
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

@@ -4,7 +4,7 @@
 
 #include "opening_phrase.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 namespace {
 
@@ -99,4 +99,4 @@ void read_openings(PromptReading& reading) {
   PromptOpenings(reading).run();
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

@@ -6,7 +6,7 @@
 #include "mention_shape.h"
 #include "which_of.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 using language::Attachment;
 using language::Determiner;
@@ -182,4 +182,4 @@ bool OwnedReader::is_told_somewhere(std::int32_t id) const {
          });
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

@@ -7,7 +7,7 @@
 #include "prompt_reading.h"
 #include "prompt_shares.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 /// Reads what things have: "a desk with a lamp and a chair", "tables, each with two vases". Who has what is remembered,
 /// for the words of place that come behind: "a tray with cups on the left".
@@ -52,4 +52,4 @@ class OwnedReader {
   std::map<std::size_t, std::size_t> owner_of_;  ///< "a tray with cups": mentions
 };
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

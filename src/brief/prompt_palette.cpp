@@ -6,7 +6,7 @@
 #include "library/style_words.h"
 #include "scene/finish_words.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 namespace {
 
@@ -58,4 +58,4 @@ class PaletteReader {
 
 void read_palette(PromptReading& reading) { PaletteReader(reading).run(); }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

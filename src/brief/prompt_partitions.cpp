@@ -8,7 +8,7 @@
 #include "language/number.h"
 #include "scene/finish_words.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 namespace {
 
@@ -247,4 +247,4 @@ class PartitionReader {
 
 void read_partitions(PromptReading& reading) { PartitionReader(reading).run(); }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

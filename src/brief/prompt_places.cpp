@@ -12,7 +12,7 @@
 #include "two_places.h"
 #include "which_of.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 namespace {
 
@@ -354,4 +354,4 @@ void read_places(PromptReading& reading) {
   PlaceReader(reading).run();
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

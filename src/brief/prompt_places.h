@@ -2,9 +2,9 @@
 
 #include "prompt_reading.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 /// Reads where the things of a prompt are said to be.
 void read_places(PromptReading& reading);
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

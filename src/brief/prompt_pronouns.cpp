@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 using language::Attachment;
 using language::Determiner;
@@ -286,4 +286,4 @@ std::optional<std::size_t> PronounReader::topic_before(std::int32_t id) const {
   return std::nullopt;
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

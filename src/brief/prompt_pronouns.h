@@ -6,7 +6,7 @@
 
 #include "prompt_reading.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 /// Finds what words that stand for something mean: "it", "each of them", "both", "the other".
 class PronounReader {
@@ -47,4 +47,4 @@ class PronounReader {
   PromptReading& reading_;
 };
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

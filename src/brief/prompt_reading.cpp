@@ -6,7 +6,7 @@
 #include "language/lexicon.h"
 #include "scene/finish_words.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 namespace {
 
@@ -193,4 +193,4 @@ Indices PromptReading::mentions_of_list(std::int32_t phrase) const {
   return subjects;
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

@@ -14,7 +14,7 @@
 #include "room_kinds.h"
 #include "thing_phrase.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 /// What the words of a prompt that are no things were taken for, by token.
 enum class Taken : std::uint8_t { no, yes, room };
@@ -106,4 +106,4 @@ struct PromptReading {
   const language::Attachment& of_thing(const language::Attachment& attachment) const;
 };
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

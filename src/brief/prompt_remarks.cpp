@@ -8,7 +8,7 @@
 #include "language/lexicon.h"
 #include "scene/finish_words.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 namespace {
 
@@ -214,4 +214,4 @@ class RemarkReader {
 
 void read_remarks(PromptReading& reading) { RemarkReader(reading).run(); }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

@@ -2,7 +2,7 @@
 
 #include "prompt_reading.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 /// The word of what is heard as a remark.
 inline constexpr const char* said_remark = "remark";
@@ -12,4 +12,4 @@ inline constexpr const char* said_remark = "remark";
 /// room can be judged by it. Comes after all other readers.
 void read_remarks(PromptReading& reading);
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 using language::Attachment;
 using language::Determiner;
@@ -187,4 +187,4 @@ void ShareReader::give_what_carries(std::size_t owner, std::size_t thing, std::u
   }
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

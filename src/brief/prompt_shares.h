@@ -5,7 +5,7 @@
 
 #include "prompt_reading.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 /// Reads what there is for each of several: "a lamp on each desk", "a plant in every corner", "one chair per desk". As
 /// many are planned as there are owners, once for each thing, and the brief keeps what was shared out.
@@ -55,4 +55,4 @@ class ShareReader {
   std::set<std::size_t> given_;  ///< mentions that each of others has
 };
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

@@ -12,7 +12,7 @@
 #include "roomgen/base/text.h"
 #include "thing_or_not.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 namespace {
 
@@ -277,4 +277,4 @@ std::vector<std::int32_t> read_things(PromptReading& reading) {
   return ThingReader(reading).run();
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

@@ -7,7 +7,7 @@
 #include "roomgen/base/json.h"
 #include "scene/relation_table.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 namespace {
 
@@ -173,4 +173,4 @@ std::size_t longest_in(const WordSet& phrases, std::span<const Token> tokens, st
   return best;
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

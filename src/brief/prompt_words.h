@@ -14,7 +14,7 @@
 #include "roomgen/scene/relation.h"
 #include "tokens.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 using WordSet = std::set<std::string, std::less<>>;
 
@@ -95,4 +95,4 @@ Match<T> longest(const std::map<std::string, T, std::less<>>& map, std::span<con
   return best;
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

@@ -9,7 +9,7 @@
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 namespace {
 
@@ -167,4 +167,4 @@ std::optional<int> count_in(const Json& value) {
   return static_cast<int>(std::lround(measure->value));
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

@@ -6,7 +6,7 @@
 
 #include "roomgen/base/json.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 inline constexpr double centimetre = 0.01;  ///< metres
 
@@ -26,4 +26,4 @@ std::optional<Measure> single_measure(const Json& value);
 /// A whole number, also in words ("two", "2 pieces").
 std::optional<int> count_in(const Json& value);
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

@@ -6,7 +6,7 @@
 #include "base/resource.h"
 #include "roomgen/base/json.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 namespace {
 
@@ -96,9 +96,9 @@ WindowHabit read_windows(const JsonReader& json) {
 }
 
 RoomKind read_room_kind(const JsonReader& json, const std::string& type) {
-  json.allow_only({"names", "leading", "alone", "known_by", "made_by", "width", "depth", "height", "smallest", "share",
-                   "objects", "windows", "door", "door_on", "swing", "floors", "walls", "means",
-                   "core", "extras", "details"});
+  json.allow_only({"names",  "leading",  "alone", "known_by", "made_by", "width",  "depth",
+                   "height", "smallest", "share", "objects",  "windows", "door",   "door_on",
+                   "swing",  "floors",   "walls", "means",    "core",    "extras", "details"});
   RoomKind kind;
   kind.type = type;
   kind.names = read_texts(json["names"]);
@@ -186,4 +186,4 @@ const Result<RoomKinds>& built_in_room_kinds() {
   return kinds;
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

@@ -11,7 +11,7 @@
 #include "roomgen/geometry/vec.h"
 #include "roomgen/scene/room.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 struct Range {
   double low = 0.0;
@@ -108,4 +108,4 @@ Result<RoomKinds> parse_room_kinds(std::string_view text, const std::string& sou
 /// The knowledge compiled into the library.
 const Result<RoomKinds>& built_in_room_kinds();
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

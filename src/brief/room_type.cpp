@@ -8,7 +8,7 @@
 #include "stated_room.h"
 #include "style_phrase.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 namespace {
 
@@ -341,4 +341,4 @@ std::string guess_room_type(const Brief& brief, const RoomKinds& kinds, const Ki
   return best;
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

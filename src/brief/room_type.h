@@ -8,7 +8,7 @@
 #include "room_kinds.h"
 #include "tokens.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 /// Of a plan that names no room.
 inline constexpr const char* default_room_type = "living room";
@@ -28,4 +28,4 @@ void read_room_type(std::vector<Token>& tokens, const language::Parse& parse,
 /// empty if nothing tells.
 std::string guess_room_type(const Brief& brief, const RoomKinds& kinds, const KindTable& table);
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

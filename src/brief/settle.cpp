@@ -7,7 +7,7 @@
 #include "settle_numbers.h"
 #include "settle_supports.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 namespace {
 
@@ -193,4 +193,4 @@ void settle(Brief& brief, const KindTable& table) {
   note_unknown(brief);
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

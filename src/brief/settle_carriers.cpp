@@ -6,7 +6,7 @@
 
 #include "settle_supports.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 namespace {
 
@@ -95,4 +95,4 @@ void settle_carriers(Brief& brief, const KindTable& table) {
   for (auto& mention : brief.mentions) keep_inside_what_carries(mention);
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

@@ -4,7 +4,7 @@
 
 #include "settle_supports.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 namespace {
 
@@ -119,4 +119,4 @@ void settle_numbers_on_carriers(Brief& brief) {
   }
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

@@ -4,7 +4,7 @@
 
 #include "mention_shape.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 namespace {
 
@@ -89,4 +89,4 @@ void bring_for_people(const Lexicon& lexicon, Brief& brief) {
   }
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

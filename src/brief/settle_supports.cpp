@@ -5,7 +5,7 @@
 
 #include "mention_shape.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 namespace {
 
@@ -265,4 +265,4 @@ void settle_supports(Brief& brief, const KindTable& table) {
   share_supports(brief);
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

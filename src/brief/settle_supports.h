@@ -6,7 +6,7 @@
 #include "brief.h"
 #include "roomgen/kinds/kind_table.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 /// What a mention stands on: the first such of its demands, an index into Brief::mentions.
 std::optional<std::size_t> support_of(const Mention& mention);
@@ -20,4 +20,4 @@ bool is_beside(RelationKind kind);
 /// demand to stand there has become another.
 void settle_supports(Brief& brief, const KindTable& table);
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

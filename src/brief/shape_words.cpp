@@ -5,7 +5,7 @@
 #include "floor_shapes.h"
 #include "room_type.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 namespace {
 
@@ -131,4 +131,4 @@ void read_floor_shape(std::vector<Token>& tokens, const Vocabulary& words, const
   if (shapes) ShapeReader(tokens, words, table, kinds, *shapes, brief).run();
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

@@ -8,7 +8,7 @@
 #include "room_kinds.h"
 #include "tokens.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 /// Takes what is said of the room's shape ("an L-shaped living room", "the room is long and
 /// narrow") out of the tokens and into the brief, and notes bays and alcoves. What is said of a
@@ -16,4 +16,4 @@ namespace roomgen::design {
 void read_floor_shape(std::vector<Token>& tokens, const Vocabulary& words, const KindTable& table,
                       const RoomKinds& kinds, Brief& brief);
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

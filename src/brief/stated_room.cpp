@@ -5,7 +5,7 @@
 #include "kind_mention.h"
 #include "language/lexicon.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 namespace {
 
@@ -100,4 +100,4 @@ std::string near_room(std::string_view name, const std::map<std::string, std::st
   return "";
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

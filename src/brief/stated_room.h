@@ -8,7 +8,7 @@
 
 #include "thing_phrase.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 /// A kind of room by a noun that may be no kind's name: "The room is an observatory", "A post office with ...".
 struct StatedRoom {
@@ -23,4 +23,4 @@ std::optional<StatedRoom> stated_room(const PromptText& text, const std::functio
 /// The kind of room of which that is one, by WordNet: a tearoom is a cafe; empty if it is none that is known.
 std::string near_room(std::string_view name, const std::map<std::string, std::string, std::less<>>& names);
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

@@ -4,7 +4,7 @@
 
 #include "library/style_words.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 namespace {
 
@@ -32,4 +32,4 @@ void hear_style(Brief& brief, const StylePhrase& style, const language::Run& tok
     brief.styles.push_back(style.name);
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

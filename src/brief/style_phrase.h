@@ -8,7 +8,7 @@
 #include "room_kinds.h"
 #include "tokens.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 /// Words of style or mood: "rustic", "organic modern", "little".
 struct StylePhrase {
@@ -23,4 +23,4 @@ std::optional<StylePhrase> style_at(std::span<const Token> tokens, std::size_t a
 /// Adds it to what was heard, and to the styles of the room unless it is one of them already.
 void hear_style(Brief& brief, const StylePhrase& style, const language::Run& tokens);
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

@@ -5,7 +5,7 @@
 
 #include "roomgen/kinds/kind_table.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 namespace {
 
@@ -29,4 +29,4 @@ Vec3 table_for(const Vec3& usual, bool round, int seats) {
   return size;
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 namespace {
 
@@ -87,4 +87,4 @@ class LengthReader : private PhraseWords {
 
 void read_lengths(const PhraseWords& phrase, ThingPhrase& thing) { LengthReader(phrase, thing).run(); }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

@@ -7,7 +7,7 @@
 #include "scene/finish_words.h"
 #include "tone.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 namespace {
 
@@ -129,4 +129,4 @@ bool tells_material(const PhraseWords& phrase, const Attachment& attachment) {
 
 void read_looks(const PhraseWords& phrase, ThingPhrase& thing) { LookReader(phrase, thing).run(); }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

@@ -5,7 +5,7 @@
 #include "language/inflection.h"
 #include "language/lexicon.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 namespace {
 
@@ -138,4 +138,4 @@ class NameReader : private PhraseWords {
 
 void read_name(const PhraseWords& phrase, ThingPhrase& thing) { NameReader(phrase, thing).run(); }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

@@ -7,7 +7,7 @@
 #include "language/amount.h"
 #include "language/number.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 namespace {
 
@@ -140,4 +140,4 @@ class NumberReader : private PhraseWords {
 
 void read_number(const PhraseWords& phrase, ThingPhrase& thing) { NumberReader(phrase, thing).run(); }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

@@ -6,7 +6,7 @@
 #include "language/lexicon.h"
 #include "scene/finish_words.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 using language::Attachment;
 using language::Determiner;
@@ -243,4 +243,4 @@ bool ThingOrNot::is_listed_with_thing(const Attachment& attachment) const {
                      });
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

@@ -5,7 +5,7 @@
 
 #include "prompt_reading.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 /// Tells whether a noun phrase names a thing of the room, or something that is said of others: stuff, a person, a tone, a
 /// part, what somebody does. Reads only.
@@ -45,4 +45,4 @@ class ThingOrNot {
   const PromptReading& reading_;
 };
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

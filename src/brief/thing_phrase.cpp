@@ -9,7 +9,7 @@
 #include "thing_name.h"
 #include "thing_number.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 namespace {
 
@@ -95,4 +95,4 @@ bool may_be_thing(const PromptText& text, const std::string& noun) {
   return true;
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

@@ -10,7 +10,7 @@
 #include "prompt_words.h"
 #include "tokens.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 /// "two small white bedside tables": a noun phrase that may name a thing.
 struct ThingPhrase {
@@ -57,4 +57,4 @@ bool may_be_thing(const PromptText& text, const std::string& noun);
 /// and brass".
 bool may_be_stuff(const std::string& noun);
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

@@ -1,6 +1,6 @@
 #include "tokens.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 namespace {
 
@@ -63,4 +63,4 @@ void replace(std::vector<Token>& tokens, std::size_t at, std::size_t count,
   tokens.insert(tokens.begin() + static_cast<std::ptrdiff_t>(at), with.begin(), with.end());
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

@@ -7,7 +7,7 @@
 
 #include "language/parse.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 /// A piece of a prompt: a word in lower case, a number, a mark, or what replaced several of them.
 struct Token {
@@ -48,4 +48,4 @@ language::Run source_of(const std::vector<Token>& tokens, std::size_t at, std::s
 void replace(std::vector<Token>& tokens, std::size_t at, std::size_t count,
              std::vector<Token> with = {});
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

@@ -3,7 +3,7 @@
 #include "language/lexicon.h"
 #include "scene/finish_words.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 bool begins_tone(std::span<const Token> tokens, std::size_t i, const Vocabulary& words) {
   const FinishWords& finishes = finish_words();
@@ -19,4 +19,4 @@ bool begins_tone(std::span<const Token> tokens, std::size_t i, const Vocabulary&
   return !is_other && english.tagged(first, PartOfSpeech::noun) > english.tagged(first, PartOfSpeech::adjective);
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 using language::Attachment;
 using language::Determiner;
@@ -46,4 +46,4 @@ bool is_of_room(const PromptReading& reading, std::int32_t part) {
   });
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

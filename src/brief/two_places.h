@@ -5,7 +5,7 @@
 
 #include "prompt_reading.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 /// "at opposite ends of the room", "along both long walls": whether an attachment names places that there are two of.
 std::optional<Discourse::Both> two_places(const PromptReading& reading, const language::Attachment& attachment,
@@ -17,4 +17,4 @@ std::optional<language::Run> left_and_right(const PromptReading& reading, const 
 /// "the ends of the room": whether a noun phrase names a part of the room.
 bool is_of_room(const PromptReading& reading, std::int32_t part);
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

@@ -1,6 +1,6 @@
 #include "view_from_door.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 namespace {
 
@@ -52,4 +52,4 @@ std::string half_at(int wall) {
   return wall == left_wall ? "west-half" : "east-half";
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

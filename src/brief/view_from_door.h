@@ -5,7 +5,7 @@
 
 #include "prompt_reading.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 /// The walls to the left and the right of who comes in.
 inline constexpr int left_wall = 3, right_wall = 1;
@@ -19,4 +19,4 @@ bool tells_sides_from_door(const PromptReading& reading);
 /// The half of the room at a wall.
 std::string half_at(int wall);
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

@@ -5,7 +5,7 @@
 
 #include "language/number.h"
 
-namespace roomgen::design {
+namespace roomgen::brief {
 
 namespace {
 
@@ -38,4 +38,4 @@ int which_of(const PromptReading& reading, std::int32_t id) {
   return phrase.is_pronoun ? which_pronoun(reading.word(phrase.head)) : -1;
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::brief

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "roomgen/scene/model_table.h"
+#include "roomgen/scene/scene.h"
 #include "roomgen/scene/object.h"
 
 namespace roomgen {

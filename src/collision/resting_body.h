@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "columns.h"
-#include "roomgen/scene/model_table.h"
+#include "roomgen/scene/scene.h"
 #include "roomgen/scene/object.h"
 #include "support_surfaces.h"
 

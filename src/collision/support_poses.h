@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "roomgen/scene/model_table.h"
+#include "roomgen/scene/scene.h"
 #include "roomgen/scene/object.h"
 #include "support_surfaces.h"
 

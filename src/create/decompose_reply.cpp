@@ -53,7 +53,7 @@ std::string label_of(const std::string& text) {
 
 std::optional<double> number_in(const Json* value) {
   if (!value) return std::nullopt;
-  const auto measure = design::single_measure(*value);
+  const auto measure = brief::single_measure(*value);
   return measure ? std::optional(measure->value) : std::nullopt;
 }
 
@@ -106,7 +106,7 @@ class ObjectReader {
   std::optional<int> count_of(const Json& json, const std::string& of, int least) {
     const Json* given = member(json, count_keys);
     if (!given) return std::nullopt;
-    const auto count = design::count_in(*given);
+    const auto count = brief::count_in(*given);
     if (!count) {
       note("the count of the " + of + " is no number");
       return std::nullopt;
@@ -123,7 +123,7 @@ class ObjectReader {
     Vec3 sides = Vec3::Constant(std::nan(""));
     const auto put = [&](int axis, const Json* value) {
       if (!value || value->is_null()) return;
-      const auto measure = design::single_measure(*value);
+      const auto measure = brief::single_measure(*value);
       if (!measure) return;
       sides[axis] = measure->value;
       in_metres = in_metres || measure->has_unit;
@@ -136,7 +136,7 @@ class ObjectReader {
       put(1, member(given, {"depth", "d", "y", "length", "diameter"}));
       put(2, member(given, {"height", "h", "z", "thickness"}));
     } else if (given.is_string()) {
-      const auto measures = design::measures_in(given);
+      const auto measures = brief::measures_in(given);
       for (std::size_t k = 0; k < std::min<std::size_t>(3, measures.size()); ++k) {
         sides[static_cast<int>(k)] = measures[k].value;
         in_metres = in_metres || measures[k].has_unit;

@@ -1,4 +1,4 @@
-#include "roomgen/create/model_maker.h"
+#include "roomgen/create/maker.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -22,7 +22,7 @@ constexpr std::size_t most_reason = 300;  // bytes
 // 4, "4", "4/5".
 std::optional<double> points_in(const Json& value) {
   const Json first = value.is_string() ? Json(split(value.get<std::string>(), '/').front()) : value;
-  const auto measure = design::single_measure(first);
+  const auto measure = brief::single_measure(first);
   return measure ? std::optional(measure->value) : std::nullopt;
 }
 

@@ -10,7 +10,7 @@
 #include "roomgen/base/text.h"
 #include "roomgen/create/create.h"
 #include "roomgen/shape/evaluate.h"
-#include "roomgen/shape/recipe.h"
+#include "roomgen/shape/program.h"
 #include "stock.h"
 
 namespace roomgen::create {

@@ -10,7 +10,7 @@
 #include "roomgen/base/json.h"
 #include "roomgen/base/result.h"
 #include "roomgen/kinds/kind_table.h"
-#include "roomgen/shape/recipe.h"
+#include "roomgen/shape/program.h"
 
 namespace roomgen::create {
 

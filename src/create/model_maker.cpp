@@ -1,4 +1,4 @@
-#include "roomgen/create/model_maker.h"
+#include "roomgen/create/maker.h"
 
 #include "decompose_reply.h"
 #include "description_words.h"

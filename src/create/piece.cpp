@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "roomgen/shape/recipe.h"
+#include "roomgen/shape/program.h"
 #include "shape/color.h"
 #include "words.h"
 

@@ -129,7 +129,8 @@ Status hand_out(Conversation& conversation, const FileTree& tree, const std::str
 // Libraries that were denied memory say so or crash.
 bool may_lack_memory(const Error& error) {
   return error.kind == Error::Kind::limit &&
-         (error.message.find(too_much_memory) != std::string::npos || error.message.starts_with(crashed));
+         (error.message.find(too_much_memory) != std::string::npos ||
+          error.message.starts_with(crashed));
 }
 
 // Who holds it may let a decoder take most_memory.

@@ -146,7 +146,8 @@ void keep_only(Assimp::Importer& importer, std::string_view reader) {
 
 // Of some steps assimp keeps the words of an exception, but not the exception.
 void throw_if_memory_lacked(const Assimp::Importer& importer) {
-  if (std::string_view(importer.GetErrorString()).find(std::bad_alloc().what()) != std::string_view::npos)
+  if (std::string_view(importer.GetErrorString()).find(std::bad_alloc().what()) !=
+      std::string_view::npos)
     throw std::bad_alloc();
 }
 

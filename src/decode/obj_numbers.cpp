@@ -17,7 +17,9 @@ bool is_of_vertices(std::string_view line) {
 
 void append(std::string& text, std::string_view line) {
   for (std::size_t i = 0; i < line.size(); ++i) {
-    if (line[i] == '.' && i > 0 && is_blank(line[i - 1]) && i + 1 < line.size() && is_digit(line[i + 1])) text += '0';
+    if (line[i] == '.' && i > 0 && is_blank(line[i - 1]) && i + 1 < line.size() &&
+        is_digit(line[i + 1]))
+      text += '0';
     text += line[i];
   }
 }

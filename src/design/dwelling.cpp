@@ -20,31 +20,30 @@ namespace roomgen {
 
 namespace {
 
-using namespace design;
-
 constexpr double height = 2.6;           // of all rooms: they have one ceiling
 // Of what such a room usually has: rooms must lie around each other.
 constexpr double least_share = 0.75, greatest_share = 2.0;
 
-double bounded(double area, const DwellingRoom& kind) {
+double bounded(double area, const brief::DwellingRoom& kind) {
   return std::clamp(area, least_share * kind.area.low, greatest_share * kind.area.high);
 }
 
 // What the prompt says of the room's size, else drawn by its kind.
-double area_of(const SaidRoom& said, const DwellingRoom& kind, const RoomKinds& kinds,
-               Random random) {
-  const Brief brief = read_prompt(said.prompt, kinds, KindTable::built_in());
+double area_of(const brief::SaidRoom& said, const brief::DwellingRoom& kind,
+               const brief::RoomKinds& kinds, Random random) {
+  const brief::Brief brief = brief::read_prompt(said.prompt, kinds, KindTable::built_in());
   if (brief.size) return bounded(brief.size->prod(), kind);
   if (brief.area) return bounded(*brief.area, kind);
   double area = random.uniform(kind.area.low, kind.area.high);
   for (const auto& word : brief.styles)
-    if (const Style* style = kinds.style(word)) area *= style->size * style->size;
+    if (const brief::Style* style = kinds.style(word)) area *= style->size * style->size;
   return bounded(area, kind);
 }
 
-std::vector<LaidRoom> lay(const SaidDwelling& said, const DwellingKinds& dwellings,
-                          const RoomKinds& kinds, const Random& random) {
-  std::vector<LaidRoom> rooms;
+std::vector<plan::LaidRoom> lay(const brief::SaidDwelling& said,
+                                const brief::DwellingKinds& dwellings,
+                                const brief::RoomKinds& kinds, const Random& random) {
+  std::vector<plan::LaidRoom> rooms;
   double sum = 0.0;
   for (std::size_t i = 0; i < said.rooms.size(); ++i) {
     const double area = area_of(said.rooms[i], dwellings.rooms.at(said.rooms[i].type), kinds,
@@ -55,15 +54,15 @@ std::vector<LaidRoom> lay(const SaidDwelling& said, const DwellingKinds& dwellin
   if (said.area)
     for (auto& room : rooms)
       room.area = bounded(room.area * *said.area / sum, dwellings.rooms.at(room.type));
-  return lay_out(std::move(rooms), dwellings);
+  return plan::lay_out(std::move(rooms), dwellings);
 }
 
-std::vector<Room> make_rooms(const std::vector<LaidRoom>& laid, const RoomKinds& kinds,
+std::vector<Room> make_rooms(const std::vector<plan::LaidRoom>& laid, const brief::RoomKinds& kinds,
                              Random random) {
   std::vector<Room> rooms;
   std::map<std::string, int> numbers;
   for (const auto& each : laid) {
-    const RoomKind& kind = kinds.get(each.type);
+    const brief::RoomKind& kind = kinds.get(each.type);
     Room room;
     room.type = each.type;
     room.id = join(words(each.type), "-") + "-" + std::to_string(numbers[each.type]++);
@@ -99,12 +98,12 @@ void name_requirements(Plan& plan) {
 }
 
 // How many rooms of each kind the prompt names, and what its words were taken for.
-void keep_ledger(const SaidDwelling& said, DwellingPlan& plan) {
+void keep_ledger(const brief::SaidDwelling& said, DwellingPlan& plan) {
   std::map<std::string, std::string> ids;
   for (const auto& room : said.rooms) {
     const bool is_named =
         std::any_of(said.heard.begin(), said.heard.end(),
-                    [&](const HeardWords& words) { return words.word == room.type; });
+                    [&](const brief::HeardWords& words) { return words.word == room.type; });
     if (!is_named || ids.count(room.type)) continue;
     Requirement requirement;
     requirement.id = ids[room.type] = "r" + std::to_string(plan.requirements.size() + 1);
@@ -113,30 +112,30 @@ void keep_ledger(const SaidDwelling& said, DwellingPlan& plan) {
     requirement.category = room.type;
     requirement.amount = static_cast<double>(
         std::count_if(said.rooms.begin(), said.rooms.end(),
-                      [&](const SaidRoom& other) { return other.type == room.type; }));
+                      [&](const brief::SaidRoom& other) { return other.type == room.type; }));
     requirement.clause = format_number(requirement.amount, 0) + " " + room.type;
     plan.requirements.push_back(std::move(requirement));
   }
-  plan.heard = heard_words(plan.prompt, said, plan.rooms, ids);
+  plan.heard = plan::heard_words(plan.prompt, said, plan.rooms, ids);
 }
 
 }  // namespace
 
 Result<std::optional<DwellingPlan>> plan_dwelling(const PlanRequest& request, Designer& designer) {
   const std::optional<DwellingPlan> none;
-  const auto& dwellings = built_in_dwelling_kinds();
+  const auto& dwellings = brief::built_in_dwelling_kinds();
   if (!dwellings) return dwellings.error();
-  const auto& kinds = built_in_room_kinds();
+  const auto& kinds = brief::built_in_room_kinds();
   if (!kinds) return kinds.error();
   if (request.room || request.size) return none;
-  const auto said = read_dwelling(request.prompt, *dwellings, *kinds, KindTable::built_in());
+  const auto said = brief::read_dwelling(request.prompt, *dwellings, *kinds, KindTable::built_in());
   if (!said) return none;
 
   const Random random = Random(request.seed).fork("dwelling");
   const auto laid = lay(*said, *dwellings, *kinds, random);
   auto rooms = make_rooms(laid, *kinds, random.fork("finish"));
   share_floors(rooms);
-  open_up(rooms, laid, *dwellings, *kinds, random.fork("openings"));
+  plan::open_up(rooms, laid, *dwellings, *kinds, random.fork("openings"));
   if (auto status = check_dwelling(rooms); !status) return status.error();
 
   DwellingPlan plan;

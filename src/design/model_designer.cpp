@@ -35,7 +35,7 @@ class ModelDesigner : public Designer {
     if (!question) return question.error();
     planning_ = {};
     planning_.prompt_sha256 = sha256_hex(question->messages.back().text);
-    const design::Brief brief = brief_of(request);
+    const brief::Brief brief = brief_of(request);
     std::optional<design::PlanReply> incomplete;  // what is forgotten goes back once
     const auto read = [&](const std::string& text) -> Result<design::PlanReply> {
       auto answer = design::read_plan_reply(text, request, brief, categories_);
@@ -43,8 +43,8 @@ class ModelDesigner : public Designer {
       if (auto status = design::check_floor(answer->plan, categories_); !status)
         return status.error();
       if (incomplete) return answer;
-      const auto claimed = design::claim(answer->plan, brief, categories_);
-      const auto objection = design::objection(claimed, brief);
+      const auto claimed = plan::claim(answer->plan, brief, categories_);
+      const auto objection = plan::objection(claimed, brief);
       if (objection.empty()) return answer;
       incomplete = *std::move(answer);
       return Error{Error::Kind::invalid_input, objection};
@@ -53,8 +53,8 @@ class ModelDesigner : public Designer {
     if (!reply && ends_the_room(reply.error())) return reply.error();
     if (!reply && incomplete) reply = *std::move(incomplete);
     if (reply) {
-      const auto claimed = design::claim(reply->plan, brief, categories_);
-      design::fulfil(request, claimed, brief, categories_, reply->plan);
+      const auto claimed = plan::claim(reply->plan, brief, categories_);
+      plan::fulfil(request, claimed, brief, categories_, reply->plan);
       note(reply->plan, reply->repairs);
       note(reply->plan, planning_.notes);
       return std::move(reply->plan);
@@ -98,9 +98,9 @@ class ModelDesigner : public Designer {
   }
 
   // What the prompt asks for holds whoever plans.
-  design::Brief brief_of(const PlanRequest& request) const {
-    const auto& kinds = design::built_in_room_kinds();
-    return kinds ? design::read_prompt(request.prompt, *kinds, categories_) : design::Brief();
+  brief::Brief brief_of(const PlanRequest& request) const {
+    const auto& kinds = brief::built_in_room_kinds();
+    return kinds ? brief::read_prompt(request.prompt, *kinds, categories_) : brief::Brief();
   }
 
   // Before anything is placed, what keeps the model from answering at all is worth knowing.

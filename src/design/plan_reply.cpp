@@ -29,17 +29,18 @@ Error invalid(const std::string& message) {
   return {Error::Kind::invalid_input, message};
 }
 
-std::string choose_type(const Json& json, const PlanRequest& request, const Brief& brief,
+std::string choose_type(const Json& json, const PlanRequest& request, const brief::Brief& brief,
                         std::vector<std::string>& repairs) {
   for (const auto& type :
        {room_type_in(json), brief.type, request.room ? request.room->type : std::string()})
     if (!type.empty()) return type;
-  repairs.push_back(std::string("the answer names no kind of room; taken for a ") + default_room_type);
-  return default_room_type;
+  repairs.push_back(std::string("the answer names no kind of room; taken for a ") +
+                    brief::default_room_type);
+  return brief::default_room_type;
 }
 
 // What the prompt and the answer forbid.
-std::vector<std::string> read_excluded(const Json& json, const Brief& brief,
+std::vector<std::string> read_excluded(const Json& json, const brief::Brief& brief,
                                        const ItemLexicon& lexicon) {
   std::vector<std::string> excluded = brief.excluded;
   const Json* list = member(json, excluded_keys);
@@ -53,16 +54,17 @@ std::vector<std::string> read_excluded(const Json& json, const Brief& brief,
   return excluded;
 }
 
-bool is_mentioned(const PlanItem& item, const Brief& brief, const KindTable& table) {
-  return std::any_of(brief.mentions.begin(), brief.mentions.end(), [&](const Mention& mention) {
-    return table.is_a(item.category, mention.category) ||
-           table.is_a(mention.category, item.category);
-  });
+bool is_mentioned(const PlanItem& item, const brief::Brief& brief, const KindTable& table) {
+  return std::any_of(brief.mentions.begin(), brief.mentions.end(),
+                     [&](const brief::Mention& mention) {
+                       return table.is_a(item.category, mention.category) ||
+                              table.is_a(mention.category, item.category);
+                     });
 }
 
-void leave_out_excluded(std::vector<Draft>& drafts, const std::vector<std::string>& excluded,
+void leave_out_excluded(std::vector<plan::Draft>& drafts, const std::vector<std::string>& excluded,
                         const KindTable& table, std::vector<std::string>& repairs) {
-  std::erase_if(drafts, [&](const Draft& draft) {
+  std::erase_if(drafts, [&](const plan::Draft& draft) {
     const bool forbidden = table.is_any_of(draft.item.category, excluded);
     if (forbidden)
       repairs.push_back("the " + draft.item.category + " is excluded and was left out");
@@ -70,14 +72,16 @@ void leave_out_excluded(std::vector<Draft>& drafts, const std::vector<std::strin
   });
   // What stood on it goes elsewhere.
   for (auto& draft : drafts)
-    std::erase_if(draft.demands, [&](const Demand& demand) {
-      return std::none_of(drafts.begin(), drafts.end(),
-                          [&](const Draft& other) { return other.mention == demand.mention; });
+    std::erase_if(draft.demands, [&](const brief::Demand& demand) {
+      return std::none_of(drafts.begin(), drafts.end(), [&](const plan::Draft& other) {
+        return other.mention == demand.mention;
+      });
     });
 }
 
 // Nothing is larger than its room.
-void fit_into(const Room& room, std::vector<Draft>& drafts, std::vector<std::string>& repairs) {
+void fit_into(const Room& room, std::vector<plan::Draft>& drafts,
+              std::vector<std::string>& repairs) {
   const double longest = bounds(room.polygon).size().maxCoeff();
   const Vec3 most(longest, longest, room.height);
   for (auto& draft : drafts) {
@@ -90,9 +94,9 @@ void fit_into(const Room& room, std::vector<Draft>& drafts, std::vector<std::str
 }  // namespace
 
 Result<PlanReply> read_plan_reply(std::string_view text, const PlanRequest& request,
-                                  const Brief& brief, const KindTable& categories) {
-  if (!built_in_room_kinds()) return built_in_room_kinds().error();
-  if (!built_in_vocabulary()) return built_in_vocabulary().error();
+                                  const brief::Brief& brief, const KindTable& categories) {
+  if (!brief::built_in_room_kinds()) return brief::built_in_room_kinds().error();
+  if (!brief::built_in_vocabulary()) return brief::built_in_vocabulary().error();
   if (!built_in_arrangements()) return built_in_arrangements().error();
   auto found = find_json(text, plan_keys);
   if (!found) return found.error();
@@ -107,8 +111,8 @@ Result<PlanReply> read_plan_reply(std::string_view text, const PlanRequest& requ
   Plan& plan = reply.plan;
   plan.prompt = request.prompt;
   plan.seed = request.seed;
-  const RoomKind kind =
-      kind_of_room(choose_type(json, request, brief, reply.repairs), *built_in_room_kinds());
+  const brief::RoomKind kind =
+      kind_of_room(choose_type(json, request, brief, reply.repairs), *brief::built_in_room_kinds());
   const ItemLexicon lexicon{categories, kind};
 
   auto drafts = read_reply_items(*objects, lexicon, reply.repairs);
@@ -118,18 +122,18 @@ Result<PlanReply> read_plan_reply(std::string_view text, const PlanRequest& requ
     return invalid("the answer's \"objects\" name nothing that can be placed: " +
                    join(reply.repairs, "; "));
   for (auto& draft : drafts) draft.item.asked = is_mentioned(draft.item, brief, categories);
-  plan.room =
-      read_reply_room(json, request, kind, brief, floor_area(drafts, categories), reply.repairs);
-  put_on(plan.room, brief.materials);
+  plan.room = read_reply_room(json, request, kind, brief, plan::floor_area(drafts, categories),
+                              reply.repairs);
+  plan::put_on(plan.room, brief.materials);
   fit_into(plan.room, drafts, reply.repairs);
-  order_items(std::move(drafts), categories, *built_in_arrangements(), plan);
+  plan::order_items(std::move(drafts), categories, *built_in_arrangements(), plan);
   if (reply.repairs.size() > max_plan_repairs) reply.repairs.resize(max_plan_repairs);
   return reply;
 }
 
 Status check_floor(const Plan& plan, const KindTable& categories) {
   double covered = 0.0;
-  for (const auto& item : plan.items) covered += floor_area(item, categories);
+  for (const auto& item : plan.items) covered += plan::floor_area(item, categories);
   const double floor = area(plan.room.polygon);
   if (covered <= floor) return {};
   return invalid("the objects cover " + format_number(covered, 1) + " m2, but the room has only " +

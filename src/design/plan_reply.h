@@ -20,7 +20,7 @@ struct PlanReply {
 /// request says about the room wins. Errors
 /// (invalid_input) say what is wrong in words meant for the model.
 Result<PlanReply> read_plan_reply(std::string_view text, const PlanRequest& request,
-                                  const Brief& brief, const KindTable& categories);
+                                  const brief::Brief& brief, const KindTable& categories);
 
 /// Fails, in words meant for the model, when the things cover more than the whole floor: weak models
 /// repeat themselves until they are stopped.

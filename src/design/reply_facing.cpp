@@ -49,7 +49,7 @@ std::optional<double> degrees_in(const Json& value) {
       const bool digit = word.find_first_not_of("0123456789\xC2\xB0") == std::string::npos;
       if (!digit && !is_one_of(word, degree_words)) return std::nullopt;
     }
-  const auto measure = single_measure(value);
+  const auto measure = brief::single_measure(value);
   if (!measure || measure->has_unit) return std::nullopt;
   return measure->value;
 }

@@ -69,20 +69,20 @@ std::string plain_name(const std::string& name) {
 
 // The first kind that is named in a text.
 std::string first_kind(const std::string& text, const KindTable& table) {
-  const auto tokens = tokenize(text);
+  const auto tokens = brief::tokenize(text);
   for (std::size_t i = 0; i < tokens.size(); ++i)
-    if (const KindMention match = mention_at(table, tokens, i); match.length > 0)
+    if (const brief::KindMention match = brief::mention_at(table, tokens, i); match.length > 0)
       return match.category->name;
   return "";
 }
 
-bool names_side(const Measure& measure) {
+bool names_side(const brief::Measure& measure) {
   return std::any_of(std::begin(side_words), std::end(side_words),
                      [&](const SideWord& side) { return side.word == measure.label; });
 }
 
 // Three sides; NaN for those that are not said.
-Vec3 sides_of(const std::vector<Measure>& measures) {
+Vec3 sides_of(const std::vector<brief::Measure>& measures) {
   Vec3 sides = Vec3::Constant(std::nan(""));
   bool labelled = false;
   for (const auto& measure : measures)
@@ -104,10 +104,11 @@ double unlikeness(double sum_of_logs, const Vec3& usual) {
 // Models forget in which unit they were asked to answer; the usual size of the kind tells.
 double unit_of(const Vec3& sides, const Kind* kind) {
   const double greatest = std::max(sides.x(), sides.y());
-  if (!kind) return greatest < 10.0 ? 1.0 : centimetre;
+  if (!kind) return greatest < 10.0 ? 1.0 : brief::centimetre;
   const double logs = std::log(std::max(1e-6, sides.x() * sides.y()));
-  const double shift = 2.0 * std::log(centimetre);
-  return unlikeness(logs, kind->size) < unlikeness(logs + shift, kind->size) ? 1.0 : centimetre;
+  const double shift = 2.0 * std::log(brief::centimetre);
+  return unlikeness(logs, kind->size) < unlikeness(logs + shift, kind->size) ? 1.0
+                                                                             : brief::centimetre;
 }
 
 /// Reads objects and what stands on them, up to the bounds.
@@ -129,7 +130,7 @@ class ItemReader {
       read_item(objects.is_object() ? key : "", value, carrier, nesting);
   }
 
-  std::vector<Draft> take() {
+  std::vector<plan::Draft> take() {
     for (std::size_t i = 0; i < carriers_.size(); ++i) resolve_carrier(i);
     return std::move(drafts_);
   }
@@ -149,7 +150,7 @@ class ItemReader {
     if (name.empty()) name = key.empty() ? description : key;
     if (plain_name(name).empty()) return note("an object without a name was left out");
 
-    Draft draft;
+    plan::Draft draft;
     PlanItem& item = draft.item;
     item.category = category_named(name, description, lexicon_);
     if (item.category.empty()) {
@@ -165,7 +166,7 @@ class ItemReader {
     read_size(value, item);
     std::string on = read_mount(value, item);
     draft.mention = drafts_.size();
-    if (carrier != Demand::none) {
+    if (carrier != brief::Demand::none) {
       item.mount = Mount::surface;
       carry(draft, carrier);
       on.clear();
@@ -179,7 +180,7 @@ class ItemReader {
 
   int quantity_of(const Json& value, const std::string& category) {
     const Json* given = member(value, quantity_keys);
-    const auto count = given ? count_in(*given) : std::optional(1);
+    const auto count = given ? brief::count_in(*given) : std::optional(1);
     if (!count) note("the quantity of the " + category + " is no number; one is taken");
     const int wanted = count.value_or(1);
     const int kept = std::clamp(wanted, 1, std::min(max_quantity, max_objects - objects_));
@@ -193,17 +194,17 @@ class ItemReader {
     const Kind* kind = lexicon_.table.spelled(item.category);
     if (kind) item.size = kind->size;
     const Json* given = member(value, size_keys);
-    auto measures = measures_in(given ? *given : value);
+    auto measures = brief::measures_in(given ? *given : value);
     // {"name": "bed", "width": 160, …}
-    if (!given) std::erase_if(measures, [](const Measure& one) { return !names_side(one); });
+    if (!given) std::erase_if(measures, [](const brief::Measure& one) { return !names_side(one); });
     Vec3 sides = sides_of(measures);
     if (std::isnan(sides.x() + sides.y())) {
       if (given) note("the size of the " + item.category + " is not three numbers");
       if (!item.size) item.size = lexicon_.table.get(item.category).size;
       return;
     }
-    const bool in_units =
-        std::any_of(measures.begin(), measures.end(), [](const Measure& m) { return m.has_unit; });
+    const bool in_units = std::any_of(measures.begin(), measures.end(),
+                                      [](const brief::Measure& m) { return m.has_unit; });
     if (!in_units) sides *= unit_of(sides, kind);
     if (std::isnan(sides.z())) sides.z() = lexicon_.table.get(item.category).size.z();
     const Vec3 bounded = sides.cwiseMax(least_side).cwiseMin(greatest_side);
@@ -235,7 +236,7 @@ class ItemReader {
     return join({pieces.begin() + static_cast<std::ptrdiff_t>(skipped), pieces.end()}, " ");
   }
 
-  void carry(Draft& draft, std::size_t carrier) const {
+  void carry(plan::Draft& draft, std::size_t carrier) const {
     draft.item.on = drafts_[carrier].item.category;
     draft.demands.push_back({RelationKind::on, carrier, "", false});
   }
@@ -258,7 +259,7 @@ class ItemReader {
 
   const ItemLexicon& lexicon_;
   std::vector<std::string>& repairs_;
-  std::vector<Draft> drafts_;
+  std::vector<plan::Draft> drafts_;
   std::vector<std::string> carriers_;  ///< by name, of the drafts
   int objects_ = 0;
 };
@@ -277,10 +278,10 @@ std::string category_named(const std::string& name, const std::string& descripti
                         : inside;
 }
 
-std::vector<Draft> read_reply_items(const Json& objects, const ItemLexicon& lexicon,
+std::vector<plan::Draft> read_reply_items(const Json& objects, const ItemLexicon& lexicon,
                                     std::vector<std::string>& repairs) {
   ItemReader reader(lexicon, repairs);
-  reader.read_list(objects, Demand::none, 0);
+  reader.read_list(objects, brief::Demand::none, 0);
   return reader.take();
 }
 

@@ -13,7 +13,7 @@ namespace roomgen::design {
 /// What the objects of an answer are named after.
 struct ItemLexicon {
   const KindTable& table;
-  const RoomKind& kind;  ///< of the room: what a "sink" is depends on it
+  const brief::RoomKind& kind;  ///< of the room: what a "sink" is depends on it
 };
 
 /// The canonical category that a name means, else what its description begins with; empty if
@@ -23,7 +23,7 @@ std::string category_named(const std::string& name, const std::string& descripti
 
 /// The objects of an answer as drafts; draft i is mention i. What stands on others demands them.
 /// Notes what was cut, guessed or left out.
-std::vector<Draft> read_reply_items(const Json& objects, const ItemLexicon& lexicon,
+std::vector<plan::Draft> read_reply_items(const Json& objects, const ItemLexicon& lexicon,
                                     std::vector<std::string>& repairs);
 
 }  // namespace roomgen::design

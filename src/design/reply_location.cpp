@@ -21,9 +21,9 @@ struct Given {
   bool labels = false;  ///< as x and y, so in order for sure
 };
 
-std::optional<Given> in_order(const std::vector<Measure>& measures) {
-  const Measure* x = nullptr;
-  const Measure* y = nullptr;
+std::optional<Given> in_order(const std::vector<brief::Measure>& measures) {
+  const brief::Measure* x = nullptr;
+  const brief::Measure* y = nullptr;
   for (const auto& measure : measures) {
     if (measure.label == "x" && !x) x = &measure;
     if (measure.label == "y" && !y) y = &measure;
@@ -43,8 +43,8 @@ std::optional<Given> read_given(const Json& value) {
   // A coordinate that is no number must not let the third one take its place.
   if (value.is_array())
     for (std::size_t i = 0; i < 2 && i < value.size(); ++i)
-      if (!single_measure(value[i])) return std::nullopt;
-  return in_order(measures_in(value));
+      if (!brief::single_measure(value[i])) return std::nullopt;
+  return in_order(brief::measures_in(value));
 }
 
 Vec2 to_scene(const Vec2& given, const Polygon& room, MarksFrame frame) {

@@ -39,7 +39,7 @@ const Json& room_part(const Json& json) {
   return room && room->is_object() ? *room : json;
 }
 
-double side_labelled(const std::vector<Measure>& measures,
+double side_labelled(const std::vector<brief::Measure>& measures,
                      std::initializer_list<const char*> names) {
   for (const char* name : names)
     for (const auto& measure : measures)
@@ -49,12 +49,12 @@ double side_labelled(const std::vector<Measure>& measures,
 
 // Nobody asks for a room of more than 50 m, but models answer in centimetres.
 double unit_for(double greatest, bool has_unit) {
-  return !has_unit && greatest > greatest_room_side ? centimetre : 1.0;
+  return !has_unit && greatest > greatest_room_side ? brief::centimetre : 1.0;
 }
 
 std::optional<Vec2> read_size(const Json& room, std::vector<std::string>& repairs) {
   const Json* given = member(room, room_size_keys);
-  const auto measures = measures_in(given ? *given : room);
+  const auto measures = brief::measures_in(given ? *given : room);
   if (measures.empty()) return std::nullopt;
   Vec2 size(side_labelled(measures, {"width", "w", "x"}),
             side_labelled(measures, {"depth", "length", "d", "l", "y"}));
@@ -73,7 +73,7 @@ std::vector<Vec2> read_corners(const Json& value) {
   std::vector<Vec2> corners;
   if (!value.is_array() || value.size() > max_corners) return corners;
   for (const auto& corner : value) {
-    const auto measures = measures_in(corner);
+    const auto measures = brief::measures_in(corner);
     if (measures.size() < 2) return {};
     corners.emplace_back(measures[0].value, measures[1].value);
   }
@@ -117,7 +117,7 @@ Floor read_floor(const Json& room, std::vector<std::string>& repairs) {
 
 double read_height(const Json& room, double usual, std::vector<std::string>& repairs) {
   const Json* value = member(room, height_keys);
-  const auto given = value ? single_measure(*value) : std::nullopt;
+  const auto given = value ? brief::single_measure(*value) : std::nullopt;
   if (!given) return usual;
   const double height = given->value * unit_for(given->value, given->has_unit);
   const double bounded = std::clamp(height, least_height, greatest_height);
@@ -125,22 +125,23 @@ double read_height(const Json& room, double usual, std::vector<std::string>& rep
   return bounded;
 }
 
-RoomOpenings openings_of(const Json& room, const RoomKind& kind, const Brief& brief, Random random) {
+plan::RoomOpenings openings_of(const Json& room, const brief::RoomKind& kind,
+                               const brief::Brief& brief, Random random) {
   const int usual = random.integer(kind.windows.low, kind.windows.high);
   const Json* value = member(room, window_keys);
   const auto answered = value && value->is_array() ? std::optional(static_cast<int>(value->size()))
-                        : value                    ? count_in(*value)
+                        : value                    ? brief::count_in(*value)
                                                    : std::nullopt;
   const auto said = brief.windows ? brief.windows : answered;
   const int windows = std::clamp(said.value_or(usual), 0, max_windows);
   return {windows, said.has_value(), brief.wide_windows, brief.openings, brief.told_from_door};
 }
 
-Room given_room(const PlanRequest& request, const RoomKind& kind,
+Room given_room(const PlanRequest& request, const brief::RoomKind& kind,
                 std::vector<std::string>& repairs) {
   Room room = *request.room;
   if (room.type.empty()) room.type = kind.type;
-  ensure_door(room, kind, repairs);
+  plan::ensure_door(room, kind, repairs);
   return room;
 }
 
@@ -154,8 +155,8 @@ std::string room_type_in(const Json& json) {
   return text.size() <= max_type ? text : "";
 }
 
-RoomKind kind_of_room(const std::string& type, const RoomKinds& kinds) {
-  RoomKind kind = kinds.get(type);
+brief::RoomKind kind_of_room(const std::string& type, const brief::RoomKinds& kinds) {
+  brief::RoomKind kind = kinds.get(type);
   if (!kinds.types.count(type))
     for (const auto& [name, known] : kinds.types)
       if (std::find(known.names.begin(), known.names.end(), type) != known.names.end())
@@ -164,33 +165,35 @@ RoomKind kind_of_room(const std::string& type, const RoomKinds& kinds) {
   return kind;
 }
 
-Room read_reply_room(const Json& json, const PlanRequest& request, const RoomKind& kind,
-                     const Brief& brief, double furniture, std::vector<std::string>& repairs) {
+Room read_reply_room(const Json& json, const PlanRequest& request, const brief::RoomKind& kind,
+                     const brief::Brief& brief, double furniture,
+                     std::vector<std::string>& repairs) {
   if (request.room) return given_room(request, kind, repairs);
   const Random random(request.seed);
   const Json& part = room_part(json);
-  RoomKind own = kind;
+  brief::RoomKind own = kind;
   own.height = read_height(part, kind.height, repairs);
-  const RoomOpenings openings = openings_of(part, kind, brief, random.fork("windows"));
+  const plan::RoomOpenings openings = openings_of(part, kind, brief, random.fork("windows"));
   const Floor floor = request.size ? Floor{std::nullopt, request.size} : read_floor(part, repairs);
   if (!floor.polygon && !floor.size)
     repairs.emplace_back("the answer gives no size of the room; one was chosen");
   const Vec2 size = floor.polygon ? Vec2(bounds(*floor.polygon).size())
-                    : floor.size  ? *floor.size
-                                  : choose_size(kind, brief, 1.0, furniture, 0.0, random.fork("size"));
-  const auto make = [&](const Outline& outline) {
-    return make_room(own, outline, openings, random.fork("openings"), repairs);
+                    : floor.size
+                        ? *floor.size
+                        : plan::choose_size(kind, brief, 1.0, furniture, 0.0, random.fork("size"));
+  const auto make = [&](const brief::Outline& outline) {
+    return plan::make_room(own, outline, openings, random.fork("openings"), repairs);
   };
   if (floor.polygon) {
     const Room room = make({*floor.polygon, {}, {}});
     const bool has_entrance = !room.openings.empty() && room.openings.front().is_entrance();
     if (check(room) && has_entrance) return room;
     repairs.emplace_back("the outline of the room takes no door; its bounding rectangle is taken");
-    return make(rectangle_of(size));
+    return make(brief::rectangle_of(size));
   }
   // Without an outline of its own, the answer is taken to mean the prompt's.
   const bool is_box = floor.size || brief.size;
-  return make(choose_outline(brief, size, is_box, repairs, random.fork("outline")));
+  return make(plan::choose_outline(brief, size, is_box, repairs, random.fork("outline")));
 }
 
 }  // namespace roomgen::design

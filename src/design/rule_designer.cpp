@@ -13,8 +13,6 @@ namespace roomgen {
 
 namespace {
 
-using namespace design;
-
 
 Error invalid(const std::string& message) {
   return {Error::Kind::invalid_input, message};
@@ -38,8 +36,8 @@ Status check_request(const PlanRequest& request) {
 }
 
 // Furnishing a room that nobody asked for would be worse than saying so.
-Status check_understood(const PlanRequest& request, const Brief& brief) {
-  const auto tokens = language::tokenize(request.prompt, max_tokens);
+Status check_understood(const PlanRequest& request, const brief::Brief& brief) {
+  const auto tokens = language::tokenize(request.prompt, brief::max_tokens);
   if (const auto foreign = language::foreign_language(tokens))
     return Error{Error::Kind::not_understood,
                  "the prompt seems to be " + foreign->name + ". " + foreign->refusal};
@@ -55,10 +53,10 @@ class RuleDesigner : public Designer {
   Result<Plan> plan(const PlanRequest& request) override {
     if (auto ready = check_knowledge(); !ready) return ready.error();
     if (auto status = check_request(request); !status) return status.error();
-    const Brief brief =
-        read_prompt(request.prompt, *built_in_room_kinds(), KindTable::built_in());
+    const brief::Brief brief =
+        brief::read_prompt(request.prompt, *brief::built_in_room_kinds(), KindTable::built_in());
     if (auto status = check_understood(request, brief); !status) return status.error();
-    return make_plan(request, brief, *built_in_room_kinds(), KindTable::built_in(),
+    return plan::make_plan(request, brief, *brief::built_in_room_kinds(), KindTable::built_in(),
                      *built_in_arrangements());
   }
 
@@ -78,8 +76,8 @@ class RuleDesigner : public Designer {
 
  private:
   static Status check_knowledge() {
-    if (!built_in_room_kinds()) return built_in_room_kinds().error();
-    if (!built_in_vocabulary()) return built_in_vocabulary().error();
+    if (!brief::built_in_room_kinds()) return brief::built_in_room_kinds().error();
+    if (!brief::built_in_vocabulary()) return brief::built_in_vocabulary().error();
     if (!built_in_arrangements()) return built_in_arrangements().error();
     return {};
   }

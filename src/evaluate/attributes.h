@@ -9,7 +9,7 @@
 #include "identity.h"
 #include "library/shown_colors.h"
 #include "outline.h"
-#include "roomgen/scene/model_table.h"
+#include "roomgen/scene/scene.h"
 
 namespace roomgen {
 

@@ -68,13 +68,7 @@ Result<GlbMaterials::Surface> GlbMaterials::surface_of(const Material& material)
   return surface;
 }
 
-Result<GlbMaterials::Use> GlbMaterials::use(const Material& material, bool has_uvs) {
-  Surface surface;
-  if (material.texture && !material.texture->empty() && has_uvs) {
-    const auto found = surface_of(material);
-    if (!found) return found.error();
-    surface = *found;
-  }
+Json GlbMaterials::looks(const Material& material, const Surface& surface) {
   const AlphaMode alpha = material.transparent() ? AlphaMode::blend : surface.alpha;
   Json color = Json::array();
   for (std::size_t c = 0; c < 4; ++c)
@@ -94,7 +88,17 @@ Result<GlbMaterials::Use> GlbMaterials::use(const Material& material, bool has_u
     json["alphaCutoff"] = mask_cutoff;
   }
   if (material.double_sided) json["doubleSided"] = true;
+  return json;
+}
 
+Result<GlbMaterials::Use> GlbMaterials::use(const Material& material, bool has_uvs) {
+  Surface surface;
+  if (material.texture && !material.texture->empty() && has_uvs) {
+    const auto found = surface_of(material);
+    if (!found) return found.error();
+    surface = *found;
+  }
+  Json json = looks(material, surface);
   const std::string text = json_line(json);
   const auto [known, is_new] =
       material_by_text_.try_emplace(text, static_cast<int>(materials_.size()));

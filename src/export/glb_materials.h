@@ -34,6 +34,7 @@ class GlbMaterials {
     AlphaMode alpha = AlphaMode::opaque;
   };
   Result<Surface> surface_of(const Material& material);
+  static Json looks(const Material& material, const Surface& surface);
   Result<int> texture_of(const Image& image, const std::string& material);
 
   const ImageEncoder& encode_;

@@ -5,7 +5,7 @@
 #include "brief/outline.h"
 #include "brief/room_kinds.h"
 #include "plan/least_size.h"
-#include "plan/makers.h"
+#include "plan/room_makers.h"
 #include "plan/room_openings.h"
 #include "solve/dry_run.h"
 
@@ -13,23 +13,14 @@ namespace roomgen {
 
 namespace {
 
-using design::RoomKind;
+using brief::RoomKind;
 
 // Of a kind that needs something to be what it is; else none.
 const RoomKind* kind_of(const Room& room) {
-  const auto& kinds = design::built_in_room_kinds();
+  const auto& kinds = brief::built_in_room_kinds();
   if (!kinds) return nullptr;
   const auto found = kinds->types.find(room.type);
   return found == kinds->types.end() || found->second.made_by.empty() ? nullptr : &found->second;
-}
-
-// By the prompt, of which a clause counts it; what people and activities need has clauses of theirs.
-bool is_named(const Plan& plan, const PlannedObject& planned) {
-  return std::any_of(plan.requirements.begin(), plan.requirements.end(), [&](const Requirement& requirement) {
-    const auto& subjects = requirement.subjects;
-    return requirement.kind == Requirement::Kind::count && requirement.source == Requirement::Source::prompt &&
-           std::find(subjects.begin(), subjects.end(), planned.id) != subjects.end();
-  });
 }
 
 bool stands(const BuildState& state, const std::string& id) {
@@ -43,8 +34,8 @@ Plan alone(const Workplace& place, const RoomKind& kind, const Vec2& size) {
   plan.seed = place.plan.seed;
   plan.room.type = kind.type;
   plan.room.height = place.room.height;
-  plan.room.polygon = design::rectangle_of(size).polygon;
-  design::ensure_door(plan.room, kind, plan.notes);
+  plan.room.polygon = brief::rectangle_of(size).polygon;
+  plan::ensure_door(plan.room, kind, plan.notes);
   for (const auto& item : place.plan.items) {
     if (!place.categories.is_any_of(item.category, kind.made_by)) continue;
     PlanItem one = item;
@@ -77,18 +68,23 @@ bool finds_a_place(const Workplace& place, const Plan& plan) {
 
 Status check_kind(const Workplace& place, const BuildState& state) {
   const RoomKind* kind = kind_of(place.room);
-  const bool is_over = state.left.empty() && state.stopped.empty() && !state.is_cut && !place.options.cancel.cancelled();
+  const bool is_over = state.left.empty() && state.stopped.empty() && !state.is_cut &&
+                       !place.options.cancel.cancelled();
   if (!kind || !is_over) return {};
   std::vector<std::string> missing;
   for (const auto& planned : planned_objects(place.plan)) {
     const std::string& category = place.plan.items[planned.item].category;
     if (!place.categories.is_any_of(category, kind->made_by)) continue;
-    if (stands(state, planned.id) || is_named(place.plan, planned)) return {};
-    if (std::find(missing.begin(), missing.end(), category) == missing.end()) missing.push_back(category);
+    if (stands(state, planned.id)) return {};
+    if (std::find(missing.begin(), missing.end(), category) == missing.end())
+      missing.push_back(category);
   }
   if (missing.empty()) return {};
-  const auto works = [&](const Vec2& size) { return finds_a_place(place, alone(place, *kind, size)); };
-  return design::no_place_for(missing, place.room, design::least_size(bounds(place.room.polygon).size(), works));
+  const auto works = [&](const Vec2& size) {
+    return finds_a_place(place, alone(place, *kind, size));
+  };
+  return plan::no_place_for(missing, place.room,
+                            plan::least_size(bounds(place.room.polygon).size(), works));
 }
 
 }  // namespace roomgen

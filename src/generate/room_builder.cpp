@@ -8,7 +8,6 @@
 #include "hang_cover.h"
 #include "moves.h"
 #include "order.h"
-#include "pack_room.h"
 #include "outcome.h"
 #include "patience.h"
 #include "pose_of_host.h"
@@ -257,7 +256,6 @@ Status RoomBuilder::improve(std::optional<Seconds> time) {
   const CancelToken cancel = impl_->token(time);
   auto job = impl_->work_on<bool>(cancel, [](Work& work) -> Result<bool> {
     improve_all(work, work.place.options.improve_rounds, work.place.options.improvement);
-    pack_room(work);
     return true;
   });
   if (!job) return cut_error(impl_->place->options.cancel);

@@ -6,11 +6,11 @@
 #include "ledger.h"
 #include "roomgen/base/text.h"
 
-namespace roomgen::design {
+namespace roomgen::plan {
 
 namespace {
 
-bool is_wanted(const Mention& mention) {
+bool is_wanted(const brief::Mention& mention) {
   return !mention.contradicts && mention.quantity > 0;
 }
 
@@ -28,16 +28,16 @@ std::string numbered(int count, const std::string& name) {
 
 }  // namespace
 
-Claim claim(const Plan& plan, const Brief& brief, const KindTable& table) {
+Claim claim(const Plan& plan, const brief::Brief& brief, const KindTable& table) {
   Claim result;
-  result.mention_of.assign(plan.items.size(), Demand::none);
+  result.mention_of.assign(plan.items.size(), brief::Demand::none);
   std::vector<int> lacking;
   for (const auto& mention : brief.mentions)
     lacking.push_back(is_wanted(mention) ? mention.quantity : 0);
   const auto give = [&](auto fits) {
     for (std::size_t m = 0; m < lacking.size(); ++m)
       for (std::size_t i = 0; i < plan.items.size() && lacking[m] > 0; ++i)
-        if (result.mention_of[i] == Demand::none &&
+        if (result.mention_of[i] == brief::Demand::none &&
             fits(plan.items[i].category, brief.mentions[m].category)) {
           result.mention_of[i] = m;
           lacking[m] -= plan.items[i].quantity;
@@ -52,7 +52,7 @@ Claim claim(const Plan& plan, const Brief& brief, const KindTable& table) {
   return result;
 }
 
-std::string objection(const Claim& claim, const Brief& brief) {
+std::string objection(const Claim& claim, const brief::Brief& brief) {
   if (claim.forgotten.empty()) return "";
   std::vector<std::string> lacking;
   for (const auto& one : claim.forgotten)
@@ -60,11 +60,12 @@ std::string objection(const Claim& claim, const Brief& brief) {
   return "the description asks for things that your plan lacks: " + join(lacking, ", ");
 }
 
-void fulfil(const PlanRequest& request, const Claim& claim, const Brief& brief, const KindTable& table, Plan& plan) {
+void fulfil(const PlanRequest& request, const Claim& claim, const brief::Brief& brief,
+            const KindTable& table, Plan& plan) {
   const auto asked = asked_items(brief, table);
   std::vector<std::size_t> mention_of = claim.mention_of;
   for (std::size_t i = 0; i < plan.items.size(); ++i)
-    plan.items[i].asked = mention_of[i] != Demand::none;
+    plan.items[i].asked = mention_of[i] != brief::Demand::none;
   for (const auto& one : claim.forgotten) {
     const auto draft = std::find_if(asked.begin(), asked.end(), [&](const Draft& other) {
       return other.mention == one.mention;
@@ -86,4 +87,4 @@ void fulfil(const PlanRequest& request, const Claim& claim, const Brief& brief, 
   plan.heard = std::move(ledger.heard);
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::plan

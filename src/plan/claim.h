@@ -7,7 +7,7 @@
 #include "roomgen/kinds/kind_table.h"
 #include "roomgen/scene/plan.h"
 
-namespace roomgen::design {
+namespace roomgen::plan {
 
 /// Things of a mention that a plan lacks.
 struct Forgotten {
@@ -24,13 +24,14 @@ struct Claim {
 
 /// Gives the items of a plan to the mentions of the prompt: those of the same kind first, then those
 /// of which one's kind is of the other's.
-Claim claim(const Plan& plan, const Brief& brief, const KindTable& table);
+Claim claim(const Plan& plan, const brief::Brief& brief, const KindTable& table);
 
 /// What is wrong, in words meant for who made the plan: "a wardrobe, 2 lamps are asked for". Empty
 /// if nothing is.
-std::string objection(const Claim& claim, const Brief& brief);
+std::string objection(const Claim& claim, const brief::Brief& brief);
 
 /// Adds what was forgotten, and makes the prompt's clauses the requirements of the plan.
-void fulfil(const PlanRequest& request, const Claim& claim, const Brief& brief, const KindTable& table, Plan& plan);
+void fulfil(const PlanRequest& request, const Claim& claim, const brief::Brief& brief,
+            const KindTable& table, Plan& plan);
 
-}  // namespace roomgen::design
+}  // namespace roomgen::plan

@@ -5,11 +5,11 @@
 
 #include "language/function_word.h"
 
-namespace roomgen::design {
+namespace roomgen::plan {
 
 namespace {
 
-constexpr std::size_t nobody = HeardWords::none;
+constexpr std::size_t nobody = brief::HeardWords::none;
 
 // Words of style, of people and of what is done steer choices; a room may be only called one.
 bool needs_requirement(Heard::As as) {
@@ -18,10 +18,10 @@ bool needs_requirement(Heard::As as) {
 }
 
 // Who heard each token: the shortest entry of those that are checked, since it says the most.
-std::vector<std::size_t> owners(const Brief& brief, const RequirementIds& ids) {
+std::vector<std::size_t> owners(const brief::Brief& brief, const RequirementIds& ids) {
   std::vector<std::size_t> owner(brief.tokens.size(), nobody);
   for (std::size_t i = 0; i < brief.heard.size(); ++i) {
-    const HeardWords& words = brief.heard[i];
+    const brief::HeardWords& words = brief.heard[i];
     if (needs_requirement(words.as) && ids[i].empty()) continue;
     for (auto token = words.tokens.begin; token < words.tokens.end && token < owner.size(); ++token)
       if (owner[token] == nobody ||
@@ -71,7 +71,7 @@ void add_all(const std::vector<std::string>& ids, std::vector<std::string>& to) 
 
 }  // namespace
 
-std::vector<Heard> heard_words(const std::string& prompt, const Brief& brief,
+std::vector<Heard> heard_words(const std::string& prompt, const brief::Brief& brief,
                                const RequirementIds& ids) {
   std::vector<Meaning> meanings;
   for (std::size_t i = 0; i < brief.heard.size(); ++i) {
@@ -81,7 +81,7 @@ std::vector<Heard> heard_words(const std::string& prompt, const Brief& brief,
   return runs_of(prompt, brief.tokens, owners(brief, ids), meanings);
 }
 
-std::vector<Heard> heard_words(const std::string& prompt, const SaidDwelling& said,
+std::vector<Heard> heard_words(const std::string& prompt, const brief::SaidDwelling& said,
                                const std::vector<Plan>& rooms,
                                const std::map<std::string, std::string>& ids) {
   std::vector<Meaning> meanings;
@@ -107,4 +107,4 @@ std::vector<Heard> heard_words(const std::string& prompt, const SaidDwelling& sa
   return runs_of(prompt, said.tokens, owner, meanings);
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::plan

@@ -7,7 +7,7 @@
 #include "roomgen/scene/room.h"
 #include "roomgen/scene/scene.h"
 
-namespace roomgen::design {
+namespace roomgen::plan {
 
 namespace {
 
@@ -55,13 +55,13 @@ double squareness(double a, double b, double least_side) {
 }
 
 // A bedroom 2 m wide has room for a bed and no way around it.
-double least_side(const DwellingRoom& kind) {
+double least_side(const brief::DwellingRoom& kind) {
   return std::max(least_width, narrowest_share * std::sqrt(kind.area.low));
 }
 
 class Packer {
  public:
-  Packer(std::vector<LaidRoom> rooms, const DwellingKinds& kinds, bool with_hall)
+  Packer(std::vector<LaidRoom> rooms, const brief::DwellingKinds& kinds, bool with_hall)
       : rooms_(std::move(rooms)), kinds_(kinds), with_hall_(with_hall) {}
 
   std::vector<LaidRoom> run() {
@@ -76,8 +76,8 @@ class Packer {
   }
 
  private:
-  const DwellingRoom& kind(std::size_t room) const {
-    static const DwellingRoom unknown;
+  const brief::DwellingRoom& kind(std::size_t room) const {
+    static const brief::DwellingRoom unknown;
     const auto found = kinds_.rooms.find(rooms_[room].type);
     return found == kinds_.rooms.end() ? unknown : found->second;
   }
@@ -328,14 +328,14 @@ class Packer {
   }
 
   std::vector<LaidRoom> rooms_;
-  const DwellingKinds& kinds_;
+  const brief::DwellingKinds& kinds_;
   bool with_hall_;
   std::size_t hub_ = 0;
   std::vector<Block> blocks_;
 };
 
 // By how much of what they need the rooms are too narrow, all together.
-double narrowness(const std::vector<LaidRoom>& laid, const DwellingKinds& kinds) {
+double narrowness(const std::vector<LaidRoom>& laid, const brief::DwellingKinds& kinds) {
   double sum = 0.0;
   for (const auto& room : laid) {
     const auto kind = kinds.rooms.find(room.type);
@@ -348,7 +348,7 @@ double narrowness(const std::vector<LaidRoom>& laid, const DwellingKinds& kinds)
 
 }  // namespace
 
-std::vector<LaidRoom> lay_out(std::vector<LaidRoom> rooms, const DwellingKinds& kinds) {
+std::vector<LaidRoom> lay_out(std::vector<LaidRoom> rooms, const brief::DwellingKinds& kinds) {
   if (rooms.empty()) return rooms;
   auto laid = Packer(rooms, kinds, false).run();
   const double narrow = narrowness(laid, kinds);
@@ -358,4 +358,4 @@ std::vector<LaidRoom> lay_out(std::vector<LaidRoom> rooms, const DwellingKinds& 
   return narrowness(along_hall, kinds) < narrow ? along_hall : laid;
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::plan

@@ -8,7 +8,7 @@
 #include "brief/dwelling_kinds.h"
 #include "roomgen/geometry/polygon.h"
 
-namespace roomgen::design {
+namespace roomgen::plan {
 
 /// A room that is to be laid out.
 struct LaidRoom {
@@ -24,6 +24,6 @@ struct LaidRoom {
 /// with rows along its sides. `parent` is set where a room is entered from one alone; those of the
 /// others become the hub. If no room can be the hub, or it would have to serve too many, a hallway
 /// is added at the end. Inner faces of neighbours are wall_thickness apart.
-std::vector<LaidRoom> lay_out(std::vector<LaidRoom> rooms, const DwellingKinds& kinds);
+std::vector<LaidRoom> lay_out(std::vector<LaidRoom> rooms, const brief::DwellingKinds& kinds);
 
-}  // namespace roomgen::design
+}  // namespace roomgen::plan

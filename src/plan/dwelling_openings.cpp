@@ -8,7 +8,7 @@
 #include "opening_plan.h"
 #include "scene/dwelling.h"
 
-namespace roomgen::design {
+namespace roomgen::plan {
 
 namespace {
 
@@ -18,7 +18,7 @@ constexpr double entrance_width = 0.95, least_entrance = 0.7;
 class Opener {
  public:
   Opener(std::vector<Room>& rooms, const std::vector<LaidRoom>& laid,
-         const DwellingKinds& dwellings, const RoomKinds& kinds, Random random)
+         const brief::DwellingKinds& dwellings, const brief::RoomKinds& kinds, Random random)
       : rooms_(rooms), laid_(laid), dwellings_(dwellings), kinds_(kinds), random_(random) {}
 
   void run() {
@@ -33,7 +33,7 @@ class Opener {
   }
 
  private:
-  const RoomKind& kind(std::size_t room) const { return kinds_.get(rooms_[room].type); }
+  const brief::RoomKind& kind(std::size_t room) const { return kinds_.get(rooms_[room].type); }
 
   bool is_open(std::size_t a, std::size_t b) const {
     const auto opens = [&](const Room& from, const Room& to) {
@@ -157,7 +157,7 @@ class Opener {
   }
 
   void add_windows(std::size_t room) {
-    const RoomKind& known = kind(room);
+    const brief::RoomKind& known = kind(room);
     Random random = random_.fork("windows of " + rooms_[room].id);
     std::vector<OpeningNeed> windows;
     for (int left = random.integer(known.windows.low, known.windows.high); left > 0; --left)
@@ -167,16 +167,16 @@ class Opener {
 
   std::vector<Room>& rooms_;
   const std::vector<LaidRoom>& laid_;
-  const DwellingKinds& dwellings_;
-  const RoomKinds& kinds_;
+  const brief::DwellingKinds& dwellings_;
+  const brief::RoomKinds& kinds_;
   Random random_;
 };
 
 }  // namespace
 
 void open_up(std::vector<Room>& rooms, const std::vector<LaidRoom>& laid,
-             const DwellingKinds& dwellings, const RoomKinds& kinds, Random random) {
+             const brief::DwellingKinds& dwellings, const brief::RoomKinds& kinds, Random random) {
   Opener(rooms, laid, dwellings, kinds, random).run();
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::plan

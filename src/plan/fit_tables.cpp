@@ -4,7 +4,7 @@
 
 #include "brief/table_size.h"
 
-namespace roomgen::design {
+namespace roomgen::plan {
 
 namespace {
 
@@ -14,7 +14,7 @@ bool seats_people(const KindTable& table, const std::string& category) {
 
 }  // namespace
 
-void fit_tables(std::vector<Draft>& drafts, const Brief& brief, const KindTable& table) {
+void fit_tables(std::vector<Draft>& drafts, const brief::Brief& brief, const KindTable& table) {
   int seats = brief.people;
   for (const auto& draft : drafts)
     if (table.is_a(draft.item.category, "chair") &&
@@ -29,8 +29,8 @@ void fit_tables(std::vector<Draft>& drafts, const Brief& brief, const KindTable&
     if (brief.mentions.at(draft.mention).sized) continue;
     const int each = std::min(20, (seats + tables - 1) / tables);
     draft.item.size =
-        table_for(*draft.item.size, table.get(draft.item.category).traits.round, each);
+        brief::table_for(*draft.item.size, table.get(draft.item.category).traits.round, each);
   }
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::plan

@@ -6,9 +6,9 @@
 #include "inventory.h"
 #include "roomgen/kinds/kind_table.h"
 
-namespace roomgen::design {
+namespace roomgen::plan {
 
 /// Makes the tables that the prompt asks for, without saying how large, fit the seats it asks for.
-void fit_tables(std::vector<Draft>& drafts, const Brief& brief, const KindTable& table);
+void fit_tables(std::vector<Draft>& drafts, const brief::Brief& brief, const KindTable& table);
 
-}  // namespace roomgen::design
+}  // namespace roomgen::plan

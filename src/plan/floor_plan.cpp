@@ -5,7 +5,7 @@
 
 #include "wall_sides.h"
 
-namespace roomgen::design {
+namespace roomgen::plan {
 
 namespace {
 
@@ -14,7 +14,7 @@ double to_grid(double metres) {
 }
 
 // Width and depth of a given area in the proportions of the kind.
-Vec2 of_area(double area, const RoomKind& kind, Random& random) {
+Vec2 of_area(double area, const brief::RoomKind& kind, Random& random) {
   const double usual =
       0.5 * (kind.width.low + kind.width.high) / (0.5 * (kind.depth.low + kind.depth.high));
   const double ratio = std::clamp(usual * random.uniform(0.9, 1.15), 1.0, 2.5);
@@ -23,15 +23,15 @@ Vec2 of_area(double area, const RoomKind& kind, Random& random) {
 }
 
 // In the proportions that the prompt asks for.
-Vec2 of_proportion(double area, const Brief& brief, Random& random) {
+Vec2 of_proportion(double area, const brief::Brief& brief, Random& random) {
   const double ratio = random.uniform(brief.shape.proportion->low, brief.shape.proportion->high);
-  return box_of(area, ratio, true);
+  return brief::box_of(area, ratio, true);
 }
 
 }  // namespace
 
-Vec2 choose_size(const RoomKind& kind, const Brief& brief, double scale, double furniture,
-                 double least_side, Random random) {
+Vec2 choose_size(const brief::RoomKind& kind, const brief::Brief& brief, double scale,
+                 double furniture, double least_side, Random random) {
   if (brief.size) return *brief.size;
   if (brief.area) {
     const Vec2 size = brief.shape.proportion ? of_proportion(*brief.area, brief, random)
@@ -52,22 +52,22 @@ Vec2 choose_size(const RoomKind& kind, const Brief& brief, double scale, double 
   return size;
 }
 
-Outline choose_outline(const Brief& brief, const Vec2& chosen, bool is_box,
+brief::Outline choose_outline(const brief::Brief& brief, const Vec2& chosen, bool is_box,
                        std::vector<std::string>& notes, Random random) {
-  const auto& shapes = built_in_floor_shapes();
-  if (brief.shape.is_rectangle() || !shapes) return rectangle_of(chosen);
-  OutlineSize size{chosen, std::nullopt};
+  const auto& shapes = brief::built_in_floor_shapes();
+  if (brief.shape.is_rectangle() || !shapes) return brief::rectangle_of(chosen);
+  brief::OutlineSize size{chosen, std::nullopt};
   const auto known = shapes->outlines.find(brief.shape.outline);
   const double nooks = known == shapes->outlines.end() ? 1.0 : known->second.area;
   if (!is_box) size.area = brief.area ? *brief.area : nooks * chosen.prod();
-  Outline outline = make_outline(brief.shape, *shapes, size, random);
+  brief::Outline outline = brief::make_outline(brief.shape, *shapes, size, random);
   for (const auto& name : outline.missing)
     notes.push_back("no wall of a room of this size is long enough for the " + name);
   return outline;
 }
 
-Room make_room(const RoomKind& kind, const Outline& outline, const RoomOpenings& openings,
-               Random random, std::vector<std::string>& notes) {
+Room make_room(const brief::RoomKind& kind, const brief::Outline& outline,
+               const RoomOpenings& openings, Random random, std::vector<std::string>& notes) {
   Room room;
   room.type = kind.type;
   room.height = kind.height;
@@ -135,4 +135,4 @@ std::string part_of(const Room& room, const std::string& said) {
   return said;
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::plan

@@ -4,7 +4,7 @@
 
 #include "scene/room_part.h"
 
-namespace roomgen::design {
+namespace roomgen::plan {
 
 namespace {
 
@@ -13,7 +13,7 @@ constexpr std::size_t front_wall = 0;                ///< of a rectangle: "at th
 
 bool names_wall(const Draft& draft, const std::string& wall) {
   return std::any_of(draft.demands.begin(), draft.demands.end(),
-                     [&](const Demand& demand) { return demand.part == wall; });
+                     [&](const brief::Demand& demand) { return demand.part == wall; });
 }
 
 // "a lectern at the front": the front wall, or that part of the room.
@@ -31,14 +31,16 @@ Bounds2 floor_of(const Draft& draft, const Room& room) {
 }
 
 bool faces_something(const Draft& draft) {
-  return std::any_of(draft.demands.begin(), draft.demands.end(),
-                     [](const Demand& demand) { return demand.kind == RelationKind::face_to; });
+  return std::any_of(draft.demands.begin(), draft.demands.end(), [](const brief::Demand& demand) {
+    return demand.kind == RelationKind::face_to;
+  });
 }
 
 const Draft* focus_of(const Draft& draft, const std::vector<Draft>& drafts) {
-  for (const Demand& demand : draft.demands) {
+  for (const brief::Demand& demand : draft.demands) {
     const bool is_meant = demand.kind == RelationKind::face_to || demand.kind == RelationKind::around;
-    if (!is_meant || demand.mention == Demand::none || demand.mention == draft.mention) continue;
+    if (!is_meant || demand.mention == brief::Demand::none || demand.mention == draft.mention)
+      continue;
     for (const Draft& other : drafts)
       if (other.mention == demand.mention && other.item.quantity == 1) return &other;
   }
@@ -64,7 +66,7 @@ void put_focus_at_wall(const Draft& audience, std::size_t wall, const Vec2& cent
   for (const auto& demand : audience.demands) {
     const bool is_meant = demand.kind == RelationKind::face_to ||
                           (demand.kind == RelationKind::around && audience.formation && audience.formation->is_round());
-    if (!is_meant || demand.mention == Demand::none || !part) continue;
+    if (!is_meant || demand.mention == brief::Demand::none || !part) continue;
     for (std::size_t i = 0; i < drafts.size(); ++i) {
       if (drafts[i].mention != demand.mention || !drafts[i].demands.empty()) continue;
       PlanItem& item = plan.items[i];
@@ -76,4 +78,4 @@ void put_focus_at_wall(const Draft& audience, std::size_t wall, const Vec2& cent
   }
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::plan

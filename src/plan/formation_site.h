@@ -4,7 +4,7 @@
 
 #include "inventory.h"
 
-namespace roomgen::design {
+namespace roomgen::plan {
 
 /// Where a formation stands, and its focus: what its things look at or stand around, the screen of rows of seats, the
 /// fireplace of a half circle of armchairs.
@@ -27,4 +27,4 @@ double cost_of_facing(const Room& room, std::size_t wall, const Draft& draft, co
 void put_focus_at_wall(const Draft& audience, std::size_t wall, const Vec2& center, double off_wall,
                        const std::vector<Draft>& drafts, Plan& plan);
 
-}  // namespace roomgen::design
+}  // namespace roomgen::plan

@@ -9,7 +9,7 @@
 #include "round_formations.h"
 #include "scene/room_part.h"
 
-namespace roomgen::design {
+namespace roomgen::plan {
 
 namespace {
 
@@ -71,7 +71,7 @@ class Formations {
 
   // Of the blocks that the words allow the one that finds the loosest site: as wide as usual, else narrower or wider.
   std::optional<std::pair<RowBlock, FormationSite>> loosest(const Draft& draft, std::size_t count) const {
-    const Formation& said = *draft.formation;
+    const brief::Formation& said = *draft.formation;
     const std::size_t usual = columns_of(said, count);
     std::vector<std::size_t> widths = {usual};
     if (said.rows == 0 && said.columns == 0)
@@ -165,7 +165,7 @@ void fall_in_as_usual(std::vector<Draft>& drafts, const KindTable& table, const 
     if (draft.formation || draft.item.mount != Mount::floor || !draft.demands.empty()) continue;
     const int from = arrangements.get(table, draft.item.category, Mount::floor).rows_from;
     if (from == 0 || draft.item.quantity < from) continue;
-    draft.formation = Formation{.rows = 0, .columns = 0};
+    draft.formation = brief::Formation{.rows = 0, .columns = 0};
     draft.is_usual_formation = true;
   }
 }
@@ -175,7 +175,7 @@ void lay_out_formations(const std::vector<Draft>& drafts, const KindTable& table
   Formations(drafts, table, arrangements, plan).run();
 }
 
-std::size_t columns_of(const Formation& formation, std::size_t count) {
+std::size_t columns_of(const brief::Formation& formation, std::size_t count) {
   constexpr double breadth = 1.5;  ///< a block whose rows were not counted is somewhat wider than deep
   if (formation.columns > 0) return static_cast<std::size_t>(formation.columns);
   const std::size_t rows =
@@ -184,4 +184,4 @@ std::size_t columns_of(const Formation& formation, std::size_t count) {
   return std::max<std::size_t>(1, (count + rows - 1) / rows);
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::plan

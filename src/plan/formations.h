@@ -5,7 +5,7 @@
 #include "inventory.h"
 #include "solve/arrangement.h"
 
-namespace roomgen::design {
+namespace roomgen::plan {
 
 /// Many of a kind that usually stand in rows (Arrangement::rows_from) do so where nothing is said of their place.
 void fall_in_as_usual(std::vector<Draft>& drafts, const KindTable& table, const Arrangements& arrangements);
@@ -17,6 +17,6 @@ void lay_out_formations(const std::vector<Draft>& drafts, const KindTable& table
                         const Arrangements& arrangements, Plan& plan);
 
 /// How many things stand in each row of so many.
-std::size_t columns_of(const Formation& formation, std::size_t count);
+std::size_t columns_of(const brief::Formation& formation, std::size_t count);
 
-}  // namespace roomgen::design
+}  // namespace roomgen::plan

@@ -8,7 +8,7 @@
 #include "brief/table_size.h"
 #include "fit_tables.h"
 
-namespace roomgen::design {
+namespace roomgen::plan {
 
 namespace {
 
@@ -20,9 +20,9 @@ constexpr double widest = 0.75;       ///< of the room's longer side that one th
 /// The state of a completion.
 class Completion {
  public:
-  Completion(std::vector<Draft>& drafts, const Brief& brief, const RoomKinds& kinds,
-             const RoomKind& kind, const Vec2& room, const KindTable& table, const Looks& looks,
-             Random random)
+  Completion(std::vector<Draft>& drafts, const brief::Brief& brief, const brief::RoomKinds& kinds,
+             const brief::RoomKind& kind, const Vec2& room, const KindTable& table,
+             const Looks& looks, Random random)
       : drafts_(drafts),
         brief_(brief),
         kinds_(kinds),
@@ -32,7 +32,7 @@ class Completion {
         looks_(looks),
         random_(random) {
     for (const auto& word : brief.styles)
-      if (const Style* style = kinds.style(word)) styles_.push_back(style);
+      if (const brief::Style* style = kinds.style(word)) styles_.push_back(style);
     meaning_ = style_named(kinds, brief.styles);
   }
 
@@ -60,7 +60,7 @@ class Completion {
  private:
   double fullness() const {
     double factor = 1.0;
-    for (const Style* style : styles_) factor *= style->fullness;
+    for (const brief::Style* style : styles_) factor *= style->fullness;
     return factor;
   }
 
@@ -87,13 +87,15 @@ class Completion {
 
   bool excluded(const std::string& category) const {
     return table_.is_any_of(category, brief_.excluded) ||
-           std::any_of(brief_.limits.begin(), brief_.limits.end(), [&](const Limit& limit) { return is_barred(category, limit); });
+           std::any_of(brief_.limits.begin(), brief_.limits.end(),
+                       [&](const brief::Limit& limit) { return is_barred(category, limit); });
   }
   // "no other chairs", "nothing else on the desk", "nothing on the walls": where small things would stand nobody knows yet.
-  bool is_barred(const std::string& category, const Limit& limit) const {
+  bool is_barred(const std::string& category, const brief::Limit& limit) const {
     if (!limit.category.empty()) return table_.is_a(category, limit.category);
     const Mount mount = table_.get(category).mount;
-    return limit.mount ? mount == *limit.mount : limit.on != no_mention && mount == Mount::surface;
+    return limit.mount ? mount == *limit.mount
+                       : limit.on != brief::no_mention && mount == Mount::surface;
   }
 
   // The prompt's own things of this kind, of a kind in which it is, or of its name: who asks for one
@@ -111,7 +113,7 @@ class Completion {
     return category.ends_with(noun) || (noun.ends_with("chair") && category.ends_with("chair"));
   }
 
-  bool pointless(const Piece& piece) const {
+  bool pointless(const brief::Piece& piece) const {
     if (room_.prod() < piece.area) return true;
     if (!piece.needs.empty() && count_of(piece.needs) == 0) return true;
     if (!piece.serves.empty() && excluded(piece.serves)) return true;
@@ -119,7 +121,7 @@ class Completion {
                        [&](const std::string& other) { return count_of(other) > 0; });
   }
 
-  std::string draw_category(const Piece& piece) {
+  std::string draw_category(const brief::Piece& piece) {
     std::vector<double> weights;
     for (const auto& [category, weight] : piece.any) {
       const double factor = excluded(category) ? 0.0 : taste(category);
@@ -133,7 +135,7 @@ class Completion {
   double taste(const std::string& category) const {
     constexpr double liked = 4.0, disliked = 0.1;  // by judgement
     double factor = 1.0;
-    for (const Style* style : styles_) {
+    for (const brief::Style* style : styles_) {
       if (table_.is_any_of(category, style->more)) factor *= liked;
       if (table_.is_any_of(category, style->fewer)) factor *= disliked;
     }
@@ -142,14 +144,14 @@ class Completion {
     return factor;
   }
 
-  std::string draw_variant(const Piece& piece) {
+  std::string draw_variant(const brief::Piece& piece) {
     if (piece.of.empty()) return "";
     std::vector<double> weights;
     for (const auto& [variant, weight] : piece.of) weights.push_back(weight);
     return piece.of[random_.weighted(weights)].first;
   }
 
-  int draw_count(const Piece& piece) {
+  int draw_count(const brief::Piece& piece) {
     int count = random_.integer(piece.low, piece.high);
     // People sit in pairs: rather four chairs or six than five.
     if (piece.high >= 4 && count % 2 == 1) count += 1;
@@ -161,7 +163,8 @@ class Completion {
     return piece.each.empty() ? std::min(count, std::max(max_added, piece.high)) : count;
   }
 
-  Vec3 size_of(const Piece& piece, const std::string& category, const std::string& variant) const {
+  Vec3 size_of(const brief::Piece& piece, const std::string& category,
+               const std::string& variant) const {
     if (piece.size) return *piece.size;
     Vec3 size = table_.get(category).size;
     if (const auto found = kinds_.variants.find(variant); found != kinds_.variants.end()) {
@@ -188,12 +191,12 @@ class Completion {
     return floor_area(drafts_, table_) + item.quantity * size.x() * size.y() <= budget;
   }
 
-  void add_companions(const Piece& piece, double budget) {
+  void add_companions(const brief::Piece& piece, double budget) {
     for (const auto& companion : piece.then)
       if (random_.chance(companion.chance)) add(companion, budget);
   }
 
-  bool add(const Piece& piece, double budget) {
+  bool add(const brief::Piece& piece, double budget) {
     if (pointless(piece)) return false;
     for (const auto& [category, weight] : piece.any)
       if (asked(category, piece.high > 1)) {
@@ -211,7 +214,8 @@ class Completion {
 
   // The one that was drawn; where the room has no floor for it, the others, the largest first: a single bed is better
   // than none.
-  std::vector<std::string> variants_from(const std::string& drawn, const Piece& piece, const std::string& category) const {
+  std::vector<std::string> variants_from(const std::string& drawn, const brief::Piece& piece,
+                                         const std::string& category) const {
     std::vector<std::string> others;
     for (const auto& [variant, weight] : piece.of)
       if (variant != drawn) others.push_back(variant);
@@ -224,25 +228,31 @@ class Completion {
   // The smallest thing that makes the room what it is, where its share of the floor has room for none: whether it
   // finds a place is seen when the plan is tried.
   void add_what_makes_it() {
-    if (std::any_of(drafts_.begin(), drafts_.end(), [&](const Draft& draft) { return makes_it(draft.item.category); }))
+    if (std::any_of(drafts_.begin(), drafts_.end(),
+                    [&](const Draft& draft) { return makes_it(draft.item.category); }))
       return;
-    const Piece* least = nullptr;
+    const brief::Piece* least = nullptr;
     std::string category, variant;
-    const auto area = [&](const Piece& piece, const std::string& kind, const std::string& of) {
+    const auto area = [&](const brief::Piece& piece, const std::string& kind,
+                          const std::string& of) {
       return size_of(piece, kind, of).head<2>().prod();
     };
     for (const auto& piece : kind_.core)
       for (const auto& [kind, weight] : piece.any) {
         if (!makes_it(kind) || excluded(kind) || pointless(piece)) continue;
         for (const auto& of : variants_from(draw_variant(piece), piece, kind))
-          if (!least || area(piece, kind, of) < area(*least, category, variant)) least = &piece, category = kind, variant = of;
+          if (!least || area(piece, kind, of) < area(*least, category, variant))
+            least = &piece, category = kind, variant = of;
       }
     if (least) drafts_.push_back(drafted(*least, category, variant, 1));
   }
 
-  bool makes_it(const std::string& category) const { return table_.is_any_of(category, kind_.made_by); }
+  bool makes_it(const std::string& category) const {
+    return table_.is_any_of(category, kind_.made_by);
+  }
 
-  Draft drafted(const Piece& piece, const std::string& category, const std::string& variant, int count) {
+  Draft drafted(const brief::Piece& piece, const std::string& category, const std::string& variant,
+                int count) {
     Draft draft;
     draft.core = in_core_;
     PlanItem& item = draft.item;
@@ -254,11 +264,12 @@ class Completion {
     if (table_.get(category).traits.flat) cut(size);
     item.size = size;
     const int seats = seats_with(piece);
-    if (seats > 0) item.size = table_for(size, table_.get(category).traits.round, seats);
+    if (seats > 0) item.size = brief::table_for(size, table_.get(category).traits.round, seats);
     return draft;
   }
 
-  bool add_if_it_fits(const Piece& piece, const std::string& category, const std::string& variant, int count, double budget) {
+  bool add_if_it_fits(const brief::Piece& piece, const std::string& category,
+                      const std::string& variant, int count, double budget) {
     Draft draft = drafted(piece, category, variant, count);
     PlanItem& item = draft.item;
     while (item.quantity > 1 && !fits(item, budget)) --item.quantity;
@@ -269,13 +280,13 @@ class Completion {
   }
 
   // How many will sit at this table, if it is one for which seats come along.
-  int seats_with(const Piece& piece) const {
+  int seats_with(const brief::Piece& piece) const {
     if (piece.then.empty() || !piece.then.front().people || brief_.people == 0) return 0;
     return brief_.people;
   }
 
   void add_extras(int objects, double budget) {
-    std::vector<const Piece*> left;
+    std::vector<const brief::Piece*> left;
     std::vector<double> weights;
     for (const auto& piece : kind_.extras) {
       if (count_of(piece.any.front().first) > 0 || used_.count(&piece)) continue;
@@ -292,25 +303,25 @@ class Completion {
   }
 
   std::vector<Draft>& drafts_;
-  const Brief& brief_;
-  const RoomKinds& kinds_;
-  const RoomKind& kind_;
+  const brief::Brief& brief_;
+  const brief::RoomKinds& kinds_;
+  const brief::RoomKind& kind_;
   Vec2 room_;
   const KindTable& table_;
   const Looks& looks_;
   Random random_;
-  std::vector<const Style*> styles_;
+  std::vector<const brief::Style*> styles_;
   const StyleMeaning* meaning_ = nullptr;  ///< of the style that is named first
-  std::set<const Piece*> used_;
+  std::set<const brief::Piece*> used_;
   bool in_core_ = false;
 };
 
 }  // namespace
 
-std::vector<Draft> asked_items(const Brief& brief, const KindTable& table) {
+std::vector<Draft> asked_items(const brief::Brief& brief, const KindTable& table) {
   std::vector<Draft> drafts;
   for (std::size_t i = 0; i < brief.mentions.size(); ++i) {
-    const Mention& mention = brief.mentions[i];
+    const brief::Mention& mention = brief.mentions[i];
     if (mention.contradicts) continue;
     Draft draft;
     draft.mention = i;
@@ -323,7 +334,7 @@ std::vector<Draft> asked_items(const Brief& brief, const KindTable& table) {
     draft.item.quantity = mention.quantity;
     draft.item.varied = mention.varied;
     draft.item.mount = mention.mount;
-    draft.item.height = hanging_height(mention);
+    draft.item.height = brief::hanging_height(mention);
     draft.item.asked = true;
     drafts.push_back(std::move(draft));
   }
@@ -331,13 +342,14 @@ std::vector<Draft> asked_items(const Brief& brief, const KindTable& table) {
   return drafts;
 }
 
-void one_for_each_window(std::vector<Draft>& drafts, const Brief& brief, const Room& room,
+void one_for_each_window(std::vector<Draft>& drafts, const brief::Brief& brief, const Room& room,
                          const KindTable& table) {
   const auto windows = static_cast<int>(
       std::count_if(room.openings.begin(), room.openings.end(),
                     [](const Opening& opening) { return !opening.is_entrance(); }));
   for (auto& draft : drafts) {
-    if (draft.mention == Demand::none || !table.get(draft.item.category).covers_window) continue;
+    if (draft.mention == brief::Demand::none || !table.get(draft.item.category).covers_window)
+      continue;
     if (brief.mentions[draft.mention].open) draft.item.quantity = std::max(1, windows);
   }
 }
@@ -353,10 +365,10 @@ double floor_area(const std::vector<Draft>& drafts, const KindTable& table) {
   return area;
 }
 
-void complete(std::vector<Draft>& drafts, const Brief& brief, const RoomKinds& kinds,
-              const RoomKind& kind, const Vec2& room, const KindTable& table,
+void complete(std::vector<Draft>& drafts, const brief::Brief& brief, const brief::RoomKinds& kinds,
+              const brief::RoomKind& kind, const Vec2& room, const KindTable& table,
               const Looks& looks, Random random) {
   Completion(drafts, brief, kinds, kind, room, table, looks, random).run();
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::plan

@@ -10,7 +10,7 @@
 #include "roomgen/kinds/kind_table.h"
 #include "roomgen/scene/plan.h"
 
-namespace roomgen::design {
+namespace roomgen::plan {
 
 /// Things that a room holds where they fit.
 inline constexpr int fewest_things = 8;
@@ -18,19 +18,20 @@ inline constexpr int fewest_things = 8;
 /// A plan item that is not yet in order: what it demands of others is still by mention.
 struct Draft {
   PlanItem item;
-  std::size_t mention = Demand::none;  ///< index into Brief::mentions, none for what was added
-  std::size_t part_of = Demand::none;  ///< the mention of which these are some
-  std::vector<Demand> demands;
-  std::optional<Formation> formation;  ///< of its things
+  std::size_t mention =
+      brief::Demand::none;  ///< index into Brief::mentions, none for what was added
+  std::size_t part_of = brief::Demand::none;  ///< the mention of which these are some
+  std::vector<brief::Demand> demands;
+  std::optional<brief::Formation> formation;  ///< of its things
   bool is_usual_formation = false;     ///< nobody said it: its things need not keep to each other
   bool core = false;  ///< the room is hardly one of its kind without it
 };
 
 /// What the prompt asks for.
-std::vector<Draft> asked_items(const Brief& brief, const KindTable& table);
+std::vector<Draft> asked_items(const brief::Brief& brief, const KindTable& table);
 
 /// Curtains and blinds (Kind::covers_window) that are only named in the plural hang at every window.
-void one_for_each_window(std::vector<Draft>& drafts, const Brief& brief, const Room& room,
+void one_for_each_window(std::vector<Draft>& drafts, const brief::Brief& brief, const Room& room,
                          const KindTable& table);
 
 /// Floor that things cover: no rugs, nothing on walls or on other things.
@@ -39,8 +40,8 @@ double floor_area(const std::vector<Draft>& drafts, const KindTable& table);
 
 /// Adds what such a room usually holds and the prompt neither names nor forbids: its core, then
 /// extras up to a number of things and a share of the floor, then what goes on walls and tables.
-void complete(std::vector<Draft>& drafts, const Brief& brief, const RoomKinds& kinds,
-              const RoomKind& kind, const Vec2& room, const KindTable& table,
+void complete(std::vector<Draft>& drafts, const brief::Brief& brief, const brief::RoomKinds& kinds,
+              const brief::RoomKind& kind, const Vec2& room, const KindTable& table,
               const Looks& looks, Random random);
 
-}  // namespace roomgen::design
+}  // namespace roomgen::plan

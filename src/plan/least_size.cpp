@@ -4,7 +4,7 @@
 
 #include "roomgen/scene/room.h"
 
-namespace roomgen::design {
+namespace roomgen::plan {
 
 namespace {
 
@@ -21,7 +21,9 @@ std::optional<Vec2> least_size(const Vec2& start, const std::function<bool(const
     return Vec2(on_grid(first.x() + step * size_step), on_grid(first.y() + step * size_step));
   };
   int steps = 0;
-  while (steps <= most_size_steps && grown(steps).maxCoeff() <= greatest_room_side && !works(grown(steps))) ++steps;
+  while (steps <= most_size_steps && grown(steps).maxCoeff() <= greatest_room_side &&
+         !works(grown(steps)))
+    ++steps;
   if (steps > most_size_steps || grown(steps).maxCoeff() > greatest_room_side) return std::nullopt;
   Vec2 least = grown(steps);
   for (const int side : {0, 1})
@@ -34,4 +36,4 @@ std::optional<Vec2> least_size(const Vec2& start, const std::function<bool(const
   return least;
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::plan

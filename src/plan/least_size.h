@@ -5,7 +5,7 @@
 
 #include "roomgen/geometry/vec.h"
 
-namespace roomgen::design {
+namespace roomgen::plan {
 
 /// In which sides of rooms grow while the least size is looked for, metres.
 inline constexpr double size_step = 0.1;
@@ -17,4 +17,4 @@ inline constexpr int most_size_steps = 60;
 /// no size does; `works` is asked for at most most_size_steps + 2 * most_size_steps sizes.
 std::optional<Vec2> least_size(const Vec2& start, const std::function<bool(const Vec2&)>& works);
 
-}  // namespace roomgen::design
+}  // namespace roomgen::plan

@@ -13,7 +13,7 @@
 #include "scene/mount_attribute.h"
 #include "scene/room_part.h"
 
-namespace roomgen::design {
+namespace roomgen::plan {
 
 namespace {
 
@@ -25,17 +25,18 @@ std::string_view as_told(RelationKind kind) {
 
 class Ledger {
  public:
-  Ledger(const PlanRequest& request, const Brief& brief, const std::vector<Draft>& drafts, const Plan& plan)
+  Ledger(const PlanRequest& request, const brief::Brief& brief, const std::vector<Draft>& drafts,
+         const Plan& plan)
       : request_(request), brief_(brief), room_(plan.room), ids_by_words_(brief.heard.size()) {
     for (const auto& planned : planned_objects(plan)) {
       const std::size_t mention = drafts[planned.item].mention;
-      if (mention != Demand::none) ids_[mention].push_back(planned.id);
+      if (mention != brief::Demand::none) ids_[mention].push_back(planned.id);
     }
   }
 
   LedgerOfPrompt run() {
     for (std::size_t i = 0; i < brief_.mentions.size(); ++i) {
-      const Mention& mention = brief_.mentions[i];
+      const brief::Mention& mention = brief_.mentions[i];
       count(i, mention);
       for (const auto& look : mention.looks) attribute(i, mention, look);
       for (const auto& part : mention.parts) attribute(i, mention, part);
@@ -53,7 +54,8 @@ class Ledger {
     material("walls", brief_.materials.walls);
     material("ceiling", brief_.materials.ceiling);
     material("accent wall", brief_.materials.accent);
-    for (auto& [requirement, words] : clauses_of_room(brief_, request_)) add(std::move(requirement), words);
+    for (auto& [requirement, words] : clauses_of_room(brief_, request_))
+      add(std::move(requirement), words);
     return {std::move(requirements_), heard_words(request_.prompt, brief_, ids_by_words_)};
   }
 
@@ -70,11 +72,11 @@ class Ledger {
       requirements_.push_back(requirement);
     }
     for (const std::size_t heard : said_by)
-      if (heard != HeardWords::none) ids_by_words_[heard].push_back(requirement.id);
+      if (heard != brief::HeardWords::none) ids_by_words_[heard].push_back(requirement.id);
   }
 
   // What of a mention's words was taken for that, and of attributes for this one.
-  std::vector<std::size_t> words_of(const Mention& mention, Heard::As as,
+  std::vector<std::size_t> words_of(const brief::Mention& mention, Heard::As as,
                                     const std::string& word = "") const {
     std::vector<std::size_t> result;
     for (const std::size_t heard : mention.heard)
@@ -82,7 +84,7 @@ class Ledger {
         result.push_back(heard);
     return result;
   }
-  Requirement about(std::size_t index, const Mention& mention, Requirement::Kind kind) {
+  Requirement about(std::size_t index, const brief::Mention& mention, Requirement::Kind kind) {
     Requirement requirement;
     requirement.kind = kind;
     requirement.category = mention.category;
@@ -92,7 +94,7 @@ class Ledger {
   }
 
   // What is counted, without its looks: those are clauses of their own, and may fail where the number holds.
-  static std::string counted(const Mention& mention) {
+  static std::string counted(const brief::Mention& mention) {
     std::string rest = " " + mention.description + " ";
     for (const auto& look : mention.looks) {
       const bool is_sort = std::find(mention.naming.begin(), mention.naming.end(), look) != mention.naming.end();
@@ -105,7 +107,7 @@ class Ledger {
     return words.empty() ? mention.category : words;
   }
 
-  void count(std::size_t index, const Mention& mention) {
+  void count(std::size_t index, const brief::Mention& mention) {
     Requirement requirement = about(index, mention, Requirement::Kind::count);
     const bool is_range = mention.most > mention.least;
     requirement.count = is_range ? mention.least : mention.quantity;
@@ -124,14 +126,14 @@ class Ledger {
     add(std::move(requirement), words);
   }
 
-  void attribute(std::size_t index, const Mention& mention, const std::string& look) {
+  void attribute(std::size_t index, const brief::Mention& mention, const std::string& look) {
     Requirement requirement = about(index, mention, Requirement::Kind::attribute);
     requirement.attribute = look;
     requirement.clause = look + " " + mention.category;
     add(std::move(requirement), words_of(mention, Heard::As::attribute, look));
   }
 
-  void length(std::size_t index, const Mention& mention, const SaidLength& length) {
+  void length(std::size_t index, const brief::Mention& mention, const brief::SaidLength& length) {
     Requirement requirement = about(index, mention, Requirement::Kind::attribute);
     requirement.attribute = length.side;
     requirement.amount = length.metres;
@@ -143,11 +145,11 @@ class Ledger {
                           : requirement.at_most ? " at most"
                                                 : "") +
                          " " + format_number(length.metres, 2) + " m";
-    add(std::move(requirement), words_of(mention, Heard::As::attribute, said_length));
+    add(std::move(requirement), words_of(mention, Heard::As::attribute, brief::said_length));
   }
 
-  void mount(std::size_t index, const Mention& mention) {
-    if (mention.mount_heard == HeardWords::none) return;
+  void mount(std::size_t index, const brief::Mention& mention) {
+    if (mention.mount_heard == brief::HeardWords::none) return;
     Requirement requirement = about(index, mention, Requirement::Kind::attribute);
     requirement.attribute = std::string(mount_attribute).append(name(mention.mount));
     requirement.clause = mention.category + " on the " + std::string(name(mention.mount));
@@ -155,12 +157,12 @@ class Ledger {
   }
 
   // "in two rows of four"
-  void formation(std::size_t index, const Mention& mention) {
+  void formation(std::size_t index, const brief::Mention& mention) {
     if (!mention.formation) return;
     Requirement requirement = about(index, mention, Requirement::Kind::attribute);
-    const Formation& formation = *mention.formation;
-    requirement.attribute = formation.shape == Formation::Shape::circle ? in_circle
-                            : formation.shape == Formation::Shape::arc  ? in_arc
+    const brief::Formation& formation = *mention.formation;
+    requirement.attribute = formation.shape == brief::Formation::Shape::circle ? in_circle
+                            : formation.shape == brief::Formation::Shape::arc  ? in_arc
                                                                         : in_rows;
     requirement.count = formation.rows;
     requirement.clause = mention.category + (formation.is_round()    ? " " + requirement.attribute
@@ -171,11 +173,11 @@ class Ledger {
     add(std::move(requirement), {mention.formation_heard});
   }
 
-  void relation(std::size_t index, const Mention& mention, const Demand& demand) {
+  void relation(std::size_t index, const brief::Mention& mention, const brief::Demand& demand) {
     if (demand.is_means) return;
-    if (demand.said_of != Demand::none) {
-      Demand said = demand;
-      said.mention = std::exchange(said.said_of, Demand::none);
+    if (demand.said_of != brief::Demand::none) {
+      brief::Demand said = demand;
+      said.mention = std::exchange(said.said_of, brief::Demand::none);
       return relation(index, mention, said);
     }
     // Of those that share the long sides half are behind the target.
@@ -187,14 +189,14 @@ class Ledger {
       relation_of_kind(index, mention, demand, RelationKind::side_of);
   }
 
-  void relation_of_kind(std::size_t index, const Mention& mention, const Demand& demand,
-                        RelationKind kind) {
+  void relation_of_kind(std::size_t index, const brief::Mention& mention,
+                        const brief::Demand& demand, RelationKind kind) {
     Requirement requirement = about(index, mention, Requirement::Kind::relation);
     requirement.relation = kind;
     const bool is_told = mention.source == Requirement::Source::prompt;
     requirement.clause = mention.category + " " + std::string(is_told ? as_told(kind) : name(kind));
     if (kind == RelationKind::gap) set_gap(requirement, mention, demand.gap);
-    if (demand.mention != Demand::none) {
+    if (demand.mention != brief::Demand::none) {
       requirement.targets = with_parts(demand.mention);
       // "the second bench"
       if (const auto nth = static_cast<std::size_t>(demand.nth); demand.nth >= 0 && nth < requirement.targets.size())
@@ -203,7 +205,7 @@ class Ledger {
       // Rows face what is before their middle.
       if (mention.formation && !mention.formation->is_round() && demand.kind == RelationKind::face_to)
         requirement.subjects = middle_of_rows(requirement.subjects, *mention.formation);
-    } else if (demand.part == each_wall) {
+    } else if (demand.part == brief::each_wall) {
       requirement.targets = wall_names(room_);
       requirement.clause += " each wall";
     } else if (!demand.part.empty()) {
@@ -213,7 +215,7 @@ class Ledger {
     add(std::move(requirement), {demand.heard});
   }
   // "chair 0.5 m from"
-  static void set_gap(Requirement& requirement, const Mention& mention, const Gap& gap) {
+  static void set_gap(Requirement& requirement, const brief::Mention& mention, const Gap& gap) {
     requirement.at_least = std::isinf(gap.most);
     requirement.at_most = gap.least < gap.most && !requirement.at_least;
     requirement.amount = requirement.at_least ? gap.least : gap.most;
@@ -229,7 +231,7 @@ class Ledger {
   }
 
   static std::vector<std::string> middle_of_rows(const std::vector<std::string>& ids,
-                                                 const Formation& formation) {
+                                                 const brief::Formation& formation) {
     const std::size_t columns = columns_of(formation, ids.size());
     std::vector<std::string> middle;
     for (std::size_t i = 0; i < ids.size(); ++i)
@@ -238,7 +240,7 @@ class Ledger {
   }
 
   // One clause of all that it is said of.
-  void between(std::size_t index, const Mention& mention, const Demand& first) {
+  void between(std::size_t index, const brief::Mention& mention, const brief::Demand& first) {
     std::vector<std::string> names;
     std::vector<std::size_t> words;
     Requirement requirement = about(index, mention, Requirement::Kind::relation);
@@ -246,7 +248,7 @@ class Ledger {
     for (const auto& demand : mention.demands) {
       if (demand.kind != RelationKind::between) continue;
       if (names.empty() && &demand != &first) return;  // said with the first
-      const bool is_thing = demand.mention != Demand::none;
+      const bool is_thing = demand.mention != brief::Demand::none;
       names.push_back(is_thing ? brief_.mentions[demand.mention].category : demand.part);
       const auto targets = is_thing ? ids_[demand.mention]
                                     : std::vector<std::string>{part_of(room_, demand.part)};
@@ -260,14 +262,16 @@ class Ledger {
   // --- For each, not there, nothing else ---------------------------------------------------------
 
   // "a lamp on each desk": with what is said of where the lamps are.
-  void each(const SharedOut& share) {
-    const Mention& mention = brief_.mentions[share.thing];
+  void each(const brief::SharedOut& share) {
+    const brief::Mention& mention = brief_.mentions[share.thing];
     Requirement requirement = about(share.thing, mention, Requirement::Kind::each);
     requirement.subjects = with_parts(share.thing);
     requirement.count = share.count;
     requirement.relation = relation_of(mention, share);
-    requirement.targets = share.owner != no_mention ? with_parts(share.owner) : parts_called(share.place);
-    const std::string owner = share.owner != no_mention ? brief_.mentions[share.owner].category : share.place;
+    requirement.targets =
+        share.owner != brief::no_mention ? with_parts(share.owner) : parts_called(share.place);
+    const std::string owner =
+        share.owner != brief::no_mention ? brief_.mentions[share.owner].category : share.place;
     requirement.clause = (share.count == 1 ? "a" : std::to_string(share.count)) + " " + mention.category + " " +
                          std::string(as_told(requirement.relation)) + " each " + owner;
     std::vector<std::size_t> words = words_of(mention, Heard::As::thing);
@@ -275,10 +279,11 @@ class Ledger {
     words.push_back(share.word);
     add(std::move(requirement), words);
   }
-  static RelationKind relation_of(const Mention& mention, const SharedOut& share) {
+  static RelationKind relation_of(const brief::Mention& mention, const brief::SharedOut& share) {
     if (share.place == "corner") return RelationKind::corner;
     for (const auto& demand : mention.demands)
-      if (share.owner != no_mention && demand.mention == share.owner && !demand.is_means && demand.said_of == Demand::none)
+      if (share.owner != brief::no_mention && demand.mention == share.owner && !demand.is_means &&
+          demand.said_of == brief::Demand::none)
         return demand.said.value_or(demand.kind);
     return RelationKind::near;
   }
@@ -290,19 +295,19 @@ class Ledger {
     return ids;
   }
 
-  void denied(const Denial& denial) {
+  void denied(const brief::Denial& denial) {
     Requirement requirement = about(denial.thing, brief_.mentions[denial.thing], Requirement::Kind::relation);
     requirement.subjects = with_parts(denial.thing);
     requirement.relation = denial.kind;
     requirement.denied = true;
-    const bool is_thing = denial.target != no_mention;
+    const bool is_thing = denial.target != brief::no_mention;
     requirement.targets = is_thing ? with_parts(denial.target) : std::vector<std::string>{part_of(room_, denial.part)};
     requirement.clause = requirement.category + " not " + std::string(name(denial.kind)) + " " +
                          (is_thing ? brief_.mentions[denial.target].category : denial.part);
     add(std::move(requirement), {denial.heard});
   }
 
-  void only(const Limit& limit) {
+  void only(const brief::Limit& limit) {
     Requirement requirement;
     requirement.kind = Requirement::Kind::only;
     requirement.category = limit.category;
@@ -310,21 +315,23 @@ class Ledger {
     for (std::size_t i = 0; i < brief_.mentions.size(); ++i) {
       if (!is_within(i, limit)) continue;
       for (const auto& id : ids_[i]) requirement.subjects.push_back(id);
-      if (brief_.mentions[i].part_of == Demand::none) names.push_back(brief_.mentions[i].category);
+      if (brief_.mentions[i].part_of == brief::Demand::none)
+        names.push_back(brief_.mentions[i].category);
     }
-    if (limit.on != no_mention) requirement.targets = with_parts(limit.on);
+    if (limit.on != brief::no_mention) requirement.targets = with_parts(limit.on);
     if (limit.mount) requirement.attribute = std::string(mount_attribute).append(name(*limit.mount));
     const bool is_list = !limit.allowed.empty();
     requirement.clause = !limit.category.empty() ? "no other " + limit.category
                          : limit.is_nothing      ? "nothing"
                          : is_list               ? "nothing but " + join(names, ", ")
                                                  : "nothing else";
-    if (limit.on != no_mention) requirement.clause += " on " + brief_.mentions[limit.on].category;
+    if (limit.on != brief::no_mention)
+      requirement.clause += " on " + brief_.mentions[limit.on].category;
     if (limit.mount) requirement.clause += " on the " + std::string(name(*limit.mount));
     add(std::move(requirement), {limit.heard});
   }
   // What is there: of a room all that the prompt asks for, of a list those that it names.
-  bool is_within(std::size_t index, const Limit& limit) const {
+  bool is_within(std::size_t index, const brief::Limit& limit) const {
     if (limit.is_nothing) return false;
     if (limit.is_of_room() || !limit.category.empty()) return true;
     const std::size_t whole = brief_.mentions[index].part_of;
@@ -353,7 +360,7 @@ class Ledger {
   }
 
   const PlanRequest& request_;
-  const Brief& brief_;
+  const brief::Brief& brief_;
   const Room& room_;
   std::map<std::size_t, std::vector<std::string>> ids_;  ///< by mention
   std::vector<Requirement> requirements_;
@@ -362,9 +369,9 @@ class Ledger {
 
 }  // namespace
 
-LedgerOfPrompt ledger_of(const PlanRequest& request, const Brief& brief, const std::vector<Draft>& drafts,
-                         const Plan& plan) {
+LedgerOfPrompt ledger_of(const PlanRequest& request, const brief::Brief& brief,
+                         const std::vector<Draft>& drafts, const Plan& plan) {
   return Ledger(request, brief, drafts, plan).run();
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::plan

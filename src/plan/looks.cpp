@@ -5,7 +5,7 @@
 #include "roomgen/base/text.h"
 #include "library/looks.h"
 
-namespace roomgen::design {
+namespace roomgen::plan {
 
 namespace {
 
@@ -21,16 +21,17 @@ std::vector<std::string> without(std::vector<std::string> looks, const std::vect
 
 }  // namespace
 
-const StyleMeaning* style_named(const RoomKinds& kinds, const std::vector<std::string>& styles) {
+const StyleMeaning* style_named(const brief::RoomKinds& kinds,
+                                const std::vector<std::string>& styles) {
   for (const auto& word : styles) {
     if (const auto* meaning = StyleWords::built_in().find(word)) return meaning;
-    const Style* style = kinds.style(word);
+    const brief::Style* style = kinds.style(word);
     if (const auto* meaning = style ? StyleWords::built_in().find(style->adjective) : nullptr) return meaning;
   }
   return nullptr;
 }
 
-Looks::Looks(const RoomKinds& kinds, const KindTable& table,
+Looks::Looks(const brief::RoomKinds& kinds, const KindTable& table,
              const std::vector<std::string>& styles, const StyleMeaning& palette,
              const std::vector<std::string>& unwanted, Random random)
     : table_(&table) {
@@ -40,7 +41,7 @@ Looks::Looks(const RoomKinds& kinds, const KindTable& table,
   };
   for (const auto& look : palette.looks) add(look.kinds, look.words);
   for (const auto& word : styles)
-    if (const Style* style = kinds.style(word); style && adjective_.empty())
+    if (const brief::Style* style = kinds.style(word); style && adjective_.empty())
       adjective_ = style->adjective;
   if (const StyleMeaning* style = style_named(kinds, styles)) {
     adjective_ = style->name;
@@ -74,4 +75,4 @@ const std::string* Looks::finish_of(const std::string& category, std::size_t amo
   return nullptr;
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::plan

@@ -8,18 +8,20 @@
 #include "library/style_words.h"
 #include "roomgen/kinds/kind_table.h"
 
-namespace roomgen::design {
+namespace roomgen::plan {
 
 /// The style that a prompt names first, if it is one of data/styles.json; else null.
-const StyleMeaning* style_named(const RoomKinds& kinds, const std::vector<std::string>& styles);
+const StyleMeaning* style_named(const brief::RoomKinds& kinds,
+                                const std::vector<std::string>& styles);
 
 /// How the things of one room look: one adjective of style, one finish for each group of kinds, those of
 /// the palette before those of the style before those of everybody, so that what stands together goes together. None
 /// has an unwanted word.
 class Looks {
  public:
-  Looks(const RoomKinds& kinds, const KindTable& table, const std::vector<std::string>& styles,
-        const StyleMeaning& palette, const std::vector<std::string>& unwanted, Random random);
+  Looks(const brief::RoomKinds& kinds, const KindTable& table,
+        const std::vector<std::string>& styles, const StyleMeaning& palette,
+        const std::vector<std::string>& unwanted, Random random);
 
   /// "modern wooden double bed"
   std::string describe(const std::string& category, const std::string& variant) const;
@@ -37,4 +39,4 @@ class Looks {
   std::vector<std::pair<std::vector<std::string>, std::string>> finishes_;  ///< kinds and the word
 };
 
-}  // namespace roomgen::design
+}  // namespace roomgen::plan

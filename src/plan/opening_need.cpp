@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace roomgen::design {
+namespace roomgen::plan {
 
 namespace {
 
@@ -23,20 +23,20 @@ Opening opening_of(OpeningType type, double width, double head) {
   return made;
 }
 
-double window_width(const RoomKind& kind, bool wide, Random& random) {
+double window_width(const brief::RoomKind& kind, bool wide, Random& random) {
   const double width = random.uniform(kind.windows.width.low, kind.windows.width.high);
   return wide ? wide_window * width : width;
 }
 
-Opening window_of(const RoomKind& kind, double width, double ceiling) {
+Opening window_of(const brief::RoomKind& kind, double width, double ceiling) {
   Opening window =
       opening_of(OpeningType::window, width, std::min(kind.windows.head, ceiling - under_ceiling));
   window.sill = std::min(kind.windows.sill, window.head - least_height);
   return window;
 }
 
-double wished_width(const OpeningWish& wish, const OpeningKind& kind, const RoomKind& room,
-                    Random& random) {
+double wished_width(const brief::OpeningWish& wish, const OpeningKind& kind,
+                    const brief::RoomKind& room, Random& random) {
   if (wish.width) return *wish.width;
   const bool window = kind.type == OpeningType::window;
   const double width = kind.width ? *kind.width
@@ -45,8 +45,8 @@ double wished_width(const OpeningWish& wish, const OpeningKind& kind, const Room
   return std::max(kind.least_width, width * (window && wish.wide > 1.0 ? wide_window : wish.wide));
 }
 
-void set_heights(const OpeningWish& wish, const OpeningKind& kind, const RoomKind& room,
-                 double ceiling, Opening& opening) {
+void set_heights(const brief::OpeningWish& wish, const OpeningKind& kind,
+                 const brief::RoomKind& room, double ceiling, Opening& opening) {
   const double highest = ceiling - under_ceiling;
   const bool window = kind.type == OpeningType::window;
   const double usual_head = window ? room.windows.head : default_door_head;
@@ -78,13 +78,13 @@ OpeningNeed plain_door(double width, double least, double ceiling) {
   return need;
 }
 
-OpeningNeed usual_door(const RoomKind& kind, double ceiling) {
+OpeningNeed usual_door(const brief::RoomKind& kind, double ceiling) {
   OpeningNeed need = plain_door(kind.door, least_door, ceiling);
   need.opening.swing = kind.swing;
   return need;
 }
 
-OpeningNeed usual_window(const RoomKind& kind, bool wide, double ceiling, Random& random) {
+OpeningNeed usual_window(const brief::RoomKind& kind, bool wide, double ceiling, Random& random) {
   OpeningNeed need;
   need.opening = window_of(kind, window_width(kind, wide, random), ceiling);
   need.least = std::min(need.opening.width(), least_window);
@@ -93,7 +93,7 @@ OpeningNeed usual_window(const RoomKind& kind, bool wide, double ceiling, Random
   return need;
 }
 
-OpeningNeed glazing(const RoomKind& kind, double width, double ceiling) {
+OpeningNeed glazing(const brief::RoomKind& kind, double width, double ceiling) {
   OpeningNeed need;
   need.opening = window_of(kind, width - 2.0 * glazing_clear, ceiling);
   need.opening.sill = std::min(need.opening.sill, bay_sill);
@@ -102,8 +102,8 @@ OpeningNeed glazing(const RoomKind& kind, double width, double ceiling) {
   return need;
 }
 
-OpeningNeed wished_opening(const OpeningWish& wish, const OpeningKind& kind, const RoomKind& room,
-                           double ceiling, Random& random) {
+OpeningNeed wished_opening(const brief::OpeningWish& wish, const OpeningKind& kind,
+                           const brief::RoomKind& room, double ceiling, Random& random) {
   OpeningNeed need;
   Opening& opening = need.opening;
   opening = opening_of(kind.type, wished_width(wish, kind, room, random), default_door_head);
@@ -126,4 +126,4 @@ void squeeze(OpeningNeed& door, std::span<const WallStretch> stretches) {
   door.least = std::min(door.least, std::max(narrowest_door, longest - 2.0 * door.clear));
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::plan

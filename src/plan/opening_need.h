@@ -11,7 +11,7 @@
 #include "scene/opening_kind.h"
 #include "wall_stretch.h"
 
-namespace roomgen::design {
+namespace roomgen::plan {
 
 /// An opening that looks for its place: what it is, how wide it would like to be, and where it would like
 /// to stand.
@@ -40,16 +40,16 @@ struct OpeningNeed {
 /// A plain door.
 OpeningNeed plain_door(double width, double least, double ceiling);
 /// The door of a kind of room.
-OpeningNeed usual_door(const RoomKind& kind, double ceiling);
+OpeningNeed usual_door(const brief::RoomKind& kind, double ceiling);
 /// A window of the kind's heights; its width is drawn.
-OpeningNeed usual_window(const RoomKind& kind, bool wide, double ceiling, Random& random);
+OpeningNeed usual_window(const brief::RoomKind& kind, bool wide, double ceiling, Random& random);
 /// The whole of a bay's wall.
-OpeningNeed glazing(const RoomKind& kind, double width, double ceiling);
+OpeningNeed glazing(const brief::RoomKind& kind, double width, double ceiling);
 /// What a prompt asks for, of a kind of data/openings.json; its place is not yet told.
-OpeningNeed wished_opening(const OpeningWish& wish, const OpeningKind& kind, const RoomKind& room,
-                           double ceiling, Random& random);
+OpeningNeed wished_opening(const brief::OpeningWish& wish, const OpeningKind& kind,
+                           const brief::RoomKind& room, double ceiling, Random& random);
 
 /// Lets a door become as narrow as the longest of the stretches demands, rather than have no door.
 void squeeze(OpeningNeed& door, std::span<const WallStretch> stretches);
 
-}  // namespace roomgen::design
+}  // namespace roomgen::plan

@@ -7,7 +7,7 @@
 #include "roomgen/base/text.h"
 #include "wall_sides.h"
 
-namespace roomgen::design {
+namespace roomgen::plan {
 
 namespace {
 
@@ -354,4 +354,4 @@ void name_openings(Room& room) {
     if (opening.id.empty()) opening.id = free_opening_id(room, opening.type);
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::plan

@@ -8,7 +8,7 @@
 #include "opening_need.h"
 #include "roomgen/scene/room.h"
 
-namespace roomgen::design {
+namespace roomgen::plan {
 
 // The one planner of openings: whoever gives a room doors, passages and windows says what needs a place, and
 // in which parts of its walls.
@@ -45,4 +45,4 @@ std::string free_opening_id(const Room& room, OpeningType type);
 /// One for each opening that has none.
 void name_openings(Room& room);
 
-}  // namespace roomgen::design
+}  // namespace roomgen::plan

@@ -9,7 +9,7 @@
 #include "roomgen/base/text.h"
 #include "scene/room_part.h"
 
-namespace roomgen::design {
+namespace roomgen::plan {
 
 namespace {
 
@@ -19,11 +19,12 @@ constexpr int tied_stage = 2;
 // Furniture waits for furniture; what is to be on top of some comes after it in any case.
 bool waits_for(const Draft& draft, const Draft& other) {
   if (draft.item.mount == Mount::floor && other.item.mount == Mount::surface) return false;
-  const bool are_kin = draft.part_of != Demand::none && draft.part_of == other.part_of;
-  return other.mention != Demand::none &&
-         std::any_of(draft.demands.begin(), draft.demands.end(), [&](const Demand& demand) {
+  const bool are_kin = draft.part_of != brief::Demand::none && draft.part_of == other.part_of;
+  return other.mention != brief::Demand::none &&
+         std::any_of(draft.demands.begin(), draft.demands.end(), [&](const brief::Demand& demand) {
            return demand.mention == other.mention ||
-                  (!are_kin && demand.mention != Demand::none && demand.mention == other.part_of);
+                  (!are_kin && demand.mention != brief::Demand::none &&
+                   demand.mention == other.part_of);
          });
 }
 
@@ -36,8 +37,8 @@ int own_stage(const Draft& draft, const KindTable& table, const Arrangements& ar
   if (draft.formation && draft.item.mount == Mount::floor) return 0;
   const int usual = arrangements.get(table, draft.item.category, draft.item.mount).stage;
   const bool tied =
-      std::any_of(draft.demands.begin(), draft.demands.end(), [](const Demand& demand) {
-        return demand.mention == Demand::none && demand.kind != RelationKind::edge &&
+      std::any_of(draft.demands.begin(), draft.demands.end(), [](const brief::Demand& demand) {
+        return demand.mention == brief::Demand::none && demand.kind != RelationKind::edge &&
                demand.kind != RelationKind::in_part;
       });
   const bool stands =
@@ -90,7 +91,8 @@ void sort_by_stage(std::vector<Draft>& drafts, const KindTable& table,
 void drop_demands(Draft& draft, Plan& plan) {
   plan.notes.push_back("what is asked of the " + draft.item.category +
                        " depends on itself; part of it was left out");
-  std::erase_if(draft.demands, [](const Demand& demand) { return demand.mention != Demand::none; });
+  std::erase_if(draft.demands,
+                [](const brief::Demand& demand) { return demand.mention != brief::Demand::none; });
 }
 
 // Repeatedly the first draft whose targets are all out.
@@ -117,12 +119,13 @@ std::vector<Draft> split_pairs(const std::vector<Draft>& drafts) {
   std::map<std::size_t, int> quantity;
   for (const auto& draft : drafts)
     for (const std::size_t mention : {draft.mention, draft.part_of})
-      if (mention != Demand::none) quantity[mention] += draft.item.quantity;
+      if (mention != brief::Demand::none) quantity[mention] += draft.item.quantity;
   std::vector<Draft> result;
   for (const auto& draft : drafts) {
     const bool pairs =
-        std::any_of(draft.demands.begin(), draft.demands.end(), [&](const Demand& demand) {
-          return demand.flank || (demand.mention != Demand::none && quantity[demand.mention] > 1);
+        std::any_of(draft.demands.begin(), draft.demands.end(), [&](const brief::Demand& demand) {
+          return demand.flank ||
+                 (demand.mention != brief::Demand::none && quantity[demand.mention] > 1);
         });
     if (!(pairs || draft.formation) || draft.item.quantity == 1 || draft.item.quantity > max_split) {
       result.push_back(draft);
@@ -143,7 +146,7 @@ class Ids {
     for (const auto& planned : planned_objects(plan)) {
       const Draft& draft = drafts[planned.item];
       ids_[draft.mention].push_back(planned.id);
-      if (draft.part_of != Demand::none) parts_[draft.part_of].push_back(planned.id);
+      if (draft.part_of != brief::Demand::none) parts_[draft.part_of].push_back(planned.id);
     }
     for (const auto& [mention, ids] : ids_) all_[mention] = ids;
     for (const auto& [mention, ids] : parts_) all_[mention].insert(all_[mention].end(), ids.begin(), ids.end());
@@ -185,7 +188,7 @@ class Resolver {
     bool along = false;  ///< at the long sides
     std::size_t sharing = draft.mention;  // which mentions take the sides in turn
     for (const auto& demand : draft.demands) {
-      if (demand.part == each_wall) {
+      if (demand.part == brief::each_wall) {
         for (const auto& wall : wall_names(room_)) add(relations, {demand.kind, wall, demand.gap});
         continue;
       }
@@ -195,14 +198,14 @@ class Resolver {
           add(relations, {RelationKind::between, id});
         continue;
       }
-      if (demand.mention != Demand::none) {
+      if (demand.mention != brief::Demand::none) {
         if (!targets.count(demand.mention))
           targets[demand.mention] = ids_.next(draft, demand.mention, demand.nth);
         relation.target = targets[demand.mention];
         if (relation.target.empty()) continue;
       }
       if (demand.flank) {
-        sharing = demand.shared ? Demand::none : draft.mention;
+        sharing = demand.shared ? brief::Demand::none : draft.mention;
         if (demand.kind != RelationKind::around) flanked = relation.target;
         // The long sides of tables are the front and the back.
         along = along || demand.kind == RelationKind::in_front_of;
@@ -238,11 +241,12 @@ class Resolver {
     add(relations, {RelationKind::face_same_as, neighbour});
   }
   // "between the beds": said once of several.
-  static bool is_only_between(const Draft& draft, const Demand& demand) {
-    return demand.mention != Demand::none &&
-           std::none_of(draft.demands.begin(), draft.demands.end(), [&](const Demand& other) {
-             return &other != &demand && other.kind == RelationKind::between;
-           });
+  static bool is_only_between(const Draft& draft, const brief::Demand& demand) {
+    return demand.mention != brief::Demand::none &&
+           std::none_of(draft.demands.begin(), draft.demands.end(),
+                        [&](const brief::Demand& other) {
+                          return &other != &demand && other.kind == RelationKind::between;
+                        });
   }
   static void add(std::vector<Relation>& relations, const Relation& relation) {
     if (std::find(relations.begin(), relations.end(), relation) == relations.end())
@@ -268,4 +272,4 @@ std::vector<Draft> order_items(std::vector<Draft> drafts, const KindTable& table
   return drafts;
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::plan

@@ -5,7 +5,7 @@
 #include "inventory.h"
 #include "solve/arrangement.h"
 
-namespace roomgen::design {
+namespace roomgen::plan {
 
 /// Puts items in the order of placement (stages of the arrangements, large before small, what is
 /// demanded of others after them) and turns demands into relations between ids. Items of several
@@ -15,4 +15,4 @@ namespace roomgen::design {
 std::vector<Draft> order_items(std::vector<Draft> drafts, const KindTable& table,
                                const Arrangements& arrangements, Plan& plan);
 
-}  // namespace roomgen::design
+}  // namespace roomgen::plan

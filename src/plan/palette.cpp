@@ -5,7 +5,7 @@
 #include "roomgen/base/text.h"
 #include "scene/finish_words.h"
 
-namespace roomgen::design {
+namespace roomgen::plan {
 
 namespace {
 
@@ -57,4 +57,4 @@ StyleMeaning style_of_palette(const std::vector<std::string>& palette) {
   return style;
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::plan

@@ -12,14 +12,14 @@
 #include "least_size.h"
 #include "ledger.h"
 #include "looks.h"
-#include "makers.h"
+#include "room_makers.h"
 #include "order.h"
 #include "palette.h"
 #include "room_openings.h"
 #include "round_formations.h"
 #include "solve/dry_run.h"
 
-namespace roomgen::design {
+namespace roomgen::plan {
 
 namespace {
 
@@ -28,7 +28,8 @@ constexpr int max_attempts = 9;  ///< while something of the prompt is not heede
 constexpr double growth = 1.05;  ///< of the sides from attempt to attempt
 constexpr std::size_t enough_things = 2;  ///< named, to furnish a room of no known kind
 constexpr std::size_t most_tried = 80;  ///< things; larger plans are taken as they are
-constexpr double none_of_its_kind = 1e6;  ///< fault of a room without what makes it what it is: any other is better
+constexpr double none_of_its_kind =
+    1e6;  ///< fault of a room without what makes it what it is: any other is better
 constexpr double most_work = 24'000;    ///< things times square metres, over all attempts: a full hall of 180 m2 is tried thrice
 constexpr std::size_t most_corners = 64;  ///< of a room in which plans are tried: each wall offers places, and each is held against all walls
 
@@ -44,8 +45,8 @@ struct Attempt {
 
 class Planner {
  public:
-  Planner(const PlanRequest& request, Brief brief, const RoomKinds& kinds, const KindTable& table,
-          const Arrangements& arrangements)
+  Planner(const PlanRequest& request, brief::Brief brief, const brief::RoomKinds& kinds,
+          const KindTable& table, const Arrangements& arrangements)
       : request_(request),
         kinds_(kinds),
         table_(table),
@@ -94,10 +95,10 @@ class Planner {
     }
     const bool is_called = !brief_.type.empty();
     if (!is_called) {
-      brief_.type = default_room_type;
+      brief_.type = brief::default_room_type;
       brief_.type_known = true;
       brief_.notes.push_back(std::string("the prompt names no kind of room; taken for a ") +
-                             default_room_type);
+                             brief::default_room_type);
     }
     kind_ = kinds_.get(brief_.type);
     kind_.type = brief_.type;
@@ -113,7 +114,8 @@ class Planner {
       request.room.reset();
       return Planner(request, brief_, kinds_, table_, arrangements_).is_of_its_kind();
     };
-    return no_place_for(usual_makers(kind_, table_), room, least_size(bounds(room.polygon).size(), works));
+    return no_place_for(usual_makers(kind_, table_), room,
+                        least_size(bounds(room.polygon).size(), works));
   }
 
   static double work_of(const Plan& plan) {
@@ -123,7 +125,7 @@ class Planner {
   double size_factor() const {
     double factor = 1.0;
     for (const auto& word : brief_.styles)
-      if (const Style* style = kinds_.style(word)) factor *= style->size;
+      if (const brief::Style* style = kinds_.style(word)) factor *= style->size;
     return std::clamp(factor, 0.6, 1.6);
   }
 
@@ -135,7 +137,7 @@ class Planner {
     if (brief_.windows) return std::min(3, *brief_.windows);
     int count = random.integer(kind_.windows.low, kind_.windows.high);
     for (const auto& word : brief_.styles)
-      if (const Style* style = kinds_.style(word)) count += style->windows;
+      if (const brief::Style* style = kinds_.style(word)) count += style->windows;
     return std::min(3, count);
   }
 
@@ -155,7 +157,7 @@ class Planner {
     const Vec2 size = request_.size
                           ? *request_.size
                           : choose_size(kind_, brief_, scale, floor_area(drafts, table_), side_for_round(drafts, table_), random.fork("size"));
-    const Outline outline =
+    const brief::Outline outline =
         choose_outline(brief_, size, request_.size || brief_.size, plan.notes, random.fork("outline"));
     return make_room(kind_, outline, openings(random.fork("windows")), random.fork("openings"), plan.notes);
   }
@@ -233,9 +235,12 @@ class Planner {
   bool holds_maker(const Plan& plan, const DryRun& run) const {
     if (kind_.made_by.empty()) return true;
     for (std::size_t i = 0; i < plan.items.size(); ++i) {
-      const auto missed = std::count_if(run.missed.begin(), run.missed.end(),
-                                        [&](const PlannedObject& object) { return object.item == i; });
-      if (plan.items[i].quantity > missed && table_.is_any_of(plan.items[i].category, kind_.made_by)) return true;
+      const auto missed =
+          std::count_if(run.missed.begin(), run.missed.end(),
+                        [&](const PlannedObject& object) { return object.item == i; });
+      if (plan.items[i].quantity > missed &&
+          table_.is_any_of(plan.items[i].category, kind_.made_by))
+        return true;
     }
     return false;
   }
@@ -252,19 +257,20 @@ class Planner {
   }
 
   const PlanRequest& request_;
-  const RoomKinds& kinds_;
+  const brief::RoomKinds& kinds_;
   const KindTable& table_;
   const Arrangements& arrangements_;
-  Brief brief_;
+  brief::Brief brief_;
   Random random_;
-  RoomKind kind_;
+  brief::RoomKind kind_;
 };
 
 }  // namespace
 
-Result<Plan> make_plan(const PlanRequest& request, const Brief& brief, const RoomKinds& kinds,
-                       const KindTable& table, const Arrangements& arrangements) {
+Result<Plan> make_plan(const PlanRequest& request, const brief::Brief& brief,
+                       const brief::RoomKinds& kinds, const KindTable& table,
+                       const Arrangements& arrangements) {
   return Planner(request, brief, kinds, table, arrangements).plan();
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::plan

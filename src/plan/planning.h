@@ -7,13 +7,14 @@
 #include "roomgen/scene/plan.h"
 #include "solve/arrangement.h"
 
-namespace roomgen::design {
+namespace roomgen::plan {
 
 /// The plan for a request whose sizes are sound and whose prompt says what `brief` holds. Each plan has a dry run:
 /// its things are placed as boxes, and where some find no place, another room or another selection is tried; at last
 /// what was not asked for is left out. Fails with invalid_input where nothing that makes the room what it is called
 /// finds a place (needed_makers()); the message says what, and the least size that would do.
-Result<Plan> make_plan(const PlanRequest& request, const Brief& brief, const RoomKinds& kinds,
-                       const KindTable& table, const Arrangements& arrangements);
+Result<Plan> make_plan(const PlanRequest& request, const brief::Brief& brief,
+                       const brief::RoomKinds& kinds, const KindTable& table,
+                       const Arrangements& arrangements);
 
-}  // namespace roomgen::design
+}  // namespace roomgen::plan

@@ -11,7 +11,7 @@
 #include "roomgen/geometry/polygon.h"
 #include "scene/seats_attribute.h"
 
-namespace roomgen::design {
+namespace roomgen::plan {
 
 namespace {
 
@@ -21,7 +21,8 @@ constexpr double least_long = 1.5;  ///< ratio of the sides of a "long" room; do
 
 class RoomClauses {
  public:
-  RoomClauses(const Brief& brief, const PlanRequest& request) : brief_(brief), request_(request) {}
+  RoomClauses(const brief::Brief& brief, const PlanRequest& request)
+      : brief_(brief), request_(request) {}
 
   std::vector<SaidClause> run() {
     room();
@@ -45,7 +46,8 @@ class RoomClauses {
     // A room of a kind that nobody knows may be anything.
     const bool is_kind = brief_.type_known && !brief_.type_inferred;
     if (const auto words = words_heard_as(brief_, Heard::As::room, "kind"); !words.empty())
-      of_room(is_kind ? "kind" : "character", bounded_name(brief_.type), 0.0, "a " + brief_.type, words);
+      of_room(is_kind ? "kind" : "character", brief::bounded_name(brief_.type), 0.0,
+              "a " + brief_.type, words);
     size();
     if (brief_.height)
       of_room("height", "", *brief_.height, format_number(*brief_.height, 2) + " m high",
@@ -81,23 +83,30 @@ class RoomClauses {
     }
     if (brief_.area) {
       const auto given = given_size();
-      const bool is_other = given && std::abs(given->prod() - *brief_.area) > area_share * *brief_.area;
-      of_room("area", "", *brief_.area, format_number(*brief_.area, 2) + " m2" + (is_other ? overruled_by(*given) : ""),
+      const bool is_other =
+          given && std::abs(given->prod() - *brief_.area) > area_share * *brief_.area;
+      of_room("area", "", *brief_.area,
+              format_number(*brief_.area, 2) + " m2" + (is_other ? overruled_by(*given) : ""),
               words_heard_as(brief_, Heard::As::room, "area"));
     }
   }
 
   // Beside the prompt; how the rooms of a dwelling lie nobody has said.
   std::optional<Vec2> given_size() const {
-    if (request_.room) return request_.room->id.empty() ? std::optional(bounds(request_.room->polygon).size()) : std::nullopt;
+    if (request_.room)
+      return request_.room->id.empty() ? std::optional(bounds(request_.room->polygon).size())
+                                       : std::nullopt;
     return request_.size;
   }
-  static bool is_side(double given, double said) { return std::abs(given - said) <= side_tolerance; }
+  static bool is_side(double given, double said) {
+    return std::abs(given - said) <= side_tolerance;
+  }
   static std::string sides_text(const Vec2& size) {
     return format_number(size.x(), 2) + " x " + format_number(size.y(), 2) + " m";
   }
   std::string overruled_by(const Vec2& given) const {
-    return std::string(", but the ") + (request_.room ? "floor plan" : "size") + " that is given, " + sides_text(given) + ", wins";
+    return std::string(", but the ") + (request_.room ? "floor plan" : "size") +
+           " that is given, " + sides_text(given) + ", wins";
   }
 
   // "for eight people"
@@ -112,17 +121,22 @@ class RoomClauses {
   // How the room looks as a whole; moods that no style is defined by only colour what is chosen.
   void styles() {
     for (const auto& style : brief_.styles)
-      if (StyleWords::built_in().find(style)) of_room("style", bounded_name(style), 0.0, style, words_heard_as(brief_, Heard::As::style, style));
-    for (const auto& colors : brief_.palette) of_room("palette", bounded_name(colors), 0.0, colors, words_heard_as(brief_, Heard::As::style, colors));
+      if (StyleWords::built_in().find(style))
+        of_room("style", brief::bounded_name(style), 0.0, style,
+                words_heard_as(brief_, Heard::As::style, style));
+    for (const auto& colors : brief_.palette)
+      of_room("palette", brief::bounded_name(colors), 0.0, colors,
+              words_heard_as(brief_, Heard::As::style, colors));
   }
 
   // What nothing in a room can show, each in its own words.
   void remarks() {
     for (std::size_t i = 0; i < brief_.heard.size(); ++i) {
-      const HeardWords& words = brief_.heard[i];
-      if (words.word != said_remark) continue;
+      const brief::HeardWords& words = brief_.heard[i];
+      if (words.word != brief::said_remark) continue;
       const std::string text = text_of(words.tokens);
-      of_room(words.as == Heard::As::activity ? "activity" : "character", bounded_name(text), 0.0, text, {i});
+      of_room(words.as == Heard::As::activity ? "activity" : "character", brief::bounded_name(text),
+              0.0, text, {i});
     }
   }
   std::string text_of(const language::Run& tokens) const {
@@ -144,22 +158,23 @@ class RoomClauses {
       of_room("openings", "window", 0.0, "no windows", words_heard_as(brief_, Heard::As::absence, "window"));
   }
 
-  const Brief& brief_;
+  const brief::Brief& brief_;
   const PlanRequest& request_;
   std::vector<SaidClause> clauses_;
 };
 
 }  // namespace
 
-std::vector<std::size_t> words_heard_as(const Brief& brief, Heard::As as, const std::string& word) {
+std::vector<std::size_t> words_heard_as(const brief::Brief& brief, Heard::As as,
+                                        const std::string& word) {
   std::vector<std::size_t> result;
   for (std::size_t i = 0; i < brief.heard.size(); ++i)
     if (brief.heard[i].as == as && brief.heard[i].word == word) result.push_back(i);
   return result;
 }
 
-std::vector<SaidClause> clauses_of_room(const Brief& brief, const PlanRequest& request) {
+std::vector<SaidClause> clauses_of_room(const brief::Brief& brief, const PlanRequest& request) {
   return RoomClauses(brief, request).run();
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::plan

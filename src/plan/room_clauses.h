@@ -8,7 +8,7 @@
 #include "roomgen/scene/plan.h"
 #include "roomgen/scene/requirement.h"
 
-namespace roomgen::design {
+namespace roomgen::plan {
 
 /// A requirement, and which of Brief::heard say it.
 struct SaidClause {
@@ -17,9 +17,10 @@ struct SaidClause {
 };
 
 /// What is asked of the room itself: its kind, sides, shape, openings, seats, style, and what nothing in it can show.
-std::vector<SaidClause> clauses_of_room(const Brief& brief, const PlanRequest& request);
+std::vector<SaidClause> clauses_of_room(const brief::Brief& brief, const PlanRequest& request);
 
 /// The words that were heard as that and are said of no thing, by Brief::heard.
-std::vector<std::size_t> words_heard_as(const Brief& brief, Heard::As as, const std::string& word);
+std::vector<std::size_t> words_heard_as(const brief::Brief& brief, Heard::As as,
+                                        const std::string& word);
 
-}  // namespace roomgen::design
+}  // namespace roomgen::plan

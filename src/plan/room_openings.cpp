@@ -8,7 +8,7 @@
 #include "scene/opening_kind.h"
 #include "wall_sides.h"
 
-namespace roomgen::design {
+namespace roomgen::plan {
 
 namespace {
 
@@ -22,7 +22,7 @@ bool has_entrance(const std::vector<Opening>& openings) {
 /// The openings that one room needs.
 class RoomNeeds {
  public:
-  RoomNeeds(const Room& room, const RoomKind& kind, const std::vector<std::size_t>& glazed)
+  RoomNeeds(const Room& room, const brief::RoomKind& kind, const std::vector<std::size_t>& glazed)
       : room_(room), kind_(kind), glazed_(glazed), walls_(whole_walls(room)) {}
 
   /// A door in a wall that is drawn, bays and windows.
@@ -39,7 +39,7 @@ class RoomNeeds {
       add_window(openings, random);
   }
 
-  void add_wish(const OpeningWish& wish, Random& random) {
+  void add_wish(const brief::OpeningWish& wish, Random& random) {
     const auto& kinds = OpeningKinds::built_in();
     const OpeningKind* kind = kinds ? kinds->find(wish.kind) : nullptr;
     if (!kind) return;
@@ -115,7 +115,7 @@ class RoomNeeds {
   }
 
   // The i-th of those that are wished for together.
-  std::vector<std::size_t> told_walls(const OpeningWish& wish, std::size_t i) const {
+  std::vector<std::size_t> told_walls(const brief::OpeningWish& wish, std::size_t i) const {
     if (!wish.sides.empty())
       return walls_on_side(room_.polygon, wish.sides[i % wish.sides.size()]);
     if (wish.walls == 0) return {};
@@ -133,7 +133,7 @@ class RoomNeeds {
   }
 
   const Room& room_;
-  const RoomKind& kind_;
+  const brief::RoomKind& kind_;
   const std::vector<std::size_t>& glazed_;
   std::vector<WallStretch> walls_;
   std::vector<std::size_t> order_;
@@ -142,14 +142,15 @@ class RoomNeeds {
 
 }  // namespace
 
-void plan_openings(Room& room, const RoomKind& kind, const std::vector<std::size_t>& glazed,
+void plan_openings(Room& room, const brief::RoomKind& kind, const std::vector<std::size_t>& glazed,
                    const RoomOpenings& openings, Random& random, std::vector<std::string>& notes) {
   RoomNeeds usual(room, kind, glazed);
   usual.add_usual(openings, random);
-  std::vector<OpeningWish> windows = openings.wishes;
-  std::erase_if(windows, [](const OpeningWish& wish) { return wish.type != OpeningType::window; });
+  std::vector<brief::OpeningWish> windows = openings.wishes;
+  std::erase_if(windows,
+                [](const brief::OpeningWish& wish) { return wish.type != OpeningType::window; });
   // A room that nobody would enter has the usual door.
-  const std::array attempts = {openings.wishes, windows, std::vector<OpeningWish>()};
+  const std::array attempts = {openings.wishes, windows, std::vector<brief::OpeningWish>()};
   for (const auto& wishes : attempts) {
     Random told = random.fork("told openings");
     RoomNeeds needs = usual;
@@ -165,7 +166,7 @@ void plan_openings(Room& room, const RoomKind& kind, const std::vector<std::size
   }
 }
 
-void ensure_door(Room& room, const RoomKind& kind, std::vector<std::string>& notes) {
+void ensure_door(Room& room, const brief::RoomKind& kind, std::vector<std::string>& notes) {
   if (has_entrance(room.openings)) return;
   const OpeningPlaces places{bare_walls(room), nullptr};
   OpeningNeed need = usual_door(kind, room.height);
@@ -178,4 +179,4 @@ void ensure_door(Room& room, const RoomKind& kind, std::vector<std::string>& not
   name_openings(room);
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::plan

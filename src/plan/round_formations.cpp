@@ -6,7 +6,7 @@
 
 #include "formation_site.h"
 
-namespace roomgen::design {
+namespace roomgen::plan {
 
 namespace {
 
@@ -115,8 +115,9 @@ class RoundFormation {
 
   // "a half circle around the stage": close to it, where others look from afar.
   bool is_around() const {
-    return std::any_of(draft_.demands.begin(), draft_.demands.end(),
-                       [](const Demand& demand) { return demand.kind == RelationKind::around; });
+    return std::any_of(
+        draft_.demands.begin(), draft_.demands.end(),
+        [](const brief::Demand& demand) { return demand.kind == RelationKind::around; });
   }
 
   Vec2 at_wall(std::size_t wall) const {
@@ -154,8 +155,9 @@ std::optional<std::pair<Ring, std::size_t>> arc_at_some_wall(const RoundFormatio
 // What a circle stands around is in its middle, unless it was told where else.
 void put_focus_in_middle(const Draft* focus, const Vec2& center, const std::vector<Draft>& drafts, Plan& plan) {
   if (!focus || focus->item.mount != Mount::floor) return;
-  const bool is_free = std::all_of(focus->demands.begin(), focus->demands.end(),
-                                   [](const Demand& demand) { return demand.kind == RelationKind::middle; });
+  const bool is_free =
+      std::all_of(focus->demands.begin(), focus->demands.end(),
+                  [](const brief::Demand& demand) { return demand.kind == RelationKind::middle; });
   if (is_free) plan.items[static_cast<std::size_t>(focus - drafts.data())].location = center;
 }
 
@@ -169,7 +171,7 @@ void lay_out_round(const std::vector<std::size_t>& items, const std::vector<Draf
   const Draft* focus = focus_of(draft, drafts);
   const RoundFormation formation(draft, items.size(), focus, plan.room, table);
   std::optional<Ring> ring;
-  if (draft.formation->shape == Formation::Shape::circle) {
+  if (draft.formation->shape == brief::Formation::Shape::circle) {
     ring = formation.circle();
     if (ring) put_focus_in_middle(focus, ring->center, drafts, plan);
   } else if (const auto arc = arc_at_some_wall(formation, draft, drafts, plan.room)) {
@@ -189,7 +191,8 @@ double side_for_round(const std::vector<Draft>& drafts, const KindTable& table) 
   double side = 0.0;
   for (const Draft& draft : drafts) {
     if (!draft.formation || !draft.formation->is_round() || !draft.item.size || draft.item.quantity < 3) continue;
-    const double turn = draft.formation->shape == Formation::Shape::circle ? 2.0 * pi : half_turn;
+    const double turn =
+        draft.formation->shape == brief::Formation::Shape::circle ? 2.0 * pi : half_turn;
     const Draft* focus = focus_of(draft, drafts);
     const double inside = focus ? around(focus->item, table) : 0.5 * feet_in_middle;
     const double radius = radius_of(draft.item.size->head<2>(), turn / draft.item.quantity, usual_gap, inside);
@@ -198,4 +201,4 @@ double side_for_round(const std::vector<Draft>& drafts, const KindTable& table) 
   return side;
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::plan

@@ -4,7 +4,7 @@
 
 #include "inventory.h"
 
-namespace roomgen::design {
+namespace roomgen::plan {
 
 /// Gives things that stand in a circle or an arc their places, and what they look at: the middle of the circle, with
 /// what they stand around in it; of an arc what they face, at the middle of a wall, or else its own middle. The
@@ -16,4 +16,4 @@ void lay_out_round(const std::vector<std::size_t>& items, const std::vector<Draf
 /// Metres that a room must be wide and deep for the circles and arcs among what was asked for; 0 if there are none.
 double side_for_round(const std::vector<Draft>& drafts, const KindTable& table);
 
-}  // namespace roomgen::design
+}  // namespace roomgen::plan

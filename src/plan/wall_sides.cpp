@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-namespace roomgen::design {
+namespace roomgen::plan {
 
 namespace {
 
@@ -42,4 +42,4 @@ std::size_t wall_on_side(const Polygon& polygon, std::size_t side) {
   return best;
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::plan

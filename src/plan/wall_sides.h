@@ -5,7 +5,7 @@
 
 #include "roomgen/geometry/polygon.h"
 
-namespace roomgen::design {
+namespace roomgen::plan {
 
 /// The walls of a polygon that look to a direction (at most 45 degrees off), the longest first.
 std::vector<std::size_t> walls_towards(const Polygon& polygon, const Vec2& direction);
@@ -18,4 +18,4 @@ std::vector<std::size_t> walls_on_side(const Polygon& polygon, int side);
 /// one that comes nearest.
 std::size_t wall_on_side(const Polygon& polygon, std::size_t side);
 
-}  // namespace roomgen::design
+}  // namespace roomgen::plan

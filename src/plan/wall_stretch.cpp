@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace roomgen::design {
+namespace roomgen::plan {
 
 std::vector<WallStretch> whole_walls(const Room& room) {
   std::vector<WallStretch> walls;
@@ -46,4 +46,4 @@ Opening moved_to(Opening opening, const WallStretch& stretch, double middle, dou
   return opening;
 }
 
-}  // namespace roomgen::design
+}  // namespace roomgen::plan

@@ -5,7 +5,7 @@
 
 #include "roomgen/scene/room.h"
 
-namespace roomgen::design {
+namespace roomgen::plan {
 
 // What openings keep clear of, and what they need at least, metres.
 inline constexpr double corner_offset = 0.12;  ///< of a door from the wall beside it: room for frame and hand
@@ -34,4 +34,4 @@ void cut(std::vector<WallStretch>& stretches, std::size_t wall, double from, dou
 /// both ends where there is room for that.
 Opening moved_to(Opening opening, const WallStretch& stretch, double middle, double offset);
 
-}  // namespace roomgen::design
+}  // namespace roomgen::plan

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "roomgen/scene/model_table.h"
+#include "roomgen/scene/scene.h"
 
 namespace roomgen {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "roomgen/geometry/model.h"
-#include "roomgen/scene/model_table.h"
+#include "roomgen/scene/scene.h"
 #include "roomgen/scene/room.h"
 
 namespace roomgen {

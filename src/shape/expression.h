@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "roomgen/base/result.h"
-#include "roomgen/shape/recipe.h"
+#include "roomgen/shape/program.h"
 
 namespace roomgen::shape {
 

@@ -4,7 +4,7 @@
 
 #include "base/json_reader.h"
 #include "numbers.h"
-#include "roomgen/shape/recipe.h"
+#include "roomgen/shape/program.h"
 
 namespace roomgen::shape::detail {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "movable.h"
-#include "roomgen/solve/sample.h"
+#include "roomgen/solve/solve.h"
 
 namespace roomgen {
 

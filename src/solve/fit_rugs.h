@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "roomgen/kinds/kind_table.h"
-#include "roomgen/scene/model_table.h"
+#include "roomgen/scene/scene.h"
 #include "roomgen/scene/object.h"
 #include "roomgen/scene/room.h"
 

@@ -5,9 +5,11 @@ namespace roomgen {
 namespace {
 
 // Those in which the thing stands have one blocker more, or less.
-void count_in(const FloorThing& thing, const FloorThing& owner, std::vector<FreeZones::Zone>& zones, int change) {
+void count_in(const FloorThing& thing, const FloorThing& owner, std::vector<FreeZones::Zone>& zones,
+              int change) {
   for (std::size_t z = 0; z < zones.size(); ++z)
-    if (blocks_zone(thing, owner, owner.category->zones[z], zones[z].area)) zones[z].blockers += change;
+    if (blocks_zone(thing, owner, owner.category->zones[z], zones[z].area))
+      zones[z].blockers += change;
 }
 
 }  // namespace

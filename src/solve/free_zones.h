@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -23,15 +24,18 @@ class FreeZones {
   /// The i-th of the things is about to go.
   void remove(std::span<const FloorThing> things, std::size_t i);
 
-  /// As needs_no_zone() says.
-  bool needs_none(std::size_t i) const { return zones_[i].empty(); }
+  /// The i-th thing has no zones, or what stands already leaves none of them free: no newcomer is to blame.
+  bool has_lost_all(std::size_t i) const {
+    return std::ranges::none_of(zones_[i], [](const Zone& zone) { return zone.is_inside && zone.blockers == 0; });
+  }
   /// The zones of the i-th thing, `owner`, that are free while the newcomer stands there too: does `suits` hold for one?
   template <typename Suits>
-  bool has_free(const FloorThing& owner, std::size_t i, const FloorThing& newcomer, Suits&& suits) const {
+  bool has_free(const FloorThing& owner, std::size_t i, const FloorThing& newcomer,
+                Suits&& suits) const {
     for (std::size_t z = 0; z < zones_[i].size(); ++z) {
       const Zone& zone = zones_[i][z];
-      if (zone.is_inside && zone.blockers == 0 && !blocks_zone(newcomer, owner, owner.category->zones[z], zone.area) &&
-          suits(zone.area))
+      if (zone.is_inside && zone.blockers == 0 &&
+          !blocks_zone(newcomer, owner, owner.category->zones[z], zone.area) && suits(zone.area))
         return true;
     }
     return false;

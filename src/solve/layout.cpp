@@ -208,13 +208,13 @@ Layout::Verdict Layout::fits_exactly(const Candidate& candidate) {
 // Whether the i-th thing has a free zone beside the newcomer, the last of things_, or is that itself.
 bool Layout::keeps_free_zone(std::size_t i) const {
   if (i == objects_.size()) return has_free_zone(room_, things_, things_[i]);
-  return free_zones_.needs_none(i) ||
+  return free_zones_.has_lost_all(i) ||
          free_zones_.has_free(things_[i], i, things_.back(), [](const Footprint&) { return true; });
 }
 
 bool Layout::is_usable_still(std::size_t i) const {
   if (i == objects_.size()) return is_usable(room_, things_, things_[i], occupancy_);
-  return free_zones_.needs_none(i) ||
+  return free_zones_.has_lost_all(i) ||
          free_zones_.has_free(things_[i], i, things_.back(),
                               [&](const Footprint& area) { return occupancy_.reaches(area); });
 }

@@ -1,4 +1,4 @@
-#include "roomgen/solve/sample.h"
+#include "roomgen/solve/solve.h"
 
 #include <algorithm>
 #include <atomic>
@@ -49,13 +49,16 @@ int count_constraints(const std::vector<Object>& objects) {
 
 Status check_amount(std::size_t things, std::size_t layouts) {
   if (things > most_sampled_things)
-    return Error{Error::Kind::limit, "layouts are drawn of rooms of up to " + std::to_string(most_sampled_things) +
-                                     " things, and this has " + std::to_string(things) + ": leave some out, or draw of "
-                                     "each part of the room by itself"};
+    return Error{Error::Kind::limit, "layouts are drawn of rooms of up to " +
+                                         std::to_string(most_sampled_things) +
+                                         " things, and this has " + std::to_string(things) +
+                                         ": leave some out, or draw of "
+                                         "each part of the room by itself"};
   if (things == 0 || layouts <= most_sampled_poses / things) return {};
-  return Error{Error::Kind::limit, std::to_string(layouts) + " layouts of " + std::to_string(things) +
-                                       " things are too many at once: draw up to " +
-                                       std::to_string(most_sampled_poses / things) + ", and others with another seed"};
+  return Error{Error::Kind::limit,
+               std::to_string(layouts) + " layouts of " + std::to_string(things) +
+                   " things are too many at once: draw up to " +
+                   std::to_string(most_sampled_poses / things) + ", and others with another seed"};
 }
 
 class Sampler {

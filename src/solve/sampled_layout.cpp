@@ -2,7 +2,7 @@
 
 #include "base/json_reader.h"
 #include "roomgen/base/json.h"
-#include "roomgen/solve/sample.h"
+#include "roomgen/solve/solve.h"
 #include "scene/file_limits.h"
 
 namespace roomgen {

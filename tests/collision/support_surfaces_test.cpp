@@ -8,7 +8,7 @@
 #include "roomgen/base/json.h"
 #include "roomgen/geometry/model.h"
 #include "roomgen/shape/evaluate.h"
-#include "roomgen/shape/recipe.h"
+#include "roomgen/shape/program.h"
 
 using namespace roomgen;
 

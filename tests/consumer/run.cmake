@@ -19,7 +19,7 @@ if(NOT CMAKE_MATCH_1)
 endif()
 file(WRITE "${WORK}/source/main.cpp" "#include <cstdio>\n${CMAKE_MATCH_1}")
 file(COPY "${SOURCE}/tests/consumer/CMakeLists.txt" "${SOURCE}/tests/consumer/core.cpp"
-     "${SOURCE}/tests/consumer/agent.cpp" DESTINATION "${WORK}/source")
+     "${SOURCE}/tests/consumer/agent.cpp" "${SOURCE}/tests/consumer/lab.cpp" DESTINATION "${WORK}/source")
 
 run(${CMAKE_COMMAND} --install "${BINARY}" --prefix "${prefix}")
 run(${CMAKE_COMMAND} -S "${WORK}/source" -B "${WORK}/build" -G Ninja "-DCMAKE_PREFIX_PATH=${prefix}"
@@ -29,4 +29,7 @@ run("${WORK}/build/core_consumer")
 run("${WORK}/build/consumer")
 if(AGENT)
   run("${WORK}/build/agent_consumer")
+endif()
+if(LAB)
+  run("${WORK}/build/lab_consumer")
 endif()

@@ -8,7 +8,7 @@
 #include "parts.h"
 #include "roomgen/create/create.h"
 #include "roomgen/create/maker.h"
-#include "roomgen/shape/recipe.h"
+#include "roomgen/shape/program.h"
 
 using namespace roomgen;
 using namespace roomgen::create;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "catch.h"
-#include "roomgen/create/model_maker.h"
+#include "roomgen/create/maker.h"
 #include "support/contains.h"
 #include "support/scripted_model.h"
 

@@ -3,7 +3,7 @@
 #include "conversation.h"
 #include "roomgen/base/json.h"
 #include "roomgen/create/create.h"
-#include "roomgen/shape/recipe.h"
+#include "roomgen/shape/program.h"
 
 using namespace conversation;
 

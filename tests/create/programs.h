@@ -7,7 +7,7 @@
 #include "catch.h"
 #include "create/validate.h"
 #include "roomgen/base/json.h"
-#include "roomgen/shape/recipe.h"
+#include "roomgen/shape/program.h"
 
 /// Shape programs for the tests of the validator.
 inline const std::vector<std::string> example_names = {"bar-stool",  "bookshelf", "chair",

@@ -4,7 +4,7 @@
 #include "base/resource.h"
 #include "conversation.h"
 #include "roomgen/base/json.h"
-#include "roomgen/shape/recipe.h"
+#include "roomgen/shape/program.h"
 
 using namespace conversation;
 

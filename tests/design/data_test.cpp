@@ -10,7 +10,7 @@
 #include "solve/arrangement.h"
 
 using namespace roomgen;
-using namespace roomgen::design;
+using namespace roomgen::brief;
 
 namespace {
 

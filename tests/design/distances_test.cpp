@@ -4,7 +4,7 @@
 #include "plans.h"
 
 using namespace roomgen;
-using namespace roomgen::design;
+using namespace roomgen::brief;
 
 namespace {
 

@@ -15,7 +15,8 @@
 #include "scene/dwelling.h"
 
 using namespace roomgen;
-using namespace roomgen::design;
+using namespace roomgen::brief;
+using namespace roomgen::plan;
 
 namespace {
 

@@ -11,7 +11,8 @@
 #include "plans.h"
 
 using namespace roomgen;
-using namespace roomgen::design;
+using namespace roomgen::brief;
+using namespace roomgen::plan;
 using roomgen::test::plan_of;
 
 namespace {

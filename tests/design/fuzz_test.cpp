@@ -9,7 +9,7 @@
 #include "roomgen/kinds/kind_table.h"
 
 using namespace roomgen;
-using namespace roomgen::design;
+using namespace roomgen::brief;
 
 namespace {
 

@@ -9,7 +9,7 @@
 #include "roomgen/design/designer.h"
 
 using namespace roomgen;
-using namespace roomgen::design;
+using namespace roomgen::brief;
 
 namespace {
 

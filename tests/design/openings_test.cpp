@@ -14,7 +14,8 @@
 #include "support/shapes.h"
 
 using namespace roomgen;
-using namespace roomgen::design;
+using namespace roomgen::brief;
+using namespace roomgen::plan;
 
 namespace {
 

@@ -3,7 +3,7 @@
 #include "read_brief.h"
 
 using namespace roomgen;
-using namespace roomgen::design;
+using namespace roomgen::brief;
 
 TEST_CASE("looks before one noun are of as many things") {
   for (const char* prompt : {"A room with a black and a white chair.", "A room with a black chair and a white chair."}) {

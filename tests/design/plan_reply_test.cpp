@@ -9,6 +9,7 @@
 #include "support/rooms.h"
 
 using namespace roomgen;
+using namespace roomgen::brief;
 using namespace roomgen::design;
 
 namespace {

@@ -72,7 +72,7 @@ TEST_CASE("rooms of the six kinds are sound, full enough and not too full") {
 }
 
 TEST_CASE("rooms of all kinds are sound and hold enough") {
-  for (const auto& [type, kind] : design::built_in_room_kinds()->types)
+  for (const auto& [type, kind] : brief::built_in_room_kinds()->types)
     for (std::uint64_t seed = 1; seed <= 2; ++seed) {
       INFO(type << ", seed " << seed);
       const Plan plan = plan_of("a " + type, seed);

@@ -8,12 +8,12 @@
 #include "roomgen/kinds/kind_table.h"
 
 /// What is read in a prompt, with the kinds of rooms and things that are built in.
-inline roomgen::design::Brief read_brief(const std::string& prompt) {
-  return roomgen::design::read_prompt(prompt, *roomgen::design::built_in_room_kinds(), roomgen::KindTable::built_in());
+inline roomgen::brief::Brief read_brief(const std::string& prompt) {
+  return roomgen::brief::read_prompt(prompt, *roomgen::brief::built_in_room_kinds(), roomgen::KindTable::built_in());
 }
 
 // "2 chair, 1 table"
-inline std::string things(const roomgen::design::Brief& brief) {
+inline std::string things(const roomgen::brief::Brief& brief) {
   std::string text;
   for (const auto& mention : brief.mentions)
     text += (text.empty() ? "" : ", ") + std::to_string(mention.quantity) + " " + mention.category;
@@ -21,12 +21,12 @@ inline std::string things(const roomgen::design::Brief& brief) {
 }
 
 // "near table | edge": by the categories of the targets.
-inline std::string places(const roomgen::design::Brief& brief, std::size_t mention) {
+inline std::string places(const roomgen::brief::Brief& brief, std::size_t mention) {
   std::string text;
   for (const auto& demand : brief.mentions.at(mention).demands) {
     text += text.empty() ? "" : " | ";
     text += name(demand.kind);
-    if (demand.mention != roomgen::design::Demand::none)
+    if (demand.mention != roomgen::brief::Demand::none)
       text += ", " + brief.mentions[demand.mention].category;
     else if (!demand.part.empty())
       text += ", " + demand.part;

@@ -7,7 +7,7 @@
 #include "support/contains.h"
 
 using namespace roomgen;
-using namespace roomgen::design;
+using namespace roomgen::brief;
 
 namespace {
 

@@ -7,7 +7,7 @@
 #include "read_brief.h"
 
 using namespace roomgen;
-using namespace roomgen::design;
+using namespace roomgen::brief;
 
 namespace {
 

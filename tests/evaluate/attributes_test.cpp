@@ -267,28 +267,3 @@ TEST_CASE("Outlines of discs, plates and an L, whatever their size") {
   for (auto& p : mirror.positions) p = {p.x(), 0.01f * p.y(), p.y()};
   CHECK(outline_of(mirror) == Outline::round);
 }
-
-TEST_CASE("Attributes count the things that have all of them") {
-  Scene scene;
-  scene.room = rooms::box(5, 4);
-  ModelTable models;
-  const auto add = [&](const std::string& id, const std::string& mesh, const Eigen::Vector3f& color) {
-    Object object = rooms::thing(id, "desk", {1.2, 0.6, 0.75}, {1 + scene.objects.size() * 1.5, 2});
-    test::use_model(object, models, mesh, test::colored_box(object.size, color));
-    scene.objects.push_back(object);
-  };
-  add("desk-0", "plain_desk", {255, 0, 0});
-  add("desk-1", "simple_desk", {0, 0, 255});
-  const auto score = [&](const std::string& attributes) {
-    const auto rows = parse_requirements("ID,Description,ObjCount,ObjAttr\n1,x,\"eq,2,desk\",\"" + attributes + "\"\n", "r");
-    return score_room(rows->front(), scene, models);
-  };
-  CHECK(score("eq,1,desk,red").attributes.front().satisfied);
-  CHECK_FALSE(score("eq,2,desk,red").attributes.front().satisfied);
-  CHECK_FALSE(score("eq,1,desk,red,round").attributes.front().satisfied);
-  CHECK(score("eq,1,desk,blue,rectangular").attributes.front().satisfied);
-  const auto missing = score("eq,1,sofa,red").attributes.front();
-  CHECK_FALSE(missing.satisfied);
-  CHECK(missing.missing == "sofa");
-  CHECK(score("eq,1,desk,beloved").attributes.front().unjudged == std::vector<std::string>{"beloved"});
-}

@@ -6,7 +6,7 @@
 #include "history.h"
 #include "roomgen/base/file.h"
 #include "roomgen/base/json.h"
-#include "session/small_scenes.h"
+#include "edit/small_scenes.h"
 #include "short_of_memory.h"
 #include "support/contains.h"
 #include "support/temporary_folder.h"

@@ -3,15 +3,16 @@
 
 #include "bytes.h"
 #include "roomgen/base/json.h"
-#include "roomgen/program/program.h"
+#include "roomgen/lab/program.h"
 #include "roomgen/scene/plan.h"
 #include "roomgen/scene/problem.h"
-#include "roomgen/session/operation.h"
-#include "roomgen/tour/tour.h"
+#include "roomgen/edit/operation.h"
+#include "roomgen/lab/tour.h"
 
 namespace {
 
 using namespace roomgen;
+using namespace roomgen::lab;
 
 template <typename Read>
 void again(const Json& json, Read read) {

@@ -3,7 +3,7 @@
 
 #include "bytes.h"
 #include "roomgen/scene/scene.h"
-#include "session/edit_words.h"
+#include "edit_reader/edit_words.h"
 
 namespace {
 

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "bytes.h"
-#include "session/journal.h"
-#include "session/journal_line.h"
-#include "session/timeline.h"
+#include "edit/journal.h"
+#include "edit/journal_line.h"
+#include "edit/timeline.h"
 
 namespace {
 

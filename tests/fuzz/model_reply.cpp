@@ -3,7 +3,7 @@
 
 #include "brief/prompt.h"
 #include "bytes.h"
-#include "compose/model_author.h"
+#include "lab/compose/model_author.h"
 #include "create/mesh_reply.h"
 #include "create/verdict_reply.h"
 #include "design/place_reply.h"
@@ -12,6 +12,7 @@
 namespace {
 
 using namespace roomgen;
+using namespace roomgen::lab;
 
 void read_plan(const std::string& text) {
   static const PlanRequest request = [] {
@@ -19,8 +20,8 @@ void read_plan(const std::string& text) {
     made.prompt = "a bedroom with a desk";
     return made;
   }();
-  static const design::Brief brief =
-      design::read_prompt(request.prompt, *design::built_in_room_kinds(), KindTable::built_in());
+  static const brief::Brief brief =
+      brief::read_prompt(request.prompt, *brief::built_in_room_kinds(), KindTable::built_in());
   const auto reply = design::read_plan_reply(text, request, brief, KindTable::built_in());
   if (reply) must(plan_from_json(to_json(reply->plan), "plan.json").ok());
 }

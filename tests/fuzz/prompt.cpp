@@ -3,8 +3,8 @@
 #include "bytes.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static const auto& kinds = roomgen::design::built_in_room_kinds();
-  roomgen::design::read_prompt(FuzzedBytes{data, size}.text(), *kinds,
+  static const auto& kinds = roomgen::brief::built_in_room_kinds();
+  roomgen::brief::read_prompt(FuzzedBytes{data, size}.text(), *kinds,
                                roomgen::KindTable::built_in());
   return 0;
 }

@@ -4,7 +4,7 @@
 #include "bytes.h"
 #include "roomgen/base/json.h"
 #include "roomgen/shape/evaluate.h"
-#include "roomgen/shape/recipe.h"
+#include "roomgen/shape/program.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace roomgen;

@@ -3,7 +3,7 @@
 
 #include "bytes.h"
 #include "chat/chat_recording.h"
-#include "roomgen/evaluate/report.h"
+#include "roomgen/lab/scores.h"
 #ifdef ROOMGEN_HAS_ASSETS
 #include "assets/properties.h"
 #endif
@@ -12,7 +12,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   FuzzedBytes bytes{data, size};
   switch (bytes.choice(3)) {
     case 0:
-      (void)roomgen::parse_requirements(bytes.text(), "rows.csv");
+      (void)roomgen::lab::parse_requirements(bytes.text(), "rows.csv");
       break;
     case 1:
       (void)roomgen::parse_recording(bytes.text(), "model.jsonl");

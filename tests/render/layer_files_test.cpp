@@ -7,7 +7,7 @@
 #include <set>
 
 #include "catch.h"
-#include "json_of.h"
+#include "support/json_of.h"
 #include "drawing.h"
 #include "roomgen/assets/catalogue.h"
 #include "roomgen/base/file.h"

@@ -1,4 +1,4 @@
-#include "roomgen/scene/model_table.h"
+#include "roomgen/scene/scene.h"
 
 #include "catch.h"
 #include "scene/box_model.h"

@@ -1,4 +1,4 @@
-#include "roomgen/shape/recipe.h"
+#include "roomgen/shape/program.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>

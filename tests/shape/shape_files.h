@@ -6,7 +6,7 @@
 #include "catch.h"
 #include "roomgen/base/json.h"
 #include "roomgen/shape/evaluate.h"
-#include "roomgen/shape/recipe.h"
+#include "roomgen/shape/program.h"
 
 /// What the tests of shape programs share.
 inline const std::string shapes_folder = ROOMGEN_TEST_DATA "/shapes";

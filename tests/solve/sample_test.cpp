@@ -1,4 +1,4 @@
-#include "roomgen/solve/sample.h"
+#include "roomgen/solve/solve.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,6 @@
 #include <string>
 
 #include "base/random.h"
-#include "roomgen/scene/model_table.h"
 #include "roomgen/scene/scene.h"
 #include "scene/finish.h"
 

@@ -8,7 +8,7 @@
 #include "roomgen/base/file.h"
 #include "roomgen/geometry/polygon.h"
 #include "roomgen/kinds/kind_table.h"
-#include "roomgen/scene/model_table.h"
+#include "roomgen/scene/scene.h"
 #include "roomgen/scene/problem.h"
 #include "roomgen/solve/solve.h"
 

@@ -1,7 +1,8 @@
 #include <nlohmann/json.hpp>
 
 #include "roomgen/import/import.h"
-#include "roomgen/session/operation.h"
+#include "roomgen/edit/operation.h"
+#include "roomgen/edit_reader/understand.h"
 #include "tools.h"
 
 namespace roomgen::mcp {
@@ -16,7 +17,7 @@ Result<std::vector<edit::Operation>> operations_of(const ToolCall& call, const S
   if (has_sentence == call.arguments.contains("operations"))
     return Error{Error::Kind::invalid_input, "edit: give either change or operations"};
   if (!has_sentence) return edit::operations_from_json(call.arguments["operations"], "/operations");
-  auto understood = session.understand(call.arguments["change"].get<std::string>());
+  auto understood = understand(session, call.arguments["change"].get<std::string>());
   if (!understood) return understood.error();
   for (const auto& remark : understood->remarks) notices.push_back(cli::remark_line(remark));
   return std::move(understood->operations);

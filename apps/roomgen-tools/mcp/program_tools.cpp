@@ -4,11 +4,13 @@
 #include "arguments.h"
 #include "options.h"
 #include "program_files.h"
-#include "roomgen/compose/compose.h"
+#include "roomgen/lab/compose.h"
 #include "roomgen/generate/generate.h"
 #include "tools.h"
 
 namespace roomgen::mcp {
+
+using namespace lab;
 
 namespace {
 

@@ -215,7 +215,7 @@ Result<std::vector<edit::Operation>> operations_of(const Desk& desk, const Sessi
     if (!operations) return Error{Error::Kind::not_understood, operations.error().message};
     return operations;
   }
-  auto understood = session.understand(line);
+  auto understood = understand(session, line);
   if (!understood) return understood.error();
   for (const auto& remark : understood->remarks) desk.tell(cli::remark_line(remark));
   return std::move(understood->operations);

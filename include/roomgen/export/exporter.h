@@ -9,7 +9,6 @@
 
 #include "roomgen/base/result.h"
 #include "roomgen/geometry/model.h"
-#include "roomgen/scene/model_table.h"
 #include "roomgen/scene/scene.h"
 
 namespace roomgen {

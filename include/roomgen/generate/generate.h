@@ -15,7 +15,6 @@
 #include "roomgen/design/designer.h"
 #include "roomgen/kinds/kind_table.h"
 #include "roomgen/library/library.h"
-#include "roomgen/scene/model_table.h"
 #include "roomgen/scene/plan.h"
 #include "roomgen/scene/scene.h"
 #include "roomgen/solve/solve.h"
@@ -123,16 +122,8 @@ struct BuildEvent {
   const Scene* scene = nullptr;    ///< what stands now
 };
 
-/// How a room's things find their places.
-enum class LayoutSearch {
-  steps,  ///< one after the other, then improvement
-  both,   ///< the same; when something is left out, all that may move is annealed (roomgen/optimise/optimise.h)
-};
-
 struct BuildOptions {
   PlaceOptions place;
-  LayoutSearch layout = LayoutSearch::steps;
-  int pack_steps = 30000;      ///< of annealing
   int assets_per_object = 3;   ///< assets that are tried before the designer is asked again
   int answers_per_object = 3;  ///< times the designer is asked for one object
   bool repair = true;          ///< others make way for an object that found no place

@@ -10,7 +10,6 @@
 
 #include "roomgen/base/result.h"
 #include "roomgen/geometry/model.h"
-#include "roomgen/scene/model_table.h"
 #include "roomgen/scene/room.h"
 #include "roomgen/scene/scene.h"
 
@@ -54,7 +53,8 @@ Result<std::vector<SceneNode>> read_glb_nodes(const std::filesystem::path& path)
 
 /// Which nodes of a file are the things of a scene.
 struct MatchedNodes {
-  std::vector<const SceneNode*> nodes;  ///< for each object, in the scene's order; null: there is none
+  std::vector<const SceneNode*>
+      nodes;  ///< for each object, in the scene's order; null: there is none
   struct Copy {
     std::string name, of;  ///< of a node, and the id of the thing that it is a copy of
   };

@@ -8,7 +8,6 @@
 
 #include "roomgen/base/result.h"
 #include "roomgen/geometry/model.h"
-#include "roomgen/scene/model_table.h"
 #include "roomgen/scene/object.h"
 #include "roomgen/scene/scene.h"
 

@@ -10,7 +10,6 @@
 #include "roomgen/base/result.h"
 #include "roomgen/export/exporter.h"
 #include "roomgen/geometry/model.h"
-#include "roomgen/tour/tour.h"
 #include "roomgen/view/view.h"
 
 namespace roomgen {
@@ -37,10 +36,6 @@ Image contact_sheet(const std::vector<Image>& pictures, int columns);
 /// a scale. `pixels` on the longer side; ids are readable from 700 on.
 Result<Image> segmentation_picture(Renderer& renderer, const Scene& scene, const ModelTable& models,
                                    int pixels = 1024);
-
-/// A scene from above with the way of a tour on it, where its views are, numbered from 1, and where they look.
-Result<Image> tour_picture(Renderer& renderer, const Scene& scene, const ModelTable& models, const Tour& tour,
-                           int pixels = 1024);
 
 // Pictures as files.
 

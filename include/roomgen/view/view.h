@@ -10,7 +10,6 @@
 #include "roomgen/base/result.h"
 #include "roomgen/geometry/model.h"
 #include "roomgen/geometry/polygon.h"
-#include "roomgen/scene/model_table.h"
 #include "roomgen/scene/scene.h"
 
 namespace roomgen {
@@ -119,5 +118,9 @@ class Renderer {
   virtual Result<Visibility> visibility(const Scene& scene, const ModelTable& models, const Camera& camera,
                                         std::size_t object, std::size_t least_alone) = 0;
 };
+
+/// Does the place lie in a room, or where a door or passage goes through a wall? A camera elsewhere is in a wall or
+/// outdoors, and its pictures are of no use.
+bool is_indoors(const Scene& scene, const Vec2& place);
 
 }  // namespace roomgen

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "brief/brief.h"
+#include "brief/room_kinds.h"
+#include "roomgen/base/result.h"
+#include "roomgen/kinds/kind_table.h"
+
+namespace roomgen::plan {
+
+/// The kinds of which a room of this kind needs at least one to be what the prompt calls it (RoomKind::made_by);
+/// none where the prompt does not want them, or wants nothing but what it names.
+std::vector<std::string> needed_makers(const brief::RoomKind& kind, const brief::Brief& brief,
+                                       const KindTable& table);
+
+/// Of the makers of a kind those that its core brings: what such a room usually has.
+std::vector<std::string> usual_makers(const brief::RoomKind& kind, const KindTable& table);
+
+/// That a room has no place for any of these; `least` is the least size that has, if there is one.
+Error no_place_for(const std::vector<std::string>& makers, const Room& room,
+                   const std::optional<Vec2>& least);
+
+}  // namespace roomgen::plan

@@ -1,0 +1,410 @@
+// Edits of furnished rooms: what nobody named stays, nothing invalid comes in, undo gives everything back.
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "base/random.h"
+#include "catch.h"
+#include "roomgen/base/file.h"
+#include "roomgen/create/create.h"
+#include "roomgen/design/designer.h"
+#include "roomgen/evaluate/report.h"
+#include "roomgen/generate/generate.h"
+#include "roomgen/edit/session.h"
+#include "support/rooms.h"
+#include "support/temporary_folder.h"
+
+using namespace roomgen;
+
+namespace {
+
+const AssetLibrary& things_from_words() {
+  static const auto library = create::make_finishing_library(create::make_created_library());
+  return *library;
+}
+
+std::string furnished(const std::string& prompt, std::uint64_t seed) {
+  const auto designer = make_rule_designer();
+  PlanRequest request;
+  request.prompt = prompt;
+  request.seed = seed;
+  const auto plan = designer->plan(request);
+  REQUIRE(plan);
+  const auto room = generate(*plan, *designer, things_from_words(), KindTable::built_in());
+  REQUIRE(room);
+  return dump_json(to_json(room->scene));
+}
+
+Session open(const std::filesystem::path& file) {
+  auto session = Session::open(file, things_from_words(), KindTable::built_in());
+  INFO((session ? "" : session.error().message));
+  REQUIRE(session);
+  return *std::move(session);
+}
+
+Session open_with(const TemporaryFolder& folder, const std::string& text) {
+  REQUIRE(write_file(folder / "scene.json", text));
+  return open(folder / "scene.json");
+}
+
+edit::Operation random_operation(const Scene& scene, Random& random) {
+  const auto& one = random.pick(scene.objects);
+  const auto& other = random.pick(scene.objects);
+  const char* kinds[] = {"armchair", "floor lamp", "plant", "stool", "side table", "bookshelf", "basket"};
+  const RelationKind places[] = {RelationKind::near, RelationKind::next_to, RelationKind::left_of, RelationKind::in_front_of};
+  const Relation place{places[random.integer(0, 3)], other.id};
+  const std::string wall = "wall-" + std::to_string(random.integer(0, static_cast<int>(scene.room.polygon.size()) - 1));
+  const std::string opening = random.pick(scene.room.openings).id;
+  switch (random.integer(0, 17)) {
+    case 0: return edit::Add{kinds[random.integer(0, 6)], ""};
+    case 1: return edit::Add{kinds[random.integer(0, 6)], "", {}, 1, {place}};
+    case 2: return edit::Remove{{one.id}};
+    case 3: return edit::Move{one.id, {place}};
+    case 4: return edit::Move{one.id, {{RelationKind::edge, ""}}};
+    case 5: return edit::Shift{one.id, {random.uniform(-1, 1), random.uniform(-1, 1), 0.0}};
+    case 6: return edit::Turn{one.id, 0.5 * pi * random.integer(1, 3)};
+    case 7: return edit::Face{one.id, other.id};
+    case 8: return edit::Swap{one.id, other.id};
+    case 9: return edit::Resize{one.id, one.size * random.uniform(0.8, 1.2)};
+    case 10: return edit::Move{one.id, {place}, true};
+    case 11: return edit::Shift{one.id, {random.uniform(-1, 1), random.uniform(-1, 1), 0.0}, true};
+    case 12: return edit::Rearrange{{one.id}};
+    case 13: return edit::Reshape{wall, random.uniform(-0.8, 0.8)};
+    case 14: return edit::Open{random.chance(0.5) ? "window" : "door", wall};
+    case 15: return edit::Refit{opening, wall};
+    case 16: return scene.room.openings.size() > 1 ? edit::Operation(edit::Close{{opening}}) : edit::Reshape{"", 0.0, 2.9};
+    default: return edit::Replace{one.id};
+  }
+}
+
+// What stands around a thing.
+std::set<std::string> around(const Scene& scene, const std::string& id) {
+  std::set<std::string> ids;
+  for (const auto& object : scene.objects)
+    for (const auto kind : {RelationKind::around, RelationKind::face_to})
+      if (std::count(object.relations.begin(), object.relations.end(), Relation{kind, id})) ids.insert(object.id);
+  return ids;
+}
+
+// Whatever stands to it, or to what stands to it: what is set out anew with it.
+std::set<std::string> related(const Scene& scene, const std::string& id) {
+  std::set<std::string> ids = {id};
+  for (std::size_t before = 0; before != ids.size();) {
+    before = ids.size();
+    for (const auto& object : scene.objects)
+      for (const auto& relation : object.relations)
+        if (relation.kind != RelationKind::far && find_object(scene, relation.target) &&
+            (ids.count(object.id) || ids.count(relation.target)))
+          ids.insert({object.id, relation.target});
+  }
+  return ids;
+}
+
+std::set<std::string> named_in(const Scene& scene, const edit::Operation& operation) {
+  std::set<std::string> ids;
+  std::visit(
+      [&](const auto& one) {
+        using T = std::decay_t<decltype(one)>;
+        if constexpr (requires { one.object; }) ids.insert(one.object);
+        if constexpr (requires { one.objects; }) ids.insert(one.objects.begin(), one.objects.end());
+        bool is_group = false;
+        if constexpr (requires { one.group; }) is_group = one.group;
+        if (is_group) ids.merge(around(scene, *ids.begin()));
+        if (std::is_same_v<T, edit::Rearrange> && ids.size() == 1) ids = related(scene, *ids.begin());
+        if constexpr (std::is_same_v<T, edit::Swap>) ids = {one.first, one.second};
+      },
+      operation);
+  return ids;
+}
+
+// With all that stands on them.
+std::set<std::string> with_loads(const Scene& scene, std::set<std::string> ids) {
+  for (std::size_t before = 0; before != ids.size();) {
+    before = ids.size();
+    for (const auto& object : scene.objects)
+      if (ids.count(object.on)) ids.insert(object.id);
+  }
+  return ids;
+}
+
+bool has_rug(const Scene& scene, const std::set<std::string>& ids) {
+  return std::any_of(ids.begin(), ids.end(), [&](const std::string& id) {
+    const Object* object = find_object(scene, id);
+    return object && object->traits.flat;
+  });
+}
+
+std::set<std::string> faults(const Scene& scene, const ModelTable& models) {
+  std::set<std::string> all;
+  for (const auto& violation : examine(scene, models, KindTable::built_in()).violations)
+    all.insert(std::string(name(violation.fault)) + " " + violation.object + " " + violation.other);
+  return all;
+}
+
+void check_untouched(const Scene& before, const Scene& after, const edit::Operation& operation, const EditReport& report) {
+  auto touched = named_in(before, operation);
+  for (const auto& move : report.repairs) touched.insert(move.object);
+  touched = with_loads(before, touched);
+  // What stands on a rug keeps its place, but not its height.
+  const bool may_rise = has_rug(before, touched);
+  const bool closes = std::holds_alternative<edit::Close>(operation);
+  for (const auto& object : before.objects) {
+    const bool goes_with_window = closes && KindTable::built_in().get(object.category).covers_window;
+    if (touched.count(object.id) || goes_with_window) continue;
+    INFO(object.id);
+    const Object* now = find_object(after, object.id);
+    REQUIRE(now);
+    CHECK(now->position.x() == object.position.x());
+    CHECK(now->position.y() == object.position.y());
+    CHECK((may_rise || now->position.z() == object.position.z()));
+    CHECK(now->yaw == object.yaw);
+    CHECK(now->size == object.size);
+    CHECK(now->asset == object.asset);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("200 edits of furnished rooms leave everything else alone and valid, and undo gives the first bytes") {
+  const char* prompts[] = {"a bedroom with a desk, two nightstands and a rug", "a living room with a sofa, two armchairs and a coffee table",
+                           "a dining room with a table and six chairs", "a study with a desk, a bookshelf and an armchair"};
+  int done = 0, refused = 0;
+  for (int room = 0; room < 4; ++room) {
+    const TemporaryFolder folder;
+    const std::string first = furnished(prompts[room], 3);
+    auto session = open_with(folder, first);
+    Random random(static_cast<std::uint64_t>(room));
+    for (int step = 0; step < 50; ++step) {
+      const Scene before = session.scene();
+      const auto fault_before = faults(before, session.models());
+      const edit::Operation operation = random_operation(before, random);
+      INFO(edit::to_json(operation).dump());
+      const auto report = session.apply({&operation, 1});
+      if (!report) {
+        ++refused;
+        CHECK(!report.error().message.empty());
+        CHECK(dump_json(to_json(session.scene())) == dump_json(to_json(before)));
+        continue;
+      }
+      ++done;
+      check_untouched(before, session.scene(), operation, *report);
+      for (const auto& fault : faults(session.scene(), session.models())) {
+        INFO(fault);
+        CHECK(fault_before.count(fault) == 1);
+      }
+    }
+    REQUIRE(session.undo(1000));
+    CHECK(session.text() == first);
+    REQUIRE(session.save());
+    CHECK(*read_file(folder / "scene.json") == first);
+    REQUIRE(session.redo(1000));
+  }
+  INFO(done << " done, " << refused << " refused");
+  CHECK(done >= 100);
+}
+
+TEST_CASE("What stands on a thing moves with it, and goes with it") {
+  const TemporaryFolder folder;
+  auto session = open_with(folder, furnished("a bedroom with a bed and a desk with a lamp on it", 1));
+  const auto lamp_on = [&]() -> const Object* {
+    for (const auto& object : session.scene().objects)
+      if (object.on == "desk-0") return &object;
+    return nullptr;
+  };
+  REQUIRE(lamp_on());
+  const std::string lamp = lamp_on()->id;
+  const Vec3 gap = lamp_on()->position - find_object(session.scene(), "desk-0")->position;
+  const edit::Operation lock = edit::Lock{{lamp}}, move = edit::Move{"desk-0", {{RelationKind::middle, ""}}};
+  REQUIRE(session.apply({&move, 1}));
+  const Object& desk = *find_object(session.scene(), "desk-0");
+  const Vec3 now = find_object(session.scene(), lamp)->position - desk.position;
+  CHECK(now.norm() == Approx(gap.norm()).margin(1e-3));
+  const edit::Operation remove = edit::Remove{{"desk-0"}};
+  REQUIRE(session.apply({&lock, 1}));
+  CHECK(!session.apply({&remove, 1}));
+  const edit::Operation unlock = edit::Lock{{lamp}, false};
+  REQUIRE(session.apply({&unlock, 1}));
+  REQUIRE(session.apply({&remove, 1}));
+  CHECK(!find_object(session.scene(), lamp));
+  for (const auto& verdict : session.scene().requirements)
+    if (verdict.requirement.category == "desk") CHECK(verdict.compliance == Compliance::withdrawn);
+}
+
+TEST_CASE("Neighbours make way where there is no room, and only if they may") {
+  // A box in the middle of each wall: nothing 1.6 m long stands at a wall unless one of them moves.
+  Room room = rooms::box(3.2, 3.2);
+  room.openings = {rooms::door("door-0", 0, 0.1, 0.9)};
+  Scene scene = rooms::scene(room, {rooms::thing("storage box-0", "storage box", {0.4, 0.4, 0.4}, {1.6, 0.2}),
+                                    rooms::thing("storage box-1", "storage box", {0.4, 0.4, 0.4}, {3.0, 1.6}),
+                                    rooms::thing("storage box-2", "storage box", {0.4, 0.4, 0.4}, {1.6, 3.0}),
+                                    rooms::thing("storage box-3", "storage box", {0.4, 0.4, 0.4}, {0.2, 1.6})});
+  const std::string text = dump_json(to_json(scene));
+  const edit::Operation add = edit::Add{"sideboard", "sideboard", Vec3(1.6, 0.45, 0.8), 1, {{RelationKind::edge, ""}}};
+  const TemporaryFolder folder;
+  {
+    auto session = open_with(folder, text);
+    const auto report = session.apply({&add, 1});
+    INFO((report ? "" : report.error().message));
+    REQUIRE(report);
+    CHECK(report->repairs.size() == 1);
+    CHECK(faults(session.scene(), session.models()).empty());
+  }
+  const TemporaryFolder other;
+  REQUIRE(write_file(other / "scene.json", text));
+  SessionOptions options;
+  options.repair = false;
+  auto session = Session::open(other / "scene.json", things_from_words(), KindTable::built_in(), options);
+  REQUIRE(session);
+  const auto refused = session->apply({&add, 1});
+  REQUIRE(!refused);
+  CHECK(refused.error().message.find("removing storage box-") != std::string::npos);
+  CHECK(session->text() == text);
+}
+
+TEST_CASE("The ledger follows an edit") {
+  const TemporaryFolder folder;
+  auto session = open_with(folder, furnished("a living room with a sofa, two armchairs and no television", 2));
+  const auto compliance_of = [&](const std::string& clause) {
+    for (const auto& verdict : session.scene().requirements)
+      if (verdict.requirement.clause.find(clause) != std::string::npos) return verdict.compliance;
+    return Compliance::not_judged;
+  };
+  REQUIRE(compliance_of("armchair") == Compliance::met);
+  const edit::Operation remove = edit::Remove{{"armchair-0"}};
+  REQUIRE(session.apply({&remove, 1}));
+  CHECK(compliance_of("2 armchair") == Compliance::withdrawn);
+  CHECK(compliance_of("1 armchair") == Compliance::met);
+  const edit::Operation add = edit::Add{"plant", "plant", {}, 1, {{RelationKind::near, "sofa-0"}}};
+  REQUIRE(session.apply({&add, 1}));
+  const auto& last = session.scene().requirements.back();
+  CHECK(last.requirement.source == Requirement::Source::edit);
+  CHECK(last.met());
+}
+
+TEST_CASE("A preview says what a pose would mean and changes nothing") {
+  const TemporaryFolder folder;
+  auto session = open_with(folder, furnished("a bedroom with a bed and a desk", 1));
+  const std::string text = session.text();
+  const Object bed = *find_object(session.scene(), session.scene().objects.front().id);
+  const auto there = session.preview(bed.id, {bed.position.head<2>(), bed.yaw});
+  REQUIRE(there);
+  CHECK(there->feasible);
+  CHECK(there->broken.empty());
+  const auto outside = session.preview(bed.id, {{100.0, 100.0}, 0.0});
+  REQUIRE(outside);
+  CHECK(!outside->feasible);
+  CHECK(!outside->reason.empty());
+  CHECK(!session.preview("nothing-7", {}));
+  CHECK(session.text() == text);
+  CHECK(session.history().size() == 1);
+}
+
+TEST_CASE("A second program gets a clear error, and may look") {
+  const TemporaryFolder folder;
+  auto session = open_with(folder, furnished("a bedroom with a bed", 1));
+  const auto second = Session::open(folder / "scene.json", things_from_words(), KindTable::built_in());
+  REQUIRE(!second);
+  CHECK(second.error().message.find("another program") != std::string::npos);
+  SessionOptions look;
+  look.look_only = true;
+  CHECK(Session::open(folder / "scene.json", things_from_words(), KindTable::built_in(), look));
+}
+
+TEST_CASE("Operations survive JSON, and what is none is told with its place") {
+  Random random(6);
+  Scene scene = *scene_from_json(*parse_json(furnished("a bedroom with a bed and two chairs", 1), "scene"), "scene");
+  for (int i = 0; i < 200; ++i) {
+    const auto operation = random_operation(scene, random);
+    const auto again = edit::operation_from_json(edit::to_json(operation), "op");
+    REQUIRE(again);
+    CHECK(edit::to_json(*again) == edit::to_json(operation));
+  }
+  for (const char* text : {R"({"do": "fly"})", R"({"do": "move", "object": 7, "relations": []})", R"([])", R"(3)",
+                           R"({"do": "resize", "object": "a", "size": [1, -1, 1]})",
+                           R"({"do": "add", "category": "chair", "count": 100000})", R"({"do": "lock", "objects": []})",
+                           R"({"do": "move", "object": "a", "relations": ["flying, b"]})", R"({"do": "turn", "object": "a"})"}) {
+    const auto bad = edit::operations_from_json(*parse_json(text, "op"), "op");
+    REQUIRE(!bad);
+    CHECK(bad.error().message.find("op") == 0);
+  }
+}
+
+TEST_CASE("A group that turns stands as it stood to each other, and all goes back") {
+  const TemporaryFolder folder;
+  auto session = open_with(folder, furnished("a dining room of 6 x 6 m with a square table and four chairs", 3));
+  const Scene before = session.scene();
+  const Object* table = find_object(before, "dining table-0");
+  REQUIRE(table);
+  const auto chairs = around(before, table->id);
+  REQUIRE(chairs.size() >= 4);
+  int turned = 0;
+  for (const double angle : {90.0, 180.0, -90.0, 30.0}) {
+    const edit::Operation turn = edit::Turn{table->id, radians(angle), true};
+    if (!session.apply({&turn, 1})) continue;  // there is no room for that
+    ++turned;
+    const Object& there = *find_object(session.scene(), table->id);
+    for (const auto& id : chairs) {
+      const Object &was = *find_object(before, id), &is = *find_object(session.scene(), id);
+      const Vec2 from = was.position.head<2>() - table->position.head<2>();
+      const Vec2 to = is.position.head<2>() - there.position.head<2>();
+      CAPTURE(id, angle);
+      CHECK((rotated(from, radians(angle)) - to).norm() < 1e-3);  // scene.json has millimetres
+      CHECK(std::abs(wrap_angle(is.yaw - was.yaw - radians(angle))) < 1e-3);
+    }
+    REQUIRE(session.undo());
+    for (const auto& object : before.objects)
+      CHECK(find_object(session.scene(), object.id)->position == object.position);
+  }
+  CHECK(turned > 0);
+}
+
+TEST_CASE("A group that moves is asked for where it went, as a thing alone is") {
+  for (const bool group : {false, true}) {
+    const TemporaryFolder folder;
+    auto session = open_with(folder, furnished("a dining room with a table and four chairs", 3));
+    const edit::Operation move = edit::Move{"dining table-0", {{RelationKind::near, "window-0"}}, group};
+    const auto report = session.apply({&move, 1});
+    INFO((report ? "" : report.error().message));
+    REQUIRE(report);
+    const auto& ledger = session.scene().requirements;
+    CHECK(std::count_if(ledger.begin(), ledger.end(), [](const RequirementVerdict& verdict) {
+            return verdict.requirement.source == Requirement::Source::edit && verdict.requirement.relation == RelationKind::near &&
+                   verdict.requirement.targets == std::vector<std::string>{"window-0"};
+          }) == 1);
+  }
+}
+
+TEST_CASE("A corner that is set out anew stands to each other as it did, or all stays") {
+  const TemporaryFolder folder;
+  Session session =
+      open_with(folder, furnished("a living room with a sofa, a coffee table, a tv stand with a tv and two armchairs", 3));
+  const Scene before = session.scene();
+  const auto report = session.apply(std::vector<edit::Operation>{edit::Rearrange{{"sofa-0"}}});
+  if (!report) {
+    CHECK(report.error().message.find("stand to each other") != std::string::npos);
+    CHECK(session.text() == dump_json(to_json(before)));
+    return;
+  }
+  CHECK(report->broken.empty());
+  for (const char* id : {"sofa-0", "coffee table-0", "armchair-0"})
+    CHECK(find_object(session.scene(), id)->position != find_object(before, id)->position);
+}
+
+TEST_CASE("An edit that is stopped, or takes too long, changes nothing") {
+  const TemporaryFolder folder;
+  const std::string text = furnished("a bedroom with a desk", 5);
+  REQUIRE(write_file(folder / "scene.json", text));
+  SessionOptions hurried, stopped;
+  hurried.seconds = 1e-9;
+  stopped.cancel.cancel();
+  for (const auto& [options, kind] : {std::pair(hurried, Error::Kind::limit), std::pair(stopped, Error::Kind::cancelled)}) {
+    auto session = Session::open(folder / "scene.json", things_from_words(), KindTable::built_in(), options);
+    REQUIRE(session);
+    const std::vector<edit::Operation> operations = {edit::Add{"armchair", ""}};
+    const auto report = session->apply(operations, {"add an armchair", "test"});
+    REQUIRE(!report);
+    CHECK(report.error().kind == kind);
+    CHECK(report.error().message.find("nothing is changed") != std::string::npos);
+    CHECK(session->history().size() == 1);
+  }
+  CHECK(*read_file(folder / "scene.json") == text);
+}
