@@ -9,8 +9,6 @@
 
 namespace roomgen::cli {
 
-namespace {
-
 Result<PlanRequest> request_of(const PlanWish& wish, const CancelToken& cancel) {
   PlanRequest request;
   request.prompt = wish.prompt;
@@ -29,8 +27,6 @@ Result<PlanRequest> request_of(const PlanWish& wish, const CancelToken& cancel) 
   return request;
 }
 
-}  // namespace
-
 Result<AnyPlan> make_plan(const PlanWish& wish, Designer& designer, const CancelToken& cancel) {
   const auto request = request_of(wish, cancel);
   if (!request) return request.error();
@@ -40,6 +36,18 @@ Result<AnyPlan> make_plan(const PlanWish& wish, Designer& designer, const Cancel
   auto plan = designer.plan(*request);
   if (!plan) return plan.error();
   return AnyPlan(*std::move(plan));
+}
+
+Error told_with_least_size(const Error& error, const PlanWish& wish, const AnyPlan* plan,
+                           const AssetLibrary& library, const BuildOptions& options) {
+  auto request = request_of(wish, options.cancel);
+  if (error.kind != Error::Kind::too_small || !request) return error;
+  const auto designer = make_rule_designer();
+  if (const auto dwelling = plan_dwelling(*request, *designer); !dwelling || *dwelling)
+    return error;
+  if (const Plan* room = plan ? std::get_if<Plan>(plan) : nullptr)
+    request->size = bounds(room->room.polygon).size();
+  return with_least_size(error, *request, library, KindTable::built_in(), options);
 }
 
 Result<AnyPlan> read_any_plan(const std::string& file) {

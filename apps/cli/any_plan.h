@@ -7,6 +7,7 @@
 #include "roomgen/base/json.h"
 #include "roomgen/base/result.h"
 #include "roomgen/design/designer.h"
+#include "roomgen/generate/generate.h"
 #include "roomgen/scene/plan.h"
 
 namespace roomgen::cli {
@@ -22,7 +23,13 @@ struct PlanWish {
   std::string floor_plan;  ///< a file: room.json, SVG or DXF
 };
 
+/// What a designer is asked.
+Result<PlanRequest> request_of(const PlanWish& wish, const CancelToken& cancel);
 Result<AnyPlan> make_plan(const PlanWish& wish, Designer& designer, const CancelToken& cancel);
+/// An error of planning a wish by rules, or of furnishing its plan, as with_least_size() tells it;
+/// of dwellings as it is.
+Error told_with_least_size(const Error& error, const PlanWish& wish, const AnyPlan* plan,
+                           const AssetLibrary& library, const BuildOptions& options);
 /// plan.json of a room or of a dwelling.
 Result<AnyPlan> read_any_plan(const std::string& file);
 

@@ -67,6 +67,17 @@ std::string floor_plan_text(const Room& room) {
          format_number(area(room.polygon), 2) + " m2";
 }
 
+Result<std::string> check_problem(const CheckCommand& command, const Json& json,
+                                  const std::string& format) {
+  if (!format.empty() && format != "roomgen-problem")
+    return Error{Error::Kind::invalid_input,
+                 command.file + ": /format: \"" + format + "\" is none that is checked; scenes, " +
+                     "plans, problems, rooms, shapes, programs and layouts are"};
+  const auto problem = problem_from_json(json, command.file);
+  if (!problem) return problem.error();
+  return "problem of " + std::to_string(problem->tasks.size()) + " objects";
+}
+
 // A document without a format is a problem if it has what problems have, else a room.
 Result<int> check_other(const Context& context, const CheckCommand& command, const Json& json) {
   const std::string format =
@@ -91,9 +102,9 @@ Result<int> check_other(const Context& context, const CheckCommand& command, con
     if (!room) return room.error();
     what = floor_plan_text(*room);
   } else {
-    auto problem = problem_from_json(json, command.file);
+    auto problem = check_problem(command, json, format);
     if (!problem) return problem.error();
-    what = "problem of " + std::to_string(problem->tasks.size()) + " objects";
+    what = *problem;
   }
   print_sound(context, command.file, what);
   return exit_ok;

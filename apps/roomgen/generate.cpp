@@ -174,6 +174,17 @@ double usual_seconds(const AnyPlan& plan, bool model) {
   return rooms * (model ? seconds_a_room_with_model : seconds_a_room);
 }
 
+// Of a wish that rules could not plan.
+Error with_least(const Context& context, const GenerateCommand& command,
+                 const ComposedDesigner& composed, const Error& error) {
+  if (error.kind != Error::Kind::too_small || composed.model) return error;
+  const auto library = open_all_libraries(command.libraries, context);
+  BuildOptions options;
+  options.seed = command.wish.seed;
+  options.cancel = context.cancel;
+  return library ? told_with_least_size(error, command.wish, nullptr, **library, options) : error;
+}
+
 Result<int> run(const Context& context, const GenerateCommand& command) {
   const auto start = std::chrono::steady_clock::now();
   const fs::path folder =
@@ -189,7 +200,7 @@ Result<int> run(const Context& context, const GenerateCommand& command) {
   auto plan = command.plan_file.empty() ? make_plan(command.wish, designer, context.cancel)
                                         : read_any_plan(command.plan_file);
   bar.clear();
-  if (!plan) return with_bill(plan.error(), *composed);
+  if (!plan) return with_bill(with_least(context, command, *composed, plan.error()), *composed);
   auto output = open_room_folder(folder, command.force);
   if (!output) return output.error();
   auto library = open_all_libraries(command.libraries, context);
@@ -214,7 +225,12 @@ Result<int> run(const Context& context, const GenerateCommand& command) {
         return generate(each, designer, **library, KindTable::built_in(), options);
       },
       *plan);
-  if (!generation) return with_bill(generation.error(), *composed);
+  if (!generation)
+    return with_bill(
+        command.plan_file.empty() && !composed->model
+            ? told_with_least_size(generation.error(), command.wish, &*plan, **library, options)
+            : generation.error(),
+        *composed);
   if (context.cancel.cancelled() && holds_whole_scene(folder / "scene.json"))
     return older_stays(folder);
   bar.show(1, 1, "writing files");
@@ -242,10 +258,14 @@ void add_generate_command(CLI::App& app, Context& context) {
   sub->add_option("--seed", command->wish.seed, "Another seed, another room")
       ->check(CLI::Range(std::uint64_t{0}, max_seed))
       ->capture_default_str();
-  sub->add_option("--size", command->wish.size, "Inner width x depth in metres, as in 4x5");
-  sub->add_option("--room", command->wish.floor_plan, "Floor plan to use: room.json, SVG or DXF (docs/floor-plans.md)");
+  auto* size =
+      sub->add_option("--size", command->wish.size, "Inner width x depth in metres, as in 4x5");
+  auto* room = sub->add_option("--room", command->wish.floor_plan,
+                               "Floor plan to use: room.json, SVG or DXF (docs/floor-plans.md)");
   sub->add_option("--plan", command->plan_file, "Inventory to use (docs/plan.schema.json)")
-      ->excludes(prompt);
+      ->excludes(prompt)
+      ->excludes(size)
+      ->excludes(room);
   sub->add_flag("--force", command->force, "Write into a folder that holds other files");
   sub->add_flag("--strict", command->strict, "Exit with 1 if something found no place, is not as asked, or was not understood");
   sub->add_flag("--marks", command->marks,

@@ -1,5 +1,7 @@
 #include "roomgen/generate/generate.h"
 
+#include "least_room.h"
+
 namespace roomgen {
 
 Result<Generation> generate(const Plan& plan, Designer& designer, const AssetLibrary& library,
@@ -10,7 +12,8 @@ Result<Generation> generate(const Plan& plan, Designer& designer, const AssetLib
     if (const auto step = builder->step(); !step && step.error().kind != Error::Kind::cancelled)
       return step.error();
   if (builder->stopped().empty() && !options.cancel.cancelled()) (void)builder->improve();
-  if (auto status = builder->check_kind(); !status) return status.error();
+  if (auto status = builder->check_kind(); !status)
+    return with_least_room(status.error(), plan, library, categories, options);
   return builder->generation();
 }
 

@@ -114,8 +114,8 @@ class Planner {
       request.room.reset();
       return Planner(request, brief_, kinds_, table_, arrangements_).is_of_its_kind();
     };
-    return no_place_for(usual_makers(kind_, table_), room,
-                        least_size(bounds(room.polygon).size(), works));
+    return with_least(no_place_for(usual_makers(kind_, table_), room),
+                      least_size(bounds(room.polygon).size(), works));
   }
 
   static double work_of(const Plan& plan) {

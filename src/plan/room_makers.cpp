@@ -1,6 +1,7 @@
 #include "room_makers.h"
 
 #include <algorithm>
+#include <cstdio>
 
 #include "roomgen/base/text.h"
 #include "roomgen/geometry/polygon.h"
@@ -8,6 +9,8 @@
 namespace roomgen::plan {
 
 namespace {
+
+constexpr const char* least_that_does = " is the least size that would do";
 
 // "toilet, bathtub or shower"
 std::string listed(const std::vector<std::string>& names) {
@@ -51,14 +54,28 @@ std::vector<std::string> needed_makers(const brief::RoomKind& kind, const brief:
   return usual_makers(wanted, table).empty() ? std::vector<std::string>() : wanted.made_by;
 }
 
-Error no_place_for(const std::vector<std::string>& makers, const Room& room,
-                   const std::optional<Vec2>& least) {
+Error no_place_for(const std::vector<std::string>& makers, const Room& room) {
   const Vec2 size = bounds(room.polygon).size();
-  const std::string found = least ? sides(*least) + " is the least size that would do"
-                                  : "nor would one do in any larger room that was tried";
-  return {Error::Kind::invalid_input, with_article(room.type) + " of " + sides(size) +
-                                          " cannot be one: no " + listed(makers) +
-                                          " finds a place in it; " + found};
+  return {Error::Kind::too_small, with_article(room.type) + " of " + sides(size) +
+                                      " cannot be one: no " + listed(makers) +
+                                      " finds a place in it"};
+}
+
+Error with_least(const Error& too_small, const std::optional<Vec2>& least) {
+  const std::string found = least ? sides(*least) + least_that_does
+                                  : "nor does one in any larger room that was tried";
+  return {too_small.kind,
+          too_small.message.substr(0, too_small.message.rfind("; ")) + "; " + found};
+}
+
+std::optional<Vec2> told_least(const Error& too_small) {
+  const auto told = too_small.message.rfind("; ");
+  Vec2 size;
+  if (told == std::string::npos || !too_small.message.ends_with(least_that_does))
+    return std::nullopt;
+  if (std::sscanf(too_small.message.c_str() + told, "; %lf x %lf m", &size.x(), &size.y()) != 2)
+    return std::nullopt;
+  return size;
 }
 
 }  // namespace roomgen::plan

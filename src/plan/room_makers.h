@@ -19,8 +19,13 @@ std::vector<std::string> needed_makers(const brief::RoomKind& kind, const brief:
 /// Of the makers of a kind those that its core brings: what such a room usually has.
 std::vector<std::string> usual_makers(const brief::RoomKind& kind, const KindTable& table);
 
-/// That a room has no place for any of these; `least` is the least size that has, if there is one.
-Error no_place_for(const std::vector<std::string>& makers, const Room& room,
-                   const std::optional<Vec2>& least);
+/// That a room has no place for any of these: Error::Kind::too_small.
+Error no_place_for(const std::vector<std::string>& makers, const Room& room);
+
+/// The same error with the least size that would do, instead of what it told of that before; none
+/// was found: nothing.
+Error with_least(const Error& too_small, const std::optional<Vec2>& least);
+/// What an error of with_least() told.
+std::optional<Vec2> told_least(const Error& too_small);
 
 }  // namespace roomgen::plan

@@ -69,7 +69,7 @@ TEST_CASE("A room too small for what makes it is refused with what it lacks and 
     const auto refused = plan_in("a " + type, size);
     INFO(type << ": " << error_of(refused));
     REQUIRE_FALSE(refused);
-    CHECK(refused.error().kind == Error::Kind::invalid_input);
+    CHECK(refused.error().kind == Error::Kind::too_small);
     CHECK(contains_text(refused.error().message, lacks));
     const auto least = least_of(refused.error().message);
     REQUIRE(least);

@@ -67,7 +67,7 @@ TEST_CASE("Of a plan that somebody made only what was planned and found no place
   const PlanItem bed = rooms::item("bed"), lamp = rooms::item("floor lamp");
   const auto refused = furnished(bedroom(2, 2, {bed, lamp}));
   REQUIRE_FALSE(refused);
-  CHECK(refused.error().kind == Error::Kind::invalid_input);
+  CHECK(refused.error().kind == Error::Kind::too_small);
   CHECK(contains_text(refused.error().message, "a bedroom of 2 x 2 m cannot be one: no bed finds a place in it"));
   double width = 0, depth = 0;
   REQUIRE(std::sscanf(refused.error().message.c_str() + refused.error().message.rfind("; "), "; %lf x %lf m is the least", &width, &depth) == 2);
@@ -97,4 +97,30 @@ TEST_CASE("Of a dwelling the room that is not what it is called is named") {
   const auto library = create::make_created_library();
   const auto refused = generate(dwelling, *designer, *library, KindTable::built_in());
   CHECK(contains_text(error_of(refused), "room \"bedroom-0\": a bedroom of 2 x 2 m cannot be one"));
+}
+
+TEST_CASE("The least size that a prompt is told makes the room, planned and furnished anew") {
+  const auto designer = make_rule_designer();
+  const auto library = create::make_created_library();
+  const KindTable& kinds = KindTable::built_in();
+  const auto ended = [&](const PlanRequest& request) -> Status {
+    const auto plan = designer->plan(request);
+    if (!plan) return plan.error();
+    const auto made = generate(*plan, *designer, *library, kinds);
+    return made ? Status() : Status(made.error());
+  };
+  for (const char* prompt : {"a bedroom with a desk", "a bedroom with two beds", "an office", "a laundry room"}) {
+    PlanRequest request;
+    request.prompt = prompt;
+    request.size = Vec2(1.2, 1.5);
+    const Status refused = ended(request);
+    REQUIRE_FALSE(refused);
+    const Error told = with_least_size(refused.error(), request, *library, kinds);
+    INFO(told.message);
+    Vec2 least;
+    REQUIRE(std::sscanf(told.message.c_str() + told.message.rfind("; "), "; %lf x %lf m is the least", &least.x(),
+                        &least.y()) == 2);
+    request.size = least;
+    CHECK(error_of(ended(request)) == "");
+  }
 }

@@ -53,6 +53,16 @@ Result<Generation> furnish(const Workplace& place, const ToolCall& call, const c
       [&](const auto& each) { return generate(each, designer, place.library, KindTable::built_in(), options); }, plan);
 }
 
+Error with_least(const Workplace& place, const ToolCall& call, const Error& error,
+                 const cli::AnyPlan* plan) {
+  const auto wish = call.arguments.contains("prompt") ? plan_wish(place, call.arguments)
+                                                      : Result<cli::PlanWish>(error);
+  BuildOptions options;
+  options.cancel = call.cancel;
+  if (wish) options.seed = wish->seed;
+  return wish ? cli::told_with_least_size(error, *wish, plan, place.library, options) : error;
+}
+
 Json answer_json(const std::string& name, const Generation& made) {
   const Scene& scene = made.scene;
   const cli::Clauses clauses = cli::clauses_of(scene);
@@ -74,11 +84,11 @@ Result<ToolAnswer> make_room(Workplace& place, const ToolCall& call) {
   if (!folder) return folder.error();
   const auto designer = make_rule_designer();
   const auto plan = wanted_plan(place, call, *designer);
-  if (!plan) return plan.error();
+  if (!plan) return with_least(place, call, plan.error(), nullptr);
   auto output = open_room_folder(*folder, false);
   if (!output) return output.error();
   const auto made = furnish(place, call, *plan, *designer);
-  if (!made) return made.error();
+  if (!made) return with_least(place, call, made.error(), &*plan);
   if (call.cancel.cancelled()) return Error{Error::Kind::cancelled, "stopped; nothing was written"};
   cli::PictureDrawer* drawer = place.keeps_pictures ? &place.drawer : nullptr;
   if (auto status = cli::write_new_room(*output, cli::plan_json(*plan), *made, drawer, kept_pixels); !status)

@@ -19,6 +19,7 @@ struct Error {
     cancelled,      ///< the caller asked to stop
     not_understood, ///< nothing in a text that is read by rules means anything to them
     unavailable,    ///< this build or machine lacks what was asked for
+    too_small,      ///< a room has no place for what makes it what it is called
   };
   Kind kind = Kind::invalid_input;
   std::string message;

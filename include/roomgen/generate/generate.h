@@ -138,12 +138,14 @@ struct BuildOptions {
   View marks_view{View::Kind::top, 1024, true, false};
 };
 
-/// Furnishes a room step by step (RoomBuilder): for each planned object retrieve an asset, ask the designer,
-/// propose, score, fuse, place; when it does not fit, the next asset, then the designer again with the
-/// reason, then a repair, then it is left out with the reason. A last improvement wins back what was lost.
-/// One object that fails never costs another its place. When cancelled, or when the designer may ask no more
-/// (Error::Kind::limit), what is placed so far is returned and the scene is marked incomplete. Fails with
-/// invalid_input where nothing that makes the room what it is called found a place (RoomBuilder::check_kind()).
+/// Furnishes a room step by step (RoomBuilder): for each planned object retrieve an asset, ask the
+/// designer, propose, score, fuse, place; when it does not fit, the next asset, then the designer
+/// again with the reason, then a repair, then it is left out with the reason. A last improvement
+/// wins back what was lost. One object that fails never costs another its place. When cancelled, or
+/// when the designer may ask no more (Error::Kind::limit), what is placed so far is returned and
+/// the scene is marked incomplete. Fails with too_small where nothing that makes the room what it
+/// is called found a place (RoomBuilder::check_kind()); the message tells the least rectangle in
+/// which the plan's things make one, measured by furnishing.
 Result<Generation> generate(const Plan& plan, Designer& designer, const AssetLibrary& library,
                             const KindTable& categories, const BuildOptions& options = {});
 
@@ -153,6 +155,15 @@ Result<Generation> generate(const Plan& plan, Designer& designer, const AssetLib
 Result<Generation> generate(const DwellingPlan& plan, Designer& designer,
                             const AssetLibrary& library, const KindTable& categories,
                             const BuildOptions& options = {});
+
+/// An error of a designer's plan() or of generate() for this request: where it is too_small, with
+/// the least size in which the same prompt and seed make the room by rules with this library,
+/// measured by planning and furnishing up to 25 larger rooms and those between (docs/rooms.md). It
+/// begins at the request's size, else at the least that the error tells. For prompts of one room.
+/// Other errors are returned as they are.
+Error with_least_size(const Error& too_small, const PlanRequest& request,
+                      const AssetLibrary& library, const KindTable& categories,
+                      const BuildOptions& options = {});
 
 /// Objects that a sentence names together ("a table with cups on it and four chairs around it"), set
 /// out by the solver in an empty room: the first in the middle, the others as their relations to it

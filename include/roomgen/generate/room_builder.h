@@ -90,10 +90,10 @@ class RoomBuilder {
   /// All that is known by now: the scene in the plan's order, what found no place, figures, the trace.
   /// Complete when nothing is left.
   Generation generation() const;
-  /// Fails with invalid_input where all was tried and the room is not what it is called: of the kinds that make it
-  /// so (data/rooms.json, "made_by": a bedroom's bed) some are planned, and none found a place. The message says
-  /// which, and the least size that would do, which is measured by trying larger rooms: that may take a while. No
-  /// failure is what the plan leaves out, nor a room that was stopped. generate() ends with this check.
+  /// Fails with too_small where all was tried and the room is not what it is called: of the kinds
+  /// that make it so (data/rooms.json, "made_by": a bedroom's bed) some are planned, and none found
+  /// a place. The message says which. No failure is what the plan leaves out, nor a room that was
+  /// stopped. generate() ends with this check, and tells the least size that would do.
   Status check_kind() const;
 
   // Steps. Each takes one planned object that is not in the room; one that was left out may be
