@@ -337,8 +337,8 @@ void add_experiment_command(CLI::App& app, Context& context) {
                   "Folder for the objects, results.json and report.md; the same command again goes "
                   "on where it was stopped")
       ->required();
-  sub->add_option("--only", options->only, "Numbers of sentences, from 1, with commas")
-      ->delimiter(',')
+  sub->add_option("--only", options->only, "Numbers of sentences of --create, from 1, with commas")
+      ->delimiter(',')->excludes(programs)->excludes(insertions)
       ->check(CLI::PositiveNumber);
   sub->add_option("--seed", options->seed, "Seed of what sentences leave open")
       ->check(CLI::Range(std::uint64_t{0}, max_seed))
