@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/json_member.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 
@@ -13,17 +14,9 @@ namespace roomgen {
 
 namespace {
 
-// A member, or null where there is none or nothing that could have one.
-const Json& member(const Json& value, std::string_view key) {
-  static const Json none;
-  if (!value.is_object()) return none;
-  const auto found = value.find(key);
-  return found == value.end() ? none : *found;
-}
-
 const Json& first_choice(const Json& answer) {
-  const Json& choices = member(answer, "choices");
-  return choices.is_array() && !choices.empty() ? choices.front() : member(choices, "");
+  const Json& choices = member_of(answer, "choices");
+  return choices.is_array() && !choices.empty() ? choices.front() : member_of(choices, "");
 }
 
 bool is_comment(std::string_view line) {
@@ -65,7 +58,7 @@ std::optional<std::vector<Json>> events_of(std::string_view stream) {
 }
 
 void append_text(const Json& delta, const char* key, Json& message) {
-  const Json& piece = member(delta, key);
+  const Json& piece = member_of(delta, key);
   if (!piece.is_string()) return;
   message[key] = message.value(key, std::string()) + piece.get<std::string>();
 }
@@ -76,11 +69,11 @@ Json completion_of(const std::vector<Json>& events) {
   for (const auto& event : events) {
     const Json& piece = first_choice(event);
     for (const char* key : {"content", "reasoning_content", "reasoning", "refusal"})
-      append_text(member(piece, "delta"), key, message);
-    if (const Json& reason = member(piece, "finish_reason"); !reason.is_null())
+      append_text(member_of(piece, "delta"), key, message);
+    if (const Json& reason = member_of(piece, "finish_reason"); !reason.is_null())
       choice["finish_reason"] = reason;
     for (const char* key : {"model", "usage"})
-      if (const Json& value = member(event, key); !value.is_null()) completion[key] = value;
+      if (const Json& value = member_of(event, key); !value.is_null()) completion[key] = value;
   }
   choice["message"] = std::move(message);
   completion["choices"] = Json::array({std::move(choice)});
@@ -89,12 +82,13 @@ Json completion_of(const std::vector<Json>& events) {
 
 // An error, or a whole answer, that came as an event.
 bool stands_alone(const Json& event) {
-  return !member(event, "error").is_null() || !member(first_choice(event), "message").is_null();
+  return !member_of(event, "error").is_null() ||
+         !member_of(first_choice(event), "message").is_null();
 }
 
 std::optional<long long> count_in(const Json& usage, std::initializer_list<const char*> names) {
   for (const char* key : names)
-    if (const Json& count = member(usage, key); count.is_number_integer() && count >= 0)
+    if (const Json& count = member_of(usage, key); count.is_number_integer() && count >= 0)
       return count.get<long long>();
   return std::nullopt;
 }
@@ -116,7 +110,7 @@ HttpAnswer as_meant(HttpAnswer answer) {
   answer.body = plain_json(answer.body);
   const auto json = parse_json(answer.body, "");
   if (!json) return answer;
-  const Json& code = member(member(*json, "error"), "code");
+  const Json& code = member_of(member_of(*json, "error"), "code");
   if (code.is_number_integer() && code >= 400 && code < 600) answer.status = code.get<int>();
   return answer;
 }
@@ -124,7 +118,7 @@ HttpAnswer as_meant(HttpAnswer answer) {
 ChatUse use_of(const HttpAnswer& answer) {
   ChatUse use;
   const auto json = parse_json(answer.body, "");
-  const Json& usage = json ? member(*json, "usage") : member({}, "");
+  const Json& usage = json ? member_of(*json, "usage") : member_of({}, "");
   use.input_tokens = count_in(usage, {"prompt_tokens", "input_tokens"});
   use.output_tokens = count_in(usage, {"completion_tokens", "output_tokens"});
   if (use.input_tokens || use.output_tokens) {
@@ -133,7 +127,7 @@ ChatUse use_of(const HttpAnswer& answer) {
     return use;
   }
   const bool failed = answer.status < 200 || answer.status >= 300 ||
-                      (json && !member(*json, "error").is_null());
+                      (json && !member_of(*json, "error").is_null());
   if (failed)
     use.input_tokens = use.output_tokens = 0;
   else

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "base/json_member.h"
 #include "chat_question.h"
 #include "roomgen/base/json.h"
 
@@ -17,19 +18,13 @@ constexpr std::size_t after_bytes = 48;
 const Json nothing;
 
 // Recordings may be edited by hand: whatever is missing reads as null.
-const Json& member(const Json& json, const char* key) {
-  if (!json.is_object()) return nothing;
-  const auto found = json.find(key);
-  return found == json.end() ? nothing : *found;
-}
-
 const Json& message(const Json& question, std::size_t i) {
-  const Json& messages = member(question, "messages");
+  const Json& messages = member_of(question, "messages");
   return messages.is_array() && i < messages.size() ? messages[i] : nothing;
 }
 
 std::size_t message_count(const Json& question) {
-  const Json& messages = member(question, "messages");
+  const Json& messages = member_of(question, "messages");
   return messages.is_array() ? messages.size() : 0;
 }
 
@@ -47,8 +42,8 @@ std::pair<std::size_t, std::size_t> likeness(const Json& a, const Json& b) {
   std::size_t i = 0;
   const std::size_t count = std::min(message_count(a), message_count(b));
   while (i < count && message(a, i) == message(b, i)) ++i;
-  return {i, common_prefix(text_of(member(message(a, i), "text")),
-                           text_of(member(message(b, i), "text")))};
+  return {i, common_prefix(text_of(member_of(message(a, i), "text")),
+                           text_of(member_of(message(b, i), "text")))};
 }
 
 bool inside_character(std::string_view text, std::size_t i) {
@@ -75,12 +70,12 @@ std::string both(const Json& recorded, const Json& asked) {
 
 std::string message_difference(const Json& recorded, const Json& asked) {
   if (recorded.is_null())
-    return "was not recorded: \"" + around(text_of(member(asked, "text")), 0) + "\"";
+    return "was not recorded: \"" + around(text_of(member_of(asked, "text")), 0) + "\"";
   if (asked.is_null()) return "was recorded, but not asked";
   for (const char* key : {"role", "text"})
-    if (member(recorded, key) != member(asked, key))
-      return both(member(recorded, key), member(asked, key));
-  return "other images: " + both(member(recorded, "images"), member(asked, "images"));
+    if (member_of(recorded, key) != member_of(asked, key))
+      return both(member_of(recorded, key), member_of(asked, key));
+  return "other images: " + both(member_of(recorded, "images"), member_of(asked, "images"));
 }
 
 }  // namespace
@@ -100,12 +95,12 @@ std::string describe_difference(const Json& recorded, const Json& asked) {
     const Json& a = message(recorded, i);
     const Json& b = message(asked, i);
     if (a == b) continue;
-    const std::string role = text_of(member(b.is_null() ? a : b, "role"));
+    const std::string role = text_of(member_of(b.is_null() ? a : b, "role"));
     return "message " + std::to_string(i + 1) + " (" + role + "): " + message_difference(a, b);
   }
   for (const char* key : {"schema", "schema_name", "max_tokens", "temperature", "thinking"})
-    if (member(recorded, key) != member(asked, key))
-      return std::string(key) + ": " + both(member(recorded, key), member(asked, key));
+    if (member_of(recorded, key) != member_of(asked, key))
+      return std::string(key) + ": " + both(member_of(recorded, key), member_of(asked, key));
   return "nothing but the recorded key";
 }
 

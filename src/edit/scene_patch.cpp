@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/json_member.h"
+
 namespace roomgen {
 
 namespace {
@@ -77,13 +79,6 @@ std::optional<Json> list_patch(const Json& before, const Json& after) {
   return changes;
 }
 
-// Null where there is none.
-const Json& member(const Json& value, const std::string& key) {
-  static const Json nothing;
-  const auto found = value.is_object() ? value.find(key) : value.end();
-  return value.is_object() && found != value.end() ? *found : nothing;
-}
-
 bool is_list_with_ids(const std::string& key) {
   return std::find(std::begin(lists_with_ids), std::end(lists_with_ids), key) != std::end(lists_with_ids);
 }
@@ -113,8 +108,8 @@ Status patch_list(Json& list, const Json& changes) {
   std::vector<std::pair<std::size_t, const Json*>> gone, come;
   const Places places = places_in(list);
   for (const auto& change : changes) {
-    const Json &before = member(change, "before"), &after = member(change, "after");
-    if (!member(change, "at").is_number_unsigned()) {
+    const Json &before = member_of(change, "before"), &after = member_of(change, "after");
+    if (!member_of(change, "at").is_number_unsigned()) {
       if (!before.is_object() || !after.is_object() || id_of(change).empty()) return misfit("it is not whole");
       const auto place = places.find(id_of(change));
       if (place == places.end()) return misfit("there is no " + id_of(change));
@@ -159,7 +154,7 @@ Json scene_patch(const Json& before, const Json& after) {
   for (const auto& [key, value] : before.items()) keys.insert(key);
   for (const auto& [key, value] : after.items()) keys.insert(key);
   for (const auto& key : keys) {
-    const Json &old = member(before, key), &now = member(after, key);
+    const Json &old = member_of(before, key), &now = member_of(after, key);
     if (old == now) continue;
     const bool by_element = is_list_with_ids(key) && old.is_array() && now.is_array();
     if (auto changes = by_element ? list_patch(old, now) : std::nullopt) patch["lists"][key] = *std::move(changes);
@@ -176,26 +171,26 @@ Json inverse_patch(const Json& patch) {
     return result;
   };
   Json inverse = Json::object();
-  for (const auto& [key, changes] : member(patch, "lists").items()) {
+  for (const auto& [key, changes] : member_of(patch, "lists").items()) {
     inverse["lists"][key] = Json::array();
     for (const auto& change : changes) inverse["lists"][key].push_back(turned(change));
   }
-  for (const auto& [key, change] : member(patch, "members").items()) inverse["members"][key] = turned(change);
+  for (const auto& [key, change] : member_of(patch, "members").items()) inverse["members"][key] = turned(change);
   return inverse;
 }
 
 Result<Json> apply_patch(Json document, const Json& patch) {
-  for (const auto& [key, changes] : member(patch, "lists").items()) {
+  for (const auto& [key, changes] : member_of(patch, "lists").items()) {
     if (!document.contains(key) || !document[key].is_array() || !changes.is_array())
       return misfit("\"" + key + "\" is no list");
     if (auto status = patch_list(document[key], changes); !status) return status.error();
   }
-  const Json& members = member(patch, "members");
+  const Json& members = member_of(patch, "members");
   if (members.size() > most_members) return misfit("it has more members than scenes");
   for (const auto& [key, change] : members.items()) {
-    if (member(document, key) != member(change, "before")) return misfit("\"" + key + "\" is another");
-    if (member(change, "after").is_null()) document.erase(key);
-    else document[key] = member(change, "after");
+    if (member_of(document, key) != member_of(change, "before")) return misfit("\"" + key + "\" is another");
+    if (member_of(change, "after").is_null()) document.erase(key);
+    else document[key] = member_of(change, "after");
   }
   return in_order(std::move(document));
 }
