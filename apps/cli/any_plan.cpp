@@ -42,11 +42,14 @@ Error told_with_least_size(const Error& error, const PlanWish& wish, const AnyPl
                            const AssetLibrary& library, const BuildOptions& options) {
   auto request = request_of(wish, options.cancel);
   if (error.kind != Error::Kind::too_small || !request) return error;
-  const auto designer = make_rule_designer();
-  if (const auto dwelling = plan_dwelling(*request, *designer); !dwelling || *dwelling)
-    return error;
-  if (const Plan* room = plan ? std::get_if<Plan>(plan) : nullptr)
+  if (plan) {
+    const Plan* room = std::get_if<Plan>(plan);
+    if (!room) return error;
     request->size = bounds(room->room.polygon).size();
+  } else {
+    const auto dwelling = plan_dwelling(*request, *make_rule_designer());
+    if (!dwelling || *dwelling) return error;
+  }
   return with_least_size(error, *request, library, KindTable::built_in(), options);
 }
 

@@ -37,8 +37,7 @@ constexpr std::array tool_commands = {
         "Take the poses of a scene.glb that another program has changed back into the room"},
     ToolCommand{tools, "repl",
                 "Change a room line by line, at a prompt or over a pipe; the exit code is then "
-                "that of the first line "
-                "that failed"},
+                "that of the first line that failed"},
     ToolCommand{
         tools, "mcp",
         "Serve an agent: the Model Context Protocol on standard input and output (docs/agents.md)"},
@@ -53,8 +52,7 @@ constexpr std::array tool_commands = {
     ToolCommand{lab, "benchmark", "Sets of spatial questions, and how models answer them"},
     ToolCommand{lab, "experiment",
                 "Make a suite of things in several variants and score them (docs/objects.md), or "
-                "change rooms step by "
-                "step"},
+                "change rooms step by step"},
     ToolCommand{lab, "evaluate",
                 "Score rooms against what their descriptions ask for (SceneEval's measures)"},
 };

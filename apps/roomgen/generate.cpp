@@ -174,10 +174,15 @@ double usual_seconds(const AnyPlan& plan, bool model) {
   return rooms * (model ? seconds_a_room_with_model : seconds_a_room);
 }
 
-// Of a wish that rules could not plan.
+// Rules plan what a sentence wishes for: they can plan larger rooms of it too.
+bool is_rules_wish(const GenerateCommand& command, const ComposedDesigner& composed) {
+  return command.plan_file.empty() && !composed.model;
+}
+
+// Of a wish that could not be planned.
 Error with_least(const Context& context, const GenerateCommand& command,
                  const ComposedDesigner& composed, const Error& error) {
-  if (error.kind != Error::Kind::too_small || composed.model) return error;
+  if (error.kind != Error::Kind::too_small || !is_rules_wish(command, composed)) return error;
   const auto library = open_all_libraries(command.libraries, context);
   BuildOptions options;
   options.seed = command.wish.seed;
@@ -220,17 +225,16 @@ Result<int> run(const Context& context, const GenerateCommand& command) {
   options.marks_view.pixels = command.pixels;
   options.marks_view.paper_frame = command.designer.paper_frame();
   options.on_event = [&](const BuildEvent& event) { bar.show(event.done, event.total, label(event)); };
+  const bool is_wish = is_rules_wish(command, *composed);
+  options.tells_least = !is_wish || !std::holds_alternative<Plan>(*plan);
   auto generation = std::visit(
       [&](const auto& each) {
         return generate(each, designer, **library, KindTable::built_in(), options);
       },
       *plan);
-  if (!generation)
-    return with_bill(
-        command.plan_file.empty() && !composed->model
-            ? told_with_least_size(generation.error(), command.wish, &*plan, **library, options)
-            : generation.error(),
-        *composed);
+  if (!generation && is_wish)
+    generation = told_with_least_size(generation.error(), command.wish, &*plan, **library, options);
+  if (!generation) return with_bill(generation.error(), *composed);
   if (context.cancel.cancelled() && holds_whole_scene(folder / "scene.json"))
     return older_stays(folder);
   bar.show(1, 1, "writing files");

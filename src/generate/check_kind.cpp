@@ -19,11 +19,6 @@ const RoomKind* kind_of(const Room& room) {
   return found == kinds->types.end() || found->second.made_by.empty() ? nullptr : &found->second;
 }
 
-bool stands(const BuildState& state, const std::string& id) {
-  return std::any_of(state.objects.begin(), state.objects.end(),
-                     [&](const Object& object) { return object.id == id; });
-}
-
 }  // namespace
 
 Status check_kind(const Workplace& place, const BuildState& state) {
@@ -35,7 +30,7 @@ Status check_kind(const Workplace& place, const BuildState& state) {
   for (const auto& planned : planned_objects(place.plan)) {
     const std::string& category = place.plan.items[planned.item].category;
     if (!place.categories.is_any_of(category, kind->made_by)) continue;
-    if (stands(state, planned.id)) return {};
+    if (find_object(state.objects, planned.id)) return {};
     if (std::find(missing.begin(), missing.end(), category) == missing.end())
       missing.push_back(category);
   }

@@ -13,7 +13,9 @@ Result<Generation> generate(const Plan& plan, Designer& designer, const AssetLib
       return step.error();
   if (builder->stopped().empty() && !options.cancel.cancelled()) (void)builder->improve();
   if (auto status = builder->check_kind(); !status)
-    return with_least_room(status.error(), plan, library, categories, options);
+    return options.tells_least
+               ? with_least_room(status.error(), plan, library, categories, options)
+               : status.error();
   return builder->generation();
 }
 

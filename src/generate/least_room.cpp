@@ -5,7 +5,6 @@
 #include "plan/least_size.h"
 #include "plan/room_makers.h"
 #include "plan/room_openings.h"
-#include "roomgen/generate/room_builder.h"
 
 namespace roomgen {
 
@@ -22,17 +21,14 @@ Plan in_rectangle(const Plan& plan, const Vec2& size) {
   return other;
 }
 
-// As generate() would furnish it, unseen.
+// Furnished unseen.
 bool is_what_it_is_called(const Plan& plan, const AssetLibrary& library,
                           const KindTable& categories, BuildOptions options) {
   options.on_event = {};
   options.renderer = nullptr;
+  options.tells_least = false;
   const auto designer = make_rule_designer();
-  auto builder = RoomBuilder::begin(plan, *designer, library, categories, options);
-  while (builder && builder->next() && !options.cancel.cancelled())
-    if (!builder->step()) return false;
-  if (!builder || options.cancel.cancelled()) return false;
-  return builder->improve() && builder->check_kind();
+  return generate(plan, *designer, library, categories, options) && !options.cancel.cancelled();
 }
 
 }  // namespace

@@ -46,6 +46,7 @@ Result<Generation> furnish(const Workplace& place, const ToolCall& call, const c
   BuildOptions options;
   options.seed = std::visit([](const auto& each) { return each.seed; }, plan);
   options.cancel = call.cancel;
+  options.tells_least = call.arguments.contains("plan") || !std::holds_alternative<Plan>(plan);
   options.on_event = [&call](const BuildEvent& event) {
     call.progress(how_far(event), static_cast<double>(event.total + 1), in_words(event));
   };

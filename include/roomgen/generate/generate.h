@@ -131,6 +131,7 @@ struct BuildOptions {
   Improvement improvement = Improvement::minimal;
   int improve_rounds = 60;     ///< of improvement at the end
   std::uint64_t seed = 0;      ///< which of equally good assets are taken
+  bool tells_least = true;     ///< generate() measures the least size for an error too_small
   CancelToken cancel;          ///< stops the call at work, and those to come
   std::function<void(const BuildEvent&)> on_event;
   /// Draws what the designer sees; may be null.
