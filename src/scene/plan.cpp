@@ -17,8 +17,16 @@ namespace roomgen {
 
 namespace {
 
-constexpr std::size_t max_items = 5000, max_requirements = 5000;
+constexpr std::size_t max_items = 5000, max_requirements = 5000, max_groups = 500;
 constexpr long long max_quantity = 200;
+
+template <typename Placed>
+void put_suggestion(const Placed& placed, Json& json) {
+  if (!placed.relations.empty()) json["constraints"] = to_text(placed.relations);
+  if (placed.location)
+    json["location"] = {rounded(placed.location->x()), rounded(placed.location->y())};
+  if (placed.facing) json["facing"] = rounded(degrees(*placed.facing));
+}
 
 Json item_json(const PlanItem& item) {
   Json json;
@@ -31,16 +39,31 @@ Json item_json(const PlanItem& item) {
   json["mount"] = name(item.mount);
   if (!item.on.empty()) json["on"] = item.on;
   json["asked"] = item.asked;
-  if (!item.relations.empty()) json["constraints"] = to_text(item.relations);
-  if (item.location) json["location"] = {rounded(item.location->x()), rounded(item.location->y())};
-  if (item.facing) json["facing"] = rounded(degrees(*item.facing));
+  put_suggestion(item, json);
   if (item.height) json["height"] = rounded(*item.height);
+  if (!item.group.empty()) json["group"] = item.group, json["part"] = item.part;
+  if (!item.serves.empty()) json["serves"] = item.serves;
+  if (item.spare > 0) json["spare"] = item.spare;
   return json;
+}
+
+// What is said of where an item or a group goes.
+template <typename Placed>
+void read_suggestion(const JsonReader& json, Placed& placed) {
+  auto relations = parse_relations(json["constraints"].text_or(""));
+  if (relations) placed.relations = *std::move(relations);
+  else json["constraints"].report(relations.error().message);
+  if (const auto location = json["location"]; location.exists()) {
+    const auto v = location.numbers(2, -max_coordinate, max_coordinate);
+    placed.location = Vec2(v[0], v[1]);
+  }
+  if (const auto facing = json["facing"]; facing.exists())
+    placed.facing = radians(facing.number(-36000, 36000));
 }
 
 PlanItem read_item(const JsonReader& json) {
   json.allow_only({"category", "description", "size", "quantity", "variance", "mount", "on", "asked",
-                   "constraints", "location", "facing", "height"});
+                   "constraints", "location", "facing", "height", "group", "part", "serves", "spare"});
   PlanItem item;
   item.category = lower(json["category"].text(200));
   item.description = json["description"].text_or("");
@@ -48,7 +71,13 @@ PlanItem read_item(const JsonReader& json) {
     const auto v = size.numbers(3, 0.001, 50.0);
     item.size = Vec3(v[0], v[1], v[2]);
   }
-  item.quantity = static_cast<int>(json["quantity"].integer_or(1, 1, max_quantity));
+  item.group = json["group"].text_or("", 200);
+  item.part = json["part"].text_or("", 200);
+  if (item.group.empty() != item.part.empty()) json.report("\"group\" and \"part\" belong together");
+  const int all_of_part = item.group.empty() ? 1 : 0;
+  item.quantity = static_cast<int>(json["quantity"].integer_or(all_of_part, all_of_part, max_quantity));
+  item.serves = json["serves"].text_or("", 200);
+  item.spare = static_cast<int>(json["spare"].integer_or(0, 0, 1000));
   const std::string variance = json["variance"].text_or("same");
   if (variance != "same" && variance != "varied")
     json["variance"].report("must be \"same\" or \"varied\"");
@@ -58,16 +87,54 @@ PlanItem read_item(const JsonReader& json) {
   else json["mount"].report("\"" + mount + "\" is none of floor, wall, ceiling, surface");
   item.on = lower(json["on"].text_or("", 200));
   item.asked = json["asked"].boolean_or(true);
-  auto relations = parse_relations(json["constraints"].text_or(""));
-  if (relations) item.relations = *std::move(relations);
-  else json["constraints"].report(relations.error().message);
-  if (const auto location = json["location"]; location.exists()) {
-    const auto v = location.numbers(2, -max_coordinate, max_coordinate);
-    item.location = Vec2(v[0], v[1]);
-  }
-  if (const auto facing = json["facing"]; facing.exists()) item.facing = radians(facing.number(-36000, 36000));
+  read_suggestion(json, item);
   if (const auto height = json["height"]; height.exists()) item.height = height.number(0.0, 50.0);
   return item;
+}
+
+Json group_json(const PlanGroup& group) {
+  Json json;
+  json["id"] = group.id;
+  if (!group.composition.empty()) json["composition"] = group.composition;
+  for (const auto& [name, value] : group.parameters) {
+    if (const double* number = std::get_if<double>(&value)) json["with"][name] = rounded(*number);
+    else json["with"][name] = std::get<std::string>(value);
+  }
+  if (!group.fixed.empty()) json["fixed"] = group.fixed;
+  if (!group.parts.empty()) json["parts"] = *parse_json(group.parts, group.id);
+  put_suggestion(group, json);
+  json["asked"] = group.asked;
+  return json;
+}
+
+PlanGroup read_group(const JsonReader& json) {
+  json.allow_only({"id", "composition", "with", "fixed", "parts", "constraints", "location", "facing", "asked"});
+  PlanGroup group;
+  group.id = json["id"].text(200);
+  group.composition = json["composition"].text_or("", 200);
+  if (const auto parts = json["parts"]; parts.exists()) group.parts = json_line(*parts.raw());
+  if (group.composition.empty() && group.parts.empty())
+    json.report("a group names a \"composition\" or has \"parts\" of its own");
+  if (const auto with = json["with"]; with.exists())
+    for (const auto& [name, value] : with.members()) {
+      if (value.is_string()) group.parameters[name] = value.text(100);
+      else group.parameters[name] = value.number(-1000, 1000);
+    }
+  for (const auto& name : json["fixed"].elements_or_none(100)) group.fixed.insert(name.text(100));
+  read_suggestion(json, group);
+  group.asked = json["asked"].boolean_or(true);
+  return group;
+}
+
+std::vector<PlanGroup> read_groups(const JsonReader& json) {
+  std::vector<PlanGroup> groups;
+  std::set<std::string> ids;
+  for (const auto& element : json.elements_or_none(max_groups)) {
+    groups.push_back(read_group(element));
+    if (!ids.insert(groups.back().id).second)
+      element["id"].report("another group is called \"" + groups.back().id + "\"");
+  }
+  return groups;
 }
 
 }  // namespace
@@ -99,6 +166,7 @@ Json to_json(const Plan& plan) {
   json["room"] = to_json(plan.room);
   json["objects"] = Json::array();
   for (const auto& item : plan.items) json["objects"].push_back(item_json(item));
+  for (const auto& group : plan.groups) json["groups"].push_back(group_json(group));
   json["excluded"] = plan.excluded;
   json["notes"] = plan.notes;
   json["requirements"] = Json::array();
@@ -115,7 +183,7 @@ Result<Plan> plan_from_json(const Json& json, const std::string& source) {
   const JsonReader root(json, problems);
   if (root["format"].text_or("") != "roomgen-plan")
     root.report("not a plan: \"format\" must be \"roomgen-plan\"");
-  root.allow_only({"format", "version", "prompt", "seed", "room", "objects", "excluded", "notes",
+  root.allow_only({"format", "version", "prompt", "seed", "room", "objects", "groups", "excluded", "notes",
                    "requirements", "heard"});
   if (root["version"].integer_or(1, 1, 1000) != 1)
     root["version"].report("this version of roomgen reads version 1 only");
@@ -123,7 +191,9 @@ Result<Plan> plan_from_json(const Json& json, const std::string& source) {
   plan.prompt = root["prompt"].text_or("", 100000);
   plan.seed = static_cast<std::uint64_t>(root["seed"].integer_or(0, 0, max_seed));
   plan.room = read_room(root["room"]);
-  for (const auto& element : root["objects"].elements(max_items))
+  plan.groups = read_groups(root["groups"]);
+  for (const auto& element : plan.groups.empty() ? root["objects"].elements(max_items)
+                                                 : root["objects"].elements_or_none(max_items))
     plan.items.push_back(read_item(element));
   for (const auto& element : root["excluded"].elements_or_none(max_items))
     plan.excluded.push_back(element.text());
@@ -135,6 +205,7 @@ Result<Plan> plan_from_json(const Json& json, const std::string& source) {
   if (problems.first()) return *problems.first();
   const FileWalls walls(read_corners(root["room"]["polygon"]), plan.room.polygon);
   for (auto& item : plan.items) walls.rename(item.relations);
+  for (auto& group : plan.groups) walls.rename(group.relations);
   return plan;
 }
 

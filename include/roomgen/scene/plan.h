@@ -4,8 +4,10 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "roomgen/base/cancel.h"
@@ -40,6 +42,23 @@ struct PlanItem {
   std::optional<Vec2> location;      ///< suggested centre
   std::optional<double> facing;      ///< suggested yaw, radians
   std::optional<double> height;      ///< of what hangs: wanted metres from the floor to its middle
+  std::string group, part;           ///< what it is in a group of the plan; there a quantity of 0 is all of that part
+  std::string serves;                ///< id of the requirement that it is there for
+  int spare = 0;                     ///< what has a lower one is left out first; 0: nothing is said
+};
+
+/// Things that stand together in one frame, that of the first of them (docs/groups.md): a composition of
+/// data/compositions by name, or parts of the plan's own. How its things look say the items of the group.
+struct PlanGroup {
+  std::string id;           ///< "dining-0"
+  std::string composition;  ///< by name; not needed with `parts`
+  std::string parts;        ///< as in data/compositions, a JSON array on one line; may be empty
+  std::map<std::string, std::variant<double, std::string>, std::less<>> parameters;
+  std::set<std::string> fixed;       ///< parameters that somebody asked for: the group does not shrink by them
+  std::vector<Relation> relations;   ///< of its anchor
+  std::optional<Vec2> location;      ///< suggested, of its anchor
+  std::optional<double> facing;      ///< suggested yaw of its anchor, radians
+  bool asked = false;
 };
 
 /// What a designer makes of a prompt: the empty room and its inventory, in the order of placement.
@@ -48,6 +67,7 @@ struct Plan {
   std::uint64_t seed = 0;
   Room room;
   std::vector<PlanItem> items;
+  std::vector<PlanGroup> groups;
   std::vector<std::string> excluded;  ///< categories that the prompt forbids
   std::vector<std::string> notes;     ///< what was assumed, for people
   std::vector<Requirement> requirements;  ///< the prompt's clauses, to be checked at the end

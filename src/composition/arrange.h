@@ -1,0 +1,53 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "composition.h"
+#include "patterns.h"
+
+namespace roomgen::composition {
+
+/// One thing of a group, in the frame of its anchor.
+struct Member {
+  std::string part;        ///< by names from the outside in: "unit/chair"
+  std::size_t number = 0;  ///< of the things of that part
+  std::string category, description;
+  Vec3 size = Vec3::Ones();
+  Place place;
+  Mount mount = Mount::floor;
+  std::size_t on = 0;      ///< of what stands on another: which member
+  std::optional<double> height;  ///< of what hangs: metres from the floor to its middle
+  bool varied = false;
+  int spare = 0;
+};
+
+/// A group with its numbers put in. The first member is the anchor, at the origin.
+struct Arranged {
+  std::vector<Member> members;
+};
+
+/// The real size of the things of a part, where it is known by now; else the planned one is taken.
+using SizeOf = std::function<std::optional<Vec3>(const std::string& part)>;
+
+/// What a composition is made with. `known` and `kinds` must outlive it.
+struct Making {
+  const Compositions& known;
+  const KindTable& kinds;
+  SizeOf size_of = {};
+  /// The kind of thing that a plan has in the place of a part's; empty: the part's own.
+  std::function<std::string(const std::string& part)> kind_of = {};
+};
+
+/// The members of a composition with these values of its parameters (others as by default). Errors name the part.
+Result<Arranged> arrange(const Composition& composition, const Values& values, const Making& making);
+
+/// Its mirror image: left and right change places.
+Arranged mirrored(Arranged arranged);
+
+/// The box of what stands on the floor, in the anchor's frame; flat things do not count.
+Bounds2 box_of(const Arranged& arranged, const KindTable& kinds);
+
+}  // namespace roomgen::composition

@@ -1,0 +1,155 @@
+#include "plan_groups.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "alternatives.h"
+
+namespace roomgen::composition {
+
+namespace {
+
+Result<Composition> composition_of(const PlanGroup& group) {
+  const auto& known = built_in_compositions();
+  if (!known) return known.error();
+  if (group.parts.empty()) {
+    const auto found = known->find(group.composition);
+    if (found != known->end()) return found->second;
+    return Error{Error::Kind::not_found, "there is no composition \"" + group.composition + "\""};
+  }
+  auto parts = parse_json(group.parts, group.id);
+  if (!parts) return parts.error();
+  Json json;
+  json["parts"] = *std::move(parts);
+  return read_composition(json, group.id, "group \"" + group.id + "\"");
+}
+
+// What the plan's items say of the things of a group.
+Making making_for(const Plan& plan, const PlanGroup& group, const KindTable& kinds, const RealSize& real_size) {
+  Making making{*built_in_compositions(), kinds};
+  const auto item_of = [&plan, id = group.id](const std::string& part) -> const PlanItem* {
+    for (const auto& item : plan.items)
+      if (item.group == id && item.part == part) return &item;
+    return nullptr;
+  };
+  making.kind_of = [item_of](const std::string& part) {
+    const PlanItem* item = item_of(part);
+    return item ? item->category : std::string();
+  };
+  making.size_of = [item_of, real_size](const std::string& part) -> std::optional<Vec3> {
+    if (const auto real = real_size ? real_size(part) : std::nullopt) return real;
+    const PlanItem* item = item_of(part);
+    return item ? item->size : std::nullopt;
+  };
+  return making;
+}
+
+PlanItem item_for(const Member& member, const PlanGroup& group) {
+  PlanItem item;
+  item.category = member.category;
+  item.description = member.description.empty() ? member.category : member.description;
+  item.size = member.size;
+  item.quantity = 0;
+  item.varied = member.varied;
+  item.mount = member.mount;
+  item.height = member.height;
+  item.group = group.id;
+  item.part = member.part;
+  item.asked = group.asked && member.spare == 0;
+  return item;
+}
+
+// As many things of a part as the group has: the rest of its items leave it, what is missing is added.
+void match(Plan& plan, const PlanGroup& group, const Arranged& arranged) {
+  std::map<std::string, int> open;
+  for (const auto& member : arranged.members) ++open[member.part];
+  for (std::size_t i = 0; i < plan.items.size(); ++i) {
+    if (plan.items[i].group != group.id) continue;
+    int& left = open[plan.items[i].part];
+    if (plan.items[i].quantity == 0) plan.items[i].quantity = left;  // all that there are
+    const int within = std::min(left, plan.items[i].quantity), beyond = plan.items[i].quantity - within;
+    left -= within;
+    if (beyond == 0) continue;
+    PlanItem alone = plan.items[i];
+    alone.quantity = beyond;
+    alone.group.clear(), alone.part.clear();
+    plan.items[i].quantity = within;
+    if (within == 0) plan.items[i] = std::move(alone);
+    else plan.items.push_back(std::move(alone));
+  }
+  std::map<std::string, std::size_t> added;
+  for (const auto& member : arranged.members) {
+    if (open[member.part] <= 0) continue;
+    --open[member.part];
+    const auto [at, is_new] = added.try_emplace(member.part, plan.items.size());
+    if (is_new) plan.items.push_back(item_for(member, group));
+    ++plan.items[at->second].quantity;
+  }
+}
+
+void tell_anchor(Plan& plan, PlanGroup& group, const Arranged& arranged) {
+  for (auto& item : plan.items) {
+    if (item.group != group.id || item.part != arranged.members.front().part) continue;
+    for (const auto& relation : group.relations)
+      if (std::find(item.relations.begin(), item.relations.end(), relation) == item.relations.end())
+        item.relations.push_back(relation);
+    if (group.location) item.location = group.location;
+    if (group.facing) item.facing = group.facing;
+    return;
+  }
+}
+
+void dissolve(Plan& plan, const std::string& id, const std::string& why) {
+  plan.notes.push_back("group \"" + id + "\" was not made: " + why);
+  for (auto& item : plan.items) {
+    if (item.group != id) continue;
+    item.group.clear(), item.part.clear();
+    item.quantity = std::max(1, item.quantity);
+  }
+}
+
+}  // namespace
+
+Result<std::vector<Arranged>> ways_to_stand(const Plan& plan, const PlanGroup& group, const KindTable& kinds,
+                                            const RealSize& real_size) {
+  const auto composition = composition_of(group);
+  if (!composition) return composition.error();
+  return alternatives(*composition, group.parameters, group.fixed,
+                      making_for(plan, group, kinds, real_size));
+}
+
+void complete_groups(Plan& plan, const KindTable& kinds) {
+  for (std::size_t g = 0; g < plan.groups.size();) {
+    PlanGroup& group = plan.groups[g];
+    const auto composition = composition_of(group);
+    const auto arranged = composition ? arrange(*composition, group.parameters, making_for(plan, group, kinds, {}))
+                                      : Result<Arranged>(composition.error());
+    if (!arranged) {
+      dissolve(plan, group.id, arranged.error().message);
+      plan.groups.erase(plan.groups.begin() + static_cast<std::ptrdiff_t>(g));
+      continue;
+    }
+    match(plan, group, *arranged);
+    tell_anchor(plan, group, *arranged);
+    ++g;
+  }
+  const auto is_group = [&](const std::string& id) {
+    return std::any_of(plan.groups.begin(), plan.groups.end(), [&](const PlanGroup& group) { return group.id == id; });
+  };
+  for (auto& item : plan.items) {
+    if (!item.group.empty() && !is_group(item.group)) item.group.clear(), item.part.clear();
+    item.quantity = std::max(1, item.quantity);
+  }
+}
+
+std::map<std::string, Role> roles(const Plan& plan) {
+  std::map<std::string, Role> found;
+  std::map<std::pair<std::string, std::string>, std::size_t> numbers;
+  for (const auto& planned : planned_objects(plan)) {
+    const PlanItem& item = plan.items[planned.item];
+    if (!item.group.empty()) found[planned.id] = {item.group, item.part, numbers[{item.group, item.part}]++};
+  }
+  return found;
+}
+
+}  // namespace roomgen::composition

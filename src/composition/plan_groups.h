@@ -1,0 +1,35 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "arrange.h"
+#include "roomgen/scene/plan.h"
+
+namespace roomgen::composition {
+
+/// Makes the groups of a plan and its items agree: each thing of a group has an item that says how it looks, which is
+/// added where none does; items of a part beyond what the group has stand for themselves; what is said of where a
+/// group goes is said of its anchor. A group that cannot be made is told in the notes, and its things stand for
+/// themselves.
+void complete_groups(Plan& plan, const KindTable& kinds);
+
+/// What a plan's object is in its group: the part, and which of its things.
+struct Role {
+  std::string group, part;
+  std::size_t number = 0;
+};
+/// By id, of those in groups.
+std::map<std::string, Role> roles(const Plan& plan);
+
+/// The size that a thing of this part will really have, if it is known.
+using RealSize = std::function<std::optional<Vec3>(const std::string& part)>;
+
+/// The ways in which a group of a completed plan may stand (alternatives()).
+Result<std::vector<Arranged>> ways_to_stand(const Plan& plan, const PlanGroup& group, const KindTable& kinds,
+                                            const RealSize& real_size);
+
+}  // namespace roomgen::composition
