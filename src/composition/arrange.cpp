@@ -87,6 +87,7 @@ class Arranging {
   }
 
   Status add(const Part& part) {
+    if (making_.without.count(path_of(part)) > 0) return {};
     if (part.when && number(part.when, 1.0) == 0.0) return {};
     Arranged unit;
     if (part.kind.empty()) {

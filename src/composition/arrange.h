@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,7 @@ struct Making {
   SizeOf size_of = {};
   /// The kind of thing that a plan has in the place of a part's; empty: the part's own.
   std::function<std::string(const std::string& part)> kind_of = {};
+  std::set<std::string> without = {};  ///< parts that are left out
 };
 
 /// The members of a composition with these values of its parameters (others as by default). Errors name the part.

@@ -1,6 +1,7 @@
 #include "plan_groups.h"
 
 #include <algorithm>
+#include <set>
 #include <nlohmann/json.hpp>
 
 #include "alternatives.h"
@@ -12,21 +13,20 @@ namespace {
 Result<Composition> composition_of(const PlanGroup& group) {
   const auto& known = built_in_compositions();
   if (!known) return known.error();
-  if (group.parts.empty()) {
+  if (group.definition.empty()) {
     const auto found = known->find(group.composition);
     if (found != known->end()) return found->second;
     return Error{Error::Kind::not_found, "there is no composition \"" + group.composition + "\""};
   }
-  auto parts = parse_json(group.parts, group.id);
-  if (!parts) return parts.error();
-  Json json;
-  json["parts"] = *std::move(parts);
-  return read_composition(json, group.id, "group \"" + group.id + "\"");
+  const auto json = parse_json(group.definition, group.id);
+  if (!json) return json.error();
+  return read_composition(*json, group.id, "group \"" + group.id + "\"");
 }
 
 // What the plan's items say of the things of a group.
 Making making_for(const Plan& plan, const PlanGroup& group, const KindTable& kinds, const RealSize& real_size) {
   Making making{*built_in_compositions(), kinds};
+  making.without = group.without;
   const auto item_of = [&plan, id = group.id](const std::string& part) -> const PlanItem* {
     for (const auto& item : plan.items)
       if (item.group == id && item.part == part) return &item;
@@ -88,6 +88,7 @@ void match(Plan& plan, const PlanGroup& group, const Arranged& arranged) {
 }
 
 void tell_anchor(Plan& plan, PlanGroup& group, const Arranged& arranged) {
+  group.anchor = arranged.members.front().part;
   for (auto& item : plan.items) {
     if (item.group != group.id || item.part != arranged.members.front().part) continue;
     for (const auto& relation : group.relations)
@@ -97,6 +98,12 @@ void tell_anchor(Plan& plan, PlanGroup& group, const Arranged& arranged) {
     if (group.facing) item.facing = group.facing;
     return;
   }
+}
+
+std::string anchor_of(const Plan& plan, const std::string& id) {
+  for (const auto& group : plan.groups)
+    if (group.id == id) return group.anchor;
+  return "";
 }
 
 void dissolve(Plan& plan, const std::string& id, const std::string& why) {
@@ -140,6 +147,38 @@ void complete_groups(Plan& plan, const KindTable& kinds) {
     if (!item.group.empty() && !is_group(item.group)) item.group.clear(), item.part.clear();
     item.quantity = std::max(1, item.quantity);
   }
+}
+
+Plan completed(Plan plan, const KindTable& kinds) {
+  complete_groups(plan, kinds);
+  return plan;
+}
+
+std::vector<PlannedObject> placing_order(const Plan& plan) {
+  const auto all = planned_objects(plan);
+  const auto known = roles(plan);
+  // What stands on others comes after them, and the anchor before all of its group.
+  const auto rank = [&](const PlannedObject& planned) {
+    const PlanItem& item = plan.items[planned.item];
+    const Role& role = known.at(planned.id);
+    const bool is_anchor = role.number == 0 && role.part == anchor_of(plan, role.group);
+    return is_anchor ? 0 : item.mount == Mount::surface ? 2 : 1;
+  };
+  std::vector<PlannedObject> order;
+  std::set<std::string> begun;
+  for (const auto& planned : all) {
+    const auto role = known.find(planned.id);
+    if (role == known.end()) order.push_back(planned);
+    if (role == known.end() || !begun.insert(role->second.group).second) continue;
+    std::vector<PlannedObject> group;
+    for (const auto& other : all)
+      if (const auto its = known.find(other.id); its != known.end() && its->second.group == role->second.group)
+        group.push_back(other);
+    std::stable_sort(group.begin(), group.end(),
+                     [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+    order.insert(order.end(), group.begin(), group.end());
+  }
+  return order;
 }
 
 std::map<std::string, Role> roles(const Plan& plan) {

@@ -16,6 +16,11 @@ namespace roomgen::composition {
 /// group goes is said of its anchor. A group that cannot be made is told in the notes, and its things stand for
 /// themselves.
 void complete_groups(Plan& plan, const KindTable& kinds);
+Plan completed(Plan plan, const KindTable& kinds);
+
+/// The objects of a completed plan in the order in which they are placed: the plan's, but the things of a group follow
+/// its anchor.
+std::vector<PlannedObject> placing_order(const Plan& plan);
 
 /// What a plan's object is in its group: the part, and which of its things.
 struct Role {

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "consult.h"
+#include "groups.h"
 #include "objections.h"
 #include "prepare.h"
 #include "solve/improve.h"
@@ -135,6 +136,12 @@ void try_assets(Work& work, const std::vector<AssetInfo>& assets, Trial& trial) 
     for (std::size_t a = 0; a < count; ++a)
       if (work.cancel.cancelled() || try_asset(work, assets[a], trial)) return;
   }
+  if (begins_group(work, trial.planned)) {
+    fall_apart(work, trial.planned);
+    trial.earlier = {};
+    trial.first.reset();
+    return try_assets(work, assets, trial);
+  }
   if (brief)
     trial.step.reason = trial.earlier.refusals.back();
   else
@@ -161,7 +168,9 @@ Result<Attempt> try_to_place(Work& work, const PlannedObject& planned, const Ass
                              const PlaceAdvice& advice, std::size_t refused, PlacementTask& task) {
   if (auto status = follow(work, advice, planned, refused, task); !status) return status.error();
   Attempt attempt = begun(asset, advice);
-  auto placed = place(work.layout(), task, {}, place_options(work), work.state.random);
+  auto placed = begins_group(work, planned)
+                    ? place_with_group(work, planned, task)
+                    : place(work.layout(), task, {}, place_options(work), work.state.random);
   if (placed) {
     note(*placed, attempt);
     work.layout().add(placed->object);
@@ -176,6 +185,7 @@ Result<Attempt> try_to_place(Work& work, const PlannedObject& planned, const Ass
 }
 
 void try_all(Work& work, const PlannedObject& planned, Step& step) {
+  if (take_place_in_group(work, planned, step)) return;
   const auto assets = assets_for(work, planned);
   if (!assets) {
     step.reason = assets.error().message;

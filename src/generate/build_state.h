@@ -6,10 +6,19 @@
 #include <vector>
 
 #include "base/random.h"
+#include "composition/arrange.h"
 #include "roomgen/generate/generate.h"
 #include "roomgen/scene/problem.h"
 
 namespace roomgen {
+
+/// A group of the plan that stands in one of its ways: where its members go when their turn comes.
+struct StandingGroup {
+  composition::Arranged arranged;
+  std::vector<std::string> ids;         ///< of its members; empty: no thing of the plan
+  PlacementTask anchor;                 ///< with its companions
+  std::vector<std::size_t> companions;  ///< which members they are
+};
 
 /// How far a room has come: all that steps change. Copies are cheap (meshes are shared) and are what undo
 /// goes back to; equal states go on equally.
@@ -20,6 +29,8 @@ struct BuildState {
   std::vector<PlacementTask> tasks;      ///< of all objects that have an asset, in order
   std::map<std::string, std::string> reasons;   ///< why objects do not stand
   std::set<std::size_t> hopeless_items;         ///< of which one found no place
+  std::map<std::string, StandingGroup> groups;  ///< by id, of those that stand
+  std::set<std::string> apart;                  ///< groups that found no place as one
   std::map<std::string, AssetInfo> assets;      ///< by object
   std::map<std::string, AssetInfo> favourites;  ///< by what was asked for (retrieve.h)
   ModelTable models;                            ///< of what stands and what was tried

@@ -28,6 +28,8 @@ void list_objects(const Workplace& place, const BuildState& state, Scene& scene)
   for (const auto& planned : planned_objects(place.plan)) {
     if (const Object* placed = find_object(state, planned.id)) {
       scene.objects.push_back(with_rounded_pose(*placed));
+      // Of a group that was locked while it was built.
+      if (!placed->group.empty()) scene.objects.back().locked = false;
       continue;
     }
     const auto reason = state.reasons.find(planned.id);

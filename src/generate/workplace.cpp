@@ -10,7 +10,8 @@ namespace roomgen {
 
 Workplace::Workplace(Plan the_plan, Designer& the_designer, const AssetLibrary& the_library,
                      const KindTable& the_categories, BuildOptions the_options)
-    : plan(std::move(the_plan)),
+    : plan(composition::completed(std::move(the_plan), the_categories)),
+      roles(composition::roles(plan)),
       designer(the_designer),
       library(the_library),
       categories(the_categories),
@@ -55,7 +56,7 @@ void leave_out_surplus(const Plan& plan, BuildState& state) {
 
 BuildState first_state(const Workplace& place) {
   BuildState state;
-  state.left = planned_objects(place.plan);
+  state.left = composition::placing_order(place.plan);
   leave_out_surplus(place.plan, state);
   state.models = place.models;
   state.random = Random(place.options.seed).fork("placement");

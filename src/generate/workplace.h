@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "build_state.h"
+#include "composition/plan_groups.h"
 #include "roomgen/generate/room_builder.h"
 #include "solve/layout.h"
 
@@ -18,7 +19,8 @@ struct Workplace {
   Workplace(const Workplace&) = delete;
   Workplace& operator=(const Workplace&) = delete;
 
-  Plan plan;
+  Plan plan;  ///< with its groups completed
+  std::map<std::string, composition::Role> roles;  ///< of its objects in its groups, by id
   Designer& designer;
   const AssetLibrary& library;
   const KindTable& categories;

@@ -7,7 +7,9 @@
 #include "base/random.h"
 #include "brief/room_type.h"
 #include "floor_plan.h"
+#include "composition/plan_groups.h"
 #include "formations.h"
+#include "grouping.h"
 #include "inventory.h"
 #include "least_size.h"
 #include "ledger.h"
@@ -51,6 +53,7 @@ class Planner {
         kinds_(kinds),
         table_(table),
         arrangements_(arrangements),
+        grouping_(table),
         brief_(std::move(brief)),
         random_(request.seed) {
     choose_kind();
@@ -194,8 +197,8 @@ class Planner {
     const Vec2 usable(box.x(), area(plan.room.polygon) / box.x());
     complete(drafts, brief_, kinds_, kind_, usable, table_, looks, random.fork("contents"));
     fall_in_as_usual(drafts, table_, arrangements_);
-    result.drafts = order_items(std::move(drafts), table_, arrangements_, plan);
-    lay_out_formations(result.drafts, table_, arrangements_, plan);
+    result.drafts = std::move(drafts);
+    set_in_order(result);
     judge(result, bar);
     return result;
   }
@@ -250,16 +253,29 @@ class Planner {
     for (const auto& object : attempt.missed)
       if (!attempt.plan.items[object.item].asked) --attempt.drafts[object.item].item.quantity;
     std::erase_if(attempt.drafts, [](const Draft& draft) { return draft.item.quantity < 1; });
-    attempt.plan.items.clear();
-    attempt.drafts =
-        order_items(std::move(attempt.drafts), table_, arrangements_, attempt.plan);
-    lay_out_formations(attempt.drafts, table_, arrangements_, attempt.plan);
+    set_in_order(attempt);
+  }
+
+  // The drafts in groups and in the order of placing, as items of the plan; what completes the groups comes after them.
+  void set_in_order(Attempt& attempt) const {
+    Plan& plan = attempt.plan;
+    plan.items.clear();
+    grouping_.run(attempt.drafts, brief_, plan);
+    attempt.drafts = order_items(std::move(attempt.drafts), table_, arrangements_, plan);
+    lay_out_formations(attempt.drafts, table_, arrangements_, plan);
+    composition::complete_groups(plan, table_);
+    for (std::size_t i = attempt.drafts.size(); i < plan.items.size(); ++i) {
+      Draft added;
+      added.item = plan.items[i];
+      attempt.drafts.push_back(std::move(added));
+    }
   }
 
   const PlanRequest& request_;
   const brief::RoomKinds& kinds_;
   const KindTable& table_;
   const Arrangements& arrangements_;
+  mutable Grouping grouping_;  ///< what it remembers changes no plan
   brief::Brief brief_;
   Random random_;
   brief::RoomKind kind_;

@@ -101,26 +101,33 @@ Json group_json(const PlanGroup& group) {
     else json["with"][name] = std::get<std::string>(value);
   }
   if (!group.fixed.empty()) json["fixed"] = group.fixed;
-  if (!group.parts.empty()) json["parts"] = *parse_json(group.parts, group.id);
+  if (!group.without.empty()) json["without"] = group.without;
+  if (!group.definition.empty())
+    for (const auto& [key, value] : parse_json(group.definition, group.id)->items()) json[key] = value;
   put_suggestion(group, json);
   json["asked"] = group.asked;
   return json;
 }
 
 PlanGroup read_group(const JsonReader& json) {
-  json.allow_only({"id", "composition", "with", "fixed", "parts", "constraints", "location", "facing", "asked"});
+  json.allow_only({"id", "composition", "with", "fixed", "without", "parameters", "parts", "mirrors",
+                   "constraints", "location", "facing", "asked"});
   PlanGroup group;
   group.id = json["id"].text(200);
   group.composition = json["composition"].text_or("", 200);
-  if (const auto parts = json["parts"]; parts.exists()) group.parts = json_line(*parts.raw());
-  if (group.composition.empty() && group.parts.empty())
-    json.report("a group names a \"composition\" or has \"parts\" of its own");
+  Json definition;
+  for (const auto* key : {"parameters", "parts", "mirrors"})
+    if (const auto value = json[key]; value.exists()) definition[key] = *value.raw();
+  if (!definition.is_null()) group.definition = json_line(definition);
+  if (group.composition.empty() == group.definition.empty())
+    json.report("a group either names a \"composition\" or has \"parts\" of its own");
   if (const auto with = json["with"]; with.exists())
     for (const auto& [name, value] : with.members()) {
       if (value.is_string()) group.parameters[name] = value.text(100);
       else group.parameters[name] = value.number(-1000, 1000);
     }
   for (const auto& name : json["fixed"].elements_or_none(100)) group.fixed.insert(name.text(100));
+  for (const auto& name : json["without"].elements_or_none(100)) group.without.insert(name.text(200));
   read_suggestion(json, group);
   group.asked = json["asked"].boolean_or(true);
   return group;

@@ -109,6 +109,18 @@ void check_targets(const Problem& problem, const JsonReader& objects) {
 
 }  // namespace
 
+std::vector<Object> companions_of(const PlacementTask& task, const Object& standing) {
+  std::vector<Object> placed;
+  const Footprint frame = footprint(standing);
+  for (const auto& companion : task.companions) {
+    Object object = companion.object;
+    object.position.head<2>() = frame.to_world(companion.position);
+    object.yaw = wrap_angle(standing.yaw + companion.yaw);
+    placed.push_back(with_rounded_pose(std::move(object)));
+  }
+  return placed;
+}
+
 Result<Problem> problem_from_json(const Json& json, const std::string& source) {
   JsonReader::Problems problems(source);
   const JsonReader root(json, problems);

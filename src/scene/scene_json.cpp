@@ -42,6 +42,7 @@ Json object_json(const Object& object) {
   json["locked"] = object.locked;
   if (object.stand_in) json["stand_in"] = true;
   if (!object.room.empty()) json["room"] = object.room;
+  if (!object.group.empty()) json["group"] = object.group;
   return json;
 }
 
@@ -59,7 +60,7 @@ Traits read_traits(const JsonReader& json) {
 
 Object read_object(const JsonReader& json) {
   json.allow_only({"id", "category", "description", "asset", "traits", "size", "position", "yaw_deg",
-                   "mount", "on", "relations", "locked", "stand_in", "room"});
+                   "mount", "on", "relations", "locked", "stand_in", "room", "group"});
   Object object;
   object.id = json["id"].text(200);
   object.category = json["category"].text_or("", 200);
@@ -81,6 +82,7 @@ Object read_object(const JsonReader& json) {
   object.locked = json["locked"].boolean_or(false);
   object.stand_in = json["stand_in"].boolean_or(false);
   object.room = json["room"].text_or("", 200);
+  object.group = json["group"].text_or("", 200);
   return object;
 }
 

@@ -5,6 +5,7 @@
 
 #include "base/json_reader.h"
 #include "base/resource.h"
+#include "composition/composition.h"
 #include "roomgen/base/json.h"
 
 namespace roomgen {
@@ -139,6 +140,20 @@ const Arrangement& Arrangements::get(const KindTable& table, std::string_view ca
   return found == kinds.end() ? none : found->second;
 }
 
+namespace {
+
+Status add_wants(const composition::Composition& one, const Groups& groups, Arrangements& arrangements) {
+  const std::string source = "composition \"" + one.name + "\", wants";
+  const auto json = parse_json(one.wants, source);
+  if (!json) return json.error();
+  JsonReader::Problems problems(source);
+  arrangements.compositions[one.name] = read_arrangement(JsonReader(*json, problems), groups);
+  if (problems.first()) return *problems.first();
+  return {};
+}
+
+}  // namespace
+
 Result<Arrangements> parse_arrangements(std::string_view text, const std::string& source) {
   auto json = parse_json(text, source);
   if (!json) return json.error();
@@ -152,6 +167,11 @@ Result<Arrangements> parse_arrangements(std::string_view text, const std::string
   for (const auto& [kind, entry] : root["kinds"].members())
     arrangements.kinds[kind] = read_arrangement(entry, groups);
   if (problems.first()) return *problems.first();
+  const auto& compositions = composition::built_in_compositions();
+  if (!compositions) return compositions.error();
+  for (const auto& [name, one] : *compositions)
+    if (!one.wants.empty())
+      if (auto status = add_wants(one, groups, arrangements); !status) return status.error();
   return arrangements;
 }
 

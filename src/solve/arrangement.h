@@ -66,6 +66,8 @@ struct Arrangement {
 /// data/arrangements.json (docs/arrangements.md).
 struct Arrangements {
   std::map<std::string, Arrangement, std::less<>> kinds;
+  /// Of groups as a whole, by their composition (its "wants").
+  std::map<std::string, Arrangement, std::less<>> compositions;
 
   /// That of the category, of its nearest ancestor, or of the things of its mount.
   const Arrangement& get(const KindTable& table, std::string_view category, Mount mount) const;

@@ -1,8 +1,12 @@
 #include "dry_run.h"
 
 #include <algorithm>
+#include <map>
+#include <set>
+#include <tuple>
 
-#include "place.h"
+#include "composition/plan_groups.h"
+#include "place_group.h"
 #include "scene/judgement.h"
 #include "support.h"
 
@@ -80,27 +84,89 @@ std::optional<Object> place_as_box(Layout& layout, const PlanItem& item, Placeme
   return std::move(placed->object);
 }
 
+/// Places what is planned, one thing or group after the other.
+class DryRunning {
+ public:
+  DryRunning(const Plan& plan, const KindTable& kinds, const Arrangements& arrangements)
+      : plan_(plan), roles_(composition::roles(plan)), layout_(plan.room, kinds, boxes_, &arrangements) {
+    for (const auto& [id, role] : roles_) ids_[{role.group, role.part, role.number}] = id;
+    for (const auto& planned : planned_objects(plan)) planned_.emplace(planned.id, planned);
+  }
+
+  DryRun run(const std::function<bool(const DryRun&)>& is_hopeless) {
+    for (const auto& planned : composition::placing_order(plan_)) {
+      const PlanItem& item = plan_.items[planned.item];
+      if (layout_.categories().get(item.category).covers_window) continue;  // it hangs where the windows are
+      if (places_.count(planned.id) > 0 && !places_.at(planned.id)) {
+        result_.missed.push_back(planned);
+        continue;
+      }
+      const auto placed = placed_as_box(planned, item);
+      const int broken = placed ? count_broken(layout_, *placed, item) : 0;
+      result_.broken += broken;
+      if (placed) layout_.add(*placed);
+      else result_.missed.push_back(planned);
+      if ((broken > 0 || !placed) && is_hopeless && is_hopeless(result_)) break;
+    }
+    return std::move(result_);
+  }
+
+ private:
+  std::optional<Object> placed_as_box(const PlannedObject& planned, const PlanItem& item) {
+    if (const auto known = places_.find(planned.id); known != places_.end()) return known->second;
+    PlacementTask task = task_for(plan_, planned, layout_);
+    const auto role = roles_.find(planned.id);
+    if (role != roles_.end() && !tried_.count(role->second.group) && item.mount != Mount::surface)
+      if (auto placed = place_whole(role->second.group, task)) return placed;
+    return place_as_box(layout_, item, std::move(task));
+  }
+
+  // The whole group of an anchor; where its members go is known from then on.
+  std::optional<Object> place_whole(const std::string& id, PlacementTask task) {
+    tried_.insert(id);
+    const auto group = std::find_if(plan_.groups.begin(), plan_.groups.end(),
+                                    [&](const PlanGroup& one) { return one.id == id; });
+    task.composition = group->composition;
+    const auto ways = composition::ways_to_stand(plan_, *group, layout_.categories(), {});
+    if (!ways) return std::nullopt;
+    std::map<std::string, Object> things;
+    const auto thing_of = [&](const composition::Member& member) -> const Object* {
+      const auto known = ids_.find({id, member.part, member.number});
+      if (known == ids_.end()) return nullptr;
+      const auto [at, is_new] = things.try_emplace(known->second);
+      if (is_new) at->second = task_for(plan_, planned_.at(known->second), layout_).object;
+      return &at->second;
+    };
+    PlaceOptions options;
+    options.max_exact_tests = most_exact_tests;
+    Random random(0);
+    auto placed = place_group(layout_, task, *ways, thing_of, options, random);
+    if (!placed) return std::nullopt;
+    for (const auto& [key, member] : ids_)
+      if (std::get<0>(key) == id && plan_.items[planned_.at(member).item].mount != Mount::surface &&
+          !plan_.items[planned_.at(member).item].asked)
+        places_[member] = std::nullopt;
+    for (const auto& object : companions_of(placed->task, placed->placement.object)) places_[object.id] = object;
+    places_.erase(task.object.id);
+    return std::move(placed->placement.object);
+  }
+
+  const Plan& plan_;
+  std::map<std::string, composition::Role> roles_;
+  std::map<std::tuple<std::string, std::string, std::size_t>, std::string> ids_;  ///< by group, part, number
+  std::map<std::string, PlannedObject> planned_;
+  const ModelTable boxes_ = {};
+  Layout layout_;
+  std::set<std::string> tried_;                          ///< groups
+  std::map<std::string, std::optional<Object>> places_;  ///< of things whose group stands; none: it had no room
+  DryRun result_;
+};
+
 }  // namespace
 
-DryRun dry_run(const Plan& plan, const KindTable& categories,
-               const Arrangements& arrangements,
+DryRun dry_run(const Plan& plan, const KindTable& categories, const Arrangements& arrangements,
                const std::function<bool(const DryRun&)>& is_hopeless) {
-  const ModelTable boxes;
-  Layout layout(plan.room, categories, boxes, &arrangements);
-  DryRun result;
-  for (const auto& planned : planned_objects(plan)) {
-    const PlanItem& item = plan.items[planned.item];
-    if (categories.get(item.category).covers_window) continue;  // it hangs where the windows are
-    auto placed = place_as_box(layout, item, task_for(plan, planned, layout));
-    const int broken = placed ? count_broken(layout, *placed, item) : 0;
-    result.broken += broken;
-    if (placed)
-      layout.add(*std::move(placed));
-    else
-      result.missed.push_back(planned);
-    if ((broken > 0 || !placed) && is_hopeless && is_hopeless(result)) break;
-  }
-  return result;
+  return DryRunning(plan, categories, arrangements).run(is_hopeless);
 }
 
 }  // namespace roomgen

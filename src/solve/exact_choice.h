@@ -26,11 +26,12 @@ bool is_excepted(const Object& object, const Pose& pose, const PlaceOptions& opt
 class ExactChoice {
  public:
   /// All but `order` must outlive this. `clearly` is a difference of merit.
-  ExactChoice(Layout& layout, const Object& object, const std::vector<Scored>& scored,
+  ExactChoice(Layout& layout, const PlacementTask& task, const std::vector<Scored>& scored,
               std::vector<std::size_t> order, double clearly,
               const PlaceOptions& options)
       : layout_(layout),
-        object_(object),
+        task_(task),
+        object_(task.object),
         scored_(scored),
         order_(std::move(order)),
         clearly_(clearly),
@@ -50,6 +51,7 @@ class ExactChoice {
   bool passes(std::size_t i);
 
   Layout& layout_;
+  const PlacementTask& task_;
   const Object& object_;
   const std::vector<Scored>& scored_;
   std::vector<std::size_t> order_, deferred_, passed_;

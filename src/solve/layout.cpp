@@ -100,6 +100,12 @@ bool Layout::carries_something(std::string_view id) const {
                      [&](const Object& object) { return object.on == id; });
 }
 
+const Arrangement* Layout::arrangement_of(const PlacementTask& task) const {
+  if (!arrangements_) return nullptr;
+  const auto found = arrangements_->compositions.find(task.composition);
+  return found == arrangements_->compositions.end() ? arrangement_of(task.object) : &found->second;
+}
+
 const Arrangement* Layout::arrangement_of(const Object& object) const {
   return arrangements_ ? &arrangements_->get(categories_, object.category, object.mount) : nullptr;
 }
@@ -148,6 +154,13 @@ Layout::Candidate Layout::candidate(const Object& object) const {
   return {object, &categories_.get(object.category)};
 }
 
+Layout::Candidate Layout::candidate(const PlacementTask& task) const {
+  Candidate whole = candidate(task.object);
+  for (const auto& companion : task.companions)
+    whole.companions.push_back({candidate(companion.object), companion.position, companion.yaw});
+  return whole;
+}
+
 bool Layout::may_tuck(const Kind& a, const Kind& b) const {
   return !models_.empty() && tucks(a, b);
 }
@@ -185,13 +198,42 @@ bool Layout::collides(const Candidate& candidate, const Footprint& footprint, do
 }
 
 bool Layout::fits(const Candidate& candidate, const Footprint& footprint, double bottom) const {
+  return fits_alone(candidate, footprint, bottom) &&
+         std::all_of(candidate.companions.begin(), candidate.companions.end(), [&](const auto& companion) {
+           const Object& object = companion.self.object;
+           const Footprint own(footprint.to_world(companion.position), object.size.head<2>(),
+                               wrap_angle(footprint.yaw() + companion.yaw), object.traits.round);
+           return fits_alone(companion.self, own, object.position.z());
+         });
+}
+
+bool Layout::fits_alone(const Candidate& candidate, const Footprint& footprint, double bottom) const {
   return fits_room(candidate, footprint, bottom) &&
          std::none_of(things_.begin(), things_.end(), [&](const FloorThing& other) {
            return collides(candidate, footprint, bottom, other);
          });
 }
 
-Layout::Verdict Layout::fits_exactly(const Candidate& candidate) {
+// One after the other, each beside those before it; in the end nothing of them stands.
+Layout::Verdict Layout::fits_exactly(const Candidate& whole) {
+  Verdict verdict = fits_alone_exactly(whole);
+  if (!verdict || whole.companions.empty()) return verdict;
+  PlacementTask task;
+  for (const auto& one : whole.companions)
+    task.companions.push_back({one.self.object, one.position, one.yaw});
+  const std::size_t before = objects_.size();
+  add(whole.object);
+  for (const auto& object : companions_of(task, whole.object)) {
+    verdict = fits_alone_exactly(candidate(object));
+    if (!verdict) break;
+    add(object);
+  }
+  while (objects_.size() > before) remove(std::string(objects_.back().id));
+  std::erase_if(verdict.blamed, [&](std::size_t i) { return i >= before; });
+  return verdict;
+}
+
+Layout::Verdict Layout::fits_alone_exactly(const Candidate& candidate) {
   const Object& object = candidate.object;
   const Footprint own = footprint(object);
   for (std::size_t i = 0; i < things_.size(); ++i)

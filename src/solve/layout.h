@@ -12,6 +12,7 @@
 #include "collision/usability.h"
 #include "free_zones.h"
 #include "roomgen/kinds/kind_table.h"
+#include "roomgen/scene/problem.h"
 #include "roomgen/scene/scene.h"
 #include "roomgen/solve/solve.h"
 #include "room_limits.h"
@@ -48,6 +49,8 @@ class Layout {
   std::span<const FloorThing> things() const { return things_; }
   /// How things of its kind are arranged; null without arrangements.
   const Arrangement* arrangement_of(const Object& object) const;
+  /// The same of a group that says so itself.
+  const Arrangement* arrangement_of(const PlacementTask& task) const;
   /// The same of things()[i].
   const Arrangement* arrangement_of(std::size_t i) const { return arranged_[i]; }
   const Object* find(std::string_view id) const;
@@ -80,11 +83,15 @@ class Layout {
   struct Candidate {
     Object object;  ///< with any pose
     const Kind* category = nullptr;
+    /// What is placed together with it, each in its frame.
+    struct Companion;
+    std::vector<Companion> companions = {};
   };
   Candidate candidate(const Object& object) const;
+  Candidate candidate(const PlacementTask& task) const;
 
-  /// The cheap test: inside, boxes apart, openings free. Boxes that overlap pass only where one
-  /// thing may slide under the other; fits_exactly() then asks the meshes.
+  /// The cheap test, of companions too: inside, boxes apart, openings free. Boxes that overlap pass
+  /// only where one thing may slide under the other; fits_exactly() then asks the meshes.
   bool fits(const Candidate& candidate, const Footprint& footprint, double bottom) const;
   /// The two halves of fits(): the room itself, and one other thing.
   bool fits_room(const Candidate& candidate, const Footprint& footprint, double bottom) const;
@@ -106,6 +113,8 @@ class Layout {
   bool may_tuck(const Kind& a, const Kind& b) const;
 
  private:
+  bool fits_alone(const Candidate& candidate, const Footprint& footprint, double bottom) const;
+  Verdict fits_alone_exactly(const Candidate& candidate);
   bool rests_on(const Object& upper, const Object& lower) const;
   bool may_sit_over(const Object& object, const Kind& other) const;
   void refresh_things();
@@ -133,6 +142,12 @@ class Layout {
   FreeZones free_zones_;  ///< of objects_
   /// Parallel to objects_; stamped only when an exact test needs it.
   std::vector<bool> in_occupancy_;
+};
+
+struct Layout::Candidate::Companion {
+  Candidate self;
+  Vec2 position = Vec2::Zero();
+  double yaw = 0.0;
 };
 
 /// The object at a pose, rounded as files hold it: what is tested is what is written.

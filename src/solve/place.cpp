@@ -133,7 +133,7 @@ std::optional<std::size_t> choose(Layout& layout, const PlacementTask& task,
                                   const std::vector<Scored>& scored,
                                   const std::vector<std::size_t>& order,
                                   const PlaceOptions& options) {
-  ExactChoice chooser(layout, task.object, scored, order, rank_at_top, options);
+  ExactChoice chooser(layout, task, scored, order, rank_at_top, options);
   const auto first = chooser.next();
   const bool has_dependants = std::any_of(
       later.begin(), later.end(),
@@ -181,7 +181,7 @@ class Placing {
         context_(
             make_context(layout, task, resolved(layout, task, options),
                          count_around(task, layout.objects(), later))),
-        candidate_(layout.candidate(task.object)) {}
+        candidate_(layout.candidate(task)) {}
 
   Result<Placement> run() {
     // Where there is no grid, meaningful poses are all there is.
@@ -306,7 +306,7 @@ Result<Placement> place(Layout& layout, const PlacementTask& task,
                         Random& random) {
   if (!layout.has_way_in() && needs_way_in(layout, task)) return no_way_in(task);
   if (task.usual && !task.location && task.object.mount != Mount::surface)
-    if (const Arrangement* arrangement = layout.arrangement_of(task.object))
+    if (const Arrangement* arrangement = layout.arrangement_of(task))
       return place_usually(layout, task, *arrangement, options, random);
   return Placing(layout, task, later, options, random).run();
 }

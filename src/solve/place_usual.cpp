@@ -50,7 +50,7 @@ class UsualPlacing {
         arrangement_(arrangement),
         options_(options),
         random_(random),
-        candidate_(layout.candidate(task.object)) {}
+        candidate_(layout.candidate(task)) {}
 
   Result<Placement> run() {
     std::optional<Placement> fallback;
@@ -86,7 +86,7 @@ class UsualPlacing {
     for (std::size_t i = 0; i < choices_.size(); ++i) consider(i);
     feasible_ += static_cast<int>(scored_.size());
     const auto order = rank();
-    ExactChoice choice(layout_, task_.object, scored_, order, clearly_better, options_);
+    ExactChoice choice(layout_, task_, scored_, order, clearly_better, options_);
     const auto best = choice.next();
     if (!best) return {};
     return {placement_at(*best, order), origins_[*best].leads};
@@ -247,7 +247,7 @@ Result<Placement> place_usually(Layout& layout, const PlacementTask& task,
 }
 
 PlacementTask with_leading_habit(const Layout& layout, PlacementTask task) {
-  const Arrangement* arrangement = task.usual ? layout.arrangement_of(task.object) : nullptr;
+  const Arrangement* arrangement = task.usual ? layout.arrangement_of(task) : nullptr;
   task.usual = false;
   if (!arrangement || task.object.mount == Mount::surface) return task;
   auto& relations = task.object.relations;

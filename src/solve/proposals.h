@@ -14,6 +14,8 @@ void propose_at_walls(const ProposalContext& context, std::vector<Pose>& poses);
 void propose_for_relations(const ProposalContext& context, std::vector<Pose>& poses);
 /// Where the suggestion says, and as near as makes no difference.
 void propose_suggested(const ProposalContext& context, std::vector<Pose>& poses);
+/// For a thing with companions: where the box around all of them means something.
+void propose_with_companions(const ProposalContext& context, std::vector<Pose>& poses);
 /// Wherever it can rest on the support, and of what means something the places where it can.
 void propose_on_surface(const ProposalContext& context, const Object& support,
                         std::vector<Pose>& poses);

@@ -81,7 +81,8 @@ ProposalContext make_context(const Layout& layout, const PlacementTask& task,
   ProposalContext context{layout, task, std::move(relations), around_count,
                           suggestion_of(layout, task)};
   context.rest = Rest::of(layout, task.object);
-  const Arrangement* arrangement = layout.arrangement_of(task.object);
+  if (!task.companions.empty()) context.whole = box_with_companions(task);
+  const Arrangement* arrangement = layout.arrangement_of(task);
   if (arrangement && task.object.mount != Mount::surface && (task.usual || !task.location)) {
     context.around_count = std::max(around_count, company_at_table(layout, task.of_its_kind));
     context.surroundings.emplace(layout, task, *arrangement, context.around_count);
@@ -118,7 +119,7 @@ std::vector<double> useful_yaws(const ProposalContext& context) {
   const auto all = context.layout.wall_yaws();
   const Object& object = context.task.object;
   const bool square = std::abs(object.size.x() - object.size.y()) < 1e-6;
-  if (object.traits.front || wants(context, RelationKind::edge) ||
+  if (object.traits.front || !context.task.companions.empty() || wants(context, RelationKind::edge) ||
       wants(context, RelationKind::corner))
     return {all.begin(), all.end()};
   // Half a turn changes nothing, a quarter turn neither if it is square or round.
@@ -154,6 +155,7 @@ std::vector<Pose> propose_exact(const ProposalContext& context) {
   if (!wants(context, RelationKind::middle)) propose_at_walls(context, poses);
   if (context.surroundings) propose_beneath(context, poses);
   propose_for_relations(context, poses);
+  propose_with_companions(context, poses);
   return poses;
 }
 

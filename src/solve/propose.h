@@ -31,9 +31,13 @@ struct ProposalContext {
   /// Where the layout knows how kinds are arranged and no place is suggested: what its kind prefers.
   std::optional<Surroundings> surroundings = {};
   std::optional<Rest> rest = {};  ///< of what stands on another thing
+  std::optional<Bounds2> whole = {};  ///< box_with_companions(), where there are any
 };
 ProposalContext make_context(const Layout& layout, const PlacementTask& task,
                              std::vector<ResolvedRelation> relations, int around_count);
+
+/// The box around the object and what stands on the floor with it, in its frame.
+Bounds2 box_with_companions(const PlacementTask& task);
 
 /// How many of the objects stand around the same target as this one, itself included.
 int count_around(const Object& object, std::span<const Object> others);

@@ -12,6 +12,8 @@ namespace {
 // A slot of this width looks like an oversight: too wide to touch, too narrow to walk through.
 constexpr double slot_low = 0.03;
 constexpr double slot_high = 0.45;
+// Between groups people walk.
+constexpr double way_between_groups = 0.9;
 constexpr double door_comfort = 0.6;
 constexpr double location_comfort = 1.0;
 
@@ -26,14 +28,21 @@ double walkway_degree(const ProposalContext& context, const Footprint& footprint
 double spread_degree(const ProposalContext& context, const Footprint& footprint) {
   double degree = 1.0;
   const Bounds2& box = footprint.bounds();
+  const double wide = context.whole ? way_between_groups : slot_high;
   for (const auto& other : context.layout.things()) {
-    if (!box.overlaps(other.footprint.bounds(), slot_high) || other.object->traits.flat ||
+    if (!box.overlaps(other.footprint.bounds(), wide) || other.object->traits.flat ||
         other.object->id == context.task.object.id)
       continue;
     const double slot = gap(footprint, other.footprint);
-    if (slot > slot_low && slot < slot_high) degree -= 0.3;
+    if (slot > slot_low && slot < wide) degree -= 0.3;
   }
   return std::max(degree, 0.0);
+}
+
+Footprint with_companions(const ProposalContext& context, const Footprint& own) {
+  if (!context.whole) return own;
+  const Bounds2& box = *context.whole;
+  return Footprint(own.to_world(0.5 * (box.low + box.high)), box.size(), own.yaw());
 }
 
 // Those that stand around the same target keep their distance from each other: 1 when this one has
@@ -108,7 +117,7 @@ void add_general_terms(const ProposalContext& context, const Footprint& footprin
   terms.walkway = walkway_degree(context, footprint);
   // Between small things on a table no one walks.
   const bool on_surface = context.task.object.mount == Mount::surface;
-  terms.spread = on_surface ? 1.0 : spread_degree(context, footprint);
+  terms.spread = on_surface ? 1.0 : spread_degree(context, with_companions(context, footprint));
   terms.evenness = evenness_degree(context, footprint);
   terms.closeness = closeness_degree(context, footprint);
   terms.off = metres_off(context, footprint);

@@ -66,6 +66,7 @@ struct Object {
   bool locked = false;            ///< neither repair nor improvement may move it
   bool stand_in = false;          ///< a plain shape in place of what nobody has a model of
   std::string room;               ///< id of its room in a dwelling, else empty
+  std::string group;              ///< things of one group stand together (docs/groups.md); else empty
 };
 
 inline Footprint footprint(const Object& object) {

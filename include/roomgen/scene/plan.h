@@ -48,17 +48,19 @@ struct PlanItem {
 };
 
 /// Things that stand together in one frame, that of the first of them (docs/groups.md): a composition of
-/// data/compositions by name, or parts of the plan's own. How its things look say the items of the group.
+/// data/compositions by name, or one of the plan's own. How its things look say the items of the group.
 struct PlanGroup {
   std::string id;           ///< "dining-0"
-  std::string composition;  ///< by name; not needed with `parts`
-  std::string parts;        ///< as in data/compositions, a JSON array on one line; may be empty
+  std::string composition;  ///< by name; not needed with a definition
+  std::string definition;   ///< of a composition of its own, as in data/compositions: JSON on one line; may be empty
+  std::set<std::string> without;  ///< parts of it that are left out
   std::map<std::string, std::variant<double, std::string>, std::less<>> parameters;
   std::set<std::string> fixed;       ///< parameters that somebody asked for: the group does not shrink by them
   std::vector<Relation> relations;   ///< of its anchor
   std::optional<Vec2> location;      ///< suggested, of its anchor
   std::optional<double> facing;      ///< suggested yaw of its anchor, radians
   bool asked = false;
+  std::string anchor;                ///< its part, once the group is completed; not in files
 };
 
 /// What a designer makes of a prompt: the empty room and its inventory, in the order of placement.

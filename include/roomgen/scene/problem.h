@@ -33,7 +33,19 @@ struct PlacementTask {
   bool usual = false;
   bool anywhere = true;  ///< with `usual`: rather in an unusual place than in none
   int of_its_kind = 1;   ///< how many of its kind the room will hold
+  /// Things that are placed together with the object, as one: each with its pose in the object's frame, its
+  /// own pose meaning nothing but the height of its bottom. Their relations do not count.
+  struct Companion {
+    Object object;
+    Vec2 position = Vec2::Zero();
+    double yaw = 0.0;
+  };
+  std::vector<Companion> companions;
+  std::string composition;  ///< as which all of them are arranged; empty: as the object's kind is
 };
+
+/// The companions where the object stands as it says, in their order.
+std::vector<Object> companions_of(const PlacementTask& task, const Object& standing);
 
 /// Input of the solver alone: a room and objects with known sizes and constraints, in file order.
 struct Problem {

@@ -1,0 +1,202 @@
+#include "groups.h"
+
+#include <algorithm>
+
+#include "attempts.h"
+#include "fits_as_it_is.h"
+#include "prepare.h"
+#include "retrieve.h"
+#include "scene/resolved_relation.h"
+#include "solve/place_group.h"
+
+namespace roomgen {
+
+namespace {
+
+using composition::Member;
+
+const composition::Role* role_of(const Work& work, const std::string& id) {
+  const auto found = work.place.roles.find(id);
+  return found == work.place.roles.end() ? nullptr : &found->second;
+}
+
+const PlanGroup* group_of(const Work& work, const std::string& id) {
+  const auto& groups = work.place.plan.groups;
+  const auto found = std::find_if(groups.begin(), groups.end(), [&](const PlanGroup& group) { return group.id == id; });
+  return found == groups.end() ? nullptr : &*found;
+}
+
+// The anchor is the first of its group in the order of placing.
+bool is_anchor(const Work& work, const PlannedObject& planned) {
+  const auto order = composition::placing_order(work.place.plan);
+  const std::string& group = role_of(work, planned.id)->group;
+  const auto first = std::find_if(order.begin(), order.end(), [&](const PlannedObject& one) {
+    const auto* role = role_of(work, one.id);
+    return role && role->group == group;
+  });
+  return first != order.end() && first->id == planned.id;
+}
+
+/// The things of a group as they will be: each with an asset, before any stands.
+struct Cast {
+  std::map<std::pair<std::string, std::size_t>, std::string> ids;  ///< by part and number
+  std::map<std::string, PlacementTask> tasks;                      ///< by id
+
+  std::string id_of(const Member& member) const {
+    const auto found = ids.find({member.part, member.number});
+    return found == ids.end() ? std::string() : found->second;
+  }
+  const Object* object_of(const Member& member) const {
+    const auto found = tasks.find(id_of(member));
+    return found == tasks.end() ? nullptr : &found->second.object;
+  }
+};
+
+// Those that stand already, or that nothing is found for, are none of the cast.
+Cast cast_of(Work& work, const std::string& group) {
+  Cast cast;
+  for (const auto& planned : planned_objects(work.place.plan)) {
+    const auto* role = role_of(work, planned.id);
+    if (!role || role->group != group || work.layout().find(planned.id)) continue;
+    cast.ids[{role->part, role->number}] = planned.id;
+    const auto assets = assets_for(work, planned);
+    if (!assets || assets->empty()) continue;
+    auto task = prepare(work, planned, assets->front());
+    if (!task) continue;
+    remember(work.state.favourites, work.item(planned), assets->front());
+    task->object.group = group;
+    cast.tasks.emplace(planned.id, *std::move(task));
+  }
+  return cast;
+}
+
+// What stands on others goes where its place in the frame is, or anywhere on that.
+bool stand_on(Work& work, PlacementTask task, const Object& carrier) {
+  task.object.mount = Mount::surface;
+  task.object.on = carrier.id;
+  const Relation on{RelationKind::on, carrier.id};
+  if (std::find(task.object.relations.begin(), task.object.relations.end(), on) == task.object.relations.end())
+    task.object.relations.push_back(on);
+  PlaceOptions options = work.place.options.place;
+  options.cancel = work.cancel;
+  auto placed = place(work.layout(), task, {}, options, work.state.random);
+  if (!placed) {
+    task.location.reset(), task.facing.reset();
+    task.binding = false;
+    placed = place(work.layout(), task, {}, options, work.state.random);
+  }
+  if (!placed) return false;
+  placed->object.locked = true;
+  work.layout().add(placed->object);
+  return true;
+}
+
+// Where a member goes, as the word of a designer.
+PlaceAdvice place_in_frame(const Work& work, const StandingGroup& group, std::size_t index, PlacementTask& task) {
+  const Object& anchor = group.anchor.object;
+  const auto at =
+      composition::within({anchor.position.head<2>(), anchor.yaw}, group.arranged.members[index].place);
+  task.object.relations =
+      known_relations(task.object.relations, work.layout().room(), work.layout().objects());
+  task.location = at.position;
+  task.facing = at.yaw;
+  task.binding = true;
+  PlaceAdvice given;
+  given.relations = task.object.relations;
+  given.location = at.position;
+  given.yaw = at.yaw;
+  return given;
+}
+
+// A member at its place in the frame, if it is one of those that were placed with the anchor.
+bool stand_in_frame(Work& work, const StandingGroup& group, std::size_t index, const PlacementTask& task) {
+  const auto companion = std::find(group.companions.begin(), group.companions.end(), index);
+  if (companion == group.companions.end()) return false;
+  const auto all = companions_of(group.anchor, group.anchor.object);
+  Object object = all[static_cast<std::size_t>(companion - group.companions.begin())];
+  object.relations = task.object.relations;
+  object.locked = true;
+  if (!fits_as_it_is(work.layout(), object)) return false;
+  work.layout().add(std::move(object));
+  return true;
+}
+
+bool stand(Work& work, const StandingGroup& group, std::size_t index, const PlacementTask& task) {
+  const Member& member = group.arranged.members[index];
+  if (member.mount != Mount::surface) return stand_in_frame(work, group, index, task);
+  const Object* carrier = work.layout().find(group.ids[member.on]);
+  return carrier && stand_on(work, task, *carrier);
+}
+
+}  // namespace
+
+bool begins_group(const Work& work, const PlannedObject& planned) {
+  const auto* role = role_of(work, planned.id);
+  if (!role || work.state.apart.count(role->group) || work.state.groups.count(role->group)) return false;
+  return is_anchor(work, planned);
+}
+
+Result<Placement> place_with_group(Work& work, const PlannedObject& planned, PlacementTask& task) {
+  const std::string& id = role_of(work, planned.id)->group;
+  const PlanGroup& group = *group_of(work, id);
+  Cast cast = cast_of(work, id);
+  task.object.group = id;
+  task.composition = group.composition;
+  cast.tasks[planned.id] = task;
+  const auto real_size = [&](const std::string& part) -> std::optional<Vec3> {
+    const auto found = cast.ids.find({part, 0});
+    const auto known = found == cast.ids.end() ? cast.tasks.end() : cast.tasks.find(found->second);
+    return known == cast.tasks.end() ? std::nullopt : std::optional<Vec3>(known->second.object.size);
+  };
+  auto ways = composition::ways_to_stand(work.place.plan, group, work.place.categories, real_size);
+  if (!ways) return ways.error();
+  PlaceOptions options = work.place.options.place;
+  options.cancel = work.cancel;
+  auto placed = place_group(work.layout(), task, *ways,
+                            [&](const Member& member) { return cast.object_of(member); }, options, work.state.random);
+  if (!placed) return placed.error();
+  StandingGroup standing;
+  standing.arranged = std::move((*ways)[placed->way]);
+  for (const auto& member : standing.arranged.members) standing.ids.push_back(cast.id_of(member));
+  standing.anchor = placed->task;
+  standing.anchor.object = placed->placement.object;
+  companions(standing.arranged, [&](const Member& member) { return cast.object_of(member); },
+             work.place.room, standing.companions);
+  work.state.groups[id] = std::move(standing);
+  task.object.locked = placed->placement.object.locked = true;
+  return std::move(placed->placement);
+}
+
+void fall_apart(Work& work, const PlannedObject& planned) {
+  if (const auto* role = role_of(work, planned.id)) work.state.apart.insert(role->group);
+}
+
+bool take_place_in_group(Work& work, const PlannedObject& planned, Step& step) {
+  const auto* role = role_of(work, planned.id);
+  const auto found = role ? work.state.groups.find(role->group) : work.state.groups.end();
+  if (found == work.state.groups.end()) return false;
+  const StandingGroup& group = found->second;
+  const auto member = std::find(group.ids.begin(), group.ids.end(), planned.id);
+  const bool must_stand = work.item(planned).asked;
+  if (member == group.ids.end()) {
+    if (!must_stand) step.reason = "its group had no room for it";
+    return !must_stand;
+  }
+  const auto assets = assets_for(work, planned);
+  if (!assets || assets->empty()) return false;
+  auto task = prepare(work, planned, assets->front());
+  if (!task) return false;
+  const auto index = static_cast<std::size_t>(member - group.ids.begin());
+  task->object.group = role->group;
+  const PlaceAdvice given = place_in_frame(work, group, index, *task);
+  if (!stand(work, group, index, *task)) {
+    if (must_stand || group.arranged.members[index].mount != Mount::surface) return false;
+    return step.reason = "there was no room for it where its group has it", true;
+  }
+  step.has_assets = true;
+  step.attempts.push_back(begun(assets->front(), given));
+  enter(work, planned, assets->front(), *std::move(task));
+  return true;
+}
+
+}  // namespace roomgen

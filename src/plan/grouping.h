@@ -1,0 +1,50 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "composition/arrange.h"
+#include "inventory.h"
+
+namespace roomgen::plan {
+
+/// Finds which of a room's things belong together (data/compositions), so that they are placed as one. Remembers what
+/// compositions hold: one serves all attempts at a plan.
+class Grouping {
+ public:
+  explicit Grouping(const KindTable& kinds);
+
+  /// Groups the drafts anew: those that gain most first. Drafts whose things go to several groups are split. What is
+  /// told of a thing's place beyond being at its anchor keeps it out.
+  void run(std::vector<Draft>& drafts, const brief::Brief& brief, Plan& plan);
+
+ private:
+  /// The things of one part of a composition.
+  struct PartCount {
+    std::string part, kind;
+    Mount mount = Mount::floor;
+    int count = 0;
+    int spare = 0;
+  };
+  using Counts = std::vector<PartCount>;  ///< the anchor's part first
+  /// A composition that an anchor could have, set for what is there.
+  struct Fit {
+    const composition::Composition* composition = nullptr;
+    composition::Values values;
+    Counts counts;
+    double gain = 0.0;
+  };
+
+  const Counts& counts_of(const composition::Composition& composition, const composition::Values& values);
+  Fit fit(const composition::Composition& composition, const std::vector<Draft>& drafts, std::size_t anchor);
+  double gain_of(const Counts& counts, const std::vector<Draft>& drafts, std::size_t anchor) const;
+  int available(const PartCount& part, const std::vector<Draft>& drafts, std::size_t anchor) const;
+  bool belongs(const Draft& draft, const PartCount& part, const Draft& anchor) const;
+  void make_group(const Fit& fit, std::vector<Draft>& drafts, std::size_t anchor, const brief::Brief& brief, Plan& plan);
+
+  const KindTable& kinds_;
+  std::map<std::string, Counts> known_;  ///< by composition and values
+};
+
+}  // namespace roomgen::plan
