@@ -86,6 +86,12 @@ class Arranging {
     return fallback;
   }
 
+  double gap_of(const Part& part) {
+    constexpr double clear = 0.02;
+    const double gap = number(part.gap, 0.0);
+    return gap < 0.0 && making_.tuck < 1.0 ? making_.tuck * gap + (making_.tuck > 0.0 ? 0.0 : clear) : gap;
+  }
+
   Status add(const Part& part) {
     if (making_.without.count(path_of(part)) > 0) return {};
     if (part.when && number(part.when, 1.0) == 0.0) return {};
@@ -199,7 +205,7 @@ class Arranging {
       if (part.facing == Facing::away) yaw = yaw_facing(normal);
       const bool turned = std::abs(std::sin(yaw)) > 0.7;
       const Vec2 own = turned ? Vec2(size.y(), size.x()) : Vec2(size.head<2>());
-      const double off = 0.5 * normal.cwiseAbs().dot(own) + number(part.gap, 0.0);
+      const double off = 0.5 * normal.cwiseAbs().dot(own) + gap_of(part);
       const double slack = is_across(side) ? half.y() - 0.5 * own.y() : half.x() - 0.5 * own.x();
       double shift = number(part.shift, 0.0);
       if (part.align != Part::Align::middle) shift += part.align == Part::Align::back ? slack : -slack;
@@ -214,7 +220,7 @@ class Arranging {
     std::vector<Place> found;
     const Footprint table(Vec2::Zero(), reference.size.head<2>(), 0.0, reference.round);
     for (const auto& seat : seat_places(table, count_of(part)))
-      found.push_back({seat.rim + (number(part.gap, 0.0) + 0.5 * size.y()) * seat.outward,
+      found.push_back({seat.rim + (gap_of(part) + 0.5 * size.y()) * seat.outward,
                        yaw_facing(part.facing == Facing::away ? seat.outward : Vec2(-seat.outward))});
     return found;
   }

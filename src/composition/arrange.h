@@ -41,6 +41,7 @@ struct Making {
   /// The kind of thing that a plan has in the place of a part's; empty: the part's own.
   std::function<std::string(const std::string& part)> kind_of = {};
   std::set<std::string> without = {};  ///< parts that are left out
+  double tuck = 1.0;  ///< how much of what is drawn under another is so: meshes may not allow all of it
 };
 
 /// The members of a composition with these values of its parameters (others as by default). Errors name the part.

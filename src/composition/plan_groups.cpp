@@ -24,9 +24,10 @@ Result<Composition> composition_of(const PlanGroup& group) {
 }
 
 // What the plan's items say of the things of a group.
-Making making_for(const Plan& plan, const PlanGroup& group, const KindTable& kinds, const RealSize& real_size) {
+Making making_for(const Plan& plan, const PlanGroup& group, const KindTable& kinds, const RealThings& real) {
   Making making{*built_in_compositions(), kinds};
   making.without = group.without;
+  making.tuck = real.tuck;
   const auto item_of = [&plan, id = group.id](const std::string& part) -> const PlanItem* {
     for (const auto& item : plan.items)
       if (item.group == id && item.part == part) return &item;
@@ -36,8 +37,8 @@ Making making_for(const Plan& plan, const PlanGroup& group, const KindTable& kin
     const PlanItem* item = item_of(part);
     return item ? item->category : std::string();
   };
-  making.size_of = [item_of, real_size](const std::string& part) -> std::optional<Vec3> {
-    if (const auto real = real_size ? real_size(part) : std::nullopt) return real;
+  making.size_of = [item_of, size_of = real.size_of](const std::string& part) -> std::optional<Vec3> {
+    if (const auto known = size_of ? size_of(part) : std::nullopt) return known;
     const PlanItem* item = item_of(part);
     return item ? item->size : std::nullopt;
   };
@@ -118,11 +119,11 @@ void dissolve(Plan& plan, const std::string& id, const std::string& why) {
 }  // namespace
 
 Result<std::vector<Arranged>> ways_to_stand(const Plan& plan, const PlanGroup& group, const KindTable& kinds,
-                                            const RealSize& real_size) {
+                                            const RealThings& real) {
   const auto composition = composition_of(group);
   if (!composition) return composition.error();
   return alternatives(*composition, group.parameters, group.fixed,
-                      making_for(plan, group, kinds, real_size));
+                      making_for(plan, group, kinds, real));
 }
 
 void complete_groups(Plan& plan, const KindTable& kinds) {

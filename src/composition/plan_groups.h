@@ -30,11 +30,14 @@ struct Role {
 /// By id, of those in groups.
 std::map<std::string, Role> roles(const Plan& plan);
 
-/// The size that a thing of this part will really have, if it is known.
-using RealSize = std::function<std::optional<Vec3>(const std::string& part)>;
+/// The things of a group as they will be.
+struct RealThings {
+  SizeOf size_of = {};  ///< as far as it is known
+  double tuck = 1.0;    ///< Making::tuck
+};
 
 /// The ways in which a group of a completed plan may stand (alternatives()).
 Result<std::vector<Arranged>> ways_to_stand(const Plan& plan, const PlanGroup& group, const KindTable& kinds,
-                                            const RealSize& real_size);
+                                            const RealThings& real);
 
 }  // namespace roomgen::composition

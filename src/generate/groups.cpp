@@ -128,6 +128,30 @@ bool stand(Work& work, const StandingGroup& group, std::size_t index, const Plac
   return carrier && stand_on(work, task, *carrier);
 }
 
+// Whether meshes of the group's own things overlap, wherever it stands.
+bool overlaps_itself(Work& work, const composition::Arranged& way, const Cast& cast) {
+  const Object* anchor = cast.object_of(way.members.front());
+  PlacementTask task;
+  std::vector<std::size_t> members;
+  task.companions = companions(way, [&](const Member& member) { return cast.object_of(member); }, work.place.room, members);
+  auto all = companions_of(task, *anchor);
+  all.push_back(*anchor);
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (work.layout().solids().overlap(all[i], all[j])) return true;
+  return false;
+}
+
+// Seats are drawn up to their table as far as the meshes allow.
+Result<std::vector<composition::Arranged>> ways_that_hold_together(Work& work, const PlanGroup& group, const Cast& cast,
+                                                                   const composition::SizeOf& size_of) {
+  for (const double tuck : {1.0, 0.5, 0.0}) {
+    auto ways = composition::ways_to_stand(work.place.plan, group, work.place.categories, {size_of, tuck});
+    if (!ways || tuck == 0.0 || !overlaps_itself(work, ways->front(), cast)) return ways;
+  }
+  return Error{Error::Kind::invalid_input, "its things overlap"};
+}
+
 }  // namespace
 
 bool begins_group(const Work& work, const PlannedObject& planned) {
@@ -148,7 +172,7 @@ Result<Placement> place_with_group(Work& work, const PlannedObject& planned, Pla
     const auto known = found == cast.ids.end() ? cast.tasks.end() : cast.tasks.find(found->second);
     return known == cast.tasks.end() ? std::nullopt : std::optional<Vec3>(known->second.object.size);
   };
-  auto ways = composition::ways_to_stand(work.place.plan, group, work.place.categories, real_size);
+  auto ways = ways_that_hold_together(work, group, cast, real_size);
   if (!ways) return ways.error();
   PlaceOptions options = work.place.options.place;
   options.cancel = work.cancel;

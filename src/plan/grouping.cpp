@@ -13,7 +13,7 @@ using composition::Composition;
 using composition::Values;
 
 // What a group is worth: things that stand in their place, against parts that nobody has and things that are left over.
-constexpr double of_missing = 0.4, of_misfit = 0.6, least_gain = 0.5;
+constexpr double of_missing = 0.4, of_misfit = 0.6, of_other_kind = 0.3, least_gain = 0.5;
 constexpr int most_values = 40;
 
 bool is_placed_with_anchor(Mount mount) { return mount != Mount::surface; }
@@ -82,11 +82,16 @@ const Grouping::Counts& Grouping::counts_of(const Composition& composition, cons
 bool Grouping::belongs(const Draft& draft, const PartCount& part, const Draft& anchor) const {
   if (!is_free(draft) || &draft == &anchor || draft.item.mount != part.mount) return false;
   if (draft.formation && !draft.is_usual_formation) return false;
-  if (!kinds_.is_a(draft.item.category, part.kind)) return false;
+  if (!is_kin(draft.item.category, part.kind)) return false;
   return std::all_of(draft.demands.begin(), draft.demands.end(), [&](const brief::Demand& demand) {
     return demand.mention != brief::Demand::none && demand.mention == anchor.mention &&
            is_given_by_pattern(demand.kind);
   });
+}
+
+// "table" is as good as a dining table.
+bool Grouping::is_kin(const std::string& category, const std::string& kind) const {
+  return kinds_.is_a(category, kind) || kinds_.is_a(kind, category);
 }
 
 int Grouping::available(const PartCount& part, const std::vector<Draft>& drafts, std::size_t anchor) const {
@@ -145,6 +150,9 @@ void Grouping::make_group(const Fit& fit, std::vector<Draft>& drafts, std::size_
     for (auto& draft : drafts) {
       if (wanted == 0 || !belongs(draft, part, drafts[anchor])) continue;
       const int some = std::min(wanted, draft.item.quantity);
+      // A number that was asked for stays.
+      if (draft.item.asked)
+        for (const auto& [name, value] : fit.values) group.fixed.insert(name);
       taken.push_back(split_off(draft, some, group.id, part.part));
       wanted -= some;
     }
@@ -168,8 +176,10 @@ void Grouping::run(std::vector<Draft>& drafts, const brief::Brief& brief, Plan& 
       if (!is_free(drafts[i]) || drafts[i].item.mount != Mount::floor) continue;
       for (const auto& [name, one] : *known) {
         const Counts& counts = counts_of(one, {});
-        if (counts.empty() || !kinds_.is_a(drafts[i].item.category, counts.front().kind)) continue;
+        if (counts.empty() || !is_kin(drafts[i].item.category, counts.front().kind)) continue;
         Fit found = fit(one, drafts, i);
+        // Rather the composition for just that.
+        if (!kinds_.is_a(drafts[i].item.category, counts.front().kind)) found.gain -= of_other_kind;
         if (found.gain > std::max(best.gain, least_gain) + 1e-9) best = std::move(found), anchor = i;
       }
     }

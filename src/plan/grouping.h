@@ -40,6 +40,7 @@ class Grouping {
   Fit fit(const composition::Composition& composition, const std::vector<Draft>& drafts, std::size_t anchor);
   double gain_of(const Counts& counts, const std::vector<Draft>& drafts, std::size_t anchor) const;
   int available(const PartCount& part, const std::vector<Draft>& drafts, std::size_t anchor) const;
+  bool is_kin(const std::string& category, const std::string& kind) const;
   bool belongs(const Draft& draft, const PartCount& part, const Draft& anchor) const;
   void make_group(const Fit& fit, std::vector<Draft>& drafts, std::size_t anchor, const brief::Brief& brief, Plan& plan);
 

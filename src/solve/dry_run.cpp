@@ -127,7 +127,7 @@ class DryRunning {
     const auto group = std::find_if(plan_.groups.begin(), plan_.groups.end(),
                                     [&](const PlanGroup& one) { return one.id == id; });
     task.composition = group->composition;
-    const auto ways = composition::ways_to_stand(plan_, *group, layout_.categories(), {});
+    const auto ways = composition::ways_to_stand(plan_, *group, layout_.categories(), {{}, 0.0});  // boxes
     if (!ways) return std::nullopt;
     std::map<std::string, Object> things;
     const auto thing_of = [&](const composition::Member& member) -> const Object* {
