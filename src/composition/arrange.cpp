@@ -50,7 +50,7 @@ class Arranging {
     for (const auto& part : composition_.parts)
       if (auto status = add(part); !status) return status.error();
     if (arranged_.members.empty())
-      return Error{Error::Kind::invalid_input, "\"" + composition_.name + "\": the anchor is left out"};
+      return Error{Error::Kind::not_found, "\"" + composition_.name + "\": the anchor is left out"};
     const Place to_anchor = inverse(arranged_.members.front().place);
     return moved_to(to_anchor, std::move(arranged_));
   }
@@ -93,11 +93,11 @@ class Arranging {
   }
 
   Status add(const Part& part) {
-    if (making_.without.count(path_of(part)) > 0) return {};
-    if (part.when && number(part.when, 1.0) == 0.0) return {};
     Arranged unit;
     if (part.kind.empty()) {
       auto made = nested(part);
+      // What is left out with its anchor is left out as a whole.
+      if (!made && made.error().kind == Error::Kind::not_found) return {};
       if (!made) return made.error();
       unit = *std::move(made);
     } else {
@@ -108,13 +108,14 @@ class Arranging {
                             : box_of(unit, making_.kinds);
     const Vec3 size(box.size().x(), box.size().y(), unit.members.front().size.z());
     const Vec2 middle = 0.5 * (box.low + box.high);
+    remember_size(part.name, size);
+    if (making_.without.count(path_of(part)) > 0 || (part.when && number(part.when, 1.0) == 0.0)) return {};
     for (const auto& [place, reference] : repeated(part, places(part, size))) {
       if (arranged_.members.size() + unit.members.size() > most_members)
         return Error{Error::Kind::limit, "a group holds at most " + std::to_string(most_members) + " things"};
       put(part, unit, within(place, {-middle, 0.0}), place, size, reference);
     }
     if (problem_) return wrong(part, *problem_);
-    remember_size(part.name, size);
     return {};
   }
 
@@ -282,7 +283,9 @@ class Arranging {
   void put(const Part& part, const Arranged& unit, const Place& frame, const Place& middle, const Vec3& size,
            const Instance* reference) {
     const std::size_t first = arranged_.members.size();
+    const int own_unit = part.kind.empty() ? units_++ : -1;
     for (Member member : unit.members) {
+      member.unit = own_unit;
       member.place = within(frame, member.place);
       if (member.mount == Mount::surface) member.on += first;
       member.number = numbers_[member.part]++;
@@ -325,6 +328,7 @@ class Arranging {
   Arranged arranged_;
   std::map<std::string, std::vector<Instance>> instances_;
   std::map<std::string, std::size_t> numbers_;
+  int units_ = 0;
   std::optional<std::string> problem_;
 };
 
@@ -332,6 +336,26 @@ class Arranging {
 
 Result<Arranged> arrange(const Composition& composition, const Values& values, const Making& making) {
   return Arranging(composition, making, "", 1).run(values);
+}
+
+std::vector<Arranged> units_of(const Arranged& arranged) {
+  std::vector<Arranged> units;
+  std::vector<std::size_t> now(arranged.members.size());
+  for (std::size_t i = 0; i < arranged.members.size(); ++i) {
+    Member member = arranged.members[i];
+    if (member.unit < 0) continue;
+    units.resize(std::max(units.size(), static_cast<std::size_t>(member.unit) + 1));
+    Arranged& unit = units[static_cast<std::size_t>(member.unit)];
+    if (member.mount == Mount::surface) member.on = now[member.on];
+    now[i] = unit.members.size();
+    unit.members.push_back(std::move(member));
+  }
+  std::erase_if(units, [](const Arranged& unit) { return unit.members.empty(); });
+  for (auto& unit : units) {
+    const Place to_anchor = inverse(unit.members.front().place);
+    unit = moved_to(to_anchor, std::move(unit));
+  }
+  return units;
 }
 
 Arranged mirrored(Arranged arranged) {

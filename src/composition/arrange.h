@@ -23,6 +23,7 @@ struct Member {
   std::optional<double> height;  ///< of what hangs: metres from the floor to its middle
   bool varied = false;
   int spare = 0;
+  int unit = -1;           ///< which of the groups within the group it belongs to; -1: none
 };
 
 /// A group with its numbers put in. The first member is the anchor, at the origin.
@@ -46,6 +47,9 @@ struct Making {
 
 /// The members of a composition with these values of its parameters (others as by default). Errors name the part.
 Result<Arranged> arrange(const Composition& composition, const Values& values, const Making& making);
+
+/// The groups within a group, each in the frame of its own anchor: tables with their chairs, of a block of tables.
+std::vector<Arranged> units_of(const Arranged& arranged);
 
 /// Its mirror image: left and right change places.
 Arranged mirrored(Arranged arranged);

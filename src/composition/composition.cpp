@@ -206,6 +206,7 @@ const Result<Compositions>& built_in_compositions() {
       for (const auto& [name, value] : json->items()) {
         auto one = read_composition(value, name, std::string(path) + ": " + name);
         if (!one) return one.error();
+        one->family = std::string(path.substr(path.rfind('/') + 1, path.rfind('.') - path.rfind('/') - 1));
         found.emplace(name, *std::move(one));
       }
     }

@@ -75,6 +75,7 @@ struct Parameter {
 struct Composition {
   std::string name, source;
   std::vector<std::string> uses;  ///< "dining at home"
+  std::string family;             ///< of the built-in ones: the name of its file
   std::vector<Parameter> parameters;
   std::vector<Part> parts;
   bool mirrors = false;  ///< its mirror image is another

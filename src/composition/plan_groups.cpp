@@ -90,6 +90,7 @@ void match(Plan& plan, const PlanGroup& group, const Arranged& arranged) {
 
 void tell_anchor(Plan& plan, PlanGroup& group, const Arranged& arranged) {
   group.anchor = arranged.members.front().part;
+  for (const auto& member : arranged.members) group.units[{member.part, member.number}] = member.unit;
   for (auto& item : plan.items) {
     if (item.group != group.id || item.part != arranged.members.front().part) continue;
     for (const auto& relation : group.relations)
@@ -187,7 +188,12 @@ std::map<std::string, Role> roles(const Plan& plan) {
   std::map<std::pair<std::string, std::string>, std::size_t> numbers;
   for (const auto& planned : planned_objects(plan)) {
     const PlanItem& item = plan.items[planned.item];
-    if (!item.group.empty()) found[planned.id] = {item.group, item.part, numbers[{item.group, item.part}]++};
+    if (item.group.empty()) continue;
+    Role role{item.group, item.part, numbers[{item.group, item.part}]++};
+    for (const auto& group : plan.groups)
+      if (const auto unit = group.units.find({role.part, role.number}); group.id == role.group && unit != group.units.end())
+        role.unit = unit->second;
+    found[planned.id] = std::move(role);
   }
   return found;
 }

@@ -26,6 +26,7 @@ std::vector<PlannedObject> placing_order(const Plan& plan);
 struct Role {
   std::string group, part;
   std::size_t number = 0;
+  int unit = -1;  ///< of the groups within that group
 };
 /// By id, of those in groups.
 std::map<std::string, Role> roles(const Plan& plan);

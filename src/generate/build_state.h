@@ -14,6 +14,8 @@ namespace roomgen {
 
 /// A group of the plan that stands in one of its ways: where its members go when their turn comes.
 struct StandingGroup {
+  std::string id;  ///< the plan's
+  bool is_whole = true;  ///< not only one of the groups within it
   composition::Arranged arranged;
   std::vector<std::string> ids;         ///< of its members; empty: no thing of the plan
   PlacementTask anchor;                 ///< with its companions
@@ -29,8 +31,10 @@ struct BuildState {
   std::vector<PlacementTask> tasks;      ///< of all objects that have an asset, in order
   std::map<std::string, std::string> reasons;   ///< why objects do not stand
   std::set<std::size_t> hopeless_items;         ///< of which one found no place
-  std::map<std::string, StandingGroup> groups;  ///< by id, of those that stand
-  std::set<std::string> apart;                  ///< groups that found no place as one
+  std::vector<StandingGroup> groups;            ///< that stand
+  std::set<std::string> tried_groups;           ///< by id
+  /// Groups within groups that found no place as one, by the id of their anchor: still to be tried.
+  std::map<std::string, composition::Arranged> units;
   std::map<std::string, AssetInfo> assets;      ///< by object
   std::map<std::string, AssetInfo> favourites;  ///< by what was asked for (retrieve.h)
   ModelTable models;                            ///< of what stands and what was tried

@@ -128,6 +128,26 @@ bool stand(Work& work, const StandingGroup& group, std::size_t index, const Plac
   return carrier && stand_on(work, task, *carrier);
 }
 
+const StandingGroup* standing_group(const Work& work, const std::string& id) {
+  for (const auto& group : work.state.groups)
+    if (std::find(group.ids.begin(), group.ids.end(), id) != group.ids.end()) return &group;
+  return nullptr;
+}
+
+// Not only some of the groups within it.
+bool whole_group_stands(const Work& work, const PlannedObject& planned) {
+  const auto* role = role_of(work, planned.id);
+  return role && std::any_of(work.state.groups.begin(), work.state.groups.end(), [&](const StandingGroup& group) {
+    return group.id == role->group && group.is_whole;
+  });
+}
+
+// In a scene each of the groups within a group is one of its own: a table moves with its chairs, not with all tables.
+std::string name_in_scene(const std::string& id, const PlannedObject& planned, const Work& work) {
+  const int unit = role_of(work, planned.id)->unit;
+  return unit < 0 ? id : id + "#" + std::to_string(unit);
+}
+
 // Whether meshes of the group's own things overlap, wherever it stands.
 bool overlaps_itself(Work& work, const composition::Arranged& way, const Cast& cast) {
   const Object* anchor = cast.object_of(way.members.front());
@@ -152,69 +172,82 @@ Result<std::vector<composition::Arranged>> ways_that_hold_together(Work& work, c
   return Error{Error::Kind::invalid_input, "its things overlap"};
 }
 
-}  // namespace
-
-bool begins_group(const Work& work, const PlannedObject& planned) {
-  const auto* role = role_of(work, planned.id);
-  if (!role || work.state.apart.count(role->group) || work.state.groups.count(role->group)) return false;
-  return is_anchor(work, planned);
-}
-
-Result<Placement> place_with_group(Work& work, const PlannedObject& planned, PlacementTask& task) {
-  const std::string& id = role_of(work, planned.id)->group;
-  const PlanGroup& group = *group_of(work, id);
-  Cast cast = cast_of(work, id);
-  task.object.group = id;
-  task.composition = group.composition;
-  cast.tasks[planned.id] = task;
-  const auto real_size = [&](const std::string& part) -> std::optional<Vec3> {
+Result<std::vector<composition::Arranged>> ways_of(Work& work, const PlannedObject& anchor, const Cast& cast) {
+  if (const auto unit = work.state.units.find(anchor.id); unit != work.state.units.end())
+    return std::vector<composition::Arranged>{unit->second};
+  const auto size_of = [&](const std::string& part) -> std::optional<Vec3> {
     const auto found = cast.ids.find({part, 0});
     const auto known = found == cast.ids.end() ? cast.tasks.end() : cast.tasks.find(found->second);
     return known == cast.tasks.end() ? std::nullopt : std::optional<Vec3>(known->second.object.size);
   };
-  auto ways = ways_that_hold_together(work, group, cast, real_size);
+  return ways_that_hold_together(work, *group_of(work, role_of(work, anchor.id)->group), cast, size_of);
+}
+
+}  // namespace
+
+bool begins_group(const Work& work, const PlannedObject& planned) {
+  if (work.state.units.count(planned.id)) return true;
+  const auto* role = role_of(work, planned.id);
+  return role && !work.state.tried_groups.count(role->group) && is_anchor(work, planned);
+}
+
+Result<Placement> place_with_group(Work& work, const PlannedObject& planned, PlacementTask& task) {
+  const std::string& id = role_of(work, planned.id)->group;
+  Cast cast = cast_of(work, id);
+  task.object.group = name_in_scene(id, planned, work);
+  cast.tasks[planned.id] = task;
+  auto ways = ways_of(work, planned, cast);
   if (!ways) return ways.error();
+  const bool is_whole = work.state.units.count(planned.id) == 0;
+  PlacementTask whole = task;
+  if (is_whole) whole.composition = group_of(work, id)->composition;
   PlaceOptions options = work.place.options.place;
   options.cancel = work.cancel;
-  auto placed = place_group(work.layout(), task, *ways,
-                            [&](const Member& member) { return cast.object_of(member); }, options, work.state.random);
+  const auto thing_of = [&](const Member& member) { return cast.object_of(member); };
+  auto placed = place_group(work.layout(), whole, *ways, thing_of, options, work.state.random);
   if (!placed) return placed.error();
-  StandingGroup standing;
-  standing.arranged = std::move((*ways)[placed->way]);
+  StandingGroup standing{id, is_whole, std::move((*ways)[placed->way]), {}, placed->task, {}};
   for (const auto& member : standing.arranged.members) standing.ids.push_back(cast.id_of(member));
-  standing.anchor = placed->task;
   standing.anchor.object = placed->placement.object;
-  companions(standing.arranged, [&](const Member& member) { return cast.object_of(member); },
-             work.place.room, standing.companions);
-  work.state.groups[id] = std::move(standing);
+  companions(standing.arranged, thing_of, work.place.room, standing.companions);
+  work.state.groups.push_back(std::move(standing));
+  work.state.tried_groups.insert(id);
   task.object.locked = placed->placement.object.locked = true;
   return std::move(placed->placement);
 }
 
 void fall_apart(Work& work, const PlannedObject& planned) {
-  if (const auto* role = role_of(work, planned.id)) work.state.apart.insert(role->group);
+  if (work.state.units.erase(planned.id) > 0) return;
+  const auto* role = role_of(work, planned.id);
+  work.state.tried_groups.insert(role->group);
+  const Cast cast = cast_of(work, role->group);
+  const auto ways = ways_of(work, planned, cast);
+  if (!ways) return;
+  for (auto& unit : composition::units_of(ways->front())) {
+    const std::string anchor = cast.id_of(unit.members.front());
+    if (unit.members.size() > 1 && !anchor.empty()) work.state.units.emplace(anchor, std::move(unit));
+  }
 }
 
 bool take_place_in_group(Work& work, const PlannedObject& planned, Step& step) {
-  const auto* role = role_of(work, planned.id);
-  const auto found = role ? work.state.groups.find(role->group) : work.state.groups.end();
-  if (found == work.state.groups.end()) return false;
-  const StandingGroup& group = found->second;
-  const auto member = std::find(group.ids.begin(), group.ids.end(), planned.id);
+  const StandingGroup* group = standing_group(work, planned.id);
   const bool must_stand = work.item(planned).asked;
-  if (member == group.ids.end()) {
-    if (!must_stand) step.reason = "its group had no room for it";
-    return !must_stand;
+  if (!group) {
+    const bool has_no_room = !must_stand && whole_group_stands(work, planned);
+    if (has_no_room) step.reason = "its group had no room for it";
+    return has_no_room;
   }
+  if (group->anchor.object.id == planned.id) return false;
   const auto assets = assets_for(work, planned);
   if (!assets || assets->empty()) return false;
   auto task = prepare(work, planned, assets->front());
   if (!task) return false;
-  const auto index = static_cast<std::size_t>(member - group.ids.begin());
-  task->object.group = role->group;
-  const PlaceAdvice given = place_in_frame(work, group, index, *task);
-  if (!stand(work, group, index, *task)) {
-    if (must_stand || group.arranged.members[index].mount != Mount::surface) return false;
+  const auto index = static_cast<std::size_t>(
+      std::find(group->ids.begin(), group->ids.end(), planned.id) - group->ids.begin());
+  task->object.group = name_in_scene(group->id, planned, work);
+  const PlaceAdvice given = place_in_frame(work, *group, index, *task);
+  if (!stand(work, *group, index, *task)) {
+    if (must_stand || group->arranged.members[index].mount != Mount::surface) return false;
     return step.reason = "there was no room for it where its group has it", true;
   }
   step.has_assets = true;

@@ -1,8 +1,14 @@
 #include "grouping.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
 
+#include "base/json_reader.h"
+#include "base/resource.h"
+#include "composition/plan_groups.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen::plan {
@@ -13,7 +19,9 @@ using composition::Composition;
 using composition::Values;
 
 // What a group is worth: things that stand in their place, against parts that nobody has and things that are left over.
-constexpr double of_missing = 0.4, of_misfit = 0.6, of_other_kind = 0.3, least_gain = 0.5;
+constexpr double of_missing = 0.15, of_misfit = 0.6, of_other_kind = 0.3, least_gain = 0.5;
+// A word that asks for a composition outweighs all others that would do.
+constexpr double of_words = 10.0, of_use = 1.2;
 constexpr int most_values = 40;
 
 bool is_placed_with_anchor(Mount mount) { return mount != Mount::surface; }
@@ -25,6 +33,7 @@ bool is_given_by_pattern(RelationKind kind) {
     case RelationKind::next_to:
     case RelationKind::around:
     case RelationKind::side_of:
+    case RelationKind::in_front_of:
     case RelationKind::face_to:
     case RelationKind::on:
       return true;
@@ -35,12 +44,45 @@ bool is_given_by_pattern(RelationKind kind) {
 
 bool is_free(const Draft& draft) { return draft.item.group.empty() && draft.item.quantity > 0; }
 
-// One thing more of the anchor's kind wants its share, too.
-int anchors_like(const std::vector<Draft>& drafts, const Draft& anchor) {
-  int count = 0;
-  for (const auto& draft : drafts)
-    if (is_free(draft) && draft.item.category == anchor.item.category) count += draft.item.quantity;
-  return std::max(1, count);
+/// data/gathering.json.
+struct Gathering {
+  std::map<std::string, std::set<std::string>> rooms;  ///< by family
+  std::set<std::string> known_rooms;
+  std::map<std::string, std::vector<std::string>> words;  ///< by composition
+  std::map<std::string, double> usual;
+};
+
+Gathering read_gathering() {
+  Gathering gathering;
+  const auto json = parse_json(resource("data/gathering.json").value_or("{}"), "data/gathering.json");
+  JsonReader::Problems problems("data/gathering.json");
+  const JsonReader root(*json, problems);
+  for (const auto& [family, rooms] : root["rooms"].members())
+    for (const auto& room : rooms.elements()) {
+      gathering.rooms[family].insert(room.text());
+      gathering.known_rooms.insert(room.text());
+    }
+  for (const auto& [name, one] : root["compositions"].members()) {
+    one.allow_only({"words", "usual"});
+    for (const auto& word : one["words"].elements_or_none()) gathering.words[name].push_back(word.text());
+    gathering.usual[name] = one["usual"].number_or(1.0, 0, 10);
+  }
+  assert(!problems.first());
+  return gathering;
+}
+
+// How readily a composition is chosen in this room, for this wish.
+double readiness(const Composition& composition, const std::string& room, const std::string& wish) {
+  static const Gathering gathering = read_gathering();
+  if (const auto words = gathering.words.find(composition.name); words != gathering.words.end())
+    for (const auto& word : words->second)
+      if (wish.find(word) != std::string::npos) return of_words;
+  const auto rooms = gathering.rooms.find(composition.family);
+  if (gathering.known_rooms.count(room) && (rooms == gathering.rooms.end() || !rooms->second.count(room))) return 0.0;
+  const auto usual = gathering.usual.find(composition.name);
+  const auto& uses = composition.uses;
+  const bool is_meant = std::find(uses.begin(), uses.end(), room) != uses.end();
+  return (usual == gathering.usual.end() ? 1.0 : usual->second) * (is_meant ? of_use : 1.0);
 }
 
 std::string key_of(const Composition& composition, const Values& values) {
@@ -80,9 +122,10 @@ const Grouping::Counts& Grouping::counts_of(const Composition& composition, cons
 }
 
 bool Grouping::belongs(const Draft& draft, const PartCount& part, const Draft& anchor) const {
-  if (!is_free(draft) || &draft == &anchor || draft.item.mount != part.mount) return false;
+  if (!is_free(draft) || draft.item.mount != part.mount) return false;
   if (draft.formation && !draft.is_usual_formation) return false;
   if (!is_kin(draft.item.category, part.kind)) return false;
+  if (&draft == &anchor) return true;
   return std::all_of(draft.demands.begin(), draft.demands.end(), [&](const brief::Demand& demand) {
     return demand.mention != brief::Demand::none && demand.mention == anchor.mention &&
            is_given_by_pattern(demand.kind);
@@ -94,23 +137,57 @@ bool Grouping::is_kin(const std::string& category, const std::string& kind) cons
   return kinds_.is_a(category, kind) || kinds_.is_a(kind, category);
 }
 
-int Grouping::available(const PartCount& part, const std::vector<Draft>& drafts, std::size_t anchor) const {
-  int count = 0;
+// Of each draft the share of one such group: all of the anchor's kind want theirs.
+std::vector<int> Grouping::shares(const Counts& counts, const std::vector<Draft>& drafts, std::size_t anchor) const {
+  int anchors = 0, anchors_here = 0;
   for (const auto& draft : drafts)
-    if (belongs(draft, part, drafts[anchor])) count += draft.item.quantity;
-  const int anchors = anchors_like(drafts, drafts[anchor]);
-  return (count + anchors - 1) / anchors;
+    if (is_free(draft) && draft.item.category == drafts[anchor].item.category) anchors += draft.item.quantity;
+  for (const auto& one : counts)
+    if (one.mount == Mount::floor && kinds_.is_a(one.kind, counts.front().kind)) anchors_here += one.count;
+  std::vector<int> shares;
+  for (const auto& draft : drafts) {
+    const bool is_anchor = draft.item.category == drafts[anchor].item.category;
+    const int quantity = is_free(draft) ? draft.item.quantity : 0;
+    shares.push_back(is_anchor ? quantity : (quantity * anchors_here + anchors - 1) / std::max(1, anchors));
+  }
+  return shares;
+}
+
+std::vector<Grouping::Use> Grouping::uses_of(const Counts& counts, const std::vector<Draft>& drafts,
+                                             std::size_t anchor) const {
+  auto left = shares(counts, drafts, anchor);
+  std::vector<Use> uses = {{0, anchor, 1}};
+  --left[anchor];
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    int wanted = counts[i].count - (i == 0 ? 1 : 0);
+    for (std::size_t d = 0; d < drafts.size() && wanted > 0; ++d) {
+      const int some = std::min(wanted, left[d]);
+      if (some <= 0 || !belongs(drafts[d], counts[i], drafts[anchor])) continue;
+      uses.push_back({i, d, some});
+      left[d] -= some;
+      wanted -= some;
+    }
+  }
+  return uses;
 }
 
 double Grouping::gain_of(const Counts& counts, const std::vector<Draft>& drafts, std::size_t anchor) const {
-  double gain = 0.0;
-  for (std::size_t i = 1; i < counts.size(); ++i) {
-    if (!is_placed_with_anchor(counts[i].mount)) continue;
-    const int there = available(counts[i], drafts, anchor);
-    gain += std::min(there, counts[i].count);
-    if (there == 0) gain -= counts[i].spare == 0 ? of_missing * counts[i].count : 0.0;
-    else gain -= of_misfit * std::abs(there - counts[i].count);
+  std::vector<int> got(counts.size(), 0), left = shares(counts, drafts, anchor);
+  std::set<std::size_t> used;
+  for (const auto& use : uses_of(counts, drafts, anchor)) {
+    got[use.part] += use.quantity;
+    left[use.draft] -= use.quantity;
+    if (use.draft != anchor) used.insert(use.draft);
   }
+  double gain = -1.0;  // the anchor itself is no gain
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    if (!is_placed_with_anchor(counts[i].mount)) continue;
+    gain += got[i];
+    const int missing = counts[i].count - got[i];
+    if (missing > 0 && counts[i].spare == 0 && (got[i] == 0 || i == 0)) return -1.0;
+    if (missing > 0) gain -= got[i] == 0 ? of_missing : of_misfit * missing;
+  }
+  for (const std::size_t draft : used) gain -= of_misfit * left[draft];
   return gain;
 }
 
@@ -142,26 +219,43 @@ void Grouping::make_group(const Fit& fit, std::vector<Draft>& drafts, std::size_
   group.parameters = fit.values;
   group.asked = drafts[anchor].item.asked;
   std::vector<Draft> taken;
-  for (std::size_t i = 1; i < fit.counts.size(); ++i) {
-    const PartCount& part = fit.counts[i];
-    int wanted = std::min(part.count, available(part, drafts, anchor));
-    const bool is_dressing = !is_placed_with_anchor(part.mount) && !brief.bare && !kinds_.is_any_of(part.kind, brief.excluded);
-    if (wanted == 0 && !is_dressing) group.without.insert(part.part);
-    for (auto& draft : drafts) {
-      if (wanted == 0 || !belongs(draft, part, drafts[anchor])) continue;
-      const int some = std::min(wanted, draft.item.quantity);
-      // A number that was asked for stays.
-      if (draft.item.asked)
-        for (const auto& [name, value] : fit.values) group.fixed.insert(name);
-      taken.push_back(split_off(draft, some, group.id, part.part));
-      wanted -= some;
-    }
+  std::vector<bool> has(fit.counts.size(), false);
+  for (const auto& use : uses_of(fit.counts, drafts, anchor)) {
+    has[use.part] = true;
+    taken.push_back(split_off(drafts[use.draft], use.quantity, group.id, fit.counts[use.part].part));
+    // Numbers that were asked for stay.
+    if (taken.back().item.asked)
+      for (const auto& parameter : fit.composition->parameters) group.fixed.insert(parameter.name);
   }
-  Draft first = split_off(drafts[anchor], 1, group.id, fit.counts.front().part);
+  for (std::size_t i = 0; i < fit.counts.size(); ++i) {
+    const PartCount& part = fit.counts[i];
+    const bool is_dressing =
+        !is_placed_with_anchor(part.mount) && !brief.bare && !kinds_.is_any_of(part.kind, brief.excluded);
+    if (!has[i] && !is_dressing) group.without.insert(part.part);
+  }
   const auto after = drafts.begin() + static_cast<std::ptrdiff_t>(anchor) + 1;
-  taken.insert(taken.begin(), std::move(first));
   drafts.insert(after, std::make_move_iterator(taken.begin()), std::make_move_iterator(taken.end()));
   plan.groups.push_back(std::move(group));
+}
+
+Grouping::Floor Grouping::floor_of(std::vector<Draft> drafts, const brief::Brief& brief, const std::string& prompt) {
+  Plan plan;
+  plan.prompt = prompt;
+  run(drafts, brief, plan);
+  Floor floor;
+  for (const auto& draft : drafts) {
+    if (draft.item.group.empty()) floor.area += floor_area(draft.item, kinds_);
+    plan.items.push_back(draft.item);
+  }
+  composition::complete_groups(plan, kinds_);
+  for (const auto& group : plan.groups) {
+    const auto ways = composition::ways_to_stand(plan, group, kinds_, {});
+    if (!ways) continue;
+    const Bounds2 box = composition::box_of(ways->front(), kinds_);
+    floor.area += box.size().prod();
+    if (box.size().prod() > floor.largest.prod()) floor.largest = box.size();
+  }
+  return floor;
 }
 
 void Grouping::run(std::vector<Draft>& drafts, const brief::Brief& brief, Plan& plan) {
@@ -169,6 +263,7 @@ void Grouping::run(std::vector<Draft>& drafts, const brief::Brief& brief, Plan& 
   plan.groups.clear();
   for (auto& draft : drafts) draft.item.group.clear(), draft.item.part.clear();
   const auto& known = composition::built_in_compositions();
+  const std::string wish = lower(plan.prompt), room = brief.type;
   for (int n = 0; known && n < most_groups; ++n) {
     Fit best;
     std::size_t anchor = 0;
@@ -177,9 +272,12 @@ void Grouping::run(std::vector<Draft>& drafts, const brief::Brief& brief, Plan& 
       for (const auto& [name, one] : *known) {
         const Counts& counts = counts_of(one, {});
         if (counts.empty() || !is_kin(drafts[i].item.category, counts.front().kind)) continue;
+        const double ready = readiness(one, room, wish);
+        if (ready <= 0.0) continue;
         Fit found = fit(one, drafts, i);
+        found.gain *= ready;
         // Rather the composition for just that.
-        if (!kinds_.is_a(drafts[i].item.category, counts.front().kind)) found.gain -= of_other_kind;
+        if (drafts[i].item.category != counts.front().kind) found.gain -= of_other_kind;
         if (found.gain > std::max(best.gain, least_gain) + 1e-9) best = std::move(found), anchor = i;
       }
     }

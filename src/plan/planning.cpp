@@ -28,6 +28,8 @@ namespace {
 constexpr int usual_attempts = 5;
 constexpr int max_attempts = 9;  ///< while something of the prompt is not heeded
 constexpr double growth = 1.05;  ///< of the sides from attempt to attempt
+constexpr double floor_of_groups = 1.35;  ///< of a room, for the floor that its groups take with what is between their things
+constexpr double way_around = 0.9;        ///< metres beside the largest group
 constexpr std::size_t enough_things = 2;  ///< named, to furnish a room of no known kind
 constexpr std::size_t most_tried = 80;  ///< things; larger plans are taken as they are
 constexpr double none_of_its_kind =
@@ -153,16 +155,26 @@ class Planner {
     return room;
   }
 
-  Room make_the_room(const std::vector<Draft>& drafts, const Random& random, int n, Plan& plan) const {
+  Room make_the_room(const std::vector<Draft>& drafts, const Looks& looks, const Random& random, int n, Plan& plan) const {
     if (request_.room) return given_room(plan);
     double scale = size_factor();
     for (int i = 0; i < n; ++i) scale *= growth;
-    const Vec2 size = request_.size
-                          ? *request_.size
-                          : choose_size(kind_, brief_, scale, floor_area(drafts, table_), side_for_round(drafts, table_), random.fork("size"));
+    const Vec2 size = request_.size ? *request_.size : size_for(drafts, looks, scale, random);
     const brief::Outline outline =
         choose_outline(brief_, size, request_.size || brief_.size, plan.notes, random.fork("outline"));
     return make_room(kind_, outline, openings(random.fork("windows")), random.fork("openings"), plan.notes);
+  }
+
+  // Large enough for what is asked for, and for the groups that it and what usually comes with it make.
+  Vec2 size_for(const std::vector<Draft>& drafts, const Looks& looks, double scale, const Random& random) const {
+    const double least = side_for_round(drafts, table_);
+    const Vec2 size = choose_size(kind_, brief_, scale, floor_area(drafts, table_), least, random.fork("size"));
+    auto all = drafts;
+    complete(all, brief_, kinds_, kind_, size, table_, looks, random.fork("contents"));
+    const auto floor = grouping_.floor_of(std::move(all), brief_, request_.prompt);
+    const double furniture = std::max(floor_area(drafts, table_), kind_.share.high * floor_of_groups * floor.area);
+    return choose_size(kind_, brief_, scale, furniture, std::max(least, floor.largest.minCoeff() + way_around),
+                       random.fork("size"));
   }
 
   std::vector<std::string> unwanted_looks() const {
@@ -186,7 +198,7 @@ class Planner {
     auto drafts = asked_items(brief_, table_);
     for (auto& draft : drafts)
       draft.item.description = looks.in_style(draft.item.category, draft.item.description);
-    plan.room = make_the_room(drafts, random, n, plan);
+    plan.room = make_the_room(drafts, looks, random, n, plan);
     if (const auto* style = style_named(kinds_, brief_.styles); style && !request_.room)
       put_on(plan.room, *style, random_.fork("style"));
     if (!request_.room) put_on(plan.room, palette, random_.fork("palette"));

@@ -20,6 +20,8 @@ constexpr double loose_gap = 0.1;  ///< metres beyond what the pair prefers
 constexpr double usual_elevation = 1.2;
 // A box that passes the cheap tests nearly always passes the others.
 constexpr int most_exact_tests = 60;
+// Of a group: whether the room is large enough is seen before the smallest ones.
+constexpr std::size_t most_ways = 16;
 
 // Near in name only: who asks for "next to" wants no gap to walk through.
 bool is_loose(const ResolvedRelation& relation, const Footprint& own) {
@@ -116,19 +118,43 @@ class DryRunning {
     if (const auto known = places_.find(planned.id); known != places_.end()) return known->second;
     PlacementTask task = task_for(plan_, planned, layout_);
     const auto role = roles_.find(planned.id);
-    if (role != roles_.end() && !tried_.count(role->second.group) && item.mount != Mount::surface)
+    if (const auto unit = units_.find(planned.id); unit != units_.end()) {
+      if (auto placed = place_ways({&unit->second, 1}, role->second.group, task)) return placed;
+    } else if (role != roles_.end() && tried_.insert(role->second.group).second && item.mount != Mount::surface) {
       if (auto placed = place_whole(role->second.group, task)) return placed;
+      if (units_.count(planned.id)) return placed_as_box(planned, item);
+    }
     return place_as_box(layout_, item, std::move(task));
   }
 
-  // The whole group of an anchor; where its members go is known from then on.
+  // The whole group of an anchor, or else its units when their turn comes.
   std::optional<Object> place_whole(const std::string& id, PlacementTask task) {
-    tried_.insert(id);
     const auto group = std::find_if(plan_.groups.begin(), plan_.groups.end(),
                                     [&](const PlanGroup& one) { return one.id == id; });
     task.composition = group->composition;
-    const auto ways = composition::ways_to_stand(plan_, *group, layout_.categories(), {{}, 0.0});  // boxes
+    auto ways = composition::ways_to_stand(plan_, *group, layout_.categories(), {{}, 0.0});  // boxes
     if (!ways) return std::nullopt;
+    if (ways->size() > most_ways) ways->resize(most_ways);
+    if (auto placed = place_ways(*ways, id, task)) {
+      for (const auto& [key, member] : ids_)
+        if (std::get<0>(key) == id && !places_.count(member) && member != task.object.id && may_be_left_out(member))
+          places_[member] = std::nullopt;
+      return placed;
+    }
+    for (auto& unit : composition::units_of(ways->front()))
+      if (const auto anchor = ids_.find({id, unit.members.front().part, unit.members.front().number}); anchor != ids_.end())
+        units_.emplace(anchor->second, std::move(unit));
+    return std::nullopt;
+  }
+
+  bool may_be_left_out(const std::string& member) const {
+    const PlanItem& item = plan_.items[planned_.at(member).item];
+    return item.mount != Mount::surface && !item.asked;
+  }
+
+  // Where its members go is known from then on.
+  std::optional<Object> place_ways(std::span<const composition::Arranged> ways, const std::string& id,
+                                   const PlacementTask& task) {
     std::map<std::string, Object> things;
     const auto thing_of = [&](const composition::Member& member) -> const Object* {
       const auto known = ids_.find({id, member.part, member.number});
@@ -140,14 +166,9 @@ class DryRunning {
     PlaceOptions options;
     options.max_exact_tests = most_exact_tests;
     Random random(0);
-    auto placed = place_group(layout_, task, *ways, thing_of, options, random);
+    auto placed = place_group(layout_, task, ways, thing_of, options, random);
     if (!placed) return std::nullopt;
-    for (const auto& [key, member] : ids_)
-      if (std::get<0>(key) == id && plan_.items[planned_.at(member).item].mount != Mount::surface &&
-          !plan_.items[planned_.at(member).item].asked)
-        places_[member] = std::nullopt;
     for (const auto& object : companions_of(placed->task, placed->placement.object)) places_[object.id] = object;
-    places_.erase(task.object.id);
     return std::move(placed->placement.object);
   }
 
@@ -158,6 +179,7 @@ class DryRunning {
   const ModelTable boxes_ = {};
   Layout layout_;
   std::set<std::string> tried_;                          ///< groups
+  std::map<std::string, composition::Arranged> units_;   ///< by their anchors, of groups that do not stand as one
   std::map<std::string, std::optional<Object>> places_;  ///< of things whose group stands; none: it had no room
   DryRun result_;
 };

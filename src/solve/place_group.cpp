@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "propose.h"
+
 namespace roomgen {
 
 namespace {
@@ -10,6 +12,13 @@ namespace {
 double bottom_of(const composition::Member& member, const Object& object, const Room& room) {
   if (!member.height || object.mount == Mount::floor || object.mount == Mount::surface) return object.position.z();
   return std::clamp(*member.height - 0.5 * object.size.z(), 0.0, std::max(0.0, room.height - object.size.z()));
+}
+
+// Whichever way it is turned; in a room of four walls square to them.
+bool may_fit(const Vec2& group, const Polygon& room) {
+  const Vec2 box = bounds(room).size();
+  const double longest = room.size() == 4 ? box.maxCoeff() : box.norm();
+  return group.minCoeff() <= box.minCoeff() && group.maxCoeff() <= longest && group.prod() <= box.prod();
 }
 
 }  // namespace
@@ -37,6 +46,7 @@ Result<PlacedGroup> place_group(Layout& layout, const PlacementTask& anchor,
     PlacementTask task = anchor;
     std::vector<std::size_t> members;
     task.companions = companions(ways[way], thing_of, layout.room(), members);
+    if (!may_fit(box_with_companions(task).size(), layout.room().polygon)) continue;
     auto placed = place(layout, task, {}, options, random);
     if (options.cancel.cancelled()) return Error{Error::Kind::cancelled, "stopped"};
     if (!placed) {
@@ -48,7 +58,8 @@ Result<PlacedGroup> place_group(Layout& layout, const PlacementTask& anchor,
     if (best->placement.terms.lost == 0) break;
   }
   if (best) return *std::move(best);
-  return *refused;
+  if (refused) return *refused;
+  return Error{Error::Kind::not_found, "the room is too small for the group of " + anchor.object.id};
 }
 
 }  // namespace roomgen

@@ -60,7 +60,9 @@ struct PlanGroup {
   std::optional<Vec2> location;      ///< suggested, of its anchor
   std::optional<double> facing;      ///< suggested yaw of its anchor, radians
   bool asked = false;
-  std::string anchor;                ///< its part, once the group is completed; not in files
+  // Known once the group is completed; not in files:
+  std::string anchor;                ///< its part
+  std::map<std::pair<std::string, std::size_t>, int> units;  ///< by part and number, of groups within the group
 };
 
 /// What a designer makes of a prompt: the empty room and its inventory, in the order of placement.
