@@ -60,7 +60,7 @@ Arranged without_spare(const Arranged& arranged, int level) {
   for (std::size_t i = 0; i < arranged.members.size(); ++i) {
     Member member = arranged.members[i];
     const bool carried = member.mount == Mount::surface;
-    if (i > 0 && member.spare > 0 && member.spare <= level) continue;
+    if (i > 0 && !carried && member.spare > 0 && member.spare <= level) continue;
     if (carried && now[member.on] == most_members) continue;
     if (carried) member.on = now[member.on];
     now[i] = kept.members.size();

@@ -182,8 +182,9 @@ class Arranging {
     }
     Place place{Vec2(number(part.x, 0.0), number(part.y, 0.0)), own_yaw(part, 0.0)};
     if (part.mount == Mount::wall && !part.y) place.position.y() = 0.5 * (reference.size.y() - size.y());
-    if (part.facing == Facing::to) place.yaw = yaw_facing(-place.position);
-    if (part.facing == Facing::away) place.yaw = yaw_facing(place.position);
+    const bool is_apart = place.position.norm() > 1e-6;  // else an arc says where its copies look
+    if (is_apart && part.facing == Facing::to) place.yaw = yaw_facing(-place.position);
+    if (is_apart && part.facing == Facing::away) place.yaw = yaw_facing(place.position);
     return {place};
   }
 

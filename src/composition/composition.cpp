@@ -207,7 +207,8 @@ const Result<Compositions>& built_in_compositions() {
         auto one = read_composition(value, name, std::string(path) + ": " + name);
         if (!one) return one.error();
         one->family = std::string(path.substr(path.rfind('/') + 1, path.rfind('.') - path.rfind('/') - 1));
-        found.emplace(name, *std::move(one));
+        if (!found.emplace(name, *std::move(one)).second)
+          return Error{Error::Kind::invalid_input, std::string(path) + ": there is another \"" + name + "\""};
       }
     }
     return found;

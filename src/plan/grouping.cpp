@@ -132,9 +132,11 @@ bool Grouping::belongs(const Draft& draft, const PartCount& part, const Draft& a
   });
 }
 
-// "table" is as good as a dining table.
+// "table" is as good as a dining table, which people mean by it.
 bool Grouping::is_kin(const std::string& category, const std::string& kind) const {
-  return kinds_.is_a(category, kind) || kinds_.is_a(kind, category);
+  if (kinds_.is_a(category, kind)) return true;
+  const Kind& special = kinds_.get(kind);
+  return special.usual && special.parent == category;
 }
 
 // Of each draft the share of one such group: all of the anchor's kind want theirs.
@@ -148,7 +150,8 @@ std::vector<int> Grouping::shares(const Counts& counts, const std::vector<Draft>
   for (const auto& draft : drafts) {
     const bool is_anchor = draft.item.category == drafts[anchor].item.category;
     const int quantity = is_free(draft) ? draft.item.quantity : 0;
-    shares.push_back(is_anchor ? quantity : (quantity * anchors_here + anchors - 1) / std::max(1, anchors));
+    const int share = (quantity * anchors_here + anchors - 1) / std::max(1, anchors);
+    shares.push_back(is_anchor ? quantity : std::min(quantity, share));
   }
   return shares;
 }

@@ -203,7 +203,8 @@ bool Layout::fits(const Candidate& candidate, const Footprint& footprint, double
            const Object& object = companion.self.object;
            const Footprint own(footprint.to_world(companion.position), object.size.head<2>(),
                                wrap_angle(footprint.yaw() + companion.yaw), object.traits.round);
-           return fits_alone(companion.self, own, object.position.z());
+           return fits_alone(companion.self, own, object.position.z()) &&
+                  (object.mount != Mount::wall || limits_.is_at_wall(own));
          });
 }
 

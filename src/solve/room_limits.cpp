@@ -48,6 +48,20 @@ bool RoomLimits::admit(const Object& object, const Kind& kind, const Footprint& 
   });
 }
 
+bool RoomLimits::is_at_wall(const Footprint& footprint) const {
+  constexpr double close = 0.06;
+  const Vec2 half = footprint.half();
+  const auto near_wall = [&](const Vec2& corner) {
+    const Vec2 at = footprint.to_world(corner);
+    for (std::size_t k = 0; k < room_.polygon.size(); ++k)
+      if (distance(room_.polygon.edge(k), at) <= close &&
+          room_.polygon.inward(k).dot(footprint.front()) > 0.99)
+        return true;
+    return false;
+  };
+  return near_wall({half.x(), half.y()}) && near_wall({-half.x(), half.y()});
+}
+
 std::vector<Footprint> RoomLimits::areas_before_windows(const Object& object) const {
   std::vector<Footprint> areas;
   if (object.mount != Mount::floor || object.traits.flat) return areas;

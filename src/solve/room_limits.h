@@ -18,6 +18,9 @@ class RoomLimits {
   /// May the object be there, as far as the room is concerned? Its own pose does not count.
   bool admit(const Object& object, const Kind& kind, const Footprint& footprint, double bottom) const;
 
+  /// Is there a wall right behind it, as far as it is wide?
+  bool is_at_wall(const Footprint& footprint) const;
+
   /// The clearances of doors and passages.
   std::span<const Footprint> door_areas() const { return door_areas_; }
   /// The strips before windows where the object, from the floor up, is too high to stand.
