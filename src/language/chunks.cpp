@@ -130,13 +130,24 @@ class Chunker {
     phrase.head = pieces_[found.head].tokens.end - 1;
     phrase.modifiers.begin = static_cast<std::uint32_t>(parse_.modifiers.size());
     take_quantity(phrase);
-    for (std::size_t i = at_; i < found.end; ++i) read(pieces_[i], i == found.head, phrase);
+    for (std::size_t i = at_; i < found.end; ++i)
+      if (is_number_of_compound(i, found.head, phrase))
+        modifier(Modifier::Kind::noun, {pieces_[i].tokens.begin, pieces_[i + 1].tokens.end}), ++i;
+      else
+        read(pieces_[i], i == found.head, phrase);
     phrase.modifiers.end = static_cast<std::uint32_t>(parse_.modifiers.size());
     if (phrase.count > 1.0) phrase.is_plural = true;
     if (is_each) phrase.determiner = Determiner::each, phrase.tokens.begin = pieces_[first].tokens.begin;
     add(phrase);
     at_ = found.end;
     return true;
+  }
+
+  // "a 14 seat table", which is one.
+  bool is_number_of_compound(std::size_t i, std::size_t head, const NounPhrase& phrase) const {
+    return tag_at(i) == Tag::number && i + 1 < head && tag_at(i + 1) == Tag::noun &&
+           !pieces_[i + 1].is_plural && !pieces_[head].is_plural &&
+           phrase.determiner != Determiner::absent && pieces_[i].value > 1.0;
   }
 
   // "2 m" alone says how far or how high.

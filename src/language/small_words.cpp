@@ -76,6 +76,7 @@ SmallWords read(const JsonReader& root) {
   read(root["auxiliaries"], words.auxiliaries);
   read(root["verbs of denial"], words.verbs_of_denial);
   read(root["verbs of having"], words.verbs_of_having);
+  read(root["compounds"], words.compounds);
   read(root["prepositions"], words.prepositions);
   read(root["prepositions behind things"], words.prepositions_behind_things);
   read(root["sides without a preposition"], words.sides_without_preposition);

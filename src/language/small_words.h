@@ -21,11 +21,12 @@ struct SmallWords {
   std::map<std::string, Measure::Side, std::less<>> sides, comparatives;
   std::map<std::string, Determiner, std::less<>> determiners;
   std::map<std::string, std::string, std::less<>> contractions;
-  Words vague_numbers, pronouns, standing_alone, negative_pronouns, relatives, conjunctions, additions,
-      subordinators, negations, be, auxiliaries, verbs_of_denial, verbs_of_having, prepositions,
-      prepositions_behind_things, sides_without_preposition, denying_prepositions, adverbs, quantities, plurals, exceptions,
-      upper_limits, lower_limits, excluded_upper_limits, excluded_lower_limits, upper_limits_behind,
-      lower_limits_behind, exact, approximations, approximations_behind;
+  Words vague_numbers, pronouns, standing_alone, negative_pronouns, relatives, conjunctions,
+      additions, subordinators, negations, be, auxiliaries, verbs_of_denial, verbs_of_having,
+      compounds, prepositions, prepositions_behind_things, sides_without_preposition,
+      denying_prepositions, adverbs, quantities, plurals, exceptions, upper_limits, lower_limits,
+      excluded_upper_limits, excluded_lower_limits, upper_limits_behind, lower_limits_behind, exact,
+      approximations, approximations_behind;
 };
 
 const SmallWords& small_words();

@@ -1,5 +1,6 @@
 #include "units.h"
 
+#include "function_word.h"
 #include "small_words.h"
 
 namespace roomgen::language {
@@ -19,6 +20,15 @@ bool may_be_number(const std::vector<Token>& tokens, std::size_t at) {
   return !words.ordinals.count(tokens[at].text);
 }
 
+// "floor to ceiling shelves", but not "from floor to ceiling": how many tokens behind the first
+// stand before a noun with it.
+std::size_t compound_at(const std::vector<Token>& tokens, std::size_t at) {
+  const std::size_t length = longest_run(small_words().compounds, tokens, at), end = at + length;
+  const bool is_before_noun = end < tokens.size() && tokens[end].kind == Token::Kind::word &&
+                              !is_function_word(tokens[end]);
+  return length > 0 && is_before_noun && (at == 0 || !tokens[at - 1].is("from")) ? length - 1 : 0;
+}
+
 Unit mark_or_word(const std::vector<Token>& tokens, std::size_t at) {
   Unit unit;
   std::size_t end = at + 1;
@@ -32,6 +42,7 @@ Unit mark_or_word(const std::vector<Token>& tokens, std::size_t at) {
       unit.kind = Unit::Kind::comma;
       break;
     default:
+      end += compound_at(tokens, at);
       while (is_hyphened(tokens, end) && !small_words().conjunctions.count(tokens[end].text)) ++end;
   }
   unit.tokens = {static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(end)};
