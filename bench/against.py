@@ -52,7 +52,7 @@ def measure(roomgen, prompt, seed, folder):
 # What belongs to planning and placing, in any build; what is in another of them is taken off. Tables are read once
 # by each process, however many rooms it makes.
 COUNTED = {r"RuleDesigner::plan\(": 1, r"RuleDesigner::place\(": 1, r"roomgen::place\(": 1, r"roomgen::improve\(": 1,
-           r"roomgen::fit_rugs\(": 1, r"roomgen::dry_run\(": -1, r"Occupants::built_in\(\) \[": -1,
+           r"roomgen::fit_rugs\(": 1, r"roomgen::dry_run\(": -1,
            r"StyleWords::built_in\(\) \[": -1}
 
 

@@ -90,7 +90,6 @@ struct Mention {
   std::optional<Formation> formation = {};
   std::size_t formation_heard = HeardWords::none;  ///< of Brief::heard
   Requirement::Source source = Requirement::Source::prompt;
-  std::string reason;  ///< who or what needs it, where the prompt does not name it itself
   std::string owner;   ///< "teacher" of the teacher's desk: whose it is, and nobody else's
   std::vector<std::size_t> heard;  ///< of Brief::heard: what names, counts and describes it
 };

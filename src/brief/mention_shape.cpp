@@ -135,13 +135,12 @@ void shape(Mention& mention, const ThingPhrase& phrase, const Vocabulary& words,
     hang(mention, Mount::wall, table);
 }
 
-Mention unnamed_mention(const std::string& kind, int number, Requirement::Source source, const std::string& reason,
-                        const Vocabulary& words, const KindTable& table) {
+Mention mention_for_people(const std::string& kind, int number, const Vocabulary& words,
+                           const KindTable& table) {
   Mention mention;
   mention.category = mention.noun = mention.description = kind;
   mention.quantity = number;
-  mention.source = source;
-  mention.reason = reason;
+  mention.source = Requirement::Source::person;
   shape(mention, ThingPhrase(), words, table);
   return mention;
 }

@@ -11,9 +11,9 @@ namespace roomgen::brief {
 void shape(Mention& mention, const ThingPhrase& phrase, const Vocabulary& words,
            const KindTable& table);
 
-/// So many things of a kind that the prompt does not name, but people or what happens in the room need.
-Mention unnamed_mention(const std::string& kind, int number, Requirement::Source source, const std::string& reason,
-                        const Vocabulary& words, const KindTable& table);
+/// So many things of a kind that the prompt does not name, but the people of whom it speaks need.
+Mention mention_for_people(const std::string& kind, int number, const Vocabulary& words,
+                           const KindTable& table);
 
 /// A length or sides that are told of a thing; what is at most or at least so long keeps its own within that; the one
 /// length of a screen is its diagonal.

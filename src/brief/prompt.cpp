@@ -13,7 +13,6 @@
 #include "prompt_headings.h"
 #include "prompt_heights.h"
 #include "prompt_limits.h"
-#include "prompt_occupants.h"
 #include "prompt_openings.h"
 #include "prompt_palette.h"
 #include "prompt_partitions.h"
@@ -21,6 +20,7 @@
 #include "prompt_reading.h"
 #include "prompt_remarks.h"
 #include "prompt_things.h"
+#include "room_purpose.h"
 #include "room_type.h"
 #include "settle.h"
 #include "settle_people.h"
@@ -65,6 +65,7 @@ Brief read_prompt(std::string_view prompt, const RoomKinds& kinds, const KindTab
   read_people(tokens, *words, table, brief);
   read_floor_shape(tokens, *words, table, kinds, brief);
   read_room_type(tokens, parse, *words, table, kinds, brief);
+  refine_room_type(parse, kinds, brief);
   read_finishes(tokens, *words, table, finish_words(), brief);
   auto taken = taken_from(parse.tokens.size(), tokens);
   auto plain = plain_tokens(parse.tokens);
@@ -74,10 +75,8 @@ Brief read_prompt(std::string_view prompt, const RoomKinds& kinds, const KindTab
   PromptReading reading(text, std::move(tokens), std::move(taken),
                         {*words, table, kinds.get(brief.type)}, kinds, brief);
   read_openings(reading);
-  // What the prompt names itself comes before what people need.
-  const auto people = read_things(reading);
+  read_things(reading);
   read_limits(reading);
-  for (const auto phrase : people) read_occupants(reading, phrase);
   read_additions(reading);
   share_colours(reading);
   read_partitions(reading);
@@ -88,8 +87,8 @@ Brief read_prompt(std::string_view prompt, const RoomKinds& kinds, const KindTab
   read_headings(reading);
   read_groups(reading);
   brief.told_from_door = tells_sides_from_door(reading);
-  read_activities(reading);
   read_styles(reading);
+  hear_purposes(kinds, brief);
   brief.understood = !brief.heard.empty();
   reading.hearing.plain_verbs(reading.mentions);
   read_palette(reading);

@@ -56,10 +56,6 @@ PromptReading::PromptReading(const PromptText& said, std::vector<Token> untaken,
     things.push_back(read_thing_phrase(text, i));
   for (const auto& attachment : parse.attachments)
     placements.push_back(placement_of(text, attachment));
-  if (const auto& known = Occupants::built_in())
-    for (std::uint32_t i = 0; i < text.plain.size(); ++i)
-      occupants.push_back(occupant_at(text, *known, i));
-  occupants.resize(text.plain.size());
 }
 
 bool PromptReading::is_somebody(const language::NounPhrase& phrase) const {

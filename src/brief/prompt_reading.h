@@ -9,7 +9,6 @@
 #include "brief.h"
 #include "discourse.h"
 #include "hearing.h"
-#include "occupant_phrase.h"
 #include "placement.h"
 #include "room_kinds.h"
 #include "thing_phrase.h"
@@ -96,7 +95,6 @@ struct PromptReading {
   Hearing hearing;
   std::vector<ThingPhrase> things;                       ///< what the noun phrases would name
   std::vector<std::optional<SaidPlacement>> placements;  ///< by attachment
-  std::vector<std::optional<OccupantPhrase>> occupants;  ///< by the first token of the name
   std::vector<std::optional<std::size_t>> mentions;      ///< by noun phrase
   std::vector<std::vector<std::size_t>> also;  ///< by noun phrase: further mentions, of "them" and "both"
   std::vector<bool> is_share;  ///< by noun phrase: means some of several things, no more

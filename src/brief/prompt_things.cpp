@@ -4,10 +4,10 @@
 
 #include "language/inflection.h"
 #include "language/lexicon.h"
+#include "language/number.h"
 #include "prompt_counts.h"
 #include "prompt_ellipsis.h"
 #include "prompt_exclusions.h"
-#include "prompt_occupants.h"
 #include "prompt_pronouns.h"
 #include "roomgen/base/text.h"
 #include "thing_or_not.h"
@@ -25,19 +25,15 @@ class ThingReader {
  public:
   explicit ThingReader(PromptReading& reading) : reading_(reading), words_(reading), pronouns_(reading) {}
 
-  /// Gives back the noun phrases that are people or what they do.
-  std::vector<std::int32_t> run() {
+  void run() {
     for (std::size_t i = 0; i < reading_.parse.phrases.size(); ++i) read_phrase(i);
-    return std::move(occupants_);
   }
 
  private:
   void read_phrase(std::size_t number) {
     const NounPhrase& said = reading_.parse.phrases[number];
-    if (reading_.is_taken(said)) {
-      if (heard_as_person(said.head)) occupants_.push_back(static_cast<std::int32_t>(number));
-      return;
-    }
+    if (reading_.taken[said.head] == Taken::room) read_numbers_of_room(said);
+    if (reading_.is_taken(said)) return;
     if (reading_.words.generic_rooms.count(reading_.word(said.head)))
       hear(reading_.brief, {said.head, said.head + 1}, Heard::As::room);
     const auto id = static_cast<std::int32_t>(number);
@@ -57,14 +53,11 @@ class ThingReader {
       hear(reading_.brief, {said.tokens.begin, said.head + 1}, Heard::As::person);
       return;
     }
-    if (thing.kind.length == 0 && reading_.is_somebody(said)) hear_people(said);
+    const bool is_somebody = thing.kind.length == 0 && reading_.is_somebody(said);
+    if (const auto picture = is_somebody ? what_shows(id) : std::nullopt)
+      return reading_.hearing.part(id, *picture);
+    if (is_somebody) hear_people(said);
     if (read_exclusion(reading_, id, thing)) return;
-    const bool is_of_people = names_occupants(said);
-    if (const auto picture = is_of_people ? what_shows(id) : std::nullopt) return reading_.hearing.part(id, *picture);
-    if ((thing.kind.length == 0 || thing.kind.is_inferred()) && is_of_people) {
-      occupants_.push_back(id);
-      return;
-    }
     if (const auto carrier = top(number, thing)) {
       reading_.mentions[number] = carrier;
       reading_.hearing.stand_in(id, *carrier);
@@ -110,8 +103,20 @@ class ThingReader {
   // "where two painters work"
   void hear_people(const NounPhrase& said) {
     hear(reading_.brief, {said.tokens.begin, said.head + 1}, Heard::As::person);
-    if (said.count >= 2.0 && reading_.brief.people == 0 && !tells_age(reading_, said))
-      reading_.brief.people = static_cast<int>(std::min(said.count, 1.0 * most_people));
+    if (reading_.brief.people > 0 || tells_age(said)) return;
+    double count = said.count;
+    for (auto i = said.tokens.begin; i <= said.head && count < 2.0; ++i)
+      if (const auto several = reading_.words.people.find(reading_.word(i));
+          several != reading_.words.people.end())
+        count = several->second;
+    if (count >= 2.0) reading_.brief.people = static_cast<int>(std::min(count, 1.0 * most_people));
+  }
+  bool tells_age(const NounPhrase& said) const {
+    static const WordSet spans = {"yr",    "yrs",    "yo",   "year", "years",
+                                  "month", "months", "week", "weeks"};
+    return std::any_of(reading_.parse.tokens.begin() + said.tokens.begin,
+                       reading_.parse.tokens.begin() + said.head,
+                       [](const auto& token) { return spans.count(token.text) > 0; });
   }
   // Among which things the newest is named; of "eight desks and chairs" the chairs are joined to eight.
   void note_list(const NounPhrase& said) {
@@ -151,6 +156,32 @@ class ThingReader {
   // An umbrella bucket is one thing, a bed desk two.
   bool is_furniture(const Kind& kind) const {
     return kind.mount == Mount::floor && reading_.text.table.is_any_of(kind.name, {"seat", "table", "storage", "bed"});
+  }
+  // "an 8-bed dormitory", "a 12-person boardroom": what the room has, or whom it is for.
+  void read_numbers_of_room(const NounPhrase& said) {
+    for (std::uint32_t i = said.tokens.begin; i + 1 < said.head; ++i) {
+      const auto number = language::number_at(reading_.parse.tokens, i);
+      if (!number || number->value < 2.0 || number->value > most_people) continue;
+      const auto noun = i + static_cast<std::uint32_t>(number->length);
+      const KindMention kind = mention_at(reading_.text.table, reading_.text.plain, noun);
+      ThingPhrase thing;
+      thing.kind = kind;
+      thing.count = static_cast<int>(number->value);
+      thing.counted = thing.article = true;
+      thing.name_tokens = {noun, noun + static_cast<std::uint32_t>(kind.length)};
+      for (auto k = i; k < noun; ++k) thing.count_tokens.push_back(k);
+      if (seats_people(reading_.word(noun))) {
+        reading_.brief.people = thing.count;
+        hear(reading_.brief, {i, noun + 1}, Heard::As::person);
+      } else if (kind.length > 0 && !kind.is_inferred() && thing.name_tokens.end <= said.head) {
+        if (const auto mention = reading_.talk.refer(thing, reading_.sentence_of(i)))
+          reading_.hearing.thing(thing, *mention);
+      }
+    }
+  }
+  bool seats_people(const std::string& noun) const {
+    return noun == "seat" || noun == "seater" || reading_.words.people_words.count(noun) ||
+           language::lexicon().is(noun, language::WordClass::person);
   }
   // "bed desk wardrobe": things of their own, though they stand like "oak" before the last.
   void read_listed_without_commas(const NounPhrase& said, const ThingPhrase& last) {
@@ -241,20 +272,6 @@ class ThingReader {
     return has_place ? pronouns_.topic_before(id) : std::nullopt;
   }
 
-  // "for two children": how many there are was read with the room.
-  bool heard_as_person(std::uint32_t token) const {
-    return std::any_of(reading_.brief.heard.begin(), reading_.brief.heard.end(),
-                       [&](const HeardWords& words) {
-                         return words.as == Heard::As::person && words.tokens.begin <= token &&
-                                token < words.tokens.end;
-                       });
-  }
-  bool names_occupants(const NounPhrase& said) const {
-    const auto begin = reading_.occupants.begin();
-    return std::any_of(begin + said.tokens.begin, begin + said.head + 1,
-                       [](const auto& found) { return found.has_value(); });
-  }
-
   // "posters of bands", "a statue of a dog": who is shown does not live here.
   std::optional<std::size_t> what_shows(std::int32_t id) const {
     for (const Attachment& attachment : reading_.parse.attachments)
@@ -267,14 +284,13 @@ class ThingReader {
   PromptReading& reading_;
   const ThingOrNot words_;
   PronounReader pronouns_;
-  std::vector<std::int32_t> occupants_;
   std::size_t skip_to_ = 0;  ///< the token behind the last name
 };
 
 }  // namespace
 
-std::vector<std::int32_t> read_things(PromptReading& reading) {
-  return ThingReader(reading).run();
+void read_things(PromptReading& reading) {
+  ThingReader(reading).run();
 }
 
 }  // namespace roomgen::brief

@@ -96,15 +96,18 @@ WindowHabit read_windows(const JsonReader& json) {
 }
 
 RoomKind read_room_kind(const JsonReader& json, const std::string& type) {
-  json.allow_only({"names",  "leading",  "alone", "known_by", "made_by", "width",  "depth",
-                   "height", "smallest", "share", "objects",  "windows", "door",   "door_on",
-                   "swing",  "floors",   "walls", "means",    "core",    "extras", "details"});
+  json.allow_only({"names", "leading", "alone",    "known_by", "made_by",   "width",
+                   "depth", "height",  "smallest", "share",    "objects",   "windows",
+                   "door",  "door_on", "swing",    "floors",   "walls",     "means",
+                   "core",  "extras",  "details",  "for",      "instead_of"});
   RoomKind kind;
   kind.type = type;
   kind.names = read_texts(json["names"]);
   kind.leading = read_texts(json["leading"]);
   kind.alone = read_texts(json["alone"]);
   if (json["known_by"].exists()) kind.known_by = read_texts(json["known_by"]);
+  kind.purposes = read_texts(json["for"]);
+  kind.instead_of = read_texts(json["instead_of"]);
   kind.made_by = read_texts(json["made_by"]);
   kind.width = read_range(json["width"], {4.0, 5.0}, 20.0);
   kind.depth = read_range(json["depth"], {3.5, 4.5}, 20.0);

@@ -57,7 +57,11 @@ struct RoomKind {
   std::vector<std::string> alone;
   /// What tells that a room of no name is of this kind; the first piece of its core unless told.
   std::optional<std::vector<std::string>> known_by;
-  /// Kinds of things of which it has at least one, or is none of its kind; empty: nothing makes it what it is.
+  std::vector<std::string>
+      purposes;  ///< who it is for, what is done there: such a room where none is named
+  std::vector<std::string> instead_of;  ///< kinds that are this one for those people
+  /// Kinds of things of which it has at least one, or is none of its kind; empty: nothing makes it
+  /// what it is.
   std::vector<std::string> made_by;
   Range width, depth;
   double height = default_room_height;

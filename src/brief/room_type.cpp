@@ -4,6 +4,7 @@
 #include <set>
 
 #include "language/lexicon.h"
+#include "room_purpose.h"
 #include "roomgen/base/text.h"
 #include "stated_room.h"
 #include "style_phrase.h"
@@ -338,7 +339,7 @@ std::string guess_room_type(const Brief& brief, const RoomKinds& kinds, const Ki
       best = type;
     }
   }
-  return best;
+  return best.empty() ? room_by_purpose(kinds, brief) : best;
 }
 
 }  // namespace roomgen::brief

@@ -53,7 +53,10 @@ void lay_rugs(Brief& brief, const KindTable& table) {
       if (!beside && demand.kind != RelationKind::on) continue;
       const bool small = brief.mentions[i].size.maxCoeff() <= small_side;
       if (demand.kind == RelationKind::on && (small || !rug.demands.empty())) continue;
-      if (rug.demands.empty()) rug.demands.push_back({RelationKind::under, i, "", false});
+      if (rug.demands.empty()) {
+        rug.demands.push_back({RelationKind::under, i, "", false});
+        rug.demands.back().heard = demand.heard;
+      }
       demand = {RelationKind::near, Demand::none, "", false};
     }
   for (auto& mention : brief.mentions)

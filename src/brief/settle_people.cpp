@@ -20,8 +20,7 @@ bool is_named(const Piece& piece, const Lexicon& lexicon, const Brief& brief) {
 bool are_seated(const Brief& brief, const Lexicon& lexicon) {
   int seats = 0;
   for (const Mention& mention : brief.mentions)
-    if (mention.source == Requirement::Source::prompt && lexicon.table.is_any_of(mention.category, {"seat"}))
-      seats += mention.quantity;
+    if (lexicon.table.is_any_of(mention.category, {"seat"})) seats += mention.quantity;
   return seats >= brief.people;
 }
 
@@ -58,8 +57,7 @@ std::vector<std::size_t> words_of_people(const Brief& brief) {
 void bring(const Piece& piece, int number, const Lexicon& lexicon, Brief& brief) {
   const auto& [category, weight] = *std::max_element(
       piece.any.begin(), piece.any.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
-  Mention mention =
-      unnamed_mention(category, number, Requirement::Source::person, "people", lexicon.words, lexicon.table);
+  Mention mention = mention_for_people(category, number, lexicon.words, lexicon.table);
   mention.heard = words_of_people(brief);
   if (piece.size) mention.size = *piece.size;
   brief.mentions.push_back(std::move(mention));

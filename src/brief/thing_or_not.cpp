@@ -16,7 +16,9 @@ using language::NounPhrase;
 // "a stack of books": what comes behind is part of the name.
 bool ThingOrNot::names_thing(std::int32_t id, const ThingPhrase& thing) const {
   const NounPhrase& said = reading_.phrase(id);
-  if (gives_reason(said) || names_tone(said, thing) || is_talked_about(id) || is_formation(id) || is_handled(id) || is_of_occupant(said) || is_who_it_is_for(id)) return false;
+  if (gives_reason(said) || names_tone(said, thing) || is_talked_about(id) || is_formation(id) ||
+      is_handled(id) || is_who_it_is_for(id))
+    return false;
   if (thing.kind.length == 0)
     return is_new_thing(id, thing) || (thing.definite && reading_.talk.known(thing));
   if (thing.kind.length == 1 && (is_bare_material(thing) || is_light(said, thing))) return false;
@@ -53,13 +55,6 @@ bool ThingOrNot::gives_reason(const NounPhrase& said) const {
     if (reading_.is_word(i, "because")) return true;
     if (kind == Token::Kind::comma || kind == Token::Kind::stop) return false;
   }
-  return false;
-}
-
-// "who uses a wheelchair": the words name the person.
-bool ThingOrNot::is_of_occupant(const NounPhrase& said) const {
-  for (std::uint32_t i = said.tokens.begin > 3 ? said.tokens.begin - 3 : 0; i < said.tokens.begin; ++i)
-    if (const auto& found = reading_.occupants[i]; found && found->tokens.end > said.head) return true;
   return false;
 }
 

@@ -21,7 +21,6 @@ class ThingOrNot {
 
  private:
   bool gives_reason(const language::NounPhrase& said) const;
-  bool is_of_occupant(const language::NounPhrase& said) const;
   bool is_who_it_is_for(std::int32_t id) const;
   bool is_formation(std::int32_t id) const;
   bool is_number(std::int32_t id) const;

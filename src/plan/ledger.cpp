@@ -60,8 +60,10 @@ class Ledger {
   }
 
  private:
-  // The number of a requirement, which words are checked by it.
-  void add(Requirement requirement, const std::vector<std::size_t>& said_by = {}) {
+  // The number of a requirement, which words are checked by it; what no words say is none.
+  void add(Requirement requirement, std::vector<std::size_t> said_by) {
+    std::erase(said_by, brief::HeardWords::none);
+    if (said_by.empty()) return;
     const auto same = std::find_if(
         requirements_.begin(), requirements_.end(), [&](const Requirement& known) {
           requirement.id = known.id;
@@ -71,8 +73,7 @@ class Ledger {
       requirement.id = "r" + std::to_string(requirements_.size() + 1);
       requirements_.push_back(requirement);
     }
-    for (const std::size_t heard : said_by)
-      if (heard != brief::HeardWords::none) ids_by_words_[heard].push_back(requirement.id);
+    for (const std::size_t heard : said_by) ids_by_words_[heard].push_back(requirement.id);
   }
 
   // What of a mention's words was taken for that, and of attributes for this one.
@@ -118,10 +119,9 @@ class Ledger {
     requirement.clause = (is_range ? std::to_string(mention.least) + " to " + std::to_string(mention.most)
                           : mention.quantity == 1 ? "a" : std::to_string(mention.quantity)) +
                          " " + counted(mention);
-    if (!mention.reason.empty()) requirement.clause += ", for " + mention.reason;
+    if (mention.source == Requirement::Source::person) requirement.clause += ", for people";
     std::vector<std::size_t> words;
-    for (const auto as :
-         {Heard::As::thing, Heard::As::count, Heard::As::person, Heard::As::activity})
+    for (const auto as : {Heard::As::thing, Heard::As::count, Heard::As::person})
       for (const std::size_t heard : words_of(mention, as)) words.push_back(heard);
     add(std::move(requirement), words);
   }
