@@ -210,7 +210,21 @@ Mention Discourse::new_mention(const ThingPhrase& phrase, int sentence) const {
   if (!phrase.contents.empty()) description.push_back(phrase.contents);
   mention.description = join(description, " ");
   shape(mention, phrase, lexicon_.words, lexicon_.table);
+  if (phrase.is_full_height) reach_ceiling(mention);
   return mention;
+}
+
+// What keeps things stands on the floor then.
+void Discourse::reach_ceiling(Mention& mention) const {
+  constexpr double share = 0.95;  ///< of the room's height: what must be brought in upright
+  language::Measure height;
+  height.side = language::Measure::Side::height;
+  height.limit = language::Measure::Limit::least;
+  height.values[0] = share * brief_.height.value_or(lexicon_.kind.height);
+  set_length(mention, height);
+  if (mention.mount == Mount::wall &&
+      lexicon_.table.is_any_of(mention.category, {"storage", "shelf"}))
+    mention.mount = Mount::floor;
 }
 
 // "a harp", which a guitar stands for, "a beanie", which is some hat: not every one of the kind is what was named.

@@ -56,6 +56,8 @@ class Discourse {
   /// The mention, and those that are parts of it.
   std::vector<std::size_t> with_parts(std::size_t mention) const;
   void multiply(std::size_t mention, int factor);
+  /// "floor to ceiling"
+  void reach_ceiling(Mention& mention) const;
   /// How many there are at least, of a plural without a number.
   void expect(std::size_t mention, int count);
   /// How many there are, said behind them.

@@ -46,7 +46,27 @@ class ClauseSharer {
     return false;
   }
 
-  void share_sentence(const Stretch& sentence) {
+  // ", everything in cream and gold": where what is said of all rooms begins.
+  std::size_t begin_of_all(const Stretch& sentence) const {
+    for (std::size_t i = sentence.end; i-- > sentence.begin + 1;) {
+      const bool names_room = std::any_of(names_.begin(), names_.end(),
+                                          [&](const NamedRoom& named) { return named.begin == i; });
+      if (names_room) break;
+      const bool is_all =
+          text_.is_word(i, "all") && i + 1 < sentence.end && text_.is_word(i + 1, "in");
+      if (joins(i - 1) && (is_all || text_.is_word(i, "everything"))) return i;
+    }
+    return sentence.end;
+  }
+
+  void share_sentence(const Stretch& whole) {
+    const Stretch sentence{whole.begin, begin_of_all(whole)};
+    share_rooms(sentence);
+    if (sentence.end < whole.end)
+      for (auto& own : about_) own.push_back({sentence.end, whole.end});
+  }
+
+  void share_rooms(const Stretch& sentence) {
     std::vector<const NamedRoom*> here;
     for (const auto& named : names_)
       if (named.noun >= sentence.begin && named.noun < sentence.end &&

@@ -1,5 +1,7 @@
 #include "phrase_words.h"
 
+#include <algorithm>
+
 namespace roomgen::brief {
 
 bool PhraseWords::is_number(std::size_t token) const {
@@ -19,7 +21,11 @@ bool PhraseWords::is_modifier(std::size_t token) const {
 bool PhraseWords::is_measured(std::size_t token, const ThingPhrase& thing) const {
   const bool is_name = thing.kind.length > 0 && token + 1 == thing.name_tokens.begin;  // "three light stands"
   const bool is_one = word(token) == "a" || word(token) == "an";                       // "a shelf" is one
-  return is_number(token) && !is_name && !is_one && token < said.head && text.words.measured.count(word(token + 1)) > 0;
+  const bool is_compound = std::any_of(
+      parse.modifiers.begin() + said.modifiers.begin, parse.modifiers.begin() + said.modifiers.end,
+      [&](const auto& one) { return one.tokens.begin == token && one.tokens.size() == 2; });
+  return is_number(token) && !is_name && !is_one && token < said.head &&
+         (is_compound || text.words.measured.count(word(token + 1)) > 0);
 }
 
 std::string PhraseWords::in_singular(std::uint32_t first) const {

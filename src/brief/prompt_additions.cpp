@@ -62,6 +62,10 @@ class AdditionReader {
     target_ = thing_in(segment);
     if (target_ || segment.empty() || segment.begin == 0 || reading_.words.negations.count(reading_.word(segment.begin))) return;
     if (!target || !is_joined(segment.begin - 1)) return;
+    // "a desk and two armchairs, all in green": what the whole list is in, the room is.
+    if (reading_.is_word(segment.begin, "all") &&
+        reading_.talk.mention(*target).list != language::none)
+      return;
     if (const auto addition = addition_in(segment)) {
       const std::size_t meant = addition->count > 1 ? several_at(*target) : *target;
       add(meant, *addition);
@@ -69,14 +73,13 @@ class AdditionReader {
       target_ = meant;  // "2 m tall, anthracite"
     }
   }
-  // The thing that a segment names last: what comes behind is added to it. What people or what they do bring is
-  // not named.
+  // The thing that a segment names last: what comes behind is added to it.
   std::optional<std::size_t> thing_in(const Run& segment) const {
     std::optional<std::size_t> last;
     for (std::size_t i = 0; i < reading_.parse.phrases.size(); ++i) {
       const auto& phrase = reading_.parse.phrases[i];
       if (phrase.head >= segment.begin && phrase.head < segment.end && !phrase.is_pronoun &&
-          reading_.mentions[i] && is_named(*reading_.mentions[i]))
+          reading_.mentions[i])
         last = reading_.mentions[i];
     }
     return last;
@@ -87,10 +90,6 @@ class AdditionReader {
     if (reading_.talk.mention(target).quantity != 1) return target;
     const auto several = reading_.talk.last_of_several({target}, true);
     return several && *several < target ? *several : target;
-  }
-
-  bool is_named(std::size_t mention) const {
-    return reading_.talk.mention(mention).source == Requirement::Source::prompt;
   }
 
   // Every word of it is needed.

@@ -29,7 +29,8 @@ class DistanceReader {
     for (std::uint32_t i = 0; i < reading_.text.plain.size(); ++i)
       // Not "nothing within 1 m of them".
       if (const auto said = gap_at(i); said && !reading_.is_denied(said->tokens.begin)) {
-        const bool is_read = read_apart(*said) || read_from(*said) || read_beside(*said);
+        const bool is_read =
+            read_apart(*said) || read_around(*said) || read_from(*said) || read_beside(*said);
         if (is_read) i = said->tokens.end - 1;
       }
   }
@@ -65,6 +66,50 @@ class DistanceReader {
     if (one == other) return false;
     demand({other}, said.tokens, said.gap, one, "");
     return true;
+  }
+
+  // "at least 1 m clear all around it", "90 cm free on all sides of the island": to all else that
+  // stands on the floor, but who sits there.
+  bool read_around(const SaidGap& said) {
+    static const WordSet clear = {"clear", "free",  "clearance",   "space",
+                                  "room",  "empty", "unobstructed"};
+    static const WordSet around = {"around", "round", "sides"};
+    static const WordSet between = {"of",   "all",  "on",    "every", "each",
+                                    "side", "both", "floor", "its",   "four"};
+    std::uint32_t at = said.tokens.end;
+    bool is_clear = false, is_around = false;
+    for (; at < reading_.text.plain.size() && at < said.tokens.end + 8; ++at) {
+      const std::string& word = reading_.word(at);
+      if (!clear.count(word) && !around.count(word) && !between.count(word)) break;
+      is_clear = is_clear || clear.count(word),
+      is_around = is_around || around.count(word) || word == "side";
+    }
+    if (!is_clear || !is_around) return false;
+    const NounPhrase* target = phrase_at(at);
+    const Indices before = reading_.named_before(said.tokens.begin);
+    std::optional<std::size_t> thing;
+    if (target && !target->is_pronoun)
+      thing = reading_.mentions[static_cast<std::size_t>(target - reading_.parse.phrases.data())];
+    else if (!before.empty())
+      thing = before.back();
+    if (!thing) return false;
+    keep_clear(*thing, {said.tokens.begin, target ? target->head + 1 : at}, said.gap);
+    return true;
+  }
+  void keep_clear(std::size_t thing, const Run& words, const Gap& said) {
+    Demand clear{RelationKind::gap, Demand::none, each_wall, false};
+    clear.gap = {said.least, std::numeric_limits<double>::infinity()};
+    tell(words);
+    reading_.talk.add(thing, clear);
+    clear.part.clear();
+    for (std::size_t other = 0; other < reading_.talk.count(); ++other) {
+      const Mention& mention = reading_.talk.mention(other);
+      const bool is_in_way = mention.mount == Mount::floor &&
+                             !reading_.text.table.get(mention.category).traits.flat &&
+                             !reading_.text.table.is_any_of(mention.category, {"chair", "stool"});
+      clear.mention = other;
+      if (other != thing && is_in_way && mention.part_of != thing) reading_.talk.add(thing, clear);
+    }
   }
 
   // "0.5 m from the desk", "1.5 m away from every wall", "within 1 m of the door"
@@ -116,11 +161,14 @@ class DistanceReader {
     return are_all || gap.least < gap.most ? each_wall : "wall";
   }
   void demand(const Indices& subjects, const Run& words, const Gap& gap, std::size_t thing, const std::string& part) {
-    reading_.talk.told_by(hear(reading_.brief, words, Heard::As::relation));
+    tell(words);
     Demand demand{RelationKind::gap, thing, part, false};
     demand.gap = gap;
     for (const std::size_t subject : subjects) reading_.talk.add(subject, demand);
-    // The words tell no other place.
+  }
+  // The words tell no other place.
+  void tell(const Run& words) {
+    reading_.talk.told_by(hear(reading_.brief, words, Heard::As::relation));
     for (std::size_t i = 0; i < reading_.parse.attachments.size(); ++i)
       if (words.begin <= reading_.parse.attachments[i].tokens.begin && reading_.parse.attachments[i].tokens.begin < words.end)
         reading_.placements[i].reset();

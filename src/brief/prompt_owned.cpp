@@ -80,7 +80,9 @@ void OwnedReader::read(const Attachment& attachment) {
     if (!says_each(attachment) && reading_.talk.mention(owner).quantity > 1 && is_told_at_one(attachment.to)) continue;
     if (!says_each(attachment) && !is_told_somewhere(attachment.to) && follows_told_place(attachment)) continue;
     if (!named_before(attachment).empty() && is_told_at_another(attachment.to, owner)) continue;
-    if (!says_each(attachment) && goes_on_about_room(attachment)) continue;
+    if (!says_each(attachment) &&
+        (goes_on_about_room(attachment) || goes_on_beside(attachment, owner)))
+      continue;
     if (says_each(attachment) || is_each_behind(reading_.phrase(attachment.to)))
       shares_.give_each(owner, reading_.all_of(attachment.to), attachment.tokens.begin);
     for (const std::size_t one : reading_.all_of(attachment.to))
@@ -154,6 +156,22 @@ bool OwnedReader::goes_on_about_room(const Attachment& attachment) const {
                              std::any_of(before.begin(), before.end(), [&](const Attachment* other) {
                                return is_told_behind_comma(other->to);
                              }));
+}
+
+// "a desk with a chair and a screen on the wall", "a cart with bottles, an armchair and a lamp":
+// from what stands elsewhere in the room on.
+bool OwnedReader::goes_on_beside(const Attachment& attachment, std::size_t owner) const {
+  const auto before = named_before(attachment);
+  if (!before.empty() && is_told_in_room(attachment.to)) return true;
+  return std::any_of(before.begin(), before.end(), [&](const Attachment* other) {
+    const auto thing = reading_.mention_of(other->to);
+    if (!thing || reading_.talk.is_small(*thing) ||
+        reading_.talk.mention(*thing).mount != Mount::floor)
+      return false;
+    const auto& demands = reading_.talk.mention(*thing).demands;
+    return std::none_of(demands.begin(), demands.end(),
+                        [&](const Demand& demand) { return demand.mention == owner; });
+  });
 }
 
 // "on it", "beside it"

@@ -41,6 +41,7 @@ class OwnedReader {
   bool is_told_in_room(std::int32_t phrase) const;
   bool is_alone_with(const language::Attachment& attachment) const;
   bool is_told_between(std::int32_t phrase) const;
+  bool goes_on_beside(const language::Attachment& attachment, std::size_t owner) const;
   bool is_told_at_one(std::int32_t phrase) const;
   bool is_told_at_another(std::int32_t phrase, std::size_t owner) const;
   std::vector<const language::Attachment*> named_before(const language::Attachment& attachment) const;

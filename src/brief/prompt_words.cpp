@@ -95,11 +95,28 @@ Result<Vocabulary> parse_vocabulary(std::string_view text, const std::string& so
   if (!json) return json.error();
   JsonReader::Problems problems(source);
   const JsonReader root(*json, problems);
-  root.allow_only({"about",         "numbers",        "vague",    "definite",     "negations",
-                   "limits", "exceptions", "anything",          "measured",       "distances", "stops",    "parts",        "no things",
-                   "materials",     "sizes",          "people",   "people words", "room words",
-                   "generic rooms", "parts of rooms", "walls",    "placements",   "pairs",         "diagonals", "manners",
-                   "verbs", "spreads",        "tops",           "portions", "built in", "asking",     "further",  "shares", "wall lengths", "groups", "areas", "rows", "round formations", "palette frames", "height beginnings", "height endings", "courtesies"});
+  root.allow_only({"about",          "numbers",
+                   "vague",          "definite",
+                   "negations",      "limits",
+                   "exceptions",     "anything",
+                   "measured",       "distances",
+                   "stops",          "parts",
+                   "no things",      "materials",
+                   "sizes",          "people",
+                   "people words",   "room words",
+                   "generic rooms",  "parts of rooms",
+                   "walls",          "placements",
+                   "pairs",          "diagonals",
+                   "manners",        "verbs",
+                   "spreads",        "tops",
+                   "portions",       "built in",
+                   "asking",         "further",
+                   "shares",         "wall lengths",
+                   "groups",         "areas",
+                   "rows",           "round formations",
+                   "palette frames", "height beginnings",
+                   "height endings", "courtesies",
+                   "full heights"});
   Vocabulary words;
   words.numbers = read_integers(root["numbers"]);
   words.people = read_integers(root["people"]);
@@ -146,6 +163,7 @@ Result<Vocabulary> parse_vocabulary(std::string_view text, const std::string& so
                                                    {"areas", &words.areas},
                                                    {"rows", &words.rows},
                                                    {"height beginnings", &words.height_beginnings},
+                                                   {"full heights", &words.full_heights},
                                                    {"courtesies", &words.courtesies},
                                                    {"height endings", &words.height_endings},
                                                    {"palette frames", &words.palette_frames}};

@@ -60,6 +60,7 @@ struct Vocabulary {
   WordSet exceptions;  ///< "except", "but"
   std::map<std::string, FormationWord, std::less<>> round_formations;  ///< "circle", "half circle"
   WordSet anything;  ///< "furniture", "things": whatever there is
+  WordSet full_heights;  ///< "floor to ceiling": as high as the room
   WordSet built_in;  ///< what is so is no thing of its own
   WordSet vague, definite, negations, measured, stops, parts, no_things, materials,
       people_words, room_words, generic_rooms;

@@ -84,6 +84,12 @@ class LookReader : private PhraseWords {
         ++i;
         continue;
       }
+      if (const std::size_t length = longest_in(text.words.full_heights, text.plain, i)) {
+        thing_.is_full_height = true;
+        thing_.measure_tokens.push_back({i, i + static_cast<std::uint32_t>(length)});
+        i += static_cast<std::uint32_t>(length) - 1;
+        continue;
+      }
       // "a single chair"
       if (std::find(thing_.count_tokens.begin(), thing_.count_tokens.end(), i) != thing_.count_tokens.end()) continue;
       if (text.plain[i].is_word("built") && i + 1 < run.end && text.plain[i + 1].is_word("in")) {
@@ -117,6 +123,10 @@ class LookReader : private PhraseWords {
 
 bool tells_material(const PhraseWords& phrase, const Attachment& attachment) {
   if (attachment.is_verb || attachment.to == language::none) return false;
+  // "a desk and two armchairs, all in green": what the whole list is in, the room is.
+  const auto begin = attachment.tokens.begin;
+  if (phrase.said.list != language::none && begin > 0 && phrase.word(begin - 1) == "all")
+    return false;
   static const WordSet relations = {"of", "in", "from"};
   const auto& to = phrase.parse.phrases[static_cast<std::size_t>(attachment.to)];
   const std::string& noun = phrase.word(to.head);

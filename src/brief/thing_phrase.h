@@ -35,6 +35,7 @@ struct ThingPhrase {
   std::vector<language::Measure> measures;
   std::vector<language::Run> measure_tokens;  ///< one for each
   int seats = 0;        ///< "six-seater"
+  bool is_full_height = false;  ///< "floor to ceiling"
   std::size_t end = 0;  ///< the token behind its name: "stack of books" goes on behind the phrase
 };
 
