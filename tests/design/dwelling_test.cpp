@@ -6,6 +6,7 @@
 
 #include "brief/dwelling_kinds.h"
 #include "brief/dwelling_prompt.h"
+#include "brief/prompt.h"
 #include "brief/room_kinds.h"
 #include "catch.h"
 #include "plan/dwelling_layout.h"
@@ -238,5 +239,16 @@ TEST_CASE("A bedroom that is too narrow for the bed that was drawn has a smaller
     const auto plan = make_rule_designer()->plan(request);
     REQUIRE(plan);
     CHECK(std::any_of(plan->items.begin(), plan->items.end(), [](const PlanItem& item) { return item.category == "bed"; }));
+  }
+}
+
+TEST_CASE("What is said of everything behind the rooms is said of each") {
+  const auto dwelling = said("a flat with a bedroom and a bathroom, everything in cream and gold");
+  REQUIRE(dwelling);
+  REQUIRE(dwelling->rooms.size() >= 2);
+  for (const auto& room : dwelling->rooms) {
+    INFO(room.type);
+    const Brief own = read_prompt(room.prompt, *built_in_room_kinds(), KindTable::built_in());
+    CHECK(own.palette == std::vector<std::string>{"cream", "gold"});
   }
 }
