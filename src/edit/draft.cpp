@@ -14,9 +14,11 @@ std::set<std::string> Cluster::ids() const {
   return all;
 }
 
-Cluster cluster_of(const Scene& scene, const Object& root) {
-  Cluster cluster{root, {}};
-  std::set<std::string> carriers = {root.id};
+namespace {
+
+// What stands on one of these comes along, and on what does.
+Cluster with_carried(const Scene& scene, Cluster cluster) {
+  std::set<std::string> carriers = cluster.ids();
   for (bool grew = true; grew;) {
     grew = false;
     for (const auto& object : scene.objects)
@@ -27,6 +29,27 @@ Cluster cluster_of(const Scene& scene, const Object& root) {
       }
   }
   return cluster;
+}
+
+}  // namespace
+
+Cluster cluster_of(const Scene& scene, const Object& root) { return with_carried(scene, {root, {}}); }
+
+bool is_anchor(const Scene& scene, const Object& object) {
+  if (object.group.empty()) return false;
+  const auto first = std::find_if(scene.objects.begin(), scene.objects.end(), [&](const Object& other) {
+    return other.group == object.group && other.room == object.room;
+  });
+  return first != scene.objects.end() && first->id == object.id;
+}
+
+Cluster whole_of(const Scene& scene, const Object& root) {
+  Cluster cluster{root, {}};
+  if (is_anchor(scene, root))
+    for (const auto& object : scene.objects)
+      if (object.group == root.group && object.room == root.room && object.id != root.id && object.on.empty())
+        cluster.carried.push_back(object);
+  return with_carried(scene, std::move(cluster));
 }
 
 Pose pose_of(const Object& object) { return {object.position.head<2>(), object.position.z(), object.yaw}; }

@@ -15,14 +15,20 @@
 
 namespace roomgen {
 
-/// A thing and all that stands on it, directly or on what does: they move as one.
+/// A thing and all that goes where it goes: what stands on it, directly or on what does, and of the anchor of a group
+/// its members and what stands on them.
 struct Cluster {
   Object root;
   std::vector<Object> carried;  ///< each after what carries it
 
   std::set<std::string> ids() const;
 };
+/// The thing with what stands on it.
 Cluster cluster_of(const Scene& scene, const Object& root);
+/// And with its group (docs/groups.md), if it is the anchor of one.
+Cluster whole_of(const Scene& scene, const Object& root);
+/// The first of a group stands for it.
+bool is_anchor(const Scene& scene, const Object& object);
 /// With the root at another pose, and the rest as it stands on it.
 Cluster moved_to(const Cluster& cluster, const Pose& pose);
 /// With what it carries.

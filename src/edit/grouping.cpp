@@ -16,7 +16,7 @@ bool belongs_to(const Object& object, const std::string& id) {
 }  // namespace
 
 std::vector<Cluster> group_of(const Scene& scene, const Object& leader) {
-  std::vector<Cluster> group = {cluster_of(scene, leader)};
+  std::vector<Cluster> group = {whole_of(scene, leader)};
   const auto own = group.front().ids();
   for (const auto& object : scene.objects)
     if (object.on.empty() && !own.count(object.id) && object.room == leader.room && belongs_to(object, leader.id))

@@ -17,6 +17,11 @@ constexpr double shrink_steps[] = {0.9, 0.8, 0.7, 0.6};
 
 using Neighbours = std::vector<Cluster>;
 
+// A repair takes whole groups.
+bool goes_with_another(const Scene& scene, const Object& object) {
+  return !object.group.empty() && object.on.empty() && !is_anchor(scene, object);
+}
+
 // What may make way, the nearest first: what stands on the floor, or on the same carrier.
 Neighbours neighbours_of(const Draft& draft, const Layout& layout, const Cluster& cluster, const Aim& aim) {
   const Vec2 middle = middle_of(draft, layout, aim);
@@ -26,14 +31,14 @@ Neighbours neighbours_of(const Draft& draft, const Layout& layout, const Cluster
     const bool same_level = cluster.root.mount == Mount::surface ? object.on == cluster.root.on
                                                                  : object.mount == Mount::floor;
     if (object.room != cluster.root.room || object.locked || object.traits.flat || !same_level ||
-        own.count(object.id) || draft.named.count(object.id))
+        own.count(object.id) || draft.named.count(object.id) || goes_with_another(draft.scene, object))
       continue;
     near.emplace_back(gap(footprint(object), middle), &object);
   }
   std::stable_sort(near.begin(), near.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   Neighbours neighbours;
   for (std::size_t i = 0; i < std::min(near.size(), most_neighbours); ++i)
-    neighbours.push_back(cluster_of(draft.scene, *near[i].second));
+    neighbours.push_back(whole_of(draft.scene, *near[i].second));
   return neighbours;
 }
 

@@ -63,7 +63,7 @@ Status raise(Draft& draft, const Object& object, const Vec3& by) {
   pose.position += by.head<2>();
   pose.bottom += by.z();
   if (pose.bottom < 0.0) return cannot(object.id + " would be below the floor");
-  const auto there = exactly_at(draft, cluster_of(draft.scene, object), pose);
+  const auto there = exactly_at(draft, whole_of(draft.scene, object), pose);
   if (!there) return there.error();
   draft.put(*there);
   return {};
@@ -96,7 +96,7 @@ Status carry_out(Draft& draft, const edit::Move& move) {
   const auto room = room_to_go_to(draft, move, *object);
   if (!room) return room.error();
   if (auto status = check_move(draft, *object, *room, move.relations); !status) return status;
-  Cluster cluster = in_room(cluster_of(draft.scene, *object), *room);
+  Cluster cluster = in_room(whole_of(draft.scene, *object), *room);
   Aim aim;
   aim.asked = move.relations;
   if (*room == object->room) aim.kept = still_wanted(*object, move.relations);
@@ -117,7 +117,7 @@ Status carry_out(Draft& draft, const edit::Move& move) {
 Status carry_out(Draft& draft, const edit::Put& put) {
   const auto object = object_to_change(draft, put.object);
   if (!object) return object.error();
-  Cluster cluster = cluster_of(draft.scene, *object);
+  Cluster cluster = whole_of(draft.scene, *object);
   Pose pose{put.position, object->position.z(), put.yaw.value_or(object->yaw)};
   if (object->mount == Mount::surface) {
     if (!put.on.empty()) {
@@ -153,7 +153,7 @@ Status carry_out(Draft& draft, const edit::Shift& shift) {
   edit::Put put{object->id, Vec2(object->position.head<2>()) + by, object->yaw, object->on};
   auto status = carry_out(draft, put);
   if (status || object->mount == Mount::surface) return status;
-  const double possible = possible_share(draft, cluster_of(draft.scene, *object), by);
+  const double possible = possible_share(draft, whole_of(draft.scene, *object), by);
   return cannot(status.error().message +
                 (possible > 0.0 ? "; " + format_number(possible, 2) + " m that way would be possible" : ""));
 }

@@ -26,6 +26,10 @@ PlacementTask task_for(const Layout& layout, const Cluster& cluster, const Aim& 
   task.usual = aim.usual;
   for (const auto& other : layout.objects())
     if (kinds.is_a(other.category, cluster.root.category)) ++task.of_its_kind;
+  const Footprint frame = footprint(cluster.root);
+  for (const auto& object : cluster.carried)
+    if (object.on.empty())
+      task.companions.push_back({object, frame.to_local(object.position.head<2>()), wrap_angle(object.yaw - cluster.root.yaw)});
   if (!aim.near_to) return task;
   task.location = aim.near_to->position;
   if (!aim.turns_freely) task.facing = aim.near_to->yaw;

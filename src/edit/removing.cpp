@@ -9,7 +9,7 @@ namespace roomgen {
 namespace {
 
 std::set<std::string> with_what_goes_along(const Draft& draft, const Object& object, bool group) {
-  return group ? ids_of(group_of(draft.scene, object)) : cluster_of(draft.scene, object).ids();
+  return group ? ids_of(group_of(draft.scene, object)) : whole_of(draft.scene, object).ids();
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ class RoomChanger {
     room_with_id(draft_.scene, change_.room.id) = change_.room;
   }
 
-  Cluster cluster(const std::string& id) const { return cluster_of(draft_.scene, *find_object(draft_.scene, id)); }
+  Cluster cluster(const std::string& id) const { return whole_of(draft_.scene, *find_object(draft_.scene, id)); }
 
   void shift(const std::string& id) {
     Pose pose = pose_of(before_.at(id));

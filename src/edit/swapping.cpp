@@ -35,7 +35,7 @@ Status carry_out(Draft& draft, const edit::Swap& swap) {
   if (first->room != second->room) return cannot(first->id + " and " + second->id + " are in different rooms");
   if (first->mount != second->mount)
     return cannot(first->id + " and " + second->id + " are not put up the same way");
-  const Cluster one = cluster_of(draft.scene, *first), other = cluster_of(draft.scene, *second);
+  const Cluster one = whole_of(draft.scene, *first), other = cluster_of(draft.scene, *second);
   auto away = one.ids();
   if (away.count(second->id) || other.ids().count(first->id)) return cannot("one of them stands on the other");
   away.merge(other.ids());

@@ -42,7 +42,7 @@ std::vector<double> yaws_towards(Draft& draft, const Cluster& cluster, const Foo
 }
 
 Status turn_to(Draft& draft, const Object& object, double yaw) {
-  const Cluster cluster = cluster_of(draft.scene, object);
+  const Cluster cluster = whole_of(draft.scene, object);
   Pose pose = pose_of(object);
   pose.yaw = wrap_angle(yaw);
   auto turned = there_or_near(draft, cluster, pose, slack_of_turn);
@@ -73,7 +73,7 @@ Status carry_out(Draft& draft, const edit::Face& face) {
   if (!target) return target.error();
   const std::vector<Relation> asked = {{RelationKind::face_to, face.target}};
   Status why;
-  for (const double yaw : yaws_towards(draft, cluster_of(draft.scene, *object), *target)) {
+  for (const double yaw : yaws_towards(draft, whole_of(draft.scene, *object), *target)) {
     Draft trial = draft;
     auto status = turn_to(trial, *object, yaw);
     if (status &&
