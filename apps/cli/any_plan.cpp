@@ -61,10 +61,12 @@ Result<AnyPlan> read_any_plan(const std::string& file) {
   if (is_dwelling_plan(*json)) {
     auto plan = dwelling_plan_from_json(*json, file);
     if (!plan) return plan.error();
+    settle(*plan);
     return AnyPlan(*std::move(plan));
   }
   auto plan = plan_from_json(*json, file);
   if (!plan) return plan.error();
+  settle(*plan);
   return AnyPlan(*std::move(plan));
 }
 

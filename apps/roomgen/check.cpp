@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "add_commands.h"
+#include "any_plan.h"
 #include "check_report.h"
 #include "models.h"
 #include "print.h"
@@ -11,6 +12,7 @@
 #include "roomgen/base/file.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
+#include "roomgen/design/designer.h"
 #include "roomgen/evaluate/report.h"
 #include "roomgen/import/import.h"
 #include "roomgen/scene/plan.h"
@@ -53,12 +55,15 @@ Result<std::string> check_shape(const CheckCommand& command, const Json& json) {
   return "shape of " + std::to_string(made->bodies.size()) + " bodies";
 }
 
-void print_sound(const Context& context, const std::string& file, const std::string& what) {
+void print_sound(const Context& context, const std::string& file, const std::string& what,
+                 const std::vector<std::string>& notes = {}) {
   if (context.json) {
-    const Json summary = {{"file", file}, {"sound", what}};
+    Json summary = {{"file", file}, {"sound", what}};
+    if (!notes.empty()) summary["notes"] = notes;
     std::fputs(dump_json(summary).c_str(), stdout);
   } else {
     std::printf("%s: sound %s\n", printable(file).c_str(), printable(what).c_str());
+    for (const auto& note : notes) std::printf("  %s\n", printable(note).c_str());
   }
 }
 
@@ -85,14 +90,19 @@ Result<int> check_other(const Context& context, const CheckCommand& command, con
           ? json["format"].get<std::string>()
           : "";
   std::string what;
+  std::vector<std::string> notes;
   if (format == "roomgen-plan" && is_dwelling_plan(json)) {
     auto plan = dwelling_plan_from_json(json, command.file);
     if (!plan) return plan.error();
     what = "plan of " + std::to_string(plan->rooms.size()) + " rooms";
+    settle(*plan);
+    notes = notes_of(*std::move(plan));
   } else if (format == "roomgen-plan") {
     auto plan = plan_from_json(json, command.file);
     if (!plan) return plan.error();
     what = "plan of " + std::to_string(planned_objects(*plan).size()) + " objects";
+    settle(*plan);
+    notes = notes_of(*std::move(plan));
   } else if (format == "roomgen-shape") {
     auto shape = check_shape(command, json);
     if (!shape) return shape.error();
@@ -106,7 +116,7 @@ Result<int> check_other(const Context& context, const CheckCommand& command, con
     if (!problem) return problem.error();
     what = *problem;
   }
-  print_sound(context, command.file, what);
+  print_sound(context, command.file, what, notes);
   return exit_ok;
 }
 

@@ -26,8 +26,9 @@ Result<std::unique_ptr<AssetLibrary>> open_library([[maybe_unused]] const ModelO
 Result<Varied> furnished(const Json& json, const std::string& file, const ModelOptions& models, const Context& context) {
   if (is_dwelling_plan(json))
     return Error{Error::Kind::invalid_input, file + ": layouts are drawn of one room, and this is the plan of a dwelling"};
-  const auto plan = plan_from_json(json, file);
+  auto plan = plan_from_json(json, file);
   if (!plan) return plan.error();
+  settle(*plan);
   const auto library = open_library(models, context);
   if (!library) return library.error();
   BuildOptions options;

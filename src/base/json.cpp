@@ -15,6 +15,7 @@ namespace roomgen {
 namespace {
 
 constexpr int max_depth = 64;
+constexpr std::size_t most_remarks = 50;
 constexpr std::size_t longest_quoted = 2000;  // bytes of a pointer or of a report, which may quote what the file says
 
 // nlohmann's parser is not recursive, but whoever walks the value afterwards may be.
@@ -125,12 +126,30 @@ double rounded(double value, int decimals) {
   return result == 0.0 ? 0.0 : result;  // no "-0.0" in files
 }
 
-void JsonReader::Problems::add(const std::string& pointer, const std::string& what) {
-  if (first_) return;
+namespace {
+
+std::string located(const std::string& pointer, const std::string& what) {
   const auto bounded = [](const std::string& text) {
     return text.size() <= longest_quoted ? text : shortened(text, longest_quoted) + "...";
   };
-  first_ = Error{Error::Kind::invalid_input, source_ + ": " + (pointer.empty() ? "" : bounded(pointer) + ": ") + bounded(what)};
+  return (pointer.empty() ? "" : bounded(pointer) + ": ") + bounded(what);
+}
+
+}  // namespace
+
+void JsonReader::Problems::add(const std::string& pointer, const std::string& what) {
+  if (!first_) first_ = Error{Error::Kind::invalid_input, source_ + ": " + located(pointer, what)};
+}
+
+void JsonReader::Problems::remark(const std::string& pointer, const std::string& what) {
+  if (remarks_.size() < most_remarks) remarks_.push_back(located(pointer, what));
+}
+
+Status JsonReader::Problems::all() const {
+  if (first_) return *first_;
+  if (!remarks_.empty())
+    return Error{Error::Kind::invalid_input, source_ + ": " + remarks_.front()};
+  return {};
 }
 
 bool JsonReader::is_object() const { return value_ && value_->is_object(); }

@@ -29,10 +29,16 @@ class JsonReader {
     /// Keeps the first: "scene.json: /objects/3/size: expected …".
     void add(const std::string& pointer, const std::string& what);
     const std::optional<Error>& first() const { return first_; }
+    /// Keeps what does not stop the reading: "/light/hour: 31 is no hour; left open".
+    void remark(const std::string& pointer, const std::string& what);
+    const std::vector<std::string>& remarks() const { return remarks_; }
+    /// The first error, else the first remark: of documents that must be taken as they are.
+    Status all() const;
 
    private:
     std::string source_;
     std::optional<Error> first_;
+    std::vector<std::string> remarks_;
   };
 
   JsonReader(const Json& value, Problems& problems) : value_(&value), problems_(&problems) {}
@@ -62,6 +68,7 @@ class JsonReader {
   std::vector<double> numbers(std::size_t count, double low, double high) const;
 
   void report(const std::string& what) const { problems_->add(pointer_, what); }
+  void remark(const std::string& what) const { problems_->remark(pointer_, what); }
   /// The JSON pointer of the value.
   const std::string& pointer() const { return pointer_; }
 

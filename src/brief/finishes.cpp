@@ -187,7 +187,7 @@ class FinishReader {
 std::string& material(RoomMaterials& materials, const Finding& found) {
   if (found.part == RoomPart::floor) return materials.floor;
   if (found.part == RoomPart::ceiling) return materials.ceiling;
-  return found.one_wall ? materials.accent : materials.walls;
+  return found.one_wall ? cover_named(materials, accent_name).finish : materials.walls;
 }
 
 }  // namespace

@@ -81,22 +81,19 @@ Status carry_out(Draft& draft, const edit::Cover& cover) {
     return Error{Error::Kind::not_understood, "\"" + cover.looks + "\" names no colour or material that is known"};
   Room& changed = room_with_id(draft.scene, *room);
   RoomMaterials& materials = changed.materials;
-  struct Part {
-    std::string_view name;
-    std::string& words;
-    std::string noun;
-  };
-  for (const auto& part :
-       {Part{"floor", materials.floor, "floor"}, Part{"walls", materials.walls, "walls"},
-        Part{"ceiling", materials.ceiling, "ceiling"}, Part{"accent wall", materials.accent, "wall"}}) {
-    if (part.name != cover.part) continue;
-    part.words = cover.looks + " " + part.noun;
+  for (const std::string_view part : {"floor", "walls", "ceiling", "accent wall"}) {
+    if (part != cover.part) continue;
+    std::string& said = part == "floor"     ? materials.floor
+                        : part == "walls"   ? materials.walls
+                        : part == "ceiling" ? materials.ceiling
+                                            : cover_named(materials, accent_name).finish;
+    said = cover.looks + (part == "accent wall" ? " wall" : " " + cover.part);
     Requirement wish;
     wish.kind = Requirement::Kind::attribute;
     wish.source = Requirement::Source::edit;
     wish.category = cover.part;
-    wish.attribute = part.words;
-    wish.clause = part.words;
+    wish.attribute = said;
+    wish.clause = said;
     wish.room = *room;
     draft.wishes.push_back(std::move(wish));
     draft.new_categories.insert(cover.part);

@@ -124,7 +124,9 @@ void add_room_words(const Scene& before, const Scene& after, std::vector<std::st
     const std::string room = new_rooms[i].id.empty() ? "" : new_rooms[i].id + ": ";
     for (const auto& [part, was, is] :
          {std::tuple("floor", old.floor, now.floor), std::tuple("walls", old.walls, now.walls),
-          std::tuple("ceiling", old.ceiling, now.ceiling), std::tuple("accent wall", old.accent, now.accent)})
+          std::tuple("ceiling", old.ceiling, now.ceiling),
+          std::tuple("accent wall", finish_named(old, accent_name),
+                     finish_named(now, accent_name))})
       if (was != is)
         lines.push_back(room + part + ": " + (is.empty() ? "none" : is) + ", not " + (was.empty() ? "none" : was));
     add_shape_words(old_rooms[i], new_rooms[i], room, lines);

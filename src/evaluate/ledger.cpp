@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "each_clause.h"
 #include "finding.h"
@@ -81,7 +82,7 @@ class Checker {
       case Requirement::Kind::count:
         return judge_count(requirement);
       case Requirement::Kind::attribute:
-        if (const std::string* material = material_of(requirement.category))
+        if (const auto material = material_of(requirement))
           return by_fault(*material == requirement.attribute ? "" : "it is \"" + *material + "\"");
         if (is_formation(requirement)) return judge_formation(requirement);
         return each(requirement,
@@ -188,13 +189,17 @@ class Checker {
     return "its " + side + " is " + format_number(there, 2) + " m";
   }
 
-  // What a part of the room is covered with; null for things.
-  const std::string* material_of(std::string_view part) const {
+  // What the part of the room is covered with that a clause speaks of; none for things.
+  std::optional<std::string> material_of(const Requirement& said) const {
     const RoomMaterials& materials = scene_.room.materials;
-    if (part == "floor") return &materials.floor;
-    if (part == "walls") return &materials.walls;
-    if (part == "ceiling") return &materials.ceiling;
-    return part == "accent wall" ? &materials.accent : nullptr;
+    if (said.category == "floor") return materials.floor;
+    if (said.category == "walls") return materials.walls;
+    if (said.category == "ceiling") return materials.ceiling;
+    if (said.category != "accent wall") return std::nullopt;
+    // Whichever wall it is.
+    for (const auto& cover : materials.covers)
+      if (cover.finish == said.attribute) return cover.finish;
+    return finish_named(materials, accent_name);
   }
 
   // Without the things of which another count speaks: "four novels and two art books".

@@ -1,7 +1,8 @@
 #include "evaluate/style_clause.h"
 
 #include <algorithm>
-#include <array>
+#include <string>
+#include <vector>
 
 #include "library/style_words.h"
 #include "roomgen/base/text.h"
@@ -13,9 +14,11 @@ namespace {
 // Does a part of the room have it by its material: "navy walls"?
 bool is_of_room(const std::string& word, const Room& room) {
   const RoomMaterials& materials = room.materials;
-  const std::array said = {&materials.floor, &materials.walls, &materials.ceiling, &materials.accent};
-  return std::any_of(said.begin(), said.end(), [&](const std::string* material) {
-    const auto said_words = words(*material);
+  std::vector<std::string> said = {materials.floor, materials.walls, materials.ceiling};
+  for (const auto& cover : materials.covers)
+    said.push_back(cover.finish + (cover.lower ? " " + cover.lower->finish : ""));
+  return std::any_of(said.begin(), said.end(), [&](const std::string& material) {
+    const auto said_words = words(material);
     return std::find(said_words.begin(), said_words.end(), word) != said_words.end();
   });
 }

@@ -42,7 +42,7 @@ Json GlbLights::node_of(const std::string& name, Json light) {
 Json GlbLights::lamp_node(const LampLight& lamp) {
   const bool is_spot = lamp.cone > 0.0;
   Json light = {{"type", is_spot ? "spot" : "point"},
-                {"color", color_json(lamp_color())},
+                {"color", color_json(lamp.color)},
                 {"intensity", rounded(lamp.candela, 3)}};
   if (is_spot) {
     const double cone = std::min(lamp.cone, 0.5 * pi);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "wall_sides.h"
+#include "scene/wall_sides.h"
 
 namespace roomgen::plan {
 
@@ -85,7 +85,8 @@ void put_on(Room& room, const StyleMeaning& style, Random random) {
   };
   const bool is_tiled = room.materials.floor.find("tile") != std::string::npos;
   choose(room.materials.walls, style.walls);
-  choose(room.materials.accent, style.accents);
+  if (!style.accents.empty())
+    choose(cover_named(room.materials, accent_name).finish, style.accents);
   if (!is_tiled) choose(room.materials.floor, style.floors);
 }
 
@@ -94,11 +95,11 @@ void put_on(Room& room, const RoomMaterials& said) {
     if (!wanted.empty()) has = wanted;
   };
   // What is said of the walls is said of all of them.
-  if (!said.walls.empty()) room.materials.accent.clear();
+  if (!said.walls.empty()) room.materials.covers.clear();
   replace(room.materials.floor, said.floor);
   replace(room.materials.walls, said.walls);
   replace(room.materials.ceiling, said.ceiling);
-  replace(room.materials.accent, said.accent);
+  for (const auto& cover : said.covers) cover_named(room.materials, cover.wall) = cover;
 }
 
 namespace {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "roomgen/base/text.h"
-#include "wall_sides.h"
+#include "scene/wall_sides.h"
 
 namespace roomgen::plan {
 

@@ -6,7 +6,7 @@
 
 #include "opening_plan.h"
 #include "scene/opening_kind.h"
-#include "wall_sides.h"
+#include "scene/wall_sides.h"
 
 namespace roomgen::plan {
 

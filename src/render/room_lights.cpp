@@ -16,6 +16,7 @@ constexpr std::size_t most_windows = 4;
 
 std::vector<RoomLight> windows(const Room& room) {
   std::vector<const Opening*> openings;
+  if (!is_day(room.light)) return {};
   for (const auto& opening : room.openings)
     if (opening.type == OpeningType::window) openings.push_back(&opening);
   const auto area = [](const Opening& o) { return o.width() * (o.head - o.sill); };
@@ -44,7 +45,7 @@ std::vector<RoomLight> lamps(const Scene& scene) {
   for (const auto& lamp : lamps) {
     RoomLight light;
     light.place = lamp.position;
-    light.color = static_cast<float>(exposure * lamp.candela) * lamp_color();
+    light.color = static_cast<float>(exposure * lamp.candela) * lamp.color;
     if (lamp.cone > 0) light.cosine = std::cos(lamp.cone);
     lights.push_back(light);
   }

@@ -26,12 +26,15 @@ FileWalls::FileWalls(const std::vector<Vec2>& corners, const Polygon& polygon) {
 }
 
 void FileWalls::rename(std::vector<Relation>& relations) const {
-  for (auto& relation : relations)
-    for (std::size_t k = 0; k < wall_of_.size(); ++k)
-      if (relation.target == "wall-" + std::to_string(k)) {
-        relation.target = "wall-" + std::to_string(wall_of_[k]);
-        break;
-      }
+  for (auto& relation : relations) rename(relation.target);
+}
+
+void FileWalls::rename(std::string& wall) const {
+  for (std::size_t k = 0; k < wall_of_.size(); ++k)
+    if (wall == "wall-" + std::to_string(k)) {
+      wall = "wall-" + std::to_string(wall_of_[k]);
+      break;
+    }
 }
 
 std::vector<Vec2> read_corners(const JsonReader& json) {

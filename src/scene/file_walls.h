@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "base/json_reader.h"
@@ -18,6 +19,8 @@ class FileWalls {
 
   /// Renames the walls that the relations name to those of the room.
   void rename(std::vector<Relation>& relations) const;
+  /// "wall-2" as the room counts; other names stay.
+  void rename(std::string& wall) const;
 
  private:
   std::vector<std::size_t> wall_of_;  ///< by the file's number

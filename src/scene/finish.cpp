@@ -1,6 +1,8 @@
 #include "finish.h"
 
 #include <algorithm>
+#include <cctype>
+#include <charconv>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -25,10 +27,28 @@ const Surface* find_surface(const FinishWords& words, const std::string& name) {
   return found == words.surfaces.end() ? nullptr : &found->second;
 }
 
+// All "#rrggbb" of a text.
+std::vector<Tone> color_codes(std::string_view text) {
+  constexpr std::size_t digits = 6;
+  std::vector<Tone> found;
+  for (std::size_t at = text.find('#'); at != std::string_view::npos; at = text.find('#', at + 1)) {
+    const char* const begin = text.data() + at + 1;
+    const char* const end = begin + std::min(digits, text.size() - at - 1);
+    unsigned code = 0;
+    const auto [last, error] = std::from_chars(begin, end, code, 16);
+    const std::size_t after = at + 1 + digits;
+    const bool is_longer =
+        after < text.size() && std::isxdigit(static_cast<unsigned char>(text[after]));
+    if (error != std::errc() || last != begin + digits || is_longer) continue;
+    found.push_back(Eigen::Vector3i(code >> 16, code >> 8 & 0xff, code & 0xff).cast<float>());
+  }
+  return found;
+}
+
 class FinishReader {
  public:
   FinishReader(std::string_view text, const FinishWords& words)
-      : all_(roomgen::words(text)), words_(words) {
+      : all_(roomgen::words(text)), codes_(color_codes(text)), words_(words) {
     for (const auto& word : all_)
       if (const auto shade = words_.shades.find(word); shade != words_.shades.end())
         shades_.push_back(shade->second);
@@ -59,7 +79,7 @@ class FinishReader {
   }
 
   std::vector<Tone> tones() const {
-    std::vector<Tone> found;
+    std::vector<Tone> found = codes_;
     bool specific = false;  // the word before was: "navy blue" is navy
     for (const auto& word : all_) {
       const auto basic = words_.basic_colors.find(word);
@@ -69,11 +89,14 @@ class FinishReader {
       if (color != words_.colors.end()) found.push_back(shaded(color->second));
       if (stuff != words_.substances.end()) found.push_back(shaded(stuff->second.tone));
       specific = color != words_.colors.end();
+      const auto css = words_.css_colors.find(word);
+      if (css != words_.css_colors.end() && !words_.describes(word)) found.push_back(css->second);
     }
     return found;
   }
 
   std::vector<std::string> all_;
+  std::vector<Tone> codes_;
   std::vector<Shade> shades_;
   const FinishWords& words_;
 };
@@ -113,7 +136,7 @@ Finish covered(const Surface& surface, const Tone& tone, const Tone& second, Roo
   Finish finish;
   finish.material.name = name(part);
   finish.material.roughness = static_cast<float>(surface.roughness);
-  finish.material.base_color = material_color(tone);
+  finish.plain = finish.material.base_color = material_color(tone);
   if (!surface.pattern) return finish;
   finish.extent = texture_extent(*surface.pattern);
   finish.material.base_color = {1, 1, 1, 1};
@@ -160,16 +183,26 @@ Finish floor_finish(const Room& room) {
   return make_finish(room.materials.floor, RoomPart::floor, room.type);
 }
 
-Finish wall_finish(const Room& room) {
-  return make_finish(room.materials.walls, RoomPart::walls, room.type);
-}
-
 Finish ceiling_finish(const Room& room) {
   return make_finish(room.materials.ceiling, RoomPart::ceiling, room.type);
 }
 
-Finish accent_finish(const Room& room) {
-  return make_finish(room.materials.accent, RoomPart::walls, room.type);
+WallCoat wall_coat(const Room& room, std::size_t wall) {
+  const WallCover cover = cover_of(room, wall);
+  WallCoat coat{make_finish(cover.finish, RoomPart::walls, room.type), {}, 0.0};
+  if (!cover.lower) return coat;
+  const std::string& said = cover.lower->finish.empty() ? cover.finish : cover.lower->finish;
+  coat.lower = make_finish(said, RoomPart::walls, room.type);
+  coat.height = cover.lower->height;
+  return coat;
+}
+
+bool says_finish(std::string_view description, const FinishWords& words) {
+  const auto all = roomgen::words(description);
+  return !color_codes(description).empty() ||
+         std::any_of(all.begin(), all.end(), [&](const std::string& word) {
+           return words.describes(word) || words.css_colors.count(word) || words.alone.count(word);
+         });
 }
 
 }  // namespace roomgen

@@ -72,6 +72,16 @@ std::vector<UsualFinish> read_usual(const JsonReader& json) {
   return all;
 }
 
+void read_light(const JsonReader& json, FinishWords& words) {
+  json.allow_only({"sky", "level", "warmth"});
+  for (const auto& [word, said] : json["sky"].members())
+    for (const Sky sky : {Sky::clear, Sky::cloudy, Sky::overcast, Sky::night})
+      if (name(sky) == said.text()) words.skies[word] = sky;
+  for (const auto& [word, lux] : json["level"].members()) words.levels[word] = lux.number(0.0, 1e6);
+  for (const auto& [word, kelvin] : json["warmth"].members())
+    words.warmths[word] = kelvin.number(0.0, 1e5);
+}
+
 void check_references(const FinishWords& words, const JsonReader& root) {
   const auto check = [&](const std::string& surface, const JsonReader& where) {
     if (!words.surfaces.count(surface)) where.report("\"" + surface + "\" is no surface");
@@ -96,8 +106,8 @@ Result<FinishWords> parse_finish_words(std::string_view text, const std::string&
   if (!json) return json.error();
   JsonReader::Problems problems(source);
   const JsonReader root(*json, problems);
-  root.allow_only({"about", "surfaces", "substances", "basic colors", "colors", "shades", "fillers",
-                   "parts", "alone", "usual"});
+  root.allow_only({"about", "surfaces", "substances", "basic colors", "colors", "css colors",
+                   "shades", "fillers", "parts", "alone", "usual", "light"});
   FinishWords words;
   for (const auto& [name, entry] : root["surfaces"].members()) {
     words.surfaces[name] = read_surface(name, entry);
@@ -111,6 +121,7 @@ Result<FinishWords> parse_finish_words(std::string_view text, const std::string&
   }
   words.basic_colors = read_tones(root["basic colors"]);
   words.colors = read_tones(root["colors"]);
+  words.css_colors = read_tones(root["css colors"]);
   for (const auto& [word, entry] : root["shades"].members()) {
     entry.allow_only({"towards", "by"});
     words.shades[word] = {read_tone(entry["towards"]), entry["by"].number(0.0, 1.0)};
@@ -118,6 +129,7 @@ Result<FinishWords> parse_finish_words(std::string_view text, const std::string&
   for (const auto& word : root["fillers"].elements_or_none(500)) words.fillers.insert(word.text());
   words.parts = read_parts(root["parts"]);
   words.alone = read_parts(root["alone"]);
+  read_light(root["light"], words);
   const auto usual = root["usual"];
   usual.allow_only({"floor", "walls", "ceiling"});
   words.usual[RoomPart::floor] = read_usual(usual["floor"]);

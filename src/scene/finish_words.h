@@ -10,6 +10,7 @@
 
 #include "geometry/texture.h"
 #include "roomgen/base/result.h"
+#include "roomgen/scene/room.h"
 
 namespace roomgen {
 
@@ -56,7 +57,11 @@ struct FinishWords {
   Words<Substance> substances;
   Words<Tone> basic_colors;  ///< "green", which says less than "sage"
   Words<Tone> colors;
+  Words<Tone> css_colors;  ///< "lightsteelblue": understood where finishes are written, not said
   Words<Shade> shades;
+  Words<Sky> skies;
+  Words<double> levels;   ///< how bright, lux
+  Words<double> warmths;  ///< of lamps, kelvin
   std::set<std::string, std::less<>> fillers;  ///< may stand among the others, and change nothing
   Words<RoomPart> parts;                       ///< "floors"
   Words<RoomPart> alone;  ///< "hardwood", "exposed brick": name their part of the room themselves

@@ -15,6 +15,8 @@ const double sun_elevation = radians(38.0), sun_azimuth = radians(30.0);
 // A low sun through haze. The full one, a hundred times as bright, would leave lamps invisible and
 // viewers without an exposure white.
 constexpr double sun_lux = 1000.0;
+constexpr double incandescent = 2850.0;  // kelvin
+constexpr double sunrise = 6.0, sunset = 20.0;  // hours, where nobody says the season
 
 Eigen::Vector3f linear(float r, float g, float b) {
   return {linear_from_srgb(r), linear_from_srgb(g), linear_from_srgb(b)};
@@ -38,6 +40,13 @@ Vec3 place_of(const Object& object, const Lamp& lamp, const Room& room) {
                                    : bottom(object) - under_lamp;
   const Vec2 p = moved_inside(room.polygon, object.position.head<2>());
   return {p.x(), p.y(), std::clamp(z, from_surfaces, room.height - from_surfaces)};
+}
+
+bool burns(const Object& lamp, const Lighting& light, const KindTable& table) {
+  return !light.lamps ||
+         std::any_of(light.lamps->begin(), light.lamps->end(), [&](const std::string& said) {
+           return said == "all" || said == lamp.id || table.is_a(lamp.category, said);
+         });
 }
 
 const Opening* widest_window(const Room& room) {
@@ -70,16 +79,18 @@ std::vector<LampLight> lamp_lights(const Scene& scene, const KindTable& table) {
   std::vector<LampLight> lights;
   for (const auto& object : scene.objects) {
     const Kind& category = table.get(object.category);
-    if (!category.lamp) continue;
-    lights.push_back({object.id, place_of(object, *category.lamp, room_of(scene, object)),
-                      category.lamp->candela, radians(category.lamp->cone)});
+    const Room& room = room_of(scene, object);
+    if (!category.lamp || !burns(object, room.light, table)) continue;
+    lights.push_back({object.id, place_of(object, *category.lamp, room), category.lamp->candela,
+                      radians(category.lamp->cone),
+                      lamp_color(room.light.kelvin.value_or(incandescent))});
   }
   return lights;
 }
 
 std::optional<Sunlight> sunlight(const Room& room) {
   const Opening* window = widest_window(room);
-  if (!window) return std::nullopt;
+  if (!window || !is_day(room.light) || room.light.sky == Sky::overcast) return std::nullopt;
   const Segment line = segment(room, *window);
   const Vec2 middle = 0.5 * (line.a + line.b), in = inward(room, *window);
   const Vec2 left = rotated(in, sun_azimuth), right = rotated(in, -sun_azimuth);
@@ -92,8 +103,22 @@ std::optional<Sunlight> sunlight(const Room& room) {
   return sun;
 }
 
-Eigen::Vector3f lamp_color() {
-  return linear(255, 214, 170);
+bool is_day(const Lighting& light) {
+  if (light.sky) return *light.sky != Sky::night;
+  return !light.hour || (*light.hour >= sunrise && *light.hour <= sunset);
+}
+
+// Planck's law at the wavelengths of the primaries of sRGB, against a white to which eyes have half
+// adapted.
+Eigen::Vector3f lamp_color(double kelvin) {
+  constexpr double second_radiation = 1.438777e7;  // nanometres times kelvin
+  constexpr double white = 4400.0;
+  Eigen::Vector3f color;
+  int channel = 0;
+  for (const double nanometres : {612.0, 549.0, 464.0})
+    color[channel++] = static_cast<float>(std::expm1(second_radiation / (nanometres * white)) /
+                                          std::expm1(second_radiation / (nanometres * kelvin)));
+  return color / color.maxCoeff();
 }
 
 Eigen::Vector3f sun_color() {

@@ -1,5 +1,6 @@
 #include "roomgen/scene/plan.h"
 
+#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -7,6 +8,8 @@
 #include "document_parts.h"
 #include "file_limits.h"
 #include "file_walls.h"
+#include "room_look_json.h"
+#include "wanted_opening_json.h"
 #include "roomgen/base/file.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
@@ -144,6 +147,13 @@ std::vector<PlanGroup> read_groups(const JsonReader& json) {
   return groups;
 }
 
+// What the file says and cannot be is told once, also where the plan is written and read again.
+void add_remarks(const JsonReader::Problems& problems, Plan& plan) {
+  for (const auto& remark : problems.remarks())
+    if (std::find(plan.notes.begin(), plan.notes.end(), remark) == plan.notes.end())
+      plan.notes.push_back(remark);
+}
+
 }  // namespace
 
 int quantity_of(const Plan& plan, std::string_view category) {
@@ -171,6 +181,7 @@ Json to_json(const Plan& plan) {
   json["prompt"] = plan.prompt;
   json["seed"] = plan.seed;
   json["room"] = to_json(plan.room);
+  if (!plan.openings.empty()) json["openings"] = to_json(plan.openings);
   json["objects"] = Json::array();
   for (const auto& item : plan.items) json["objects"].push_back(item_json(item));
   for (const auto& group : plan.groups) json["groups"].push_back(group_json(group));
@@ -190,7 +201,7 @@ Result<Plan> plan_from_json(const Json& json, const std::string& source) {
   const JsonReader root(json, problems);
   if (root["format"].text_or("") != "roomgen-plan")
     root.report("not a plan: \"format\" must be \"roomgen-plan\"");
-  root.allow_only({"format", "version", "prompt", "seed", "room", "objects", "groups", "excluded", "notes",
+  root.allow_only({"format", "version", "prompt", "seed", "room", "openings", "objects", "groups", "excluded", "notes",
                    "requirements", "heard"});
   if (root["version"].integer_or(1, 1, 1000) != 1)
     root["version"].report("this version of roomgen reads version 1 only");
@@ -210,7 +221,12 @@ Result<Plan> plan_from_json(const Json& json, const std::string& source) {
     plan.requirements.push_back(read_requirement(element));
   plan.heard = read_heard(root["heard"]);
   if (problems.first()) return *problems.first();
-  const FileWalls walls(read_corners(root["room"]["polygon"]), plan.room.polygon);
+  const auto corners = read_corners(root["room"]["polygon"]);
+  plan.openings = read_wanted_openings(root["openings"], corners, plan.room);
+  remark_on_finishes(root["room"]["materials"]);
+  if (problems.first()) return *problems.first();
+  add_remarks(problems, plan);
+  const FileWalls walls(corners, plan.room.polygon);
   for (auto& item : plan.items) walls.rename(item.relations);
   for (auto& group : plan.groups) walls.rename(group.relations);
   return plan;

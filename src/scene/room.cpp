@@ -5,6 +5,7 @@
 
 #include "geometry/outline.h"
 #include "roomgen/base/text.h"
+#include "wall_sides.h"
 
 namespace roomgen {
 
@@ -153,6 +154,33 @@ std::size_t accent_wall(const Room& room) {
   return best;
 }
 
+WallCover& cover_named(RoomMaterials& materials, std::string_view wall) {
+  for (auto& cover : materials.covers)
+    if (cover.wall == wall) return cover;
+  return materials.covers.emplace_back(WallCover{std::string(wall), {}, {}});
+}
+
+std::string finish_named(const RoomMaterials& materials, std::string_view wall) {
+  for (const auto& cover : materials.covers)
+    if (cover.wall == wall) return cover.finish;
+  return "";
+}
+
+WallCover cover_of(const Room& room, std::size_t wall) {
+  WallCover found{"wall-" + std::to_string(wall), room.materials.walls, {}};
+  bool is_said = false;
+  for (const auto& cover : room.materials.covers) {
+    if (cover.wall.empty() && !found.lower) found.lower = cover.lower;
+    const auto meant = walls_named(room, cover.wall);
+    if (is_said || std::find(meant.begin(), meant.end(), wall) == meant.end()) continue;
+    is_said = true;
+    if (!cover.finish.empty()) found.finish = cover.finish;
+    if (cover.lower) found.lower = cover.lower;
+  }
+  if (found.lower && found.lower->height <= 0.0) found.lower.reset();
+  return found;
+}
+
 const Opening* find_opening(const Room& room, std::string_view id) {
   for (const auto& opening : room.openings)
     if (opening.id == id) return &opening;
@@ -195,6 +223,16 @@ std::string_view name(DoorSwing swing) {
     case DoorSwing::in: return "in";
     case DoorSwing::out: return "out";
     case DoorSwing::sliding: return "sliding";
+  }
+  return "";
+}
+
+std::string_view name(Sky sky) {
+  switch (sky) {
+    case Sky::clear: return "clear";
+    case Sky::cloudy: return "cloudy";
+    case Sky::overcast: return "overcast";
+    case Sky::night: return "night";
   }
   return "";
 }

@@ -7,6 +7,7 @@
 #include "file_limits.h"
 #include "file_walls.h"
 #include "geometry/outline.h"
+#include "room_look_json.h"
 #include "roomgen/base/file.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
@@ -60,8 +61,9 @@ Joinery read_joinery(const JsonReader& json) {
 }
 
 Opening read_opening(const JsonReader& json) {
-  json.allow_only({"id", "type", "wall", "from", "to", "sill", "head", "hinge", "swing", "kind", "leaves",
-                   "glazed", "outline", "asset", "in_wall", "mirrored", "side_by_side", "leads_to"});
+  json.allow_only({"id", "type", "wall", "from", "to", "sill", "head", "hinge", "swing", "kind",
+                   "leaves", "glazed", "outline", "asset", "in_wall", "mirrored", "side_by_side",
+                   "leads_to", "for"});
   Opening opening;
   opening.type = read_name(json["type"], OpeningType::door,
                            std::array{OpeningType::door, OpeningType::window, OpeningType::passage});
@@ -83,6 +85,7 @@ Opening read_opening(const JsonReader& json) {
   opening.outline = read_outline(json["outline"]);
   opening.joinery = read_joinery(json);
   opening.leads_to = json["leads_to"].text_or("", 200);
+  opening.purpose = json["for"].text_or("", 1000);
   return opening;
 }
 
@@ -113,6 +116,7 @@ Json opening_json(const Opening& opening) {
   for (const auto& p : opening.outline) json["outline"].push_back({rounded(p.x()), rounded(p.y())});
   add_joinery(json, opening.joinery);
   if (!opening.leads_to.empty()) json["leads_to"] = opening.leads_to;
+  if (!opening.purpose.empty()) json["for"] = opening.purpose;
   return json;
 }
 
@@ -171,17 +175,13 @@ Json to_json(const Room& room) {
   json["height"] = rounded(room.height);
   json["openings"] = Json::array();
   for (const auto& opening : room.openings) json["openings"].push_back(opening_json(opening));
-  Json materials = Json::object();
-  if (!room.materials.floor.empty()) materials["floor"] = room.materials.floor;
-  if (!room.materials.walls.empty()) materials["walls"] = room.materials.walls;
-  if (!room.materials.ceiling.empty()) materials["ceiling"] = room.materials.ceiling;
-  if (!room.materials.accent.empty()) materials["accent"] = room.materials.accent;
-  if (!materials.empty()) json["materials"] = materials;
+  add_look(json, room);
   return json;
 }
 
 Room read_room(const JsonReader& json) {
-  json.allow_only({"format", "version", "id", "type", "polygon", "height", "openings", "materials"});
+  json.allow_only({"format", "version", "id", "type", "polygon", "height", "openings", "materials",
+                   "light", "style", "palette"});
   Room room;
   room.id = json["id"].text_or("", 200);
   room.type = json["type"].text_or("", 200);
@@ -189,18 +189,13 @@ Room read_room(const JsonReader& json) {
   const auto points = read_corners(json["polygon"]);
   for (const auto& element : json["openings"].elements_or_none(max_openings))
     room.openings.push_back(read_opening(element));
-  const auto materials = json["materials"];
-  materials.allow_only({"floor", "walls", "ceiling", "accent"});
-  if (materials.exists())
-    room.materials = {materials["floor"].text_or(""), materials["walls"].text_or(""),
-                      materials["ceiling"].text_or(""), materials["accent"].text_or("")};
-
   auto polygon = make_polygon(points);
   if (!polygon) {
     json["polygon"].report(polygon.error().message);
     return room;
   }
   room.polygon = *std::move(polygon);
+  read_look(json, FileWalls(points, room.polygon), room);
   move_openings(room, points, json["openings"]);
   if (auto status = check(room); !status) json.report(status.error().message);
   return room;
@@ -215,7 +210,7 @@ Result<Room> read_room_file(const std::filesystem::path& path) {
   // A whole scene or plan serves as well: its room is taken.
   const JsonReader root(*json, problems);
   Room room = read_room(json->is_object() && json->contains("room") ? root["room"] : root);
-  if (problems.first()) return *problems.first();
+  if (auto status = problems.all(); !status) return status.error();
   return room;
 }
 

@@ -5,6 +5,7 @@
 
 #include "finish.h"
 #include "geometry/difference.h"
+#include "geometry/outline.h"
 #include "joinery.h"
 #include "wall_builder.h"
 #include "woodwork.h"
@@ -12,6 +13,8 @@
 namespace roomgen {
 
 namespace {
+
+constexpr double rail_height = 0.04, rail_depth = 0.015;  // metres
 
 using detail::add_quad;
 using detail::least_length;
@@ -83,33 +86,44 @@ Model ceiling_sheet(const Room& room) {
   return {{{std::move(sheet), 0}}, {finish.material}, {}};
 }
 
+// The faces of a wall that are covered alike, above and below the height of the coat.
+struct CoatedFaces {
+  WallCoat coat;
+  Mesh upper, lower;
+};
+
 // The faces of one wall, sorted by what they are made of.
 struct WallMeshes {
-  Mesh painted, reveals, top;
-  std::vector<std::pair<const Room*, Mesh>> of_others;  ///< painted as another room is
+  CoatedFaces own;
+  Mesh reveals, top;
+  std::vector<std::pair<const WallNeighbours::Stretch*, CoatedFaces>> of_others;
 
-  Mesh& outer(const Room* behind) {
-    if (!behind) return painted;
-    for (auto& [room, mesh] : of_others)
-      if (room == behind) return mesh;
-    return of_others.emplace_back(behind, Mesh()).second;
+  CoatedFaces& outer(const WallNeighbours::Stretch* behind) {
+    if (!behind) return own;
+    for (auto& [stretch, faces] : of_others)
+      if (stretch == behind) return faces;
+    return of_others
+        .emplace_back(behind, CoatedFaces{wall_coat(*behind->room, behind->wall), {}, {}})
+        .second;
   }
 };
 
 class WallSolid {
  public:
-  WallSolid(const WallFrame& frame, double height, double uv_extent)
-      : frame_(frame), height_(height), uv_scale_(1.0 / uv_extent) {}
+  WallSolid(const WallFrame& frame, double height, WallCoat coat)
+      : frame_(frame), height_(height), uv_scale_(1.0 / coat.upper.extent) {
+    meshes_.own.coat = std::move(coat);
+  }
 
   void add_column(const WallColumn& column) {
     for (const auto& piece : column.solid) {
-      add_face(meshes_.painted, column, piece, false);
+      add_face(meshes_.own, column, piece, false);
       add_face(meshes_.outer(column.behind), column, piece, true);
       const bool at_top = std::min(piece.from.high, piece.to.high) > height_ - least_length;
       const bool at_floor = std::max(piece.from.low, piece.to.low) < least_length;
       add_edge(at_top ? meshes_.top : meshes_.reveals, column, piece.from.high, piece.to.high,
                true);
-      add_edge(at_floor ? meshes_.painted : meshes_.reveals, column, piece.from.low, piece.to.low,
+      add_edge(at_floor ? meshes_.own.upper : meshes_.reveals, column, piece.from.low, piece.to.low,
                false);
     }
   }
@@ -118,7 +132,7 @@ class WallSolid {
   void add_jambs(double s, const std::vector<WallPiece>& left,
                  const std::vector<WallPiece>& right) {
     const bool at_end = s < least_length || s > frame_.length - least_length;
-    Mesh& mesh = at_end ? meshes_.painted : meshes_.reveals;
+    Mesh& mesh = at_end ? meshes_.own.upper : meshes_.reveals;
     std::vector<Span> before, after;
     for (const auto& piece : left) before.push_back(piece.to);
     for (const auto& piece : right) after.push_back(piece.from);
@@ -146,18 +160,34 @@ class WallSolid {
     return {static_cast<float>(s * uv_scale_), static_cast<float>(-z * uv_scale_)};
   }
 
-  void add_face(Mesh& mesh, const WallColumn& column, const WallPiece& z, bool outer) const {
+  // An upper and a lower part where the coat changes; who is outdoors sees no panelling.
+  void add_face(CoatedFaces& faces, const WallColumn& column, const WallPiece& z,
+                bool outer) const {
     const double s0 = column.from, s1 = column.to;
-    std::array<Vec3, 4> points = {
-        frame_.corner(s0, outer, z.from.low), frame_.corner(s1, outer, z.to.low),
-        frame_.corner(s1, outer, z.to.high), frame_.corner(s0, outer, z.from.high)};
-    std::array<Eigen::Vector2f, 4> uvs = {uv(s0, z.from.low), uv(s1, z.to.low), uv(s1, z.to.high),
-                                          uv(s0, z.from.high)};
+    const std::vector<Vec2> outline = {
+        {s0, z.from.low}, {s1, z.to.low}, {s1, z.to.high}, {s0, z.from.high}};
+    if (!faces.coat.lower || (outer && !column.behind))
+      return add_outline(faces.upper, outline, outer, faces.coat.upper.extent);
+    const double height = faces.coat.height;
+    add_outline(faces.lower, clipped(outline, {0, 1}, height), outer, faces.coat.lower->extent);
+    add_outline(faces.upper, clipped(outline, {0, -1}, -height), outer, faces.coat.upper.extent);
+  }
+
+  void add_outline(Mesh& mesh, const std::vector<Vec2>& outline, bool outer, double extent) const {
+    if (outline.size() < 3 || signed_area(outline) < least_length * least_length) return;
+    std::vector<Vec3> points;
+    std::vector<Eigen::Vector2f> uvs;
+    for (const auto& p : outline) {
+      points.push_back(frame_.corner(p.x(), outer, p.y()));
+      uvs.push_back(Vec2(p.x() / extent, -p.y() / extent).cast<float>());
+    }
     if (!outer) {
       std::reverse(points.begin(), points.end());
       std::reverse(uvs.begin(), uvs.end());
     }
-    add_quad(mesh, points, uvs);
+    const double side = outer ? 1.0 : -1.0;
+    detail::add_face(mesh, points, uvs,
+                     Vec3(side * frame_.outward.x(), side * frame_.outward.y(), 0.0));
   }
 
   void add_edge(Mesh& mesh, const WallColumn& column, double z0, double z1, bool up) const {
@@ -186,13 +216,13 @@ class WallSolid {
   WallMeshes meshes_;
 };
 
-WallMeshes wall_solid(const Room& room, std::size_t wall, double height, double uv_extent,
+WallMeshes wall_solid(const Room& room, std::size_t wall, double height,
                       const WallNeighbours& neighbours) {
   WallFrame frame = detail::wall_frame(room, wall);
   // Where the post at a corner is another room's, the wall ends square against it.
   if (neighbours.built_before) frame.outer_from = 0.0;
   if (neighbours.built_behind) frame.outer_to = frame.length;
-  WallSolid solid(frame, height, uv_extent);
+  WallSolid solid(frame, height, wall_coat(room, wall));
   std::vector<WallPiece> before;
   for (const auto& column : detail::wall_columns(room, wall, height, neighbours)) {
     solid.add_column(column);
@@ -209,22 +239,41 @@ void add_part(Model& model, Mesh mesh, const Material& material) {
   model.materials.push_back(material);
 }
 
-Model wall_model(const Room& room, std::size_t wall, const Finish& finish,
-                 const ShellOptions& options, const WallNeighbours& neighbours) {
+void add_faces(Model& model, CoatedFaces faces) {
+  add_part(model, std::move(faces.upper), faces.coat.upper.material);
+  if (faces.coat.lower) add_part(model, std::move(faces.lower), faces.coat.lower->material);
+}
+
+// On the upper edge of panelling or tiles.
+void add_rail(Model& model, const Room& room, std::size_t wall, double height) {
+  const WallCoat coat = wall_coat(room, wall);
+  if (!coat.lower || coat.height > height) return;
+  Material plain;
+  plain.name = "rail";
+  plain.base_color = coat.lower->plain;
+  plain.roughness = coat.lower->material.roughness;
+  const double low = std::max(0.0, coat.height - rail_height);
+  add_part(model, detail::wall_board(room, wall, height, {low, coat.height, rail_depth}), plain);
+}
+
+Model wall_model(const Room& room, std::size_t wall, const ShellOptions& options,
+                 const WallNeighbours& neighbours) {
   const double height = height_of(room, options, wall);
-  WallMeshes meshes = wall_solid(room, wall, height, finish.extent, neighbours);
-  Material top = finish.material;
+  WallMeshes meshes = wall_solid(room, wall, height, neighbours);
+  Material top = meshes.own.coat.upper.material;
   if (options.top_color.x() >= 0) {
     top = Material{};
     top.name = "wall top";
     top.base_color = material_color(options.top_color);
   }
   Model model;
-  add_part(model, std::move(meshes.painted), finish.material);
-  for (auto& [other, mesh] : meshes.of_others)
-    add_part(model, std::move(mesh), wall_finish(*other).material);
+  add_faces(model, std::move(meshes.own));
+  for (auto& [stretch, faces] : meshes.of_others) add_faces(model, std::move(faces));
   add_part(model, std::move(meshes.top), top);
-  if (options.skirting) append(meshes.reveals, detail::skirting_board(room, wall, height));
+  if (options.skirting) {
+    append(meshes.reveals, detail::skirting_board(room, wall, height));
+    add_rail(model, room, wall, height);
+  }
   add_part(model, std::move(meshes.reveals), detail::woodwork_paint());
   return model;
 }
@@ -263,15 +312,10 @@ std::vector<ShellPart> room_shell(std::span<const Room> rooms, std::size_t index
   const Room& room = rooms[index];
   std::vector<ShellPart> shell;
   shell.push_back({"floor", floor_slab(room, floor_outline(rooms, index), options)});
-  const Finish finish = wall_finish(room);
-  const bool has_accent = !room.materials.accent.empty();
-  const Finish accent = has_accent ? accent_finish(room) : finish;
-  const std::size_t accented = accent_wall(room);
   const auto neighbours = neighbours_of_walls(rooms, index);
   for (std::size_t wall = 0; wall < room.polygon.size(); ++wall)
     shell.push_back(
-        {"wall-" + std::to_string(wall),
-         wall_model(room, wall, wall == accented ? accent : finish, options, neighbours[wall])});
+        {"wall-" + std::to_string(wall), wall_model(room, wall, options, neighbours[wall])});
   if (options.ceiling) shell.push_back({"ceiling", ceiling_sheet(room)});
   for (const auto& opening : room.openings) {
     if (neighbours[opening.wall].is_built(0.5 * (opening.from + opening.to))) continue;

@@ -155,7 +155,7 @@ Result<Scene> scene_from_json(const Json& json, const std::string& source) {
   for (const auto& element : root["program"].elements_or_none(max_objects))
     scene.program.push_back({element["name"].text(200), element["held"].boolean_or(false),
                              element["amount"].number_or(0.0, 0.0, 1e12)});
-  if (problems.first()) return *problems.first();
+  if (auto status = problems.all(); !status) return status.error();
   rename_walls(scene, root);
   if (auto status = check(scene); !status) return with_context(status.error(), source);
   return scene;

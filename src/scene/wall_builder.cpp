@@ -147,6 +147,18 @@ void add_quad(Mesh& mesh, const std::array<Vec3, 4>& points) {
   add_quad(mesh, points, {Eigen::Vector2f(0, 0), {1, 0}, {1, 1}, {0, 1}});
 }
 
+void add_face(Mesh& mesh, const std::vector<Vec3>& points, const std::vector<Eigen::Vector2f>& uvs,
+              const Vec3& normal) {
+  const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    mesh.positions.push_back(points[i].cast<float>());
+    mesh.normals.push_back(normal.cast<float>());
+    mesh.uvs.push_back(uvs[i]);
+  }
+  for (std::uint32_t i = 2; i < points.size(); ++i)
+    mesh.triangles.push_back({first, first + i - 1, first + i});
+}
+
 void add_box(Mesh& mesh, const WallFrame& frame, const Vec3& low, const Vec3& high) {
   if ((high - low).minCoeff() <= least_length) return;
   const auto p = [&](int s, int d, int z) {
@@ -194,9 +206,9 @@ bool WallNeighbours::is_built(double s) const {
                      [&](const Span& span) { return span.low < s && s < span.high; });
 }
 
-const Room* WallNeighbours::room_behind(double s) const {
+const WallNeighbours::Stretch* WallNeighbours::stretch_behind(double s) const {
   for (const auto& stretch : behind)
-    if (stretch.span.low < s && s < stretch.span.high) return stretch.room;
+    if (stretch.span.low < s && s < stretch.span.high) return &stretch;
   return nullptr;
 }
 
@@ -214,7 +226,7 @@ WallNeighbours wall_neighbours(std::span<const Room> rooms, std::size_t index, s
       if (const auto span = facing_span(edge, shell.edge(k)); span && other < index)
         neighbours.built.push_back(*span);
       if (const auto span = facing_span(outer, inner.edge(k)); span && other > index)
-        neighbours.behind.push_back({*span, &rooms[other]});
+        neighbours.behind.push_back({*span, &rooms[other], k});
     }
   }
   return neighbours;
@@ -228,7 +240,7 @@ std::vector<WallColumn> wall_columns(const Room& room, std::size_t wall, double 
   for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
     WallColumn column{cuts[i], cuts[i + 1], {}, nullptr};
     const double middle = 0.5 * (column.from + column.to);
-    column.behind = neighbours.room_behind(middle);
+    column.behind = neighbours.stretch_behind(middle);
     std::vector<WallPiece> parts;
     for (const auto& hole : holes)
       if (const auto part = part_in_strip(hole, column.from, column.to)) parts.push_back(*part);

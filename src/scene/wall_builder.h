@@ -31,6 +31,9 @@ WallFrame wall_frame(const Room& room, std::size_t wall);
 void add_quad(Mesh& mesh, const std::array<Vec3, 4>& points,
               const std::array<Eigen::Vector2f, 4>& uvs);
 void add_quad(Mesh& mesh, const std::array<Vec3, 4>& points);
+/// Appends a convex face with this normal, counter-clockwise from outside.
+void add_face(Mesh& mesh, const std::vector<Vec3>& points, const std::vector<Eigen::Vector2f>& uvs,
+              const Vec3& normal);
 /// Appends the solid between depths d0 and d1 behind an outline in metres along the wall and height,
 /// counter-clockwise; nothing if it is empty.
 void add_prism(Mesh& mesh, const WallFrame& frame, const std::vector<Vec2>& outline, double d0,
@@ -47,13 +50,14 @@ struct WallNeighbours {
   struct Stretch {
     Span span;
     const Room* room = nullptr;
+    std::size_t wall = 0;  ///< of that room
   };
-  std::vector<Span> built;      ///< that an earlier room has built
+  std::vector<Span> built;  ///< that an earlier room has built
   std::vector<Stretch> behind;  ///< where the outer face is the inner face of a later room
   bool built_before = false, built_behind = false;  ///< the post at its start, at its end
 
   bool is_built(double s) const;
-  const Room* room_behind(double s) const;
+  const Stretch* stretch_behind(double s) const;
 };
 WallNeighbours wall_neighbours(std::span<const Room> rooms, std::size_t index, std::size_t wall);
 
@@ -65,10 +69,11 @@ struct WallPiece {
 struct WallColumn {
   double from, to;
   std::vector<WallPiece> solid;
-  const Room* behind = nullptr;  ///< whose paint its outer face has; null: its own room's
+  const WallNeighbours::Stretch* behind = nullptr;  ///< whose paint its outer face has
 };
-/// The wall up to `height`, cut into strips at the corners of its openings and at its neighbours.
+/// The wall up to `height`, cut into strips at the corners of its openings and at its neighbours,
+/// who must outlive them.
 std::vector<WallColumn> wall_columns(const Room& room, std::size_t wall, double height,
-                                     const WallNeighbours& neighbours = {});
+                                     const WallNeighbours& neighbours);
 
 }  // namespace roomgen::detail

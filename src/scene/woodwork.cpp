@@ -207,17 +207,21 @@ Model opening_woodwork(const Room& room, const Opening& opening, double height,
   return door(opening, joiner, options);
 }
 
-Mesh skirting_board(const Room& room, std::size_t wall, double height) {
+Mesh wall_board(const Room& room, std::size_t wall, double height, const Board& board) {
   Mesh mesh;
   const WallFrame frame = wall_frame(room, wall);
-  const double top = std::min(skirting_height, height);
-  for (const auto& column : wall_columns(room, wall, height)) {
-    const auto stands_on_floor = [&](const Span& z) { return z.low <= 0.0 && z.high >= top; };
-    if (!column.solid.empty() && stands_on_floor(column.solid.front().from) &&
-        stands_on_floor(column.solid.front().to))
-      add_box(mesh, frame, {column.from, -skirting_depth, 0.0}, {column.to, 0.0, top});
+  const WallNeighbours alone;
+  for (const auto& column : wall_columns(room, wall, height, alone)) {
+    const auto spans = [&](const Span& z) { return z.low <= board.low && z.high >= board.high; };
+    if (std::any_of(column.solid.begin(), column.solid.end(),
+                    [&](const WallPiece& piece) { return spans(piece.from) && spans(piece.to); }))
+      add_box(mesh, frame, {column.from, -board.depth, board.low}, {column.to, 0.0, board.high});
   }
   return mesh;
+}
+
+Mesh skirting_board(const Room& room, std::size_t wall, double height) {
+  return wall_board(room, wall, height, {0.0, std::min(skirting_height, height), skirting_depth});
 }
 
 }  // namespace roomgen::detail

@@ -9,7 +9,14 @@ namespace roomgen::detail {
 /// none.
 Model opening_woodwork(const Room& room, const Opening& opening, double height,
                        const ShellOptions& options);
-/// The board along the foot of a wall.
+/// A board along a wall, metres.
+struct Board {
+  double low = 0.0, high = 0.0;  ///< over the floor
+  double depth = 0.0;            ///< that it stands out
+};
+/// Wherever the wall is solid from its lower to its upper edge.
+Mesh wall_board(const Room& room, std::size_t wall, double height, const Board& board);
+/// The one along the foot of a wall.
 Mesh skirting_board(const Room& room, std::size_t wall, double height);
 /// White paint of frames and boards.
 Material woodwork_paint();

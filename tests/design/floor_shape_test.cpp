@@ -7,7 +7,7 @@
 #include "brief/room_kinds.h"
 #include "catch.h"
 #include "plan/floor_plan.h"
-#include "plan/wall_sides.h"
+#include "scene/wall_sides.h"
 #include "plans.h"
 
 using namespace roomgen;

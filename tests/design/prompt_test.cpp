@@ -471,7 +471,7 @@ TEST_CASE("words of style are heard where they speak of the room") {
 TEST_CASE("what floor, walls and ceiling are covered with") {
   const auto materials = [](const std::string& prompt) {
     const RoomMaterials m = read_brief(prompt).materials;
-    return m.floor + "|" + m.walls + "|" + m.ceiling + "|" + m.accent;
+    return m.floor + "|" + m.walls + "|" + m.ceiling + "|" + finish_named(m, accent_name);
   };
   CHECK(materials("A bedroom with an oak floor and sage walls") == "oak floor|sage walls||");
   CHECK(materials("bedroom, dark hardwood floors, white brick walls, a bed") ==
@@ -498,7 +498,7 @@ TEST_CASE("things of those materials are no floors and walls") {
         "a study with walls and white bookshelves", "a room with wall with white shelves"}) {
     INFO(prompt);
     const RoomMaterials m = read_brief(prompt).materials;
-    CHECK((m.floor + m.walls + m.ceiling + m.accent).empty());
+    CHECK((m.floor + m.walls + m.ceiling + finish_named(m, accent_name)).empty());
   }
   CHECK(things(read_brief("a bedroom with a bed, oak floors, a striped wallpaper and a wardrobe")) ==
         "1 bed, 1 wardrobe");
@@ -508,7 +508,7 @@ TEST_CASE("things of those materials are no floors and walls") {
 
 TEST_CASE("things still stand where the wall is spoken of") {
   const Brief brief = read_brief("a bedroom with a picture on the white wall");
-  CHECK(brief.materials.accent == "white wall");
+  CHECK(finish_named(brief.materials, accent_name) == "white wall");
   REQUIRE(brief.mentions.size() == 1);
   CHECK(places(brief, 0) == places(read_brief("a bedroom with a picture on the wall"), 0));
 }

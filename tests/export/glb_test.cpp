@@ -123,6 +123,37 @@ Model textured_box(bool hollow) {
 
 }  // namespace
 
+TEST_CASE("a wall's mesh has the colours of its upper and its lower part, and no other wall has") {
+  Scene scene = test::furnished_room();
+  scene.room.materials.covers = {{"wall-1", "#ff0000", WallBand{"#0000ff", 1.0}}};
+  const Glb glb = write_and_parse(scene, {});
+  for (std::size_t k = 0; k < scene.room.polygon.size(); ++k) {
+    const Json& node = glb.node("wall-" + std::to_string(k));
+    // Heights that faces of this colour reach; glTF is Y up.
+    const auto heights = [&](const std::vector<double>& color) {
+      Bounds3 box;
+      for (const auto& primitive : glb.json["meshes"][node["mesh"].get<std::size_t>()]["primitives"]) {
+        const Json& material = glb.json["materials"][primitive["material"].get<std::size_t>()];
+        const auto& factor = material["pbrMetallicRoughness"]["baseColorFactor"];
+        const bool is_wall = material["name"].get<std::string>().starts_with("wall");
+        if (!is_wall || !factor.is_array() || factor.get<std::vector<double>>() != color) continue;
+        for (const auto& p : glb.vectors(glb.json["accessors"][primitive["attributes"]["POSITION"].get<std::size_t>()])) box.add(p);
+      }
+      return box;
+    };
+    const Bounds3 red = heights({1, 0, 0, 1}), blue = heights({0, 0, 1, 1});
+    INFO("wall " << k);
+    if (k != 1) {
+      CHECK(red.low.y() > red.high.y());
+      CHECK(blue.low.y() > blue.high.y());
+      continue;
+    }
+    CHECK(red.high.y() == Approx(scene.room.height));
+    CHECK(blue.low.y() == Approx(0.0).margin(1e-6));
+    CHECK(blue.high.y() == Approx(1.0));
+  }
+}
+
 TEST_CASE("nodes put every object's box where the scene says") {
   Scene scene = test::furnished_room();
   ModelTable models;

@@ -77,6 +77,28 @@ TEST_CASE("a red box lies where the plan says, turned as it says") {
   }
 }
 
+TEST_CASE("each wall is drawn as it is covered, below and above its panelling") {
+  auto renderer = make_renderer();
+  Scene scene;
+  scene.room = test::plain_room();
+  scene.room.openings.clear();
+  scene.room.materials.covers = {{"north", "#e02020", WallBand{"#20e020", 1.2}}, {"east", "#2020e0", {}}};
+  const View view = view_of(View::Kind::isometric, 400);
+  const Image image = draw(*renderer, scene, view);
+  const Bounds2 floor = bounds(scene.room.polygon);
+  const auto strongest = [&](const Vec3& point) {
+    const Pixel pixel = pixel_at(image, scene, view, point);
+    return pixel.r > pixel.g && pixel.r > pixel.b ? 'r' : pixel.g > pixel.b ? 'g' : 'b';
+  };
+  for (double t = 0.2; t < 0.9; t += 0.1) {
+    INFO(t);
+    const double x = floor.low.x() + t * floor.size().x(), y = floor.low.y() + t * floor.size().y();
+    CHECK(strongest({x, floor.high.y(), 2.0}) == 'r');
+    CHECK(strongest({x, floor.high.y(), 0.6}) == 'g');
+    CHECK(strongest({floor.high.x(), y, 0.6}) == 'b');
+  }
+}
+
 TEST_CASE("the same scene gives the same pixels, from one renderer or another") {
   auto one = make_renderer(), other = make_renderer();
   const Scene scene = test::furnished_room();

@@ -208,11 +208,57 @@ TEST_CASE("one wall may differ from the others") {
   Room room = test::plain_room();
   CHECK(accent_wall(room) == 1);  // no longer one without an opening
   room.materials.walls = "white walls";
-  room.materials.accent = "navy wall";
+  cover_named(room.materials, accent_name).finish = "navy wall";
   for (const auto& part : room_shell(room)) {
     if (!part.name.starts_with("wall-")) continue;
     const bool dark = part.model.materials[0].base_color[0] < 0.3f;
     CHECK(dark == (part.name == "wall-1"));
+  }
+}
+
+namespace {
+
+// Area of a part's faces towards the room between two heights, of a material.
+double area_towards(const ShellPart& part, const Vec2& inward, const std::array<float, 4>& color, double low, double high) {
+  double area = 0.0;
+  for (const auto& piece : part.model.parts) {
+    if (part.model.materials[static_cast<std::size_t>(piece.material)].base_color != color) continue;
+    for (const auto& t : piece.mesh.triangles) {
+      const Vec3 a = piece.mesh.positions[t[0]].cast<double>(), b = piece.mesh.positions[t[1]].cast<double>(),
+                 c = piece.mesh.positions[t[2]].cast<double>();
+      const Vec3 twice = (b - a).cross(c - a);
+      const double z = (a.z() + b.z() + c.z()) / 3.0;
+      if (twice.norm() > 1e-9 && twice.normalized().head<2>().dot(inward) > 0.99 && z > low && z < high)
+        area += 0.5 * twice.norm();
+    }
+  }
+  return area;
+}
+
+}  // namespace
+
+TEST_CASE("every wall has the finish that is said of it, and its lower part another") {
+  Room room = test::plain_room();
+  room.openings.clear();
+  const std::vector<Eigen::Vector3f> colors = {{200, 10, 10}, {10, 200, 10}, {10, 10, 200}, {200, 200, 10}};
+  const std::array<std::string, 4> words = {"#c80a0a", "#0ac80a", "#0a0ac8", "#c8c80a"};
+  const std::array<std::string, 4> walls = {"south", "wall-1", "north", "west"};
+  for (std::size_t k = 0; k < 4; ++k) room.materials.covers.push_back({walls[k], words[k], {}});
+  room.materials.covers.insert(room.materials.covers.begin(), WallCover{"", "", WallBand{"#0a0a0a", 1.1}});
+  room.materials.covers[2].lower = WallBand{"", 0.0};  // wall 1 has none
+  ShellOptions options;
+  options.skirting = false;
+  for (const auto& part : room_shell(room, options)) {
+    if (!part.name.starts_with("wall-")) continue;
+    INFO(part.name);
+    const std::size_t k = std::stoul(part.name.substr(5));
+    const Vec2 inward = room.polygon.inward(k);
+    const double length = room.polygon.edge(k).length(), height = room.height;
+    const double band = k == 1 ? 0.0 : 1.1;
+    CHECK(area_towards(part, inward, material_color(colors[k]), 0.0, height) == Approx(length * (height - band)));
+    CHECK(area_towards(part, inward, material_color({10, 10, 10}), 0.0, band + 1e-6) == Approx(length * band));
+    CHECK(measure(part.model).volume > 0.0);
+    CHECK(measure(part.model).area_vector.norm() < 1e-6);  // closed
   }
 }
 
@@ -231,7 +277,7 @@ TEST_CASE("words choose floors and walls, the room's type the rest") {
   room.type = "bathroom";
   CHECK(floor_finish(room).extent == tiles.extent);
   room.materials.walls = "sage green";
-  const auto color = wall_finish(room).material.base_color;
+  const auto color = wall_coat(room, 0).upper.material.base_color;
   CHECK(color[1] > color[0]);
   CHECK(color[1] > color[2]);
 }

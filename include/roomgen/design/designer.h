@@ -101,6 +101,13 @@ std::unique_ptr<Designer> make_rule_designer();
 /// rules, and the designer plans each of them with what the prompt says of it.
 Result<std::optional<DwellingPlan>> plan_dwelling(const PlanRequest& request, Designer& designer);
 
+/// Settles what a plan leaves to rules before it is furnished: openings that are wanted get places
+/// (Plan::openings); where the room has a style or a palette, what nobody said of floor, walls and
+/// things is chosen by them. Notes tell what is left out, and where the plan says it
+/// ("/openings/2: ...").
+void settle(Plan& plan);
+void settle(DwellingPlan& plan);
+
 /// What the model sees and says of each object (papers: RoomGen, section 4.4.1). The fusion's alpha
 /// belongs to it: 1 for the first two, where there is no suggestion to follow.
 enum class ModelMode {

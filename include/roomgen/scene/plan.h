@@ -65,11 +65,24 @@ struct PlanGroup {
   std::map<std::pair<std::string, std::size_t>, int> units;  ///< by part and number, of groups within the group
 };
 
+/// A door, window or passage that a room shall have, and has no place yet.
+struct WantedOpening {
+  std::string kind;  ///< of data/openings.json: "french door"
+  std::string wall;  ///< "wall-2", or a side of the compass ("north": +Y); empty: any
+  std::optional<double> at;      ///< its middle: part of the way from the wall's first corner
+  std::optional<double> offset;  ///< the same, metres from the wall's middle to its second corner
+  std::optional<double> width, sill, head;  ///< metres; else as its kind has it
+  std::string purpose;           ///< what it is for, in words
+
+  bool operator==(const WantedOpening&) const = default;
+};
+
 /// What a designer makes of a prompt: the empty room and its inventory, in the order of placement.
 struct Plan {
   std::string prompt;
   std::uint64_t seed = 0;
   Room room;
+  std::vector<WantedOpening> openings;  ///< besides those of the room; settle() (design/designer.h)
   std::vector<PlanItem> items;
   std::vector<PlanGroup> groups;
   std::vector<std::string> excluded;  ///< categories that the prompt forbids

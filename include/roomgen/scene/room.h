@@ -1,7 +1,9 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "roomgen/base/result.h"
@@ -58,16 +60,61 @@ struct Opening {
   std::vector<Vec2> outline;
   Joinery joinery;
   std::string leads_to;  ///< of a door or passage in a dwelling: id of the next room; empty: outdoors
+  std::string purpose;   ///< what it is for, in words: "to the garden"
 
   double width() const { return to - from; }
   bool is_entrance() const { return type != OpeningType::window; }
 };
 
-/// What the room is covered with, in words ("oak floor", "sage walls"; docs/materials.md); may be empty.
+/// The lower part of a wall that is covered otherwise: panelling, tiles up to a height.
+struct WallBand {
+  std::string finish;   ///< words; empty: as the wall above it
+  double height = 0.0;  ///< metres from the floor; 0: there is none
+
+  bool operator==(const WallBand&) const = default;
+};
+
+/// How some walls are covered. What it leaves open is as with the others.
+struct WallCover {
+  /// "wall-2"; a side of the compass ("north": +Y) for all walls on it; "accent" for accent_wall();
+  /// empty for the others.
+  std::string wall;
+  std::string finish;  ///< words
+  std::optional<WallBand> lower;
+
+  bool operator==(const WallCover&) const = default;
+};
+
+/// What the room is covered with, in words ("oak floor", "#8a9a5b"; docs/materials.md); may be
+/// empty.
 struct RoomMaterials {
   std::string floor, walls, ceiling;
-  std::string accent;  ///< of accent_wall(), where that differs from the other walls
+  std::vector<WallCover> covers = {};  ///< the first that means a wall counts
 };
+
+/// The WallCover::wall of the one wall that shall differ, wherever it is.
+inline constexpr std::string_view accent_name = "accent";
+/// What is said of walls by this name, added where nothing is.
+WallCover& cover_named(RoomMaterials& materials, std::string_view wall);
+/// The finish that walls have by this name; empty if nothing is said.
+std::string finish_named(const RoomMaterials& materials, std::string_view wall);
+
+enum class Sky { clear, cloudy, overcast, night };
+
+/// In what light a room shall be seen (docs/materials.md). What is left open is usual: day, a clear
+/// sky, and all lamps burn.
+struct Lighting {
+  std::optional<double> hour;    ///< of the day, 0 to 24
+  std::optional<Sky> sky;
+  std::optional<double> lux;     ///< how bright it is where people are
+  std::optional<double> kelvin;  ///< colour of the lamps
+  std::optional<std::vector<std::string>> lamps;  ///< that burn: ids, kinds or "all"
+
+  bool operator==(const Lighting&) const = default;
+};
+
+/// The parts that a palette gives a colour or stuff.
+inline constexpr std::string_view palette_roles[] = {"main", "second", "accent", "wood", "metal"};
 
 struct Room {
   std::string type;  ///< "bedroom"
@@ -76,6 +123,9 @@ struct Room {
   std::vector<Opening> openings;
   RoomMaterials materials;
   std::string id;  ///< "bedroom-0" in a dwelling, else empty
+  Lighting light;
+  std::vector<std::string> style;  ///< words: "mid-century", "cosy"
+  std::map<std::string, std::string, std::less<>> palette;  ///< words or #rrggbb, by role
 };
 
 /// The outline of the hole in metres along the wall and over the floor, counter-clockwise.
@@ -95,9 +145,11 @@ Footprint window_clearance(const Room& room, const Opening& window);
 /// All floor that an opening needs: the above, and for a door that swings in where its leaf sweeps
 /// beyond the approach (a leaf wider than door_approach), for each of its leaves.
 std::vector<Footprint> clearances(const Room& room, const Opening& opening);
-/// The wall that wears RoomMaterials::accent: the longest one without an opening, else the longest without
+/// The wall that is meant by "accent": the longest one without an opening, else the longest without
 /// an entrance, else the longest.
 std::size_t accent_wall(const Room& room);
+/// What a wall has all in all, by its own covers and those of the others.
+WallCover cover_of(const Room& room, std::size_t wall);
 const Opening* find_opening(const Room& room, std::string_view id);
 
 /// The largest floor, in square metres of the rectangle round it: what looks at every spot of a floor, as walking does,
@@ -110,5 +162,6 @@ Status check(const Room& room);
 
 std::string_view name(OpeningType type);
 std::string_view name(DoorSwing swing);
+std::string_view name(Sky sky);
 
 }  // namespace roomgen

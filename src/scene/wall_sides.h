@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstddef>
+#include <string_view>
 #include <vector>
 
 #include "roomgen/geometry/polygon.h"
+#include "roomgen/scene/room.h"
 
-namespace roomgen::plan {
+namespace roomgen {
 
 /// The walls of a polygon that look to a direction (at most 45 degrees off), the longest first.
 std::vector<std::size_t> walls_towards(const Polygon& polygon, const Vec2& direction);
@@ -18,4 +20,10 @@ std::vector<std::size_t> walls_on_side(const Polygon& polygon, int side);
 /// one that comes nearest.
 std::size_t wall_on_side(const Polygon& polygon, std::size_t side);
 
-}  // namespace roomgen::plan
+/// The walls that a name means ("wall-2", "north", "accent"), the longest first; else none.
+std::vector<std::size_t> walls_named(const Room& room, std::string_view name);
+
+/// Could it be the name of walls in some room?
+bool is_wall_name(std::string_view name);
+
+}  // namespace roomgen

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <optional>
 
-namespace roomgen::plan {
+namespace roomgen {
 
 namespace {
 
@@ -12,6 +14,18 @@ constexpr double side_cosine = 0.7;  // a wall looks to the left up to 45 degree
 const Vec2& outward(std::size_t side) {
   static const std::array<Vec2, 4> directions = {Vec2(0, -1), Vec2(1, 0), Vec2(0, 1), Vec2(-1, 0)};
   return directions[side % 4];
+}
+
+// As walls_on_side() counts them.
+constexpr std::array<std::string_view, 4> compass = {"south", "east", "north", "west"};
+constexpr std::string_view numbered = "wall-";
+
+std::optional<std::size_t> number_of(std::string_view name) {
+  if (!name.starts_with(numbered)) return std::nullopt;
+  const char* end = name.data() + name.size();
+  std::size_t wall = 0;
+  const auto [last, error] = std::from_chars(name.data() + numbered.size(), end, wall);
+  return error == std::errc() && last == end ? std::optional(wall) : std::nullopt;
 }
 
 }  // namespace
@@ -42,4 +56,20 @@ std::size_t wall_on_side(const Polygon& polygon, std::size_t side) {
   return best;
 }
 
-}  // namespace roomgen::plan
+std::vector<std::size_t> walls_named(const Room& room, std::string_view name) {
+  if (const auto wall = number_of(name))
+    return *wall < room.polygon.size() ? std::vector{*wall} : std::vector<std::size_t>();
+  if (name == accent_name) return {accent_wall(room)};
+  const auto side = std::find(compass.begin(), compass.end(), name) - compass.begin();
+  if (side == static_cast<std::ptrdiff_t>(compass.size())) return {};
+  auto walls = walls_on_side(room.polygon, static_cast<int>(side));
+  if (walls.empty()) walls = {wall_on_side(room.polygon, static_cast<std::size_t>(side))};
+  return walls;
+}
+
+bool is_wall_name(std::string_view name) {
+  return name == accent_name || number_of(name) ||
+         std::find(compass.begin(), compass.end(), name) != compass.end();
+}
+
+}  // namespace roomgen
