@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "mention_shape.h"
+#include "scene/resolved_relation.h"
 #include "settle_carriers.h"
 #include "settle_numbers.h"
 #include "settle_supports.h"
@@ -175,6 +176,20 @@ void note_unknown(Brief& brief) {
                             "\" is no kind that is known; its size is a guess");
 }
 
+// "A desk facing the door": who sits at it looks there.
+void say_facing_by_use(Brief& brief, const KindTable& table) {
+  const auto by_use = [&](const std::string& category, RelationKind kind) {
+    return kind == RelationKind::face_to ? facing_of_use(table.get(category)) : kind;
+  };
+  for (auto& mention : brief.mentions)
+    for (auto& demand : mention.demands) {
+      demand.kind = by_use(mention.category, demand.kind);
+      if (demand.said) demand.said = by_use(mention.category, *demand.said);
+    }
+  for (auto& denial : brief.denials)
+    denial.kind = by_use(brief.mentions[denial.thing].category, denial.kind);
+}
+
 }  // namespace
 
 void settle(Brief& brief, const KindTable& table) {
@@ -194,6 +209,7 @@ void settle(Brief& brief, const KindTable& table) {
     std::erase_if(brief.excluded,
                   [&](const std::string& category) { return mention.category == category; });
   note_unknown(brief);
+  say_facing_by_use(brief, table);
 }
 
 }  // namespace roomgen::brief

@@ -20,6 +20,7 @@ bool is_about_place(RelationKind kind) {
   switch (kind) {
     case RelationKind::edge:
     case RelationKind::face_to:
+    case RelationKind::used_facing:
     case RelationKind::face_same_as:
     case RelationKind::face_opposite_to:
     case RelationKind::hang_from:

@@ -25,19 +25,21 @@ Result<Footprint> target_of(const Draft& draft, const Object& object, const std:
   return resolved.front().targets.front();
 }
 
-bool looks_at(const Object& object, double yaw, const Footprint& target) {
-  return ray_hit(target, object.position.head<2>(), front_direction(yaw)) >= 0.0;
+bool looks_at(const Object& object, double direction, const Footprint& target) {
+  return ray_hit(target, object.position.head<2>(), front_direction(direction)) >= 0.0;
 }
 
 // Square to a wall where that looks at the target too, the least turn first; else straight at its middle.
-std::vector<double> yaws_towards(Draft& draft, const Cluster& cluster, const Footprint& target) {
+// `look`: from its front to where its user looks.
+std::vector<double> yaws_towards(Draft& draft, const Cluster& cluster, double look,
+                                 const Footprint& target) {
   const Object& object = cluster.root;
   std::vector<double> yaws;
   for (const double yaw : draft.layout_without(cluster).wall_yaws())
-    if (looks_at(object, yaw, target)) yaws.push_back(yaw);
+    if (looks_at(object, yaw + look, target)) yaws.push_back(yaw);
   const auto turn = [&](double yaw) { return std::abs(wrap_angle(yaw - object.yaw)); };
   std::sort(yaws.begin(), yaws.end(), [&](double a, double b) { return turn(a) < turn(b); });
-  yaws.push_back(yaw_facing(target.center() - Vec2(object.position.head<2>())));
+  yaws.push_back(yaw_facing(target.center() - Vec2(object.position.head<2>())) - look);
   return yaws;
 }
 
@@ -71,9 +73,11 @@ Status carry_out(Draft& draft, const edit::Face& face) {
   if (object->mount == Mount::wall) return cannot(object->id + " hangs on a wall and cannot be turned");
   const auto target = target_of(draft, *object, face.target);
   if (!target) return target.error();
-  const std::vector<Relation> asked = {{RelationKind::face_to, face.target}};
+  const Kind& kind = draft.shop.kinds().get(object->category);
+  const std::vector<Relation> asked = {{facing_of_use(kind), face.target}};
   Status why;
-  for (const double yaw : yaws_towards(draft, whole_of(draft.scene, *object), *target)) {
+  for (const double yaw :
+       yaws_towards(draft, whole_of(draft.scene, *object), turn_of(kind.faces), *target)) {
     Draft trial = draft;
     auto status = turn_to(trial, *object, yaw);
     if (status &&

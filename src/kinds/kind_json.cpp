@@ -124,9 +124,12 @@ Kind child_of(const Kind& parent) {
 }
 
 void read_kind(const JsonReader& json, Kind& kind) {
-  json.allow_only({"is", "names", "loose_names", "resembles", "size", "mount", "also", "elevation", "traits", "supports",
-                   "covers_window", "zones", "gaps", "tucks_under", "lamp", "forms", "variant", "stocked_as",
-                   "built_as", "serves", "usual", "substitutes", "hyponyms", "stands_for", "source"});
+  json.allow_only({"is",       "names",         "loose_names", "resembles",  "size",
+                   "mount",    "also",          "elevation",   "traits",     "faces",
+                   "supports", "covers_window", "zones",       "gaps",       "tucks_under",
+                   "lamp",     "forms",         "variant",     "stocked_as", "built_as",
+                   "serves",   "usual",         "substitutes", "hyponyms",   "stands_for",
+                   "source"});
   kind.names = read_texts(json["names"]);
   kind.loose_names = read_texts(json["loose_names"]);
   kind.resembles = read_texts(json["resembles"]);
@@ -138,6 +141,7 @@ void read_kind(const JsonReader& json, Kind& kind) {
   read_elevation(json["elevation"], kind);
   for (const auto& element : json["also"].elements_or_none(4)) kind.also.push_back(read_mount(element));
   read_traits(json["traits"], kind.traits);
+  if (json["faces"].exists()) kind.faces = read_side(json["faces"]);
   kind.supports = json["supports"].boolean_or(false);
   kind.covers_window = json["covers_window"].boolean_or(kind.covers_window);
   read_use(json, kind);

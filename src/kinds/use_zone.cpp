@@ -2,6 +2,16 @@
 
 namespace roomgen {
 
+double turn_of(Side side) {
+  switch (side) {
+    case Side::front: return 0.0;
+    case Side::back: return pi;
+    case Side::left: return pi / 2;
+    case Side::right: break;
+  }
+  return -pi / 2;
+}
+
 Footprint zone_footprint(const Footprint& object, const UseZone& zone) {
   const Vec2 half = object.half();
   const double reach = 0.5 * zone.depth;

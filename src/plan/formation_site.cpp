@@ -32,13 +32,13 @@ Bounds2 floor_of(const Draft& draft, const Room& room) {
 
 bool faces_something(const Draft& draft) {
   return std::any_of(draft.demands.begin(), draft.demands.end(), [](const brief::Demand& demand) {
-    return demand.kind == RelationKind::face_to;
+    return is_looking_at(demand.kind);
   });
 }
 
 const Draft* focus_of(const Draft& draft, const std::vector<Draft>& drafts) {
   for (const brief::Demand& demand : draft.demands) {
-    const bool is_meant = demand.kind == RelationKind::face_to || demand.kind == RelationKind::around;
+    const bool is_meant = is_looking_at(demand.kind) || demand.kind == RelationKind::around;
     if (!is_meant || demand.mention == brief::Demand::none || demand.mention == draft.mention)
       continue;
     for (const Draft& other : drafts)
@@ -64,7 +64,7 @@ void put_focus_at_wall(const Draft& audience, std::size_t wall, const Vec2& cent
   const auto part = part_of_room(plan.room, name);
   const Vec2 forward = -plan.room.polygon.inward(wall);
   for (const auto& demand : audience.demands) {
-    const bool is_meant = demand.kind == RelationKind::face_to ||
+    const bool is_meant = is_looking_at(demand.kind) ||
                           (demand.kind == RelationKind::around && audience.formation && audience.formation->is_round());
     if (!is_meant || demand.mention == brief::Demand::none || !part) continue;
     for (std::size_t i = 0; i < drafts.size(); ++i) {

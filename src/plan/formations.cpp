@@ -145,7 +145,7 @@ class Formations {
     item.location = site.center + column * (block.width + block.beside) * right -
                     row * (block.depth + block.behind) * front;
     // As a whole the rows look there: only who sits in the middle does so straight.
-    std::erase_if(item.relations, [](const Relation& one) { return one.kind == RelationKind::face_to; });
+    std::erase_if(item.relations, [](const Relation& one) { return is_looking_at(one.kind); });
     if (number > 0) return;
     const std::string wall = wall_name(site);
     const auto facing = backwards ? RelationKind::face_same_as : RelationKind::face_opposite_to;

@@ -203,7 +203,7 @@ class Ledger {
         requirement.targets = {requirement.targets[nth]};
       requirement.clause += " " + brief_.mentions[demand.mention].category;
       // Rows face what is before their middle.
-      if (mention.formation && !mention.formation->is_round() && demand.kind == RelationKind::face_to)
+      if (mention.formation && !mention.formation->is_round() && is_looking_at(demand.kind))
         requirement.subjects = middle_of_rows(requirement.subjects, *mention.formation);
     } else if (demand.part == brief::each_wall) {
       requirement.targets = wall_names(room_);

@@ -61,6 +61,10 @@ bool takes_target(RelationKind kind) {
   return definition(kind).has(RelationDefinition::targeted);
 }
 
+bool is_looking_at(RelationKind kind) {
+  return kind == RelationKind::face_to || kind == RelationKind::used_facing;
+}
+
 std::string to_text(const Gap& gap) {
   const bool is_open = std::isinf(gap.most);
   const std::string bound = gap.least == gap.most ? "" : is_open ? "at least " : "at most ";

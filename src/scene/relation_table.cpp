@@ -181,12 +181,15 @@ Judgement judge_aligned(const RelationCase& one) {
   return {offset <= align_offset + rounding, clamp01(1.0 - offset)};
 }
 
-Judgement judge_face_to(const RelationCase& one) {
+// By its front, or by the side that its use looks to.
+Judgement judge_looking_at(const RelationCase& one) {
   const Footprint &subject = one.own(), &target = one.target;
+  const double turn = one.relation.turn;
+  const Vec2 look = turn == 0.0 ? subject.front() : rotated(subject.front(), turn);
   const Vec2 to_target = target.center() - subject.center();
   const double distance = to_target.norm();
-  const double cosine = distance > 1e-9 ? subject.front().dot(to_target) / distance : 0.0;
-  return {ray_hit(target, subject.center(), subject.front()) >= 0.0, 0.5 + 0.5 * cosine};
+  const double cosine = distance > 1e-9 ? look.dot(to_target) / distance : 0.0;
+  return {ray_hit(target, subject.center(), look) >= 0.0, 0.5 + 0.5 * cosine};
 }
 
 Judgement judge_yaw(const Footprint& subject, double wanted) {
@@ -204,7 +207,7 @@ Judgement judge_opposite_facing(const RelationCase& one) {
 
 Judgement judge_around(const RelationCase& one) {
   const double distance = gap_of(one);
-  const auto facing = judge_face_to(one);
+  const auto facing = judge_looking_at(one);
   const double off =
       outside(distance, one.relation.gap_low, std::min(one.relation.gap_high, around_gap));
   return {facing.held && distance <= around_gap + rounding,
@@ -297,9 +300,10 @@ constexpr RelationDefinition definitions[] = {
      {"center aligned", "center align with", "center aligned with", "centre aligned", "centre aligned with",
       "centre align with"}},
     {Relate::aligned, Sort::alignment, targeted | beside, judge_aligned, {"aligned", "aligned with"}},
-    {Relate::face_to, Sort::facing, targeted, judge_face_to, {"face to", "facing", "face"}},
+    {Relate::face_to, Sort::facing, targeted, judge_looking_at, {"face to", "facing", "face"}},
     {Relate::face_same_as, Sort::facing, targeted | beside, judge_same_facing, {"face same as"}},
     {Relate::face_opposite_to, Sort::facing, targeted | beside, judge_opposite_facing, {"face opposite to"}},
+    {Relate::used_facing, Sort::facing, targeted, judge_looking_at, {"used facing"}},
     {Relate::on, Sort::support, targeted | in_prompts, judge_on, {"on", "on top of"}},
     {Relate::inside, Sort::support, targeted, judge_inside, {"inside", "within"}},
     {Relate::above, Sort::support, targeted, judge_above, {"above"}},

@@ -49,7 +49,7 @@ bool is_merely_near(const Object& object, const Relation& relation) {
   if (relation.kind != RelationKind::near) return false;
   return std::none_of(object.relations.begin(), object.relations.end(), [&](const Relation& other) {
     return other.target == relation.target && other.kind != RelationKind::near &&
-           other.kind != RelationKind::face_to;
+           !is_looking_at(other.kind);
   });
 }
 
@@ -126,6 +126,7 @@ std::vector<ResolvedRelation> resolve(const Object& object, const Room& room,
       resolved.gap_low = near_gap_low;
       resolved.gap_high = near_gap_high;
     }
+    if (relation.kind == RelationKind::used_facing) resolved.turn = turn_of(own.faces);
     resolved.targets = targets_of(relation, room, placed);
     resolved.is_of_nearest_wall = relation.target == nearest_wall;
     if (relation.kind == RelationKind::between)
@@ -139,6 +140,10 @@ std::vector<ResolvedRelation> resolve(const Object& object, const Room& room,
     result.push_back(std::move(resolved));
   }
   return result;
+}
+
+RelationKind facing_of_use(const Kind& kind) {
+  return kind.faces == Side::front ? RelationKind::face_to : RelationKind::used_facing;
 }
 
 std::vector<Relation> known_relations(const std::vector<Relation>& relations, const Room& room,

@@ -24,6 +24,7 @@ struct ResolvedRelation {
   AlignAxis axis = AlignAxis::either;
   std::optional<Footprint> other;  ///< of `between`: the second of the two
   double least_gap = 0.0;  ///< from which `near` holds
+  double turn = 0.0;  ///< of `used_facing`: from its front to where its user looks, radians
   bool is_of_nearest_wall = false;  ///< a gap: to whichever wall is nearest
 };
 
@@ -32,6 +33,9 @@ struct ResolvedRelation {
 std::vector<ResolvedRelation> resolve(const Object& object, const Room& room,
                                       std::span<const Object> placed,
                                       const KindTable& categories);
+
+/// What "facing" means of a kind: `used facing` unless its user looks where its front does.
+RelationKind facing_of_use(const Kind& kind);
 
 /// Those of the relations whose targets are there.
 std::vector<Relation> known_relations(const std::vector<Relation>& relations, const Room& room,

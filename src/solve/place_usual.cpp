@@ -144,6 +144,7 @@ class UsualPlacing {
                case RelationKind::far:
                case RelationKind::gap:
                case RelationKind::face_to:
+               case RelationKind::used_facing:
                  return false;
                default:
                  return !relation.target.empty();

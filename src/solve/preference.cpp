@@ -22,10 +22,10 @@ double pair_gap_degree(const ResolvedRelation& relation, const Footprint& own) {
 }
 
 // Between its front and the middle of the target, radians.
-double angle_to(const Footprint& own, const Footprint& target) {
+double angle_to(const Footprint& own, double turn, const Footprint& target) {
   const Vec2 towards = target.center() - own.center();
   return towards.norm() < 1e-9 ? 0.0
-                               : std::abs(wrap_angle(yaw_facing(towards) - own.yaw()));
+                               : std::abs(wrap_angle(yaw_facing(towards) - own.yaw() - turn));
 }
 
 // The middle of the room is a matter of degree, what is opposite is not out of sight, and what faces
@@ -48,7 +48,10 @@ double wish_degree(const Surroundings& around, const Surroundings::Wish& wish,
                        std::max(0.0, gap(own, targets.front()) - opposite)
                  : 0.0;
     case RelationKind::face_to:
-      return wish.asked && !targets.empty() ? -around.weights.askew * angle_to(own, targets.front()) : 0.0;
+    case RelationKind::used_facing:
+      return wish.asked && !targets.empty()
+                 ? -around.weights.askew * angle_to(own, wish.relation.turn, targets.front())
+                 : 0.0;
     default:
       return 0.0;
   }

@@ -34,6 +34,7 @@ struct Beside {
   bool sides[4] = {true, true, true, true};  // front, back, left, right
   bool turns[4] = {true, true, true, true};  // quarter turns of the yaw against the target's
   bool faces_target = false;
+  int quarters = 0;  // from its front to the side that shall face the target
 };
 
 void keep_only(bool (&flags)[4], std::initializer_list<int> kept) {
@@ -71,7 +72,9 @@ Beside beside_target(const ProposalContext& context, const Vec2& target) {
         keep_only(beside.turns, {2});
         break;
       case RelationKind::face_to:
+      case RelationKind::used_facing:
         beside.faces_target = true;
+        beside.quarters = static_cast<int>(std::lround(relation.turn / (pi / 2)));
         break;
       default:
         break;
@@ -95,7 +98,7 @@ void propose_beside(const ProposalContext& context, const ResolvedRelation& rela
   for (int side = 0; side < 4; ++side)
     for (int turn = 0; turn < 4; ++turn) {
       if (!beside.sides[side] || !beside.turns[turn]) continue;
-      if (beside.faces_target && turn != turn_to_face[side]) continue;
+      if (beside.faces_target && turn != (turn_to_face[side] - beside.quarters + 4) % 4) continue;
       const double yaw = wrap_angle(target.yaw() + turn * pi / 2);
       const Vec2 half = turned_half(size, turn * pi / 2);
       const int axis = side < 2 ? 1 : 0;
@@ -144,7 +147,7 @@ void propose_seats(const ProposalContext& context, const ResolvedRelation& relat
 }
 
 // At several distances straight before the target, looking at it, and slantwise.
-void propose_facing(const ProposalContext& context, const Footprint& target,
+void propose_facing(const ProposalContext& context, double turn, const Footprint& target,
                     std::vector<Pose>& poses) {
   constexpr int directions = 16;
   const double reach = 0.5 * size_of(context).y();
@@ -156,7 +159,7 @@ void propose_facing(const ProposalContext& context, const Footprint& target,
           std::abs(direction.dot(target.to_world({1, 0}) - target.center())) * target.half().x() +
           std::abs(direction.dot(target.to_world({0, 1}) - target.center())) * target.half().y();
       poses.push_back({target.center() + (rim + distance + reach) * direction,
-                       mounting_height(context), yaw_facing(-direction)});
+                       mounting_height(context), wrap_angle(yaw_facing(-direction) - turn)});
     }
 }
 
@@ -196,7 +199,8 @@ void propose_for_relation(const ProposalContext& context, const ResolvedRelation
       propose_seats(context, relation, target, poses);
       break;
     case RelationKind::face_to:
-      propose_facing(context, target, poses);
+    case RelationKind::used_facing:
+      propose_facing(context, relation.turn, target, poses);
       break;
     case RelationKind::between:
       if (relation.other) propose_between(context, target, *relation.other, poses);

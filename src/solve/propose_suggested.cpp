@@ -10,10 +10,10 @@ namespace {
 void add_yaws_to_targets(const ProposalContext& context, const Vec2& from,
                          std::vector<double>& yaws) {
   for (const auto& relation : context.relations) {
-    if (relation.kind != RelationKind::face_to && relation.kind != RelationKind::around) continue;
+    if (!is_looking_at(relation.kind) && relation.kind != RelationKind::around) continue;
     for (const auto& target : relation.targets)
       if ((target.center() - from).norm() > 1e-6)
-        yaws.push_back(yaw_facing(target.center() - from));
+        yaws.push_back(yaw_facing(target.center() - from) - relation.turn);
   }
 }
 

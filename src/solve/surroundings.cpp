@@ -65,6 +65,7 @@ bool is_matter_of_degree(RelationKind kind) {
     case RelationKind::far:
     case RelationKind::gap:
     case RelationKind::face_to:
+    case RelationKind::used_facing:
       return true;
     default:
       return false;

@@ -161,6 +161,14 @@ class Facing(Case):
     #      +-----+
     #      |  t  |<--- a       the ray from the centre along the front
     #      +-----+
+    def test_used_facing(self):
+        wall = thing("t-0", 10, 14, (2, 1), 0)
+        for kind, yaw in (("desk", 0), ("writing desk", 0), ("sofa", 180), ("vanity", 180)):
+            for turn in (0, 180):
+                user = thing(f"{kind}-0", 10, 10, (1, 1), yaw + turn, relations=("used facing, t-0",))
+                s = scene(wall, user, polygon=HALL)
+                self.assertEqual(self.holds(s, user.id, "used facing, t-0"), turn == 0, (kind, turn))
+
     def test_face_to(self):
         self.yes("face to, t-0", (0, 2), facing=0)  # above it, looking down
         self.no("face to, t-0", (0, 2), facing=180)

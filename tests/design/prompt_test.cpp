@@ -333,7 +333,7 @@ TEST_CASE("placements become demands") {
        "between, sofa | between, armchair"},
       {"A bedroom with two beds, a nightstand between them, and a wardrobe.", 1, "between, bed"},
       {"A sofa and an armchair, both facing the fireplace.", 1, "face to, fireplace"},
-      {"Six desks, each with a laptop, all facing the whiteboard on the front wall.", 0, "face to, whiteboard"},
+      {"Six desks, each with a laptop, all facing the whiteboard on the front wall.", 0, "used facing, whiteboard"},
       // Who is meant: what the clause before was about.
       {"The TV hangs above a low sideboard, the sofa faces it.", 2, "face to, wall tv"},
       // A place before its things.
@@ -589,7 +589,7 @@ TEST_CASE("what a thing is in may be its material or colour") {
 }
 
 TEST_CASE("the entrance is a door to what is near it, and a room to what is in it") {
-  CHECK(places(read_brief("a shop with a counter facing the entrance"), 0) == "face to, door-0");
+  CHECK(places(read_brief("a shop with a counter facing the entrance"), 0) == "used facing, door-0");
   CHECK(places(read_brief("a shop with a coat stand next to the entrance"), 0) == "next to, door-0");
   CHECK(places(read_brief("a bench in the entrance"), 0).find("door") == std::string::npos);
 }

@@ -102,3 +102,25 @@ TEST_CASE("People's words find the kind that they mean") {
   CHECK(table.is_a("desk", "table"));
   CHECK(table.is_a("dining chair", "seat"));
 }
+
+TEST_CASE("Things face with the side that their user looks to") {
+  const auto& table = KindTable::built_in();
+  // Their users are at the front and look over them.
+  for (const char* name : {"desk", "writing desk", "standing desk", "student desk", "rolltop desk", "drafting table",
+                           "workbench", "computer desk", "floating desk", "lab bench", "potting bench",
+                           "kitchen counter", "cash register", "typewriter", "sewing machine", "piano", "grand piano",
+                           "keyboard piano", "treadmill", "stand-in keyboard instrument"}) {
+    INFO(name);
+    REQUIRE(table.by_name(name));
+    CHECK(table.by_name(name)->faces == Side::back);
+  }
+  // These look at who is before them, or hold who looks along their front, or have their keeper behind them.
+  for (const char* name : {"tv", "monitor", "laptop", "mirror", "standing mirror", "vanity", "styling station", "stove",
+                           "refrigerator", "wardrobe", "bookshelf", "sofa", "armchair", "office chair", "bed", "toilet",
+                           "reception desk", "bar counter", "service counter", "lectern", "drum kit", "exercise bike",
+                           "fireplace", "washing machine", "dining table", "coffee table"}) {
+    INFO(name);
+    REQUIRE(table.by_name(name));
+    CHECK(table.by_name(name)->faces == Side::front);
+  }
+}

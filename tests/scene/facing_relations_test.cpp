@@ -27,6 +27,23 @@ TEST_CASE("face to: the ray along the front meets the target") {
   CHECK_FALSE(held(with_tv(), seat(180, 5), "face to, tv-0"));
 }
 
+TEST_CASE("used facing: who uses it looks at the target, over a desk and at a television's viewer alike") {
+  const auto thing = [](const char* category, double yaw) {
+    return rooms::thing("x-0", category, {1.2, 0.6, 0.8}, {4, 2}, yaw);
+  };
+  for (const char* category : {"desk", "treadmill", "upright piano", "standing desk"}) {
+    INFO(category);
+    CHECK(held(with_tv(), thing(category, 0), "used facing, tv-0"));  // its front, the user's side, is away from it
+    CHECK(held(with_tv(), thing(category, 6), "used facing, tv-0"));
+    CHECK_FALSE(held(with_tv(), thing(category, 180), "used facing, tv-0"));
+  }
+  for (const char* category : {"tv", "sofa", "mirror", "stove", "reception desk", "vanity", "thing"}) {
+    INFO(category);
+    CHECK(held(with_tv(), thing(category, 180), "used facing, tv-0"));
+    CHECK_FALSE(held(with_tv(), thing(category, 0), "used facing, tv-0"));
+  }
+}
+
 TEST_CASE("face same as and face opposite to compare the yaws, within a degree, whatever the turns") {
   for (double turn : {0.0, 360.0, -720.0}) {
     CHECK(held(with_tv(), seat(20.9 + turn), "face same as, tv-0"));

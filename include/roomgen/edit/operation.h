@@ -75,7 +75,7 @@ struct Turn {
   bool operator==(const Turn&) const = default;
 };
 
-/// The front towards an object, an opening or a wall.
+/// Turned to an object, an opening or a wall by its use: who sits at a desk looks there.
 struct Face {
   std::string object, target;
 

@@ -33,6 +33,9 @@ struct Traits {
 
 enum class Side { front, back, left, right };
 
+/// How far the direction of a side is turned from that of the front: counter-clockwise, radians.
+double turn_of(Side side);
+
 /// Floor beside an object that a person needs to use it: the whole length of one side of its box,
 /// `depth` metres deep.
 struct UseZone {
@@ -87,6 +90,9 @@ struct Kind {
   std::vector<Mount> also;   ///< other ways to put it up (a television on the wall)
   double elevation = 0.0;    ///< usual height of the bottom above the floor, for Mount::wall
   Traits traits;
+  /// The side that people say it faces with, where its user looks: who sits at a desk's front looks
+  /// over it; a screen and a mirror look at those before them.
+  Side faces = Side::front;
   bool supports = false;       ///< its top carries things
   bool covers_window = false;  ///< hangs before a window and is made to its measure: a curtain
   std::vector<UseZone> zones;  ///< usable when one is free and reachable; none: always usable

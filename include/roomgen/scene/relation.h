@@ -31,6 +31,7 @@ enum class RelationKind {
   face_to,
   face_same_as,
   face_opposite_to,
+  used_facing,
   on,
   inside,
   above,
@@ -79,6 +80,8 @@ std::span<const RelationSpelling> relation_spellings();
 /// "in front of"
 std::string_view name(RelationKind kind);
 bool takes_target(RelationKind kind);
+/// Does it say what a thing looks at: face_to by its front, used_facing by its use?
+bool is_looking_at(RelationKind kind);
 /// "in front of, desk-0"; "gap 0.5 m, desk-0", "gap at least 1.5 m, wall-2", "gap at most 1 m, door-0"
 std::string to_text(const Relation& relation);
 /// "0.5 m", "at least 1.5 m"

@@ -6,14 +6,16 @@
 import math
 import re
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cache, cached_property
 
 from shapely.geometry import LineString, Point
 
 from . import geometry as geo
+from .files import Categories
 
 ONE_DEGREE = math.radians(1.0) + 1e-6
 RAY_LENGTH = 1000.0
+TURNS = {"front": 0.0, "back": math.pi, "left": math.pi / 2, "right": -math.pi / 2}
 GAP = re.compile(r"gap (at least |at most )?(\d+(?:\.\d+)?) m")
 PLAIN = ("edge", "middle", "corner")
 FRONT_OR_BACK = ("in front of", "behind")
@@ -33,6 +35,7 @@ NAMES = (
         "face to",
         "face same as",
         "face opposite to",
+        "used facing",
         "on",
         "inside",
         "above",
@@ -64,6 +67,11 @@ class Constraint:
     text: str
     name: str
     target: str | None = None
+
+
+@cache
+def categories():
+    return Categories.default()
 
 
 def parse(text):
@@ -313,14 +321,20 @@ class Judge:
             offsets = [lateral, longitudinal]
         return min(offsets) <= self.limits.aligned + geo.SLACK
 
-    def ray(self, thing):
-        front = geo.front_of(thing.yaw)
+    def ray(self, thing, turn=0.0):
+        front = geo.front_of(thing.yaw + turn)
         end = [c + RAY_LENGTH * f for c, f in zip(thing.centre, front)]
         return LineString([thing.centre, end])
 
     def face_to(self, thing, place):
         shape = place.box if self.limits.loose else place.shape
         return self.ray(thing).distance(shape) <= geo.SLACK
+
+    def used_facing(self, thing, place):
+        """The side that things of this kind face with meets the target."""
+        turn = TURNS[categories().property(thing.category, "faces", "front")]
+        shape = place.box if self.limits.loose else place.shape
+        return self.ray(thing, turn).distance(shape) <= geo.SLACK
 
     def face_same_as(self, thing, place):
         return geo.angle_between(thing.yaw, place.yaw) <= ONE_DEGREE
