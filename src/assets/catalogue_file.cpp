@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int format_version = 5;  // of the catalogue's tables and of what is worked out for them
+constexpr int format_version = 6;  // of the catalogue's tables and of what is worked out for them
 constexpr std::size_t most_catalogue_bytes = std::size_t{1} << 30;
 constexpr std::size_t key_digits = 16;
 constexpr std::size_t most_versions = 4;
@@ -24,7 +24,7 @@ constexpr std::size_t most_versions = 4;
 const std::string& knowledge() {
   static const std::string hash = [] {
     std::string text = std::to_string(format_version);
-    for (const auto* name : {"data/furniture-labels.json", "data/vocabulary.json"})
+    for (const auto* name : {"data/furniture-seen.json", "data/vocabulary.json"})
       text += "\n" + sha256_hex(resource(name).value_or(""));
     for (const auto name : resources("data/kinds/")) text += "\n" + sha256_hex(*resource(name));
     return sha256_hex(text);

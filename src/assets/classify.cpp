@@ -1,5 +1,7 @@
 #include "classify.h"
 
+#include <algorithm>
+
 #include "roomgen/base/text.h"
 #include "roomgen/kinds/kind_table.h"
 
@@ -21,10 +23,10 @@ std::string kind_from_name(const SourceAsset& asset, const Vocabulary& vocabular
   return by_id.known ? by_id.kind : by_name.kind;
 }
 
-std::string kind_of(const SourceAsset& asset, const Label* label, const Vocabulary& vocabulary) {
-  if (label && !label->category.empty()) {
-    const Kind* kind = vocabulary.find(label->category);
-    return kind ? kind->name : label->category;
+std::string kind_of(const SourceAsset& asset, const SeenAsset* seen, const Vocabulary& vocabulary) {
+  if (seen) {
+    const Kind* kind = vocabulary.find(seen->kind);
+    return kind ? kind->name : seen->kind;
   }
   return asset.category ? vocabulary.understand(*asset.category).kind
                         : kind_from_name(asset, vocabulary);
@@ -40,9 +42,9 @@ Mount guess_mount(const AssetInfo& info) {
   return is_small(info.size) ? Mount::surface : Mount::floor;
 }
 
-Mount mount_of(const SourceAsset& asset, const AssetInfo& info, const Label* label,
+Mount mount_of(const SourceAsset& asset, const AssetInfo& info, const SeenAsset* seen,
                const Kind* kind) {
-  if (label && label->mount) return *label->mount;
+  if (seen && seen->mount) return *seen->mount;
   if (asset.mount) return *asset.mount;
   // A small one of what usually is large and stands on the floor stands on something.
   if (kind && (kind->mount != Mount::floor || is_small(kind->size))) return kind->mount;
@@ -57,29 +59,45 @@ double elevation_of(const AssetInfo& info, const KindTable& kinds) {
   return category && category->elevation > 0.0 ? category->elevation : usual_wall_elevation;
 }
 
-bool round_of(const SourceAsset& asset, const Label* label) {
-  if (label && label->round) return *label->round;
-  return asset.round.value_or(false);
+bool round_of(const SourceAsset& asset, const SeenAsset* seen) {
+  return seen ? seen->shape == "round" || seen->shape == "oval" : asset.round.value_or(false);
 }
 
-bool front_of(const SourceAsset& asset, const AssetInfo& info, const Label* label, const KindTable& kinds) {
-  if (label && label->front) return *label->front;
+bool front_of(const SourceAsset& asset, const AssetInfo& info, const SeenAsset* seen,
+              const KindTable& kinds) {
+  if (seen && !seen->front) return false;
   if (asset.front) return *asset.front;
   const Kind* category = kinds.find(info.category);
   return category ? category->traits.front : true;
 }
 
+// The colour of its largest part goes first: meshes are drawn in colours that nobody sees as such.
+void take_seen_color(const SeenAsset& seen, std::vector<std::string>& colors) {
+  if (seen.parts.empty()) return;
+  const auto* meaning = AttributeWords::built_in().find(seen.parts.front().color);
+  if (!meaning || meaning->colors.empty()) return;
+  const auto& names = meaning->colors;
+  const auto shown = std::find_first_of(colors.begin(), colors.end(), names.begin(), names.end());
+  if (shown == colors.end())
+    colors.insert(colors.begin(), names.front());
+  else
+    std::rotate(colors.begin(), shown, shown + 1);
+}
+
 }  // namespace
 
-AssetInfo classify(const SourceAsset& asset, const Label* label, const Vocabulary& vocabulary) {
+AssetInfo classify(const SourceAsset& asset, const SeenAsset* seen, const Vocabulary& vocabulary) {
   AssetInfo info = asset.info;
-  info.category = kind_of(asset, label, vocabulary);
+  info.category = kind_of(asset, seen, vocabulary);
   const Kind* kind = vocabulary.find(info.category);
-  info.mount = mount_of(asset, info, label, kind);
+  info.mount = mount_of(asset, info, seen, kind);
   info.elevation = elevation_of(info, vocabulary.kinds());
-  info.round = round_of(asset, label);
-  info.has_front = front_of(asset, info, label, vocabulary.kinds());
-  if (label) info.tags.insert(info.tags.end(), label->tags.begin(), label->tags.end());
+  info.round = round_of(asset, seen);
+  info.has_front = front_of(asset, info, seen, vocabulary.kinds());
+  if (seen) {
+    for (auto& word : seen->told()) info.tags.push_back(std::move(word));
+    take_seen_color(*seen, info.colors);
+  }
   if (!info.support_height && !asset.carries_nothing && kind && kind->supports)
     info.support_height = info.size.z();
   return info;

@@ -40,18 +40,23 @@ Result<IndexedAsset> index_asset(const AssetSource& source, const SourceAsset& a
   options.log = sink;
   auto model = decoder.decode(source.tree, asset.mesh, options);
   if (!model) return model.error();
-  const auto size = fit_to_frame(*model, asset.frame, Normals::leave);
+  const SeenAsset* seen = seen_asset(asset.info.ref);
+  SourceAsset measured = asset;
+  if (seen && seen->true_size) {
+    if (measured.info.support_height && measured.frame.size)
+      *measured.info.support_height *= seen->true_size->z() / measured.frame.size->z();
+    measured.frame.size = seen->true_size;
+  }
+  const auto size = fit_to_frame(*model, measured.frame, Normals::leave);
   if (!size) return with_context(size.error(), asset.mesh);
 
-  SourceAsset measured = asset;
   measured.info.size = *size;
   measured.info.triangles = triangle_count(*model);
   measured.info.ref.sha256 = sha256;
   measured.info.colors = main_colors(*model);
   const auto& vocabulary = Vocabulary::built_in();
-  const Label* label = Labels::built_in().find(source.library, asset.info.ref.id);
   IndexedAsset row;
-  row.info = classify(measured, label, vocabulary);
+  row.info = classify(measured, seen, vocabulary);
   row.mesh = asset.mesh;
   row.ours_from_source = asset.frame.ours_from_source;
   row.looks = join(row.info.colors, " ") + material_words(*model, vocabulary);
@@ -91,9 +96,8 @@ class Indexer {
   void work() {
     decode::Decoder decoder(decoder_options(options_));
     for (std::size_t i; (i = next_++) < results_.size() && !options_.cancel.cancelled();) {
-      const Label* label =
-          Labels::built_in().find(source_.library, source_.assets[i].info.ref.id);
-      if (!label || !label->unsteady) read(source_.assets[i], decoder, results_[i]);
+      const SeenAsset* seen = seen_asset(source_.assets[i].info.ref);
+      if (!seen || !seen->unsteady) read(source_.assets[i], decoder, results_[i]);
       report();
     }
   }

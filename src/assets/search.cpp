@@ -1,13 +1,18 @@
 #include "search.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <set>
 #include <string>
 
 #include "index_file.h"
+#include "library/asset_object.h"
+#include "library/attribute_words.h"
+#include "library/qualifiers.h"
 #include "library/ranking.h"
+#include "library/seen_assets.h"
 #include "roomgen/base/text.h"
 #include "roomgen/kinds/kind_table.h"
 
@@ -18,7 +23,10 @@ namespace {
 constexpr double general_kind = 0.8;  // a plain bed where the description says bunk bed
 constexpr double family_match = 0.6;  // oak where walnut was wanted: both are wood
 constexpr double usual_size_share = 0.25;
+constexpr double least_kin = 0.75;   // a kind that serves less well is another thing
 constexpr double loud_fit = 0.85;     // bright furniture where no colour was asked for
+constexpr double flaw_loss = 0.02, formality_loss = 0.02;  // a flaw; a step of formality
+constexpr double foreign_loss = 0.08;  // of what is at home elsewhere, where nobody asked for it
 constexpr const char* furniture[] = {"seat", "table", "storage", "bed"};
 constexpr std::size_t max_words = 16;
 
@@ -26,33 +34,31 @@ bool mentions(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-// "tatami mats" are rugs to a plan, though who asks for a rug is not served by one.
-bool is_planned_as(const std::string& name, const std::string& kind, const Vocabulary& vocabulary) {
-  const Kind* variant = vocabulary.kinds().by_name(name);
-  return variant && variant->variant && vocabulary.kinds().planned(*variant).name == kind;
-}
-
-// Kinds that the description names among those that would do: "bunk bed for two" where a bed is
-// asked.
-std::vector<std::string> special_kinds(const std::string& kind, const std::string& description,
-                                       const Vocabulary& vocabulary) {
-  std::vector<std::string> result;
-  for (const auto& mentioned : vocabulary.mentioned(description))
-    if (mentioned != kind && (vocabulary.fit(mentioned, kind) > 0.0 || is_planned_as(mentioned, kind, vocabulary)) && !mentions(result, mentioned))
-      result.push_back(mentioned);
-  return result;
+// Where a counter shall have a sink, sink units are such counters.
+void add_kinds_with_parts(const std::string& kind, const WantedLooks& looks,
+                          const Vocabulary& vocabulary, std::vector<std::string>& named) {
+  const auto parent_of = [&](const std::string& name) {
+    const Kind* one = vocabulary.kinds().by_name(name);
+    return one ? one->parent : "";
+  };
+  for (const auto& [other, need] : AttributeWords::built_in().needs()) {
+    const bool is_said = mentions(looks.making, need) || mentions(looks.making, singular(need));
+    if (is_said && !parent_of(kind).empty() && parent_of(other) == parent_of(kind))
+      named.push_back(other);
+  }
 }
 
 std::map<std::string, double> fitting_kinds(const std::string& kind, const AssetQuery& query,
+                                            const std::vector<std::string>& named,
                                             const Vocabulary& vocabulary) {
-  const auto special = special_kinds(kind, query.description, vocabulary);
+  const bool is_special = named.size() > 1 || named.front() != kind;
   std::map<std::string, double> result;
   for (const auto& [name, candidate] : vocabulary.kinds().all()) {
-    if (query.asked && !vocabulary.is_a(name, kind) && !mentions(special, name)) continue;
+    if (query.asked && !vocabulary.is_a(name, kind) && !mentions(named, name)) continue;
     double fit = vocabulary.fit(name, kind);
-    if (!special.empty()) {
+    if (is_special) {
       fit *= general_kind;
-      for (const auto& wanted : special) fit = std::max(fit, vocabulary.fit(name, wanted));
+      for (const auto& wanted : named) fit = std::max(fit, vocabulary.fit(name, wanted));
     }
     if (fit > 0.0) result[name] = fit;
   }
@@ -143,17 +149,47 @@ WordIndex look_up_all(const std::vector<const Database*>& databases, const Searc
 }
 
 // A thing without a front may as well stand the other way round.
-double size_fit(const AssetInfo& asset, const Vec3& want) {
-  const double as_is = size_similarity(asset.size, want);
+double size_fit(const AssetInfo& asset, const Vec3& have, const Vec3& want) {
+  const double as_is = size_similarity(have, want);
   if (asset.has_front) return as_is;
-  return std::max(as_is, size_similarity({asset.size.y(), asset.size.x(), asset.size.z()}, want));
+  return std::max(as_is, size_similarity({have.y(), have.x(), have.z()}, want));
 }
 
 // The size of the kind's usual thing tells a doll's chair from a chair when no size is wanted.
 double size_term(const SearchPlan& plan, const AssetInfo& asset) {
-  if (plan.query.size) return size_fit(asset, *plan.query.size);
-  if (!plan.usual_size) return 1.0;
-  return 1.0 - usual_size_share + usual_size_share * size_fit(asset, *plan.usual_size);
+  const auto& wanted = plan.query.size;
+  if (wanted)
+    return size_fit(asset, plan.usual ? fitted_size(asset, plan.usual->size, *wanted) : asset.size,
+                    *wanted);
+  if (!plan.usual) return 1.0;
+  return 1.0 - usual_size_share + usual_size_share * size_fit(asset, asset.size, plan.usual->size);
+}
+
+// How stately things of the styles among the words are on the average; null if there is none.
+std::optional<double> formality_of(const std::vector<std::string>& styles) {
+  double sum = 0.0, count = 0.0;
+  for (const auto& [name, asset] : seen_assets())
+    for (const auto& style : asset.style)
+      if (mentions(styles, style)) sum += asset.formality, ++count;
+  return count > 0.0 ? std::optional(sum / count) : std::nullopt;
+}
+
+// What is ugly is the last choice. Of a style that was asked for is also what is as stately as its
+// things are.
+double beauty_term(const SearchPlan& plan, const AssetInfo& asset) {
+  static constexpr std::array<double, 5> by_looks = {0.75, 0.84, 0.94, 1.0, 1.0};
+  const SeenAsset* seen = seen_asset(asset.ref);
+  if (!seen) return 1.0;
+  double term = by_looks[static_cast<std::size_t>(seen->looks - 1)];
+  if (seen->is_flawed) term -= flaw_loss;
+  for (const char* style : {"outdoor", "kids", "novelty"})
+    if (mentions(seen->style, style) && !mentions(plan.words, style)) term -= foreign_loss;
+  const bool is_in_style = std::any_of(seen->style.begin(), seen->style.end(), [&](const auto& style) {
+    return mentions(plan.words, style);
+  });
+  if (plan.formality && !is_in_style)
+    term -= formality_loss * std::abs(seen->formality - *plan.formality);
+  return term;
 }
 
 double mount_term(const SearchPlan& plan, const AssetInfo& asset, const Vocabulary& vocabulary) {
@@ -180,11 +216,18 @@ double kind_term(const SearchPlan& plan, const AssetInfo& asset, const Vocabular
 
 Contradiction contradiction_of(const SearchPlan& plan, const AssetInfo& asset,
                                const std::vector<WeightedWord>& found, const Vocabulary& vocabulary) {
-  if (!plan.query.asked) return Contradiction::none;
-  if (plan.query.sized && plan.query.size && contradicts_size(asset, *plan.query.size)) return Contradiction::form;
+  const auto is_kin = [&](const std::string& kind) {
+    return vocabulary.fit(asset.category, kind) >= least_kin;
+  };
+  if (!plan.named.empty() && std::none_of(plan.named.begin(), plan.named.end(), is_kin))
+    return Contradiction::form;
+  if (plan.query.sized && plan.query.size && plan.usual &&
+      contradicts_size(asset, plan.usual->size, *plan.query.size))
+    return Contradiction::form;
   return contradiction(asset, plan.looks, vocabulary, [&](const std::string& word) {
-    const auto at = std::find(plan.words.begin(), plan.words.end(), word) - plan.words.begin();
-    return found[static_cast<std::size_t>(at)].found > 0.0;
+    const auto at = std::find(plan.words.begin(), plan.words.end(), singular(word));
+    const auto index = static_cast<std::size_t>(at - plan.words.begin());
+    return at != plan.words.end() && found[index].found > 0.0;
   });
 }
 
@@ -211,15 +254,24 @@ SearchPlan plan_search(const AssetQuery& query, const Vocabulary& vocabulary) {
   SearchPlan plan;
   plan.query = query;
   const std::string& asked = query.category.empty() ? query.description : query.category;
-  const KindPhrase phrase = vocabulary.understand(asked);
-  if (phrase.known)
-    plan.kinds = fitting_kinds(phrase.kind, query, vocabulary);
-  else if (!words(phrase.kind).empty())
+  const KindPhrase phrase = own_name(query.category, query.description, vocabulary);
+  plan.looks = wanted_looks(query.description.empty() ? asked : query.description);
+  for (const auto& kind : {phrase.kind, asked})
+    if (const auto need = AttributeWords::built_in().need_of(kind); !need.empty())
+      plan.looks.making.push_back(need);
+  if (phrase.known) {
+    const KindPhrase general = vocabulary.understand(asked);
+    const bool serves = vocabulary.fit(phrase.kind, general.kind) > 0.0;
+    const std::string& kind = serves ? general.kind : phrase.kind;
+    plan.named = {phrase.kind};
+    add_kinds_with_parts(kind, plan.looks, vocabulary, plan.named);
+    plan.kinds = fitting_kinds(kind, query, plan.named, vocabulary);
+  } else if (!words(phrase.kind).empty()) {
     plan.free_kind = phrase.kind;
+  }
   plan.words = telling_words(query, phrase, vocabulary);
-  plan.looks = wanted_looks(plan.words);
-  if (const Kind* category = KindTable::built_in().find(phrase.kind))
-    plan.usual_size = category->size;
+  plan.formality = formality_of(plan.words);
+  plan.usual = KindTable::built_in().find(query.category.empty() ? phrase.kind : query.category);
   return plan;
 }
 
@@ -237,7 +289,7 @@ Result<std::vector<AssetMatch>> run_search(const std::vector<const Database*>& d
           match_score({kind_term(plan, match.asset, vocabulary),
                        text_relevance(words.found(i, row)),
                        size_term(plan, match.asset), mount_term(plan, match.asset, vocabulary)}) *
-          quiet_term(plan, match.asset, vocabulary);
+          quiet_term(plan, match.asset, vocabulary) * beauty_term(plan, match.asset);
       if (match.score <= 0.0) continue;
       match.contradicts = contradiction_of(plan, match.asset, words.found(i, row), vocabulary);
       match.asset.mount = plan.query.mount.value_or(match.asset.mount);

@@ -18,7 +18,9 @@ struct SearchPlan {
   std::vector<std::string> words;       ///< of the description, singular
   AssetQuery query;
   WantedLooks looks;
-  std::optional<Vec3> usual_size;  ///< of the category, when the query wants none
+  std::optional<double> formality;  ///< of the styles among the words
+  const Kind* usual = nullptr;     ///< the kind that was asked for; null if unknown
+  std::vector<std::string> named;  ///< kinds of which a thing must be one to be what was said
 };
 
 SearchPlan plan_search(const AssetQuery& query, const Vocabulary& vocabulary);

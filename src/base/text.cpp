@@ -132,7 +132,7 @@ std::string singular(std::string word) {
   if (ends("ches") || ends("shes") || ends("sses") || ends("xes"))
     return word.substr(0, word.size() - 2);
   if (ends("ies") && word != "movies") return word.substr(0, word.size() - 3) + "y";
-  if (ends("s") && !ends("ss") && !ends("us") && !ends("is"))
+  if (ends("s") && !ends("ss") && !ends("us") && !ends("is") && word != "canvas")
     return word.substr(0, word.size() - 1);
   return word;
 }

@@ -10,8 +10,10 @@
 #include "base/sha256.h"
 #include "kinds.h"
 #include "kinds/noun_kind.h"
+#include "library/asset_object.h"
 #include "library/attribute_words.h"
 #include "library/looks.h"
+#include "library/qualifiers.h"
 #include "library/ranking.h"
 #include "library/vocabulary.h"
 #include "parts.h"
@@ -28,6 +30,7 @@ namespace {
 constexpr const char* recipe_name = "words";
 constexpr double created_score = 0.1;  // any real thing that fits is better
 constexpr double usual_elevation = 1.2;
+constexpr double most_over = 1.5, most_under = 0.4;  // of its kind's sizes, where one is said
 constexpr double least_stored_side = 0.002, greatest_stored_side = 20.0;
 
 /// What is built.
@@ -95,20 +98,11 @@ Description describe(const Order& order) {
     description.approximate = false;
   }
   description.prompt = order.description;
-  description.size = order.size;
+  const auto& kinds = ShapeKinds::built_in();
+  const ShapeKind* kind = kinds ? kinds->find(order.kind) : nullptr;
+  description.size = kind ? order.size.cwiseMax(kind->least).cwiseMin(kind->most) : order.size;
   description.count = 1;
   return description;
-}
-
-// What is round or square is as deep as wide.
-bool has_equal_sides(const std::string& description) {
-  const auto& table = AttributeWords::built_in();
-  const auto phrases = table.phrases(words(description));
-  return std::any_of(phrases.begin(), phrases.end(), [&](const std::string& phrase) {
-    const AttributeMeaning* meaning = table.find(phrase);
-    if (!meaning || meaning->outlines.size() != 1) return false;
-    return meaning->outlines.front() == "round" || meaning->outlines.front() == "square";
-  });
 }
 
 // Fills the box exactly: what is left to do is below a hundredth.
@@ -148,7 +142,9 @@ class CreatedLibrary final : public AssetLibrary {
     if (!query.asked && mount_fit(kind->mount, mount, also, order.size.z()) <= 0.0) return matches;
     order.seed = seed_of(query.category + "\n" + query.description);
     AssetMatch match{info_of(order, kind->name, mount), created_score};
-    if (query.asked && !is_as_wanted(match.asset.ref, query.description)) match.contradicts = Contradiction::form;
+    // Better than a real one that is another thing.
+    if (query.asked && !is_as_wanted(match.asset.ref, query.description))
+      match.contradicts = Contradiction::looks;
     matches.push_back(std::move(match));
     return matches;
   }
@@ -171,26 +167,27 @@ class CreatedLibrary final : public AssetLibrary {
  private:
   // Drawers that nobody counts need not be made to be counted.
   bool is_as_wanted(const AssetRef& ref, const std::string& description) const {
-    const WantedLooks wanted = wanted_looks(words(description));
+    const WantedLooks wanted = wanted_looks(description);
     if (wanted.making.empty()) return true;
     const auto model = load(ref);
     return model && is_made_as_wanted((*model)->making, wanted);
   }
 
-  // The kind that the description names, if it is one of the category's, else the category's own: an
-  // armoire where a wardrobe is asked. By its own name, or by another that the vocabulary has for it.
+  // The kind that the thing's own name means, an armoire where a wardrobe is asked, else the
+  // category's. By its own name, or by another that the vocabulary has for it.
   static const ShapeKind* kind_asked(const AssetQuery& query) {
     const auto& kinds = ShapeKinds::built_in();
     if (!kinds) return nullptr;
-    const Vocabulary& vocabulary = Vocabulary::built_in();
-    const auto described = vocabulary.understand(query.description);
-    const auto asked = query.category.empty() ? described : vocabulary.understand(query.category);
-    const bool says_more = described.known && vocabulary.is_a(described.kind, asked.kind) &&
-                           !query.category.ends_with(described.name);
-    if (says_more)
-      if (const ShapeKind* kind = kinds->find(described.name)) return kind;
-    if (const ShapeKind* kind = kinds->find(query.category)) return kind;
-    return asked.known ? kinds->find(asked.kind) : nullptr;
+    const KindPhrase own = own_name(query.category, query.description);
+    const KindPhrase asked = Vocabulary::built_in().understand(query.category);
+    const bool is_named = !query.category.empty() && query.category.ends_with(own.name);
+    std::vector<std::string> names = {query.category};
+    if (own.known) names.push_back(own.kind);
+    if (own.known && own.kind != asked.kind) names.insert(names.begin(), own.kind);
+    if (own.known && !is_named) names.insert(names.begin(), own.name);
+    for (const auto& name : names)
+      if (const ShapeKind* kind = kinds->find(name)) return kind;
+    return nullptr;
   }
 
   // What nobody knows: of its parts, if the words name some, else a plain shape.
@@ -231,9 +228,17 @@ class CreatedLibrary final : public AssetLibrary {
     return matches;
   }
 
+  // What is said is made, a little beyond what people would believe; the usual size as they would.
   static Vec3 size_for(const AssetQuery& query, const ShapeKind& kind) {
-    Vec3 size = query.size.value_or(kind.size).cwiseMax(kind.least).cwiseMin(kind.most);
-    if (kind.mount != Mount::wall && has_equal_sides(query.description))
+    const double over = query.sized ? most_over : 1.0, under = query.sized ? most_under : 1.0;
+    Vec3 size = query.size.value_or(kind.size);
+    size = size.cwiseMax(under * kind.least).cwiseMin(over * kind.most);
+    const Kind* usual = KindTable::built_in().find(query.category);
+    const auto is_told = [&](int axis) {
+      return usual && is_length_told(size[axis], usual->size[axis]);
+    };
+    const bool is_regular = wanted_looks(query.description).has_equal_sides();
+    if (is_regular && !is_told(0) && !is_told(1) && kind.mount != Mount::wall)
       size.x() = size.y() = std::min(size.x(), size.y());
     return {rounded(size.x()), rounded(size.y()), rounded(size.z())};
   }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "finish_look.h"
+#include "library/seen_assets.h"
 #include "library/shown_colors.h"
 #include "library/style_words.h"
 #include "library/vocabulary.h"
@@ -62,6 +63,9 @@ bool is_known_to_look(const AssetInfo& asset, const PartLook& look) {
 
 // Of tables of glass only the legs could be painted.
 bool is_of_glass(const AssetInfo& asset) {
+  const auto* seen = seen_asset(asset.ref);
+  if (seen && !seen->parts.empty())
+    return seen->parts.front().material.find("glass") != std::string::npos;
   return says_any(asset, {"glass", "transparent", "acrylic"}) && !says_any(asset, {"wood", "wooden"});
 }
 

@@ -65,14 +65,9 @@ class Judge {
     return found == kinds.end() ? nullptr : &*found;
   }
 
-  // Its parts and how they are built; of a mesh from a file the label tells them, or nothing.
+  // Its parts and how they are built; of a mesh from a file who saw it tells the parts.
   AttributeVerdict making(const std::string& text, const AttributeMeaning& meaning) const {
     if (is_made_so(looks_.making, meaning)) return yes("it is made so");
-    for (const auto& counts : meaning.parts)
-      for (const auto& [label, range] : counts)
-        if (const auto told = looks_.identity.parts.find(label); told != looks_.identity.parts.end())
-          return range.contains(told->second) ? yes("its label counts them")
-                                              : no("its label counts " + std::to_string(told->second));
     const AttributeVerdict told = unlisted(text);
     return told.judged || !looks_.making.known() ? told : no("it is not made so");
   }

@@ -1,12 +1,10 @@
 #include "identity.h"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <tuple>
 
-#include "base/resource.h"
+#include "library/seen_assets.h"
 #include "library/vocabulary.h"
-#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen {
@@ -46,20 +44,6 @@ bool is_kind_of_something(const Identity& identity, const std::vector<std::strin
   return of != pieces.begin() && of != pieces.end() && *std::prev(of) == words(identity.kind).back();
 }
 
-// What the meshes of known libraries are, by "library/id".
-const std::map<std::string, std::string>& known_labels() {
-  static const auto labels = [] {
-    std::map<std::string, std::string> read;
-    const auto file = parse_json(resource("data/furniture-labels.json").value_or("{}"), "labels");
-    if (!file || !file->contains("labels")) return read;
-    for (const auto& [library, assets] : (*file)["labels"].items())
-      for (const auto& [id, label] : assets.items())
-        if (label.is_string()) read[library + "/" + id] = label.get<std::string>();
-    return read;
-  }();
-  return labels;
-}
-
 // One kind for plans, or for libraries, or what is built for the name.
 bool same_kind(const Kind& have, const Kind& want, const KindTable& kinds) {
   return have.stocked_as == want.stocked_as || want.built_as == have.name ||
@@ -79,14 +63,6 @@ int kinship_rank(const std::string& kind, const std::string& category, const Voc
   if (!have || !want || vocabulary.kinds().only_resembles(category)) return 0;
   if (same_kind(*have, *want, vocabulary.kinds())) return synonym_rank;
   return descends(*have, *want, vocabulary) ? descendant_rank : 0;
-}
-
-void read_label(const std::vector<std::string>& said, Identity& identity) {
-  for (std::size_t i = 0; i < said.size(); ++i) {
-    identity.words.insert(singular(said[i]));
-    const bool is_number = said[i].size() <= 3 && said[i].find_first_not_of("0123456789") == std::string::npos;
-    if (is_number && i + 1 < said.size()) identity.parts[singular(said[i + 1])] = std::stoi(said[i]);
-  }
 }
 
 bool is_in_label(const std::vector<std::string>& name, const Identity& identity) {
@@ -109,11 +85,9 @@ Identity identify(const Object& object, const Vocabulary& vocabulary) {
     const std::string kind = text_parameter(*asset.procedural, "kind");
     identity.kind = key(kind.empty() ? asset.procedural->recipe : kind);
     identity.basis = "recipe kind " + identity.kind;
-  } else if (const auto label = known_labels().find(asset.library + "/" + asset.id);
-             label != known_labels().end()) {
-    const auto parts = split(label->second, '|');
-    identity.kind = key(parts.front());
-    if (parts.size() > 1) read_label(words(parts[1]), identity);
+  } else if (const auto* seen = seen_asset(asset)) {
+    identity.kind = key(seen->kind);
+    for (auto& word : seen->told()) identity.words.insert(singular(std::move(word)));
     identity.basis = "label of " + asset.library + "/" + asset.id;
   } else {
     std::string name = asset.id;

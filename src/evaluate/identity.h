@@ -11,12 +11,11 @@
 
 namespace roomgen {
 
-/// What an object of a scene is known to be, from what made it: the label of a library's mesh or the
-/// kind of a recipe. What the scene's description asked for is no evidence.
+/// What an object of a scene is known to be, from what made it: what somebody saw in a library's
+/// mesh, or the kind of a recipe. What the scene's description asked for is no evidence.
 struct Identity {
   std::string kind;             ///< "dining chair"
-  std::set<std::string> words;  ///< of the kind and of the mesh's label, in the singular
-  std::map<std::string, int> parts;  ///< that the label counts: "6 drawers"
+  std::set<std::string> words;  ///< of the kind and of who saw the mesh, in the singular
   std::string basis;            ///< "label of Scopia/chair", "recipe kind"
 };
 

@@ -3,6 +3,7 @@
 #include <map>
 
 #include "attributes.h"
+#include "library/seen_assets.h"
 #include "roomgen/base/text.h"
 #include "roomgen/kinds/kind_table.h"
 
@@ -77,6 +78,8 @@ KnownLooks known_looks(const Object& object, const ModelTable& models) {
     looks.steadiness = steadiness_of(mesh);
     looks.making = model->making;
   }
+  const SeenAsset* seen = seen_asset(object.asset);
+  if (seen && !looks.making.known()) looks.making = seen->has;
   looks.size = object.size;
   const Kind* category = KindTable::built_in().find(looks.identity.kind);
   looks.usual = category ? category->size : object.size;

@@ -12,7 +12,8 @@ PlacementTask task_of_asset(const std::string& id, const PlanItem& item, const K
                             const AssetInfo& asset, const Model* model, const Room& room) {
   PlacementTask task;
   Object& object = task.object;
-  object = object_of_asset(asset, category, fitted_size(asset, category, item.mount, item.size.value_or(category.size), item.asked), model);
+  const Vec3 size = fitted_size(asset, category.size, item.size.value_or(category.size));
+  object = object_of_asset(asset, category, size, model);
   object.id = id;
   object.category = item.category;
   object.description = item.description.empty() ? asset.name : item.description;

@@ -7,6 +7,9 @@
 #include "roomgen/base/text.h"
 #include "evaluate/attributes.h"
 #include "evaluate/ledger.h"
+#include "library/asset_object.h"
+#include "library/attribute_words.h"
+#include "library/qualifiers.h"
 #include "solve/fit_rugs.h"
 #include "scene/judgement.h"
 #include "moves.h"
@@ -52,6 +55,40 @@ void list_assets(const Workplace& place, const BuildState& state, Generation& re
     if (object.stand_in)
       result.notes.push_back("no model of \"" + object.category + "\": " + object.id + " is a plain stand-in of " +
                              size_text(object.size) + " m");
+  }
+}
+
+// What else a thing is than the plan says, in kind or in size; empty: nothing.
+std::string difference(const PlanItem& item, const Kind& kind, const AssetInfo& asset,
+                       const Vec3& size) {
+  static constexpr const char* sides[] = {"wide", "deep", "high"};
+  const Vocabulary& vocabulary = Vocabulary::built_in();
+  const std::string own = own_name(item.category, item.description).kind;
+  const std::string asked = vocabulary.understand(item.category).kind;
+  // What has the parts that were said is what was asked for, whatever it is called.
+  const bool is_so = asset.approximate || asset.stand_in ||
+                     vocabulary.fit(asset.category, own) + vocabulary.fit(asset.category, asked) > 0.0 ||
+                     !AttributeWords::built_in().need_of(asset.category).empty();
+  if (!is_so)
+    return "a " + asset.category + ", for there is no such " + item.category;
+  const bool is_fitted = kind.covers_window || kind.traits.flat;
+  const auto side = item.size && !is_fitted ? far_off_side(size, kind.size, *item.size) : std::nullopt;
+  if (!side) return {};
+  return format_number(size[*side], 2) + " m " + sides[*side] + ", not " +
+         format_number((*item.size)[*side], 2);
+}
+
+// Once for things of one item that differ alike.
+void tell_differences(const Workplace& place, const BuildState& state, Generation& result) {
+  std::set<std::pair<std::size_t, std::string>> told;
+  for (const auto& planned : planned_objects(place.plan)) {
+    const Object* placed = find_object(state, planned.id);
+    if (!placed) continue;
+    const PlanItem& item = place.plan.items[planned.item];
+    const std::string text = difference(item, place.categories.get(item.category),
+                                        state.assets.at(planned.id), placed->size);
+    if (!text.empty() && told.emplace(planned.item, text).second)
+      result.notes.push_back(planned.id + " is " + text);
   }
 }
 
@@ -165,6 +202,7 @@ Generation outcome(const Workplace& place, const BuildState& state) {
   list_objects(place, state, result.scene);
   lay_rugs(place, state, result);
   list_assets(place, state, result);
+  tell_differences(place, state, result);
   tell_what_was_not_followed(state, result);
   result.scene.requirements = verdicts(place, result);
   result.scene.heard = place.plan.heard;

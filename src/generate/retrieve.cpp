@@ -26,14 +26,15 @@ std::string words_of(const PlanItem& item) {
 Result<std::vector<AssetInfo>> retrieve(const AssetSearch& search, const Favourites& favourites,
                                         const PlanItem& item, const PlannedObject& planned,
                                         int count) {
-  const Vec3& usual_size = search.categories.get(item.category).size;
+  const Kind* kind = search.categories.find(item.category);
+  const Vec3 usual_size = kind ? kind->size : search.categories.get(item.category).size;
   AssetQuery query;
   query.category = item.category;
   query.description = item.description;
   query.size = item.size.value_or(usual_size);
   query.mount = item.mount;
   query.asked = item.asked;
-  query.sized = item.size && !item.size->isApprox(usual_size, same_size);
+  query.sized = item.size && (kind || !item.size->isApprox(usual_size, same_size));
   auto matches = search.library.search(query);
   if (!matches) return matches.error();
 

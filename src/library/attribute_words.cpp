@@ -125,7 +125,7 @@ Result<AttributeWords> AttributeWords::parse(std::string_view text, const std::s
   if (!json) return json.error();
   JsonReader::Problems problems(source);
   const JsonReader root(*json, problems);
-  root.allow_only({"about", "says_nothing", "attributes", "parts", "counts"});
+  root.allow_only({"about", "says_nothing", "attributes", "parts", "counts", "demands", "needs"});
   AttributeWords result;
   for (const auto& word : read_words(root["says_nothing"])) result.empty_words_[word] = true;
   std::vector<std::pair<std::string, JsonReader>> synonyms;
@@ -140,6 +140,12 @@ Result<AttributeWords> AttributeWords::parse(std::string_view text, const std::s
   }
   // What is said of a phrase itself goes before.
   result.meanings_.merge(part_phrases(root["parts"], root["counts"]));
+  result.demands_ = read_words(root["demands"]);
+  if (root["needs"].exists())
+    for (const auto& [kind, phrase] : root["needs"].members()) {
+      result.needs_[kind] = phrase.text(60);
+      if (!result.find(result.needs_[kind])) phrase.report("is no attribute");
+    }
   if (problems.first()) return *problems.first();
   return result;
 }
@@ -175,6 +181,17 @@ bool is_made_so(const Making& making, const AttributeMeaning& meaning) {
 const AttributeMeaning* AttributeWords::find(std::string_view phrase) const {
   const auto found = meanings_.find(phrase);
   return found == meanings_.end() ? nullptr : &found->second;
+}
+
+bool AttributeWords::is_demand(const AttributeMeaning& meaning) const {
+  return std::any_of(meaning.parts.begin(), meaning.parts.end(), [&](const auto& counts) {
+    return std::find(demands_.begin(), demands_.end(), counts.begin()->first) != demands_.end();
+  });
+}
+
+std::string AttributeWords::need_of(std::string_view kind) const {
+  const auto found = needs_.find(kind);
+  return found == needs_.end() ? std::string() : found->second;
 }
 
 std::vector<std::string> AttributeWords::phrases(const std::vector<std::string>& words) const {

@@ -77,6 +77,11 @@ class AttributeWords {
   const AttributeMeaning* find(std::string_view phrase) const;
   /// Words that add nothing to the others of an attribute: "matte finish".
   bool says_nothing(std::string_view word) const;
+  /// Is it about parts that a thing is used by, which must be there when they are said: drawers?
+  bool is_demand(const AttributeMeaning& meaning) const;
+  /// What things of a kind must have by what they are for: "two basins"; empty: nothing.
+  std::string need_of(std::string_view kind) const;
+  const std::map<std::string, std::string, std::less<>>& needs() const { return needs_; }
   /// The words in phrases that are known, the longest first; what is not known is a phrase of its own.
   std::vector<std::string> phrases(const std::vector<std::string>& words) const;
   const std::map<std::string, AttributeMeaning, std::less<>>& all() const { return meanings_; }
@@ -84,6 +89,8 @@ class AttributeWords {
  private:
   std::map<std::string, AttributeMeaning, std::less<>> meanings_;
   std::map<std::string, bool, std::less<>> empty_words_;
+  std::vector<std::string> demands_;  ///< labels of parts
+  std::map<std::string, std::string, std::less<>> needs_;  ///< kind to phrase
 };
 
 }  // namespace roomgen

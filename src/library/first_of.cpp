@@ -26,6 +26,9 @@ class FirstOf final : public AssetLibrary {
       matches->erase(first, matches->end());
       if (!matches->empty()) return matches;
     }
+    std::stable_sort(contradicting.begin(), contradicting.end(), [](const AssetMatch& a, const AssetMatch& b) {
+      return a.contradicts < b.contradicts;
+    });
     return contradicting;
   }
 

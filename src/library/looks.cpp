@@ -4,6 +4,8 @@
 #include <set>
 
 #include "attribute_words.h"
+#include "qualifiers.h"
+#include "seen_assets.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen {
@@ -11,10 +13,6 @@ namespace roomgen {
 namespace {
 
 using Words = std::set<std::string, std::less<>>;
-
-// Longer or shorter by this factor is another size than the one that was named.
-constexpr double most_off = 1.3;
-constexpr double least_said = 0.05;  // metres: thinner than this, thickness is nobody's wish
 
 constexpr std::size_t most_colors = 7;  // a word that leaves more open tells nothing of colour
 
@@ -45,6 +43,20 @@ bool contradicts_natural_color(const AssetInfo& asset, const std::vector<std::st
                       [&](const std::string& color) { return accepted.count(color) > 0; });
 }
 
+// "Black leather" is a part of it, for who saw it, whatever else there is.
+bool has_part_of(const AssetInfo& asset, const WantedLooks& wanted, const Vocabulary& vocabulary) {
+  const SeenAsset* seen = seen_asset(asset.ref);
+  if (!seen || wanted.colors.empty()) return false;
+  const Words colors = colors_of(wanted.colors);
+  for (const auto& part : seen->parts)
+    for (const auto& material : wanted.materials) {
+      const auto family = vocabulary.family(material);
+      const bool is_of_it = std::find(family.begin(), family.end(), part.material) != family.end();
+      if (is_of_it && colors.count(part.color)) return true;
+    }
+  return false;
+}
+
 bool names_other_material(const AssetInfo& asset) {
   const auto told = words(asset.name + " " + join(asset.tags, " "));
   return std::any_of(told.begin(), told.end(), [&](const std::string& word) {
@@ -53,66 +65,61 @@ bool names_other_material(const AssetInfo& asset) {
   });
 }
 
-bool contradicts_outline(const AssetInfo& asset, WantedLooks::Outline outline,
+bool is_kind_of(const AssetInfo& asset, const std::vector<std::string>& kinds,
+                const Vocabulary& vocabulary) {
+  return std::any_of(kinds.begin(), kinds.end(),
+                     [&](const auto& kind) { return vocabulary.is_a(asset.category, kind); });
+}
+
+// An oval one is neither round nor square.
+bool contradicts_outline(const AssetInfo& asset, const std::string& outline,
                          const Vocabulary& vocabulary) {
-  const bool told = vocabulary.is_a(asset.category, "table") || vocabulary.is_a(asset.category, "rug");
-  if (outline == WantedLooks::Outline::any || !told) return false;
-  return asset.round != (outline == WantedLooks::Outline::round);
+  static const std::vector<std::string> told = {"table", "rug", "stool", "ottoman", "tray"};
+  if (outline.empty() || !is_kind_of(asset, told, vocabulary)) return false;
+  const SeenAsset* seen = seen_asset(asset.ref);
+  if (outline == "round" && seen) return seen->shape != "round";
+  return asset.round != (outline == "round" || outline == "oval");
 }
 
-// "6 drawers"
-bool counts_parts(const std::vector<std::string>& told, const AttributeMeaning& meaning) {
-  for (std::size_t i = 0; i + 1 < told.size(); ++i)
-    for (const auto& counts : meaning.parts) {
-      const auto wanted = counts.find(singular(told[i + 1]));
-      const bool is_number = told[i].size() <= 3 && told[i].find_first_not_of("0123456789") == std::string::npos;
-      if (is_number && wanted != counts.end() && wanted->second.contains(std::stoi(told[i]))) return true;
-    }
-  return false;
-}
-
-// Neither its kind nor its texts tell that it is made so.
-bool contradicts_making(const AssetInfo& asset, const std::vector<std::string>& wanted, const Vocabulary& vocabulary,
+// Neither its kind nor who saw it, nor its texts, tell that it is made so. Of parts who saw it is
+// believed alone.
+bool contradicts_making(const AssetInfo& asset, const std::vector<std::string>& wanted,
+                        const Vocabulary& vocabulary,
                         const std::function<bool(const std::string&)>& says) {
+  const SeenAsset* seen = seen_asset(asset.ref);
+  const auto told = words(asset.name + " " + join(asset.tags, " "));
   return std::any_of(wanted.begin(), wanted.end(), [&](const std::string& phrase) {
     const AttributeMeaning& meaning = *AttributeWords::built_in().find(phrase);
-    const auto told = words(asset.name + " " + join(asset.tags, " "));
-    const bool is_so = std::any_of(meaning.kinds.begin(), meaning.kinds.end(),
-                                   [&](const std::string& kind) { return vocabulary.is_a(asset.category, kind); });
-    const bool is_said = std::any_of(meaning.said.begin(), meaning.said.end(), [&](const std::string& word) {
-      return std::find(told.begin(), told.end(), word) != told.end();
-    });
+    const auto& said = meaning.said;
+    if (is_kind_of(asset, meaning.kinds, vocabulary)) return false;
+    if (seen && is_made_so(seen->has, meaning)) return false;
+    if (std::find_first_of(told.begin(), told.end(), said.begin(), said.end()) != told.end()) return false;
     const auto pieces = words(phrase);
-    return !is_so && !is_said && !counts_parts(told, meaning) && !std::all_of(pieces.begin(), pieces.end(), says);
+    return (seen && !meaning.parts.empty()) || !std::all_of(pieces.begin(), pieces.end(), says);
   });
-}
-
-bool far_off(double have, double want) {
-  return std::max(have, want) > least_said && std::max(have / want, want / have) > most_off;
-}
-
-bool any_far_off(const Vec3& have, const Vec3& want) {
-  return far_off(have.x(), want.x()) || far_off(have.y(), want.y()) || far_off(have.z(), want.z());
 }
 
 }  // namespace
 
-WantedLooks wanted_looks(const std::vector<std::string>& words) {
+WantedLooks wanted_looks(std::string_view description) {
   const auto& table = AttributeWords::built_in();
+  const Qualifiers said = qualify(description);
   WantedLooks wanted;
-  for (const auto& phrase : table.phrases(words)) {
+  for (const auto& phrase : table.phrases(said.own)) {
     const AttributeMeaning* meaning = table.find(phrase);
     if (!meaning) continue;
-    const auto has = [&](const char* outline) {
-      return std::find(meaning->outlines.begin(), meaning->outlines.end(), outline) !=
-             meaning->outlines.end();
-    };
     if (!meaning->materials.empty()) wanted.materials.push_back(phrase);
     else if (!meaning->colors.empty()) wanted.colors.push_back(phrase);
     else if (meaning->of_making()) wanted.making.push_back(phrase);
-    else if (has("round")) wanted.outline = WantedLooks::Outline::round;
-    else if (has("square")) wanted.outline = WantedLooks::Outline::angular;
+    else if (!meaning->outlines.empty()) wanted.outline = meaning->outlines.front();
   }
+  for (const auto& phrase : table.phrases(said.parts))
+    for (const auto& word : {phrase, words(phrase).back()}) {  // "sliding doors" are doors
+      const AttributeMeaning* meaning = table.find(word);
+      if (!meaning || (meaning->ways.empty() && !table.is_demand(*meaning))) continue;
+      wanted.making.push_back(word);
+      if (table.is_demand(*meaning)) break;
+    }
   return wanted;
 }
 
@@ -132,17 +139,13 @@ Contradiction contradiction(const AssetInfo& asset, const WantedLooks& wanted, c
   };
   if (contradicts_outline(asset, wanted.outline, vocabulary)) return Contradiction::form;
   if (contradicts_making(asset, wanted.making, vocabulary, says)) return Contradiction::form;
+  if (has_part_of(asset, wanted, vocabulary)) return Contradiction::none;
   if (contradicts_color(asset, wanted.colors)) return Contradiction::looks;
   if (wanted.materials.empty()) return Contradiction::none;
   // Painted wood is asked for by its colour.
   const bool unnatural = wanted.colors.empty() && contradicts_natural_color(asset, wanted.materials);
   return unnatural || (!said(wanted.materials) && names_other_material(asset)) ? Contradiction::looks
                                                                                : Contradiction::none;
-}
-
-bool contradicts_size(const AssetInfo& asset, const Vec3& wanted) {
-  if (!any_far_off(asset.size, wanted)) return false;
-  return asset.has_front || any_far_off({asset.size.y(), asset.size.x(), asset.size.z()}, wanted);
 }
 
 }  // namespace roomgen

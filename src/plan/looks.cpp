@@ -62,7 +62,7 @@ std::string Looks::describe(const std::string& category, const std::string& vari
 }
 
 std::string Looks::in_style(const std::string& category, const std::string& description) const {
-  const WantedLooks said = wanted_looks(roomgen::words(description));
+  const WantedLooks said = wanted_looks(description);
   if (!said.colors.empty() || !said.materials.empty()) return description;
   const auto* finish = finish_of(category, of_style_);
   if (!finish) return description;

@@ -193,7 +193,7 @@ TEST_CASE("Parts are those that a recipe made, or that a label counts") {
     CHECK(judge_attribute(dresser, not_held).judged);
   }
   KnownLooks sofa = plain("sofa", {2, 0.9, 0.8});
-  sofa.identity.parts = {{"seat", 3}};
+  sofa.making.parts = {{"seat", 3}};
   CHECK(has(sofa, "three_seat"));
   CHECK(has(sofa, "three-seater"));
   CHECK_FALSE(has(sofa, "two_seat"));

@@ -56,7 +56,7 @@ std::vector<Shelf> fill_all(const std::vector<StockWish>& wishes, const AssetLib
 // As scene.json keeps it, so that what is judged is what is written.
 Vec3 fitted_to(const StockWish& wish, const AssetInfo& asset, const Kind& kind) {
   if (!wish.size) return rounded_position(asset.size);
-  return rounded_position(fitted_size(asset, kind, wish.mount.value_or(kind.mount), *wish.size, wish.asked));
+  return rounded_position(fitted_size(asset, kind.size, *wish.size));
 }
 
 }  // namespace

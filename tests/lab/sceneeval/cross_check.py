@@ -108,12 +108,11 @@ def navigability(scene):
     return sizes.max() / free.sum() if free.any() else 0
 
 
-def kind_of(thing, labels):
+def kind_of(thing, seen):
     procedural = thing["asset"].get("procedural")
     if procedural:
         return procedural.get("params", {}).get("kind", procedural["recipe"])
-    label = labels.get(thing["asset"].get("library", ""), {}).get(thing["asset"].get("id", ""), "")
-    return label.split("|")[0].strip()
+    return seen.get(thing["asset"].get("library", ""), {}).get(thing["asset"].get("id", ""), {}).get("kind", "")
 
 
 def check(roomgen, source, folder, number, prompt):
@@ -121,8 +120,8 @@ def check(roomgen, source, folder, number, prompt):
     subprocess.run([roomgen, "--quiet", "generate", prompt, "-o", room, "--no-pictures", "--force"], check=True)
     scene = json.loads((room / "scene.json").read_text())
     things = {thing["id"]: thing for thing in scene["objects"]}
-    labels = json.loads((source / "data/furniture-labels.json").read_text())["labels"]
-    kinds = {name: kind_of(thing, labels) for name, thing in things.items()}
+    seen = json.loads((source / "data/furniture-seen.json").read_text())["assets"]
+    kinds = {name: kind_of(thing, seen) for name, thing in things.items()}
     categories = sorted({kind for kind in kinds.values() if kind})
     # One thing of a kind: a relation between two kinds is one between two things.
     single = [kind for kind in categories if list(kinds.values()).count(kind) == 1]
