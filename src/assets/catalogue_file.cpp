@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int format_version = 6;  // of the catalogue's tables and of what is worked out for them
+constexpr int format_version = 7;  // of the catalogue's tables and of what is worked out for them
 constexpr std::size_t most_catalogue_bytes = std::size_t{1} << 30;
 constexpr std::size_t key_digits = 16;
 constexpr std::size_t most_versions = 4;

@@ -71,17 +71,22 @@ bool front_of(const SourceAsset& asset, const AssetInfo& info, const SeenAsset* 
   return category ? category->traits.front : true;
 }
 
-// The colour of its largest part goes first: meshes are drawn in colours that nobody sees as such.
+// What is shown most is its colour where one of its two largest parts is seen so; else the largest
+// part's goes first: meshes are drawn in colours that nobody sees as such.
 void take_seen_color(const SeenAsset& seen, std::vector<std::string>& colors) {
-  if (seen.parts.empty()) return;
-  const auto* meaning = AttributeWords::built_in().find(seen.parts.front().color);
-  if (!meaning || meaning->colors.empty()) return;
-  const auto& names = meaning->colors;
-  const auto shown = std::find_first_of(colors.begin(), colors.end(), names.begin(), names.end());
-  if (shown == colors.end())
-    colors.insert(colors.begin(), names.front());
-  else
-    std::rotate(colors.begin(), shown, shown + 1);
+  for (std::size_t i = std::min<std::size_t>(seen.parts.size(), 2); i-- > 0;) {
+    const auto* meaning = AttributeWords::built_in().find(seen.parts[i].color);
+    if (!meaning || meaning->colors.empty()) continue;
+    const auto& names = meaning->colors;
+    const auto is_named = [&](const std::string& color) {
+      return std::find(names.begin(), names.end(), color) != names.end();
+    };
+    if (!colors.empty() && is_named(colors.front())) return;
+    if (i > 0) continue;
+    const auto shown = std::find_if(colors.begin(), colors.end(), is_named);
+    if (shown == colors.end()) colors.insert(colors.begin(), names.front());
+    else std::rotate(colors.begin(), shown, shown + 1);
+  }
 }
 
 }  // namespace

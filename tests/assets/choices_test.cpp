@@ -44,7 +44,7 @@ bool lists(const Json& names, const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("What is taken has the name, the parts, the looks and the size that were said, in all but one case of 42") {
+TEST_CASE("What is taken has the name, the parts, the looks and the size that were said, in all cases but one") {
   const auto* catalogue = furniture();
   if (!catalogue) return;
   const auto library = whole_library(*catalogue);
