@@ -89,8 +89,9 @@ class FinishReader {
       if (color != words_.colors.end()) found.push_back(shaded(color->second));
       if (stuff != words_.substances.end()) found.push_back(shaded(stuff->second.tone));
       specific = color != words_.colors.end();
-      const auto css = words_.css_colors.find(word);
-      if (css != words_.css_colors.end() && !words_.describes(word)) found.push_back(css->second);
+      const auto other = words_.further_colors.find(word);
+      if (other != words_.further_colors.end() && !words_.describes(word))
+        found.push_back(other->second);
     }
     return found;
   }
@@ -201,7 +202,8 @@ bool says_finish(std::string_view description, const FinishWords& words) {
   const auto all = roomgen::words(description);
   return !color_codes(description).empty() ||
          std::any_of(all.begin(), all.end(), [&](const std::string& word) {
-           return words.describes(word) || words.css_colors.count(word) || words.alone.count(word);
+           return words.describes(word) || words.further_colors.count(word) ||
+                  words.alone.count(word);
          });
 }
 

@@ -106,7 +106,7 @@ Result<FinishWords> parse_finish_words(std::string_view text, const std::string&
   if (!json) return json.error();
   JsonReader::Problems problems(source);
   const JsonReader root(*json, problems);
-  root.allow_only({"about", "surfaces", "substances", "basic colors", "colors", "css colors",
+  root.allow_only({"about", "surfaces", "substances", "basic colors", "colors", "further colors",
                    "shades", "fillers", "parts", "alone", "usual", "light"});
   FinishWords words;
   for (const auto& [name, entry] : root["surfaces"].members()) {
@@ -121,7 +121,7 @@ Result<FinishWords> parse_finish_words(std::string_view text, const std::string&
   }
   words.basic_colors = read_tones(root["basic colors"]);
   words.colors = read_tones(root["colors"]);
-  words.css_colors = read_tones(root["css colors"]);
+  words.further_colors = read_tones(root["further colors"]);
   for (const auto& [word, entry] : root["shades"].members()) {
     entry.allow_only({"towards", "by"});
     words.shades[word] = {read_tone(entry["towards"]), entry["by"].number(0.0, 1.0)};

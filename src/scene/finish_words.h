@@ -57,7 +57,7 @@ struct FinishWords {
   Words<Substance> substances;
   Words<Tone> basic_colors;  ///< "green", which says less than "sage"
   Words<Tone> colors;
-  Words<Tone> css_colors;  ///< "lightsteelblue": understood where finishes are written, not said
+  Words<Tone> further_colors;  ///< "lightsteelblue": written, hardly said
   Words<Shade> shades;
   Words<Sky> skies;
   Words<double> levels;   ///< how bright, lux

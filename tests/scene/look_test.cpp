@@ -103,7 +103,7 @@ TEST_CASE("what cannot be so is told with its place, and the rest of the plan is
       {[](Json& j) { j["room"]["materials"] = {{"floor", "#zzzzzz"}}; }, "/room/materials/floor: "},
       {[](Json& j) { j["room"]["materials"] = {{"walls", {{{"wall", 9}, {"finish", "red"}}}}}; }, "/room/materials/walls: \"wall-9\""},
       {[](Json& j) { j["room"]["materials"] = {{"walls", {{{"wall", "up"}, {"finish", "red"}}}}}; }, "/room/materials/walls/0/wall: \"up\""},
-      {[](Json& j) { j["openings"] = {{{"kind", "dor"}}}; }, "did you mean \"door\"?"},
+      {[](Json& j) { j["openings"] = {{{"kind", "dor"}}}; }, "/openings/0/kind: \"dor\" is no kind of opening that is known; did you mean \"door\"?"},
       {[](Json& j) { j["openings"] = {{{"kind", "door"}, {"wall", "wall-4"}}}; }, "/openings/0/wall: \"wall-4\""},
       {[](Json& j) { j["openings"] = {{{"kind", "door"}, {"wall", 1}, {"at", 1.5}}}; }, "/openings/0/at: 1.5 "},
   };
@@ -167,6 +167,7 @@ TEST_CASE("colours by code and by the names of CSS") {
   CHECK(color("lightsteelblue") == material_color({176, 196, 222}));
   CHECK(color("#ff00001") == color("walls"));
   CHECK(says_finish("#a0b0c0"));
+  CHECK(says_finish("brass"));
   CHECK_FALSE(says_finish("#a0b0c"));
   CHECK_FALSE(says_finish("the flurb"));
 }
