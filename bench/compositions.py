@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Compositions drawn from above, and checked by boxes.
 
-    build/release/bench/bench_compositions [FILE...] > LINES
+    build/release/tests/composition/print_compositions [FILE...] > LINES
     bench/compositions.py LINES [FOLDER]       FOLDER: sheet-N.png of twelve drawings each (needs Pillow)
 
 Faults are what stands in each other on the floor or on the wall (more than 2 cm, where neither tucks under the other),

@@ -38,7 +38,8 @@ double value_of(const Parameter& parameter, const Values& values) {
 }
 
 // Smaller by one of each parameter that shrinks, while there is one above its least.
-std::vector<Values> smaller(const Composition& composition, Values values, const std::set<std::string>& fixed) {
+std::vector<Values> smaller(const Composition& composition, Values values,
+                            const std::set<std::string>& fixed) {
   std::vector<Values> all;
   for (bool shrank = true; shrank && all.size() < most_alternatives;) {
     shrank = false;
@@ -79,7 +80,8 @@ std::set<int> spare_levels(const Arranged& arranged) {
 }  // namespace
 
 Result<std::vector<Arranged>> alternatives(const Composition& composition, const Values& values,
-                                           const std::set<std::string>& fixed, const Making& making) {
+                                           const std::set<std::string>& fixed,
+                                           const Making& making) {
   auto first = arrange(composition, values, making);
   if (!first) return first.error();
   std::vector<Arranged> all;

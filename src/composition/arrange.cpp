@@ -7,18 +7,24 @@ namespace roomgen::composition {
 
 namespace {
 
-constexpr double above_target = 0.15;   ///< metres from the top of a thing to what hangs over it
-constexpr double behind_rim = 0.03;     ///< metres from the edge of a table to what stands before a seat
-constexpr double far_behind = 5.0, reach = 0.5;  ///< metres from a seat to the edge of its table, at most
+constexpr double above_target = 0.15;  ///< metres from the top of a thing to what hangs over it
+constexpr double behind_rim =
+    0.03;  ///< metres from the edge of a table to what stands before a seat
+constexpr double far_behind = 5.0,
+                 reach = 0.5;  ///< metres from a seat to the edge of its table, at most
 constexpr double longest_row = 200;
 
 Error wrong(const Part& part, const std::string& what) {
   return {Error::Kind::invalid_input, "part \"" + part.name + "\": " + what};
 }
 
-Vec2 sized(Side side, const Vec2& half) { return outward(side).cwiseProduct(half); }
+Vec2 sized(Side side, const Vec2& half) {
+  return outward(side).cwiseProduct(half);
+}
 
-bool is_across(Side side) { return side == Side::left || side == Side::right; }
+bool is_across(Side side) {
+  return side == Side::left || side == Side::right;
+}
 
 Arranged moved_to(const Place& frame, Arranged arranged) {
   for (auto& member : arranged.members) member.place = within(frame, member.place);
@@ -69,9 +75,10 @@ class Arranging {
       if (double* number = std::get_if<double>(&value); number && parameter.choices.empty())
         *number = std::clamp(*number, parameter.least, parameter.most);
       else if (std::find(parameter.choices.begin(), parameter.choices.end(),
-                         number ? std::string() : std::get<std::string>(value)) == parameter.choices.end())
-        return Error{Error::Kind::invalid_input, "\"" + composition_.name + "\": \"" + parameter.name +
-                                                     "\" cannot be that"};
+                         number ? std::string() : std::get<std::string>(value)) ==
+               parameter.choices.end())
+        return Error{Error::Kind::invalid_input,
+                     "\"" + composition_.name + "\": \"" + parameter.name + "\" cannot be that"};
       scope_.values[parameter.name] = std::move(value);
     }
     return {};
@@ -89,7 +96,8 @@ class Arranging {
   double gap_of(const Part& part) {
     constexpr double clear = 0.02;
     const double gap = number(part.gap, 0.0);
-    return gap < 0.0 && making_.tuck < 1.0 ? making_.tuck * gap + (making_.tuck > 0.0 ? 0.0 : clear) : gap;
+    return gap < 0.0 && making_.tuck < 1.0 ? making_.tuck * gap + (making_.tuck > 0.0 ? 0.0 : clear)
+                                           : gap;
   }
 
   Status add(const Part& part) {
@@ -103,16 +111,19 @@ class Arranging {
     } else {
       unit.members.push_back(thing(part));
     }
-    const Bounds2 box = is_flat_thing(part) || unit.members.size() == 1
-                            ? Bounds2{-0.5 * unit.members[0].size.head<2>(), 0.5 * unit.members[0].size.head<2>()}
-                            : box_of(unit, making_.kinds);
+    const Bounds2 box =
+        is_flat_thing(part) || unit.members.size() == 1
+            ? Bounds2{-0.5 * unit.members[0].size.head<2>(), 0.5 * unit.members[0].size.head<2>()}
+            : box_of(unit, making_.kinds);
     const Vec3 size(box.size().x(), box.size().y(), unit.members.front().size.z());
     const Vec2 middle = 0.5 * (box.low + box.high);
     remember_size(part.name, size);
-    if (making_.without.count(path_of(part)) > 0 || (part.when && number(part.when, 1.0) == 0.0)) return {};
+    if (making_.without.count(path_of(part)) > 0 || (part.when && number(part.when, 1.0) == 0.0))
+      return {};
     for (const auto& [place, reference] : repeated(part, places(part, size))) {
       if (arranged_.members.size() + unit.members.size() > most_members)
-        return Error{Error::Kind::limit, "a group holds at most " + std::to_string(most_members) + " things"};
+        return Error{Error::Kind::limit,
+                     "a group holds at most " + std::to_string(most_members) + " things"};
       put(part, unit, within(place, {-middle, 0.0}), place, size, reference);
     }
     if (problem_) return wrong(part, *problem_);
@@ -123,11 +134,14 @@ class Arranging {
     return !part.kind.empty() && making_.kinds.get(part.kind).traits.flat;
   }
 
-  std::string path_of(const Part& part) const { return path_.empty() ? part.name : path_ + "/" + part.name; }
+  std::string path_of(const Part& part) const {
+    return path_.empty() ? part.name : path_ + "/" + part.name;
+  }
 
   Result<Arranged> nested(const Part& part) {
     const auto found = making_.known.find(part.composition);
-    if (found == making_.known.end()) return wrong(part, "there is no group \"" + part.composition + "\"");
+    if (found == making_.known.end())
+      return wrong(part, "there is no group \"" + part.composition + "\"");
     Values values;
     for (const auto& [name, formula] : part.with) {
       const auto value = formula.value(scope_);
@@ -146,8 +160,10 @@ class Arranging {
     member.description = part.description;
     member.mount = part.mount.value_or(kind.mount);
     for (int axis = 0; axis < 3; ++axis)
-      member.size[axis] = std::clamp(number(part.size[static_cast<std::size_t>(axis)], kind.size[axis]), 0.001, 50.0);
-    if (const auto real = making_.size_of ? making_.size_of(member.part) : std::nullopt) member.size = *real;
+      member.size[axis] = std::clamp(
+          number(part.size[static_cast<std::size_t>(axis)], kind.size[axis]), 0.001, 50.0);
+    if (const auto real = making_.size_of ? making_.size_of(member.part) : std::nullopt)
+      member.size = *real;
     member.varied = part.varied;
     member.spare = part.spare;
     if (part.height) member.height = number(part.height, 0.0);
@@ -175,13 +191,18 @@ class Arranging {
   // In the frame of the reference.
   std::vector<Place> places_at(const Part& part, const Vec3& size, const Instance& reference) {
     switch (part.where) {
-      case Where::beside: return beside(part, size, reference);
-      case Where::around: return around(part, size, reference);
-      case Where::before: return before(part, size, reference);
-      case Where::at: break;
+      case Where::beside:
+        return beside(part, size, reference);
+      case Where::around:
+        return around(part, size, reference);
+      case Where::before:
+        return before(part, size, reference);
+      case Where::at:
+        break;
     }
     Place place{Vec2(number(part.x, 0.0), number(part.y, 0.0)), own_yaw(part, 0.0)};
-    if (part.mount == Mount::wall && !part.y) place.position.y() = 0.5 * (reference.size.y() - size.y());
+    if (part.mount == Mount::wall && !part.y)
+      place.position.y() = 0.5 * (reference.size.y() - size.y());
     const bool is_apart = place.position.norm() > 1e-6;  // else an arc says where its copies look
     if (is_apart && part.facing == Facing::to) place.yaw = yaw_facing(-place.position);
     if (is_apart && part.facing == Facing::away) place.yaw = yaw_facing(place.position);
@@ -210,10 +231,13 @@ class Arranging {
       const double off = 0.5 * normal.cwiseAbs().dot(own) + gap_of(part);
       const double slack = is_across(side) ? half.y() - 0.5 * own.y() : half.x() - 0.5 * own.x();
       double shift = number(part.shift, 0.0);
-      if (part.align != Part::Align::middle) shift += part.align == Part::Align::back ? slack : -slack;
+      if (part.align != Part::Align::middle)
+        shift += part.align == Part::Align::back ? slack : -slack;
       const double length = is_across(side) ? reference.size.y() : reference.size.x();
       for (double along : in_a_row(count_of(part), length, number(part.pitch, 0.0)))
-        found.push_back({sized(side, half) + off * normal + (along + shift) * normal.cwiseAbs().reverse(), yaw});
+        found.push_back(
+            {sized(side, half) + off * normal + (along + shift) * normal.cwiseAbs().reverse(),
+             yaw});
     }
     return found;
   }
@@ -222,8 +246,9 @@ class Arranging {
     std::vector<Place> found;
     const Footprint table(Vec2::Zero(), reference.size.head<2>(), 0.0, reference.round);
     for (const auto& seat : seat_places(table, count_of(part)))
-      found.push_back({seat.rim + (gap_of(part) + 0.5 * size.y()) * seat.outward,
-                       yaw_facing(part.facing == Facing::away ? seat.outward : Vec2(-seat.outward))});
+      found.push_back(
+          {seat.rim + (gap_of(part) + 0.5 * size.y()) * seat.outward,
+           yaw_facing(part.facing == Facing::away ? seat.outward : Vec2(-seat.outward))});
     return found;
   }
 
@@ -259,13 +284,16 @@ class Arranging {
     const auto whole = [&](const Formula& formula) {
       return static_cast<int>(std::clamp(std::round(number(formula, 1.0)), 0.0, longest_row));
     };
-    const int most = whole(repeat.number);
+    const int most =
+        static_cast<int>(std::clamp(number(repeat.number, 1.0), 0.0, most_members + 1.0));
     std::vector<Place> found;
     if (repeat.is_arc) {
-      const double from = number(repeat.from, 0), turn = number(repeat.to, 0) - from, radius = number(repeat.radius, 1);
+      const double from = number(repeat.from, 0), turn = number(repeat.to, 0) - from,
+                   radius = number(repeat.radius, 1);
       const bool whole_turn = std::abs(turn) > 359.0;
       for (int i = 0; i < most; ++i) {
-        const double share = most < 2 ? 0.5 : static_cast<double>(i) / (whole_turn ? most : most - 1);
+        const double share =
+            most < 2 ? 0.5 : static_cast<double>(i) / (whole_turn ? most : most - 1);
         const Vec2 away = rotated({1, 0}, radians(from + share * turn));
         found.push_back({radius * away, yaw_facing(facing == Facing::away ? away : Vec2(-away))});
       }
@@ -281,8 +309,8 @@ class Arranging {
     return found;
   }
 
-  void put(const Part& part, const Arranged& unit, const Place& frame, const Place& middle, const Vec3& size,
-           const Instance* reference) {
+  void put(const Part& part, const Arranged& unit, const Place& frame, const Place& middle,
+           const Vec3& size, const Instance* reference) {
     const std::size_t first = arranged_.members.size();
     const int own_unit = part.kind.empty() ? units_++ : -1;
     for (Member member : unit.members) {
@@ -291,14 +319,18 @@ class Arranging {
       if (member.mount == Mount::surface) member.on += first;
       member.number = numbers_[member.part]++;
       if (!part.kind.empty()) hang(part, reference, member);
-      if (part.spare > 0 && (member.spare == 0 || part.spare < member.spare)) member.spare = part.spare;
+      if (part.spare > 0 && (member.spare == 0 || part.spare < member.spare))
+        member.spare = part.spare;
       if (part.kind.empty()) know(member, arranged_.members.size());
       arranged_.members.push_back(std::move(member));
     }
-    instances_[part.name].push_back({middle, size, first, !part.kind.empty() && is_round(unit.members.front())});
+    instances_[part.name].push_back(
+        {middle, size, first, !part.kind.empty() && is_round(unit.members.front())});
   }
 
-  bool is_round(const Member& member) const { return making_.kinds.get(member.category).traits.round; }
+  bool is_round(const Member& member) const {
+    return making_.kinds.get(member.category).traits.round;
+  }
 
   // The things of a group within this one are known by their names in it, too.
   void know(const Member& member, std::size_t index) {
@@ -309,7 +341,8 @@ class Arranging {
   void hang(const Part& part, const Instance* reference, Member& member) {
     if (member.mount == Mount::surface && reference) member.on = reference->member;
     if (!reference || part.height) return;
-    if (member.mount == Mount::wall) member.height = reference->size.z() + above_target + 0.5 * member.size.z();
+    if (member.mount == Mount::wall)
+      member.height = reference->size.z() + above_target + 0.5 * member.size.z();
   }
 
   // Later parts may use its measures: chair_w, chair_d, chair_h.
@@ -335,7 +368,8 @@ class Arranging {
 
 }  // namespace
 
-Result<Arranged> arrange(const Composition& composition, const Values& values, const Making& making) {
+Result<Arranged> arrange(const Composition& composition, const Values& values,
+                         const Making& making) {
   return Arranging(composition, making, "", 1).run(values);
 }
 
@@ -372,10 +406,13 @@ Bounds2 box_of(const Arranged& arranged, const KindTable& kinds) {
   for (const auto& member : arranged.members) {
     const Kind& kind = kinds.get(member.category);
     if (member.mount != Mount::floor || kind.traits.flat) continue;
-    const Footprint own(member.place.position, member.size.head<2>(), member.place.yaw, kind.traits.round);
+    const Footprint own(member.place.position, member.size.head<2>(), member.place.yaw,
+                        kind.traits.round);
     for (const Vec2& corner : own.outline()) box.add(corner);
   }
-  if (box.low.x() > box.high.x()) box = {-0.5 * arranged.members.front().size.head<2>(), 0.5 * arranged.members.front().size.head<2>()};
+  if (box.low.x() > box.high.x())
+    box = {-0.5 * arranged.members.front().size.head<2>(),
+           0.5 * arranged.members.front().size.head<2>()};
   return box;
 }
 

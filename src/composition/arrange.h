@@ -19,11 +19,11 @@ struct Member {
   Vec3 size = Vec3::Ones();
   Place place;
   Mount mount = Mount::floor;
-  std::size_t on = 0;      ///< of what stands on another: which member
+  std::size_t on = 0;            ///< of what stands on another: which member
   std::optional<double> height;  ///< of what hangs: metres from the floor to its middle
   bool varied = false;
   int spare = 0;
-  int unit = -1;           ///< which of the groups within the group it belongs to; -1: none
+  int unit = -1;  ///< which of the groups within the group it belongs to; -1: none
 };
 
 /// A group with its numbers put in. The first member is the anchor, at the origin.
@@ -42,13 +42,17 @@ struct Making {
   /// The kind of thing that a plan has in the place of a part's; empty: the part's own.
   std::function<std::string(const std::string& part)> kind_of = {};
   std::set<std::string> without = {};  ///< parts that are left out
-  double tuck = 1.0;  ///< how much of what is drawn under another is so: meshes may not allow all of it
+  double tuck =
+      1.0;  ///< how much of what is drawn under another is so: meshes may not allow all of it
 };
 
-/// The members of a composition with these values of its parameters (others as by default). Errors name the part.
-Result<Arranged> arrange(const Composition& composition, const Values& values, const Making& making);
+/// The members of a composition with these values of its parameters (others as by default). Errors
+/// name the part.
+Result<Arranged> arrange(const Composition& composition, const Values& values,
+                         const Making& making);
 
-/// The groups within a group, each in the frame of its own anchor: tables with their chairs, of a block of tables.
+/// The groups within a group, each in the frame of its own anchor: tables with their chairs, of a
+/// block of tables.
 std::vector<Arranged> units_of(const Arranged& arranged);
 
 /// Its mirror image: left and right change places.

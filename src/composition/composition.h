@@ -39,19 +39,19 @@ struct Repeat {
 
 /// One of the things of a composition, or a composition within it.
 struct Part {
-  std::string name;         ///< by which others and plans refer to it
-  std::string kind;         ///< of thing; empty: it is a composition
+  std::string name;  ///< by which others and plans refer to it
+  std::string kind;  ///< of thing; empty: it is a composition
   std::string composition;
   std::map<std::string, Formula, std::less<>> with;  ///< parameters of that composition
   std::string description;
-  std::array<std::optional<Formula>, 3> size;        ///< else the usual one of its kind
-  std::optional<Mount> mount;                        ///< else the usual one
+  std::array<std::optional<Formula>, 3> size;  ///< else the usual one of its kind
+  std::optional<Mount> mount;                  ///< else the usual one
   bool varied = false;
 
   Where where = Where::at;
-  std::string of;   ///< a part; empty for the anchor
-  std::string seat; ///< for Where::before
-  bool on = false;  ///< it stands on that part
+  std::string of;           ///< a part; empty for the anchor
+  std::string seat;         ///< for Where::before
+  bool on = false;          ///< it stands on that part
   bool first_only = false;  ///< of that part's copies
   std::vector<Side> sides;
   enum class Align { middle, back, front } align = Align::middle;
@@ -66,8 +66,8 @@ struct Parameter {
   std::string name;
   Value value = 0.0;  ///< unless told otherwise
   double least = 0.0, most = 0.0;
-  std::vector<Formula> others;  ///< further values to try where the first does not fit
-  bool shrinks = false;         ///< down to the least, where there is no room for more
+  std::vector<Formula> others;       ///< further values to try where the first does not fit
+  bool shrinks = false;              ///< down to the least, where there is no room for more
   std::vector<std::string> choices;  ///< of a word
 };
 
@@ -79,7 +79,8 @@ struct Composition {
   std::vector<Parameter> parameters;
   std::vector<Part> parts;
   bool mirrors = false;  ///< its mirror image is another
-  std::string wants;     ///< its arrangement, as data/arrangements.json has those of kinds; JSON, may be empty
+  std::string
+      wants;  ///< its arrangement, as data/arrangements.json has those of kinds; JSON, may be empty
 };
 
 /// By name; those that a plan brings along go before the built-in ones.
@@ -88,8 +89,10 @@ using Compositions = std::map<std::string, Composition, std::less<>>;
 inline constexpr std::size_t most_parts = 60, most_members = 400;
 inline constexpr int deepest_nesting = 5;
 
-/// One composition of data/compositions or of a plan. Located errors for what is unknown or not of its form.
-Result<Composition> read_composition(const Json& json, const std::string& name, const std::string& source);
+/// One composition of data/compositions or of a plan. Located errors for what is unknown or not of
+/// its form.
+Result<Composition> read_composition(const Json& json, const std::string& name,
+                                     const std::string& source);
 /// data/compositions.
 const Result<Compositions>& built_in_compositions();
 

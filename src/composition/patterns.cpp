@@ -11,10 +11,14 @@ Place within(const Place& frame, const Place& place) {
 
 Vec2 outward(Side side) {
   switch (side) {
-    case Side::front: return {0, -1};
-    case Side::back: return {0, 1};
-    case Side::left: return {1, 0};
-    case Side::right: break;
+    case Side::front:
+      return {0, -1};
+    case Side::back:
+      return {0, 1};
+    case Side::left:
+      return {1, 0};
+    case Side::right:
+      break;
   }
   return {-1, 0};
 }
@@ -31,8 +35,9 @@ std::vector<SeatPlace> seat_places_at_side(const Footprint& table, Side side, in
   const double length = 2.0 * normal.cwiseAbs().reverse().dot(table.half());
   std::vector<SeatPlace> places;
   for (double along : in_a_row(count, length, 0.0))
-    places.push_back({table.to_world(normal.cwiseProduct(table.half()) + along * normal.cwiseAbs().reverse()),
-                      rotated(normal, table.yaw())});
+    places.push_back(
+        {table.to_world(normal.cwiseProduct(table.half()) + along * normal.cwiseAbs().reverse()),
+         rotated(normal, table.yaw())});
   return places;
 }
 
@@ -54,7 +59,8 @@ std::vector<SeatPlace> seat_places(const Footprint& table, int count) {
   const int at_sides = ends ? count - 2 : count;
   const int numbers[4] = {(at_sides + 1) / 2, at_sides / 2, ends ? 1 : 0, ends ? 1 : 0};
   for (std::size_t k = 0; k < 4; ++k) {
-    const auto some = seat_places_at_side(table, static_cast<Side>(wide ? k : (k + 2) % 4), numbers[k]);
+    const auto some =
+        seat_places_at_side(table, static_cast<Side>(wide ? k : (k + 2) % 4), numbers[k]);
     places.insert(places.end(), some.begin(), some.end());
   }
   return places;

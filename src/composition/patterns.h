@@ -25,8 +25,8 @@ struct SeatPlace {
   Vec2 outward = Vec2::Zero();  ///< unit
 };
 
-/// The places of `count` seats: pairs face each other over the long sides, from the fifth on people sit at the ends too
-/// where they are as wide as a seat; at a round table evenly.
+/// The places of `count` seats: pairs face each other over the long sides, from the fifth on people
+/// sit at the ends too where they are as wide as a seat; at a round table evenly.
 std::vector<SeatPlace> seat_places(const Footprint& table, int count);
 
 /// `count` places that share one side of a rectangular table.

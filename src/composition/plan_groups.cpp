@@ -1,8 +1,8 @@
 #include "plan_groups.h"
 
 #include <algorithm>
-#include <set>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "alternatives.h"
 
@@ -24,7 +24,8 @@ Result<Composition> composition_of(const PlanGroup& group) {
 }
 
 // What the plan's items say of the things of a group.
-Making making_for(const Plan& plan, const PlanGroup& group, const KindTable& kinds, const RealThings& real) {
+Making making_for(const Plan& plan, const PlanGroup& group, const KindTable& kinds,
+                  const RealThings& real) {
   Making making{*built_in_compositions(), kinds};
   making.without = group.without;
   making.tuck = real.tuck;
@@ -37,7 +38,8 @@ Making making_for(const Plan& plan, const PlanGroup& group, const KindTable& kin
     const PlanItem* item = item_of(part);
     return item ? item->category : std::string();
   };
-  making.size_of = [item_of, size_of = real.size_of](const std::string& part) -> std::optional<Vec3> {
+  making.size_of = [item_of,
+                    size_of = real.size_of](const std::string& part) -> std::optional<Vec3> {
     if (const auto known = size_of ? size_of(part) : std::nullopt) return known;
     const PlanItem* item = item_of(part);
     return item ? item->size : std::nullopt;
@@ -60,7 +62,8 @@ PlanItem item_for(const Member& member, const PlanGroup& group) {
   return item;
 }
 
-// As many things of a part as the group has: the rest of its items leave it, what is missing is added.
+// As many things of a part as the group has: the rest of its items leave it, what is missing is
+// added.
 void match(Plan& plan, const PlanGroup& group, const Arranged& arranged) {
   std::map<std::string, int> open;
   for (const auto& member : arranged.members) ++open[member.part];
@@ -68,15 +71,18 @@ void match(Plan& plan, const PlanGroup& group, const Arranged& arranged) {
     if (plan.items[i].group != group.id) continue;
     int& left = open[plan.items[i].part];
     if (plan.items[i].quantity == 0) plan.items[i].quantity = left;  // all that there are
-    const int within = std::min(left, plan.items[i].quantity), beyond = plan.items[i].quantity - within;
+    const int within = std::min(left, plan.items[i].quantity),
+              beyond = plan.items[i].quantity - within;
     left -= within;
     if (beyond == 0) continue;
     PlanItem alone = plan.items[i];
     alone.quantity = beyond;
     alone.group.clear(), alone.part.clear();
     plan.items[i].quantity = within;
-    if (within == 0) plan.items[i] = std::move(alone);
-    else plan.items.push_back(std::move(alone));
+    if (within == 0)
+      plan.items[i] = std::move(alone);
+    else
+      plan.items.push_back(std::move(alone));
   }
   std::map<std::string, std::size_t> added;
   for (const auto& member : arranged.members) {
@@ -90,7 +96,8 @@ void match(Plan& plan, const PlanGroup& group, const Arranged& arranged) {
 
 void tell_anchor(Plan& plan, PlanGroup& group, const Arranged& arranged) {
   group.anchor = arranged.members.front().part;
-  for (const auto& member : arranged.members) group.units[{member.part, member.number}] = member.unit;
+  for (const auto& member : arranged.members)
+    group.units[{member.part, member.number}] = member.unit;
   for (auto& item : plan.items) {
     if (item.group != group.id || item.part != arranged.members.front().part) continue;
     for (const auto& relation : group.relations)
@@ -119,8 +126,8 @@ void dissolve(Plan& plan, const std::string& id, const std::string& why) {
 
 }  // namespace
 
-Result<std::vector<Arranged>> ways_to_stand(const Plan& plan, const PlanGroup& group, const KindTable& kinds,
-                                            const RealThings& real) {
+Result<std::vector<Arranged>> ways_to_stand(const Plan& plan, const PlanGroup& group,
+                                            const KindTable& kinds, const RealThings& real) {
   const auto composition = composition_of(group);
   if (!composition) return composition.error();
   return alternatives(*composition, group.parameters, group.fixed,
@@ -131,8 +138,9 @@ void complete_groups(Plan& plan, const KindTable& kinds) {
   for (std::size_t g = 0; g < plan.groups.size();) {
     PlanGroup& group = plan.groups[g];
     const auto composition = composition_of(group);
-    const auto arranged = composition ? arrange(*composition, group.parameters, making_for(plan, group, kinds, {}))
-                                      : Result<Arranged>(composition.error());
+    const auto arranged =
+        composition ? arrange(*composition, group.parameters, making_for(plan, group, kinds, {}))
+                    : Result<Arranged>(composition.error());
     if (!arranged) {
       dissolve(plan, group.id, arranged.error().message);
       plan.groups.erase(plan.groups.begin() + static_cast<std::ptrdiff_t>(g));
@@ -143,7 +151,8 @@ void complete_groups(Plan& plan, const KindTable& kinds) {
     ++g;
   }
   const auto is_group = [&](const std::string& id) {
-    return std::any_of(plan.groups.begin(), plan.groups.end(), [&](const PlanGroup& group) { return group.id == id; });
+    return std::any_of(plan.groups.begin(), plan.groups.end(),
+                       [&](const PlanGroup& group) { return group.id == id; });
   };
   for (auto& item : plan.items) {
     if (!item.group.empty() && !is_group(item.group)) item.group.clear(), item.part.clear();
@@ -174,7 +183,8 @@ std::vector<PlannedObject> placing_order(const Plan& plan) {
     if (role == known.end() || !begun.insert(role->second.group).second) continue;
     std::vector<PlannedObject> group;
     for (const auto& other : all)
-      if (const auto its = known.find(other.id); its != known.end() && its->second.group == role->second.group)
+      if (const auto its = known.find(other.id);
+          its != known.end() && its->second.group == role->second.group)
         group.push_back(other);
     std::stable_sort(group.begin(), group.end(),
                      [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
@@ -191,7 +201,8 @@ std::map<std::string, Role> roles(const Plan& plan) {
     if (item.group.empty()) continue;
     Role role{item.group, item.part, numbers[{item.group, item.part}]++};
     for (const auto& group : plan.groups)
-      if (const auto unit = group.units.find({role.part, role.number}); group.id == role.group && unit != group.units.end())
+      if (const auto unit = group.units.find({role.part, role.number});
+          group.id == role.group && unit != group.units.end())
         role.unit = unit->second;
     found[planned.id] = std::move(role);
   }

@@ -11,15 +11,15 @@
 
 namespace roomgen::composition {
 
-/// Makes the groups of a plan and its items agree: each thing of a group has an item that says how it looks, which is
-/// added where none does; items of a part beyond what the group has stand for themselves; what is said of where a
-/// group goes is said of its anchor. A group that cannot be made is told in the notes, and its things stand for
-/// themselves.
+/// Makes the groups of a plan and its items agree: each thing of a group has an item that says how
+/// it looks, which is added where none does; items of a part beyond what the group has stand for
+/// themselves; what is said of where a group goes is said of its anchor. A group that cannot be
+/// made is told in the notes, and its things stand for themselves.
 void complete_groups(Plan& plan, const KindTable& kinds);
 Plan completed(Plan plan, const KindTable& kinds);
 
-/// The objects of a completed plan in the order in which they are placed: the plan's, but the things of a group follow
-/// its anchor.
+/// The objects of a completed plan in the order in which they are placed: the plan's, but the
+/// things of a group follow its anchor.
 std::vector<PlannedObject> placing_order(const Plan& plan);
 
 /// What a plan's object is in its group: the part, and which of its things.
@@ -38,7 +38,7 @@ struct RealThings {
 };
 
 /// The ways in which a group of a completed plan may stand (alternatives()).
-Result<std::vector<Arranged>> ways_to_stand(const Plan& plan, const PlanGroup& group, const KindTable& kinds,
-                                            const RealThings& real);
+Result<std::vector<Arranged>> ways_to_stand(const Plan& plan, const PlanGroup& group,
+                                            const KindTable& kinds, const RealThings& real);
 
 }  // namespace roomgen::composition

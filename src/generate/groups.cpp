@@ -22,7 +22,8 @@ const composition::Role* role_of(const Work& work, const std::string& id) {
 
 const PlanGroup* group_of(const Work& work, const std::string& id) {
   const auto& groups = work.place.plan.groups;
-  const auto found = std::find_if(groups.begin(), groups.end(), [&](const PlanGroup& group) { return group.id == id; });
+  const auto found = std::find_if(groups.begin(), groups.end(),
+                                  [&](const PlanGroup& group) { return group.id == id; });
   return found == groups.end() ? nullptr : &*found;
 }
 
@@ -75,7 +76,8 @@ bool stand_on(Work& work, PlacementTask task, const Object& carrier) {
   task.object.mount = Mount::surface;
   task.object.on = carrier.id;
   const Relation on{RelationKind::on, carrier.id};
-  if (std::find(task.object.relations.begin(), task.object.relations.end(), on) == task.object.relations.end())
+  if (std::find(task.object.relations.begin(), task.object.relations.end(), on) ==
+      task.object.relations.end())
     task.object.relations.push_back(on);
   PlaceOptions options = work.place.options.place;
   options.cancel = work.cancel;
@@ -92,10 +94,11 @@ bool stand_on(Work& work, PlacementTask task, const Object& carrier) {
 }
 
 // Where a member goes, as the word of a designer.
-PlaceAdvice place_in_frame(const Work& work, const StandingGroup& group, std::size_t index, PlacementTask& task) {
+PlaceAdvice place_in_frame(const Work& work, const StandingGroup& group, std::size_t index,
+                           PlacementTask& task) {
   const Object& anchor = group.anchor.object;
-  const auto at =
-      composition::within({anchor.position.head<2>(), anchor.yaw}, group.arranged.members[index].place);
+  const auto at = composition::within({anchor.position.head<2>(), anchor.yaw},
+                                      group.arranged.members[index].place);
   task.object.relations =
       known_relations(task.object.relations, work.layout().room(), work.layout().objects());
   task.location = at.position;
@@ -109,7 +112,8 @@ PlaceAdvice place_in_frame(const Work& work, const StandingGroup& group, std::si
 }
 
 // A member at its place in the frame, if it is one of those that were placed with the anchor.
-bool stand_in_frame(Work& work, const StandingGroup& group, std::size_t index, const PlacementTask& task) {
+bool stand_in_frame(Work& work, const StandingGroup& group, std::size_t index,
+                    const PlacementTask& task) {
   const auto companion = std::find(group.companions.begin(), group.companions.end(), index);
   if (companion == group.companions.end()) return false;
   const auto all = companions_of(group.anchor, group.anchor.object);
@@ -137,12 +141,14 @@ const StandingGroup* standing_group(const Work& work, const std::string& id) {
 // Not only some of the groups within it.
 bool whole_group_stands(const Work& work, const PlannedObject& planned) {
   const auto* role = role_of(work, planned.id);
-  return role && std::any_of(work.state.groups.begin(), work.state.groups.end(), [&](const StandingGroup& group) {
-    return group.id == role->group && group.is_whole;
-  });
+  return role && std::any_of(work.state.groups.begin(), work.state.groups.end(),
+                             [&](const StandingGroup& group) {
+                               return group.id == role->group && group.is_whole;
+                             });
 }
 
-// In a scene each of the groups within a group is one of its own: a table moves with its chairs, not with all tables.
+// In a scene each of the groups within a group is one of its own: a table moves with its chairs,
+// not with all tables.
 std::string name_in_scene(const std::string& id, const PlannedObject& planned, const Work& work) {
   const int unit = role_of(work, planned.id)->unit;
   return unit < 0 ? id : id + "#" + std::to_string(unit);
@@ -153,7 +159,8 @@ bool overlaps_itself(Work& work, const composition::Arranged& way, const Cast& c
   const Object* anchor = cast.object_of(way.members.front());
   PlacementTask task;
   std::vector<std::size_t> members;
-  task.companions = companions(way, [&](const Member& member) { return cast.object_of(member); }, work.place.room, members);
+  task.companions = companions(
+      way, [&](const Member& member) { return cast.object_of(member); }, work.place.room, members);
   auto all = companions_of(task, *anchor);
   all.push_back(*anchor);
   for (std::size_t i = 0; i < all.size(); ++i)
@@ -163,24 +170,28 @@ bool overlaps_itself(Work& work, const composition::Arranged& way, const Cast& c
 }
 
 // Seats are drawn up to their table as far as the meshes allow.
-Result<std::vector<composition::Arranged>> ways_that_hold_together(Work& work, const PlanGroup& group, const Cast& cast,
-                                                                   const composition::SizeOf& size_of) {
+Result<std::vector<composition::Arranged>> ways_that_hold_together(
+    Work& work, const PlanGroup& group, const Cast& cast, const composition::SizeOf& size_of) {
   for (const double tuck : {1.0, 0.5, 0.0}) {
-    auto ways = composition::ways_to_stand(work.place.plan, group, work.place.categories, {size_of, tuck});
+    auto ways =
+        composition::ways_to_stand(work.place.plan, group, work.place.categories, {size_of, tuck});
     if (!ways || tuck == 0.0 || !overlaps_itself(work, ways->front(), cast)) return ways;
   }
   return Error{Error::Kind::invalid_input, "its things overlap"};
 }
 
-Result<std::vector<composition::Arranged>> ways_of(Work& work, const PlannedObject& anchor, const Cast& cast) {
+Result<std::vector<composition::Arranged>> ways_of(Work& work, const PlannedObject& anchor,
+                                                   const Cast& cast) {
   if (const auto unit = work.state.units.find(anchor.id); unit != work.state.units.end())
     return std::vector<composition::Arranged>{unit->second};
   const auto size_of = [&](const std::string& part) -> std::optional<Vec3> {
     const auto found = cast.ids.find({part, 0});
     const auto known = found == cast.ids.end() ? cast.tasks.end() : cast.tasks.find(found->second);
-    return known == cast.tasks.end() ? std::nullopt : std::optional<Vec3>(known->second.object.size);
+    return known == cast.tasks.end() ? std::nullopt
+                                     : std::optional<Vec3>(known->second.object.size);
   };
-  return ways_that_hold_together(work, *group_of(work, role_of(work, anchor.id)->group), cast, size_of);
+  return ways_that_hold_together(work, *group_of(work, role_of(work, anchor.id)->group), cast,
+                                 size_of);
 }
 
 }  // namespace
@@ -225,7 +236,8 @@ void fall_apart(Work& work, const PlannedObject& planned) {
   if (!ways) return;
   for (auto& unit : composition::units_of(ways->front())) {
     const std::string anchor = cast.id_of(unit.members.front());
-    if (unit.members.size() > 1 && !anchor.empty()) work.state.units.emplace(anchor, std::move(unit));
+    if (unit.members.size() > 1 && !anchor.empty())
+      work.state.units.emplace(anchor, std::move(unit));
   }
 }
 

@@ -18,13 +18,16 @@ namespace {
 using composition::Composition;
 using composition::Values;
 
-// What a group is worth: things that stand in their place, against parts that nobody has and things that are left over.
+// What a group is worth: things that stand in their place, against parts that nobody has and things
+// that are left over.
 constexpr double of_missing = 0.15, of_misfit = 0.6, of_other_kind = 0.3, least_gain = 0.5;
 // A word that asks for a composition outweighs all others that would do.
 constexpr double of_words = 10.0, of_use = 1.2;
 constexpr int most_values = 40;
 
-bool is_placed_with_anchor(Mount mount) { return mount != Mount::surface; }
+bool is_placed_with_anchor(Mount mount) {
+  return mount != Mount::surface;
+}
 
 // Said of a place at the anchor that any of its patterns gives.
 bool is_given_by_pattern(RelationKind kind) {
@@ -42,7 +45,9 @@ bool is_given_by_pattern(RelationKind kind) {
   }
 }
 
-bool is_free(const Draft& draft) { return draft.item.group.empty() && draft.item.quantity > 0; }
+bool is_free(const Draft& draft) {
+  return draft.item.group.empty() && draft.item.quantity > 0;
+}
 
 /// data/gathering.json.
 struct Gathering {
@@ -54,7 +59,8 @@ struct Gathering {
 
 Gathering read_gathering() {
   Gathering gathering;
-  const auto json = parse_json(resource("data/gathering.json").value_or("{}"), "data/gathering.json");
+  const auto json =
+      parse_json(resource("data/gathering.json").value_or("{}"), "data/gathering.json");
   JsonReader::Problems problems("data/gathering.json");
   const JsonReader root(*json, problems);
   for (const auto& [family, rooms] : root["rooms"].members())
@@ -64,7 +70,8 @@ Gathering read_gathering() {
     }
   for (const auto& [name, one] : root["compositions"].members()) {
     one.allow_only({"words", "usual"});
-    for (const auto& word : one["words"].elements_or_none()) gathering.words[name].push_back(word.text());
+    for (const auto& word : one["words"].elements_or_none())
+      gathering.words[name].push_back(word.text());
     gathering.usual[name] = one["usual"].number_or(1.0, 0, 10);
   }
   assert(!problems.first());
@@ -78,7 +85,9 @@ double readiness(const Composition& composition, const std::string& room, const 
     for (const auto& word : words->second)
       if (wish.find(word) != std::string::npos) return of_words;
   const auto rooms = gathering.rooms.find(composition.family);
-  if (gathering.known_rooms.count(room) && (rooms == gathering.rooms.end() || !rooms->second.count(room))) return 0.0;
+  if (gathering.known_rooms.count(room) &&
+      (rooms == gathering.rooms.end() || !rooms->second.count(room)))
+    return 0.0;
   const auto usual = gathering.usual.find(composition.name);
   const auto& uses = composition.uses;
   const bool is_meant = std::find(uses.begin(), uses.end(), room) != uses.end();
@@ -88,7 +97,8 @@ double readiness(const Composition& composition, const std::string& room, const 
 std::string key_of(const Composition& composition, const Values& values) {
   std::string key = composition.name;
   for (const auto& [name, value] : values)
-    if (const double* number = std::get_if<double>(&value)) key += "|" + name + "=" + format_number(*number, 3);
+    if (const double* number = std::get_if<double>(&value))
+      key += "|" + name + "=" + format_number(*number, 3);
   return key;
 }
 
@@ -114,9 +124,12 @@ const Grouping::Counts& Grouping::counts_of(const Composition& composition, cons
   if (!arranged) return at->second;
   for (const auto& member : arranged->members) {
     auto& counts = at->second;
-    const auto same = std::find_if(counts.begin(), counts.end(), [&](const auto& one) { return one.part == member.part; });
-    if (same != counts.end()) ++same->count;
-    else counts.push_back({member.part, member.category, member.mount, 1, member.spare});
+    const auto same = std::find_if(counts.begin(), counts.end(),
+                                   [&](const auto& one) { return one.part == member.part; });
+    if (same != counts.end())
+      ++same->count;
+    else
+      counts.push_back({member.part, member.category, member.mount, 1, member.spare});
   }
   return at->second;
 }
@@ -140,12 +153,15 @@ bool Grouping::is_kin(const std::string& category, const std::string& kind) cons
 }
 
 // Of each draft the share of one such group: all of the anchor's kind want theirs.
-std::vector<int> Grouping::shares(const Counts& counts, const std::vector<Draft>& drafts, std::size_t anchor) const {
+std::vector<int> Grouping::shares(const Counts& counts, const std::vector<Draft>& drafts,
+                                  std::size_t anchor) const {
   int anchors = 0, anchors_here = 0;
   for (const auto& draft : drafts)
-    if (is_free(draft) && draft.item.category == drafts[anchor].item.category) anchors += draft.item.quantity;
+    if (is_free(draft) && draft.item.category == drafts[anchor].item.category)
+      anchors += draft.item.quantity;
   for (const auto& one : counts)
-    if (one.mount == Mount::floor && kinds_.is_a(one.kind, counts.front().kind)) anchors_here += one.count;
+    if (one.mount == Mount::floor && kinds_.is_a(one.kind, counts.front().kind))
+      anchors_here += one.count;
   std::vector<int> shares;
   for (const auto& draft : drafts) {
     const bool is_anchor = draft.item.category == drafts[anchor].item.category;
@@ -174,7 +190,8 @@ std::vector<Grouping::Use> Grouping::uses_of(const Counts& counts, const std::ve
   return uses;
 }
 
-double Grouping::gain_of(const Counts& counts, const std::vector<Draft>& drafts, std::size_t anchor) const {
+double Grouping::gain_of(const Counts& counts, const std::vector<Draft>& drafts,
+                         std::size_t anchor) const {
   std::vector<int> got(counts.size(), 0), left = shares(counts, drafts, anchor);
   std::set<std::size_t> used;
   for (const auto& use : uses_of(counts, drafts, anchor)) {
@@ -194,7 +211,8 @@ double Grouping::gain_of(const Counts& counts, const std::vector<Draft>& drafts,
   return gain;
 }
 
-Grouping::Fit Grouping::fit(const Composition& composition, const std::vector<Draft>& drafts, std::size_t anchor) {
+Grouping::Fit Grouping::fit(const Composition& composition, const std::vector<Draft>& drafts,
+                            std::size_t anchor) {
   Fit best{&composition, {}, counts_of(composition, {}), 0.0};
   best.gain = best.counts.empty() ? -1.0 : gain_of(best.counts, drafts, anchor);
   for (const auto& parameter : composition.parameters) {
@@ -211,13 +229,22 @@ Grouping::Fit Grouping::fit(const Composition& composition, const std::vector<Dr
   return best;
 }
 
-void Grouping::make_group(const Fit& fit, std::vector<Draft>& drafts, std::size_t anchor, const brief::Brief& brief,
-                          Plan& plan) {
+// "nothing on the desk", "no cushions", "a bare room".
+bool Grouping::may_dress(const std::string& kind, const brief::Brief& brief) const {
+  return !brief.bare && !kinds_.is_any_of(kind, brief.excluded) &&
+         std::none_of(brief.limits.begin(), brief.limits.end(), [&](const brief::Limit& limit) {
+           if (!limit.category.empty()) return kinds_.is_a(kind, limit.category);
+           return limit.mount ? *limit.mount == Mount::surface : limit.on != brief::no_mention;
+         });
+}
+
+void Grouping::make_group(const Fit& fit, std::vector<Draft>& drafts, std::size_t anchor,
+                          const brief::Brief& brief, Plan& plan) {
   PlanGroup group;
   group.composition = fit.composition->name;
-  const auto number = std::count_if(plan.groups.begin(), plan.groups.end(), [&](const PlanGroup& one) {
-    return one.composition == group.composition;
-  });
+  const auto number =
+      std::count_if(plan.groups.begin(), plan.groups.end(),
+                    [&](const PlanGroup& one) { return one.composition == group.composition; });
   group.id = group.composition + "-" + std::to_string(number);
   group.parameters = fit.values;
   group.asked = drafts[anchor].item.asked;
@@ -225,23 +252,25 @@ void Grouping::make_group(const Fit& fit, std::vector<Draft>& drafts, std::size_
   std::vector<bool> has(fit.counts.size(), false);
   for (const auto& use : uses_of(fit.counts, drafts, anchor)) {
     has[use.part] = true;
-    taken.push_back(split_off(drafts[use.draft], use.quantity, group.id, fit.counts[use.part].part));
+    taken.push_back(
+        split_off(drafts[use.draft], use.quantity, group.id, fit.counts[use.part].part));
     // Numbers that were asked for stay.
     if (taken.back().item.asked)
       for (const auto& parameter : fit.composition->parameters) group.fixed.insert(parameter.name);
   }
   for (std::size_t i = 0; i < fit.counts.size(); ++i) {
     const PartCount& part = fit.counts[i];
-    const bool is_dressing =
-        !is_placed_with_anchor(part.mount) && !brief.bare && !kinds_.is_any_of(part.kind, brief.excluded);
+    const bool is_dressing = !is_placed_with_anchor(part.mount) && may_dress(part.kind, brief);
     if (!has[i] && !is_dressing) group.without.insert(part.part);
   }
   const auto after = drafts.begin() + static_cast<std::ptrdiff_t>(anchor) + 1;
-  drafts.insert(after, std::make_move_iterator(taken.begin()), std::make_move_iterator(taken.end()));
+  drafts.insert(after, std::make_move_iterator(taken.begin()),
+                std::make_move_iterator(taken.end()));
   plan.groups.push_back(std::move(group));
 }
 
-Grouping::Floor Grouping::floor_of(std::vector<Draft> drafts, const brief::Brief& brief, const std::string& prompt) {
+Grouping::Floor Grouping::floor_of(std::vector<Draft> drafts, const brief::Brief& brief,
+                                   const std::string& prompt) {
   Plan plan;
   plan.prompt = prompt;
   run(drafts, brief, plan);
@@ -281,7 +310,8 @@ void Grouping::run(std::vector<Draft>& drafts, const brief::Brief& brief, Plan& 
         found.gain *= ready;
         // Rather the composition for just that.
         if (drafts[i].item.category != counts.front().kind) found.gain -= of_other_kind;
-        if (found.gain > std::max(best.gain, least_gain) + 1e-9) best = std::move(found), anchor = i;
+        if (found.gain > std::max(best.gain, least_gain) + 1e-9)
+          best = std::move(found), anchor = i;
       }
     }
     if (!best.composition) break;

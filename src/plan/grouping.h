@@ -9,21 +9,21 @@
 
 namespace roomgen::plan {
 
-/// Finds which of a room's things belong together (data/compositions), so that they are placed as one. Remembers what
-/// compositions hold: one serves all attempts at a plan.
+/// Finds which of a room's things belong together (data/compositions), so that they are placed as
+/// one. Remembers what compositions hold: one serves all attempts at a plan.
 class Grouping {
  public:
   explicit Grouping(const KindTable& kinds);
 
   /// The floor that they take when they are grouped: of each group that of its box.
   struct Floor {
-    double area = 0.0;          ///< square metres
+    double area = 0.0;            ///< square metres
     Vec2 largest = Vec2::Zero();  ///< the box of the largest group
   };
   Floor floor_of(std::vector<Draft> drafts, const brief::Brief& brief, const std::string& prompt);
 
-  /// Groups the drafts anew: those that gain most first. Drafts whose things go to several groups are split. What is
-  /// told of a thing's place beyond being at its anchor keeps it out.
+  /// Groups the drafts anew: those that gain most first. Drafts whose things go to several groups
+  /// are split. What is told of a thing's place beyond being at its anchor keeps it out.
   void run(std::vector<Draft>& drafts, const brief::Brief& brief, Plan& plan);
 
  private:
@@ -43,19 +43,25 @@ class Grouping {
     double gain = 0.0;
   };
 
-  const Counts& counts_of(const composition::Composition& composition, const composition::Values& values);
-  Fit fit(const composition::Composition& composition, const std::vector<Draft>& drafts, std::size_t anchor);
+  const Counts& counts_of(const composition::Composition& composition,
+                          const composition::Values& values);
+  Fit fit(const composition::Composition& composition, const std::vector<Draft>& drafts,
+          std::size_t anchor);
   double gain_of(const Counts& counts, const std::vector<Draft>& drafts, std::size_t anchor) const;
   /// Things of a draft that are those of a part.
   struct Use {
     std::size_t part = 0, draft = 0;
     int quantity = 0;
   };
-  std::vector<int> shares(const Counts& counts, const std::vector<Draft>& drafts, std::size_t anchor) const;
-  std::vector<Use> uses_of(const Counts& counts, const std::vector<Draft>& drafts, std::size_t anchor) const;
+  std::vector<int> shares(const Counts& counts, const std::vector<Draft>& drafts,
+                          std::size_t anchor) const;
+  std::vector<Use> uses_of(const Counts& counts, const std::vector<Draft>& drafts,
+                           std::size_t anchor) const;
+  bool may_dress(const std::string& kind, const brief::Brief& brief) const;
   bool is_kin(const std::string& category, const std::string& kind) const;
   bool belongs(const Draft& draft, const PartCount& part, const Draft& anchor) const;
-  void make_group(const Fit& fit, std::vector<Draft>& drafts, std::size_t anchor, const brief::Brief& brief, Plan& plan);
+  void make_group(const Fit& fit, std::vector<Draft>& drafts, std::size_t anchor,
+                  const brief::Brief& brief, Plan& plan);
 
   const KindTable& kinds_;
   std::map<std::string, Counts> known_;  ///< by composition and values

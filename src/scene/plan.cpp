@@ -105,8 +105,8 @@ Json group_json(const PlanGroup& group) {
   }
   if (!group.fixed.empty()) json["fixed"] = group.fixed;
   if (!group.without.empty()) json["without"] = group.without;
-  if (!group.definition.empty())
-    for (const auto& [key, value] : parse_json(group.definition, group.id)->items()) json[key] = value;
+  if (const auto definition = parse_json(group.definition.empty() ? "{}" : group.definition, group.id))
+    for (const auto& [key, value] : definition->items()) json[key] = value;
   put_suggestion(group, json);
   json["asked"] = group.asked;
   return json;

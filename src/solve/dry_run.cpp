@@ -54,8 +54,8 @@ PlacementTask task_for(const Plan& plan, const PlannedObject& planned, const Lay
   object.category = item.category;
   object.traits = category.traits;
   object.size = item.size.value_or(category.size);
-  // Real ones may be a little larger.
-  if (item.asked && item.mount == Mount::floor) object.size.head<2>() *= size_margin;
+  // Real ones may be a little larger. In a group each has its place beside the others.
+  if (item.asked && item.mount == Mount::floor && item.group.empty()) object.size.head<2>() *= size_margin;
   object.mount = item.mount;
   object.position.z() =
       mounting_height(item.mount, object.size.z(),

@@ -10,21 +10,25 @@ namespace {
 
 // What hangs does so at the height that is said, as far as the room allows.
 double bottom_of(const composition::Member& member, const Object& object, const Room& room) {
-  if (!member.height || object.mount == Mount::floor || object.mount == Mount::surface) return object.position.z();
-  return std::clamp(*member.height - 0.5 * object.size.z(), 0.0, std::max(0.0, room.height - object.size.z()));
+  if (!member.height || object.mount == Mount::floor || object.mount == Mount::surface)
+    return object.position.z();
+  return std::clamp(*member.height - 0.5 * object.size.z(), 0.0,
+                    std::max(0.0, room.height - object.size.z()));
 }
 
 // Whichever way it is turned; in a room of four walls square to them.
 bool may_fit(const Vec2& group, const Polygon& room) {
   const Vec2 box = bounds(room).size();
   const double longest = room.size() == 4 ? box.maxCoeff() : box.norm();
-  return group.minCoeff() <= box.minCoeff() && group.maxCoeff() <= longest && group.prod() <= box.prod();
+  return group.minCoeff() <= box.minCoeff() && group.maxCoeff() <= longest &&
+         group.prod() <= box.prod();
 }
 
 }  // namespace
 
-std::vector<PlacementTask::Companion> companions(const composition::Arranged& arranged, const ThingOf& thing_of,
-                                                 const Room& room, std::vector<std::size_t>& members) {
+std::vector<PlacementTask::Companion> companions(const composition::Arranged& arranged,
+                                                 const ThingOf& thing_of, const Room& room,
+                                                 std::vector<std::size_t>& members) {
   std::vector<PlacementTask::Companion> found;
   for (std::size_t i = 1; i < arranged.members.size(); ++i) {
     const auto& member = arranged.members[i];
@@ -38,8 +42,9 @@ std::vector<PlacementTask::Companion> companions(const composition::Arranged& ar
 }
 
 Result<PlacedGroup> place_group(Layout& layout, const PlacementTask& anchor,
-                                std::span<const composition::Arranged> ways, const ThingOf& thing_of,
-                                const PlaceOptions& options, Random& random) {
+                                std::span<const composition::Arranged> ways,
+                                const ThingOf& thing_of, const PlaceOptions& options,
+                                Random& random) {
   std::optional<PlacedGroup> best;
   std::optional<Error> refused;
   for (std::size_t way = 0; way < ways.size(); ++way) {
@@ -59,7 +64,8 @@ Result<PlacedGroup> place_group(Layout& layout, const PlacementTask& anchor,
   }
   if (best) return *std::move(best);
   if (refused) return *refused;
-  return Error{Error::Kind::not_found, "the room is too small for the group of " + anchor.object.id};
+  return Error{Error::Kind::not_found,
+               "the room is too small for the group of " + anchor.object.id};
 }
 
 }  // namespace roomgen

@@ -1,6 +1,5 @@
 #include "proposals.h"
 
-
 namespace roomgen {
 
 namespace {
@@ -20,7 +19,8 @@ Bounds2 box_with_companions(const PlacementTask& task) {
   for (const auto& companion : task.companions) {
     const Object& object = companion.object;
     if (object.mount != Mount::floor || object.traits.flat) continue;
-    const Footprint own(companion.position, object.size.head<2>(), companion.yaw, object.traits.round);
+    const Footprint own(companion.position, object.size.head<2>(), companion.yaw,
+                        object.traits.round);
     for (const Vec2& corner : own.outline()) box.add(corner);
   }
   return box;

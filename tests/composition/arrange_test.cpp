@@ -1,4 +1,5 @@
-// Compositions: what their patterns give, computed another way, and that all of data/compositions can be made.
+// Compositions: what their patterns give, computed another way, and that all of data/compositions
+// can be made.
 #include "catch.h"
 #include "composition/alternatives.h"
 #include "roomgen/base/json.h"
@@ -10,7 +11,9 @@ using namespace roomgen::composition;
 
 namespace {
 
-const KindTable& kinds() { return KindTable::built_in(); }
+const KindTable& kinds() {
+  return KindTable::built_in();
+}
 
 Result<Arranged> arranged(const std::string& json, const Values& values = {}) {
   const auto parsed = parse_json(json, "test");
@@ -29,7 +32,9 @@ std::vector<const Member*> of_part(const Arranged& all, const std::string& part)
 
 }  // namespace
 
-TEST_CASE("Every composition can be made at its usual, least and greatest values, with its anchor at the origin") {
+TEST_CASE(
+    "Every composition can be made at its usual, least and greatest values, with its anchor at the "
+    "origin") {
   REQUIRE(built_in_compositions());
   CHECK(built_in_compositions()->size() > 200);
   for (const auto& [name, composition] : *built_in_compositions()) {
@@ -60,7 +65,8 @@ TEST_CASE("Every composition can be made at its usual, least and greatest values
 }
 
 TEST_CASE("Seats around a table face it from its edges, evenly") {
-  const std::string table = R"({"parameters": {"seats": {"default": 6, "least": 1, "most": 12}}, "parts": [
+  const std::string table =
+      R"({"parameters": {"seats": {"default": 6, "least": 1, "most": 12}}, "parts": [
       {"part": "table", "kind": "dining table", "size": [1.8, 0.9, 0.75]},
       {"part": "chair", "kind": "dining chair", "size": [0.46, 0.52, 0.9], "around": "table", "count": "seats", "gap": -0.1}]})";
   for (double seats = 1; seats <= 12; ++seats) {
@@ -77,13 +83,16 @@ TEST_CASE("Seats around a table face it from its edges, evenly") {
       const double off = at_end ? std::abs(at.x()) : std::abs(at.y());
       CHECK(off == Approx(edge + 0.26 - 0.1));
       CHECK(front.dot(at) < 0.0);
-      along[at_end ? (at.x() > 0 ? 1 : 2) : (at.y() > 0 ? 3 : 4)].push_back(at_end ? at.y() : at.x());
+      along[at_end ? (at.x() > 0 ? 1 : 2) : (at.y() > 0 ? 3 : 4)].push_back(at_end ? at.y()
+                                                                                   : at.x());
     }
     for (auto& [side, places] : along) {
       std::sort(places.begin(), places.end());
-      const double length = side <= 2 ? 0.9 : 1.8, pitch = length / static_cast<double>(places.size());
+      const double length = side <= 2 ? 0.9 : 1.8,
+                   pitch = length / static_cast<double>(places.size());
       for (std::size_t i = 0; i < places.size(); ++i)
-        CHECK(places[i] == Approx((static_cast<double>(i) + 0.5) * pitch - 0.5 * length).margin(1e-9));
+        CHECK(places[i] ==
+              Approx((static_cast<double>(i) + 0.5) * pitch - 0.5 * length).margin(1e-9));
     }
   }
 }
@@ -124,7 +133,8 @@ TEST_CASE("A block falls into its units, each in the frame of its own anchor") {
   REQUIRE(block);
   const auto units = units_of(*block);
   REQUIRE(units.size() == 4);
-  const auto alone = arrange(built_in_compositions()->at("desk with chair"), {}, {*built_in_compositions(), kinds()});
+  const auto alone = arrange(built_in_compositions()->at("desk with chair"), {},
+                             {*built_in_compositions(), kinds()});
   REQUIRE(alone);
   for (const auto& unit : units) {
     REQUIRE(unit.members.size() == alone->members.size());
@@ -134,16 +144,20 @@ TEST_CASE("A block falls into its units, each in the frame of its own anchor") {
 }
 
 TEST_CASE("What a group may lose goes in its order, and what it may be is tried before") {
-  const auto parsed = parse_json(R"({"mirrors": true, "parameters": {"seats": {"default": 4, "least": 2, "most": 8, "shrinks": true}},
+  const auto parsed = parse_json(
+      R"({"mirrors": true, "parameters": {"seats": {"default": 4, "least": 2, "most": 8, "shrinks": true}},
       "parts": [{"part": "table", "kind": "dining table"},
         {"part": "chair", "kind": "dining chair", "around": "table", "count": "seats"},
         {"part": "lamp", "kind": "floor lamp", "beside": "table", "side": "left", "gap": 1, "spare": 1},
-        {"part": "plant", "kind": "plant", "beside": "table", "side": "right", "gap": 1, "spare": 2}]})", "test");
+        {"part": "plant", "kind": "plant", "beside": "table", "side": "right", "gap": 1, "spare": 2}]})",
+      "test");
   const auto composition = read_composition(*parsed, "test", "test");
   REQUIRE(composition);
   const auto ways = alternatives(*composition, {}, {}, {*built_in_compositions(), kinds()});
   REQUIRE(ways);
-  const auto has = [](const Arranged& way, const std::string& part) { return !of_part(way, part).empty(); };
+  const auto has = [](const Arranged& way, const std::string& part) {
+    return !of_part(way, part).empty();
+  };
   bool lost_lamp = false, lost_plant = false;
   std::size_t seats = 4;
   for (const auto& way : *ways) {
@@ -164,10 +178,13 @@ TEST_CASE("What a group may lose goes in its order, and what it may be is tried 
 TEST_CASE("What cannot be a composition is told with its place") {
   const std::vector<std::pair<std::string, std::string>> wrong = {
       {R"({"parts": []})", "anchor"},
-      {R"({"parts": [{"kind": "table"}, {"kind": "chair", "around": "desk"}]})", "no part before it"},
-      {R"({"parts": [{"kind": "table"}, {"part": "a", "kind": "chair", "around": "b"}, {"part": "b", "kind": "chair", "around": "a"}]})", "no part before it"},
+      {R"({"parts": [{"kind": "table"}, {"kind": "chair", "around": "desk"}]})",
+       "no part before it"},
+      {R"({"parts": [{"kind": "table"}, {"part": "a", "kind": "chair", "around": "b"}, {"part": "b", "kind": "chair", "around": "a"}]})",
+       "no part before it"},
       {R"({"parts": [{"kind": "table"}, {"kind": "chair"}]})", "does not say where it is"},
-      {R"({"parts": [{"kind": "table"}, {"kind": "chair", "around": "table", "count": "seats"}]})", "seats"},
+      {R"({"parts": [{"kind": "table"}, {"kind": "chair", "around": "table", "count": "seats"}]})",
+       "seats"},
       {R"({"parts": [{"kind": "table", "size": ["1 +", 1, 1]}]})", "/parts/0/size/0"},
       {R"({"parts": [{"kind": "table", "colour": "red"}]})", "colour"},
       {R"({"parts": [{"group": "no such thing"}]})", "no such thing"},

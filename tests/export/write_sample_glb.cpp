@@ -29,7 +29,7 @@ Scene sample(ModelTable& models) {
   test::use_model(scene.objects[4], models, "nothing", Model{});
   scene.objects.push_back(test::box("spot-0", {0.2, 0.3, 0.5}, {0.3, 1.7, 0.74}));
   scene.objects.back().category = "desk lamp";
-  scene.room.materials = {"black and white checkerboard floor", "striped wallpaper", "", "brick wall"};
+  scene.room.materials = {"black and white checkerboard floor", "striped wallpaper", "", {{std::string(accent_name), "brick wall"}}};
   return scene;
 }
 
