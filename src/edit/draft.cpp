@@ -35,12 +35,16 @@ Cluster with_carried(const Scene& scene, Cluster cluster) {
 
 Cluster cluster_of(const Scene& scene, const Object& root) { return with_carried(scene, {root, {}}); }
 
-bool is_anchor(const Scene& scene, const Object& object) {
-  if (object.group.empty()) return false;
+const Object& anchor_of(const Scene& scene, const Object& object) {
+  if (object.group.empty()) return object;
   const auto first = std::find_if(scene.objects.begin(), scene.objects.end(), [&](const Object& other) {
     return other.group == object.group && other.room == object.room;
   });
-  return first != scene.objects.end() && first->id == object.id;
+  return first == scene.objects.end() ? object : *first;
+}
+
+bool is_anchor(const Scene& scene, const Object& object) {
+  return !object.group.empty() && anchor_of(scene, object).id == object.id;
 }
 
 Cluster whole_of(const Scene& scene, const Object& root) {

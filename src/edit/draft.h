@@ -27,7 +27,8 @@ struct Cluster {
 Cluster cluster_of(const Scene& scene, const Object& root);
 /// And with its group (docs/groups.md), if it is the anchor of one.
 Cluster whole_of(const Scene& scene, const Object& root);
-/// The first of a group stands for it.
+/// The first of its group, which stands for it; itself where it is in none.
+const Object& anchor_of(const Scene& scene, const Object& object);
 bool is_anchor(const Scene& scene, const Object& object);
 /// With the root at another pose, and the rest as it stands on it.
 Cluster moved_to(const Cluster& cluster, const Pose& pose);

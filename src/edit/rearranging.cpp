@@ -15,8 +15,10 @@ constexpr double same_place = 0.05;  // metres: nearer than that is no other arr
 // What is told to be set out anew, first what the others stand to.
 std::vector<Cluster> things_to_set_out(const Draft& draft, const std::vector<std::string>& ids) {
   std::vector<Cluster> things;
-  for (const auto& id : ids) things.push_back(whole_of(draft.scene, *find_object(draft.scene, id)));
-  if (ids.size() == 1) things = related_group_of(draft.scene, things.front().root);
+  // One of a group stands for it.
+  for (const auto& id : ids) things.push_back(whole_of(draft.scene, anchor_of(draft.scene, *find_object(draft.scene, id))));
+  if (ids.size() == 1 && things.front().root.group.empty())
+    things = related_group_of(draft.scene, things.front().root);
   std::erase_if(things, [&](const Cluster& one) {
     return std::any_of(things.begin(), things.end(), [&](const Cluster& other) {
       return other.root.id != one.root.id && other.ids().count(one.root.id) > 0;

@@ -122,7 +122,12 @@ std::set<std::string> named_in(const Scene& scene, const edit::Operation& operat
         bool is_group = false;
         if constexpr (requires { one.group; }) is_group = one.group;
         if (is_group) ids.merge(around(scene, *ids.begin()));
-        if (std::is_same_v<T, edit::Rearrange> && ids.size() == 1) ids = related(scene, *ids.begin());
+        if (std::is_same_v<T, edit::Rearrange>) {
+          const Object* one = find_object(scene, *ids.begin());
+          for (const auto& object : scene.objects)
+            if (one && !one->group.empty() && object.group == one->group) ids.insert(object.id);
+          if (ids.size() == 1) ids = related(scene, *ids.begin());
+        }
         if constexpr (std::is_same_v<T, edit::Swap>) ids = {one.first, one.second};
         for (const auto& id : std::set<std::string>(ids)) ids.merge(led_by(scene, id));
       },
