@@ -6,7 +6,7 @@ namespace roomgen::composition {
 
 namespace {
 
-// Each value that may be tried with each of the others.
+// Each value that may be tried with each of the others; what is asked for first.
 std::vector<Values> variants(const Composition& composition, const Values& values,
                              const std::set<std::string>& fixed) {
   constexpr std::size_t most_variants = 12;
@@ -90,9 +90,10 @@ Result<std::vector<Arranged>> alternatives(const Composition& composition, const
     all.push_back(one);
     if (composition.mirrors) all.push_back(mirrored(one));
   };
-  std::vector<Arranged> whole;
-  for (const auto& variant : variants(composition, values, fixed))
-    if (auto made = arrange(composition, variant, making)) whole.push_back(*std::move(made));
+  std::vector<Arranged> whole = {*std::move(first)};
+  const auto tried = variants(composition, values, fixed);
+  for (std::size_t i = 1; i < tried.size(); ++i)
+    if (auto made = arrange(composition, tried[i], making)) whole.push_back(*std::move(made));
   for (const auto& one : whole) take(one);
   const auto levels = spare_levels(whole.front());
   for (int level : levels)

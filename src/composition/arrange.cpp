@@ -111,12 +111,9 @@ class Arranging {
     } else {
       unit.members.push_back(thing(part));
     }
-    const Bounds2 box =
-        is_flat_thing(part) || unit.members.size() == 1
-            ? Bounds2{-0.5 * unit.members[0].size.head<2>(), 0.5 * unit.members[0].size.head<2>()}
-            : box_of(unit, making_.kinds);
+    const Bounds2 box = box_of(unit, making_.kinds);
     const Vec3 size(box.size().x(), box.size().y(), unit.members.front().size.z());
-    const Vec2 middle = 0.5 * (box.low + box.high);
+    unit = moved_to({-0.5 * (box.low + box.high), 0.0}, std::move(unit));
     remember_size(part.name, size);
     if (making_.without.count(path_of(part)) > 0 || (part.when && number(part.when, 1.0) == 0.0))
       return {};
@@ -124,14 +121,10 @@ class Arranging {
       if (arranged_.members.size() + unit.members.size() > most_members)
         return Error{Error::Kind::limit,
                      "a group holds at most " + std::to_string(most_members) + " things"};
-      put(part, unit, within(place, {-middle, 0.0}), place, size, reference);
+      put(part, unit, {place, size}, reference);
     }
     if (problem_) return wrong(part, *problem_);
     return {};
-  }
-
-  bool is_flat_thing(const Part& part) const {
-    return !part.kind.empty() && making_.kinds.get(part.kind).traits.flat;
   }
 
   std::string path_of(const Part& part) const {
@@ -309,13 +302,13 @@ class Arranging {
     return found;
   }
 
-  void put(const Part& part, const Arranged& unit, const Place& frame, const Place& middle,
-           const Vec3& size, const Instance* reference) {
-    const std::size_t first = arranged_.members.size();
+  // The things of a part, in the frame of the middle of their box, as one more instance of it.
+  void put(const Part& part, const Arranged& unit, Instance instance, const Instance* reference) {
+    const std::size_t first = instance.member = arranged_.members.size();
     const int own_unit = part.kind.empty() ? units_++ : -1;
     for (Member member : unit.members) {
       member.unit = own_unit;
-      member.place = within(frame, member.place);
+      member.place = within(instance.place, member.place);
       if (member.mount == Mount::surface) member.on += first;
       member.number = numbers_[member.part]++;
       if (!part.kind.empty()) hang(part, reference, member);
@@ -324,8 +317,8 @@ class Arranging {
       if (part.kind.empty()) know(member, arranged_.members.size());
       arranged_.members.push_back(std::move(member));
     }
-    instances_[part.name].push_back(
-        {middle, size, first, !part.kind.empty() && is_round(unit.members.front())});
+    instance.round = !part.kind.empty() && is_round(unit.members.front());
+    instances_[part.name].push_back(instance);
   }
 
   bool is_round(const Member& member) const {

@@ -109,12 +109,6 @@ void tell_anchor(Plan& plan, PlanGroup& group, const Arranged& arranged) {
   }
 }
 
-std::string anchor_of(const Plan& plan, const std::string& id) {
-  for (const auto& group : plan.groups)
-    if (group.id == id) return group.anchor;
-  return "";
-}
-
 void dissolve(Plan& plan, const std::string& id, const std::string& why) {
   plan.notes.push_back("group \"" + id + "\" was not made: " + why);
   for (auto& item : plan.items) {
@@ -171,9 +165,7 @@ std::vector<PlannedObject> placing_order(const Plan& plan) {
   // What stands on others comes after them, and the anchor before all of its group.
   const auto rank = [&](const PlannedObject& planned) {
     const PlanItem& item = plan.items[planned.item];
-    const Role& role = known.at(planned.id);
-    const bool is_anchor = role.number == 0 && role.part == anchor_of(plan, role.group);
-    return is_anchor ? 0 : item.mount == Mount::surface ? 2 : 1;
+    return known.at(planned.id).is_anchor ? 0 : item.mount == Mount::surface ? 2 : 1;
   };
   std::vector<PlannedObject> order;
   std::set<std::string> begun;
@@ -200,10 +192,12 @@ std::map<std::string, Role> roles(const Plan& plan) {
     const PlanItem& item = plan.items[planned.item];
     if (item.group.empty()) continue;
     Role role{item.group, item.part, numbers[{item.group, item.part}]++};
-    for (const auto& group : plan.groups)
-      if (const auto unit = group.units.find({role.part, role.number});
-          group.id == role.group && unit != group.units.end())
+    for (const auto& group : plan.groups) {
+      if (group.id != role.group) continue;
+      role.is_anchor = role.number == 0 && role.part == group.anchor;
+      if (const auto unit = group.units.find({role.part, role.number}); unit != group.units.end())
         role.unit = unit->second;
+    }
     found[planned.id] = std::move(role);
   }
   return found;

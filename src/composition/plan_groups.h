@@ -27,6 +27,7 @@ struct Role {
   std::string group, part;
   std::size_t number = 0;
   int unit = -1;  ///< of the groups within that group
+  bool is_anchor = false;
 };
 /// By id, of those in groups.
 std::map<std::string, Role> roles(const Plan& plan);

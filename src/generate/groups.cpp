@@ -27,17 +27,6 @@ const PlanGroup* group_of(const Work& work, const std::string& id) {
   return found == groups.end() ? nullptr : &*found;
 }
 
-// The anchor is the first of its group in the order of placing.
-bool is_anchor(const Work& work, const PlannedObject& planned) {
-  const auto order = composition::placing_order(work.place.plan);
-  const std::string& group = role_of(work, planned.id)->group;
-  const auto first = std::find_if(order.begin(), order.end(), [&](const PlannedObject& one) {
-    const auto* role = role_of(work, one.id);
-    return role && role->group == group;
-  });
-  return first != order.end() && first->id == planned.id;
-}
-
 /// The things of a group as they will be: each with an asset, before any stands.
 struct Cast {
   std::map<std::pair<std::string, std::size_t>, std::string> ids;  ///< by part and number
@@ -172,12 +161,14 @@ bool overlaps_itself(Work& work, const composition::Arranged& way, const Cast& c
 // Seats are drawn up to their table as far as the meshes allow.
 Result<std::vector<composition::Arranged>> ways_that_hold_together(
     Work& work, const PlanGroup& group, const Cast& cast, const composition::SizeOf& size_of) {
-  for (const double tuck : {1.0, 0.5, 0.0}) {
-    auto ways =
-        composition::ways_to_stand(work.place.plan, group, work.place.categories, {size_of, tuck});
-    if (!ways || tuck == 0.0 || !overlaps_itself(work, ways->front(), cast)) return ways;
-  }
-  return Error{Error::Kind::invalid_input, "its things overlap"};
+  const auto ways = [&](double tuck) {
+    return composition::ways_to_stand(work.place.plan, group, work.place.categories,
+                                      {size_of, tuck});
+  };
+  for (const double tuck : {1.0, 0.5})
+    if (auto drawn = ways(tuck); !drawn || !overlaps_itself(work, drawn->front(), cast))
+      return drawn;
+  return ways(0.0);
 }
 
 Result<std::vector<composition::Arranged>> ways_of(Work& work, const PlannedObject& anchor,
@@ -199,7 +190,7 @@ Result<std::vector<composition::Arranged>> ways_of(Work& work, const PlannedObje
 bool begins_group(const Work& work, const PlannedObject& planned) {
   if (work.state.units.count(planned.id)) return true;
   const auto* role = role_of(work, planned.id);
-  return role && !work.state.tried_groups.count(role->group) && is_anchor(work, planned);
+  return role && role->is_anchor && !work.state.tried_groups.count(role->group);
 }
 
 Result<Placement> place_with_group(Work& work, const PlannedObject& planned, PlacementTask& task) {

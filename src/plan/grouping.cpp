@@ -1,14 +1,11 @@
 #include "grouping.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <set>
 
-#include "base/json_reader.h"
-#include "base/resource.h"
 #include "composition/plan_groups.h"
+#include "gathering.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen::plan {
@@ -21,8 +18,6 @@ using composition::Values;
 // What a group is worth: things that stand in their place, against parts that nobody has and things
 // that are left over.
 constexpr double of_missing = 0.15, of_misfit = 0.6, of_other_kind = 0.3, least_gain = 0.5;
-// A word that asks for a composition outweighs all others that would do.
-constexpr double of_words = 10.0, of_use = 1.2;
 constexpr int most_values = 40;
 
 bool is_placed_with_anchor(Mount mount) {
@@ -47,51 +42,6 @@ bool is_given_by_pattern(RelationKind kind) {
 
 bool is_free(const Draft& draft) {
   return draft.item.group.empty() && draft.item.quantity > 0;
-}
-
-/// data/gathering.json.
-struct Gathering {
-  std::map<std::string, std::set<std::string>> rooms;  ///< by family
-  std::set<std::string> known_rooms;
-  std::map<std::string, std::vector<std::string>> words;  ///< by composition
-  std::map<std::string, double> usual;
-};
-
-Gathering read_gathering() {
-  Gathering gathering;
-  const auto json =
-      parse_json(resource("data/gathering.json").value_or("{}"), "data/gathering.json");
-  JsonReader::Problems problems("data/gathering.json");
-  const JsonReader root(*json, problems);
-  for (const auto& [family, rooms] : root["rooms"].members())
-    for (const auto& room : rooms.elements()) {
-      gathering.rooms[family].insert(room.text());
-      gathering.known_rooms.insert(room.text());
-    }
-  for (const auto& [name, one] : root["compositions"].members()) {
-    one.allow_only({"words", "usual"});
-    for (const auto& word : one["words"].elements_or_none())
-      gathering.words[name].push_back(word.text());
-    gathering.usual[name] = one["usual"].number_or(1.0, 0, 10);
-  }
-  assert(!problems.first());
-  return gathering;
-}
-
-// How readily a composition is chosen in this room, for this wish.
-double readiness(const Composition& composition, const std::string& room, const std::string& wish) {
-  static const Gathering gathering = read_gathering();
-  if (const auto words = gathering.words.find(composition.name); words != gathering.words.end())
-    for (const auto& word : words->second)
-      if (wish.find(word) != std::string::npos) return of_words;
-  const auto rooms = gathering.rooms.find(composition.family);
-  if (gathering.known_rooms.count(room) &&
-      (rooms == gathering.rooms.end() || !rooms->second.count(room)))
-    return 0.0;
-  const auto usual = gathering.usual.find(composition.name);
-  const auto& uses = composition.uses;
-  const bool is_meant = std::find(uses.begin(), uses.end(), room) != uses.end();
-  return (usual == gathering.usual.end() ? 1.0 : usual->second) * (is_meant ? of_use : 1.0);
 }
 
 std::string key_of(const Composition& composition, const Values& values) {
@@ -173,8 +123,8 @@ std::vector<int> Grouping::shares(const Counts& counts, const std::vector<Draft>
 }
 
 std::vector<Grouping::Use> Grouping::uses_of(const Counts& counts, const std::vector<Draft>& drafts,
-                                             std::size_t anchor) const {
-  auto left = shares(counts, drafts, anchor);
+                                             std::size_t anchor, std::vector<int>& left) const {
+  left = shares(counts, drafts, anchor);
   std::vector<Use> uses = {{0, anchor, 1}};
   --left[anchor];
   for (std::size_t i = 0; i < counts.size(); ++i) {
@@ -192,11 +142,10 @@ std::vector<Grouping::Use> Grouping::uses_of(const Counts& counts, const std::ve
 
 double Grouping::gain_of(const Counts& counts, const std::vector<Draft>& drafts,
                          std::size_t anchor) const {
-  std::vector<int> got(counts.size(), 0), left = shares(counts, drafts, anchor);
+  std::vector<int> got(counts.size(), 0), left;
   std::set<std::size_t> used;
-  for (const auto& use : uses_of(counts, drafts, anchor)) {
+  for (const auto& use : uses_of(counts, drafts, anchor, left)) {
     got[use.part] += use.quantity;
-    left[use.draft] -= use.quantity;
     if (use.draft != anchor) used.insert(use.draft);
   }
   double gain = -1.0;  // the anchor itself is no gain
@@ -250,7 +199,8 @@ void Grouping::make_group(const Fit& fit, std::vector<Draft>& drafts, std::size_
   group.asked = drafts[anchor].item.asked;
   std::vector<Draft> taken;
   std::vector<bool> has(fit.counts.size(), false);
-  for (const auto& use : uses_of(fit.counts, drafts, anchor)) {
+  std::vector<int> left;
+  for (const auto& use : uses_of(fit.counts, drafts, anchor, left)) {
     has[use.part] = true;
     taken.push_back(
         split_off(drafts[use.draft], use.quantity, group.id, fit.counts[use.part].part));

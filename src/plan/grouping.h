@@ -55,8 +55,9 @@ class Grouping {
   };
   std::vector<int> shares(const Counts& counts, const std::vector<Draft>& drafts,
                           std::size_t anchor) const;
+  /// `left`: of each draft, of its share.
   std::vector<Use> uses_of(const Counts& counts, const std::vector<Draft>& drafts,
-                           std::size_t anchor) const;
+                           std::size_t anchor, std::vector<int>& left) const;
   bool may_dress(const std::string& kind, const brief::Brief& brief) const;
   bool is_kin(const std::string& category, const std::string& kind) const;
   bool belongs(const Draft& draft, const PartCount& part, const Draft& anchor) const;

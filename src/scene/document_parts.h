@@ -15,6 +15,13 @@ std::optional<RelationKind> read_relation(const JsonReader& json);
 Room read_room(const JsonReader& json);
 Requirement read_requirement(const JsonReader& json);
 RequirementVerdict read_verdict(const JsonReader& json);
+/// "constraints", "location" and "facing": what is said of where a thing or a group goes.
+struct SaidPlace {
+  std::vector<Relation> relations;
+  std::optional<Vec2> location;
+  std::optional<double> facing;  ///< radians
+};
+SaidPlace read_said_place(const JsonReader& json);
 /// "heard".
 std::vector<Heard> read_heard(const JsonReader& json);
 

@@ -50,18 +50,13 @@ Json item_json(const PlanItem& item) {
   return json;
 }
 
-// What is said of where an item or a group goes.
+// Of an item or a group.
 template <typename Placed>
 void read_suggestion(const JsonReader& json, Placed& placed) {
-  auto relations = parse_relations(json["constraints"].text_or(""));
-  if (relations) placed.relations = *std::move(relations);
-  else json["constraints"].report(relations.error().message);
-  if (const auto location = json["location"]; location.exists()) {
-    const auto v = location.numbers(2, -max_coordinate, max_coordinate);
-    placed.location = Vec2(v[0], v[1]);
-  }
-  if (const auto facing = json["facing"]; facing.exists())
-    placed.facing = radians(facing.number(-36000, 36000));
+  SaidPlace said = read_said_place(json);
+  placed.relations = std::move(said.relations);
+  placed.location = said.location;
+  placed.facing = said.facing;
 }
 
 PlanItem read_item(const JsonReader& json) {
@@ -155,6 +150,20 @@ void add_remarks(const JsonReader::Problems& problems, Plan& plan) {
 }
 
 }  // namespace
+
+SaidPlace read_said_place(const JsonReader& json) {
+  SaidPlace said;
+  auto relations = parse_relations(json["constraints"].text_or(""));
+  if (relations) said.relations = *std::move(relations);
+  else json["constraints"].report(relations.error().message);
+  if (const auto location = json["location"]; location.exists()) {
+    const auto point = location.numbers(2, -max_coordinate, max_coordinate);
+    said.location = Vec2(point[0], point[1]);
+  }
+  if (const auto facing = json["facing"]; facing.exists())
+    said.facing = radians(facing.number(-36000, 36000));
+  return said;
+}
 
 int quantity_of(const Plan& plan, std::string_view category) {
   int count = 0;

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "base/json_reader.h"
+#include "document_parts.h"
 #include "file_limits.h"
 #include "file_walls.h"
 #include "room_part.h"
@@ -75,15 +76,10 @@ PlacementTask read_task(const JsonReader& json) {
   const bool with_height = json["size"].is_array() && json["size"].raw()->size() == 3;
   const auto size = json["size"].numbers(with_height ? 3 : 2, 0.01, 50.0);
   object.size = {size[0], size[1], with_height ? size[2] : default_object_height};
-  auto relations = parse_relations(json["constraints"].text_or(""));
-  if (relations) object.relations = *std::move(relations);
-  else json["constraints"].report(relations.error().message);
-  if (const auto location = json["location"]; location.exists()) {
-    const auto point = location.numbers(2, -max_coordinate, max_coordinate);
-    task.location = Vec2(point[0], point[1]);
-  }
-  if (const auto facing = json["facing"]; facing.exists())
-    task.facing = radians(facing.number(-36000, 36000));
+  SaidPlace said = read_said_place(json);
+  object.relations = std::move(said.relations);
+  task.location = said.location;
+  task.facing = said.facing;
   return task;
 }
 

@@ -140,7 +140,8 @@ void propose_seats(const ProposalContext& context, const ResolvedRelation& relat
     const double length = 2 * target.half()[side < 2 ? 0 : 1];
     for (int count = 1; count <= most; ++count) {
       if (count > 1 && length / count < size.x() + apart_at_least) break;
-      for (const auto& place : seat_places_at_side(target, side, count))
+      for (const auto& place :
+           composition::seat_places_at_side(target, static_cast<Side>(side), count))
         seat(place.outward, place.rim);
     }
   }
