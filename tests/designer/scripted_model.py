@@ -45,13 +45,19 @@ class Script:
             return [round(self.random.uniform(min(xs), max(xs)), 2), round(self.random.uniform(min(ys), max(ys)), 2)]
         return [round(c, 2) for c in point]
 
+    def is_at_wall(self, known):
+        """What stands in a group has no words of its own; a designer would still say that it is at the wall."""
+        xs, ys = zip(*self.scene["room"]["polygon"])
+        x, y = known["position"][:2]
+        return min(x - min(xs), max(xs) - x, y - min(ys), max(ys) - y) < max(known["size"][:2]) / 2 + 0.15
+
     def place_answer(self, identifier):
         known = self.place(identifier)
         if known is None:
             return {"reasoning": "a free corner", "constraints": "edge", "location": [1, 1], "facing": None}
         return {
             "reasoning": f"{identifier} belongs there.",
-            "constraints": " | ".join(known["relations"]) or "middle",
+            "constraints": " | ".join(known["relations"]) or ("edge" if self.is_at_wall(known) else "middle"),
             "location": self.noise(known["position"][:2]),
             "facing": known["yaw_deg"],
         }
