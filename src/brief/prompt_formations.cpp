@@ -48,7 +48,8 @@ class FormationReader {
   // ring light".
   std::optional<SaidFormation> round_formation(const FormationWord& meant, const Run& words) const {
     SaidFormation said{{.rows = 0, .columns = 0, .shape = meant.shape}, words};
-    said.only = meant.number;
+    const bool are_islands = meant.shape == Formation::Shape::islands;
+    (are_islands ? said.formation.columns : said.only) = meant.number;
     for (int n = 0; n < 2 && describes_formation(said.tokens.begin); ++n) --said.tokens.begin;
     take_word_before(said, {"a", "an", "one", "the"});
     const auto first = said.tokens.begin;
@@ -56,7 +57,7 @@ class FormationReader {
     const bool is_led = said.tokens.begin < first && !phrase_over(words.end) && !describes_something(words.end - 1);
     if (reading_.is_word(words.end, "of")) {
       read_size(words.end + 1, said);
-      std::swap(said.formation.columns, said.number);
+      if (!are_islands) std::swap(said.formation.columns, said.number);
     }
     return is_led || said.in_front ? std::optional(said) : std::nullopt;
   }

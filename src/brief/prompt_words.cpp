@@ -84,7 +84,9 @@ FormationWord read_round_formation(const JsonReader& json) {
   if (name == "arc") return {Formation::Shape::arc, 0};
   if (name == "circle of 3") return {Formation::Shape::circle, 3};
   if (name == "circle of 4") return {Formation::Shape::circle, 4};
-  json.report("must be \"circle\", \"arc\", \"circle of 3\" or \"circle of 4\"");
+  if (name == "islands") return {Formation::Shape::islands, 4};
+  if (name == "islands of 2") return {Formation::Shape::islands, 2};
+  json.report("must be \"circle\", \"arc\", \"circle of 3\", \"circle of 4\", \"islands\" or \"islands of 2\"");
   return {};
 }
 

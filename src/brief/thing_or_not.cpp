@@ -73,7 +73,9 @@ bool ThingOrNot::is_who_it_is_for(std::int32_t id) const {
 bool ThingOrNot::is_formation(std::int32_t id) const {
   const std::string& noun = reading_.word(reading_.phrase(id).head);
   const bool is_row = reading_.words.rows.count(noun) > 0;
-  if (!is_row && !reading_.words.groups.count(noun)) return false;
+  const auto shape = reading_.words.round_formations.find(noun);
+  const bool is_island = shape != reading_.words.round_formations.end() && shape->second.shape == Formation::Shape::islands;
+  if (!is_row && !is_island && !reading_.words.groups.count(noun)) return false;
   return std::any_of(reading_.parse.attachments.begin(), reading_.parse.attachments.end(), [&](const Attachment& one) {
     if (one.from == id && one.relation == "of") return is_row || is_number(one.to);
     return one.to == id && one.relation == "in" && is_row;

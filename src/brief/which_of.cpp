@@ -35,7 +35,8 @@ int which_of(const PromptReading& reading, std::int32_t id) {
   if (phrase.determiner == language::Determiner::definite && all > 1)
     for (auto token = phrase.tokens.begin; token <= phrase.head; ++token)
       if (const auto place = place_in_order(reading, token, all); place && *place < all) return *place;
-  return phrase.is_pronoun ? which_pronoun(reading.word(phrase.head)) : -1;
+  const bool is_each = phrase.head > 0 && (reading.is_word(phrase.head - 1, "each") || reading.is_word(phrase.head - 1, "every"));
+  return phrase.is_pronoun && !is_each ? which_pronoun(reading.word(phrase.head)) : -1;
 }
 
 }  // namespace roomgen::brief

@@ -180,7 +180,7 @@ Room read_reply_room(const Json& json, const PlanRequest& request, const brief::
   const Vec2 size = floor.polygon ? Vec2(bounds(*floor.polygon).size())
                     : floor.size
                         ? *floor.size
-                        : plan::choose_size(kind, brief, 1.0, furniture, 0.0, random.fork("size"));
+                        : plan::choose_size(kind, brief, 1.0, furniture, {0, 0}, random.fork("size"));
   const auto make = [&](const brief::Outline& outline) {
     return plan::make_room(own, outline, openings, random.fork("openings"), repairs);
   };

@@ -15,6 +15,7 @@ namespace {
 
 constexpr double straight = 0.15, together = 2.5;  // metres
 constexpr double off_circle = 0.25;                // metres
+constexpr double pushed_together = 0.12;           // metres
 constexpr double even_gap = 1.6, even_arc_gap = 2.0;  // times what equal gaps would be
 constexpr double least_arc = 80.0, greatest_arc = 300.0;  // degrees
 
@@ -122,6 +123,25 @@ std::string arc_fault(std::span<const Object* const> things) {
   const double even = span / static_cast<double>(gaps.size());
   const bool is_arc = degrees(span) >= least_arc && degrees(span) <= greatest_arc;
   return lie_on(circle, things) && is_arc && gaps.back() <= even_arc_gap * even ? "" : "they do not stand in an arc";
+}
+
+std::string islands_fault(std::span<const Object* const> things, int size) {
+  std::vector<const Object*> left(things.begin(), things.end());
+  int smaller = 0;
+  while (!left.empty()) {
+    std::vector<const Object*> island = {left.back()};
+    left.pop_back();
+    for (std::size_t i = 0; i < island.size(); ++i)
+      std::erase_if(left, [&](const Object* other) {
+        const bool touches = gap(footprint(*island[i]), footprint(*other)) <= pushed_together;
+        if (touches) island.push_back(other);
+        return touches;
+      });
+    if (static_cast<int>(island.size()) > size) return "more than " + std::to_string(size) + " stand together";
+    smaller += static_cast<int>(island.size()) < size;
+  }
+  const int allowed = static_cast<int>(things.size()) % size == 0 ? 0 : 1;
+  return smaller > allowed ? "they do not stand in islands of " + std::to_string(size) : "";
 }
 
 std::string rows_fault(std::span<const Object* const> things, int rows) {

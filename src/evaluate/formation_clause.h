@@ -20,4 +20,8 @@ std::string circle_fault(std::span<const Object* const> things);
 /// they span from 80 to 300 degrees, no gap between neighbours within it twice as wide as the even one.
 std::string arc_fault(std::span<const Object* const> things);
 
+/// Why things do not stand in islands of so many, empty if they do: those of one are at most 0.12 m apart, those of
+/// different ones farther; what is left over when they are dealt out may make a smaller one.
+std::string islands_fault(std::span<const Object* const> things, int size);
+
 }  // namespace roomgen

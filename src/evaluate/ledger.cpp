@@ -150,7 +150,8 @@ class Checker {
   }
 
   static bool is_formation(const Requirement& requirement) {
-    return requirement.attribute == in_rows || requirement.attribute == in_circle || requirement.attribute == in_arc;
+    const auto& asked = requirement.attribute;
+    return asked == in_rows || asked == in_circle || asked == in_arc || asked == in_islands;
   }
   // Of all its things together.
   Finding judge_formation(const Requirement& requirement) const {
@@ -161,6 +162,7 @@ class Checker {
     }
     if (requirement.attribute == in_circle) return by_fault(circle_fault(things));
     if (requirement.attribute == in_arc) return by_fault(arc_fault(things));
+    if (requirement.attribute == in_islands) return by_fault(islands_fault(things, requirement.count));
     return by_fault(rows_fault(things, requirement.count));
   }
 

@@ -28,10 +28,16 @@ Vec2 of_proportion(double area, const brief::Brief& brief, Random& random) {
   return brief::box_of(area, ratio, true);
 }
 
+// Long and wide enough for a block, whichever way it lies.
+Vec2 around_block(const Vec2& size, const Vec2& block) {
+  const Vec2 least = size.x() < size.y() ? Vec2(block.minCoeff(), block.maxCoeff()) : Vec2(block.maxCoeff(), block.minCoeff());
+  return size.cwiseMax(least.cwiseMin(std::sqrt(max_chosen_area)));
+}
+
 }  // namespace
 
 Vec2 choose_size(const brief::RoomKind& kind, const brief::Brief& brief, double scale,
-                 double furniture, double least_side, Random random) {
+                 double furniture, const Vec2& block, Random random) {
   if (brief.size) return *brief.size;
   if (brief.area) {
     const Vec2 size = brief.shape.proportion ? of_proportion(*brief.area, brief, random)
@@ -45,7 +51,8 @@ Vec2 choose_size(const brief::RoomKind& kind, const brief::Brief& brief, double 
   if (size.prod() < needed) size *= std::sqrt(needed / size.prod());
   if (size.prod() > max_chosen_area) size *= std::sqrt(max_chosen_area / size.prod());
   if (brief.shape.proportion) size = of_proportion(size.prod(), brief, random);
-  size = size.cwiseMax(brief.shape.proportion ? 0.7 * kind.smallest : kind.smallest).cwiseMax(std::min(least_side, std::sqrt(max_chosen_area))).cwiseMin(20.0);
+  size = size.cwiseMax(brief.shape.proportion ? 0.7 * kind.smallest : kind.smallest).cwiseMin(20.0);
+  size = around_block(size, block);
   size = Vec2(to_grid(size.x()), to_grid(size.y()));
   while (size.prod() > max_chosen_area + 1e-9) size.x() = to_grid(size.x() - 0.1);
   if (random.chance(0.3)) std::swap(size.x(), size.y());

@@ -16,9 +16,9 @@ namespace roomgen::plan {
 inline constexpr double max_chosen_area = 100.0;
 
 /// Width and depth for a room: what is asked, else chosen by its kind and large enough for
-/// `furniture` square metres of things.
+/// `furniture` square metres of things, and for a block of them with the ways around it, metres.
 Vec2 choose_size(const brief::RoomKind& kind, const brief::Brief& brief, double scale,
-                 double furniture, double least_side, Random random);
+                 double furniture, const Vec2& block, Random random);
 
 /// The floor that the prompt asks for. `chosen` is its box if that is asked for, else that of a
 /// rectangle of the area that it shall have. Fills `notes` with what had no place.

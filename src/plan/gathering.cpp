@@ -23,6 +23,7 @@ struct Gathering {
   std::set<std::string> known_rooms;
   std::map<std::string, std::vector<std::string>> words;  ///< by composition
   std::map<std::string, double> usual;
+  std::vector<std::string> foci;
 };
 
 Gathering read_gathering() {
@@ -36,6 +37,7 @@ Gathering read_gathering() {
       gathering.rooms[family].insert(room.text());
       gathering.known_rooms.insert(room.text());
     }
+  for (const auto& kind : root["focus"].elements()) gathering.foci.push_back(kind.text());
   for (const auto& [name, one] : root["compositions"].members()) {
     one.allow_only({"words", "usual"});
     for (const auto& word : one["words"].elements_or_none())
@@ -46,11 +48,20 @@ Gathering read_gathering() {
   return gathering;
 }
 
+const Gathering& gathering() {
+  static const Gathering read = read_gathering();
+  return read;
+}
+
 }  // namespace
+
+const std::vector<std::string>& usual_foci() {
+  return gathering().foci;
+}
 
 double readiness(const composition::Composition& composition, const std::string& room,
                  const std::string& wish) {
-  static const Gathering gathering = read_gathering();
+  const Gathering& gathering = plan::gathering();
   if (const auto words = gathering.words.find(composition.name); words != gathering.words.end())
     for (const auto& word : words->second)
       if (wish.find(word) != std::string::npos) return of_words;

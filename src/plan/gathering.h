@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "composition/composition.h"
 
@@ -10,5 +11,8 @@ namespace roomgen::plan {
 /// (data/gathering.json): 0 where not at all, 1 where nothing is said.
 double readiness(const composition::Composition& composition, const std::string& room,
                  const std::string& wish);
+
+/// Kinds that rows of seats look at where nothing else is said, the likeliest first.
+const std::vector<std::string>& usual_foci();
 
 }  // namespace roomgen::plan

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <set>
 
+#include "block_site.h"
+#include "blocks.h"
 #include "composition/plan_groups.h"
 #include "gathering.h"
 #include "roomgen/base/text.h"
@@ -17,8 +19,10 @@ using composition::Values;
 
 // What a group is worth: things that stand in their place, against parts that nobody has and things
 // that are left over.
-constexpr double of_missing = 0.15, of_misfit = 0.6, of_other_kind = 0.3, least_gain = 0.5;
+constexpr double of_missing = 0.15, of_misfit = 0.6, of_other_kind = 0.3, of_very_kind = 0.5, least_gain = 0.5;
 constexpr int most_values = 40;
+constexpr double way_beside = 0.9, way_around = 1.8;  ///< metres of a room beside a group, around a block
+constexpr double between_groups = 0.7;                ///< metres of floor between them
 
 bool is_placed_with_anchor(Mount mount) {
   return mount != Mount::surface;
@@ -64,7 +68,8 @@ Draft split_off(Draft& draft, int quantity, const std::string& group, const std:
 
 }  // namespace
 
-Grouping::Grouping(const KindTable& kinds) : kinds_(kinds) {}
+Grouping::Grouping(const KindTable& kinds, const Arrangements& arrangements)
+    : kinds_(kinds), arrangements_(arrangements) {}
 
 const Grouping::Counts& Grouping::counts_of(const Composition& composition, const Values& values) {
   const auto [at, is_new] = known_.try_emplace(key_of(composition, values));
@@ -86,7 +91,6 @@ const Grouping::Counts& Grouping::counts_of(const Composition& composition, cons
 
 bool Grouping::belongs(const Draft& draft, const PartCount& part, const Draft& anchor) const {
   if (!is_free(draft) || draft.item.mount != part.mount) return false;
-  if (draft.formation && !draft.is_usual_formation) return false;
   if (!is_kin(draft.item.category, part.kind)) return false;
   if (&draft == &anchor) return true;
   return std::all_of(draft.demands.begin(), draft.demands.end(), [&](const brief::Demand& demand) {
@@ -187,36 +191,111 @@ bool Grouping::may_dress(const std::string& kind, const brief::Brief& brief) con
          });
 }
 
-void Grouping::make_group(const Fit& fit, std::vector<Draft>& drafts, std::size_t anchor,
-                          const brief::Brief& brief, Plan& plan) {
-  PlanGroup group;
-  group.composition = fit.composition->name;
-  const auto number =
-      std::count_if(plan.groups.begin(), plan.groups.end(),
-                    [&](const PlanGroup& one) { return one.composition == group.composition; });
-  group.id = group.composition + "-" + std::to_string(number);
-  group.parameters = fit.values;
-  group.asked = drafts[anchor].item.asked;
+std::string Grouping::id_for(const std::string& name, const Plan& plan) {
+  const auto number = std::count_if(plan.groups.begin(), plan.groups.end(), [&](const PlanGroup& one) {
+    return one.id.starts_with(name + "-") && one.id.find_first_not_of("0123456789", name.size() + 1) == std::string::npos;
+  });
+  return name + "-" + std::to_string(number);
+}
+
+// Gives the things of `copies` such groups to the group, under the names that its parts have behind `path`.
+void Grouping::take(const Fit& fit, int copies, const std::string& path, std::vector<Draft>& drafts,
+                    std::size_t anchor, const brief::Brief& brief, PlanGroup& group) {
   std::vector<Draft> taken;
   std::vector<bool> has(fit.counts.size(), false);
   std::vector<int> left;
   for (const auto& use : uses_of(fit.counts, drafts, anchor, left)) {
     has[use.part] = true;
-    taken.push_back(
-        split_off(drafts[use.draft], use.quantity, group.id, fit.counts[use.part].part));
+    const int quantity = std::min(copies * use.quantity, drafts[use.draft].item.quantity);
+    taken.push_back(split_off(drafts[use.draft], quantity, group.id, path + fit.counts[use.part].part));
     // Numbers that were asked for stay.
-    if (taken.back().item.asked)
+    if (taken.back().item.asked && path.empty())
       for (const auto& parameter : fit.composition->parameters) group.fixed.insert(parameter.name);
   }
   for (std::size_t i = 0; i < fit.counts.size(); ++i) {
     const PartCount& part = fit.counts[i];
     const bool is_dressing = !is_placed_with_anchor(part.mount) && may_dress(part.kind, brief);
-    if (!has[i] && !is_dressing) group.without.insert(part.part);
+    if (!has[i] && !is_dressing) group.without.insert(path + part.part);
   }
   const auto after = drafts.begin() + static_cast<std::ptrdiff_t>(anchor) + 1;
   drafts.insert(after, std::make_move_iterator(taken.begin()),
                 std::make_move_iterator(taken.end()));
+}
+
+void Grouping::make_group(const Fit& fit, std::vector<Draft>& drafts, std::size_t anchor,
+                          const brief::Brief& brief, Plan& plan) {
+  PlanGroup group;
+  group.composition = fit.composition->name;
+  group.id = id_for(group.composition, plan);
+  group.parameters = fit.values;
+  group.asked = drafts[anchor].item.asked;
+  take(fit, 1, "", drafts, anchor, brief, group);
   plan.groups.push_back(std::move(group));
+}
+
+// Whether it is one thing with what belongs to it, of which a block may have many.
+bool Grouping::is_unit(const Fit& fit, const std::string& category) const {
+  int things = 0;
+  for (const auto& part : fit.counts)
+    if (part.mount == Mount::floor && is_kin(category, part.kind)) things += part.count;
+  return things == 1;
+}
+
+bool Grouping::stands_in_rows(const Draft& draft) const {
+  const int from = arrangements_.get(kinds_, draft.item.category, draft.item.mount).rows_from;
+  return from > 0 && draft.item.quantity >= from && draft.demands.empty();
+}
+
+// A block of a draft's things; each with what a composition of one of them has, whose anchor may be another: the chair
+// of a desk.
+void Grouping::make_block(const Draft& thing, Fit fit, std::vector<Draft>& drafts, std::size_t anchor,
+                          const brief::Brief& brief, Plan& plan, std::vector<FormedBlock>& blocks) {
+  const int count = thing.item.quantity;
+  double told = 0.0;  // what the words alone put at each of them
+  for (const std::size_t i : told_companions(thing, count, drafts)) told += drafts[i].item.quantity / count;
+  if (told > fit.gain) fit = {};
+  FormedBlock block{thing.formation.value_or(brief::Formation{.rows = 0, .columns = 0}), thing.item.quantity, thing};
+  block.looks_over = kinds_.is_a(drafts[anchor].item.category, "table");
+  if (fit.composition) block.composition = fit.composition->name, block.with = fit.values;
+  PlanGroup group;
+  group.id = id_for((block.formation.is_round() ? "ring of " : "rows of ") + block.thing.item.category, plan);
+  group.asked = block.thing.item.asked;
+  const bool is_counted = block.formation.rows > 0 || block.formation.columns > 0;
+  if (is_counted && !block.formation.is_round()) group.fixed.insert("columns");
+  block.group = group.id;
+  if (block.formation.is_round())
+    for (const std::size_t i : foci_of(thing, drafts, kinds_)) {
+      if (!drafts[i].demands.empty() || drafts[i].item.mount != Mount::floor || block.has_focus) continue;
+      block.has_focus = true, block.focus_kind = drafts[i].item.category;
+      drafts[i].item.group = group.id, drafts[i].item.part = block_focus;
+    }
+  const int places = places_of(block), each = count / places;
+  for (int place = 0; place < places; ++place) {
+    const std::string path = unit_name(place);
+    if (fit.composition) {
+      take(fit, each, path + "/", drafts, anchor, brief, group);
+      continue;
+    }
+    const auto own = std::find_if(drafts.begin(), drafts.end(), [&](const Draft& one) {
+      return is_free(one) && one.mention == thing.mention && one.item.category == thing.item.category;
+    });
+    const Draft taken = split_off(*own, each, group.id, path);
+    drafts.insert(own + 1, taken);
+  }
+  for (const std::size_t i : told_companions(thing, count, drafts)) {
+    if (places > 1) break;
+    drafts[i].item.group = group.id, drafts[i].item.part = "at" + std::to_string(block.companions.size());
+    block.companions.push_back(drafts[i]);
+    block.companions.back().item.quantity /= count;
+  }
+  group.definition = definition_of(block, kinds_, arrangements_);
+  for (auto& draft : drafts)
+    if (draft.item.group == group.id && draft.mention == thing.mention)
+      std::erase_if(draft.demands, [&](const brief::Demand& one) {
+        return is_looking_at(one.kind) || (block.has_focus && one.kind == RelationKind::around);
+      });
+  plan.groups.push_back(std::move(group));
+  blocks.push_back(std::move(block));
 }
 
 Grouping::Floor Grouping::floor_of(std::vector<Draft> drafts, const brief::Brief& brief,
@@ -233,41 +312,87 @@ Grouping::Floor Grouping::floor_of(std::vector<Draft> drafts, const brief::Brief
   for (const auto& group : plan.groups) {
     const auto ways = composition::ways_to_stand(plan, group, kinds_, {});
     if (!ways) continue;
-    const Bounds2 box = composition::box_of(ways->front(), kinds_);
-    floor.area += box.size().prod();
-    if (box.size().prod() > floor.largest.prod()) floor.largest = box.size();
+    const Vec2 box = composition::box_of(ways->front(), kinds_).size();
+    floor.area += (box.array() + between_groups).prod();
+    const Vec2 with_way = box.array() + (group.definition.empty() ? way_beside : way_around);
+    if (with_way.prod() > floor.largest.prod()) floor.largest = with_way;
   }
   return floor;
+}
+
+Grouping::Fit Grouping::best_fit(const std::vector<Draft>& drafts, std::size_t anchor, const std::string& room,
+                                 const std::string& wish, const std::string& unit_of) {
+  const std::string& category = drafts[anchor].item.category;
+  Fit best;
+  for (const auto& [name, one] : *composition::built_in_compositions()) {
+    const Counts& counts = counts_of(one, {});
+    if (counts.empty() || !is_kin(category, counts.front().kind)) continue;
+    const double ready = readiness(one, room, wish);
+    if (ready <= 0.0) continue;
+    Fit found = fit(one, drafts, anchor);
+    if (!unit_of.empty() && !is_unit(found, unit_of)) continue;
+    found.gain *= ready;
+    for (const auto& part : found.counts)
+      if (part.kind == unit_of) found.gain += of_very_kind;
+    // Rather the composition for just that.
+    if (category != counts.front().kind) found.gain -= of_other_kind;
+    if (found.gain > std::max(best.gain, least_gain) + 1e-9) best = std::move(found);
+  }
+  return best;
+}
+
+void Grouping::make_told_block(std::vector<Draft>& drafts, std::size_t told, const std::string& wish,
+                               const brief::Brief& brief, Plan& plan, std::vector<FormedBlock>& blocks) {
+  const Draft thing = drafts[told];
+  Fit best;
+  std::size_t anchor = told;
+  for (std::size_t i = 0; i < drafts.size(); ++i) {
+    if (!is_free(drafts[i]) || drafts[i].item.mount != Mount::floor) continue;
+    if (i != told && drafts[i].item.quantity < thing.item.quantity) continue;
+    Fit found = best_fit(drafts, i, brief.type, wish, thing.item.category);
+    if (found.gain > best.gain + 1e-9) best = std::move(found), anchor = i;
+  }
+  make_block(thing, best, drafts, anchor, brief, plan, blocks);
 }
 
 void Grouping::run(std::vector<Draft>& drafts, const brief::Brief& brief, Plan& plan) {
   constexpr int most_groups = 200;
   plan.groups.clear();
   for (auto& draft : drafts) draft.item.group.clear(), draft.item.part.clear();
-  const auto& known = composition::built_in_compositions();
-  const std::string wish = lower(plan.prompt), room = brief.type;
-  for (int n = 0; known && n < most_groups; ++n) {
+  if (!composition::built_in_compositions()) return;
+  const std::string wish = lower(plan.prompt);
+  std::vector<FormedBlock> blocks;
+  const auto next_block = [&](const auto& is_meant) {
+    std::erase_if(drafts, [](const Draft& draft) { return draft.item.quantity < 1; });
+    const auto at = std::find_if(drafts.begin(), drafts.end(), [&](const Draft& one) {
+      return is_free(one) && one.item.mount == Mount::floor && one.item.quantity > 1 && one.item.size && is_meant(one);
+    });
+    return at == drafts.end() ? std::nullopt : std::optional(static_cast<std::size_t>(at - drafts.begin()));
+  };
+  const auto is_told = [](const Draft& one) { return one.formation.has_value(); };
+  while (const auto told = next_block(is_told)) make_told_block(drafts, *told, wish, brief, plan, blocks);
+  for (int n = 0; n < most_groups; ++n) {
     Fit best;
     std::size_t anchor = 0;
     for (std::size_t i = 0; i < drafts.size(); ++i) {
       if (!is_free(drafts[i]) || drafts[i].item.mount != Mount::floor) continue;
-      for (const auto& [name, one] : *known) {
-        const Counts& counts = counts_of(one, {});
-        if (counts.empty() || !is_kin(drafts[i].item.category, counts.front().kind)) continue;
-        const double ready = readiness(one, room, wish);
-        if (ready <= 0.0) continue;
-        Fit found = fit(one, drafts, i);
-        found.gain *= ready;
-        // Rather the composition for just that.
-        if (drafts[i].item.category != counts.front().kind) found.gain -= of_other_kind;
-        if (found.gain > std::max(best.gain, least_gain) + 1e-9)
-          best = std::move(found), anchor = i;
-      }
+      Fit found = best_fit(drafts, i, brief.type, wish, "");
+      if (found.gain > best.gain + 1e-9) best = std::move(found), anchor = i;
     }
     if (!best.composition) break;
-    make_group(best, drafts, anchor, brief, plan);
+    const Draft thing = drafts[anchor];
+    if (stands_in_rows(thing) && is_unit(best, thing.item.category))
+      make_block(thing, best, drafts, anchor, brief, plan, blocks);
+    else
+      make_group(best, drafts, anchor, brief, plan);
     std::erase_if(drafts, [](const Draft& draft) { return draft.item.quantity < 1; });
   }
+  while (const auto many = next_block([&](const Draft& one) { return stands_in_rows(one); }))
+    make_block(Draft(drafts[*many]), {}, drafts, *many, brief, plan, blocks);
+  if (plan.room.polygon.size() < 3) return;  // how large it is depends on these groups
+  for (const auto& block : blocks)
+    for (auto& group : plan.groups)
+      if (group.id == block.group) stand_in_room(block, kinds_, plan.room, drafts, group);
 }
 
 }  // namespace roomgen::plan

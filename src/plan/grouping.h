@@ -4,8 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "blocks.h"
 #include "composition/arrange.h"
 #include "inventory.h"
+#include "solve/arrangement.h"
 
 namespace roomgen::plan {
 
@@ -13,17 +15,19 @@ namespace roomgen::plan {
 /// one. Remembers what compositions hold: one serves all attempts at a plan.
 class Grouping {
  public:
-  explicit Grouping(const KindTable& kinds);
+  Grouping(const KindTable& kinds, const Arrangements& arrangements);
 
   /// The floor that they take when they are grouped: of each group that of its box.
   struct Floor {
     double area = 0.0;            ///< square metres
-    Vec2 largest = Vec2::Zero();  ///< the box of the largest group
+    Vec2 largest = Vec2::Zero();  ///< the box of the largest group, with a way
   };
   Floor floor_of(std::vector<Draft> drafts, const brief::Brief& brief, const std::string& prompt);
 
   /// Groups the drafts anew: those that gain most first. Drafts whose things go to several groups
-  /// are split. What is told of a thing's place beyond being at its anchor keeps it out.
+  /// are split. What is told of a thing's place beyond being at its anchor keeps it out. What is told
+  /// to stand in rows, in a circle or an arc, and many of what usually stands in rows, becomes a
+  /// block, with what belongs to each; in a room it is told where it stands.
   void run(std::vector<Draft>& drafts, const brief::Brief& brief, Plan& plan);
 
  private:
@@ -61,10 +65,22 @@ class Grouping {
   bool may_dress(const std::string& kind, const brief::Brief& brief) const;
   bool is_kin(const std::string& category, const std::string& kind) const;
   bool belongs(const Draft& draft, const PartCount& part, const Draft& anchor) const;
+  Fit best_fit(const std::vector<Draft>& drafts, std::size_t anchor, const std::string& room,
+               const std::string& wish, const std::string& unit_of);
+  bool is_unit(const Fit& fit, const std::string& category) const;
+  bool stands_in_rows(const Draft& draft) const;
+  static std::string id_for(const std::string& name, const Plan& plan);
+  void take(const Fit& fit, int copies, const std::string& path, std::vector<Draft>& drafts,
+            std::size_t anchor, const brief::Brief& brief, PlanGroup& group);
+  void make_told_block(std::vector<Draft>& drafts, std::size_t told, const std::string& wish,
+                       const brief::Brief& brief, Plan& plan, std::vector<FormedBlock>& blocks);
+  void make_block(const Draft& thing, Fit fit, std::vector<Draft>& drafts, std::size_t anchor,
+                  const brief::Brief& brief, Plan& plan, std::vector<FormedBlock>& blocks);
   void make_group(const Fit& fit, std::vector<Draft>& drafts, std::size_t anchor,
                   const brief::Brief& brief, Plan& plan);
 
   const KindTable& kinds_;
+  const Arrangements& arrangements_;
   std::map<std::string, Counts> known_;  ///< by composition and values
 };
 

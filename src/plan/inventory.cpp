@@ -55,6 +55,7 @@ class Completion {
     add_extras(fewest_things, fullest * area);
     for (const auto& piece : kind_.details)
       if (random_.chance(piece.chance)) add(piece, 1e9);
+    seat_people_at_table();
   }
 
  private:
@@ -189,6 +190,17 @@ class Completion {
     const Kind& category = table_.get(item.category);
     if (category.traits.flat) return true;
     return floor_area(drafts_, table_) + item.quantity * size.x() * size.y() <= budget;
+  }
+
+  // "a table for six", in a room that usually has none.
+  void seat_people_at_table() {
+    const bool has_table = std::any_of(drafts_.begin(), drafts_.end(), [&](const Draft& draft) {
+      return draft.item.asked && table_.is_any_of(draft.item.category, {"table"}) && !table_.is_a(draft.item.category, "desk");
+    });
+    const bool is_seated = count_of("chair") + count_of("stool") + count_of("bench") > 0;
+    if (brief_.seated == 0 || !has_table || is_seated || excluded("chair")) return;
+    brief::Piece seat;
+    drafts_.push_back(drafted(seat, "dining chair", "", brief_.seated));
   }
 
   void add_companions(const brief::Piece& piece, double budget) {

@@ -23,7 +23,6 @@ struct Draft {
   std::size_t part_of = brief::Demand::none;  ///< the mention of which these are some
   std::vector<brief::Demand> demands;
   std::optional<brief::Formation> formation;  ///< of its things
-  bool is_usual_formation = false;     ///< nobody said it: its things need not keep to each other
   bool core = false;  ///< the room is hardly one of its kind without it
 };
 

@@ -7,7 +7,7 @@
 
 #include "coverage.h"
 #include "floor_plan.h"
-#include "formations.h"
+#include "blocks.h"
 #include "room_clauses.h"
 #include "roomgen/base/text.h"
 #include "scene/mount_attribute.h"
@@ -161,15 +161,17 @@ class Ledger {
     if (!mention.formation) return;
     Requirement requirement = about(index, mention, Requirement::Kind::attribute);
     const brief::Formation& formation = *mention.formation;
-    requirement.attribute = formation.shape == brief::Formation::Shape::circle ? in_circle
-                            : formation.shape == brief::Formation::Shape::arc  ? in_arc
-                                                                        : in_rows;
-    requirement.count = formation.rows;
-    requirement.clause = mention.category + (formation.is_round()    ? " " + requirement.attribute
-                                             : requirement.count == 1 ? " in a row"
-                                             : requirement.count > 1
-                                                 ? " in " + std::to_string(requirement.count) + " rows"
-                                                 : " in rows");
+    using Shape = brief::Formation::Shape;
+    static const std::map<Shape, std::string_view> names = {
+        {Shape::rows, in_rows}, {Shape::circle, in_circle}, {Shape::arc, in_arc}, {Shape::islands, in_islands}};
+    const bool are_islands = formation.shape == Shape::islands;
+    requirement.attribute = names.at(formation.shape);
+    requirement.count = are_islands ? formation.columns : formation.rows;
+    const std::string number = std::to_string(requirement.count);
+    requirement.clause = mention.category + " " + requirement.attribute;
+    if (are_islands) requirement.clause += " of " + number;
+    if (formation.shape == Shape::rows && requirement.count > 0)
+      requirement.clause = mention.category + " in " + (requirement.count == 1 ? "a row" : number + " rows");
     add(std::move(requirement), {mention.formation_heard});
   }
 

@@ -5,7 +5,6 @@
 #include <numeric>
 
 #include "floor_plan.h"
-#include "formations.h"
 #include "roomgen/base/text.h"
 #include "scene/room_part.h"
 
@@ -114,7 +113,7 @@ std::vector<Draft> after_targets(std::vector<Draft> left, Plan& plan) {
   return ordered;
 }
 
-// Each thing of an item with several targets, or of several in rows, becomes an item of its own.
+// Each thing of an item with several targets becomes an item of its own.
 std::vector<Draft> split_pairs(const std::vector<Draft>& drafts) {
   std::map<std::size_t, int> quantity;
   for (const auto& draft : drafts)
@@ -127,7 +126,7 @@ std::vector<Draft> split_pairs(const std::vector<Draft>& drafts) {
           return demand.flank ||
                  (demand.mention != brief::Demand::none && quantity[demand.mention] > 1);
         });
-    if (!(pairs || draft.formation) || draft.item.quantity == 1 || draft.item.quantity > max_split) {
+    if (!pairs || draft.item.quantity == 1 || draft.item.quantity > max_split) {
       result.push_back(draft);
       continue;
     }
@@ -159,8 +158,6 @@ class Ids {
     const auto turn = static_cast<std::size_t>(turn_[{asking, mention}]++) % (ids.size() - 1);
     return {ids[turn], ids[turn + 1]};
   }
-
-  const std::vector<std::string>& of(std::size_t mention) { return ids_[mention]; }
 
   // One of a mention's things, or of its parts; for its own parts one of those that are left of it.
   std::string next(const Draft& asking, std::size_t mention, int nth) {
@@ -220,26 +217,10 @@ class Resolver {
       else
         add(relations, {first ? RelationKind::left_of : RelationKind::right_of, flanked});
     }
-    if (draft.formation && !draft.formation->is_round() && !draft.is_usual_formation) fall_in(draft, relations);
     return relations;
   }
 
  private:
-  // In rows each stands beside the one before it, the first of a row behind the first of the last.
-  void fall_in(const Draft& draft, std::vector<Relation>& relations) {
-    const auto& ids = ids_.of(draft.mention);
-    const std::size_t own = fallen_in_[draft.mention]++, columns = columns_of(*draft.formation, ids.size());
-    if (own == 0 || own >= ids.size()) return;
-    const bool begins_row = own % columns == 0;
-    const std::string& neighbour = ids[begins_row ? own - columns : own - 1];
-    if (begins_row)
-      for (const auto kind : {RelationKind::behind, RelationKind::center_aligned, RelationKind::near})
-        add(relations, {kind, neighbour});
-    else
-      for (const auto kind : {RelationKind::right_of, RelationKind::aligned, RelationKind::near})
-        add(relations, {kind, neighbour});
-    add(relations, {RelationKind::face_same_as, neighbour});
-  }
   // "between the beds": said once of several.
   static bool is_only_between(const Draft& draft, const brief::Demand& demand) {
     return demand.mention != brief::Demand::none &&
@@ -256,7 +237,6 @@ class Resolver {
   Ids ids_;
   const Room& room_;
   std::map<std::pair<std::size_t, std::string>, int> sides_;
-  std::map<std::size_t, std::size_t> fallen_in_;  ///< how many of a mention stand in their rows
 };
 
 }  // namespace

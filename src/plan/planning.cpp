@@ -8,7 +8,6 @@
 #include "brief/room_type.h"
 #include "floor_plan.h"
 #include "composition/plan_groups.h"
-#include "formations.h"
 #include "grouping.h"
 #include "inventory.h"
 #include "least_size.h"
@@ -18,7 +17,6 @@
 #include "order.h"
 #include "palette.h"
 #include "room_openings.h"
-#include "round_formations.h"
 #include "solve/dry_run.h"
 
 namespace roomgen::plan {
@@ -28,8 +26,7 @@ namespace {
 constexpr int usual_attempts = 5;
 constexpr int max_attempts = 9;  ///< while something of the prompt is not heeded
 constexpr double growth = 1.05;  ///< of the sides from attempt to attempt
-constexpr double floor_of_groups = 1.35;  ///< of a room, for the floor that its groups take with what is between their things
-constexpr double way_around = 0.9;        ///< metres beside the largest group
+constexpr double floor_of_groups = 1.15;  ///< of a room, for the floor that its groups take with what is between them
 constexpr std::size_t enough_things = 2;  ///< named, to furnish a room of no known kind
 constexpr std::size_t most_tried = 80;  ///< things; larger plans are taken as they are
 constexpr double none_of_its_kind =
@@ -55,7 +52,7 @@ class Planner {
         kinds_(kinds),
         table_(table),
         arrangements_(arrangements),
-        grouping_(table),
+        grouping_(table, arrangements),
         brief_(std::move(brief)),
         random_(request.seed) {
     choose_kind();
@@ -167,14 +164,12 @@ class Planner {
 
   // Large enough for what is asked for, and for the groups that it and what usually comes with it make.
   Vec2 size_for(const std::vector<Draft>& drafts, const Looks& looks, double scale, const Random& random) const {
-    const double least = side_for_round(drafts, table_);
-    const Vec2 size = choose_size(kind_, brief_, scale, floor_area(drafts, table_), least, random.fork("size"));
+    const Vec2 size = choose_size(kind_, brief_, scale, floor_area(drafts, table_), {0, 0}, random.fork("size"));
     auto all = drafts;
     complete(all, brief_, kinds_, kind_, size, table_, looks, random.fork("contents"));
     const auto floor = grouping_.floor_of(std::move(all), brief_, request_.prompt);
     const double furniture = std::max(floor_area(drafts, table_), kind_.share.high * floor_of_groups * floor.area);
-    return choose_size(kind_, brief_, scale, furniture, std::max(least, floor.largest.minCoeff() + way_around),
-                       random.fork("size"));
+    return choose_size(kind_, brief_, scale, furniture, floor.largest, random.fork("size"));
   }
 
   std::vector<std::string> unwanted_looks() const {
@@ -208,7 +203,6 @@ class Planner {
     // Of a room that is no rectangle, one of its area.
     const Vec2 usable(box.x(), area(plan.room.polygon) / box.x());
     complete(drafts, brief_, kinds_, kind_, usable, table_, looks, random.fork("contents"));
-    fall_in_as_usual(drafts, table_, arrangements_);
     result.drafts = std::move(drafts);
     set_in_order(result);
     judge(result, bar);
@@ -274,7 +268,6 @@ class Planner {
     plan.items.clear();
     grouping_.run(attempt.drafts, brief_, plan);
     attempt.drafts = order_items(std::move(attempt.drafts), table_, arrangements_, plan);
-    lay_out_formations(attempt.drafts, table_, arrangements_, plan);
     composition::complete_groups(plan, table_);
     for (std::size_t i = attempt.drafts.size(); i < plan.items.size(); ++i) {
       Draft added;

@@ -51,7 +51,7 @@ struct Requirement {
 /// The attribute of things that stand in `count` rows; 0: however many.
 inline constexpr std::string_view in_rows = "in rows";
 /// Those of things that stand around a point, all the way or open on one side.
-inline constexpr std::string_view in_circle = "in a circle", in_arc = "in an arc";
+inline constexpr std::string_view in_circle = "in a circle", in_arc = "in an arc", in_islands = "in islands";
 
 /// That of things that hang so high: `amount` is between their bottom and their top.
 inline constexpr std::string_view height_above_floor = "height above the floor";

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "composition/arrange.h"
+#include "inventory.h"
+#include "solve/arrangement.h"
+
+namespace roomgen::plan {
+
+/// Many of a kind that are told to stand in rows, in a circle or in an arc, each with what belongs to it: a composition
+/// of its own, which a plan's group brings along (docs/groups.md).
+struct FormedBlock {
+  brief::Formation formation;
+  int count = 0;
+  Draft thing;               ///< one of them
+  std::string composition = {};   ///< of one with what belongs to it; empty: the thing alone
+  composition::Values with = {};  ///< its parameters
+  std::vector<Draft> companions = {};  ///< told to be at each of them, in that quantity; for each a part of its item's
+  std::string group = {};        ///< its id
+  bool has_focus = false;        ///< what they stand around is of the group
+  std::string focus_kind = {};
+  bool looks_over = false;   ///< who uses it looks over its back: a desk
+};
+
+/// The drafts that are told to be at each of `count` things of one, as many at each.
+std::vector<std::size_t> told_companions(const Draft& thing, int count, const std::vector<Draft>& drafts);
+
+/// How many parts of a block its things are, one after the other: each place of an island is one of its own.
+int places_of(const FormedBlock& block);
+std::string unit_name(int place);
+
+/// The part of a block that each of its things is, and that which they stand around.
+inline constexpr const char* block_unit = "unit";
+inline constexpr const char* block_focus = "focus";
+
+/// Its composition, as JSON. Its parameter "open" is the share of the floor that should be between its things, rows
+/// have "columns".
+std::string definition_of(const FormedBlock& block, const KindTable& kinds, const Arrangements& arrangements);
+
+/// Says where a block stands in its room and which way its things look: with their fronts to the wall that is told, to
+/// what they look at, or to one without doors and windows; as loose as there is room for. What they look at goes to that
+/// wall unless it was told where. Other things have the floor behind it, if there are many. A single row and what stands
+/// around something are left to what is said of their place.
+void stand_in_room(const FormedBlock& block, const KindTable& kinds, const Room& room, std::vector<Draft>& drafts,
+                   PlanGroup& group);
+
+/// How many things stand in each row of so many.
+std::size_t columns_of(const brief::Formation& formation, std::size_t count);
+
+}  // namespace roomgen::plan
