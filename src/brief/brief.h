@@ -78,6 +78,7 @@ struct Mention {
   std::int32_t list = language::none;  ///< of the parse: where it is named among others
   bool varied = false;       ///< they shall differ
   bool contradicts = false;  ///< another number of the same things was asked for before: not planned
+  int seats = 0;             ///< "a six-seater table", "tables for two"; 0: not said
   bool sized = false;        ///< the prompt says something about its size
   Vec3 size = Vec3::Ones();  ///< wanted
   Mount mount = Mount::floor;

@@ -63,9 +63,17 @@ void bring(const Piece& piece, int number, const Lexicon& lexicon, Brief& brief)
   brief.mentions.push_back(std::move(mention));
 }
 
+// "six tables for two" are for twelve.
+void count_at_tables(Brief& brief) {
+  int seats = 0;
+  for (const Mention& mention : brief.mentions) seats += mention.quantity * mention.seats;
+  brief.people = std::clamp(std::max(brief.people, seats), 0, most_people);
+}
+
 }  // namespace
 
 void bring_for_people(const Lexicon& lexicon, Brief& brief) {
+  count_at_tables(brief);
   if (brief.people > 1 && is_for_sitting(lexicon)) brief.seated = brief.people;
   if (brief.people < 2 || brief.bare || are_seated(brief, lexicon)) return;
   for (const Piece& piece : lexicon.kind.core) {

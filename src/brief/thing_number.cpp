@@ -29,6 +29,7 @@ class NumberReader : private PhraseWords {
     for (std::uint32_t i = said.tokens.begin; i < thing_.name_tokens.begin; ++i) count_word(i);
     range();
     spread();
+    seats_behind();
     // Numbers of several words.
     const bool part_of_name = is_number(thing_.name_tokens.begin) || measured_;
     if (!thing_.article && said.count > 0 && !part_of_name) count_in_words();
@@ -65,6 +66,19 @@ class NumberReader : private PhraseWords {
     if (!behind) return;
     set_count(*behind.value, false);
     if (behind.length == 1 && !text.words.placements.count(word(said.head + 1))) thing_.count_tokens.push_back(said.head + 1);
+  }
+  // "six tables for two"
+  void seats_behind() {
+    static const WordSet tables = {"table", "tables", "booth", "booths"};
+    const bool is_said = said.head + 2 < parse.tokens.size() && word(said.head + 1) == "for";
+    if (!is_said || !tables.count(word(said.head))) return;
+    const auto number = language::number_at(parse.tokens, said.head + 2);
+    const auto behind = said.head + 2 + static_cast<std::uint32_t>(number ? number->length : 0);
+    const bool counts_things = behind < parse.tokens.size() && text.plain[behind].kind == Token::Kind::word &&
+                               !text.words.stops.count(word(behind));
+    if (!number || counts_things || number->value < 1.0 || number->value > 40.0) return;
+    thing_.seats = static_cast<int>(number->value);
+    for (auto i = said.head + 1; i < behind; ++i) thing_.count_tokens.push_back(i);
   }
   // "at least five", "exactly two", "no more than one"
   void qualifier() {

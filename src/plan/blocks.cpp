@@ -80,6 +80,10 @@ nlohmann::json part_of_companion(const Draft& companion, const KindTable& kinds)
         break;
     }
   }
+  if (sits) {
+    part["around"] = block_unit, part["gap"] = -0.1;
+    return part;
+  }
   part["of"] = block_unit;
   part["at"] = {"unit_w / 2 + " + item.part + "_w / 2", "unit_d / 2 + " + item.part + "_d / 2"};
   part.erase("count");

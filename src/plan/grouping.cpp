@@ -19,7 +19,7 @@ using composition::Values;
 
 // What a group is worth: things that stand in their place, against parts that nobody has and things
 // that are left over.
-constexpr double of_missing = 0.15, of_misfit = 0.6, of_other_kind = 0.3, of_very_kind = 0.5, least_gain = 0.5;
+constexpr double of_missing = 0.15, of_misfit = 0.6, of_other_kind = 0.3, of_very_kind = 1.0, least_gain = 0.5;
 constexpr int most_values = 40;
 constexpr double way_beside = 0.9, way_around = 1.8;  ///< metres of a room beside a group, around a block
 constexpr double between_groups = 0.7;                ///< metres of floor between them
@@ -84,19 +84,42 @@ const Grouping::Counts& Grouping::counts_of(const Composition& composition, cons
     if (same != counts.end())
       ++same->count;
     else
-      counts.push_back({member.part, member.category, member.mount, 1, member.spare});
+      counts.push_back({member.part, member.category, member.mount, 1, member.spare, member.size});
   }
   return at->second;
 }
 
-bool Grouping::belongs(const Draft& draft, const PartCount& part, const Draft& anchor) const {
+// Told to be at this anchor, or at something that the group has as well; and near others, which is little.
+bool Grouping::is_told_within(const Draft& draft, const Counts& counts, const std::vector<Draft>& drafts,
+                              std::size_t anchor) const {
+  const auto is_within = [&](const brief::Demand& demand) {
+    if (demand.mention == brief::Demand::none) return false;
+    return demand.mention == drafts[anchor].mention ||
+           std::any_of(drafts.begin(), drafts.end(), [&](const Draft& other) {
+             return other.mention == demand.mention && is_free(other) &&
+                    std::any_of(counts.begin(), counts.end(), [&](const PartCount& part) {
+                      return part.mount == Mount::floor && is_kin(other.item.category, part.kind);
+                    });
+           });
+  };
+  bool is_tied = draft.demands.empty(), is_tied_elsewhere = false;
+  for (const auto& demand : draft.demands) {
+    const bool within = is_given_by_pattern(demand.kind) && is_within(demand);
+    is_tied = is_tied || within;
+    is_tied_elsewhere = is_tied_elsewhere || (!within && demand.kind != RelationKind::near);
+  }
+  return is_tied && !is_tied_elsewhere;
+}
+
+bool Grouping::belongs(const Draft& draft, const PartCount& part) const {
   if (!is_free(draft) || draft.item.mount != part.mount) return false;
-  if (!is_kin(draft.item.category, part.kind)) return false;
-  if (&draft == &anchor) return true;
-  return std::all_of(draft.demands.begin(), draft.demands.end(), [&](const brief::Demand& demand) {
-    return demand.mention != brief::Demand::none && demand.mention == anchor.mention &&
-           is_given_by_pattern(demand.kind);
-  });
+  // A plain word is meant as what stands there: "stools" at a bar.
+  return is_kin(draft.item.category, part.kind) || is_plain_word_for(draft, part.kind);
+}
+
+bool Grouping::is_plain_word_for(const Draft& draft, const std::string& kind) const {
+  static const std::set<std::string, std::less<>> plain = {"chair", "stool", "table", "lamp"};
+  return plain.count(draft.item.category) > 0 && kinds_.is_a(kind, draft.item.category);
 }
 
 // "table" is as good as a dining table, which people mean by it.
@@ -120,7 +143,9 @@ std::vector<int> Grouping::shares(const Counts& counts, const std::vector<Draft>
   for (const auto& draft : drafts) {
     const bool is_anchor = draft.item.category == drafts[anchor].item.category;
     const int quantity = is_free(draft) ? draft.item.quantity : 0;
-    const int share = (quantity * anchors_here + anchors - 1) / std::max(1, anchors);
+    int share = (quantity * anchors_here + anchors - 1) / std::max(1, anchors);
+    const bool sits = drafts[anchor].seats > 0 && kinds_.is_a(draft.item.category, "seat");
+    if (sits) share = drafts[anchor].seats * std::max(1, anchors_here);
     shares.push_back(is_anchor ? quantity : std::min(quantity, share));
   }
   return shares;
@@ -135,7 +160,8 @@ std::vector<Grouping::Use> Grouping::uses_of(const Counts& counts, const std::ve
     int wanted = counts[i].count - (i == 0 ? 1 : 0);
     for (std::size_t d = 0; d < drafts.size() && wanted > 0; ++d) {
       const int some = std::min(wanted, left[d]);
-      if (some <= 0 || !belongs(drafts[d], counts[i], drafts[anchor])) continue;
+      if (some <= 0 || !belongs(drafts[d], counts[i])) continue;
+      if (d != anchor && !is_told_within(drafts[d], counts, drafts, anchor)) continue;
       uses.push_back({i, d, some});
       left[d] -= some;
       wanted -= some;
@@ -157,7 +183,8 @@ double Grouping::gain_of(const Counts& counts, const std::vector<Draft>& drafts,
     if (!is_placed_with_anchor(counts[i].mount)) continue;
     gain += got[i];
     const int missing = counts[i].count - got[i];
-    if (missing > 0 && counts[i].spare == 0 && (got[i] == 0 || i == 0)) return -1.0;
+    const bool may_come = counts[i].count == 1 && kinds_.is_a(counts[i].kind, "seat");
+    if (missing > 0 && counts[i].spare == 0 && (got[i] == 0 || i == 0) && !may_come) return -1.0;
     if (missing > 0) gain -= got[i] == 0 ? of_missing : of_misfit * missing;
   }
   for (const std::size_t draft : used) gain -= of_misfit * left[draft];
@@ -198,6 +225,21 @@ std::string Grouping::id_for(const std::string& name, const Plan& plan) {
   return name + "-" + std::to_string(number);
 }
 
+// Who works at a desk needs a chair, whoever else sits there.
+bool Grouping::may_come_along(const std::string& kind, const brief::Brief& brief) const {
+  return kinds_.is_a(kind, "seat") && !brief.bare && !kinds_.is_any_of(kind, brief.excluded);
+}
+
+// A plain word becomes what stands there; what is said nowhere of its size, the composition says for so many.
+void Grouping::mean(Draft& draft, const PartCount& part) const {
+  const Vec3 usual = kinds_.get(part.kind).size;
+  if (is_plain_word_for(draft, part.kind) && !is_kin(draft.item.category, part.kind)) {
+    draft.item.category = part.kind;
+    if (!draft.sized) draft.item.size = usual;
+  }
+  if (!draft.sized && (part.size - usual).norm() > 1e-6) draft.item.size = part.size;
+}
+
 // Gives the things of `copies` such groups to the group, under the names that its parts have behind `path`.
 void Grouping::take(const Fit& fit, int copies, const std::string& path, std::vector<Draft>& drafts,
                     std::size_t anchor, const brief::Brief& brief, PlanGroup& group) {
@@ -206,6 +248,7 @@ void Grouping::take(const Fit& fit, int copies, const std::string& path, std::ve
   std::vector<int> left;
   for (const auto& use : uses_of(fit.counts, drafts, anchor, left)) {
     has[use.part] = true;
+    mean(drafts[use.draft], fit.counts[use.part]);
     const int quantity = std::min(copies * use.quantity, drafts[use.draft].item.quantity);
     taken.push_back(split_off(drafts[use.draft], quantity, group.id, path + fit.counts[use.part].part));
     // Numbers that were asked for stay.
@@ -215,7 +258,8 @@ void Grouping::take(const Fit& fit, int copies, const std::string& path, std::ve
   for (std::size_t i = 0; i < fit.counts.size(); ++i) {
     const PartCount& part = fit.counts[i];
     const bool is_dressing = !is_placed_with_anchor(part.mount) && may_dress(part.kind, brief);
-    if (!has[i] && !is_dressing) group.without.insert(path + part.part);
+    const bool comes_along = is_dressing || (part.count == 1 && part.spare == 0 && may_come_along(part.kind, brief));
+    if (!has[i] && !comes_along) group.without.insert(path + part.part);
   }
   const auto after = drafts.begin() + static_cast<std::ptrdiff_t>(anchor) + 1;
   drafts.insert(after, std::make_move_iterator(taken.begin()),
@@ -241,6 +285,24 @@ bool Grouping::is_unit(const Fit& fit, const std::string& category) const {
   return things == 1;
 }
 
+// What the words alone put at each of its things.
+double Grouping::told_gain(const Draft& thing, const std::vector<Draft>& drafts) const {
+  constexpr double without_composition = 0.8;  // which a good composition outweighs
+  const int count = thing.item.quantity;
+  double gain = 0.0;
+  for (const std::size_t i : told_companions(thing, count, drafts))
+    if (count > 1 || kinds_.is_a(drafts[i].item.category, "seat")) gain += drafts[i].item.quantity / count;
+  return without_composition * gain;
+}
+
+// Who is told to be at a table is no middle of another group.
+bool Grouping::is_drawn_up(const Draft& draft) const {
+  return std::any_of(draft.demands.begin(), draft.demands.end(), [&](const brief::Demand& demand) {
+    return demand.mention != brief::Demand::none && demand.kind == RelationKind::around &&
+           kinds_.is_a(draft.item.category, "seat");
+  });
+}
+
 bool Grouping::stands_in_rows(const Draft& draft) const {
   const int from = arrangements_.get(kinds_, draft.item.category, draft.item.mount).rows_from;
   return from > 0 && draft.item.quantity >= from && draft.demands.empty();
@@ -251,14 +313,14 @@ bool Grouping::stands_in_rows(const Draft& draft) const {
 void Grouping::make_block(const Draft& thing, Fit fit, std::vector<Draft>& drafts, std::size_t anchor,
                           const brief::Brief& brief, Plan& plan, std::vector<FormedBlock>& blocks) {
   const int count = thing.item.quantity;
-  double told = 0.0;  // what the words alone put at each of them
-  for (const std::size_t i : told_companions(thing, count, drafts)) told += drafts[i].item.quantity / count;
-  if (told > fit.gain) fit = {};
-  FormedBlock block{thing.formation.value_or(brief::Formation{.rows = 0, .columns = 0}), thing.item.quantity, thing};
+  if (told_gain(thing, drafts) > (fit.composition ? fit.gain : 0.0)) fit = {};
+  const int rows = count == 1 ? 1 : 0;
+  FormedBlock block{thing.formation.value_or(brief::Formation{.rows = rows, .columns = rows}), count, thing};
   block.looks_over = kinds_.is_a(drafts[anchor].item.category, "table");
   if (fit.composition) block.composition = fit.composition->name, block.with = fit.values;
   PlanGroup group;
-  group.id = id_for((block.formation.is_round() ? "ring of " : "rows of ") + block.thing.item.category, plan);
+  const char* shape = count == 1 ? "" : block.formation.is_round() ? "ring of " : "rows of ";
+  group.id = id_for(shape + thing.item.category, plan);
   group.asked = block.thing.item.asked;
   const bool is_counted = block.formation.rows > 0 || block.formation.columns > 0;
   if (is_counted && !block.formation.is_round()) group.fixed.insert("columns");
@@ -290,7 +352,7 @@ void Grouping::make_block(const Draft& thing, Fit fit, std::vector<Draft>& draft
   }
   group.definition = definition_of(block, kinds_, arrangements_);
   for (auto& draft : drafts)
-    if (draft.item.group == group.id && draft.mention == thing.mention)
+    if (draft.item.group == group.id && draft.mention == thing.mention && count > 1)
       std::erase_if(draft.demands, [&](const brief::Demand& one) {
         return is_looking_at(one.kind) || (block.has_focus && one.kind == RelationKind::around);
       });
@@ -375,13 +437,15 @@ void Grouping::run(std::vector<Draft>& drafts, const brief::Brief& brief, Plan& 
     Fit best;
     std::size_t anchor = 0;
     for (std::size_t i = 0; i < drafts.size(); ++i) {
-      if (!is_free(drafts[i]) || drafts[i].item.mount != Mount::floor) continue;
+      if (!is_free(drafts[i]) || drafts[i].item.mount != Mount::floor || is_drawn_up(drafts[i])) continue;
       Fit found = best_fit(drafts, i, brief.type, wish, "");
+      found.gain = std::max(found.gain, told_gain(drafts[i], drafts));
       if (found.gain > best.gain + 1e-9) best = std::move(found), anchor = i;
     }
-    if (!best.composition) break;
+    if (best.gain <= 0.0) break;
     const Draft thing = drafts[anchor];
-    if (stands_in_rows(thing) && is_unit(best, thing.item.category))
+    const bool is_told_whole = best.gain <= told_gain(thing, drafts);
+    if (is_told_whole || (stands_in_rows(thing) && is_unit(best, thing.item.category)))
       make_block(thing, best, drafts, anchor, brief, plan, blocks);
     else
       make_group(best, drafts, anchor, brief, plan);

@@ -37,6 +37,7 @@ class Grouping {
     Mount mount = Mount::floor;
     int count = 0;
     int spare = 0;
+    Vec3 size = Vec3::Ones();
   };
   using Counts = std::vector<PartCount>;  ///< the anchor's part first
   /// A composition that an anchor could have, set for what is there.
@@ -64,7 +65,14 @@ class Grouping {
                            std::size_t anchor, std::vector<int>& left) const;
   bool may_dress(const std::string& kind, const brief::Brief& brief) const;
   bool is_kin(const std::string& category, const std::string& kind) const;
-  bool belongs(const Draft& draft, const PartCount& part, const Draft& anchor) const;
+  bool belongs(const Draft& draft, const PartCount& part) const;
+  bool is_plain_word_for(const Draft& draft, const std::string& kind) const;
+  void mean(Draft& draft, const PartCount& part) const;
+  bool may_come_along(const std::string& kind, const brief::Brief& brief) const;
+  bool is_told_within(const Draft& draft, const Counts& counts, const std::vector<Draft>& drafts,
+                      std::size_t anchor) const;
+  double told_gain(const Draft& thing, const std::vector<Draft>& drafts) const;
+  bool is_drawn_up(const Draft& draft) const;
   Fit best_fit(const std::vector<Draft>& drafts, std::size_t anchor, const std::string& room,
                const std::string& wish, const std::string& unit_of);
   bool is_unit(const Fit& fit, const std::string& category) const;

@@ -157,11 +157,20 @@ class Completion {
     // People sit in pairs: rather four chairs or six than five.
     if (piece.high >= 4 && count % 2 == 1) count += 1;
     if (piece.people && brief_.people > 0) count = brief_.people;
+    if (const int said = seats_said_at(piece.each); said > 0) return said;
     if (!piece.each.empty()) {
       const int served = count_of(piece.each);
       count = piece.shared && served > 1 ? served : count * served;
     }
     return piece.each.empty() ? std::min(count, std::max(max_added, piece.high)) : count;
+  }
+
+  // "six tables for two": twelve chairs.
+  int seats_said_at(const std::string& kind) const {
+    int seats = 0;
+    for (const auto& draft : drafts_)
+      if (!kind.empty() && table_.is_a(draft.item.category, kind)) seats += draft.seats * draft.item.quantity;
+    return seats;
   }
 
   Vec3 size_of(const brief::Piece& piece, const std::string& category,
@@ -198,9 +207,8 @@ class Completion {
       return draft.item.asked && table_.is_any_of(draft.item.category, {"table"}) && !table_.is_a(draft.item.category, "desk");
     });
     const bool is_seated = count_of("chair") + count_of("stool") + count_of("bench") > 0;
-    if (brief_.seated == 0 || !has_table || is_seated || excluded("chair")) return;
-    brief::Piece seat;
-    drafts_.push_back(drafted(seat, "dining chair", "", brief_.seated));
+    if (brief_.people == 0 || !has_table || is_seated || excluded("chair")) return;
+    drafts_.push_back(drafted(brief::Piece{}, "dining chair", "", brief_.people));
   }
 
   void add_companions(const brief::Piece& piece, double budget) {
@@ -340,6 +348,8 @@ std::vector<Draft> asked_items(const brief::Brief& brief, const KindTable& table
     draft.part_of = mention.part_of;
     draft.demands = mention.demands;
     draft.formation = mention.formation;
+    draft.seats = mention.seats;
+    draft.sized = mention.sized;
     draft.item.category = mention.category;
     draft.item.description = mention.description;
     draft.item.size = mention.size;

@@ -23,6 +23,8 @@ struct Draft {
   std::size_t part_of = brief::Demand::none;  ///< the mention of which these are some
   std::vector<brief::Demand> demands;
   std::optional<brief::Formation> formation;  ///< of its things
+  int seats = 0;      ///< of a table: for so many people; 0: not said
+  bool sized = false;  ///< something is said of its size
   bool core = false;  ///< the room is hardly one of its kind without it
 };
 
