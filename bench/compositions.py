@@ -2,11 +2,12 @@
 """Compositions drawn from above, and checked by boxes.
 
     build/release/tests/composition/print_compositions [FILE...] > LINES
-    bench/compositions.py LINES [FOLDER]       FOLDER: sheet-N.png of twelve drawings each (needs Pillow)
+    bench/compositions.py LINES [FOLDER]       FOLDER: sheets of all settings (needs Pillow)
 
-Faults are what stands in each other on the floor or on the wall (more than 2 cm, where neither tucks under the other),
-what sticks out of the thing that it stands on or shares its place there, a kind that plans do not know, and what hangs
-on the wall and is not flush with the group's back.
+Faults are what stands in each other on the floor or on the wall (more than 2 cm, where neither
+tucks under the other), what sticks out of the thing that it stands on or shares its place there, a
+kind that plans do not know, what hangs on the wall and is flush with nothing of its back, a seat at
+a table that cannot be drawn back, and what stands on a rug with one half.
 Ends with 1 where there are any.
 """
 import json
@@ -15,8 +16,9 @@ import sys
 from itertools import combinations
 
 BAND = 0.02           # metres that boxes may share
+BEHIND = 0.55         # metres that a seat at a table is drawn back by who gets up
 ROUND_SIDES = 24
-COLUMNS, ROWS, CELL = 4, 3, 460  # of a sheet; pixels
+COLUMNS, ROWS, CELL = 4, 4, 390  # of a sheet; pixels
 USUAL_HEIGHT = 1.5    # metres to the middle of what hangs on a wall, unless told
 COLORS = {"floor": (205, 220, 235), "surface": (250, 225, 150), "wall": (150, 190, 150), "ceiling": (235, 200, 235)}
 
@@ -74,18 +76,22 @@ def overlaps(members):
             yield f"{name(a)} and {name(b)} share {depth:.2f} m"
 
 
+def lies_in(member, point, band=0.0):
+    """Whether a point of the group's frame is within the outline of a thing."""
+    turned = {"position": [0, 0], "yaw": -member["yaw"]}
+    w, d = member["size"][0] / 2, member["size"][1] / 2
+    x, y = to_group(turned, (point[0] - member["position"][0], point[1] - member["position"][1]))
+    if member["round"]:
+        return math.hypot(x / w, y / d) <= 1 + 10 * band
+    return abs(x) <= w + band and abs(y) <= d + band
+
+
 def on_surfaces(members):
     carried = [(m, outline(m)) for m in members if m["mount"] == "surface"]
     for member, corners in carried:
         carrier = members[member["on"]]
-        turned = {"position": [0, 0], "yaw": -carrier["yaw"]}
-        w, d = carrier["size"][0] / 2, carrier["size"][1] / 2
-        for x, y in corners:
-            x, y = to_group(turned, (x - carrier["position"][0], y - carrier["position"][1]))
-            out = math.hypot(x / w, y / d) > 1.01 if carrier["round"] else abs(x) > w + 1e-3 or abs(y) > d + 1e-3
-            if out:
-                yield f"{name(member)} sticks out of {name(carrier)}"
-                break
+        if not all(lies_in(carrier, point, 1e-3) for point in corners):
+            yield f"{name(member)} sticks out of {name(carrier)}"
     for (a, at_a), (b, at_b) in combinations(carried, 2):
         if a["on"] == b["on"] and (depth := shared(at_a, at_b)) > BAND:
             yield f"{name(a)} and {name(b)} share {depth:.2f} m on {members[a['on']]['part']}"
@@ -98,16 +104,64 @@ def kinds(members):
 
 
 def on_walls(members):
+    """A wall is where the backs of all that looks one way end: a kitchen in an L has two."""
     standing = [m for m in members if m["mount"] in ("floor", "wall") and not m["flat"]]
-    back = max(y for m in standing for _, y in outline(m))
     for member in standing:
-        if member["mount"] == "wall" and abs(max(y for _, y in outline(member)) - back) > BAND:
-            yield f"{name(member)} hangs {back - max(y for _, y in outline(member)):.2f} m before the group's back"
+        if member["mount"] != "wall":
+            continue
+        turn = {"position": [0, 0], "yaw": -member["yaw"]}
+        own = max(to_group(turn, point)[1] for point in outline(member))
+        back = max(to_group(turn, point)[1] for m in standing for point in outline(m))
+        if back - own > BAND:
+            yield f"{name(member)} hangs {back - own:.2f} m before the group's back"
+
+
+def is_seat_at_table(member, solid):
+    """A chair or stool whose front is under the edge of something, or at it."""
+    kinds = set(member["kinds"])
+    if not {"chair", "stool"} & kinds or {"theatre seat", "armchair"} & kinds:
+        return False
+    front = strip(member, -1, 0.12)
+    return any(other is not member and tucks(member, other) and shared(front, outline(other)) > 0
+               for other in solid)
+
+
+def strip(member, side, depth):
+    """The floor before (-1) or behind (1) a thing, as wide as four fifths of it."""
+    w, d = 0.4 * member["size"][0], member["size"][1] / 2
+    near, far = sorted((side * d, side * (d + depth)))
+    return [to_group(member, point) for point in ((w, far), (-w, far), (-w, near), (w, near))]
+
+
+def seats(members):
+    solid = [m for m in members if m["mount"] == "floor" and not m["flat"]]
+    for member in solid:
+        if not is_seat_at_table(member, solid):
+            continue
+        behind = strip(member, 1, BEHIND)
+        for other in solid:
+            if other is member or "parasol" in other["kinds"]:  # a canopy overhead
+                continue
+            if shared(outline(member), outline(other)) > BAND:  # the top that it sits at
+                continue
+            if (depth := shared(behind, outline(other))) > BAND:
+                yield f"{name(member)} has {BEHIND - depth:.2f} m to {name(other)} behind it"
+
+
+def rugs(members):
+    """Beds do: feet come down on the rug, heads need none."""
+    solid = [m for m in members if m["mount"] == "floor" and not m["flat"]]
+    for rug in (m for m in members if m["flat"]):
+        for member in solid:
+            inside = [lies_in(rug, point) for point in outline(member)]
+            if "bed" not in member["kinds"] and any(inside) and not all(inside):
+                yield f"{name(member)} stands partly on {name(rug)}"
 
 
 def faults(line):
     members = line["members"]
-    return [*kinds(members), *overlaps(members), *on_surfaces(members), *on_walls(members)]
+    return [*kinds(members), *overlaps(members), *on_surfaces(members), *on_walls(members), *seats(members),
+            *rugs(members)]
 
 
 def title(line):
@@ -156,7 +210,7 @@ def main():
     with open(sys.argv[1], encoding="utf-8") as file:
         lines = [json.loads(line) for line in file]
     if len(sys.argv) > 2:
-        sheets([line for line in lines if not line["with"]], sys.argv[2])
+        sheets(lines, sys.argv[2])
     found = [f"{title(line)}: {fault}" for line in lines for fault in faults(line)]
     print("\n".join(found))
     print(f"{len({line['composition'] for line in lines})} compositions, {len(lines)} settings, {len(found)} faults")
