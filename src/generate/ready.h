@@ -1,0 +1,12 @@
+#pragma once
+
+#include "roomgen/kinds/kind_table.h"
+#include "roomgen/scene/plan.h"
+
+namespace roomgen {
+
+/// A plan whose things can be placed one by one: settled (roomgen/design/designer.h), with its groups
+/// completed.
+Plan ready(Plan plan, const KindTable& kinds);
+
+}  // namespace roomgen
