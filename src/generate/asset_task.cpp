@@ -19,9 +19,10 @@ PlacementTask task_of_asset(const std::string& id, const PlanItem& item, const K
   object.description = item.description.empty() ? asset.name : item.description;
   object.mount = item.mount;
   object.relations = item.relations;
-  const double elevation = category.elevation > 0 ? category.elevation : asset.elevation;
-  const double bottom = item.height ? std::max(0.0, *item.height - 0.5 * object.size.z()) : elevation;
-  object.position.z() = mounting_height(item.mount, object.size.z(), bottom, room);
+  double elevation = category.elevation > 0 ? category.elevation : asset.elevation;
+  if (item.height) elevation = std::max(0.0, *item.height - 0.5 * object.size.z());
+  elevation = item.bottom.value_or(elevation);
+  object.position.z() = mounting_height(item.mount, object.size.z(), elevation, room);
   task.location = item.location;
   task.asked = item.asked;
   return task;

@@ -44,6 +44,7 @@ Json item_json(const PlanItem& item) {
   json["asked"] = item.asked;
   put_suggestion(item, json);
   if (item.height) json["height"] = rounded(*item.height);
+  if (item.bottom) json["bottom"] = rounded(*item.bottom);
   if (!item.group.empty()) json["group"] = item.group, json["part"] = item.part;
   if (!item.serves.empty()) json["serves"] = item.serves;
   if (item.spare > 0) json["spare"] = item.spare;
@@ -59,9 +60,21 @@ void read_suggestion(const JsonReader& json, Placed& placed) {
   placed.facing = said.facing;
 }
 
-PlanItem read_item(const JsonReader& json) {
+// How high it hangs, if it does.
+std::optional<double> read_height(const JsonReader& json, const PlanItem& item, const Room& room) {
+  if (!json.exists()) return std::nullopt;
+  const double height = json.number(0.0, 50.0);
+  const bool hangs = item.mount == Mount::wall || item.mount == Mount::ceiling || !item.group.empty();
+  if (!hangs) json.remark("only what hangs on a wall or from the ceiling has a height; left open");
+  else if (height > room.height)
+    json.remark(format_number(height, 2) + " m is above the ceiling, which is " +
+                format_number(room.height, 2) + " m high; it hangs as high as it can");
+  return hangs ? std::optional(height) : std::nullopt;
+}
+
+PlanItem read_item(const JsonReader& json, const Room& room) {
   json.allow_only({"category", "description", "size", "quantity", "variance", "mount", "on", "asked",
-                   "constraints", "location", "facing", "height", "group", "part", "serves", "spare"});
+                   "constraints", "location", "facing", "height", "bottom", "group", "part", "serves", "spare"});
   PlanItem item;
   item.category = lower(json["category"].text(200));
   item.description = json["description"].text_or("");
@@ -86,7 +99,10 @@ PlanItem read_item(const JsonReader& json) {
   item.on = lower(json["on"].text_or("", 200));
   item.asked = json["asked"].boolean_or(true);
   read_suggestion(json, item);
-  if (const auto height = json["height"]; height.exists()) item.height = height.number(0.0, 50.0);
+  item.height = read_height(json["height"], item, room);
+  item.bottom = read_height(json["bottom"], item, room);
+  if (item.height && item.bottom)
+    json["bottom"].report("say either \"height\", of its middle, or \"bottom\", of its lower edge");
   return item;
 }
 
@@ -221,7 +237,7 @@ Result<Plan> plan_from_json(const Json& json, const std::string& source) {
   plan.groups = read_groups(root["groups"]);
   for (const auto& element : plan.groups.empty() ? root["objects"].elements(max_items)
                                                  : root["objects"].elements_or_none(max_items))
-    plan.items.push_back(read_item(element));
+    plan.items.push_back(read_item(element, plan.room));
   for (const auto& element : root["excluded"].elements_or_none(max_items))
     plan.excluded.push_back(element.text());
   for (const auto& element : root["notes"].elements_or_none(max_items))

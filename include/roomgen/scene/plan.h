@@ -41,7 +41,9 @@ struct PlanItem {
   std::vector<Relation> relations;   ///< fixed beforehand; else the designer chooses them per object
   std::optional<Vec2> location;      ///< suggested centre
   std::optional<double> facing;      ///< suggested yaw, radians
-  std::optional<double> height;      ///< of what hangs: wanted metres from the floor to its middle
+  /// Of what hangs, wanted metres from the floor: to its middle, or to its lower edge. What hangs from the
+  /// ceiling reaches down so far.
+  std::optional<double> height, bottom;
   std::string group, part;           ///< what it is in a group of the plan; there a quantity of 0 is all of that part
   std::string serves;                ///< id of the requirement that it is there for
   int spare = 0;                     ///< what has a lower one is left out first; 0: nothing is said
