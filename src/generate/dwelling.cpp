@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "evaluate/ledger.h"
+#include "ready.h"
 #include "roomgen/generate/generate.h"
 #include "scene/dwelling.h"
 
@@ -101,6 +102,8 @@ Result<Generation> generate(const DwellingPlan& given, Designer& designer,
                             const BuildOptions& options) {
   DwellingPlan plan = given;
   settle(plan);
+  for (auto& room : plan.rooms) room = ready(std::move(room), categories);
+  number_through(plan);
   std::vector<Room> rooms;
   std::size_t total = 0, before = 0;
   for (const auto& room : plan.rooms) {

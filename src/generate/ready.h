@@ -6,7 +6,7 @@
 namespace roomgen {
 
 /// A plan whose things can be placed one by one: settled (roomgen/design/designer.h), with its groups
-/// completed and everything as long as it is to hang down.
+/// completed, an item for each carrier where it is counted so, and everything as long as it is to hang down.
 Plan ready(Plan plan, const KindTable& kinds);
 
 }  // namespace roomgen

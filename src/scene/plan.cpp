@@ -38,6 +38,7 @@ Json item_json(const PlanItem& item) {
   if (item.size)
     json["size"] = {rounded(item.size->x()), rounded(item.size->y()), rounded(item.size->z())};
   json["quantity"] = item.quantity;
+  if (item.for_each) json["per"] = "each";
   json["variance"] = item.varied ? "varied" : "same";
   json["mount"] = name(item.mount);
   if (!item.on.empty()) json["on"] = item.on;
@@ -60,6 +61,14 @@ void read_suggestion(const JsonReader& json, Placed& placed) {
   placed.facing = said.facing;
 }
 
+// Of two words the second one; the first unless something is said.
+bool read_choice(const JsonReader& json, const std::string& first, const std::string& second) {
+  const std::string said = json.text_or(first);
+  if (said != first && said != second)
+    json.report("must be \"" + first + "\" or \"" + second + "\"");
+  return said == second;
+}
+
 // How high it hangs, if it does.
 std::optional<double> read_height(const JsonReader& json, const PlanItem& item, const Room& room) {
   if (!json.exists()) return std::nullopt;
@@ -73,7 +82,7 @@ std::optional<double> read_height(const JsonReader& json, const PlanItem& item, 
 }
 
 PlanItem read_item(const JsonReader& json, const Room& room) {
-  json.allow_only({"category", "description", "size", "quantity", "variance", "mount", "on", "asked",
+  json.allow_only({"category", "description", "size", "quantity", "per", "variance", "mount", "on", "asked",
                    "constraints", "location", "facing", "height", "bottom", "group", "part", "serves", "spare"});
   PlanItem item;
   item.category = lower(json["category"].text(200));
@@ -89,14 +98,14 @@ PlanItem read_item(const JsonReader& json, const Room& room) {
   item.quantity = static_cast<int>(json["quantity"].integer_or(all_of_part, all_of_part, max_quantity));
   item.serves = json["serves"].text_or("", 200);
   item.spare = static_cast<int>(json["spare"].integer_or(0, 0, 1000));
-  const std::string variance = json["variance"].text_or("same");
-  if (variance != "same" && variance != "varied")
-    json["variance"].report("must be \"same\" or \"varied\"");
-  item.varied = variance == "varied";
+  item.for_each = read_choice(json["per"], "all", "each");
+  item.varied = read_choice(json["variance"], "same", "varied");
   const std::string mount = json["mount"].text_or("floor");
   if (auto parsed = parse_mount(mount)) item.mount = *parsed;
   else json["mount"].report("\"" + mount + "\" is none of floor, wall, ceiling, surface");
   item.on = lower(json["on"].text_or("", 200));
+  if (item.for_each && (item.on.empty() || !item.group.empty()))
+    json["per"].report("\"each\" needs \"on\", which says of what; in a group its composition counts");
   item.asked = json["asked"].boolean_or(true);
   read_suggestion(json, item);
   item.height = read_height(json["height"], item, room);

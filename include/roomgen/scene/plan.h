@@ -34,6 +34,7 @@ struct PlanItem {
   std::string description;       ///< what retrieval looks for: "a white wooden desk"
   std::optional<Vec3> size;      ///< wanted width, depth, height in metres
   int quantity = 1;
+  bool for_each = false;         ///< so many on each of what `on` names, rather than in all
   bool varied = false;           ///< each a different asset rather than the same
   Mount mount = Mount::floor;
   std::string on;                ///< category or id of what carries it, for Mount::surface
