@@ -1,6 +1,7 @@
 #include "asset_task.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "library/asset_object.h"
 #include "sizing.h"
@@ -14,6 +15,10 @@ PlacementTask task_of_asset(const std::string& id, const PlanItem& item, const K
   Object& object = task.object;
   const Vec3 size = fitted_size(asset, category.size, item.size.value_or(category.size));
   object = object_of_asset(asset, category, size, model);
+  if (model && !asset.ref.tilt.isZero()) {
+    object.size = bounds(*model).size() * std::cbrt(size.cwiseQuotient(asset.size).prod());
+    object.traits.round = false;
+  }
   object.id = id;
   object.category = item.category;
   object.description = item.description.empty() ? asset.name : item.description;

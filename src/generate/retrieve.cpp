@@ -32,7 +32,8 @@ Result<std::vector<AssetInfo>> retrieve(const AssetSearch& search, const Favouri
   query.category = item.category;
   query.description = item.description;
   query.size = item.size.value_or(usual_size);
-  query.mount = item.mount;
+  // A picture that leans is one that hangs elsewhere.
+  query.mount = kind && !item.tilt.isZero() ? kind->mount : item.mount;
   query.asked = item.asked;
   query.sized = item.size && (kind || !item.size->isApprox(usual_size, same_size));
   auto matches = search.library.search(query);

@@ -96,7 +96,7 @@ Scene scene_of(const Workplace& place, std::span<const Object> objects) {
 }
 
 Status fetch_model(Workplace& place, const AssetInfo& asset) {
-  auto model = place.library.load(asset.ref);
+  auto model = load_model(place.library, asset.ref);
   if (!model) return model.error();
   if (!asset_key(asset.ref).empty()) place.models.add(asset_key(asset.ref), *std::move(model));
   return {};

@@ -45,6 +45,7 @@ Json item_json(const PlanItem& item) {
   json["asked"] = item.asked;
   put_suggestion(item, json);
   if (item.height) json["height"] = rounded(*item.height);
+  if (!item.tilt.isZero()) json["tilt"] = tilt_json(item.tilt);
   if (item.bottom) json["bottom"] = rounded(*item.bottom);
   if (!item.group.empty()) json["group"] = item.group, json["part"] = item.part;
   if (!item.serves.empty()) json["serves"] = item.serves;
@@ -81,9 +82,20 @@ std::optional<double> read_height(const JsonReader& json, const PlanItem& item, 
   return hangs ? std::optional(height) : std::nullopt;
 }
 
+// What leans at a wall stands with its back to it, tilted backwards.
+void read_lean(const JsonReader& json, PlanItem& item) {
+  if (!json.exists()) return;
+  if (item.mount == Mount::wall || item.mount == Mount::ceiling)
+    json.report("what leans stands: its mount is floor or surface");
+  item.tilt = {-radians(json.number(0.0, 60.0)), 0.0};
+  const Relation at_wall{RelationKind::edge, ""};
+  if (std::find(item.relations.begin(), item.relations.end(), at_wall) == item.relations.end())
+    item.relations.push_back(at_wall);
+}
+
 PlanItem read_item(const JsonReader& json, const Room& room) {
   json.allow_only({"category", "description", "size", "quantity", "per", "variance", "mount", "on", "asked",
-                   "constraints", "location", "facing", "height", "bottom", "group", "part", "serves", "spare"});
+                   "constraints", "location", "facing", "height", "bottom", "tilt", "lean", "group", "part", "serves", "spare"});
   PlanItem item;
   item.category = lower(json["category"].text(200));
   item.description = json["description"].text_or("");
@@ -108,6 +120,8 @@ PlanItem read_item(const JsonReader& json, const Room& room) {
     json["per"].report("\"each\" needs \"on\", which says of what; in a group its composition counts");
   item.asked = json["asked"].boolean_or(true);
   read_suggestion(json, item);
+  item.tilt = read_tilt(json["tilt"]);
+  read_lean(json["lean"], item);
   item.height = read_height(json["height"], item, room);
   item.bottom = read_height(json["bottom"], item, room);
   if (item.height && item.bottom)

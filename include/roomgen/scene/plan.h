@@ -45,6 +45,7 @@ struct PlanItem {
   /// Of what hangs, wanted metres from the floor: to its middle, or to its lower edge. What hangs from the
   /// ceiling reaches down so far.
   std::optional<double> height, bottom;
+  Vec2 tilt = Vec2::Zero();          ///< AssetRef::tilt
   std::string group, part;           ///< what it is in a group of the plan; there a quantity of 0 is all of that part
   std::string serves;                ///< id of the requirement that it is there for
   int spare = 0;                     ///< what has a lower one is left out first; 0: nothing is said
