@@ -1,6 +1,7 @@
 #include "plan_groups.h"
 
 #include <algorithm>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -58,6 +59,7 @@ PlanItem item_for(const Member& member, const PlanGroup& group) {
   item.height = member.height;
   item.group = group.id;
   item.part = member.part;
+  item.spare = member.spare;
   item.asked = group.asked && member.spare == 0;
   return item;
 }
@@ -192,6 +194,13 @@ std::vector<PlannedObject> placing_order(const Plan& plan) {
                      [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
     order.insert(order.end(), group.begin(), group.end());
   }
+  // What dresses the room comes last; in a group it has its place.
+  const auto spare = [&](const PlannedObject& planned) {
+    const PlanItem& item = plan.items[planned.item];
+    return item.group.empty() && item.spare > 0 ? item.spare : std::numeric_limits<int>::max();
+  };
+  std::stable_sort(order.begin(), order.end(),
+                   [&](const auto& a, const auto& b) { return spare(a) > spare(b); });
   return order;
 }
 

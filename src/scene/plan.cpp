@@ -93,7 +93,7 @@ void read_lean(const JsonReader& json, PlanItem& item) {
     item.relations.push_back(at_wall);
 }
 
-PlanItem read_item(const JsonReader& json, const Room& room) {
+PlanItem read_item(const JsonReader& json, const Room& room, int usual_spare = 0) {
   json.allow_only({"category", "description", "size", "quantity", "per", "variance", "mount", "on", "asked",
                    "constraints", "location", "facing", "height", "bottom", "tilt", "lean", "group", "part", "serves", "spare"});
   PlanItem item;
@@ -109,7 +109,7 @@ PlanItem read_item(const JsonReader& json, const Room& room) {
   const int all_of_part = item.group.empty() ? 1 : 0;
   item.quantity = static_cast<int>(json["quantity"].integer_or(all_of_part, all_of_part, max_quantity));
   item.serves = json["serves"].text_or("", 200);
-  item.spare = static_cast<int>(json["spare"].integer_or(0, 0, 1000));
+  item.spare = static_cast<int>(json["spare"].integer_or(usual_spare, 0, 1000));
   item.for_each = read_choice(json["per"], "all", "each");
   item.varied = read_choice(json["variance"], "same", "varied");
   const std::string mount = json["mount"].text_or("floor");
@@ -118,7 +118,11 @@ PlanItem read_item(const JsonReader& json, const Room& room) {
   item.on = lower(json["on"].text_or("", 200));
   if (item.for_each && (item.on.empty() || !item.group.empty()))
     json["per"].report("\"each\" needs \"on\", which says of what; in a group its composition counts");
-  item.asked = json["asked"].boolean_or(true);
+  item.asked = json["asked"].boolean_or(item.spare == 0);
+  if (item.asked && item.spare > 0) {
+    json["asked"].remark("what is spare only dresses the room; taken as not asked for");
+    item.asked = false;
+  }
   read_suggestion(json, item);
   item.tilt = read_tilt(json["tilt"]);
   read_lean(json["lean"], item);
@@ -249,8 +253,8 @@ Result<Plan> plan_from_json(const Json& json, const std::string& source) {
   const JsonReader root(json, problems);
   if (root["format"].text_or("") != "roomgen-plan")
     root.report("not a plan: \"format\" must be \"roomgen-plan\"");
-  root.allow_only({"format", "version", "prompt", "seed", "room", "openings", "objects", "groups", "excluded", "notes",
-                   "requirements", "heard"});
+  root.allow_only({"format", "version", "prompt", "seed", "room", "openings", "objects", "groups", "dressing", "excluded",
+                   "notes", "requirements", "heard"});
   if (root["version"].integer_or(1, 1, 1000) != 1)
     root["version"].report("this version of roomgen reads version 1 only");
   Plan plan;
@@ -261,6 +265,8 @@ Result<Plan> plan_from_json(const Json& json, const std::string& source) {
   for (const auto& element : plan.groups.empty() ? root["objects"].elements(max_items)
                                                  : root["objects"].elements_or_none(max_items))
     plan.items.push_back(read_item(element, plan.room));
+  for (const auto& element : root["dressing"].elements_or_none(max_items))
+    plan.items.push_back(read_item(element, plan.room, 1));
   for (const auto& element : root["excluded"].elements_or_none(max_items))
     plan.excluded.push_back(element.text());
   for (const auto& element : root["notes"].elements_or_none(max_items))

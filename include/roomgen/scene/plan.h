@@ -48,7 +48,9 @@ struct PlanItem {
   Vec2 tilt = Vec2::Zero();          ///< AssetRef::tilt
   std::string group, part;           ///< what it is in a group of the plan; there a quantity of 0 is all of that part
   std::string serves;                ///< id of the requirement that it is there for
-  int spare = 0;                     ///< what has a lower one is left out first; 0: nothing is said
+  /// Above 0 it only dresses the room: nobody asked for it, it is placed after the others, and what has a
+  /// lower one is left out first.
+  int spare = 0;
 };
 
 /// Things that stand together in one frame, that of the first of them (docs/groups.md): a composition of
