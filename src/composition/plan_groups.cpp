@@ -1,6 +1,7 @@
 #include "plan_groups.h"
 
 #include <algorithm>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -58,6 +59,7 @@ PlanItem item_for(const Member& member, const PlanGroup& group) {
   item.height = member.height;
   item.group = group.id;
   item.part = member.part;
+  item.spare = member.spare;
   item.asked = group.asked && member.spare == 0;
   return item;
 }
@@ -66,9 +68,12 @@ PlanItem item_for(const Member& member, const PlanGroup& group) {
 // added.
 void match(Plan& plan, const PlanGroup& group, const Arranged& arranged) {
   std::map<std::string, int> open;
-  for (const auto& member : arranged.members) ++open[member.part];
+  std::map<std::string, Mount> mounts;
+  for (const auto& member : arranged.members) ++open[member.part], mounts[member.part] = member.mount;
   for (std::size_t i = 0; i < plan.items.size(); ++i) {
     if (plan.items[i].group != group.id) continue;
+    if (const auto mount = mounts.find(plan.items[i].part); mount != mounts.end())
+      plan.items[i].mount = mount->second;
     int& left = open[plan.items[i].part];
     if (plan.items[i].quantity == 0) plan.items[i].quantity = left;  // all that there are
     const int within = std::min(left, plan.items[i].quantity),
@@ -124,8 +129,15 @@ Result<std::vector<Arranged>> ways_to_stand(const Plan& plan, const PlanGroup& g
                                             const KindTable& kinds, const RealThings& real) {
   const auto composition = composition_of(group);
   if (!composition) return composition.error();
-  return alternatives(*composition, group.parameters, group.fixed,
-                      making_for(plan, group, kinds, real));
+  auto ways = alternatives(*composition, group.parameters, group.fixed,
+                           making_for(plan, group, kinds, real));
+  for (const auto& item : plan.items)
+    if (ways && item.bottom && item.group == group.id)
+      for (auto& way : *ways)
+        for (auto& member : way.members)
+          if (member.part == item.part && member.mount == Mount::wall)
+            member.height = *item.bottom + 0.5 * member.size.z();
+  return ways;
 }
 
 void complete_groups(Plan& plan, const KindTable& kinds) {
@@ -182,6 +194,13 @@ std::vector<PlannedObject> placing_order(const Plan& plan) {
                      [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
     order.insert(order.end(), group.begin(), group.end());
   }
+  // What dresses the room comes last; in a group it has its place.
+  const auto spare = [&](const PlannedObject& planned) {
+    const PlanItem& item = plan.items[planned.item];
+    return item.group.empty() && item.spare > 0 ? item.spare : std::numeric_limits<int>::max();
+  };
+  std::stable_sort(order.begin(), order.end(),
+                   [&](const auto& a, const auto& b) { return spare(a) > spare(b); });
   return order;
 }
 

@@ -51,7 +51,7 @@ Result<std::shared_ptr<const Model>> Workshop::fetch_model(const AssetRef& asset
   const std::string key = asset_key(asset);
   if (key.empty()) return std::shared_ptr<const Model>();
   if (auto known = models_.find(key)) return known;
-  auto model = library_.load(asset);
+  auto model = load_model(library_, asset);
   if (model) models_.add(key, *model);
   return model;
 }

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "evaluate/ledger.h"
+#include "ready.h"
 #include "roomgen/generate/generate.h"
 #include "scene/dwelling.h"
 
@@ -96,9 +97,13 @@ std::function<void(const BuildEvent&)> shifted(const BuildOptions& options, std:
 
 }  // namespace
 
-Result<Generation> generate(const DwellingPlan& plan, Designer& designer,
+Result<Generation> generate(const DwellingPlan& given, Designer& designer,
                             const AssetLibrary& library, const KindTable& categories,
                             const BuildOptions& options) {
+  DwellingPlan plan = given;
+  settle(plan);
+  for (auto& room : plan.rooms) room = ready(std::move(room), categories);
+  number_through(plan);
   std::vector<Room> rooms;
   std::size_t total = 0, before = 0;
   for (const auto& room : plan.rooms) {
@@ -107,7 +112,8 @@ Result<Generation> generate(const DwellingPlan& plan, Designer& designer,
   }
   if (auto status = check_dwelling(rooms); !status) return status.error();
   DwellingJoiner joiner(plan);
-  for (const auto& room : plan.rooms) {
+  for (std::size_t i = 0; i < plan.rooms.size(); ++i) {
+    const Plan& room = plan.rooms[i];
     BuildOptions own = options;
     own.on_event = shifted(options, before, total);
     if (!joiner.stopped().empty()) {
@@ -117,6 +123,8 @@ Result<Generation> generate(const DwellingPlan& plan, Designer& designer,
     auto part = generate(room, designer, library, categories, own);
     if (!part) return with_context(part.error(), "room \"" + room.room.id + "\"");
     before += planned_objects(room).size();
+    const auto told = static_cast<std::ptrdiff_t>(given.rooms[i].notes.size());
+    part->notes.insert(part->notes.begin(), room.notes.begin() + told, room.notes.end());
     joiner.add_room(room.room, *std::move(part));
   }
   Generation whole = joiner.take();

@@ -39,7 +39,6 @@ Result<std::optional<AssetInfo>> made_to_measure(const Work& work, const Planned
   PlanItem item = work.item(planned);
   item.size = hung.size;
   item.asked = true;
-  item.varied = true;  // windows differ
   const auto assets = retrieve({place.library, place.categories, place.options.seed},
                                work.state.favourites, item, planned,
                                place.options.assets_per_object);

@@ -194,6 +194,8 @@ Generation outcome(const Workplace& place, const BuildState& state) {
   result.scene = scene_of(place, {});
   result.scene.incomplete = !state.left.empty() || !state.stopped.empty() || state.is_cut ||
                             place.options.cancel.cancelled();
+  const auto& notes = place.plan.notes;
+  result.notes.assign(notes.begin() + static_cast<std::ptrdiff_t>(place.notes_given), notes.end());
   result.models = state.models;
   result.trace = state.trace;
   result.moved = state.moved;

@@ -16,8 +16,9 @@ constexpr int most_carriers = 6;
 
 }  // namespace
 
-Result<PlacementTask> prepare(Work& work, const PlannedObject& planned, const AssetInfo& asset) {
+Result<PlacementTask> prepare(Work& work, const PlannedObject& planned, AssetInfo asset) {
   const PlanItem& item = work.item(planned);
+  asset.ref.tilt = item.tilt;
   const Kind& category = work.category(planned);
   if (auto status = fetch_model(work.place, asset); !status) return status.error();
   const auto model = work.place.models.find(asset_key(asset.ref));

@@ -6,7 +6,7 @@ namespace roomgen {
 
 /// The object as an asset makes it, at its size and mounting height; its mesh is fetched. Its relations are
 /// those of the plan.
-Result<PlacementTask> prepare(Work& work, const PlannedObject& planned, const AssetInfo& asset);
+Result<PlacementTask> prepare(Work& work, const PlannedObject& planned, AssetInfo asset);
 
 /// The assets to try for an object, the best first. What shall carry things takes one that can, if there
 /// is one. Empty if nothing fits.

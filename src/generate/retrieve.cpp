@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 namespace roomgen {
@@ -32,22 +33,29 @@ Result<std::vector<AssetInfo>> retrieve(const AssetSearch& search, const Favouri
   query.category = item.category;
   query.description = item.description;
   query.size = item.size.value_or(usual_size);
-  query.mount = item.mount;
+  // A picture that leans is one that hangs elsewhere.
+  query.mount = kind && !item.tilt.isZero() ? kind->mount : item.mount;
   query.asked = item.asked;
   query.sized = item.size && (kind || !item.size->isApprox(usual_size, same_size));
   auto matches = search.library.search(query);
   if (!matches) return matches.error();
 
-  // The equally good ones at the top change places by the seed.
-  Random random = Random(search.seed).fork(
-      "item " + std::to_string(planned.item) +
-      (item.varied ? " " + std::to_string(planned.number) : ""));
+  // The equally good ones at the top change places by the seed; of things that vary each begins with another
+  // one, and what is built is built anew for each.
+  Random random = Random(search.seed).fork("item " + std::to_string(planned.item));
   std::vector<AssetMatch> top;
   for (const auto& match : *matches)
     if (match.contradicts == matches->front().contradicts &&
         match.score >= matches->front().score - equal_score)
       top.push_back(match);
   random.shuffle(top);
+  if (item.varied && !top.empty()) {
+    std::rotate(top.begin(), top.begin() + planned.number % static_cast<int>(top.size()), top.end());
+    Random looks = random.fork(std::to_string(planned.number));
+    for (auto& match : top)
+      if (auto& built = match.asset.ref.procedural)
+        built->seed = static_cast<std::uint64_t>(looks.integer(0, std::numeric_limits<int>::max()));
+  }
   std::copy(top.begin(), top.end(), matches->begin());
 
   std::vector<AssetInfo> result;

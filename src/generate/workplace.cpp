@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "fit_openings.h"
+#include "ready.h"
 #include "retrieve.h"
 #include "solve/place.h"
 
@@ -10,7 +11,8 @@ namespace roomgen {
 
 Workplace::Workplace(Plan the_plan, Designer& the_designer, const AssetLibrary& the_library,
                      const KindTable& the_categories, BuildOptions the_options)
-    : plan(composition::completed(std::move(the_plan), the_categories)),
+    : notes_given(the_plan.notes.size()),
+      plan(ready(std::move(the_plan), the_categories)),
       roles(composition::roles(plan)),
       designer(the_designer),
       library(the_library),
@@ -94,7 +96,7 @@ Scene scene_of(const Workplace& place, std::span<const Object> objects) {
 }
 
 Status fetch_model(Workplace& place, const AssetInfo& asset) {
-  auto model = place.library.load(asset.ref);
+  auto model = load_model(place.library, asset.ref);
   if (!model) return model.error();
   if (!asset_key(asset.ref).empty()) place.models.add(asset_key(asset.ref), *std::move(model));
   return {};

@@ -19,7 +19,8 @@ struct Workplace {
   Workplace(const Workplace&) = delete;
   Workplace& operator=(const Workplace&) = delete;
 
-  Plan plan;  ///< with its groups completed
+  std::size_t notes_given;  ///< of the plan, before it was ready()
+  Plan plan;                ///< ready()
   std::map<std::string, composition::Role> roles;  ///< of its objects in its groups, by id
   Designer& designer;
   const AssetLibrary& library;

@@ -1,5 +1,6 @@
 #include "roomgen/library/library.h"
 
+#include <Eigen/Geometry>
 #include <set>
 #include <string>
 #include <utility>
@@ -13,6 +14,20 @@ std::size_t bytes_of(const Mesh& mesh) {
          mesh.uvs.size() * sizeof mesh.uvs[0] + mesh.triangles.size() * sizeof mesh.triangles[0];
 }
 
+void lean(Model& model, const Vec2& tilt) {
+  const Eigen::Matrix3d turn = (Eigen::AngleAxisd(tilt.y(), Vec3::UnitY()) *
+                                Eigen::AngleAxisd(tilt.x(), Vec3::UnitX()))
+                                   .toRotationMatrix();
+  for (auto& part : model.parts) {
+    for (auto& position : part.mesh.positions) position = turn.cast<float>() * position;
+    for (auto& normal : part.mesh.normals) normal = turn.cast<float>() * normal;
+  }
+  const Bounds3 box = bounds(model);
+  const Vec3 foot(box.center().x(), box.center().y(), box.low.z());
+  for (auto& part : model.parts)
+    for (auto& position : part.mesh.positions) position -= foot.cast<float>();
+}
+
 /// Fills a table with the models of a scene, until it is full.
 class Loading {
  public:
@@ -24,7 +39,7 @@ class Loading {
     if (key.empty() || models_.find(key)) return;
     if (count_ >= limits_.models || bytes_ >= limits_.bytes) return tell_full(owner);
     ++count_;  // whether or not it can be read: failing takes time as well
-    auto model = library_.load(asset);
+    auto model = load_model(library_, asset);
     if (model) return keep(key, *std::move(model));
     if (auto other = spare_ ? spare_(key) : nullptr) return keep(key, std::move(other));
     log(log_sink_, LogLevel::warning, owner + ": " + model.error().message);
@@ -58,6 +73,16 @@ class Loading {
 };
 
 }  // namespace
+
+Result<std::shared_ptr<const Model>> load_model(const AssetLibrary& library, const AssetRef& ref) {
+  AssetRef upright = ref;
+  upright.tilt.setZero();
+  auto loaded = library.load(upright);
+  if (!loaded || ref.tilt.isZero()) return loaded;
+  Model model = **loaded;
+  lean(model, ref.tilt);
+  return std::make_shared<const Model>(std::move(model));
+}
 
 ModelTable load_models(const Scene& scene, const AssetLibrary& library, const LogSink& log_sink,
                        const SpareModels& spare, const ModelLimits& limits) {

@@ -313,7 +313,7 @@ bool Grouping::stands_in_rows(const Draft& draft) const {
 void Grouping::make_block(const Draft& thing, Fit fit, std::vector<Draft>& drafts, std::size_t anchor,
                           const brief::Brief& brief, Plan& plan, std::vector<FormedBlock>& blocks) {
   const int count = thing.item.quantity;
-  if (told_gain(thing, drafts) > (fit.composition ? fit.gain : 0.0)) fit = {};
+  if (told_gain(thing, drafts) >= fit.gain) fit = {};
   const int rows = count == 1 ? 1 : 0;
   FormedBlock block{thing.formation.value_or(brief::Formation{.rows = rows, .columns = rows}), count, thing};
   block.looks_over = kinds_.is_a(drafts[anchor].item.category, "table");

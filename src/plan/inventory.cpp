@@ -203,12 +203,13 @@ class Completion {
 
   // "a table for six", in a room that usually has none.
   void seat_people_at_table() {
-    const bool has_table = std::any_of(drafts_.begin(), drafts_.end(), [&](const Draft& draft) {
-      return draft.item.asked && table_.is_any_of(draft.item.category, {"table"}) && !table_.is_a(draft.item.category, "desk");
-    });
+    const auto at = std::find_if(drafts_.begin(), drafts_.end(), [&](const Draft& draft) { return draft.seats > 0; });
     const bool is_seated = count_of("chair") + count_of("stool") + count_of("bench") > 0;
-    if (brief_.people == 0 || !has_table || is_seated || excluded("chair")) return;
-    drafts_.push_back(drafted(brief::Piece{}, "dining chair", "", brief_.people));
+    if (at == drafts_.end() || is_seated || excluded("chair")) return;
+    brief::Demand around{.kind = RelationKind::around, .mention = at->mention};
+    Draft seats = drafted(brief::Piece{}, "dining chair", "", at->seats * at->item.quantity);
+    seats.demands.push_back(around);
+    drafts_.push_back(std::move(seats));
   }
 
   void add_companions(const brief::Piece& piece, double budget) {

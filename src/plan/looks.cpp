@@ -66,7 +66,8 @@ std::string Looks::in_style(const std::string& category, const std::string& desc
   if (!said.colors.empty() || !said.materials.empty()) return description;
   const auto* finish = finish_of(category, of_style_);
   if (!finish) return description;
-  return (adjective_.empty() ? "" : adjective_ + " ") + *finish + " " + description;
+  const std::string look = (adjective_.empty() ? "" : adjective_ + " ") + *finish + " ";
+  return description.starts_with(look) ? description : look + description;
 }
 
 const std::string* Looks::finish_of(const std::string& category, std::size_t among) const {

@@ -12,6 +12,7 @@
 #include "inventory.h"
 #include "least_size.h"
 #include "ledger.h"
+#include "light.h"
 #include "looks.h"
 #include "room_makers.h"
 #include "order.h"
@@ -54,7 +55,8 @@ class Planner {
         arrangements_(arrangements),
         grouping_(table, arrangements),
         brief_(std::move(brief)),
-        random_(request.seed) {
+        random_(request.seed),
+        light_(light_of(brief_)) {
     choose_kind();
   }
 
@@ -198,6 +200,7 @@ class Planner {
       put_on(plan.room, *style, random_.fork("style"));
     if (!request_.room) put_on(plan.room, palette, random_.fork("palette"));
     put_on(plan.room, brief_.materials);
+    fill(plan.room.light, light_);
     one_for_each_window(drafts, brief_, plan.room, table_);
     const Vec2 box = bounds(plan.room.polygon).size();
     // Of a room that is no rectangle, one of its area.
@@ -283,6 +286,7 @@ class Planner {
   mutable Grouping grouping_;  ///< what it remembers changes no plan
   brief::Brief brief_;
   Random random_;
+  Lighting light_;
   brief::RoomKind kind_;
 };
 

@@ -24,6 +24,16 @@ Json parsed_parameters(const ProceduralSource& source) {
 
 }  // namespace
 
+Json tilt_json(const Vec2& tilt) {
+  return Json::array({rounded(degrees(tilt.x())), rounded(degrees(tilt.y()))});
+}
+
+Vec2 read_tilt(const JsonReader& json) {
+  if (!json.exists()) return Vec2::Zero();
+  const auto angles = json.numbers(2, -180.0, 180.0);
+  return {radians(angles[0]), radians(angles[1])};
+}
+
 std::string text_parameter(const ProceduralSource& source, std::string_view name) {
   const Json params = parsed_parameters(source);
   const auto found = params.is_object() ? params.find(std::string(name)) : params.end();
@@ -36,6 +46,7 @@ std::string asset_key(const AssetRef& asset) {
     key = "procedural:" + asset.procedural->recipe + ":" + written_parameters(*asset.procedural) + ":" +
           std::to_string(asset.procedural->seed);
   for (const auto& [stuff, looks] : asset.finish) key += "#" + stuff + "=" + looks;
+  if (!key.empty() && !asset.tilt.isZero()) key += "#tilt=" + json_line(tilt_json(asset.tilt));
   return key;
 }
 
@@ -53,18 +64,20 @@ Json to_json(const AssetRef& asset) {
     json["creator"] = asset.creator;
   }
   for (const auto& [stuff, looks] : asset.finish) json["finish"][stuff] = looks;
+  if (!asset.tilt.isZero()) json["tilt"] = tilt_json(asset.tilt);
   return json;
 }
 
 AssetRef read_asset(const JsonReader& json) {
   AssetRef asset;
   if (!json.exists()) return asset;
-  json.allow_only({"library", "id", "sha256", "license", "creator", "procedural", "finish"});
+  json.allow_only({"library", "id", "sha256", "license", "creator", "procedural", "finish", "tilt"});
   asset.library = json["library"].text_or("");
   asset.id = json["id"].text_or("");
   asset.sha256 = json["sha256"].text_or("");
   asset.license = json["license"].text_or("");
   asset.creator = json["creator"].text_or("");
+  asset.tilt = read_tilt(json["tilt"]);
   if (const auto finish = json["finish"]; finish.exists())
     for (const auto& [stuff, looks] : finish.members()) asset.finish[stuff] = looks.text(longest_finish);
   if (const auto procedural = json["procedural"]; procedural.exists()) {

@@ -7,6 +7,9 @@ namespace roomgen {
 
 // Parts of the documents of scenes and plans. What is wrong with them is reported to the reader.
 
+/// "tilt": two angles in degrees, both 0 if there is none.
+Vec2 read_tilt(const JsonReader& json);
+Json tilt_json(const Vec2& tilt);
 /// "asset"; empty if there is none.
 AssetRef read_asset(const JsonReader& json);
 /// One that files may use; nothing, and reported, if it is none.

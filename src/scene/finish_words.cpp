@@ -72,14 +72,35 @@ std::vector<UsualFinish> read_usual(const JsonReader& json) {
   return all;
 }
 
+template <typename T>
+std::optional<T> read_word(const JsonReader& json, const FinishWords::Words<T>& words) {
+  if (!json.exists()) return std::nullopt;
+  const auto found = words.find(json.text());
+  if (found != words.end()) return found->second;
+  json.report("\"" + json.text() + "\" is no word of light");
+  return std::nullopt;
+}
+
+Lighting read_mood(const JsonReader& json, const FinishWords& words) {
+  json.allow_only({"hour", "sky", "level", "warmth"});
+  Lighting light;
+  if (json["hour"].exists()) light.hour = json["hour"].number(0.0, 24.0);
+  light.sky = read_word(json["sky"], words.skies);
+  light.lux = read_word(json["level"], words.levels);
+  light.kelvin = read_word(json["warmth"], words.warmths);
+  return light;
+}
+
 void read_light(const JsonReader& json, FinishWords& words) {
-  json.allow_only({"sky", "level", "warmth"});
+  json.allow_only({"sky", "level", "warmth", "moods"});
   for (const auto& [word, said] : json["sky"].members())
     for (const Sky sky : {Sky::clear, Sky::cloudy, Sky::overcast, Sky::night})
       if (name(sky) == said.text()) words.skies[word] = sky;
   for (const auto& [word, lux] : json["level"].members()) words.levels[word] = lux.number(0.0, 1e6);
   for (const auto& [word, kelvin] : json["warmth"].members())
     words.warmths[word] = kelvin.number(0.0, 1e5);
+  for (const auto& [phrase, mood] : json["moods"].members())
+    words.moods[phrase] = read_mood(mood, words);
 }
 
 void check_references(const FinishWords& words, const JsonReader& root) {

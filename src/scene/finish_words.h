@@ -62,6 +62,7 @@ struct FinishWords {
   Words<Sky> skies;
   Words<double> levels;   ///< how bright, lux
   Words<double> warmths;  ///< of lamps, kelvin
+  Words<Lighting> moods;  ///< "candlelit", "evening": what a wish says of the light
   std::set<std::string, std::less<>> fillers;  ///< may stand among the others, and change nothing
   Words<RoomPart> parts;                       ///< "floors"
   Words<RoomPart> alone;  ///< "hardwood", "exposed brick": name their part of the room themselves

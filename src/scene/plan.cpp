@@ -38,12 +38,15 @@ Json item_json(const PlanItem& item) {
   if (item.size)
     json["size"] = {rounded(item.size->x()), rounded(item.size->y()), rounded(item.size->z())};
   json["quantity"] = item.quantity;
+  if (item.for_each) json["per"] = "each";
   json["variance"] = item.varied ? "varied" : "same";
   json["mount"] = name(item.mount);
   if (!item.on.empty()) json["on"] = item.on;
   json["asked"] = item.asked;
   put_suggestion(item, json);
   if (item.height) json["height"] = rounded(*item.height);
+  if (!item.tilt.isZero()) json["tilt"] = tilt_json(item.tilt);
+  if (item.bottom) json["bottom"] = rounded(*item.bottom);
   if (!item.group.empty()) json["group"] = item.group, json["part"] = item.part;
   if (!item.serves.empty()) json["serves"] = item.serves;
   if (item.spare > 0) json["spare"] = item.spare;
@@ -59,9 +62,40 @@ void read_suggestion(const JsonReader& json, Placed& placed) {
   placed.facing = said.facing;
 }
 
-PlanItem read_item(const JsonReader& json) {
-  json.allow_only({"category", "description", "size", "quantity", "variance", "mount", "on", "asked",
-                   "constraints", "location", "facing", "height", "group", "part", "serves", "spare"});
+// Of two words the second one; the first unless something is said.
+bool read_choice(const JsonReader& json, const std::string& first, const std::string& second) {
+  const std::string said = json.text_or(first);
+  if (said != first && said != second)
+    json.report("must be \"" + first + "\" or \"" + second + "\"");
+  return said == second;
+}
+
+// How high it hangs, if it does.
+std::optional<double> read_height(const JsonReader& json, const PlanItem& item, const Room& room) {
+  if (!json.exists()) return std::nullopt;
+  const double height = json.number(0.0, 50.0);
+  const bool hangs = item.mount == Mount::wall || item.mount == Mount::ceiling || !item.group.empty();
+  if (!hangs) json.remark("only what hangs on a wall or from the ceiling has a height; left open");
+  else if (height > room.height)
+    json.remark(format_number(height, 2) + " m is above the ceiling, which is " +
+                format_number(room.height, 2) + " m high; it hangs as high as it can");
+  return hangs ? std::optional(height) : std::nullopt;
+}
+
+// What leans at a wall stands with its back to it, tilted backwards.
+void read_lean(const JsonReader& json, PlanItem& item) {
+  if (!json.exists()) return;
+  if (item.mount == Mount::wall || item.mount == Mount::ceiling)
+    json.report("what leans stands: its mount is floor or surface");
+  item.tilt = {-radians(json.number(0.0, 60.0)), 0.0};
+  const Relation at_wall{RelationKind::edge, ""};
+  if (std::find(item.relations.begin(), item.relations.end(), at_wall) == item.relations.end())
+    item.relations.push_back(at_wall);
+}
+
+PlanItem read_item(const JsonReader& json, const Room& room, int usual_spare = 0) {
+  json.allow_only({"category", "description", "size", "quantity", "per", "variance", "mount", "on", "asked",
+                   "constraints", "location", "facing", "height", "bottom", "tilt", "lean", "group", "part", "serves", "spare"});
   PlanItem item;
   item.category = lower(json["category"].text(200));
   item.description = json["description"].text_or("");
@@ -75,18 +109,27 @@ PlanItem read_item(const JsonReader& json) {
   const int all_of_part = item.group.empty() ? 1 : 0;
   item.quantity = static_cast<int>(json["quantity"].integer_or(all_of_part, all_of_part, max_quantity));
   item.serves = json["serves"].text_or("", 200);
-  item.spare = static_cast<int>(json["spare"].integer_or(0, 0, 1000));
-  const std::string variance = json["variance"].text_or("same");
-  if (variance != "same" && variance != "varied")
-    json["variance"].report("must be \"same\" or \"varied\"");
-  item.varied = variance == "varied";
+  item.spare = static_cast<int>(json["spare"].integer_or(usual_spare, 0, 1000));
+  item.for_each = read_choice(json["per"], "all", "each");
+  item.varied = read_choice(json["variance"], "same", "varied");
   const std::string mount = json["mount"].text_or("floor");
   if (auto parsed = parse_mount(mount)) item.mount = *parsed;
   else json["mount"].report("\"" + mount + "\" is none of floor, wall, ceiling, surface");
   item.on = lower(json["on"].text_or("", 200));
-  item.asked = json["asked"].boolean_or(true);
+  if (item.for_each && (item.on.empty() || !item.group.empty()))
+    json["per"].report("\"each\" needs \"on\", which says of what; in a group its composition counts");
+  item.asked = json["asked"].boolean_or(item.spare == 0);
+  if (item.asked && item.spare > 0) {
+    json["asked"].remark("what is spare only dresses the room; taken as not asked for");
+    item.asked = false;
+  }
   read_suggestion(json, item);
-  if (const auto height = json["height"]; height.exists()) item.height = height.number(0.0, 50.0);
+  item.tilt = read_tilt(json["tilt"]);
+  read_lean(json["lean"], item);
+  item.height = read_height(json["height"], item, room);
+  item.bottom = read_height(json["bottom"], item, room);
+  if (item.height && item.bottom)
+    json["bottom"].report("say either \"height\", of its middle, or \"bottom\", of its lower edge");
   return item;
 }
 
@@ -210,8 +253,8 @@ Result<Plan> plan_from_json(const Json& json, const std::string& source) {
   const JsonReader root(json, problems);
   if (root["format"].text_or("") != "roomgen-plan")
     root.report("not a plan: \"format\" must be \"roomgen-plan\"");
-  root.allow_only({"format", "version", "prompt", "seed", "room", "openings", "objects", "groups", "excluded", "notes",
-                   "requirements", "heard"});
+  root.allow_only({"format", "version", "prompt", "seed", "room", "openings", "objects", "groups", "dressing", "excluded",
+                   "notes", "requirements", "heard"});
   if (root["version"].integer_or(1, 1, 1000) != 1)
     root["version"].report("this version of roomgen reads version 1 only");
   Plan plan;
@@ -221,7 +264,9 @@ Result<Plan> plan_from_json(const Json& json, const std::string& source) {
   plan.groups = read_groups(root["groups"]);
   for (const auto& element : plan.groups.empty() ? root["objects"].elements(max_items)
                                                  : root["objects"].elements_or_none(max_items))
-    plan.items.push_back(read_item(element));
+    plan.items.push_back(read_item(element, plan.room));
+  for (const auto& element : root["dressing"].elements_or_none(max_items))
+    plan.items.push_back(read_item(element, plan.room, 1));
   for (const auto& element : root["excluded"].elements_or_none(max_items))
     plan.excluded.push_back(element.text());
   for (const auto& element : root["notes"].elements_or_none(max_items))

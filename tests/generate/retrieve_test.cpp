@@ -99,6 +99,24 @@ TEST_CASE("What is asked for in the same words shares its asset, in other words 
   CHECK(black.size() > 3);
 }
 
+TEST_CASE("Things that vary are each another asset, by the seed") {
+  std::set<std::string> orders;
+  for (std::uint64_t seed = 0; seed < 12; ++seed) {
+    PlanItem chairs = item("chair", "chair");
+    chairs.quantity = 3;
+    chairs.varied = true;
+    std::string order;
+    std::set<std::string> assets;
+    for (const auto& chair : furnish(plan_of({chairs}), Blocks(), seed).objects) {
+      order += chair.asset.id;
+      assets.insert(chair.asset.id);
+    }
+    CHECK(assets.size() == 3);
+    orders.insert(order);
+  }
+  CHECK(orders.size() > 1);
+}
+
 TEST_CASE("What shall carry a thing takes an asset that can") {
   PlanItem lamp = item("vase", "vase");
   lamp.mount = Mount::surface;

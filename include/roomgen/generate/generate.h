@@ -99,7 +99,7 @@ struct Generation {
   int held = 0;
   SuggestionFigures suggestions;
   ModelUse model_use;
-  std::vector<std::string> notes;  ///< which objects are only stand-ins, for people
+  std::vector<std::string> notes;  ///< which objects are only stand-ins, what settle() left out, for people
   std::string stopped;  ///< why the designer was not asked any more, if so
 };
 

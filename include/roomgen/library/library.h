@@ -78,9 +78,13 @@ class AssetLibrary {
   /// of another kind. Equal queries give equal answers.
   virtual Result<std::vector<AssetMatch>> search(const AssetQuery& query) const = 0;
 
-  /// The mesh of an asset, in the frame of Model, its box exactly AssetInfo::size.
+  /// The mesh of an asset, in the frame of Model, its box exactly AssetInfo::size. Asked for what does not
+  /// lean: load_model() sees to that.
   virtual Result<std::shared_ptr<const Model>> load(const AssetRef& ref) const = 0;
 };
+
+/// The mesh of an asset as a scene has it: leaning by its tilt.
+Result<std::shared_ptr<const Model>> load_model(const AssetLibrary& library, const AssetRef& ref);
 
 /// Several libraries as one: a search asks them in order and takes the answers of the first that
 /// has any that does not contradict the query, so that a catalogue of real furniture goes before one

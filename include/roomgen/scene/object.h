@@ -36,6 +36,9 @@ struct AssetRef {
   /// Looks that the mesh does not have by itself: words ("navy velvet", "black and white striped") by the
   /// stuff of the parts that are painted so ("upholstery"; docs/finishes.md).
   std::map<std::string, std::string> finish = {};
+  /// How the mesh leans, radians: about its X (above 0: forward), then about its Y. The box of what leans is
+  /// that of the leaning mesh.
+  Vec2 tilt = Vec2::Zero();
 
   bool is_box() const { return id.empty() && !procedural; }
   bool operator==(const AssetRef&) const = default;

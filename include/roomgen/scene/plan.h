@@ -34,6 +34,7 @@ struct PlanItem {
   std::string description;       ///< what retrieval looks for: "a white wooden desk"
   std::optional<Vec3> size;      ///< wanted width, depth, height in metres
   int quantity = 1;
+  bool for_each = false;         ///< so many on each of what `on` names, rather than in all
   bool varied = false;           ///< each a different asset rather than the same
   Mount mount = Mount::floor;
   std::string on;                ///< category or id of what carries it, for Mount::surface
@@ -41,10 +42,15 @@ struct PlanItem {
   std::vector<Relation> relations;   ///< fixed beforehand; else the designer chooses them per object
   std::optional<Vec2> location;      ///< suggested centre
   std::optional<double> facing;      ///< suggested yaw, radians
-  std::optional<double> height;      ///< of what hangs: wanted metres from the floor to its middle
+  /// Of what hangs, wanted metres from the floor: to its middle, or to its lower edge. What hangs from the
+  /// ceiling reaches down so far.
+  std::optional<double> height, bottom;
+  Vec2 tilt = Vec2::Zero();          ///< AssetRef::tilt
   std::string group, part;           ///< what it is in a group of the plan; there a quantity of 0 is all of that part
   std::string serves;                ///< id of the requirement that it is there for
-  int spare = 0;                     ///< what has a lower one is left out first; 0: nothing is said
+  /// Above 0 it only dresses the room: nobody asked for it, it is placed after the others, and what has a
+  /// lower one is left out first.
+  int spare = 0;
 };
 
 /// Things that stand together in one frame, that of the first of them (docs/groups.md): a composition of

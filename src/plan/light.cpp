@@ -1,0 +1,60 @@
+#include "light.h"
+
+#include <algorithm>
+
+#include "scene/finish_words.h"
+
+namespace roomgen::plan {
+
+namespace {
+
+constexpr std::size_t longest_mood = 3;    ///< words
+constexpr std::size_t reach_of_denial = 2;  ///< "not too bright"
+
+bool is_denied(const brief::Brief& brief, std::size_t at) {
+  static constexpr std::string_view denials[] = {"no", "not", "never", "without", "less"};
+  for (std::size_t i = at - std::min(at, reach_of_denial); i < at; ++i)
+    for (const auto word : denials)
+      if (brief.tokens[i].is(word) || brief.tokens[i].clitic == "n't") return true;
+  return false;
+}
+
+// A word may say something of the style as well; "bright" of a rug says nothing of the room.
+bool means_another(const brief::Brief& brief, const language::Run& tokens) {
+  return std::any_of(brief.heard.begin(), brief.heard.end(), [&](const brief::HeardWords& words) {
+    const bool may_be_both = words.as == Heard::As::style || words.as == Heard::As::activity ||
+                             words.as == Heard::As::not_understood;
+    return !may_be_both && words.tokens.begin < tokens.end && tokens.begin < words.tokens.end;
+  });
+}
+
+}  // namespace
+
+Lighting light_of(brief::Brief& brief) {
+  Lighting light;
+  const auto& moods = finish_words().moods;
+  for (std::size_t at = 0; at < brief.tokens.size(); ++at) {
+    const Lighting* mood = nullptr;
+    language::Run run{static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(at)};
+    std::string phrase;
+    for (std::size_t n = at; n < std::min(at + longest_mood, brief.tokens.size()); ++n) {
+      phrase += (n > at ? " " : "") + brief.tokens[n].text;
+      if (const auto found = moods.find(phrase); found != moods.end())
+        mood = &found->second, run.end = static_cast<std::uint32_t>(n + 1);
+    }
+    if (!mood || is_denied(brief, at) || means_another(brief, run)) continue;
+    fill(light, *mood);
+    hear(brief, run, Heard::As::style);
+    at = run.end - 1;
+  }
+  return light;
+}
+
+void fill(Lighting& light, const Lighting& more) {
+  if (!light.hour) light.hour = more.hour;
+  if (!light.sky) light.sky = more.sky;
+  if (!light.lux) light.lux = more.lux;
+  if (!light.kelvin) light.kelvin = more.kelvin;
+}
+
+}  // namespace roomgen::plan
