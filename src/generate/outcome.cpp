@@ -71,7 +71,7 @@ std::string difference(const PlanItem& item, const Kind& kind, const AssetInfo& 
                      !AttributeWords::built_in().need_of(asset.category).empty();
   if (!is_so)
     return "a " + asset.category + ", for there is no such " + item.category;
-  const bool is_fitted = kind.covers_window || kind.traits.flat;
+  const bool is_fitted = kind.covers_window || kind.traits.flat || !item.tilt.isZero();
   const auto side = item.size && !is_fitted ? far_off_side(size, kind.size, *item.size) : std::nullopt;
   if (!side) return {};
   return format_number(size[*side], 2) + " m " + sides[*side] + ", not " +

@@ -43,7 +43,10 @@ void count_for_each(Plan& plan, const KindTable& kinds) {
     if (carriers.empty()) continue;
     const auto at = plan.items.begin() + static_cast<std::ptrdiff_t>(i);
     plan.items.insert(plan.items.erase(at), carriers.size(), item);
-    for (const auto& carrier : carriers) plan.items[i++].on = carrier;
+    for (const auto& carrier : carriers) {
+      plan.items[i].on = carrier;
+      plan.items[i++].relations.push_back({RelationKind::on, carrier});
+    }
     --i;
   }
 }

@@ -22,6 +22,26 @@ std::string words_of(const PlanItem& item) {
   return text;
 }
 
+// The equally good ones at the top change places by the seed; of things that vary each begins with another
+// one, and what is built is built anew for each.
+void shuffle_top(std::vector<AssetMatch>& matches, Random random, const PlanItem& item,
+                 const PlannedObject& planned) {
+  std::vector<AssetMatch> top;
+  for (const auto& match : matches)
+    if (match.contradicts == matches.front().contradicts &&
+        match.score >= matches.front().score - equal_score)
+      top.push_back(match);
+  random.shuffle(top);
+  if (item.varied && !top.empty()) {
+    std::rotate(top.begin(), top.begin() + planned.number % static_cast<int>(top.size()), top.end());
+    Random looks = random.fork(std::to_string(planned.number));
+    for (auto& match : top)
+      if (auto& built = match.asset.ref.procedural)
+        built->seed = static_cast<std::uint64_t>(looks.integer(0, std::numeric_limits<int>::max()));
+  }
+  std::copy(top.begin(), top.end(), matches.begin());
+}
+
 }  // namespace
 
 Result<std::vector<AssetInfo>> retrieve(const AssetSearch& search, const Favourites& favourites,
@@ -40,23 +60,8 @@ Result<std::vector<AssetInfo>> retrieve(const AssetSearch& search, const Favouri
   auto matches = search.library.search(query);
   if (!matches) return matches.error();
 
-  // The equally good ones at the top change places by the seed; of things that vary each begins with another
-  // one, and what is built is built anew for each.
-  Random random = Random(search.seed).fork("item " + std::to_string(planned.item));
-  std::vector<AssetMatch> top;
-  for (const auto& match : *matches)
-    if (match.contradicts == matches->front().contradicts &&
-        match.score >= matches->front().score - equal_score)
-      top.push_back(match);
-  random.shuffle(top);
-  if (item.varied && !top.empty()) {
-    std::rotate(top.begin(), top.begin() + planned.number % static_cast<int>(top.size()), top.end());
-    Random looks = random.fork(std::to_string(planned.number));
-    for (auto& match : top)
-      if (auto& built = match.asset.ref.procedural)
-        built->seed = static_cast<std::uint64_t>(looks.integer(0, std::numeric_limits<int>::max()));
-  }
-  std::copy(top.begin(), top.end(), matches->begin());
+  shuffle_top(*matches, Random(search.seed).fork("item " + std::to_string(planned.item)), item,
+              planned);
 
   std::vector<AssetInfo> result;
   const auto chosen = favourites.find(words_of(item));

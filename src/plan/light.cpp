@@ -19,12 +19,12 @@ bool is_denied(const brief::Brief& brief, std::size_t at) {
   return false;
 }
 
-// A word may say something of the style as well; "bright" of a rug says nothing of the room.
-bool means_another(const brief::Brief& brief, const language::Run& tokens) {
+// A word may say something else of the room as well; "bright" of a rug says nothing of it.
+bool is_of_things(const brief::Brief& brief, const language::Run& tokens) {
   return std::any_of(brief.heard.begin(), brief.heard.end(), [&](const brief::HeardWords& words) {
-    const bool may_be_both = words.as == Heard::As::style || words.as == Heard::As::activity ||
-                             words.as == Heard::As::not_understood;
-    return !may_be_both && words.tokens.begin < tokens.end && tokens.begin < words.tokens.end;
+    const bool is_of_thing = words.as == Heard::As::thing || words.as == Heard::As::count ||
+                             words.as == Heard::As::attribute || words.as == Heard::As::absence;
+    return is_of_thing && words.tokens.begin < tokens.end && tokens.begin < words.tokens.end;
   });
 }
 
@@ -42,7 +42,7 @@ Lighting light_of(brief::Brief& brief) {
       if (const auto found = moods.find(phrase); found != moods.end())
         mood = &found->second, run.end = static_cast<std::uint32_t>(n + 1);
     }
-    if (!mood || is_denied(brief, at) || means_another(brief, run)) continue;
+    if (!mood || is_denied(brief, at) || is_of_things(brief, run)) continue;
     fill(light, *mood);
     hear(brief, run, Heard::As::style);
     at = run.end - 1;

@@ -251,3 +251,20 @@ TEST_CASE("things in rows have their places, all inside the room and clear of ea
       CHECK(lines[0].size() * lines[1].size() == placed.size());
     }
 }
+
+TEST_CASE("words of light set the light of the room, and those of things or denied do not") {
+  const auto light_of = [](const std::string& prompt) { return plan_of(prompt, 1).room.light; };
+  const Lighting candles = light_of("a candlelit dining room");
+  CHECK(candles.sky == Sky::night);
+  CHECK(candles.kelvin == 1900.0);
+  CHECK(candles.lux == 30.0);
+  const Lighting evening = light_of("a moody living room for rainy evenings");
+  CHECK(evening.hour == 20.5);
+  CHECK(evening.sky == Sky::overcast);
+  CHECK(evening.lux == 30.0);
+  const Lighting morning = light_of("a bedroom on a bright morning");
+  CHECK(morning.hour == 8.5);
+  CHECK(morning.lux == 500.0);
+  for (const char* prompt : {"a bedroom with a bright yellow armchair", "a study that is not too bright", "a bedroom"})
+    CHECK(light_of(prompt) == Lighting());
+}
