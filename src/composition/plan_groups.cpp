@@ -182,7 +182,41 @@ std::vector<PlannedObject> placing_order(const Plan& plan) {
                      [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
     order.insert(order.end(), group.begin(), group.end());
   }
+  postpone(plan, order, [&](const PlannedObject& planned) {
+    const auto role = known.find(planned.id);
+    return !plan.items[planned.item].location && (role == known.end() || role->second.is_anchor);
+  });
   return order;
+}
+
+void postpone(const Plan& plan, std::span<PlannedObject> order,
+              const std::function<bool(const PlannedObject&)>& is_late) {
+  const auto known = roles(plan);
+  std::set<std::string> late_things, late_groups;
+  const auto waits = [&](const PlannedObject& planned) {
+    const PlanItem& item = plan.items[planned.item];
+    const auto role = known.find(planned.id);
+    if (role != known.end() && !role->second.is_anchor)
+      return late_groups.count(role->second.group) > 0;
+    // Whatever might carry it comes first.
+    return (item.mount == Mount::surface && !late_things.empty()) ||
+           std::any_of(item.relations.begin(), item.relations.end(), [&](const Relation& relation) {
+             return late_things.count(relation.target) > 0;
+           });
+  };
+  std::vector<PlannedObject> late;
+  auto kept = order.begin();
+  for (auto& planned : order) {
+    if (!is_late(planned) && !waits(planned)) {
+      std::swap(*kept++, planned);
+      continue;
+    }
+    late_things.insert(planned.id);
+    if (const auto role = known.find(planned.id); role != known.end() && role->second.is_anchor)
+      late_groups.insert(role->second.group);
+    late.push_back(planned);
+  }
+  std::move(late.begin(), late.end(), kept);
 }
 
 std::map<std::string, Role> roles(const Plan& plan) {
