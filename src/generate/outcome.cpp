@@ -97,8 +97,20 @@ RugWish rug_wish(const Workplace& place, const BuildState& state, const PlannedO
   const PlanItem& item = place.plan.items[planned.item];
   RugWish wish{planned.id, item.asked, is_size_told(item, place.categories.get(item.category))};
   for (const auto& task : state.tasks)
-    if (task.object.id == planned.id) wish.wishes = task.wishes;
+    if (task.object.id == planned.id) wish.wishes = task.wishes, wish.place_told = task.binding;
   return wish;
+}
+
+// How a rug lies otherwise than it was said.
+void tell_change(const Object& before, Generation& result) {
+  constexpr double unseen = 0.05;  // metres
+  const Object* rug = roomgen::find_object(result.scene, before.id);
+  if (!rug || !rug->traits.flat) return;
+  const double moved = (rug->position - before.position).head<2>().norm();
+  const bool is_cut = (rug->size - before.size).cwiseAbs().maxCoeff() > unseen;
+  if (moved > unseen || is_cut)
+    result.notes.push_back(rug->id + " was moved by " + format_number(moved, 2) + " m and is " +
+                           size_text(rug->size) + " m, so that nothing stands on its edge");
 }
 
 // Comes after all moves: until then things stand as if rugs had no height.
@@ -106,8 +118,11 @@ void lay_rugs(const Workplace& place, const BuildState& state, Generation& resul
   std::vector<RugWish> wishes;
   for (const auto& planned : planned_objects(place.plan))
     wishes.push_back(rug_wish(place, state, planned));
+  const auto before = result.scene.objects;
   const RugFit fit =
       fit_rugs(place.room, result.scene.objects, result.models, place.categories, wishes);
+  for (const auto& wish : wishes)
+    if (wish.place_told) tell_change(*roomgen::find_object(before, wish.id), result);
   for (const auto& id : fit.left_out)
     result.scene.unplaced.push_back(
         {id, find_object(state, id)->category, "wherever it lies, something stands on its edge"});
