@@ -44,20 +44,22 @@ std::string name_in_scene(const composition::Role& role) {
   return role.unit < 0 ? role.group : role.group + "#" + std::to_string(role.unit);
 }
 
-// Those that stand already, or that nothing is found for, are none of the cast.
-Cast cast_of(Work& work, const std::string& group) {
+// With its anchor. Those that stand already, or that nothing is found for, are none of it.
+Cast cast_of(Work& work, const PlacementTask& anchor, const std::string& group) {
   Cast cast;
+  cast.things[anchor.object.id].task = anchor;
   for (const auto& planned : planned_objects(work.place.plan)) {
     const auto* role = role_of(work, planned.id);
     if (!role || role->group != group || work.layout().find(planned.id)) continue;
     cast.ids[{role->part, role->number}] = planned.id;
-    auto assets = assets_for(work, planned);
-    if (!assets || assets->empty()) continue;
-    auto task = prepare(work, planned, assets->front());
+    if (planned.id == anchor.object.id) continue;
+    auto asset = asset_for(work, planned);
+    if (!asset) continue;
+    auto task = prepare(work, planned, *asset);
     if (!task) continue;
-    remember(work.state.favourites, work.item(planned), assets->front());
+    remember(work.state.favourites, work.item(planned), *asset);
     task->object.group = name_in_scene(*role);
-    cast.things[planned.id] = {std::move(assets->front()), *std::move(task)};
+    cast.things[planned.id] = {*std::move(asset), *std::move(task)};
   }
   return cast;
 }
@@ -196,9 +198,8 @@ bool begins_group(const Work& work, const PlannedObject& planned) {
 
 Result<Placement> place_with_group(Work& work, const PlannedObject& planned, PlacementTask& task) {
   const std::string& id = role_of(work, planned.id)->group;
-  Cast cast = cast_of(work, id);
   task.object.group = name_in_scene(*role_of(work, planned.id));
-  cast.things[planned.id].task = task;
+  Cast cast = cast_of(work, task, id);
   auto ways = ways_of(work, planned, cast);
   if (!ways) return ways.error();
   const bool is_whole = work.state.units.count(planned.id) == 0;
@@ -234,12 +235,12 @@ Result<Placement> place_with_group(Work& work, const PlannedObject& planned, Pla
   return std::move(placed->placement);
 }
 
-void fall_apart(Work& work, const PlannedObject& planned) {
+void fall_apart(Work& work, const PlannedObject& planned, const PlacementTask& task) {
   const auto& own = *role_of(work, planned.id);
   const bool is_unit = work.state.units.erase(planned.id) > 0;
   if (!is_unit) {
     work.state.tried_groups.insert(own.group);
-    const Cast cast = cast_of(work, own.group);
+    const Cast cast = cast_of(work, task, own.group);
     const auto ways = ways_of(work, planned, cast);
     if (!ways) return;
     for (auto& unit : composition::units_of(ways->front())) {
