@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <tuple>
 
 #include "alternatives.h"
 
@@ -45,6 +46,12 @@ Making making_for(const Plan& plan, const PlanGroup& group, const KindTable& kin
     return item ? item->size : std::nullopt;
   };
   return making;
+}
+
+Result<Arranged> as_asked(const Plan& plan, const PlanGroup& group, const KindTable& kinds) {
+  const auto composition = composition_of(group);
+  if (!composition) return composition.error();
+  return arrange(*composition, group.parameters, making_for(plan, group, kinds, {}));
 }
 
 PlanItem item_for(const Member& member, const PlanGroup& group) {
@@ -131,10 +138,7 @@ Result<std::vector<Arranged>> ways_to_stand(const Plan& plan, const PlanGroup& g
 void complete_groups(Plan& plan, const KindTable& kinds) {
   for (std::size_t g = 0; g < plan.groups.size();) {
     PlanGroup& group = plan.groups[g];
-    const auto composition = composition_of(group);
-    const auto arranged =
-        composition ? arrange(*composition, group.parameters, making_for(plan, group, kinds, {}))
-                    : Result<Arranged>(composition.error());
+    const auto arranged = as_asked(plan, group, kinds);
     if (!arranged) {
       dissolve(plan, group.id, arranged.error().message);
       plan.groups.erase(plan.groups.begin() + static_cast<std::ptrdiff_t>(g));
@@ -233,6 +237,23 @@ std::map<std::string, Role> roles(const Plan& plan) {
         role.unit = unit->second;
     }
     found[planned.id] = std::move(role);
+  }
+  return found;
+}
+
+std::map<std::string, std::string> carriers(const Plan& plan, const KindTable& kinds) {
+  std::map<std::tuple<std::string, std::string, std::size_t>, std::string> ids;
+  for (const auto& [id, role] : roles(plan)) ids[{role.group, role.part, role.number}] = id;
+  std::map<std::string, std::string> found;
+  for (const auto& group : plan.groups) {
+    const auto arranged = as_asked(plan, group, kinds);
+    if (!arranged) continue;
+    const auto id_of = [&](const Member& member) {
+      return ids[{group.id, member.part, member.number}];
+    };
+    for (const auto& member : arranged->members)
+      if (member.mount == Mount::surface)
+        found[id_of(member)] = id_of(arranged->members[member.on]);
   }
   return found;
 }

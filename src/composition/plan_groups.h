@@ -37,6 +37,9 @@ struct Role {
 /// By id, of those in groups.
 std::map<std::string, Role> roles(const Plan& plan);
 
+/// What the things of the groups of a completed plan stand on, by id, of those that stand on others.
+std::map<std::string, std::string> carriers(const Plan& plan, const KindTable& kinds);
+
 /// The things of a group as they will be.
 struct RealThings {
   SizeOf size_of = {};  ///< as far as it is known

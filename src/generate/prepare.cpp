@@ -34,7 +34,7 @@ Result<PlacementTask> prepare(Work& work, const PlannedObject& planned, const As
 Result<AssetInfo> asset_for(Work& work, const PlannedObject& planned) {
   const PlanItem& item = work.item(planned);
   const AssetInfo* known = favourite(work.state.favourites, item);
-  const auto loads = loads_on(planned.id, work.place.plan, work.place.categories);
+  const auto loads = loads_on(planned.id, work.place);
   if (known && is_able(work, planned, *known, loads)) return *known;
   auto assets = assets_for(work, planned);
   if (!assets) return assets.error();
@@ -44,7 +44,7 @@ Result<AssetInfo> asset_for(Work& work, const PlannedObject& planned) {
 
 Result<std::vector<AssetInfo>> assets_for(Work& work, const PlannedObject& planned) {
   const Workplace& place = work.place;
-  const auto loads = loads_on(planned.id, place.plan, place.categories);
+  const auto loads = loads_on(planned.id, place);
   const auto few = static_cast<std::size_t>(place.options.assets_per_object);
   const int count = loads.empty() ? place.options.assets_per_object
                                   : std::max(place.options.assets_per_object, most_carriers);

@@ -12,6 +12,7 @@ Workplace::Workplace(Plan the_plan, Designer& the_designer, const AssetLibrary& 
                      const KindTable& the_categories, BuildOptions the_options)
     : plan(composition::completed(std::move(the_plan), the_categories)),
       roles(composition::roles(plan)),
+      carriers(composition::carriers(plan, the_categories)),
       designer(the_designer),
       library(the_library),
       categories(the_categories),

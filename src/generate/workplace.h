@@ -21,6 +21,7 @@ struct Workplace {
 
   Plan plan;  ///< with its groups completed
   std::map<std::string, composition::Role> roles;  ///< of its objects in its groups, by id
+  std::map<std::string, std::string> carriers;     ///< composition::carriers()
   Designer& designer;
   const AssetLibrary& library;
   const KindTable& categories;
