@@ -122,7 +122,8 @@ void lay_rugs(const Workplace& place, const BuildState& state, Generation& resul
   const RugFit fit =
       fit_rugs(place.room, result.scene.objects, result.models, place.categories, wishes);
   for (const auto& wish : wishes)
-    if (wish.place_told) tell_change(*roomgen::find_object(before, wish.id), result);
+    if (const Object* lay = wish.place_told ? roomgen::find_object(before, wish.id) : nullptr)
+      tell_change(*lay, result);
   for (const auto& id : fit.left_out)
     result.scene.unplaced.push_back(
         {id, find_object(state, id)->category, "wherever it lies, something stands on its edge"});
@@ -149,7 +150,7 @@ struct Said {
 Said said_of(const BuildState& state, const Step& step) {
   for (const auto& group : state.groups)
     if (const auto post = group.posts.find(step.planned.id); post != group.posts.end()) {
-      const Object& anchor = *find_object(state, group.anchor.object.id);
+      const Object& anchor = group.anchor.object;  // where it was put
       return {composition::within({anchor.position.head<2>(), anchor.yaw}, post->second.place).position,
               post->second.carrier};
     }
