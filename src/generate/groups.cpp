@@ -39,8 +39,10 @@ const PlanGroup* group_of(const Work& work, const std::string& id) {
 }
 
 // In a scene each of the groups within a group is one of its own: a table moves with its chairs,
-// not with all tables.
-std::string name_in_scene(const composition::Role& role) {
+// not with all tables. What is in none of them goes with the anchor.
+std::string name_in_scene(const Work& work, composition::Role role) {
+  for (const auto& [id, other] : work.place.roles)
+    if (role.unit < 0 && other.is_anchor && other.group == role.group) role.unit = other.unit;
   return role.unit < 0 ? role.group : role.group + "#" + std::to_string(role.unit);
 }
 
@@ -58,7 +60,7 @@ Cast cast_of(Work& work, const PlacementTask& anchor, const std::string& group) 
     auto task = prepare(work, planned, *asset);
     if (!task) continue;
     remember(work.state.favourites, work.item(planned), *asset);
-    task->object.group = name_in_scene(*role);
+    task->object.group = name_in_scene(work, *role);
     cast.things[planned.id] = {*std::move(asset), *std::move(task)};
   }
   return cast;
@@ -171,7 +173,8 @@ Result<std::vector<composition::Arranged>> ways_of(Work& work, const PlannedObje
     return std::vector<composition::Arranged>{unit->second};
   const auto size_of = [&](const std::string& part) -> std::optional<Vec3> {
     const auto found = cast.ids.find({part, 0});
-    const auto known = found == cast.ids.end() ? cast.things.end() : cast.things.find(found->second);
+    const auto known =
+        found == cast.ids.end() ? cast.things.end() : cast.things.find(found->second);
     return known == cast.things.end() ? std::nullopt
                                       : std::optional<Vec3>(known->second.task.object.size);
   };
@@ -198,7 +201,7 @@ bool begins_group(const Work& work, const PlannedObject& planned) {
 
 Result<Placement> place_with_group(Work& work, const PlannedObject& planned, PlacementTask& task) {
   const std::string& id = role_of(work, planned.id)->group;
-  task.object.group = name_in_scene(*role_of(work, planned.id));
+  task.object.group = name_in_scene(work, *role_of(work, planned.id));
   Cast cast = cast_of(work, task, id);
   auto ways = ways_of(work, planned, cast);
   if (!ways) return ways.error();

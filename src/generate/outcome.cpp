@@ -151,8 +151,8 @@ Said said_of(const BuildState& state, const Step& step) {
   for (const auto& group : state.groups)
     if (const auto post = group.posts.find(step.planned.id); post != group.posts.end()) {
       const Object& anchor = group.anchor.object;  // where it was put
-      return {composition::within({anchor.position.head<2>(), anchor.yaw}, post->second.place).position,
-              post->second.carrier};
+      const composition::Place frame{anchor.position.head<2>(), anchor.yaw};
+      return {composition::within(frame, post->second.place).position, post->second.carrier};
     }
   if (step.attempts.empty() || step.attempts.front().answer.consultation.calls > 0) return {};
   Said said{step.attempts.front().answer.location, {}};
@@ -177,11 +177,11 @@ void tell_what_stands_elsewhere(const BuildState& state, const std::set<std::str
     const double away =
         said.location ? (object->position.head<2>() - *said.location).norm() : 0.0;
     if (!said.carrier.empty() && !rests_on(state, object, said.carrier))
-      result.notes.push_back(object->id + " stands on " + object->on + ", for it found no room on " +
-                             said.carrier);
+      result.notes.push_back(object->id + " stands on " + object->on +
+                             ", for it found no room on " + said.carrier);
     else if (away > elsewhere && !moved.count(object->id))
       result.notes.push_back(object->id + " stands " + format_number(away, 2) +
-                             " m from where it was said");
+                             " m from its place");
   }
 }
 
