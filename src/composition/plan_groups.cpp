@@ -4,6 +4,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <tuple>
 
 #include "alternatives.h"
 
@@ -46,6 +47,12 @@ Making making_for(const Plan& plan, const PlanGroup& group, const KindTable& kin
     return item ? item->size : std::nullopt;
   };
   return making;
+}
+
+Result<Arranged> as_asked(const Plan& plan, const PlanGroup& group, const KindTable& kinds) {
+  const auto composition = composition_of(group);
+  if (!composition) return composition.error();
+  return arrange(*composition, group.parameters, making_for(plan, group, kinds, {}));
 }
 
 PlanItem item_for(const Member& member, const PlanGroup& group) {
@@ -143,10 +150,7 @@ Result<std::vector<Arranged>> ways_to_stand(const Plan& plan, const PlanGroup& g
 void complete_groups(Plan& plan, const KindTable& kinds) {
   for (std::size_t g = 0; g < plan.groups.size();) {
     PlanGroup& group = plan.groups[g];
-    const auto composition = composition_of(group);
-    const auto arranged =
-        composition ? arrange(*composition, group.parameters, making_for(plan, group, kinds, {}))
-                    : Result<Arranged>(composition.error());
+    const auto arranged = as_asked(plan, group, kinds);
     if (!arranged) {
       dissolve(plan, group.id, arranged.error().message);
       plan.groups.erase(plan.groups.begin() + static_cast<std::ptrdiff_t>(g));
@@ -194,6 +198,10 @@ std::vector<PlannedObject> placing_order(const Plan& plan) {
                      [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
     order.insert(order.end(), group.begin(), group.end());
   }
+  postpone(plan, order, [&](const PlannedObject& planned) {
+    const auto role = known.find(planned.id);
+    return !plan.items[planned.item].location && (role == known.end() || role->second.is_anchor);
+  });
   // What dresses the room comes last; in a group it has its place.
   const auto spare = [&](const PlannedObject& planned) {
     const PlanItem& item = plan.items[planned.item];
@@ -202,6 +210,36 @@ std::vector<PlannedObject> placing_order(const Plan& plan) {
   std::stable_sort(order.begin(), order.end(),
                    [&](const auto& a, const auto& b) { return spare(a) > spare(b); });
   return order;
+}
+
+void postpone(const Plan& plan, std::span<PlannedObject> order,
+              const std::function<bool(const PlannedObject&)>& is_late) {
+  const auto known = roles(plan);
+  std::set<std::string> late_things, late_groups;
+  const auto waits = [&](const PlannedObject& planned) {
+    const PlanItem& item = plan.items[planned.item];
+    const auto role = known.find(planned.id);
+    if (role != known.end() && !role->second.is_anchor)
+      return late_groups.count(role->second.group) > 0;
+    // Whatever might carry it comes first.
+    return (item.mount == Mount::surface && !late_things.empty()) ||
+           std::any_of(item.relations.begin(), item.relations.end(), [&](const Relation& relation) {
+             return late_things.count(relation.target) > 0;
+           });
+  };
+  std::vector<PlannedObject> late;
+  auto kept = order.begin();
+  for (auto& planned : order) {
+    if (!is_late(planned) && !waits(planned)) {
+      std::swap(*kept++, planned);
+      continue;
+    }
+    late_things.insert(planned.id);
+    if (const auto role = known.find(planned.id); role != known.end() && role->second.is_anchor)
+      late_groups.insert(role->second.group);
+    late.push_back(planned);
+  }
+  std::move(late.begin(), late.end(), kept);
 }
 
 std::map<std::string, Role> roles(const Plan& plan) {
@@ -218,6 +256,23 @@ std::map<std::string, Role> roles(const Plan& plan) {
         role.unit = unit->second;
     }
     found[planned.id] = std::move(role);
+  }
+  return found;
+}
+
+std::map<std::string, std::string> carriers(const Plan& plan, const KindTable& kinds) {
+  std::map<std::tuple<std::string, std::string, std::size_t>, std::string> ids;
+  for (const auto& [id, role] : roles(plan)) ids[{role.group, role.part, role.number}] = id;
+  std::map<std::string, std::string> found;
+  for (const auto& group : plan.groups) {
+    const auto arranged = as_asked(plan, group, kinds);
+    if (!arranged) continue;
+    const auto id_of = [&](const Member& member) {
+      return ids[{group.id, member.part, member.number}];
+    };
+    for (const auto& member : arranged->members)
+      if (member.mount == Mount::surface)
+        found[id_of(member)] = id_of(arranged->members[member.on]);
   }
   return found;
 }

@@ -3,6 +3,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -19,8 +20,12 @@ void complete_groups(Plan& plan, const KindTable& kinds);
 Plan completed(Plan plan, const KindTable& kinds);
 
 /// The objects of a completed plan in the order in which they are placed: the plan's, but the
-/// things of a group follow its anchor.
+/// things of a group follow its anchor, and what has a location comes before what has none.
 std::vector<PlannedObject> placing_order(const Plan& plan);
+
+/// Puts what is late, and what depends on that, behind the others.
+void postpone(const Plan& plan, std::span<PlannedObject> order,
+              const std::function<bool(const PlannedObject&)>& is_late);
 
 /// What a plan's object is in its group: the part, and which of its things.
 struct Role {
@@ -31,6 +36,9 @@ struct Role {
 };
 /// By id, of those in groups.
 std::map<std::string, Role> roles(const Plan& plan);
+
+/// What the things of the groups of a completed plan stand on, by id, of those that stand on others.
+std::map<std::string, std::string> carriers(const Plan& plan, const KindTable& kinds);
 
 /// The things of a group as they will be.
 struct RealThings {

@@ -137,7 +137,7 @@ void try_assets(Work& work, const std::vector<AssetInfo>& assets, Trial& trial) 
       if (work.cancel.cancelled() || try_asset(work, assets[a], trial)) return;
   }
   if (begins_group(work, trial.planned)) {
-    fall_apart(work, trial.planned);
+    fall_apart(work, trial.planned, *trial.first);
     trial.earlier = {};
     trial.first.reset();
     return try_assets(work, assets, trial);

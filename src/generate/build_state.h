@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <set>
 #include <string>
 #include <vector>
@@ -12,14 +13,32 @@
 
 namespace roomgen {
 
+/// The things of a group as they will be: each with an asset, before any stands.
+struct Cast {
+  struct Thing {
+    AssetInfo asset;
+    PlacementTask task;
+  };
+  std::map<std::pair<std::string, std::size_t>, std::string> ids;  ///< by part and number
+  std::map<std::string, Thing> things;                             ///< by id
+
+  /// Empty: no thing of the plan.
+  std::string id_of(const composition::Member& member) const;
+  const Object* object_of(const composition::Member& member) const;
+};
+
 /// A group of the plan that stands in one of its ways: where its members go when their turn comes.
 struct StandingGroup {
   std::string id;  ///< the plan's
   bool is_whole = true;  ///< not only one of the groups within it
-  composition::Arranged arranged;
-  std::vector<std::string> ids;         ///< of its members; empty: no thing of the plan
-  PlacementTask anchor;                 ///< with its companions
-  std::vector<std::size_t> companions;  ///< which members they are
+  struct Post {
+    composition::Place place;  ///< in its frame
+    std::string carrier;       ///< of what stands on another
+    std::size_t refused = 0;   ///< how often there was no room for it
+  };
+  std::map<std::string, Post> posts;  ///< of its members, by id
+  PlacementTask anchor;               ///< with its companions
+  std::shared_ptr<const Cast> cast;
 };
 
 /// How far a room has come: all that steps change. Copies are cheap (meshes are shared) and are what undo

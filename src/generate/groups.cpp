@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "attempts.h"
+#include "consult.h"
 #include "fits_as_it_is.h"
 #include "prepare.h"
 #include "retrieve.h"
@@ -11,9 +12,19 @@
 
 namespace roomgen {
 
-namespace {
-
 using composition::Member;
+
+std::string Cast::id_of(const Member& member) const {
+  const auto found = ids.find({member.part, member.number});
+  return found == ids.end() ? std::string() : found->second;
+}
+
+const Object* Cast::object_of(const Member& member) const {
+  const auto found = things.find(id_of(member));
+  return found == things.end() ? nullptr : &found->second.task.object;
+}
+
+namespace {
 
 const composition::Role* role_of(const Work& work, const std::string& id) {
   const auto found = work.place.roles.find(id);
@@ -27,103 +38,91 @@ const PlanGroup* group_of(const Work& work, const std::string& id) {
   return found == groups.end() ? nullptr : &*found;
 }
 
-/// The things of a group as they will be: each with an asset, before any stands.
-struct Cast {
-  std::map<std::pair<std::string, std::size_t>, std::string> ids;  ///< by part and number
-  std::map<std::string, PlacementTask> tasks;                      ///< by id
+// In a scene each of the groups within a group is one of its own: a table moves with its chairs,
+// not with all tables. What is in none of them goes with the anchor.
+std::string name_in_scene(const Work& work, composition::Role role) {
+  for (const auto& [id, other] : work.place.roles)
+    if (role.unit < 0 && other.is_anchor && other.group == role.group) role.unit = other.unit;
+  return role.unit < 0 ? role.group : role.group + "#" + std::to_string(role.unit);
+}
 
-  std::string id_of(const Member& member) const {
-    const auto found = ids.find({member.part, member.number});
-    return found == ids.end() ? std::string() : found->second;
-  }
-  const Object* object_of(const Member& member) const {
-    const auto found = tasks.find(id_of(member));
-    return found == tasks.end() ? nullptr : &found->second.object;
-  }
-};
-
-// Those that stand already, or that nothing is found for, are none of the cast.
-Cast cast_of(Work& work, const std::string& group) {
+// With its anchor. Those that stand already, or that nothing is found for, are none of it.
+Cast cast_of(Work& work, const PlacementTask& anchor, const std::string& group) {
   Cast cast;
+  cast.things[anchor.object.id].task = anchor;
   for (const auto& planned : planned_objects(work.place.plan)) {
     const auto* role = role_of(work, planned.id);
     if (!role || role->group != group || work.layout().find(planned.id)) continue;
     cast.ids[{role->part, role->number}] = planned.id;
-    const auto assets = assets_for(work, planned);
-    if (!assets || assets->empty()) continue;
-    auto task = prepare(work, planned, assets->front());
+    if (planned.id == anchor.object.id) continue;
+    auto asset = asset_for(work, planned);
+    if (!asset) continue;
+    auto task = prepare(work, planned, *asset);
     if (!task) continue;
-    remember(work.state.favourites, work.item(planned), assets->front());
-    task->object.group = group;
-    cast.tasks.emplace(planned.id, *std::move(task));
+    remember(work.state.favourites, work.item(planned), *asset);
+    task->object.group = name_in_scene(work, *role);
+    cast.things[planned.id] = {*std::move(asset), *std::move(task)};
   }
   return cast;
 }
 
-// What stands on others goes where its place in the frame is, or anywhere on that.
-bool stand_on(Work& work, PlacementTask task, const Object& carrier) {
-  task.object.mount = Mount::surface;
-  task.object.on = carrier.id;
-  const Relation on{RelationKind::on, carrier.id};
-  if (std::find(task.object.relations.begin(), task.object.relations.end(), on) ==
-      task.object.relations.end())
-    task.object.relations.push_back(on);
-  PlaceOptions options = work.place.options.place;
-  options.cancel = work.cancel;
-  auto placed = place(work.layout(), task, {}, options, work.state.random);
-  if (!placed) {
-    task.location.reset(), task.facing.reset();
-    task.binding = false;
-    placed = place(work.layout(), task, {}, options, work.state.random);
-  }
-  if (!placed) return false;
-  placed->object.locked = true;
-  work.layout().add(placed->object);
-  return true;
-}
-
 // Where a member goes, as the word of a designer.
-PlaceAdvice place_in_frame(const Work& work, const StandingGroup& group, std::size_t index,
-                           PlacementTask& task) {
+PlaceAdvice place_in_frame(const Work& work, const StandingGroup& group,
+                           const StandingGroup::Post& post, const Object& object) {
   const Object& anchor = group.anchor.object;
-  const auto at = composition::within({anchor.position.head<2>(), anchor.yaw},
-                                      group.arranged.members[index].place);
-  task.object.relations =
-      known_relations(task.object.relations, work.layout().room(), work.layout().objects());
-  task.location = at.position;
-  task.facing = at.yaw;
-  task.binding = true;
+  const auto at = composition::within({anchor.position.head<2>(), anchor.yaw}, post.place);
   PlaceAdvice given;
-  given.relations = task.object.relations;
+  given.relations =
+      known_relations(object.relations, work.layout().room(), work.layout().objects());
+  if (!post.carrier.empty()) given.relations.push_back({RelationKind::on, post.carrier});
   given.location = at.position;
   given.yaw = at.yaw;
   return given;
 }
 
 // A member at its place in the frame, if it is one of those that were placed with the anchor.
-bool stand_in_frame(Work& work, const StandingGroup& group, std::size_t index,
-                    const PlacementTask& task) {
-  const auto companion = std::find(group.companions.begin(), group.companions.end(), index);
-  if (companion == group.companions.end()) return false;
-  const auto all = companions_of(group.anchor, group.anchor.object);
-  Object object = all[static_cast<std::size_t>(companion - group.companions.begin())];
-  object.relations = task.object.relations;
-  object.locked = true;
-  if (!fits_as_it_is(work.layout(), object)) return false;
-  work.layout().add(std::move(object));
+bool stand_in_frame(Work& work, const StandingGroup& group, const PlacementTask& task) {
+  for (auto& object : companions_of(group.anchor, group.anchor.object)) {
+    if (object.id != task.object.id) continue;
+    object.relations = task.object.relations;
+    object.locked = true;
+    if (!fits_as_it_is(work.layout(), object)) return false;
+    work.layout().add(std::move(object));
+    return true;
+  }
+  return false;
+}
+
+// At its place, or as near to it as there is room: on what carries it, or about there.
+bool stand(Work& work, const StandingGroup& group, const PlannedObject& planned, Attempt& attempt) {
+  constexpr double about = 0.5;
+  const auto& post = group.posts.at(planned.id);
+  auto [asset, task] = group.cast->things.at(planned.id);
+  task.object.locked = true;
+  if (!post.carrier.empty()) {
+    if (!work.layout().find(post.carrier)) return false;
+    auto tried = try_to_place(work, planned, asset, attempt.answer, post.refused, task);
+    if (tried) attempt = *std::move(tried);
+    return tried && attempt.refused.empty();
+  }
+  if (!follow(work, attempt.answer, planned, 0, task)) return false;
+  if (!stand_in_frame(work, group, task)) {
+    PlaceOptions options = work.place.options.place;
+    options.cancel = work.cancel;
+    options.accepts = [&](const Pose& pose) {
+      return (pose.position - *task.location).norm() <= about;
+    };
+    auto placed = place(work.layout(), task, {}, options, work.state.random);
+    if (!placed) return false;
+    work.layout().add(std::move(placed->object));
+  }
+  enter(work, planned, asset, std::move(task));
   return true;
 }
 
-bool stand(Work& work, const StandingGroup& group, std::size_t index, const PlacementTask& task) {
-  const Member& member = group.arranged.members[index];
-  if (member.mount != Mount::surface) return stand_in_frame(work, group, index, task);
-  const Object* carrier = work.layout().find(group.ids[member.on]);
-  return carrier && stand_on(work, task, *carrier);
-}
-
-const StandingGroup* standing_group(const Work& work, const std::string& id) {
-  for (const auto& group : work.state.groups)
-    if (std::find(group.ids.begin(), group.ids.end(), id) != group.ids.end()) return &group;
+StandingGroup* standing_group(const Work& work, const std::string& id) {
+  for (auto& group : work.state.groups)
+    if (group.posts.count(id) > 0) return &group;
   return nullptr;
 }
 
@@ -136,26 +135,23 @@ bool whole_group_stands(const Work& work, const PlannedObject& planned) {
                              });
 }
 
-// In a scene each of the groups within a group is one of its own: a table moves with its chairs,
-// not with all tables.
-std::string name_in_scene(const std::string& id, const PlannedObject& planned, const Work& work) {
-  const int unit = role_of(work, planned.id)->unit;
-  return unit < 0 ? id : id + "#" + std::to_string(unit);
-}
-
-// Whether meshes of the group's own things overlap, wherever it stands.
-bool overlaps_itself(Work& work, const composition::Arranged& way, const Cast& cast) {
-  const Object* anchor = cast.object_of(way.members.front());
-  PlacementTask task;
+// The things of the group whose meshes overlap those before them, wherever it stands.
+std::set<std::string> overlapping(Work& work, const composition::Arranged& way, const Cast& cast) {
   std::vector<std::size_t> members;
+  PlacementTask task;
+  task.object = *cast.object_of(way.members.front());
   task.companions = companions(
       way, [&](const Member& member) { return cast.object_of(member); }, work.place.room, members);
-  auto all = companions_of(task, *anchor);
-  all.push_back(*anchor);
-  for (std::size_t i = 0; i < all.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j)
-      if (work.layout().solids().overlap(all[i], all[j])) return true;
-  return false;
+  std::vector<Object> apart = {task.object};
+  std::set<std::string> found;
+  for (auto& object : companions_of(task, task.object)) {
+    const bool overlaps = std::any_of(apart.begin(), apart.end(), [&](const Object& other) {
+      return work.layout().solids().overlap(object, other);
+    });
+    if (overlaps) found.insert(object.id);
+    else apart.push_back(std::move(object));
+  }
+  return found;
 }
 
 // Seats are drawn up to their table as far as the meshes allow.
@@ -166,7 +162,7 @@ Result<std::vector<composition::Arranged>> ways_that_hold_together(
                                       {size_of, tuck});
   };
   for (const double tuck : {1.0, 0.5})
-    if (auto drawn = ways(tuck); !drawn || !overlaps_itself(work, drawn->front(), cast))
+    if (auto drawn = ways(tuck); !drawn || overlapping(work, drawn->front(), cast).empty())
       return drawn;
   return ways(0.0);
 }
@@ -177,12 +173,22 @@ Result<std::vector<composition::Arranged>> ways_of(Work& work, const PlannedObje
     return std::vector<composition::Arranged>{unit->second};
   const auto size_of = [&](const std::string& part) -> std::optional<Vec3> {
     const auto found = cast.ids.find({part, 0});
-    const auto known = found == cast.ids.end() ? cast.tasks.end() : cast.tasks.find(found->second);
-    return known == cast.tasks.end() ? std::nullopt
-                                     : std::optional<Vec3>(known->second.object.size);
+    const auto known =
+        found == cast.ids.end() ? cast.things.end() : cast.things.find(found->second);
+    return known == cast.things.end() ? std::nullopt
+                                      : std::optional<Vec3>(known->second.task.object.size);
   };
   return ways_that_hold_together(work, *group_of(work, role_of(work, anchor.id)->group), cast,
                                  size_of);
+}
+
+// What lost its place in a group finds one for itself behind all that has one by the plan.
+void let_wait(Work& work, const std::function<bool(const PlannedObject&)>& is_dropped) {
+  auto& left = work.state.left;
+  const auto last = std::find_if(left.rbegin(), left.rend(), [&](const PlannedObject& planned) {
+    return role_of(work, planned.id) || work.item(planned).location;
+  });
+  composition::postpone(work.place.plan, {left.begin(), last.base()}, is_dropped);
 }
 
 }  // namespace
@@ -195,9 +201,8 @@ bool begins_group(const Work& work, const PlannedObject& planned) {
 
 Result<Placement> place_with_group(Work& work, const PlannedObject& planned, PlacementTask& task) {
   const std::string& id = role_of(work, planned.id)->group;
-  Cast cast = cast_of(work, id);
-  task.object.group = name_in_scene(id, planned, work);
-  cast.tasks[planned.id] = task;
+  task.object.group = name_in_scene(work, *role_of(work, planned.id));
+  Cast cast = cast_of(work, task, id);
   auto ways = ways_of(work, planned, cast);
   if (!ways) return ways.error();
   const bool is_whole = work.state.units.count(planned.id) == 0;
@@ -205,35 +210,56 @@ Result<Placement> place_with_group(Work& work, const PlannedObject& planned, Pla
   if (is_whole) whole.composition = group_of(work, id)->composition;
   PlaceOptions options = work.place.options.place;
   options.cancel = work.cancel;
-  const auto thing_of = [&](const Member& member) { return cast.object_of(member); };
+  // What has no room in the group itself shall not cost it its place.
+  const auto loose = overlapping(work, ways->front(), cast);
+  const auto thing_of = [&](const Member& member) {
+    return loose.count(cast.id_of(member)) > 0 ? nullptr : cast.object_of(member);
+  };
   auto placed = place_group(work.layout(), whole, *ways, thing_of, options, work.state.random);
   if (!placed) return placed.error();
-  StandingGroup standing{id, is_whole, std::move((*ways)[placed->way]), {}, placed->task, {}};
-  for (const auto& member : standing.arranged.members) standing.ids.push_back(cast.id_of(member));
+  StandingGroup standing{id, is_whole, {}, std::move(placed->task), {}};
+  const auto& members = (*ways)[placed->way].members;
+  for (const auto& member : members) {
+    const bool is_carried = member.mount == Mount::surface;
+    const std::string carrier = is_carried ? cast.id_of(members[member.on]) : std::string();
+    if (cast.object_of(member) && is_carried == !carrier.empty())
+      standing.posts[cast.id_of(member)] = {member.place, carrier};
+  }
   standing.anchor.object = placed->placement.object;
-  companions(standing.arranged, thing_of, work.place.room, standing.companions);
+  standing.cast = std::make_shared<const Cast>(std::move(cast));
   work.state.groups.push_back(std::move(standing));
+  if (is_whole)
+    let_wait(work, [&](const PlannedObject& other) {
+      const auto* role = role_of(work, other.id);
+      return role && role->group == id && !standing_group(work, other.id);
+    });
   work.state.tried_groups.insert(id);
   task.object.locked = placed->placement.object.locked = true;
   return std::move(placed->placement);
 }
 
-void fall_apart(Work& work, const PlannedObject& planned) {
-  if (work.state.units.erase(planned.id) > 0) return;
-  const auto* role = role_of(work, planned.id);
-  work.state.tried_groups.insert(role->group);
-  const Cast cast = cast_of(work, role->group);
-  const auto ways = ways_of(work, planned, cast);
-  if (!ways) return;
-  for (auto& unit : composition::units_of(ways->front())) {
-    const std::string anchor = cast.id_of(unit.members.front());
-    if (unit.members.size() > 1 && !anchor.empty())
-      work.state.units.emplace(anchor, std::move(unit));
+void fall_apart(Work& work, const PlannedObject& planned, const PlacementTask& task) {
+  const auto& own = *role_of(work, planned.id);
+  const bool is_unit = work.state.units.erase(planned.id) > 0;
+  if (!is_unit) {
+    work.state.tried_groups.insert(own.group);
+    const Cast cast = cast_of(work, task, own.group);
+    const auto ways = ways_of(work, planned, cast);
+    if (!ways) return;
+    for (auto& unit : composition::units_of(ways->front())) {
+      const std::string anchor = cast.id_of(unit.members.front());
+      if (unit.members.size() > 1 && !anchor.empty())
+        work.state.units.emplace(anchor, std::move(unit));
+    }
   }
+  let_wait(work, [&](const PlannedObject& other) {
+    const auto* role = role_of(work, other.id);
+    return role && role->group == own.group && (is_unit ? role->unit == own.unit : role->unit < 0);
+  });
 }
 
 bool take_place_in_group(Work& work, const PlannedObject& planned, Step& step) {
-  const StandingGroup* group = standing_group(work, planned.id);
+  StandingGroup* group = standing_group(work, planned.id);
   const bool must_stand = work.item(planned).asked;
   if (!group) {
     const bool has_no_room = !must_stand && whole_group_stands(work, planned);
@@ -241,22 +267,23 @@ bool take_place_in_group(Work& work, const PlannedObject& planned, Step& step) {
     return has_no_room;
   }
   if (group->anchor.object.id == planned.id) return false;
-  const auto assets = assets_for(work, planned);
-  if (!assets || assets->empty()) return false;
-  auto task = prepare(work, planned, assets->front());
-  if (!task) return false;
-  const auto index = static_cast<std::size_t>(
-      std::find(group->ids.begin(), group->ids.end(), planned.id) - group->ids.begin());
-  task->object.group = name_in_scene(group->id, planned, work);
-  const PlaceAdvice given = place_in_frame(work, *group, index, *task);
-  if (!stand(work, *group, index, *task)) {
-    if (must_stand || group->arranged.members[index].mount != Mount::surface) return false;
-    return step.reason = "there was no room for it where its group has it", true;
-  }
+  auto& post = group->posts.at(planned.id);
+  const auto& [asset, task] = group->cast->things.at(planned.id);
+  Attempt attempt = begun(asset, place_in_frame(work, *group, post, task.object));
+  const bool stands = stand(work, *group, planned, attempt);
   step.has_assets = true;
-  step.attempts.push_back(begun(assets->front(), given));
-  enter(work, planned, assets->front(), *std::move(task));
-  return true;
+  if (!stands && attempt.refused.empty()) attempt.refused = "its place in its group is taken";
+  step.attempts.push_back(std::move(attempt));
+  if (stands) return true;
+  const std::string why = "there was no room for it where its group has it";
+  if (!must_stand) return step.reason = why, true;
+  if (post.refused++ > 0) return false;
+  auto& left = work.state.left;
+  left.insert(left.begin(), planned);
+  let_wait(work, [&](const PlannedObject& other) { return other.id == planned.id; });
+  if (left.front().id != planned.id) return step.reason = why + ": it waits for others", true;
+  take_up(work.state, planned.id);
+  return take_place_in_group(work, planned, step);
 }
 
 }  // namespace roomgen

@@ -12,7 +12,7 @@ bool begins_group(const Work& work, const PlannedObject& planned);
 Result<Placement> place_with_group(Work& work, const PlannedObject& planned, PlacementTask& task);
 
 /// The group of an anchor that found no place: its things stand for themselves.
-void fall_apart(Work& work, const PlannedObject& planned);
+void fall_apart(Work& work, const PlannedObject& planned, const PlacementTask& task);
 
 /// Puts a thing at its place in its group, or says in `step` that the group had none for it. False
 /// where it has to find a place for itself.

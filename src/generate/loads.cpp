@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 
 namespace roomgen {
 
@@ -12,16 +13,23 @@ constexpr double least_load = 0.8;
 
 }  // namespace
 
-std::vector<Load> loads_on(const std::string& id, const Plan& plan,
-                           const KindTable& categories) {
+std::vector<Load> loads_on(const std::string& id, const Workplace& place) {
   std::vector<Load> loads;
-  for (const auto& item : plan.items) {
+  std::set<std::size_t> in_groups;  // items
+  for (const auto& planned : planned_objects(place.plan))
+    if (const auto carrier = place.carriers.find(planned.id);
+        carrier != place.carriers.end() && carrier->second == id)
+      in_groups.insert(planned.item);
+  for (std::size_t i = 0; i < place.plan.items.size(); ++i) {
+    const PlanItem& item = place.plan.items[i];
     const auto wants = [&](RelationKind kind) {
       return std::find(item.relations.begin(), item.relations.end(), Relation{kind, id}) !=
              item.relations.end();
     };
-    if (item.mount != Mount::surface || !wants(RelationKind::on)) continue;
-    const Kind& category = categories.get(item.category);
+    if (item.mount != Mount::surface ||
+        !(wants(RelationKind::on) || in_groups.count(i) > 0))
+      continue;
+    const Kind& category = place.categories.get(item.category);
     Load load;
     load.object.category = item.category;
     load.object.size = least_load * item.size.value_or(category.size);

@@ -5,8 +5,7 @@
 #include <vector>
 
 #include "collision/support_poses.h"
-#include "roomgen/kinds/kind_table.h"
-#include "roomgen/scene/plan.h"
+#include "workplace.h"
 
 namespace roomgen {
 
@@ -16,8 +15,8 @@ struct Load {
   bool inside = false;  ///< below the top of what carries it
 };
 
-/// What the plan puts onto the thing of this id.
-std::vector<Load> loads_on(const std::string& id, const Plan& plan, const KindTable& categories);
+/// What the plan puts onto the thing of this id, itself or by its groups.
+std::vector<Load> loads_on(const std::string& id, const Workplace& place);
 
 /// Whether each of the loads finds a place, were the others not there.
 bool can_carry(const Object& carrier, std::span<const Load> loads, const SupportPoses& poses);

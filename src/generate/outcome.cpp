@@ -97,8 +97,20 @@ RugWish rug_wish(const Workplace& place, const BuildState& state, const PlannedO
   const PlanItem& item = place.plan.items[planned.item];
   RugWish wish{planned.id, item.asked, is_size_told(item, place.categories.get(item.category))};
   for (const auto& task : state.tasks)
-    if (task.object.id == planned.id) wish.wishes = task.wishes;
+    if (task.object.id == planned.id) wish.wishes = task.wishes, wish.place_told = task.binding;
   return wish;
+}
+
+// How a rug lies otherwise than it was said.
+void tell_change(const Object& before, Generation& result) {
+  constexpr double unseen = 0.05;  // metres
+  const Object* rug = roomgen::find_object(result.scene, before.id);
+  if (!rug || !rug->traits.flat) return;
+  const double moved = (rug->position - before.position).head<2>().norm();
+  const bool is_cut = (rug->size - before.size).cwiseAbs().maxCoeff() > unseen;
+  if (moved > unseen || is_cut)
+    result.notes.push_back(rug->id + " was moved by " + format_number(moved, 2) + " m and is " +
+                           size_text(rug->size) + " m, so that nothing stands on its edge");
 }
 
 // Comes after all moves: until then things stand as if rugs had no height.
@@ -106,8 +118,12 @@ void lay_rugs(const Workplace& place, const BuildState& state, Generation& resul
   std::vector<RugWish> wishes;
   for (const auto& planned : planned_objects(place.plan))
     wishes.push_back(rug_wish(place, state, planned));
+  const auto before = result.scene.objects;
   const RugFit fit =
       fit_rugs(place.room, result.scene.objects, result.models, place.categories, wishes);
+  for (const auto& wish : wishes)
+    if (const Object* lay = wish.place_told ? roomgen::find_object(before, wish.id) : nullptr)
+      tell_change(*lay, result);
   for (const auto& id : fit.left_out)
     result.scene.unplaced.push_back(
         {id, find_object(state, id)->category, "wherever it lies, something stands on its edge"});
@@ -124,6 +140,51 @@ const Step* step_of(const BuildState& state, const std::string& id) {
 // A place that a model, a person or an edit gave; what stands in rows has one by the plan.
 bool is_of_somebody(const PlacementTask& task) { return task.binding && !task.usual; }
 
+/// Where a thing was said to stand.
+struct Said {
+  std::optional<Vec2> location;
+  std::string carrier;
+};
+
+// By its group, else by the first answer: a plan repeats itself, and a model is told what it lost.
+Said said_of(const BuildState& state, const Step& step) {
+  for (const auto& group : state.groups)
+    if (const auto post = group.posts.find(step.planned.id); post != group.posts.end()) {
+      const Object& anchor = group.anchor.object;  // where it was put
+      const composition::Place frame{anchor.position.head<2>(), anchor.yaw};
+      return {composition::within(frame, post->second.place).position, post->second.carrier};
+    }
+  if (step.attempts.empty() || step.attempts.front().answer.consultation.calls > 0) return {};
+  Said said{step.attempts.front().answer.location, {}};
+  for (const auto& relation : step.attempts.front().answer.relations)
+    if (relation.kind == RelationKind::on) said.carrier = relation.target;
+  return said;
+}
+
+bool rests_on(const BuildState& state, const Object* object, const std::string& carrier) {
+  while (object && object->on != carrier) object = find_object(state, object->on);
+  return object != nullptr;
+}
+
+// What stands elsewhere than it was said, in the end.
+void tell_what_stands_elsewhere(const BuildState& state, const std::set<std::string>& moved,
+                                Generation& result) {
+  constexpr double elsewhere = 0.5;
+  for (const auto& step : state.trace) {
+    const Object* object = roomgen::find_object(result.scene, step.planned.id);
+    if (!object) continue;
+    const Said said = said_of(state, step);
+    const double away =
+        said.location ? (object->position.head<2>() - *said.location).norm() : 0.0;
+    if (!said.carrier.empty() && !rests_on(state, object, said.carrier))
+      result.notes.push_back(object->id + " stands on " + object->on +
+                             ", for it found no room on " + said.carrier);
+    else if (away > elsewhere && !moved.count(object->id))
+      result.notes.push_back(object->id + " stands " + format_number(away, 2) +
+                             " m from its place");
+  }
+}
+
 // Whatever of a designer's word is not so in the end.
 void tell_what_was_not_followed(const BuildState& state, Generation& result) {
   for (const auto& task : state.tasks) {
@@ -137,11 +198,13 @@ void tell_what_was_not_followed(const BuildState& state, Generation& result) {
   std::vector<Move> moves;
   for (const auto& step : state.trace) add_moves(step.moved, moves);
   add_moves(state.moved, moves);
+  std::set<std::string> moved;
   for (const auto& move : moves)
     for (const auto& task : state.tasks)
-      if (is_of_somebody(task) && task.object.id == move.object)
+      if (is_of_somebody(task) && task.object.id == move.object && moved.insert(move.object).second)
         result.notes.push_back(move.object + " was moved by " + format_number(move.distance(), 2) +
                                " m after it was placed, for what was asked for");
+  tell_what_stands_elsewhere(state, moved, result);
 }
 
 std::vector<RequirementVerdict> verdicts(const Workplace& place, const Generation& result) {

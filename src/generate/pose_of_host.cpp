@@ -16,14 +16,6 @@ Error cannot_stand(const Object& object, const std::string& why) {
   return {Error::Kind::not_found, object.id + " cannot stand there: " + why};
 }
 
-Result<AssetInfo> first_asset(Work& work, const PlannedObject& planned) {
-  auto assets = assets_for(work, planned);
-  if (!assets) return assets.error();
-  if (assets->empty())
-    return Error{Error::Kind::not_found, why_no_asset(work.item(planned))};
-  return std::move(assets->front());
-}
-
 // The highest place at which the object rests on another one, below `most`.
 struct RestingPlace {
   Pose pose;
@@ -68,7 +60,7 @@ Result<Object> posed(const Layout& layout, Object object, const WantedPose& want
 }  // namespace
 
 Status put_at(Work& work, const PlannedObject& planned, const WantedPose& pose, Step& step) {
-  const auto asset = first_asset(work, planned);
+  const auto asset = asset_for(work, planned);
   if (!asset) return asset.error();
   auto task = prepare(work, planned, *asset);
   if (!task) return task.error();
@@ -90,7 +82,7 @@ Status put_at(Work& work, const PlannedObject& planned, const WantedPose& pose, 
 }
 
 Status put_by(Work& work, const PlannedObject& planned, const PlaceAdvice& wish, Step& step) {
-  const auto asset = first_asset(work, planned);
+  const auto asset = asset_for(work, planned);
   if (!asset) return asset.error();
   auto task = prepare(work, planned, *asset);
   if (!task) return task.error();

@@ -14,6 +14,13 @@ namespace {
 // Assets that are looked at for one that can carry what it shall.
 constexpr int most_carriers = 6;
 
+bool is_able(Work& work, const PlannedObject& planned, const AssetInfo& asset,
+             const std::vector<Load>& loads) {
+  if (loads.empty()) return true;
+  const auto task = prepare(work, planned, asset);
+  return task && can_carry(task->object, loads, work.layout().support_poses());
+}
+
 }  // namespace
 
 Result<PlacementTask> prepare(Work& work, const PlannedObject& planned, AssetInfo asset) {
@@ -25,9 +32,20 @@ Result<PlacementTask> prepare(Work& work, const PlannedObject& planned, AssetInf
   return task_of_asset(planned.id, item, category, asset, model.get(), work.place.room);
 }
 
+Result<AssetInfo> asset_for(Work& work, const PlannedObject& planned) {
+  const PlanItem& item = work.item(planned);
+  const AssetInfo* known = favourite(work.state.favourites, item);
+  const auto loads = loads_on(planned.id, work.place);
+  if (known && is_able(work, planned, *known, loads)) return *known;
+  auto assets = assets_for(work, planned);
+  if (!assets) return assets.error();
+  if (assets->empty()) return Error{Error::Kind::not_found, why_no_asset(item)};
+  return std::move(assets->front());
+}
+
 Result<std::vector<AssetInfo>> assets_for(Work& work, const PlannedObject& planned) {
   const Workplace& place = work.place;
-  const auto loads = loads_on(planned.id, place.plan, place.categories);
+  const auto loads = loads_on(planned.id, place);
   const auto few = static_cast<std::size_t>(place.options.assets_per_object);
   const int count = loads.empty() ? place.options.assets_per_object
                                   : std::max(place.options.assets_per_object, most_carriers);
@@ -35,8 +53,7 @@ Result<std::vector<AssetInfo>> assets_for(Work& work, const PlannedObject& plann
                          work.state.favourites, work.item(planned), planned, count);
   if (!assets || loads.empty()) return assets;
   const auto able = std::find_if(assets->begin(), assets->end(), [&](const AssetInfo& asset) {
-    const auto task = prepare(work, planned, asset);
-    return task && can_carry(task->object, loads, work.layout().support_poses());
+    return is_able(work, planned, asset, loads);
   });
   if (able != assets->end()) std::rotate(assets->begin(), able, able + 1);
   if (assets->size() > few) assets->resize(few);

@@ -12,6 +12,9 @@ Result<PlacementTask> prepare(Work& work, const PlannedObject& planned, AssetInf
 /// is one. Empty if nothing fits.
 Result<std::vector<AssetInfo>> assets_for(Work& work, const PlannedObject& planned);
 
+/// The first of them: what others of the same words took is not looked for again.
+Result<AssetInfo> asset_for(Work& work, const PlannedObject& planned);
+
 /// Why there are none.
 std::string why_no_asset(const PlanItem& item);
 

@@ -64,14 +64,18 @@ Result<std::vector<AssetInfo>> retrieve(const AssetSearch& search, const Favouri
               planned);
 
   std::vector<AssetInfo> result;
-  const auto chosen = favourites.find(words_of(item));
-  if (!item.varied && chosen != favourites.end()) result.push_back(chosen->second);
+  if (const AssetInfo* chosen = favourite(favourites, item)) result.push_back(*chosen);
   for (const auto& match : *matches) {
     if (static_cast<int>(result.size()) >= count) break;
     const bool again = !result.empty() && result.front().ref == match.asset.ref;
     if (!again) result.push_back(match.asset);
   }
   return result;
+}
+
+const AssetInfo* favourite(const Favourites& favourites, const PlanItem& item) {
+  const auto chosen = item.varied ? favourites.end() : favourites.find(words_of(item));
+  return chosen == favourites.end() ? nullptr : &chosen->second;
 }
 
 void remember(Favourites& favourites, const PlanItem& item, const AssetInfo& asset) {

@@ -27,6 +27,9 @@ Result<std::vector<AssetInfo>> retrieve(const AssetSearch& search, const Favouri
                                         const PlanItem& item, const PlannedObject& planned,
                                         int count);
 
+/// What others of the same words took; null if nothing.
+const AssetInfo* favourite(const Favourites& favourites, const PlanItem& item);
+
 /// The first asset of each words becomes their favourite.
 void remember(Favourites& favourites, const PlanItem& item, const AssetInfo& asset);
 

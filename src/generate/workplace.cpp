@@ -14,6 +14,7 @@ Workplace::Workplace(Plan the_plan, Designer& the_designer, const AssetLibrary& 
     : notes_given(the_plan.notes.size()),
       plan(ready(std::move(the_plan), the_categories)),
       roles(composition::roles(plan)),
+      carriers(composition::carriers(plan, the_categories)),
       designer(the_designer),
       library(the_library),
       categories(the_categories),

@@ -22,6 +22,7 @@ struct Workplace {
   std::size_t notes_given;  ///< of the plan, before it was ready()
   Plan plan;                ///< ready()
   std::map<std::string, composition::Role> roles;  ///< of its objects in its groups, by id
+  std::map<std::string, std::string> carriers;     ///< composition::carriers()
   Designer& designer;
   const AssetLibrary& library;
   const KindTable& categories;

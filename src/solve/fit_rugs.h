@@ -17,6 +17,7 @@ struct RugWish {
   bool asked = false;      ///< it stays whatever happens
   bool size_told = false;  ///< somebody said how large it is
   int wishes = 0;          ///< so many of its relations, the first ones, were asked for
+  bool place_told = false;  ///< and where: it stays so if it can
 };
 
 /// What became of the rugs.

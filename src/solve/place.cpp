@@ -7,7 +7,8 @@
 #include "exact_choice.h"
 #include "fuse.h"
 #include "place_usual.h"
-#include "propose.h"
+#include "proposals.h"
+#include "quality.h"
 #include "refusal.h"
 #include "score.h"
 
@@ -17,6 +18,8 @@ namespace {
 
 // What one rank at the top is worth of the fused sum.
 constexpr double rank_at_top = 5e-5;
+// And a metre off somebody's word: a centimetre is worth another look at what was put off.
+constexpr double word_merit = 5e-3;
 
 // The poses that pass the cheap tests, with their scores. Without a suggestion the constraints come
 // first, and a pose that loses more of them than another is dropped as soon as that is known.
@@ -70,6 +73,7 @@ std::vector<std::size_t> rank(const ProposalContext& context, std::vector<Scored
     scored[i].terms.rank_c = ranked[i].rank_c;
     scored[i].terms.rank_l = location ? ranked[i].rank_l : 0.0;
     scored[i].terms.fused = scored[i].merit = ranked[i].fused;
+    if (!options.fusion.ordinal_ranks) scored[i].merit -= word_merit * scored[i].terms.off;
   }
   return order_of_choice(ranked);
 }
@@ -157,6 +161,8 @@ std::optional<std::size_t> choose(Layout& layout, const PlacementTask& task,
 // The grid is looked at coarsely first, so that the choice of a neighbourhood does not depend on
 // the pitch that was asked for.
 constexpr double coarse_pitch = 0.20;
+// What is farther off a suggested location may as well be turned, metres.
+constexpr double far_off = 0.9;
 // Metres about the suggested location that are looked at first.
 constexpr double about_suggestion = 2.0;
 
@@ -184,6 +190,45 @@ class Placing {
         candidate_(layout.candidate(task)) {}
 
   Result<Placement> run() {
+    if (stands_as_said()) return placement();
+    // Of what was said the facing gives way to wishes alone, and to the place.
+    faces_as_said_ = is_word() && context_.suggestion.facing;
+    auto faced = search();
+    if (!faces_as_said_ || (faced && wishes_lost(*faced) == 0 && faced->terms.off <= far_off))
+      return faced;
+    faces_as_said_ = false;
+    auto turned = search();
+    const auto loss = [&](const Placement& one) {
+      return std::pair(wishes_lost(one), one.terms.off);
+    };
+    return faced && (!turned || loss(*faced) <= loss(*turned)) ? std::move(faced)
+                                                               : std::move(turned);
+  }
+
+ private:
+  // A suggestion of somebody's, which is not weighed as the paper has it.
+  bool is_word() const { return context_.suggestion.binds && !options_.fusion.ordinal_ranks; }
+
+  // Nothing is nearer to a word than what it says.
+  bool stands_as_said() {
+    const Suggestion& said = context_.suggestion;
+    if (!is_word() || !said.location || !said.facing || task_.object.mount != Mount::floor ||
+        options_.grid == GridUse::only)
+      return false;
+    add({{*said.location, mounting_height(context_), *said.facing}});
+    if (!scored_.empty() && scored_.front().terms.lost == 0) decide();
+    return best_.has_value();
+  }
+
+  int wishes_lost(const Placement& placed) const {
+    const auto wishes =
+        std::min(static_cast<std::size_t>(task_.wishes), context_.relations.size());
+    return task_.wishes - count_held(std::span(context_.relations).first(wishes), placed.object,
+                                     layout_.room());
+  }
+
+  Result<Placement> search() {
+    scored_.clear(), best_.reset(), proposed_ = 0;
     // Where there is no grid, meaningful poses are all there is.
     if (options_.grid != GridUse::only || task_.object.mount != Mount::floor)
       add(propose_exact(context_));
@@ -196,7 +241,6 @@ class Placing {
     return placement();
   }
 
- private:
   // Without a suggestion, a meaningful pose that holds everything needs no grid beside it, and no
   // grid point is flush with a wall.
   bool meaningful_poses_are_enough() const {
@@ -244,7 +288,11 @@ class Placing {
     if (!best_) scored_.push_back(coarse), best_ = scored_.size() - 1;
   }
 
-  void add(const std::vector<Pose>& poses) {
+  void add(std::vector<Pose> poses) {
+    if (faces_as_said_)
+      std::erase_if(poses, [&](const Pose& pose) {
+        return !follows(task_.object, pose, {{}, context_.suggestion.facing});
+      });
     proposed_ += static_cast<int>(poses.size());
     score_feasible(context_, candidate_, poses, options_, scored_);
   }
@@ -286,6 +334,7 @@ class Placing {
   std::size_t meaningful_ = 0;  ///< the first of scored_ that are no grid points
   std::vector<std::size_t> order_;
   std::optional<std::size_t> best_;
+  bool faces_as_said_ = false;  ///< other poses are left out
   int proposed_ = 0;
 };
 

@@ -24,6 +24,12 @@ bool may_fit(const Vec2& group, const Polygon& room) {
          group.prod() <= box.prod();
 }
 
+// To leave the place that was said is a loss as well.
+int loss(const PlacementTerms& terms) {
+  constexpr double elsewhere = 0.5;
+  return terms.lost + (terms.off > elsewhere ? 1 : 0);
+}
+
 }  // namespace
 
 std::vector<PlacementTask::Companion> companions(const composition::Arranged& arranged,
@@ -58,9 +64,9 @@ Result<PlacedGroup> place_group(Layout& layout, const PlacementTask& anchor,
       if (!refused) refused = placed.error();
       continue;
     }
-    const bool is_better = !best || placed->terms.lost < best->placement.terms.lost;
+    const bool is_better = !best || loss(placed->terms) < loss(best->placement.terms);
     if (is_better) best = PlacedGroup{way, *std::move(placed), std::move(task)};
-    if (best->placement.terms.lost == 0) break;
+    if (loss(best->placement.terms) == 0) break;
   }
   if (best) return *std::move(best);
   if (refused) return *refused;

@@ -1,5 +1,6 @@
 #include "proposals.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace roomgen {
@@ -19,13 +20,14 @@ void add_yaws_to_targets(const ProposalContext& context, const Vec2& from,
 
 }  // namespace
 
+// Rings that lie the farther apart the wider they are.
 std::vector<Vec2> offsets_about_suggestion(double reach) {
-  constexpr double step = 0.03;
-  std::vector<Vec2> offsets;
-  const int most = static_cast<int>(reach / step);
-  for (int j = -most; j <= most; ++j)
-    for (int i = -most; i <= most; ++i)
-      if (const Vec2 offset = step * Vec2(i, j); offset.norm() < reach) offsets.push_back(offset);
+  constexpr double step = 0.01, growth = 0.5;
+  constexpr int directions = 12;
+  std::vector<Vec2> offsets = {Vec2::Zero()};
+  for (double radius = step; radius < reach; radius += std::max(step, growth * radius))
+    for (int i = 0; i < directions; ++i)
+      offsets.push_back(rotated(Vec2(radius, 0.0), 2.0 * pi * i / directions));
   return offsets;
 }
 
@@ -47,7 +49,7 @@ void propose_suggested(const ProposalContext& context, std::vector<Pose>& poses)
   const auto usual = useful_yaws(context);
   for (double yaw : usual) poses.push_back({location, height, yaw});
   if (!context.suggestion.binds) return;
-  for (const Vec2& offset : offsets_about_suggestion(0.10))
+  for (const Vec2& offset : offsets_about_suggestion(0.5))
     for (double yaw : suggested_yaws(context, location + offset, usual))
       poses.push_back({location + offset, height, yaw});
 }

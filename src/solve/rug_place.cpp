@@ -12,7 +12,7 @@ namespace {
 
 // By how much a rug may be larger or smaller than planned, and if nothing else will do.
 constexpr std::array<RugRange, 2> free_ranges = {{{0.5, 1.8}, {0.35, 2.5}}};
-constexpr std::array<RugRange, 2> told_ranges = {{{0.9, 1.1}, {0.65, 1.25}}};
+constexpr RugRange told_range = {0.65, 1.25};
 constexpr double within = 1e-3;      // a part may reach this far over the edge of a rug that it is on
 constexpr double clear = 0.01;       // between a rug and what is not on it
 constexpr double room_slack = 5e-4;  // as the layout has it
@@ -75,6 +75,9 @@ class RugPlace {
       if (opening.is_entrance() && !overlaps(own_, area_before(room, opening), within))
         kept_clear_.push_back(area_before(room, opening));
   }
+
+  /// May it stay as it lies?
+  bool lies_well() const { return loss({-own_.half(), own_.half()}) && loss(own_); }
 
   std::optional<Object> best(const RugRange& range) const {
     std::optional<Object> best;
@@ -188,7 +191,9 @@ std::optional<Object> rug_place(const Object& rug, const RugWish& wish, const Ro
                                 std::span<const Object> objects, std::span<const LowThing> things,
                                 const KindTable& kinds) {
   const RugPlace place(rug, wish, room, objects, things, kinds);
-  for (const auto& range : wish.size_told ? told_ranges : free_ranges)
+  if (wish.place_told && place.lies_well()) return rug;
+  if (wish.size_told) return place.best(told_range);
+  for (const auto& range : free_ranges)
     if (auto best = place.best(range)) return best;
   return std::nullopt;
 }

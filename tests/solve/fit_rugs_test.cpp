@@ -128,6 +128,21 @@ TEST_CASE("A rug under all or nothing of what stands there stays as it lies") {
   CHECK(objects[0].position == Vec3(3, 3, 0));
 }
 
+TEST_CASE("A rug stays where it was said to lie, and where it cannot it is rather cut than moved") {
+  const std::vector<Object> between = {table("table-0", {3, 3}), rug({0.7, 3}, {3, 3})};
+  for (const bool told : {false, true}) {
+    auto objects = between;  // its legs might come onto a larger one
+    fit(rooms::box(6, 6), objects, {{"rug-0", true, false, 0, told}});
+    CHECK((objects[1].size == between[1].size) == told);
+  }
+  std::vector<Object> objects = {rooms::thing("chest-0", "chest", {3, 0.9, 0.8}, {3, 1.8}),
+                                 rooms::thing("chest-1", "chest", {3, 0.9, 0.8}, {3, 4.2}),
+                                 rug({3, 1.8}, {3, 3})};
+  CHECK(fit(rooms::box(6, 6), objects, {{"rug-0", true, true, 0, true}}).uneven.empty());
+  CHECK((objects[2].position - Vec3(3, 3, 0)).norm() < 0.1);
+  CHECK(objects[2].size.y() > 1.3);
+}
+
 TEST_CASE("The chairs of a table come onto its rug") {
   Object chair = rooms::thing("chair-0", "chair", {0.5, 0.5, 0.9}, {3, 1.9});
   chair.relations = {{RelationKind::around, "table-0"}};
