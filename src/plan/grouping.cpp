@@ -64,6 +64,8 @@ class Gatherer {
 
   void make_told_block(std::size_t told) {
     const Draft thing = drafts_[told];
+    // Who sits in a ring looks at its middle: a lamp at each would turn them off it.
+    if (thing.formation->is_round() && kinds_.is_a(thing.item.category, "seat")) return make_block(thing, {}, told);
     FitRequest request = request_;
     request.unit_of = thing.item.category;
     const auto [best, anchor] = best_fit(request, [&](std::size_t i) {

@@ -235,21 +235,36 @@ TEST_CASE("things in rows have their places, all inside the room and clear of ea
                                "a classroom with twelve desks in rows of four",
                                "nine plinths in a 3 by 3 grid"}) {
       const Plan plan = plan_of(prompt, seed);
-      std::vector<const PlanItem*> placed;
-      for (const auto& item : plan.items)
-        if (item.asked && item.location && item.category != "lectern") placed.push_back(&item);
+      const auto placed = test::in_block(plan);
       INFO(prompt << ", seed " << seed);
       REQUIRE(placed.size() >= 9);
-      std::set<long> lines[2];
+      REQUIRE(plan.groups.front().location);
+      std::vector<double> lines[2];
       for (std::size_t i = 0; i < placed.size(); ++i) {
-        CHECK(contains(plan.room.polygon, *placed[i]->location));
-        for (int axis : {0, 1}) lines[axis].insert(std::lround((*placed[i]->location)[axis] * 100));
-        for (std::size_t j = 0; j < i; ++j)
-          CHECK((*placed[i]->location - *placed[j]->location).cwiseAbs().maxCoeff() >=
-                placed[i]->size->head<2>().minCoeff());
+        CHECK(contains(plan.room.polygon, placed[i]));
+        for (int axis : {0, 1}) {
+          const double at = placed[i].center()[axis];
+          const auto is_known = [&](double line) { return std::abs(line - at) < 0.01; };
+          if (std::none_of(lines[axis].begin(), lines[axis].end(), is_known)) lines[axis].push_back(at);
+        }
+        for (std::size_t j = 0; j < i; ++j) CHECK(gap(placed[i], placed[j]) > 0.0);
       }
       CHECK(lines[0].size() * lines[1].size() == placed.size());
     }
+}
+
+TEST_CASE("islands are of as many as were said, pushed together and apart from each other") {
+  for (std::uint64_t seed = 0; seed < 3; ++seed) {
+    const Plan plan = plan_of("a primary classroom with desks for 16 pupils pushed together in islands of four", seed);
+    INFO("seed " << seed);
+    const auto desks = test::in_block(plan);
+    REQUIRE(desks.size() == 16);
+    for (const auto& desk : desks) {
+      const auto together = std::count_if(desks.begin(), desks.end(), [&](const Footprint& other) { return gap(desk, other) < 0.02; });
+      CHECK(together >= 3);  // with itself
+      CHECK(together <= 4);
+    }
+  }
 }
 
 TEST_CASE("words of light set the light of the room, and those of things or denied do not") {
