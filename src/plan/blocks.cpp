@@ -11,7 +11,7 @@ namespace roomgen::plan {
 
 namespace {
 
-constexpr double least_behind = 0.5, least_beside = 0.1, in_one_row = 0.02;  ///< metres between things
+constexpr double least_behind = 0.5, behind_seats = 0.75, least_beside = 0.1, in_one_row = 0.02;  ///< metres between things
 constexpr double around_focus = 0.35;   ///< metres between what stands in the middle and those around it
 constexpr double free_middle = 0.5;     ///< metres from the middle to the fronts around it, where nothing stands there
 constexpr double view = 1.4;            ///< metres between those in an arc and what they look at
@@ -51,7 +51,7 @@ bool is_at(const brief::Demand& demand) {
 }
 
 // What is told of its place at the thing; what is only near stands off a corner, where no seat is.
-nlohmann::json part_of_companion(const Draft& companion, const KindTable& kinds) {
+nlohmann::json part_of_companion(const Draft& companion, std::size_t number, const KindTable& kinds) {
   const PlanItem& item = companion.item;
   nlohmann::json part{{"part", item.part}, {"kind", item.category}, {"count", item.quantity}};
   const bool sits = kinds.is_a(item.category, "seat");
@@ -85,7 +85,11 @@ nlohmann::json part_of_companion(const Draft& companion, const KindTable& kinds)
     return part;
   }
   part["of"] = block_unit;
-  part["at"] = {"unit_w / 2 + " + item.part + "_w / 2", "unit_d / 2 + " + item.part + "_d / 2"};
+  const char* turn[] = {"", "-1 * ", "", "-1 * "};
+  const auto off = [&](const char* sign, const std::string& side) {
+    return sign + ("(unit_" + side + " / 2 + " + item.part + "_" + side + " / 2)");
+  };
+  part["at"] = {off(turn[number % 4], "w"), off(turn[number / 2 % 4], "d")};
   part.erase("count");
   return part;
 }
@@ -95,9 +99,8 @@ nlohmann::json open_parameter() {
 }
 
 // Between neighbours stays open what the thing wants, less what the unit has there anyway.
-std::string pitch(const char* side, double least, double thing, double reserve) {
-  const std::string unit = std::string("unit_") + side;
-  return unit + " + max(" + metres(least) + ", open * (" + metres(thing + reserve) + " - " + unit + "))";
+std::string pitch(const std::string& unit, double least, double usual, double with_reserve) {
+  return unit + " + max(" + metres(least) + ", open * max(" + metres(usual) + ", " + metres(with_reserve) + " - " + unit + "))";
 }
 
 nlohmann::json rows_of(const FormedBlock& block, const KindTable& kinds, const Arrangements& arrangements) {
@@ -107,17 +110,21 @@ nlohmann::json rows_of(const FormedBlock& block, const KindTable& kinds, const A
     return reserve[static_cast<std::size_t>(one)] + reserve[static_cast<std::size_t>(other)];
   };
   const double beside = block.formation.rows == 1 ? in_one_row : least_beside;
+  // Behind who sits at something one passes.
+  const bool has_seats = !block.composition.empty() || !block.companions.empty();
+  const double behind = has_seats ? behind_seats : least_behind;
   auto unit = unit_of(block);
   const auto count = static_cast<double>(block.count);
   unit["repeat"] = {{"rows", "ceil(" + metres(count) + " / columns)"},
                     {"columns", "columns"},
                     {"number", count},
-                    {"across", pitch("w", beside, item.size->x(), open(Side::left, Side::right))},
-                    {"along", pitch("d", least_behind, item.size->y(), open(Side::front, Side::back))}};
+                    {"across", pitch("unit_w", beside, beside, item.size->x() + open(Side::left, Side::right))},
+                    {"along", pitch("unit_d", least_behind, behind, item.size->y() + open(Side::front, Side::back))}};
   const double columns = static_cast<double>(columns_of(block.formation, static_cast<std::size_t>(block.count)));
   const nlohmann::json across = {{"default", columns}, {"least", 1}, {"most", count}};
   auto parts = nlohmann::json::array({unit});
-  for (const auto& companion : block.companions) parts.push_back(part_of_companion(companion, kinds));
+  for (std::size_t i = 0; i < block.companions.size(); ++i)
+    parts.push_back(part_of_companion(block.companions[i], i, kinds));
   return {{"parameters", {{"columns", across}, {"open", open_parameter()}}}, {"parts", parts}};
 }
 
@@ -144,7 +151,8 @@ nlohmann::json ring_of(const FormedBlock& block, const KindTable& kinds) {
     unit["of"] = block_focus, unit["at"] = {0, 0};
   }
   parts.push_back(std::move(unit));
-  for (const auto& companion : block.companions) parts.push_back(part_of_companion(companion, kinds));
+  for (std::size_t i = 0; i < block.companions.size(); ++i)
+    parts.push_back(part_of_companion(block.companions[i], i, kinds));
   return {{"parameters", {{"open", open_parameter()}}}, {"parts", parts}};
 }
 
@@ -324,7 +332,10 @@ std::vector<std::size_t> told_companions(const Draft& thing, int count, const st
     const bool is_told = std::all_of(one.demands.begin(), one.demands.end(), [&](const brief::Demand& demand) {
       return demand.mention != brief::Demand::none && demand.mention == thing.mention && is_at(demand);
     });
-    if (is_told && thing.mention != brief::Demand::none) found.push_back(i);
+    // What is larger finds its own place near by.
+    constexpr double largest = 1.2;
+    const bool is_small = one.item.size && one.item.size->head<2>().maxCoeff() < largest;
+    if (is_told && is_small && thing.mention != brief::Demand::none) found.push_back(i);
   }
   return found;
 }

@@ -15,7 +15,7 @@ using composition::Values;
 
 // What a group is worth: things that stand in their place, against parts that nobody has and things
 // that are left over.
-constexpr double of_missing = 0.15, of_misfit = 0.6, of_other_kind = 0.3, of_very_kind = 1.0, least_gain = 0.5;
+constexpr double of_missing = 0.15, of_misfit = 0.6, of_other_kind = 0.3, of_very_kind = 1.0, of_dressing = 0.4, least_gain = 0.5;
 constexpr int most_values = 40;
 
 // Said of a place at the anchor that any of its patterns gives.
@@ -99,7 +99,7 @@ bool Fitting::belongs(const Draft& draft, const PartCount& part) const {
 }
 
 bool Fitting::is_plain_word_for(const Draft& draft, const std::string& kind) const {
-  static const std::set<std::string, std::less<>> plain = {"chair", "stool", "table", "lamp"};
+  static const std::set<std::string, std::less<>> plain = {"chair", "stool", "lamp"};
   return plain.count(draft.item.category) > 0 && kinds_.is_a(kind, draft.item.category);
 }
 
@@ -153,15 +153,19 @@ std::vector<PartUse> Fitting::uses_of(const PartCounts& counts, const std::vecto
 
 double Fitting::gain_of(const PartCounts& counts, const std::vector<Draft>& drafts,
                          std::size_t anchor) const {
-  std::vector<int> got(counts.size(), 0), left;
+  std::vector<int> got(counts.size(), 0), got_asked = got, left;
   std::set<std::size_t> used;
   for (const auto& use : uses_of(counts, drafts, anchor, left)) {
     got[use.part] += use.quantity;
+    if (drafts[use.draft].item.asked) got_asked[use.part] += use.quantity;
     if (use.draft != anchor) used.insert(use.draft);
   }
   double gain = -1.0;  // the anchor itself is no gain
   for (std::size_t i = 0; i < counts.size(); ++i) {
-    if (!is_placed_with_anchor(counts[i].mount)) continue;
+    if (!is_placed_with_anchor(counts[i].mount)) {
+      gain += of_dressing * got_asked[i];
+      continue;
+    }
     gain += got[i];
     const int missing = counts[i].count - got[i];
     const bool may_come = counts[i].count == 1 && kinds_.is_a(counts[i].kind, "seat");

@@ -4,6 +4,7 @@
 
 #include "block_site.h"
 #include "blocks.h"
+#include "brief/table_size.h"
 #include "composition/plan_groups.h"
 #include "roomgen/base/text.h"
 
@@ -11,7 +12,7 @@ namespace roomgen::plan {
 
 namespace {
 
-constexpr double way_beside = 0.9, way_around = 1.8;  ///< metres of a room beside a group, around a block
+constexpr double way_beside = 0.9, way_around = 2.2;  ///< metres of a room beside a group, around a block
 constexpr double between_groups = 0.7;                ///< metres of floor between them
 
 // A thing of a draft, and the rest of it.
@@ -69,7 +70,8 @@ class Gatherer {
     FitRequest request = request_;
     request.unit_of = thing.item.category;
     const auto [best, anchor] = best_fit(request, [&](std::size_t i) {
-      return i == told || drafts_[i].item.quantity >= thing.item.quantity;
+      const bool may_lead = kinds_.is_a(drafts_[i].item.category, "seat");  // the chair of a desk
+      return i == told || (may_lead && drafts_[i].item.quantity >= thing.item.quantity);
     });
     make_block(thing, best, best.composition ? anchor : told);
   }
@@ -237,8 +239,20 @@ class Gatherer {
     for (const std::size_t i : told_companions(block.thing, block.count, drafts_)) {
       drafts_[i].item.group = block.group, drafts_[i].item.part = "at" + std::to_string(block.companions.size());
       block.companions.push_back(drafts_[i]);
-      block.companions.back().item.quantity /= block.count;
+      Draft& companion = block.companions.back();
+      companion.item.quantity /= block.count;
+      if (is_drawn_up(companion)) suit(block, companion.item.quantity);
     }
+  }
+
+  // Large enough for those who sit there, unless its size is said.
+  void suit(FormedBlock& block, int seats) {
+    const auto& category = block.thing.item.category;
+    if (block.thing.sized || !block.thing.item.size || !kinds_.is_a(category, "table")) return;
+    const Vec3 size = brief::table_for(*block.thing.item.size, kinds_.get(category).traits.round, seats);
+    block.thing.item.size = size;
+    for (auto& draft : drafts_)
+      if (draft.item.group == block.group && draft.item.part == block_unit) draft.item.size = size;
   }
 
   // As a whole it looks there: only who sits in the middle does so straight.
