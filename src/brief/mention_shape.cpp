@@ -119,8 +119,8 @@ void shape(Mention& mention, const ThingPhrase& phrase, const Vocabulary& words,
       mention.size = mention.size.cwiseProduct(size->second);
       mention.sized = true;
     }
-  if (table.is_a(mention.category, "table")) mention.seats = phrase.seats;
-  if (phrase.seats > 0 && table.is_a(mention.category, "dining table")) {
+  if (table.is_a(mention.category, "table") && !table.is_a(mention.category, "desk")) mention.seats = phrase.seats;
+  if (mention.seats > 0) {
     mention.size = table_for(mention.size, table.get(mention.category).traits.round, phrase.seats);
     mention.sized = true;
   }

@@ -54,10 +54,14 @@ class FormationReader {
     take_word_before(said, {"a", "an", "one", "the"});
     const auto first = said.tokens.begin;
     take_word_before(said, forming());
-    const bool is_led = said.tokens.begin < first && !phrase_over(words.end) && !describes_something(words.end - 1);
+    bool is_led = said.tokens.begin < first && !phrase_over(words.end) && !describes_something(words.end - 1);
+    // "four islands of six desks"
+    const auto [islands, length] = are_islands ? number_before(words.begin) : std::pair<int, std::uint32_t>{0, 0};
+    if (islands > 0 && reading_.is_word(words.end, "of")) said.tokens.begin = words.begin - length, is_led = true;
     if (reading_.is_word(words.end, "of")) {
       read_size(words.end + 1, said);
       if (!are_islands) std::swap(said.formation.columns, said.number);
+      said.number = are_islands ? islands * said.formation.columns : said.number;
     }
     return is_led || said.in_front ? std::optional(said) : std::nullopt;
   }
@@ -184,7 +188,8 @@ class FormationReader {
   void form(std::size_t index, const SaidFormation& said) {
     Mention& mention = reading_.brief.mentions[index];
     if (!may_stand_in_rows(index, said.formation) || mention.formation) return;
-    const int all = said.formation.is_round() ? said.number : said.formation.rows * said.formation.columns;
+    const bool are_islands = said.formation.shape == Formation::Shape::islands;
+    const int all = said.formation.is_round() || are_islands ? said.number : said.formation.rows * said.formation.columns;
     // "three rows of five seats": five are said, fifteen meant.
     if (all > 0 && (!mention.counted || mention.quantity == said.formation.columns))
       reading_.talk.set_count(index, all);

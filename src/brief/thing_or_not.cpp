@@ -77,7 +77,7 @@ bool ThingOrNot::is_formation(std::int32_t id) const {
   const bool is_island = shape != reading_.words.round_formations.end() && shape->second.shape == Formation::Shape::islands;
   if (!is_row && !is_island && !reading_.words.groups.count(noun)) return false;
   return std::any_of(reading_.parse.attachments.begin(), reading_.parse.attachments.end(), [&](const Attachment& one) {
-    if (one.from == id && one.relation == "of") return is_row || is_number(one.to);
+    if (one.from == id && one.relation == "of") return is_row || is_number(one.to) || (is_island && reading_.phrase(one.to).count > 0);
     return one.to == id && one.relation == "in" && is_row;
   });
 }

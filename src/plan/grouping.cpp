@@ -13,6 +13,7 @@ namespace roomgen::plan {
 namespace {
 
 constexpr double way_beside = 0.9, way_around = 2.2;  ///< metres of a room beside a group, around a block
+constexpr std::size_t many = 24;                      ///< things of a group that one walks around
 constexpr double between_groups = 0.7;                ///< metres of floor between them
 
 // A thing of a draft, and the rest of it.
@@ -132,7 +133,13 @@ class Gatherer {
              return limit.mount ? *limit.mount == Mount::surface : limit.on != brief::no_mention;
            });
   }
-  bool may_come(const std::string& kind) const { return !brief_.bare && !kinds_.is_any_of(kind, brief_.excluded); }
+  // Nothing that is excluded, or beyond the number that was asked for.
+  bool may_come(const std::string& kind) const {
+    return !brief_.bare && !kinds_.is_any_of(kind, brief_.excluded) &&
+           std::none_of(brief_.mentions.begin(), brief_.mentions.end(), [&](const brief::Mention& mention) {
+             return mention.counted && kinds_.is_a(kind, mention.category);
+           });
+  }
   // Dressing; and who works at a desk needs a chair, whoever else sits there.
   bool comes_along(const PartCount& part) const {
     if (!is_placed_with_anchor(part.mount)) return may_dress(part.kind);
@@ -168,7 +175,8 @@ class Gatherer {
       taken.push_back(split_off(drafts_[use.draft], quantity, group.id, path + part.part));
       // Numbers that were asked for stay.
       if (taken.back().item.asked && path.empty())
-        for (const auto& parameter : fit.composition->parameters) group.fixed.insert(parameter.name);
+        for (const auto& parameter : fit.composition->parameters)
+          if (parameter.shrinks || fit.values.count(parameter.name) > 0) group.fixed.insert(parameter.name);
     }
     for (std::size_t i = 0; i < fit.counts.size(); ++i)
       if (!has[i] && !comes_along(fit.counts[i])) group.without.insert(path + fit.counts[i].part);
@@ -295,7 +303,8 @@ Grouping::Floor Grouping::floor_of(std::vector<Draft> drafts, const brief::Brief
     if (!ways) continue;
     const Vec2 box = composition::box_of(ways->front(), kinds_).size();
     floor.area += (box.array() + between_groups).prod();
-    const Vec2 with_way = box.array() + (group.definition.empty() ? way_beside : way_around);
+    const bool is_block = !group.definition.empty() || ways->front().members.size() >= many;
+    const Vec2 with_way = box.array() + (is_block ? way_around : way_beside);
     if (with_way.prod() > floor.largest.prod()) floor.largest = with_way;
   }
   return floor;
