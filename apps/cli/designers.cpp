@@ -5,7 +5,6 @@
 #include "no_fallback.h"
 #include "print.h"
 #include "roomgen/base/file.h"
-#include "roomgen/design/designer.h"
 #include "roomgen/kinds/kind_table.h"
 #include "roomgen/render/pictures.h"
 #ifdef ROOMGEN_HAS_AGENT

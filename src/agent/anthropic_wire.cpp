@@ -6,7 +6,6 @@
 #include "base/json_reader.h"
 #include "base64.h"
 #include "roomgen/base/json.h"
-#include "wire.h"
 
 namespace roomgen {
 

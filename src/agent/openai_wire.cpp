@@ -7,7 +7,6 @@
 #include "base64.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
-#include "wire.h"
 
 namespace roomgen {
 

@@ -1,8 +1,5 @@
 #include "wire.h"
 
-#include <nlohmann/json.hpp>
-
-#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "utf8.h"
 

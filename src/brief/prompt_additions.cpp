@@ -1,7 +1,5 @@
 #include "prompt_additions.h"
 
-#include <algorithm>
-
 #include "language/function_word.h"
 #include "language/inflection.h"
 #include "language/lexicon.h"

@@ -5,7 +5,6 @@
 
 #include "base/json_literal.h"
 #include "loose_parser.h"
-#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen {

@@ -1,7 +1,6 @@
 #include "compose.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <utility>
 

@@ -1,6 +1,5 @@
 #include "reply_facing.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -8,7 +7,6 @@
 
 #include "brief/reply_measure.h"
 #include "reply_words.h"
-#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "scene/judgement.h"
 #include "scene/room_part.h"

@@ -1,8 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
-#include <vector>
 
 #include "roomgen/base/json.h"
 #include "roomgen/scene/relation.h"

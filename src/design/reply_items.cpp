@@ -7,7 +7,6 @@
 
 #include "brief/reply_measure.h"
 #include "chat/loose_json.h"
-#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen::design {

@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 
 #include "brief/reply_measure.h"
-#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen::design {

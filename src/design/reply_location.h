@@ -1,8 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
-#include <vector>
 
 #include "reply_notes.h"
 #include "roomgen/base/json.h"

@@ -8,7 +8,6 @@
 
 #include "chat/loose_json.h"
 #include "reply_words.h"
-#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "scene/room_part.h"
 

@@ -10,7 +10,6 @@
 #include "chat/loose_json.h"
 #include "plan/floor_plan.h"
 #include "plan/room_openings.h"
-#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen::design {

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <span>
 
 #include "base/random.h"
 #include "brief/room_kinds.h"

@@ -1,7 +1,6 @@
 #include "floor_points.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "solve/trials.h"
 

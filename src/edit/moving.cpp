@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include "group_moves.h"
 #include "grouping.h"

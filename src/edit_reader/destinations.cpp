@@ -1,9 +1,7 @@
 #include "destinations.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include "brief/placement_phrase.h"
 #include "reference_tails.h"
 #include "room_names.h"
 #include "roomgen/base/text.h"

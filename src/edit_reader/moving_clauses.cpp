@@ -1,5 +1,3 @@
-#include "clause.h"
-
 #include <algorithm>
 
 #include "gaps.h"

@@ -1,7 +1,5 @@
 #include "sharing.h"
 
-#include <algorithm>
-
 namespace roomgen {
 
 namespace {

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cmath>
 
 #include "brief/placement_phrase.h"

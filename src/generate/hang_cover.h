@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "workplace.h"
 
 namespace roomgen {

@@ -1,7 +1,6 @@
 #include "place.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "exact_choice.h"

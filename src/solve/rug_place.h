@@ -1,9 +1,7 @@
 #pragma once
 
 #include <optional>
-#include <set>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "fit_rugs.h"

@@ -1,7 +1,6 @@
 #include "tools.h"
 
 #include <nlohmann/json.hpp>
-#include <string_view>
 
 #include "about.h"
 #include "resources.h"

@@ -1,7 +1,6 @@
 #include "navigability.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <vector>
 
