@@ -1,11 +1,10 @@
-#include "anthropic_wire.h"
-
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "base/json_reader.h"
 #include "base64.h"
 #include "roomgen/base/json.h"
+#include "wire.h"
 
 namespace roomgen {
 

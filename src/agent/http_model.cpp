@@ -2,13 +2,12 @@
 
 #include <nlohmann/json.hpp>
 
-#include "anthropic_wire.h"
 #include "clock.h"
 #include "http_status.h"
-#include "openai_wire.h"
 #include "retrying_sender.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
+#include "wire.h"
 
 namespace roomgen {
 

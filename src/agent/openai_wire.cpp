@@ -1,5 +1,3 @@
-#include "openai_wire.h"
-
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -7,6 +5,7 @@
 #include "base64.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
+#include "wire.h"
 
 namespace roomgen {
 

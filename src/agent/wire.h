@@ -45,4 +45,14 @@ Error refused(const std::string& source, std::string_view why);
 /// "image/png" or "image/jpeg", as the file's first bytes say.
 std::string media_type(std::string_view file);
 
+/// The body of POST …/chat/completions.
+Json openai_body(const ChatRequest& request, const std::string& model, const Dialect& dialect);
+
+Result<ChatReply> read_openai_reply(const Json& answer, const std::string& source);
+
+/// The body of POST …/v1/messages. A schema goes out as the input of a tool that must be used.
+Json anthropic_body(const ChatRequest& request, const std::string& model, const Dialect& dialect);
+
+Result<ChatReply> read_anthropic_reply(const Json& answer, const std::string& source);
+
 }  // namespace roomgen

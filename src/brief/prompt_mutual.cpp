@@ -1,6 +1,6 @@
-#include "prompt_mutual.h"
-
 #include <algorithm>
+
+#include "place_readers.h"
 
 namespace roomgen::brief {
 

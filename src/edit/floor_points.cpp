@@ -1,7 +1,6 @@
-#include "floor_points.h"
-
 #include <algorithm>
 
+#include "placing.h"
 #include "solve/trials.h"
 
 namespace roomgen {

@@ -116,4 +116,36 @@ std::optional<Read<std::string>> parts_at(const EditText& text, std::size_t at);
 /// "the crib's legs shorter", "the backs of the armchairs taller"
 std::optional<ReadClause> read_form(const EditText& text, std::size_t at);
 
+/// "a gap of 5 cm from the nightstand to the bed", "60 cm of free space to the wardrobe": a distance that shall be
+/// left between things. `subjects` are what the clause is about, none where the words name both.
+struct KeptGap {
+  double metres = 0.0;
+  Ids first;           ///< that moves
+  std::string second;  ///< a thing, a wall or an opening
+};
+MayRead<KeptGap> gap_at(const EditText& text, std::size_t at, const Ids& subjects);
+
+/// Moves the first ones straight to or from the second until that is left between them.
+ReadClause keep_gap(const EditText& text, const Read<KeptGap>& gap);
+
+/// Where a thing or a part of the room lies, as seen from an object.
+Vec2 middle_of_target(const EditText& text, const Object& object, const std::string& target);
+
+/// Each of the things by so much, or nearer to what it says, or farther from it.
+ReadClause read_shift(const EditText& text, const Ids& ids, const Shifting& how, bool group);
+
+/// "to face each other", "side by side against the wall"
+std::optional<ReadClause> read_mutual(const EditText& text, const Read<Ids>& what);
+/// "with its back to the bed": the front away from it.
+std::optional<ReadClause> read_facing_away(const EditText& text, const Read<Ids>& what);
+/// Where things shall go, behind their names.
+ReadClause put_there(const EditText& text, Read<Ids> what);
+
+/// What is wrong with a thing, which says how it shall be: "the sofa is too close to the TV", "the table is too small
+/// for us", "the lamp is in the way of the door". Nothing where nobody complains.
+std::optional<ReadClause> complaint_at(const EditText& text, std::size_t at);
+
+/// "except the bed", behind a clause that is about several things: these are left as they are.
+void leave_out_exceptions(const EditText& text, Clause& clause);
+
 }  // namespace roomgen

@@ -2,11 +2,9 @@
 
 #include <algorithm>
 
-#include "reference_tails.h"
+#include "clause_parts.h"
 #include "room_names.h"
 #include "roomgen/base/text.h"
-#include "spots.h"
-#include "wall_phrases.h"
 #include "edit/walls.h"
 
 namespace roomgen {

@@ -84,4 +84,24 @@ struct Shifting {
 std::optional<Result<Shifting>> shifting_at(const EditText& text, std::size_t at,
                                             const std::vector<std::string>& subjects);
 
+/// Places that words tell by the pose of a thing: "where the lamp is now", "in the place of the chair", "the left edge
+/// of the desk", "the foot of the bed". `subjects` shall go there; for what stands on the floor the sides of a thing
+/// are relations.
+std::optional<Result<Whereabouts>> spot_at(const EditText& text, std::size_t at,
+                                           const std::vector<std::string>& subjects);
+
+/// A wall that words name, and where on it.
+struct NamedWall {
+  std::size_t wall = 0;
+  std::optional<double> at;
+  std::size_t end = 0;
+};
+
+/// "in the left wall", "the wall behind the sofa"
+std::optional<NamedWall> wall_at(const EditText& text, std::size_t at);
+/// "behind the sink", "opposite the door", "with the window", after "the wall"; `may_be_near`: "by the bed" too.
+std::optional<NamedWall> wall_by_target(const EditText& text, std::size_t at, bool may_be_near);
+/// The one that looks at it.
+std::size_t wall_opposite(const Room& room, std::size_t wall);
+
 }  // namespace roomgen

@@ -1,4 +1,4 @@
-#include "sharing.h"
+#include "clause_parts.h"
 
 namespace roomgen {
 

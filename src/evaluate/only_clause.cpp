@@ -1,7 +1,6 @@
-#include "only_clause.h"
-
 #include <algorithm>
 
+#include "clauses.h"
 #include "scene/mount_attribute.h"
 
 namespace roomgen {

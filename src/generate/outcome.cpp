@@ -1,9 +1,8 @@
-#include "outcome.h"
-
 #include <algorithm>
 #include <cmath>
 #include <set>
 
+#include "builder_steps.h"
 #include "roomgen/base/text.h"
 #include "evaluate/attributes.h"
 #include "evaluate/ledger.h"

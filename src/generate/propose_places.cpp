@@ -1,9 +1,7 @@
-#include "propose_places.h"
-
 #include "attempts.h"
+#include "builder_steps.h"
 #include "consult.h"
 #include "fits_as_it_is.h"
-#include "hang_cover.h"
 #include "prepare.h"
 #include "solve/place.h"
 

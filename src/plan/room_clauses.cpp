@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "brief/bound_mentions.h"
-#include "brief/prompt_remarks.h"
+#include "brief/prompt_passes.h"
 #include "library/style_words.h"
 #include "roomgen/base/text.h"
 #include "roomgen/geometry/polygon.h"

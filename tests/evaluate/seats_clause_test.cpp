@@ -1,7 +1,7 @@
 // Seats for so many people, against sums of their own on random scenes.
 #include "base/random.h"
 #include "catch.h"
-#include "evaluate/seats_clause.h"
+#include "evaluate/clauses.h"
 #include "roomgen/kinds/kind_table.h"
 #include "scene/seats_attribute.h"
 #include "support/rooms.h"

@@ -4,7 +4,7 @@
 #include "face_names.h"
 #include "names.h"
 #include "read_room_wish.h"
-#include "read_term.h"
+#include "read_set.h"
 #include "roomgen/base/file.h"
 #include "scene/file_limits.h"
 

@@ -18,4 +18,6 @@ class ReadingBudget {
 
 ProgramSet read_set(const JsonReader& json, ReadingBudget& budget, int depth = 0);
 
+ProgramTerm read_term(const JsonReader& json, ReadingBudget& budget, int depth = 0);
+
 }  // namespace roomgen::lab

@@ -1,9 +1,8 @@
-#include "navigability.h"
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
+#include "physics.h"
 #include "roomgen/geometry/polygon.h"
 
 namespace roomgen::lab::sceneeval {
