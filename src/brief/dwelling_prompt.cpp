@@ -1,6 +1,6 @@
 #include "dwelling_prompt.h"
 
-#include "dwelling_clauses.h"
+#include "dwelling_reading.h"
 #include "style_phrase.h"
 #include "token_readers.h"
 

@@ -6,7 +6,7 @@
 #include <set>
 #include <tuple>
 
-#include "alternatives.h"
+#include "arrange.h"
 
 namespace roomgen::composition {
 

@@ -1,7 +1,9 @@
 #pragma once
 
 #include "chat/interview.h"
+#include "roomgen/base/result.h"
 #include "roomgen/create/maker.h"
+#include "roomgen/shape/evaluate.h"
 
 namespace roomgen::create {
 
@@ -26,5 +28,8 @@ Result<Reading<shape::Shape>> read_mesh_reply(const std::string& text, const std
 
 /// {"passes": true, "reason": "a chair"}. An error is what to tell the model.
 Result<Reading<Verdict>> read_verdict_reply(const std::string& text);
+
+/// Is it as large as things in rooms are? The error says how large it is.
+Status check_extent(const shape::Shape& shape);
 
 }  // namespace roomgen::create

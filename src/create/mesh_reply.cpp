@@ -8,7 +8,6 @@
 #include "roomgen/base/text.h"
 #include "roomgen/shape/primitives.h"
 #include "shape/color.h"
-#include "shape_checks.h"
 
 namespace roomgen::create {
 

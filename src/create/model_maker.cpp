@@ -1,11 +1,10 @@
+#include "maker_questions.h"
 #include "maker_replies.h"
 #include "roomgen/create/maker.h"
 
 #include "description_words.h"
 #include "chat/interview.h"
 #include "kinds.h"
-#include "reply_schema.h"
-#include "request_text.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen::create {

@@ -7,7 +7,6 @@
 #include "program_repair.h"
 #include "roomgen/base/text.h"
 #include "roomgen/shape/evaluate.h"
-#include "shape_checks.h"
 
 namespace roomgen::create {
 

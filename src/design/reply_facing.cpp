@@ -1,11 +1,10 @@
-#include "reply_facing.h"
-
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "brief/reply_measure.h"
+#include "place_answers.h"
 #include "reply_words.h"
 #include "roomgen/base/text.h"
 #include "scene/judgement.h"

@@ -5,7 +5,6 @@
 #include "plan/floor_plan.h"
 #include "plan/looks.h"
 #include "plan/opening_plan.h"
-#include "plan/palette.h"
 #include "roomgen/base/text.h"
 #include "roomgen/design/designer.h"
 #include "scene/dwelling.h"

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "edited_ledger.h"
+#include "draft_changes.h"
 #include "placing.h"
 #include "roomgen/base/text.h"
 

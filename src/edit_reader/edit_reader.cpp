@@ -1,8 +1,7 @@
-#include "edit_reader.h"
-
 #include <algorithm>
 
 #include "clause.h"
+#include "edit_words.h"
 #include "gathered_edits.h"
 #include "room_scopes.h"
 #include "spoken_clause.h"

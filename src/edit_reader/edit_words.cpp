@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "edit_reader.h"
 #include "wording.h"
 
 namespace roomgen {

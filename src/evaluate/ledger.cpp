@@ -11,9 +11,8 @@
 #include "identity.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
+#include "scene/attribute_names.h"
 #include "scene/judgement.h"
-#include "scene/mount_attribute.h"
-#include "scene/seats_attribute.h"
 
 namespace roomgen {
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "clauses.h"
-#include "scene/mount_attribute.h"
+#include "scene/attribute_names.h"
 
 namespace roomgen {
 

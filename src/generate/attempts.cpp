@@ -3,11 +3,9 @@
 #include <optional>
 
 #include "consult.h"
-#include "groups.h"
 #include "objections.h"
 #include "prepare.h"
 #include "solve/improve.h"
-#include "solve/make_room.h"
 #include "solve/place.h"
 
 namespace roomgen {

@@ -1,5 +1,3 @@
-#include "groups.h"
-
 #include <algorithm>
 
 #include "attempts.h"

@@ -44,4 +44,7 @@ void complete(std::vector<Draft>& drafts, const brief::Brief& brief, const brief
               const brief::RoomKind& kind, const Vec2& room, const KindTable& table,
               const Looks& looks, Random random);
 
+/// Makes the tables that the prompt asks for, without saying how large, fit the seats it asks for.
+void fit_tables(std::vector<Draft>& drafts, const brief::Brief& brief, const KindTable& table);
+
 }  // namespace roomgen::plan

@@ -9,7 +9,7 @@
 #include "library/style_words.h"
 #include "roomgen/base/text.h"
 #include "roomgen/geometry/polygon.h"
-#include "scene/seats_attribute.h"
+#include "scene/attribute_names.h"
 
 namespace roomgen::plan {
 

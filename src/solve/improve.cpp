@@ -6,7 +6,6 @@
 
 #include "arrange.h"
 #include "place.h"
-#include "polish.h"
 #include "propose.h"
 #include "quality.h"
 #include "scene/judgement.h"

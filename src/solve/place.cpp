@@ -5,7 +5,6 @@
 
 #include "exact_choice.h"
 #include "fuse.h"
-#include "place_usual.h"
 #include "proposals.h"
 #include "quality.h"
 #include "refusal.h"

@@ -3,7 +3,7 @@
 #include "catch.h"
 #include "evaluate/clauses.h"
 #include "roomgen/kinds/kind_table.h"
-#include "scene/seats_attribute.h"
+#include "scene/attribute_names.h"
 #include "support/rooms.h"
 
 using namespace roomgen;

@@ -3,7 +3,6 @@
 #include "base/json_reader.h"
 #include "face_names.h"
 #include "names.h"
-#include "read_room_wish.h"
 #include "read_set.h"
 #include "roomgen/base/file.h"
 #include "scene/file_limits.h"

@@ -20,4 +20,9 @@ ProgramSet read_set(const JsonReader& json, ReadingBudget& budget, int depth = 0
 
 ProgramTerm read_term(const JsonReader& json, ReadingBudget& budget, int depth = 0);
 
+/// "room": what room the program asks for.
+ProgramRoom read_room_wish(const JsonReader& json);
+/// A number is a range of one.
+Range read_program_range(const JsonReader& json, double low, double high);
+
 }  // namespace roomgen::lab

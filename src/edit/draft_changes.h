@@ -1,12 +1,27 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "draft.h"
-#include "roomgen/scene/requirement.h"
 
 namespace roomgen {
+
+/// The thing with another width, depth and height, if such things may be so.
+Result<Object> with_size(const Draft& draft, Object object, const Vec3& size);
+
+/// A thing that is another one now (its mesh, its size) at its place, or a little aside; with all that stood on it
+/// (`before`), as near as can be to where it did. The order of the scene's objects stays.
+Status put_changed(Draft& draft, const Cluster& before, Object changed);
+
+/// A room as it will be, and what goes along with it.
+struct RoomChange {
+  Room room;
+  std::set<std::string> along = {};  ///< ids of what stands at a wall that moves, or hangs from it
+  Vec2 by = Vec2::Zero();            ///< how they go
+};
+
+/// Puts the changed room into the draft. What stood to the things that go along follows them; all else keeps its
+/// pose, unless it would be where nothing may stand any more (docs/constraints.md, "Valid"): then it moves as
+/// little as can be, with its relations. Whatever moved is in Draft::repairs.
+Status change_room(Draft& draft, const RoomChange& change);
 
 /// The draft's requirements, checked on it as it stands now; those withdrawn stay so. Looks of things that are
 /// as they were when the scene was opened keep their verdicts.

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
-#include <string_view>
 
 #include "roomgen/base/json.h"
 
 namespace roomgen {
+
+/// JSON that the program itself wrote: without mistakes.
+Json json_literal(std::string_view text);
 
 /// A member, or null where there is none or nothing that could have one.
 inline const Json& member_of(const Json& value, std::string_view key) {

@@ -1,13 +1,10 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "roomgen/create/maker.h"
-#include "roomgen/shape/program.h"
+
+namespace roomgen::create {
 
 /// What a model is shown of a request.
-namespace roomgen::create {
 
 /// The description as JSON, behind a line that says what it is; empty without parts and sizes.
 std::string description_text(const Description& description);
@@ -17,5 +14,15 @@ std::string examples_text(const std::vector<shape::Program>& examples);
 std::string kinds_text(const std::vector<std::string>& kinds);
 /// One line of JSON.
 std::string program_text(const shape::Program& program);
+
+/// The forms of answers, for models that can be held to one. What is optional in shape programs is
+/// optional here, and the members of drawn solids and of operations are left to the reader: a
+/// grammar of all of them would be larger than most answers.
+
+const Json& verdict_schema();
+const Json& decompose_schema();
+const Json& program_schema();
+const Json& mesh_schema();
+const Json& scores_schema();
 
 }  // namespace roomgen::create
