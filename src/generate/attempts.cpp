@@ -30,12 +30,6 @@ bool squeeze_in(Work& work, PlacementTask& task) {
   return false;
 }
 
-PlaceOptions place_options(const Work& work) {
-  PlaceOptions options = work.place.options.place;
-  options.cancel = work.cancel;
-  return options;
-}
-
 /// The attempts for one object.
 struct Trial {
   const PlannedObject& planned;
@@ -168,7 +162,7 @@ Result<Attempt> try_to_place(Work& work, const PlannedObject& planned, const Ass
   Attempt attempt = begun(asset, advice);
   auto placed = begins_group(work, planned)
                     ? place_with_group(work, planned, task)
-                    : place(work.layout(), task, {}, place_options(work), work.state.random);
+                    : place(work.layout(), task, {}, work.place_options(), work.state.random);
   if (placed) {
     note(*placed, attempt);
     work.layout().add(placed->object);

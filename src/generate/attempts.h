@@ -5,8 +5,9 @@
 
 namespace roomgen {
 
-/// Tries to find an object a place by all means: each asset, for the first one again with other answers,
-/// room made by others, then a repair. Says in `step` what was tried, and why it failed if it did.
+/// Tries to find an object a place by all means: each asset, for the first one again with other
+/// answers, room made by others, then a repair. Says in `step` what was tried, and why it failed if
+/// it did.
 void try_all(Work& work, const PlannedObject& planned, Step& step);
 
 /// An attempt with an asset as the answer says, before its outcome is known.
