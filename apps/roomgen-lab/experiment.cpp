@@ -9,11 +9,10 @@
 #include <vector>
 
 #include "add_commands.h"
-#include "insertions.h"
+#include "experiments.h"
 #include "made.h"
 #include "makers.h"
 #include "options.h"
-#include "program_experiment.h"
 #include "resumable_lines.h"
 #include "room_files.h"
 #include "roomgen/base/file.h"

@@ -1,5 +1,3 @@
-#include "program_experiment.h"
-
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -10,6 +8,7 @@
 
 #include "authors.h"
 #include "descriptions.h"
+#include "experiments.h"
 #include "resumable_lines.h"
 #include "roomgen/base/file.h"
 #include "roomgen/base/json.h"

@@ -2,7 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/json_reader.h"
-#include "base64.h"
+#include "byte_text.h"
 #include "roomgen/base/json.h"
 #include "wire.h"
 

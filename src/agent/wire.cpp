@@ -1,7 +1,7 @@
 #include "wire.h"
 
+#include "byte_text.h"
 #include "roomgen/base/text.h"
-#include "utf8.h"
 
 namespace roomgen {
 

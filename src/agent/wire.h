@@ -12,7 +12,7 @@
 
 namespace roomgen {
 
-// What both protocols share; the rest is in openai_wire.h and anthropic_wire.h. Pure functions: no
+// What both protocols share and, below, what each sends and reads. Pure functions: no
 // network here.
 
 /// Longest text of an answer, bytes; the transport bounds the whole of it before.

@@ -29,8 +29,8 @@ void settle_supports(Brief& brief, const KindTable& table);
 /// enough, and the place on the floor that is said of what they carry.
 void settle_carriers(Brief& brief, const KindTable& table);
 
-/// How many there are of what is named in the plural without a number: one for each of the people, seats for the
-/// tables, as many as what it is joined to ("eight desks and lamps"), else a few.
+/// How many there are of what is named in the plural without a number: one for each of the people,
+/// seats for the tables, as many as what it is joined to ("eight desks and lamps"), else a few.
 void settle_numbers(Brief& brief, const KindTable& table);
 
 /// What stands on several things of a kind, named in the plural without a number: one on each.

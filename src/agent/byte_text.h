@@ -6,6 +6,9 @@
 
 namespace roomgen {
 
+/// RFC 4648, section 4, padded.
+std::string base64(std::string_view bytes);
+
 bool is_utf8(std::string_view text);
 
 /// The beginning of a text for a message: one line of at most `limit` bytes, with "…" when there
