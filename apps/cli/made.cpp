@@ -1,6 +1,5 @@
 #include "made.h"
 
-#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "roomgen/base/json.h"

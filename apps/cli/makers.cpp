@@ -1,7 +1,6 @@
 #include "makers.h"
 
 #include "made.h"
-#include "roomgen/create/maker.h"
 #include "roomgen/render/pictures.h"
 
 namespace roomgen::cli {

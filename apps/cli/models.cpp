@@ -5,7 +5,6 @@
 
 #include "print.h"
 #include "roomgen/import/import.h"
-#include "roomgen/library/library.h"
 #ifdef ROOMGEN_HAS_ASSETS
 #include "roomgen/assets/catalogue.h"
 #endif

@@ -1,7 +1,5 @@
 #include "plan_text.h"
 
-#include <utility>
-
 #include "print.h"
 #include "roomgen/base/text.h"
 #include "roomgen/kinds/kind_table.h"

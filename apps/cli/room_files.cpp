@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "roomgen/generate/generate.h"
 #include "roomgen/render/pictures.h"
 
 namespace roomgen::cli {

@@ -1,10 +1,8 @@
 #include "benchmark_levels.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "roomgen/base/file.h"

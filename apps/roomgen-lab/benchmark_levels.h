@@ -4,7 +4,6 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <vector>
 
 #include "roomgen/base/json.h"
 #include "roomgen/base/result.h"

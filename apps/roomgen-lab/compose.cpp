@@ -7,8 +7,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <string>
-#include <vector>
 
 #include "add_commands.h"
 #include "authors.h"
@@ -19,7 +17,6 @@
 #include "program_files.h"
 #include "room_files.h"
 #include "roomgen/base/file.h"
-#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "summary.h"
 #include "tool_commands.h"

@@ -4,17 +4,15 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "add_commands.h"
-#include "insertions.h"
+#include "experiments.h"
 #include "made.h"
 #include "makers.h"
 #include "options.h"
-#include "program_experiment.h"
 #include "resumable_lines.h"
 #include "room_files.h"
 #include "roomgen/base/file.h"

@@ -1,16 +1,14 @@
-#include "program_experiment.h"
-
 #include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <vector>
 
 #include "authors.h"
 #include "descriptions.h"
+#include "experiments.h"
 #include "resumable_lines.h"
 #include "roomgen/base/file.h"
 #include "roomgen/base/json.h"

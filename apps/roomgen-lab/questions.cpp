@@ -1,16 +1,12 @@
 #include "roomgen/lab/questions.h"
 
 #include <cstdio>
-#include <filesystem>
-#include <map>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "add_commands.h"
 #include "models.h"
 #include "question_files.h"
 #include "roomgen/base/file.h"
-#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "tool_commands.h"
 

@@ -6,15 +6,12 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <string>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 #include "add_commands.h"
 #include "models.h"
 #include "roomgen/base/file.h"
-#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "roomgen/render/pictures.h"
 #include "tool_commands.h"

@@ -1,7 +1,6 @@
 #include "explain.h"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <numbers>
 #include <sstream>
 

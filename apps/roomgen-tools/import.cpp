@@ -2,7 +2,6 @@
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <string>
 
 #include "add_commands.h"
 #include "libraries.h"

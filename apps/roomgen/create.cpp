@@ -1,10 +1,5 @@
 #include <cstdio>
-#include <filesystem>
-#include <memory>
 #include <nlohmann/json.hpp>
-#include <string>
-#include <system_error>
-#include <vector>
 
 #include "add_commands.h"
 #include "libraries.h"
@@ -18,8 +13,6 @@
 #include "roomgen/create/create.h"
 #include "roomgen/export/exporter.h"
 #include "roomgen/render/pictures.h"
-#include "roomgen/shape/evaluate.h"
-#include "roomgen/shape/program.h"
 
 namespace roomgen::cli {
 

@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <filesystem>
-#include <map>
 #include <memory>
 #include <variant>
 
@@ -19,10 +17,7 @@
 #include "options.h"
 #include "print.h"
 #include "room_files.h"
-#include "roomgen/base/file.h"
-#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
-#include "roomgen/design/designer.h"
 #include "roomgen/export/exporter.h"
 #include "roomgen/render/pictures.h"
 #include "summary.h"

@@ -7,7 +7,6 @@
 #include "options.h"
 #include "roomgen/base/text.h"
 #include "roomgen/base/file.h"
-#include "roomgen/base/json.h"
 #include "roomgen/generate/generate.h"
 #include "roomgen/solve/solve.h"
 #include "samples.h"

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/json_member.h"
+#include "base/json_values.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 

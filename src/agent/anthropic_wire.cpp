@@ -1,10 +1,8 @@
-#include "anthropic_wire.h"
-
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "base/json_reader.h"
-#include "base64.h"
+#include "byte_text.h"
 #include "roomgen/base/json.h"
 #include "wire.h"
 

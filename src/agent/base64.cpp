@@ -1,6 +1,6 @@
-#include "base64.h"
-
 #include <cstdint>
+
+#include "byte_text.h"
 
 namespace roomgen {
 

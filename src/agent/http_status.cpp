@@ -1,6 +1,6 @@
 #include "http_status.h"
 
-#include "utf8.h"
+#include "byte_text.h"
 #include "wire.h"
 
 namespace roomgen {

@@ -1,7 +1,6 @@
 #include "retrying_sender.h"
 
 #include <algorithm>
-#include <optional>
 
 #include "answer_form.h"
 #include "dialect.h"

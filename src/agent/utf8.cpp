@@ -1,7 +1,6 @@
-#include "utf8.h"
-
 #include <algorithm>
 
+#include "byte_text.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen {

@@ -1,10 +1,7 @@
 #include "wire.h"
 
-#include <nlohmann/json.hpp>
-
-#include "roomgen/base/json.h"
+#include "byte_text.h"
 #include "roomgen/base/text.h"
-#include "utf8.h"
 
 namespace roomgen {
 

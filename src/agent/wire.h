@@ -12,7 +12,7 @@
 
 namespace roomgen {
 
-// What both protocols share; the rest is in openai_wire.h and anthropic_wire.h. Pure functions: no
+// What both protocols share and, below, what each sends and reads. Pure functions: no
 // network here.
 
 /// Longest text of an answer, bytes; the transport bounds the whole of it before.
@@ -44,5 +44,15 @@ Error refused(const std::string& source, std::string_view why);
 
 /// "image/png" or "image/jpeg", as the file's first bytes say.
 std::string media_type(std::string_view file);
+
+/// The body of POST …/chat/completions.
+Json openai_body(const ChatRequest& request, const std::string& model, const Dialect& dialect);
+
+Result<ChatReply> read_openai_reply(const Json& answer, const std::string& source);
+
+/// The body of POST …/v1/messages. A schema goes out as the input of a tool that must be used.
+Json anthropic_body(const ChatRequest& request, const std::string& model, const Dialect& dialect);
+
+Result<ChatReply> read_anthropic_reply(const Json& answer, const std::string& source);
 
 }  // namespace roomgen

@@ -1,5 +1,3 @@
-#include "catalogue_file.h"
-
 #include <algorithm>
 #include <utility>
 #include <vector>
@@ -7,6 +5,7 @@
 #include "asset_source.h"
 #include "base/resource.h"
 #include "base/sha256.h"
+#include "index.h"
 #include "roomgen/base/file.h"
 
 namespace roomgen::assets {

@@ -1,7 +1,6 @@
-#include "classify.h"
-
 #include <algorithm>
 
+#include "index.h"
 #include "roomgen/base/text.h"
 #include "roomgen/kinds/kind_table.h"
 

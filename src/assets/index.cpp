@@ -9,8 +9,6 @@
 #include "asset_source.h"
 #include "base/sha256.h"
 #include "base/threads.h"
-#include "catalogue_file.h"
-#include "classify.h"
 #include "index_file.h"
 #include "library/shown_colors.h"
 #include "roomgen/base/file.h"

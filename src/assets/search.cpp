@@ -5,7 +5,6 @@
 #include <cmath>
 #include <iterator>
 #include <set>
-#include <string>
 
 #include "index_file.h"
 #include "library/asset_object.h"

@@ -1,5 +1,3 @@
-#include <utility>
-
 #include "child_process.h"
 
 namespace roomgen::detail {

@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "json_builder.h"
-#include "json_literal.h"
 #include "json_reader.h"
+#include "json_values.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen {

@@ -1,7 +1,5 @@
 #include "discourse.h"
 
-#include <algorithm>
-
 #include "roomgen/base/text.h"
 #include "mention_shape.h"
 

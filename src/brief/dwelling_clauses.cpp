@@ -1,7 +1,7 @@
-#include "dwelling_clauses.h"
-
 #include <algorithm>
 #include <optional>
+
+#include "dwelling_reading.h"
 
 namespace roomgen::brief {
 

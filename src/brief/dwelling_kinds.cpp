@@ -19,7 +19,7 @@ std::vector<std::string> read_texts(const JsonReader& json) {
 }
 
 DwellingRoom read_dwelling_room(const JsonReader& json) {
-  json.allow_only({"hub", "wing", "area", "opens_to", "passage", "owns"});
+  json.allow_only({"hub", "wing", "area", "passage", "owns"});
   DwellingRoom room;
   room.hub = static_cast<int>(json["hub"].integer_or(0, 0, max_hub));
   const std::string wing = json["wing"].text_or("day");
@@ -28,7 +28,6 @@ DwellingRoom read_dwelling_room(const JsonReader& json) {
   const auto area = json["area"].numbers(2, 1.0, 100.0);
   room.area = {area[0], area[1]};
   if (area[0] > area[1]) json["area"].report("must be [low, high]");
-  room.opens_to = read_texts(json["opens_to"]);
   room.passage = read_texts(json["passage"]);
   room.owns = read_texts(json["owns"]);
   return room;

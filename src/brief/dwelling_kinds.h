@@ -16,8 +16,7 @@ struct DwellingRoom {
   int hub = 0;                         ///< how well it gives access to others; 0: not at all
   bool night = false;                  ///< lies with bedrooms rather than with the living room
   Range area{9.0, 14.0};               ///< square metres
-  std::vector<std::string> opens_to;   ///< rooms from which it is entered, best first
-  std::vector<std::string> passage;    ///< of them, those without a door between
+  std::vector<std::string> passage;    ///< rooms from which it is entered without a door between
   std::vector<std::string> owns;       ///< rooms that may be entered from it alone (en suite)
 };
 

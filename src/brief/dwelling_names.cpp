@@ -1,6 +1,6 @@
-#include "dwelling_names.h"
-
 #include <algorithm>
+
+#include "dwelling_reading.h"
 
 namespace roomgen::brief {
 

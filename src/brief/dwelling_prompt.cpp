@@ -1,8 +1,8 @@
 #include "dwelling_prompt.h"
 
-#include "dwelling_clauses.h"
-#include "measures.h"
+#include "dwelling_reading.h"
 #include "style_phrase.h"
+#include "token_readers.h"
 
 namespace roomgen::brief {
 

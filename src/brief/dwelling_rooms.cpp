@@ -1,9 +1,8 @@
-#include "dwelling_rooms.h"
-
 #include <algorithm>
 #include <map>
 #include <optional>
 
+#include "dwelling_reading.h"
 #include "roomgen/scene/scene.h"
 
 namespace roomgen::brief {

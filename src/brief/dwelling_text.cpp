@@ -1,5 +1,4 @@
-#include "dwelling_text.h"
-
+#include "dwelling_reading.h"
 #include "room_type.h"
 
 namespace roomgen::brief {

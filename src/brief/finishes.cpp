@@ -1,8 +1,7 @@
-#include "finishes.h"
-
 #include <optional>
 
 #include "roomgen/base/text.h"
+#include "token_readers.h"
 #include "tone.h"
 
 namespace roomgen::brief {

@@ -1,9 +1,8 @@
-#include "measures.h"
-
 #include <algorithm>
 #include <optional>
 
 #include "opening_phrase.h"
+#include "token_readers.h"
 
 namespace roomgen::brief {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "prompt_mutual.h"
+#include "place_readers.h"
 
 namespace roomgen::brief {
 

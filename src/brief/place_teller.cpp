@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "place_readers.h"
 #include "view_from_door.h"
-#include "which_of.h"
 
 namespace roomgen::brief {
 

@@ -1,12 +1,9 @@
-#include "prompt_additions.h"
-
-#include <algorithm>
-
 #include "language/function_word.h"
 #include "language/inflection.h"
 #include "language/lexicon.h"
 #include "language/number.h"
 #include "mention_shape.h"
+#include "prompt_passes.h"
 #include "scene/finish_words.h"
 #include "style_phrase.h"
 

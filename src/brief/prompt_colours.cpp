@@ -1,8 +1,7 @@
-#include "prompt_colours.h"
-
 #include <algorithm>
 
 #include "language/lexicon.h"
+#include "prompt_passes.h"
 #include "roomgen/base/text.h"
 #include "scene/finish_words.h"
 

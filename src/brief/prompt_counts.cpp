@@ -1,6 +1,6 @@
-#include "prompt_counts.h"
-
 #include <algorithm>
+
+#include "phrase_readers.h"
 
 namespace roomgen::brief {
 

@@ -1,7 +1,7 @@
-#include "prompt_distances.h"
-
 #include <algorithm>
 #include <limits>
+
+#include "prompt_passes.h"
 
 namespace roomgen::brief {
 

@@ -1,8 +1,7 @@
-#include "prompt_ellipsis.h"
-
 #include <algorithm>
 
 #include "language/lexicon.h"
+#include "phrase_readers.h"
 #include "scene/finish_words.h"
 
 namespace roomgen::brief {

@@ -1,8 +1,7 @@
-#include "prompt_exclusions.h"
-
 #include <algorithm>
 
-#include "prompt_limits.h"
+#include "phrase_readers.h"
+#include "prompt_passes.h"
 #include "roomgen/base/text.h"
 #include "scene/finish_words.h"
 

@@ -1,10 +1,9 @@
-#include "prompt_formations.h"
-
 #include <algorithm>
 #include <utility>
 
 #include "language/number.h"
 #include "mention_shape.h"
+#include "prompt_passes.h"
 
 namespace roomgen::brief {
 

@@ -1,7 +1,7 @@
-#include "prompt_groups.h"
-
 #include <algorithm>
 #include <map>
+
+#include "prompt_passes.h"
 
 namespace roomgen::brief {
 

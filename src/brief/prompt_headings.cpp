@@ -1,6 +1,6 @@
-#include "prompt_headings.h"
-
 #include <algorithm>
+
+#include "prompt_passes.h"
 
 namespace roomgen::brief {
 

@@ -1,6 +1,5 @@
-#include "prompt_heights.h"
-
 #include "mention_shape.h"
+#include "prompt_passes.h"
 
 namespace roomgen::brief {
 

@@ -1,8 +1,7 @@
-#include "prompt_limits.h"
-
 #include <algorithm>
 
 #include "language/inflection.h"
+#include "prompt_passes.h"
 #include "scene/finish_words.h"
 
 namespace roomgen::brief {

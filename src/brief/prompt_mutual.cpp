@@ -1,7 +1,6 @@
-#include "prompt_mutual.h"
-
 #include <algorithm>
-#include <optional>
+
+#include "place_readers.h"
 
 namespace roomgen::brief {
 

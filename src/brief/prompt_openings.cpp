@@ -1,8 +1,7 @@
-#include "prompt_openings.h"
-
 #include <algorithm>
 
 #include "opening_phrase.h"
+#include "prompt_passes.h"
 
 namespace roomgen::brief {
 

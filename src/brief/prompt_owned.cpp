@@ -4,7 +4,7 @@
 
 #include "language/inflection.h"
 #include "mention_shape.h"
-#include "which_of.h"
+#include "place_readers.h"
 
 namespace roomgen::brief {
 

@@ -1,9 +1,8 @@
-#include "prompt_palette.h"
-
 #include <algorithm>
 
 #include "language/function_word.h"
 #include "library/style_words.h"
+#include "prompt_passes.h"
 #include "scene/finish_words.h"
 
 namespace roomgen::brief {

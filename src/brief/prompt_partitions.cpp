@@ -1,11 +1,10 @@
-#include "prompt_partitions.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "language/function_word.h"
 #include "language/lexicon.h"
 #include "language/number.h"
+#include "prompt_passes.h"
 #include "scene/finish_words.h"
 
 namespace roomgen::brief {

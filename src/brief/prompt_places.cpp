@@ -1,16 +1,12 @@
-#include "prompt_places.h"
-
 #include <algorithm>
 #include <optional>
 
 #include "place_adverbs.h"
+#include "place_readers.h"
 #include "place_teller.h"
-#include "prompt_denials.h"
-#include "prompt_mutual.h"
 #include "prompt_owned.h"
+#include "prompt_passes.h"
 #include "prompt_shares.h"
-#include "two_places.h"
-#include "which_of.h"
 
 namespace roomgen::brief {
 

@@ -1,11 +1,10 @@
-#include "prompt_remarks.h"
-
 #include <algorithm>
 
 #include "kinds/noun_kind.h"
 #include "language/function_word.h"
 #include "language/inflection.h"
 #include "language/lexicon.h"
+#include "prompt_passes.h"
 #include "scene/finish_words.h"
 
 namespace roomgen::brief {

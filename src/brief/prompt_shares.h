@@ -7,31 +7,32 @@
 
 namespace roomgen::brief {
 
-/// Reads what there is for each of several: "a lamp on each desk", "a plant in every corner", "one chair per desk". As
-/// many are planned as there are owners, once for each thing, and the brief keeps what was shared out.
+/// Reads what there is for each of several: "a lamp on each desk", "a plant in every corner", "one
+/// chair per desk". As many are planned as there are owners, once for each thing, and the brief
+/// keeps what was shared out.
 class ShareReader {
  public:
   explicit ShareReader(PromptReading& reading) : reading_(reading) {}
 
-  /// "a lamp on each nightstand", "desks, each with two drawers": as many for each of the owners as were said of one.
-  /// `at`: the token of what says so.
+  /// "a lamp on each nightstand", "desks, each with two drawers": as many for each of the owners as
+  /// were said of one. `at`: the token of what says so.
   void give_each(std::size_t owner, const Indices& things, std::uint32_t at);
-  /// "a curtain between every two beds", "a candle on every other table": of how many of the owners something is said, where
-  /// it is of some.
+  /// "a curtain between every two beds", "a candle on every other table": of how many of the owners
+  /// something is said, where it is of some.
   std::optional<int> number_of_some(std::size_t owner, const language::NounPhrase& said, bool between) const;
   void give_some(int number, const Indices& things, const language::NounPhrase& owner);
   /// "a plant in each corner", "a bench under every window"
   void give_each_place(const PlacePhrase& place, const Indices& things, std::uint32_t at);
-  /// "every window has a bench below it", "each corner has a plant": whether that is what an attachment says. What is
-  /// said of where those things are to "it", is said of that place.
+  /// "every window has a bench below it", "each corner has a plant": whether that is what an
+  /// attachment says. What is said of where those things are to "it", is said of that place.
   bool give_what_each_place_has(const language::Attachment& attachment);
   /// Which part of the room has a thing so; null if none has.
   const PlacePhrase* place_having(std::size_t thing) const;
-  /// "eight chairs on either side" are sixteen, but "two lamps on either side" are two; "two chairs on each side" of a
-  /// table are four.
+  /// "eight chairs on either side" are sixteen, but "two lamps on either side" are two; "two chairs
+  /// on each side" of a table are four.
   void give_each_side(const language::Attachment& attachment, const Indices& things);
-  /// "a stool for each potter's wheel", "one chair per desk": nothing is said of where they are, so by those that they
-  /// are for. Other attachments are left alone.
+  /// "a stool for each potter's wheel", "one chair per desk": nothing is said of where they are, so
+  /// by those that they are for. Other attachments are left alone.
   void read_for_each(const language::Attachment& attachment);
 
  private:

@@ -1,13 +1,10 @@
-#include "prompt_things.h"
-
 #include <algorithm>
 
 #include "language/inflection.h"
 #include "language/lexicon.h"
 #include "language/number.h"
-#include "prompt_counts.h"
-#include "prompt_ellipsis.h"
-#include "prompt_exclusions.h"
+#include "phrase_readers.h"
+#include "prompt_passes.h"
 #include "prompt_pronouns.h"
 #include "roomgen/base/text.h"
 #include "thing_or_not.h"

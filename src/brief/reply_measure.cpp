@@ -6,7 +6,6 @@
 
 #include "language/small_words.h"
 #include "prompt_words.h"
-#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen::brief {

@@ -4,9 +4,6 @@
 
 #include "mention_shape.h"
 #include "scene/resolved_relation.h"
-#include "settle_carriers.h"
-#include "settle_numbers.h"
-#include "settle_supports.h"
 
 namespace roomgen::brief {
 

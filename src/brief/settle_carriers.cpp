@@ -1,10 +1,8 @@
-#include "settle_carriers.h"
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "settle_supports.h"
+#include "settle.h"
 
 namespace roomgen::brief {
 

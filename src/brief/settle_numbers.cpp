@@ -1,8 +1,6 @@
-#include "settle_numbers.h"
-
 #include <algorithm>
 
-#include "settle_supports.h"
+#include "settle.h"
 
 namespace roomgen::brief {
 

@@ -1,9 +1,8 @@
-#include "settle_supports.h"
-
 #include <algorithm>
 #include <utility>
 
 #include "mention_shape.h"
+#include "settle.h"
 
 namespace roomgen::brief {
 

@@ -1,9 +1,8 @@
-#include "shape_words.h"
-
 #include <algorithm>
 
 #include "floor_shapes.h"
 #include "room_type.h"
+#include "token_readers.h"
 
 namespace roomgen::brief {
 

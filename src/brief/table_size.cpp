@@ -1,7 +1,6 @@
 #include "table_size.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "roomgen/kinds/kind_table.h"
 

@@ -1,6 +1,6 @@
-#include "thing_lengths.h"
-
 #include <algorithm>
+
+#include "thing_readers.h"
 
 namespace roomgen::brief {
 

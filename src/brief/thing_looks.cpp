@@ -1,10 +1,9 @@
-#include "thing_looks.h"
-
 #include <algorithm>
 
 #include "language/function_word.h"
 #include "language/lexicon.h"
 #include "scene/finish_words.h"
+#include "thing_readers.h"
 #include "tone.h"
 
 namespace roomgen::brief {

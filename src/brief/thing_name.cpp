@@ -1,9 +1,8 @@
-#include "thing_name.h"
-
 #include <algorithm>
 
 #include "language/inflection.h"
 #include "language/lexicon.h"
+#include "thing_readers.h"
 
 namespace roomgen::brief {
 

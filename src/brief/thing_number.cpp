@@ -1,11 +1,10 @@
-#include "thing_number.h"
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "language/amount.h"
 #include "language/number.h"
+#include "thing_readers.h"
 
 namespace roomgen::brief {
 

@@ -4,10 +4,7 @@
 
 #include "language/lexicon.h"
 #include "phrase_words.h"
-#include "thing_lengths.h"
-#include "thing_looks.h"
-#include "thing_name.h"
-#include "thing_number.h"
+#include "thing_readers.h"
 
 namespace roomgen::brief {
 

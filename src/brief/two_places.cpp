@@ -1,6 +1,6 @@
-#include "two_places.h"
-
 #include <algorithm>
+
+#include "place_readers.h"
 
 namespace roomgen::brief {
 

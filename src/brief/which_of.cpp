@@ -1,9 +1,8 @@
-#include "which_of.h"
-
 #include <map>
 #include <optional>
 
 #include "language/number.h"
+#include "place_readers.h"
 
 namespace roomgen::brief {
 

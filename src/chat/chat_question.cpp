@@ -1,10 +1,6 @@
 #include "chat_question.h"
 
-#include <nlohmann/json.hpp>
-
-#include "base/json_reader.h"
 #include "base/sha256.h"
-#include "roomgen/base/json.h"
 
 namespace roomgen {
 

@@ -1,12 +1,10 @@
 #include "chat_recording.h"
 
 #include <array>
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "base/json_reader.h"
 #include "chat_question.h"
-#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen {

@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <optional>
 
-#include "base/json_literal.h"
+#include "base/json_values.h"
 #include "loose_parser.h"
-#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen {

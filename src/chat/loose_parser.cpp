@@ -4,9 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
-#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen {

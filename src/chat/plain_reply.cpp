@@ -2,9 +2,7 @@
 
 #include <array>
 #include <charconv>
-#include <nlohmann/json.hpp>
 
-#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen {

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "base/json_member.h"
+#include "base/json_values.h"
 #include "chat_question.h"
 #include "roomgen/base/json.h"
 

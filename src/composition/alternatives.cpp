@@ -1,6 +1,6 @@
-#include "alternatives.h"
-
 #include <algorithm>
+
+#include "arrange.h"
 
 namespace roomgen::composition {
 

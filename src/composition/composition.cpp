@@ -51,19 +51,24 @@ void read_sides(const JsonReader& json, Part& part) {
 
 // Exactly one of the words that say where.
 void read_where(const JsonReader& json, Part& part) {
-  int words = 0;
-  const auto refers = [&](std::string_view key) {
-    if (!json[key].exists()) return false;
-    part.of = json[key].text(100);
-    return ++words, true;
+  struct Word {
+    const char* text;
+    Where where;
+    std::optional<Mount> mount;
   };
-  if (refers("beside")) part.where = Where::beside;
-  if (refers("around")) part.where = Where::around;
-  if (refers("under")) part.mount = Mount::floor;
-  if (refers("over")) part.mount = Mount::ceiling;
-  if (refers("above")) part.mount = Mount::wall;
-  if (refers("of")) part.where = Where::at;
-  if (refers("on")) part.on = true, part.mount = Mount::surface;
+  static const Word places[] = {{"beside", Where::beside, {}},       {"around", Where::around, {}},
+                                {"under", Where::at, Mount::floor},  {"over", Where::at, Mount::ceiling},
+                                {"above", Where::at, Mount::wall},   {"of", Where::at, {}},
+                                {"on", Where::at, Mount::surface}};
+  int words = 0;
+  for (const auto& [text, where, mount] : places) {
+    if (!json[text].exists()) continue;
+    ++words;
+    part.of = json[text].text(100);
+    part.where = where;
+    if (mount) part.mount = mount;
+  }
+  part.on = json["on"].exists();
   if (json["before"].exists()) part.where = Where::before, part.seat = json["before"].text(100);
   if (words > 1) json.report("says more than one of beside, around, under, over, above, of, on");
   if (part.where == Where::before && !part.on)

@@ -1,7 +1,6 @@
 #include "patterns.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace roomgen::composition {
 

@@ -4,9 +4,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <tuple>
 
-#include "alternatives.h"
+#include "arrange.h"
 
 namespace roomgen::composition {
 
@@ -160,12 +159,8 @@ void complete_groups(Plan& plan, const KindTable& kinds) {
     tell_anchor(plan, group, *arranged);
     ++g;
   }
-  const auto is_group = [&](const std::string& id) {
-    return std::any_of(plan.groups.begin(), plan.groups.end(),
-                       [&](const PlanGroup& group) { return group.id == id; });
-  };
   for (auto& item : plan.items) {
-    if (!item.group.empty() && !is_group(item.group)) item.group.clear(), item.part.clear();
+    if (!item.group.empty() && !find_group(plan, item.group)) item.group.clear(), item.part.clear();
     item.quantity = std::max(1, item.quantity);
   }
 }
@@ -177,30 +172,29 @@ Plan completed(Plan plan, const KindTable& kinds) {
 
 std::vector<PlannedObject> placing_order(const Plan& plan) {
   const auto all = planned_objects(plan);
-  const auto known = roles(plan);
+  const Roles known(plan);
   // What stands on others comes after them, and the anchor before all of its group.
   const auto rank = [&](const PlannedObject& planned) {
     const PlanItem& item = plan.items[planned.item];
-    return known.at(planned.id).is_anchor ? 0 : item.mount == Mount::surface ? 2 : 1;
+    return known.of(planned.id)->is_anchor ? 0 : item.mount == Mount::surface ? 2 : 1;
   };
   std::vector<PlannedObject> order;
   std::set<std::string> begun;
   for (const auto& planned : all) {
-    const auto role = known.find(planned.id);
-    if (role == known.end()) order.push_back(planned);
-    if (role == known.end() || !begun.insert(role->second.group).second) continue;
+    const Role* role = known.of(planned.id);
+    if (!role) order.push_back(planned);
+    if (!role || !begun.insert(role->group).second) continue;
     std::vector<PlannedObject> group;
     for (const auto& other : all)
-      if (const auto its = known.find(other.id);
-          its != known.end() && its->second.group == role->second.group)
+      if (const Role* its = known.of(other.id); its && its->group == role->group)
         group.push_back(other);
     std::stable_sort(group.begin(), group.end(),
                      [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
     order.insert(order.end(), group.begin(), group.end());
   }
   postpone(plan, order, [&](const PlannedObject& planned) {
-    const auto role = known.find(planned.id);
-    return !plan.items[planned.item].location && (role == known.end() || role->second.is_anchor);
+    const Role* role = known.of(planned.id);
+    return !plan.items[planned.item].location && (!role || role->is_anchor);
   });
   // What dresses the room comes last; in a group it has its place.
   const auto spare = [&](const PlannedObject& planned) {
@@ -214,13 +208,12 @@ std::vector<PlannedObject> placing_order(const Plan& plan) {
 
 void postpone(const Plan& plan, std::span<PlannedObject> order,
               const std::function<bool(const PlannedObject&)>& is_late) {
-  const auto known = roles(plan);
+  const Roles known(plan);
   std::set<std::string> late_things, late_groups;
   const auto waits = [&](const PlannedObject& planned) {
     const PlanItem& item = plan.items[planned.item];
-    const auto role = known.find(planned.id);
-    if (role != known.end() && !role->second.is_anchor)
-      return late_groups.count(role->second.group) > 0;
+    const Role* role = known.of(planned.id);
+    if (role && !role->is_anchor) return late_groups.count(role->group) > 0;
     // Whatever might carry it comes first.
     return (item.mount == Mount::surface && !late_things.empty()) ||
            std::any_of(item.relations.begin(), item.relations.end(), [&](const Relation& relation) {
@@ -235,44 +228,55 @@ void postpone(const Plan& plan, std::span<PlannedObject> order,
       continue;
     }
     late_things.insert(planned.id);
-    if (const auto role = known.find(planned.id); role != known.end() && role->second.is_anchor)
-      late_groups.insert(role->second.group);
+    if (const Role* role = known.of(planned.id); role && role->is_anchor)
+      late_groups.insert(role->group);
     late.push_back(planned);
   }
   std::move(late.begin(), late.end(), kept);
 }
 
-std::map<std::string, Role> roles(const Plan& plan) {
-  std::map<std::string, Role> found;
+const PlanGroup* find_group(const Plan& plan, const std::string& id) {
+  for (const auto& group : plan.groups)
+    if (group.id == id) return &group;
+  return nullptr;
+}
+
+Roles::Roles(const Plan& plan) {
   std::map<std::pair<std::string, std::string>, std::size_t> numbers;
   for (const auto& planned : planned_objects(plan)) {
     const PlanItem& item = plan.items[planned.item];
     if (item.group.empty()) continue;
     Role role{item.group, item.part, numbers[{item.group, item.part}]++};
-    for (const auto& group : plan.groups) {
-      if (group.id != role.group) continue;
-      role.is_anchor = role.number == 0 && role.part == group.anchor;
-      if (const auto unit = group.units.find({role.part, role.number}); unit != group.units.end())
+    if (const PlanGroup* group = find_group(plan, role.group)) {
+      role.is_anchor = role.number == 0 && role.part == group->anchor;
+      if (const auto unit = group->units.find({role.part, role.number}); unit != group->units.end())
         role.unit = unit->second;
     }
-    found[planned.id] = std::move(role);
+    ids_[{role.group, role.part, role.number}] = planned.id;
+    by_id_[planned.id] = std::move(role);
   }
-  return found;
+}
+
+const Role* Roles::of(const std::string& id) const {
+  const auto found = by_id_.find(id);
+  return found == by_id_.end() ? nullptr : &found->second;
+}
+
+std::string Roles::id_of(const std::string& group, const Member& member) const {
+  const auto found = ids_.find({group, member.part, member.number});
+  return found == ids_.end() ? std::string() : found->second;
 }
 
 std::map<std::string, std::string> carriers(const Plan& plan, const KindTable& kinds) {
-  std::map<std::tuple<std::string, std::string, std::size_t>, std::string> ids;
-  for (const auto& [id, role] : roles(plan)) ids[{role.group, role.part, role.number}] = id;
+  const Roles known(plan);
   std::map<std::string, std::string> found;
   for (const auto& group : plan.groups) {
     const auto arranged = as_asked(plan, group, kinds);
     if (!arranged) continue;
-    const auto id_of = [&](const Member& member) {
-      return ids[{group.id, member.part, member.number}];
-    };
     for (const auto& member : arranged->members)
       if (member.mount == Mount::surface)
-        found[id_of(member)] = id_of(arranged->members[member.on]);
+        found[known.id_of(group.id, member)] =
+            known.id_of(group.id, arranged->members[member.on]);
   }
   return found;
 }

@@ -2,9 +2,9 @@
 
 #include <functional>
 #include <map>
-#include <optional>
 #include <span>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "arrange.h"
@@ -34,8 +34,25 @@ struct Role {
   int unit = -1;  ///< of the groups within that group
   bool is_anchor = false;
 };
-/// By id, of those in groups.
-std::map<std::string, Role> roles(const Plan& plan);
+
+/// Who plays which role in the groups of a plan.
+class Roles {
+ public:
+  explicit Roles(const Plan& plan);
+
+  /// Null: it is in no group.
+  const Role* of(const std::string& id) const;
+  /// The other way round. Empty: no thing of the plan.
+  std::string id_of(const std::string& group, const Member& member) const;
+  const std::map<std::string, Role>& by_id() const { return by_id_; }
+
+ private:
+  std::map<std::string, Role> by_id_;
+  std::map<std::tuple<std::string, std::string, std::size_t>, std::string> ids_;
+};
+
+/// Null: there is none of this id.
+const PlanGroup* find_group(const Plan& plan, const std::string& id);
 
 /// What the things of the groups of a completed plan stand on, by id, of those that stand on others.
 std::map<std::string, std::string> carriers(const Plan& plan, const KindTable& kinds);

@@ -1,5 +1,3 @@
-#include "classify.h"
-
 #include <algorithm>
 #include <cctype>
 
@@ -7,6 +5,7 @@
 #include "language/measure.h"
 #include "part_forms.h"
 #include "roomgen/base/text.h"
+#include "rule_steps.h"
 #include "sizing.h"
 
 namespace roomgen::create {

@@ -1,8 +1,7 @@
-#include "closer_kind.h"
-
 #include <algorithm>
 
 #include "roomgen/base/text.h"
+#include "rule_steps.h"
 
 namespace roomgen::create {
 

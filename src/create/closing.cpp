@@ -1,10 +1,9 @@
-#include "closing.h"
-
 #include <Eigen/Core>
 #include <algorithm>
 #include <set>
 
 #include "handles.h"
+#include "search.h"
 
 namespace roomgen::create::detail {
 

@@ -1,12 +1,10 @@
-#include "compose.h"
-
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <utility>
 
 #include "piece.h"
 #include "roomgen/shape/evaluate.h"
+#include "rule_steps.h"
 
 namespace roomgen::create {
 

@@ -17,10 +17,10 @@
 #include "library/ranking.h"
 #include "library/vocabulary.h"
 #include "parts.h"
-#include "phrase.h"
 #include "roomgen/base/json.h"
 #include "roomgen/create/maker.h"
 #include "roomgen/kinds/kind_table.h"
+#include "rule_steps.h"
 #include "stock.h"
 
 namespace roomgen::create {

@@ -1,5 +1,3 @@
-#include "decompose_reply.h"
-
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -7,13 +5,13 @@
 #include "brief/reply_measure.h"
 #include "chat/loose_json.h"
 #include "description_words.h"
+#include "maker_replies.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen::create {
 
 namespace {
-
 
 constexpr std::size_t max_objects = 20;
 constexpr double centimetre = 0.01;

@@ -1,9 +1,8 @@
-#include "ground.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "handles.h"
+#include "search.h"
 
 namespace roomgen::create::detail {
 

@@ -1,3 +1,4 @@
+#include "maker_questions.h"
 #include "roomgen/create/maker.h"
 
 #include <cmath>
@@ -6,7 +7,6 @@
 #include "brief/reply_measure.h"
 #include "chat/loose_json.h"
 #include "chat/interview.h"
-#include "reply_schema.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 

@@ -7,7 +7,6 @@
 
 #include "base/json_reader.h"
 #include "base/resource.h"
-#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen::create {

@@ -1,15 +1,13 @@
-#include "mesh_reply.h"
-
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "base/json_reader.h"
 #include "chat/loose_json.h"
+#include "maker_replies.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "roomgen/shape/primitives.h"
 #include "shape/color.h"
-#include "shape_checks.h"
 
 namespace roomgen::create {
 

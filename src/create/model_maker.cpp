@@ -1,15 +1,11 @@
+#include "maker_questions.h"
+#include "maker_replies.h"
 #include "roomgen/create/maker.h"
 
-#include "decompose_reply.h"
 #include "description_words.h"
 #include "chat/interview.h"
 #include "kinds.h"
-#include "mesh_reply.h"
-#include "program_reply.h"
-#include "reply_schema.h"
-#include "request_text.h"
 #include "roomgen/base/text.h"
-#include "verdict_reply.h"
 
 namespace roomgen::create {
 

@@ -1,12 +1,8 @@
 #include "part_forms.h"
 
-#include <algorithm>
-#include <nlohmann/json.hpp>
-
 #include "base/json_reader.h"
 #include "base/resource.h"
 #include "description_words.h"
-#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen::create {

@@ -1,11 +1,10 @@
-#include "phrase.h"
-
 #include <algorithm>
 #include <utility>
 
 #include "language/number.h"
-#include "phrase_measure.h"
 #include "phrase_reader.h"
+#include "phrase_text.h"
+#include "rule_steps.h"
 
 namespace roomgen::create {
 

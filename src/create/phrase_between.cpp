@@ -2,9 +2,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "phrase_measure.h"
-#include "phrase_place.h"
 #include "phrase_reader.h"
+#include "phrase_text.h"
 
 namespace roomgen::create {
 

@@ -1,6 +1,6 @@
-#include "phrase_measure.h"
-
 #include <cmath>
+
+#include "phrase_text.h"
 
 namespace roomgen::create {
 

@@ -4,8 +4,8 @@
 
 #include "language/inflection.h"
 #include "part_forms.h"
-#include "phrase_place.h"
 #include "phrase_reader.h"
+#include "phrase_text.h"
 
 namespace roomgen::create {
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "language/inflection.h"
-#include "phrase_measure.h"
+#include "phrase_text.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen::create {

@@ -1,8 +1,7 @@
-#include "phrase_place.h"
-
 #include <algorithm>
 
 #include "language/number.h"
+#include "phrase_text.h"
 
 namespace roomgen::create {
 

@@ -1,7 +1,6 @@
 #include "phrase_text.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "language/inflection.h"
 #include "language/lexicon.h"

@@ -86,4 +86,27 @@ bool may_be_part(const std::string& noun);
 
 inline constexpr int most_count = 50;
 
+/// The lengths that begin there, with the side that a word before them says: "height 50 cm".
+/// Nothing if there are none with a unit.
+std::optional<language::Measure> read_measure(const PhraseText& text, std::size_t at);
+
+/// What a measure says of width, depth and height; NaN where it says nothing.
+Vec3 sides(const language::Measure& measure);
+
+/// "a top 2 cm thick", "legs 5 cm thick", "a back two metres tall".
+void apply(const language::Measure& measure, PartWish& part);
+
+/// The longest phrase of place that begins there: "hanging from"; null if none does.
+const Placement* placement_at(const PhraseText& text, std::size_t at, const Words& words);
+
+/// What it says of the part before it and of the part after it.
+void place_before(const Placement& placement, PartWish& part);
+void place_after(const Placement& placement, PartWish& part);
+
+/// Where a part is that stands so to the thing itself: "a lamp on it".
+Place place_of(const std::string& relation);
+
+/// "forty-five degrees against the one below" from `at`, which moves behind it; 0 if it is none.
+double read_turn(const PhraseText& text, std::size_t& at);
+
 }  // namespace roomgen::create

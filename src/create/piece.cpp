@@ -5,7 +5,6 @@
 #include <cmath>
 #include <optional>
 
-#include "roomgen/shape/program.h"
 #include "shape/color.h"
 #include "words.h"
 

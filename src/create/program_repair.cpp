@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "chat/loose_json.h"
-#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "roomgen/shape/program.h"
 #include "shape/color.h"

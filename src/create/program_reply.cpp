@@ -1,15 +1,12 @@
-#include "program_reply.h"
-
 #include <algorithm>
 #include <cmath>
 #include <map>
 
 #include "chat/loose_json.h"
+#include "maker_replies.h"
 #include "program_repair.h"
 #include "roomgen/base/text.h"
 #include "roomgen/shape/evaluate.h"
-#include "roomgen/shape/program.h"
-#include "shape_checks.h"
 
 namespace roomgen::create {
 

@@ -1,14 +1,12 @@
-#include "refine.h"
-
 #include <algorithm>
 
-#include "compose.h"
 #include "language/number.h"
 #include "part_forms.h"
 #include "parts.h"
 #include "reshape.h"
 #include "roomgen/base/text.h"
 #include "roomgen/shape/evaluate.h"
+#include "rule_steps.h"
 #include "shape/color.h"
 
 namespace roomgen::create {

@@ -1,7 +1,6 @@
-#include "reply_schema.h"
-
-#include "base/json_literal.h"
+#include "base/json_values.h"
 #include "description_words.h"
+#include "maker_questions.h"
 
 namespace roomgen::create {
 

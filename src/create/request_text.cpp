@@ -1,7 +1,6 @@
-#include "request_text.h"
-
 #include <nlohmann/json.hpp>
 
+#include "maker_questions.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 

@@ -4,16 +4,12 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "classify.h"
-#include "closer_kind.h"
-#include "compose.h"
 #include "part_forms.h"
 #include "parts.h"
-#include "phrase.h"
-#include "refine.h"
 #include "reshape.h"
 #include "roomgen/base/json.h"
 #include "roomgen/shape/evaluate.h"
+#include "rule_steps.h"
 #include "settings.h"
 
 namespace roomgen::create {

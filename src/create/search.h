@@ -43,4 +43,23 @@ class Trials {
   double least_ = 1e300;
 };
 
+/// The height that most of the parts which should reach the floor do reach; of the lowest point
+/// when none should.
+double floor_level(const Assembly& assembly, const std::vector<Link>& links);
+/// All components up or down, so that this height becomes 0.
+void shift_level(Assembly& assembly, double height);
+/// Lifts or shortens what is below the floor.
+void try_lifting(Trials& trials);
+
+/// Widens what stands on the ground, or moves it and what is above it over each other.
+void try_steadying(Trials& trials);
+
+/// Links that are to be closed in a state: the open ones, lowest first, and one for each piece that
+/// is joined to nothing, chosen by the map or by nearness.
+std::vector<Link> links_to_close(const State& state, const std::vector<Link>& links);
+
+/// Tries to close one of the links by moving or stretching either side, alone, with its copies'
+/// links or with all that hangs on it.
+void try_closing(Trials& trials, const std::vector<Link>& to_close, std::size_t which);
+
 }  // namespace roomgen::create::detail

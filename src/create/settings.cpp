@@ -1,7 +1,6 @@
 #include "settings.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/random.h"
 #include "relative_size.h"
@@ -12,7 +11,6 @@
 namespace roomgen::create {
 
 namespace {
-
 
 // "shelf" is counted by `shelves`, an armrest by `arms`.
 std::vector<std::string> counters(std::string label) {

@@ -1,5 +1,4 @@
-#include "shape_checks.h"
-
+#include "maker_replies.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen::create {

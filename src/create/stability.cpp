@@ -1,10 +1,8 @@
-#include "stability.h"
-
 #include <algorithm>
 #include <set>
 
-#include "closing.h"
 #include "handles.h"
+#include "search.h"
 
 namespace roomgen::create::detail {
 

@@ -1,7 +1,6 @@
 #include "standing.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace roomgen::create::detail {
 

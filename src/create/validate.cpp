@@ -4,10 +4,7 @@
 #include <cmath>
 
 #include "alignment.h"
-#include "closing.h"
-#include "ground.h"
 #include "search.h"
-#include "stability.h"
 
 namespace roomgen::create {
 

@@ -1,9 +1,8 @@
-#include "verdict_reply.h"
-
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "chat/loose_json.h"
+#include "maker_replies.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 

@@ -8,7 +8,6 @@
 
 #include "base/child_process.h"
 #include "bytes.h"
-#include "find_decoder.h"
 #include "image_decode.h"
 #include "import_limits.h"
 #include "model_bytes.h"

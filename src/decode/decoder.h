@@ -7,6 +7,7 @@
 
 #include "import_mesh.h"
 #include "roomgen/base/cancel.h"
+#include "roomgen/base/result.h"
 
 namespace roomgen::decode {
 
@@ -44,5 +45,9 @@ class Decoder {
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
+
+/// Where roomgen-decode is: what the environment variable ROOMGEN_DECODER names, else beside the running
+/// program, in the library folder of its installation, or where this library was installed or built.
+Result<std::filesystem::path> find_decoder();
 
 }  // namespace roomgen::decode

@@ -1,7 +1,7 @@
-#include "find_decoder.h"
-
 #include <cstdlib>
 #include <string>
+
+#include "decoder.h"
 
 namespace roomgen::decode {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "base/json_literal.h"
+#include "base/json_values.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen::design {

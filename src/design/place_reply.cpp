@@ -5,9 +5,7 @@
 
 #include "chat/loose_json.h"
 #include "chat/plain_reply.h"
-#include "reply_facing.h"
-#include "reply_location.h"
-#include "reply_relations.h"
+#include "place_answers.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "target_names.h"

@@ -1,14 +1,11 @@
-#include "reply_facing.h"
-
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "brief/reply_measure.h"
+#include "place_answers.h"
 #include "reply_words.h"
-#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "scene/judgement.h"
 #include "scene/room_part.h"

@@ -1,5 +1,3 @@
-#include "reply_items.h"
-
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -7,7 +5,7 @@
 
 #include "brief/reply_measure.h"
 #include "chat/loose_json.h"
-#include "roomgen/base/json.h"
+#include "plan_answers.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen::design {

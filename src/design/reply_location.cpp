@@ -1,10 +1,8 @@
-#include "reply_location.h"
-
 #include <limits>
 #include <nlohmann/json.hpp>
 
 #include "brief/reply_measure.h"
-#include "roomgen/base/json.h"
+#include "place_answers.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen::design {

@@ -1,5 +1,3 @@
-#include "reply_relations.h"
-
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
@@ -7,8 +5,8 @@
 #include <string_view>
 
 #include "chat/loose_json.h"
+#include "place_answers.h"
 #include "reply_words.h"
-#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "scene/room_part.h"
 

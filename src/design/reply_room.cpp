@@ -1,5 +1,3 @@
-#include "reply_room.h"
-
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -10,7 +8,7 @@
 #include "chat/loose_json.h"
 #include "plan/floor_plan.h"
 #include "plan/room_openings.h"
-#include "roomgen/base/json.h"
+#include "plan_answers.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen::design {

@@ -1,12 +1,10 @@
 #include <algorithm>
-#include <span>
 
 #include "base/random.h"
 #include "brief/room_kinds.h"
 #include "plan/floor_plan.h"
 #include "plan/looks.h"
 #include "plan/opening_plan.h"
-#include "plan/palette.h"
 #include "roomgen/base/text.h"
 #include "roomgen/design/designer.h"
 #include "scene/dwelling.h"

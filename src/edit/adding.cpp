@@ -3,8 +3,8 @@
 #include "generate/asset_task.h"
 #include "generate/retrieve.h"
 #include "generate/window_cover.h"
-#include "make_way.h"
 #include "operations.h"
+#include "placing.h"
 #include "roomgen/base/text.h"
 #include "solve/layout.h"
 

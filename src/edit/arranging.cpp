@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "changed_thing.h"
+#include "draft_changes.h"
 #include "operations.h"
 #include "placing.h"
 #include "roomgen/base/text.h"

@@ -1,7 +1,6 @@
-#include "changed_thing.h"
-
 #include <algorithm>
 
+#include "draft_changes.h"
 #include "placing.h"
 #include "roomgen/base/text.h"
 

@@ -1,8 +1,8 @@
 #include <algorithm>
 
-#include "changed_thing.h"
 #include "create/finish_look.h"
 #include "create/repaint.h"
+#include "draft_changes.h"
 #include "operations.h"
 #include "roomgen/base/text.h"
 #include "scene/finish_words.h"

@@ -1,7 +1,6 @@
 #include "draft.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "roomgen/base/text.h"
 #include "scene/dwelling.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
-#include "edited_ledger.h"
+#include "draft_changes.h"
 #include "evaluate/violations.h"
 #include "operations.h"
 #include "placing.h"

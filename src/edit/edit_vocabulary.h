@@ -1,9 +1,7 @@
 #pragma once
 
 #include <map>
-#include <span>
 #include <string>
-#include <string_view>
 
 #include "brief/prompt_words.h"
 #include "roomgen/base/result.h"

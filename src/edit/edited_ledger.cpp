@@ -1,10 +1,9 @@
-#include "edited_ledger.h"
-
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <span>
 
+#include "draft_changes.h"
 #include "evaluate/attributes.h"
 #include "evaluate/ledger.h"
 #include "roomgen/base/text.h"

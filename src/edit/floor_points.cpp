@@ -1,8 +1,6 @@
-#include "floor_points.h"
-
 #include <algorithm>
-#include <cmath>
 
+#include "placing.h"
 #include "solve/trials.h"
 
 namespace roomgen {

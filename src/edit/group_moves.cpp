@@ -1,5 +1,3 @@
-#include "group_moves.h"
-
 #include "grouping.h"
 #include "placing.h"
 

@@ -1,9 +1,8 @@
-#include "make_way.h"
-
 #include <algorithm>
 #include <optional>
 
-#include "edited_ledger.h"
+#include "draft_changes.h"
+#include "placing.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen {

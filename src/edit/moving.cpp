@@ -1,10 +1,8 @@
 #include <algorithm>
-#include <cmath>
 
-#include "group_moves.h"
 #include "grouping.h"
-#include "make_way.h"
 #include "operations.h"
+#include "placing.h"
 #include "roomgen/base/text.h"
 #include "scene/judgement.h"
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "draft_changes.h"
 #include "generate/fit_openings.h"
 #include "generate/window_cover.h"
 #include "opening_places.h"
@@ -7,7 +8,6 @@
 #include "placing.h"
 #include "plan/opening_plan.h"
 #include "roomgen/base/text.h"
-#include "room_change.h"
 #include "walls.h"
 #include "scene/dwelling.h"
 #include "scene/opening_kind.h"

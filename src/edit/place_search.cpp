@@ -1,7 +1,6 @@
 #include <algorithm>
 
 #include "acceptance.h"
-#include "floor_points.h"
 #include "placing.h"
 #include "solve/place.h"
 #include "solve/support.h"

@@ -19,12 +19,12 @@ struct Aim {
   bool usual = false;              ///< where things of its kind stand, as far as all this leaves it open
 };
 
-/// Things stand on rugs with all their feet or none. Where that cannot be, what somebody wants exactly so may
-/// stand on a rug's edge, and then stands on the floor.
+/// Things stand on rugs with all their feet or none. Where that cannot be, what somebody wants
+/// exactly so may stand on a rug's edge, and then stands on the floor.
 enum class RugEdges { kept_free, stood_on };
 
-/// May the cluster stand as it is (docs/constraints.md, "Valid")? It is not in the layout. Comes back at the
-/// height of the rug that it stands on.
+/// May the cluster stand as it is (docs/constraints.md, "Valid")? It is not in the layout. Comes
+/// back at the height of the rug that it stands on.
 Result<Cluster> settled(const Draft& draft, Layout& layout, Cluster cluster, RugEdges edges = RugEdges::kept_free);
 /// At this pose, exactly.
 Result<Cluster> exactly_at(Draft& draft, const Cluster& cluster, const Pose& pose,
@@ -53,5 +53,17 @@ Vec2 middle_of(const Draft& draft, const Layout& layout, const Aim& aim);
 std::vector<std::string> new_rug_edges(const Scene& before, const Draft& draft);
 /// Sets what stands on the floor of a room to the height of the rugs that lie there now.
 void settle_heights(Draft& draft, const std::string& room);
+
+/// find_place() in the draft's room; where there is no room, a bounded repair: as few unlocked
+/// neighbours as can be, up to three, move as little as can be, and all their relations and all
+/// requirements that held still hold. What moved is in the draft, and in Draft::repairs. If even
+/// that fails, the error names the smallest set of up to three neighbours without which there would
+/// be a place. The cluster is put into the draft.
+Status place_or_make_way(Draft& draft, const Cluster& cluster, const Aim& aim);
+
+/// All points of the floor 5 cm apart where a thing of the cluster's root fits by its box, square
+/// to the walls or turned as the aim says, the nearest to `middle` first: what is left to look at
+/// when no pose with a meaning will do.
+std::vector<Pose> floor_points(const Layout& layout, const Object& root, const Aim& aim, const Vec2& middle);
 
 }  // namespace roomgen

@@ -1,8 +1,8 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "changed_thing.h"
 #include "comparison.h"
+#include "draft_changes.h"
 #include "operations.h"
 
 namespace roomgen {

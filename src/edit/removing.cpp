@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include "grouping.h"
 #include "operations.h"
 #include "placing.h"

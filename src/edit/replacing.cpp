@@ -1,7 +1,7 @@
 #include <algorithm>
 
-#include "changed_thing.h"
 #include "comparison.h"
+#include "draft_changes.h"
 #include "generate/asset_task.h"
 #include "library/asset_object.h"
 #include "operations.h"

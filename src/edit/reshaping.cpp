@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "draft_changes.h"
 #include "operations.h"
 #include "plan/wall_stretch.h"
 #include "roomgen/base/text.h"
-#include "room_change.h"
 #include "walls.h"
 
 namespace roomgen {

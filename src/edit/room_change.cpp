@@ -1,8 +1,7 @@
-#include "room_change.h"
-
 #include <algorithm>
 #include <map>
 
+#include "draft_changes.h"
 #include "placing.h"
 #include "roomgen/base/text.h"
 

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/json_member.h"
+#include "base/json_values.h"
 
 namespace roomgen {
 

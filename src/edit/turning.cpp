@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "group_moves.h"
+#include "grouping.h"
 #include "operations.h"
 #include "placing.h"
 #include "scene/judgement.h"

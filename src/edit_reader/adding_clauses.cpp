@@ -3,13 +3,11 @@
 #include <algorithm>
 
 #include "brief/placement_phrase.h"
-#include "gaps.h"
+#include "clause_parts.h"
 #include "language/inflection.h"
-#include "new_things.h"
 #include "edit/operations.h"
 #include "edit/placing.h"
 #include "roomgen/base/text.h"
-#include "sharing.h"
 #include "solve/ways.h"
 #include "spoken_clause.h"
 

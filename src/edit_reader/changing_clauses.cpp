@@ -2,11 +2,10 @@
 
 #include <algorithm>
 
-#include "clause_tails.h"
-#include "moving_clauses.h"
 #include "edit/operations.h"
 #include "roomgen/base/text.h"
 #include "size_phrases.h"
+#include "wording.h"
 
 namespace roomgen {
 

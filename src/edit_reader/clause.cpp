@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "clause_tails.h"
 #include "edit/operations.h"
+#include "wording.h"
 
 namespace roomgen {
 

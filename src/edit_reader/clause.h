@@ -48,7 +48,8 @@ ReadClause read_size(const EditText& text, const Read<Ids>& what, std::size_t at
 ReadClause read_verb(const EditText& text, const std::string& meaning, const std::string& verb, std::size_t at);
 /// Behind "I want": "the desk wider", "the lamp moved to the window".
 ReadClause read_wish(const EditText& text, std::size_t at);
-/// "bin by the door", "walls sage green", "rug 20 % smaller": what it is about, and how that shall be.
+/// "bin by the door", "walls sage green", "rug 20 % smaller": what it is about, and how that shall
+/// be.
 ReadClause read_fragment(const EditText& text, std::size_t at);
 
 // The same for one meaning each. Of adding:
@@ -62,14 +63,16 @@ ReadClause read_give(const EditText& text, std::size_t at);
 
 // Of what stays:
 
-/// "only the middle one stays", "keep only two chairs", behind the first words; the others of the kind go.
+/// "only the middle one stays", "keep only two chairs", behind the first words; the others of the
+/// kind go.
 ReadClause read_only_these(const EditText& text, std::size_t at);
 /// "a single chair is enough"
 ReadClause read_enough(const EditText& text, std::size_t at);
 
 // Of moving and turning:
 
-/// "put the vase on the table", and "move the vase on the table to the shelf": what is said last is where to.
+/// "put the vase on the table", and "move the vase on the table to the shelf": what is said last is
+/// where to.
 ReadClause read_put(const EditText& text, std::size_t at, bool may_add);
 /// "raise the mirror 15 cm", by a verb that says which way: 1 is up.
 ReadClause read_lift(const EditText& text, std::size_t at, double way);
@@ -81,7 +84,8 @@ ReadClause read_line(const EditText& text, std::size_t at);
 ReadClause read_centre(const EditText& text, std::size_t at);
 ReadClause read_turn(const EditText& text, std::size_t at);
 ReadClause read_turn_first(const EditText& text, std::size_t at);
-/// "everything should be white oak", "the desk must be 10 cm wider", "the table has to be a round one"
+/// "everything should be white oak", "the desk must be 10 cm wider", "the table has to be a round
+/// one"
 ReadClause read_being(const EditText& text, std::size_t at);
 
 // Of other things, other looks and other sizes:
@@ -98,7 +102,8 @@ ReadClause read_looks_first(const EditText& text, std::size_t at);
 ReadClause read_another(const EditText& text, std::size_t at);
 /// "in cream", "20 cm to the left", "a bit wider": of what was spoken of last.
 ReadClause read_ellipsis(const EditText& text, std::size_t at);
-/// "increase the height of the stool by 10 cm", "set the desk's width to 1.6 m"; nothing if no side is named.
+/// "increase the height of the stool by 10 cm", "set the desk's width to 1.6 m"; nothing if no side
+/// is named.
 std::optional<ReadClause> read_property(const EditText& text, std::size_t at, const std::string& verb);
 /// "widen the desk by 20 cm"
 ReadClause read_resize(const EditText& text, std::size_t at, const std::string& verb);
@@ -115,5 +120,39 @@ std::optional<ReadClause> read_room_order(const EditText& text, const std::strin
 std::optional<Read<std::string>> parts_at(const EditText& text, std::size_t at);
 /// "the crib's legs shorter", "the backs of the armchairs taller"
 std::optional<ReadClause> read_form(const EditText& text, std::size_t at);
+
+/// "a gap of 5 cm from the nightstand to the bed", "60 cm of free space to the wardrobe": a
+/// distance that shall be left between things. `subjects` are what the clause is about, none where
+/// the words name both.
+struct KeptGap {
+  double metres = 0.0;
+  Ids first;           ///< that moves
+  std::string second;  ///< a thing, a wall or an opening
+};
+MayRead<KeptGap> gap_at(const EditText& text, std::size_t at, const Ids& subjects);
+
+/// Moves the first ones straight to or from the second until that is left between them.
+ReadClause keep_gap(const EditText& text, const Read<KeptGap>& gap);
+
+/// Where a thing or a part of the room lies, as seen from an object.
+Vec2 middle_of_target(const EditText& text, const Object& object, const std::string& target);
+
+/// Each of the things by so much, or nearer to what it says, or farther from it.
+ReadClause read_shift(const EditText& text, const Ids& ids, const Shifting& how, bool group);
+
+/// "to face each other", "side by side against the wall"
+std::optional<ReadClause> read_mutual(const EditText& text, const Read<Ids>& what);
+/// "with its back to the bed": the front away from it.
+std::optional<ReadClause> read_facing_away(const EditText& text, const Read<Ids>& what);
+/// Where things shall go, behind their names.
+ReadClause put_there(const EditText& text, Read<Ids> what);
+
+/// What is wrong with a thing, which says how it shall be: "the sofa is too close to the TV", "the
+/// table is too small for us", "the lamp is in the way of the door". Nothing where nobody
+/// complains.
+std::optional<ReadClause> complaint_at(const EditText& text, std::size_t at);
+
+/// "except the bed", behind a clause that is about several things: these are left as they are.
+void leave_out_exceptions(const EditText& text, Clause& clause);
 
 }  // namespace roomgen

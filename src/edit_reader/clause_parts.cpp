@@ -4,8 +4,6 @@
 
 #include "create/finish_look.h"
 #include "language/inflection.h"
-#include "new_things.h"
-#include "reference_tails.h"
 #include "room_names.h"
 #include "roomgen/base/text.h"
 #include "scene/finish_words.h"

@@ -1,9 +1,8 @@
-#include "clause_tails.h"
-
 #include <algorithm>
 
 #include "clause.h"
 #include "room_names.h"
+#include "wording.h"
 
 namespace roomgen {
 

@@ -1,8 +1,7 @@
-#include "complaints.h"
-
-#include "clause_tails.h"
+#include "clause.h"
 #include "size_phrases.h"
 #include "spoken_clause.h"
+#include "wording.h"
 
 namespace roomgen {
 

@@ -1,4 +1,4 @@
-#include "corrections.h"
+#include "wording.h"
 
 namespace roomgen {
 

@@ -1,14 +1,10 @@
 #include "destinations.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include "brief/placement_phrase.h"
-#include "reference_tails.h"
+#include "clause_parts.h"
 #include "room_names.h"
 #include "roomgen/base/text.h"
-#include "spots.h"
-#include "wall_phrases.h"
 #include "edit/walls.h"
 
 namespace roomgen {

@@ -34,8 +34,9 @@ struct Whereabouts {
   std::string room = {};            ///< of a dwelling: "in the bedroom"
 };
 
-/// "next to the bed", "against the wall under the window", "in the corner", from `at` on; nothing if no place
-/// is named there, an error if it is not clear which. What is placed (`subjects`) is none of the targets.
+/// "next to the bed", "against the wall under the window", "in the corner", from `at` on; nothing
+/// if no place is named there, an error if it is not clear which. What is placed (`subjects`) is
+/// none of the targets.
 std::optional<Result<Whereabouts>> destination_at(const EditText& text, std::size_t at,
                                                   const std::vector<std::string>& subjects);
 
@@ -50,8 +51,8 @@ std::string nearest_wall(const EditText& text, const Object& object);
 /// The wall that lies to a side as the vocabulary counts them: south, east, north, west.
 std::optional<std::size_t> wall_to(const Room& room, int side);
 
-/// A part of the room: "the window", "the left wall"; but not where a thing is named before it: "the desks face the
-/// window".
+/// A part of the room: "the window", "the left wall"; but not where a thing is named before it:
+/// "the desks face the window".
 std::optional<brief::PlacePhrase> place_named_at(const EditText& text, std::size_t at);
 
 /// A single target of a relation: the id of a thing or a part of the room.
@@ -61,8 +62,8 @@ struct Target {
 };
 std::optional<Result<Target>> target_at(const EditText& text, std::size_t at, const std::vector<std::string>& subjects);
 
-/// The things that a place is relative to; where their name alone does not decide, words behind it may: "the desk
-/// closest to the door".
+/// The things that a place is relative to; where their name alone does not decide, words behind it
+/// may: "the desk closest to the door".
 Result<Read<std::vector<std::string>>> targets_of(const EditText& text, const NamedThing& thing,
                                                   const std::vector<std::string>& subjects);
 
@@ -83,5 +84,26 @@ struct Shifting {
 };
 std::optional<Result<Shifting>> shifting_at(const EditText& text, std::size_t at,
                                             const std::vector<std::string>& subjects);
+
+/// Places that words tell by the pose of a thing: "where the lamp is now", "in the place of the
+/// chair", "the left edge of the desk", "the foot of the bed". `subjects` shall go there; for what
+/// stands on the floor the sides of a thing are relations.
+std::optional<Result<Whereabouts>> spot_at(const EditText& text, std::size_t at,
+                                           const std::vector<std::string>& subjects);
+
+/// A wall that words name, and where on it.
+struct NamedWall {
+  std::size_t wall = 0;
+  std::optional<double> at;
+  std::size_t end = 0;
+};
+
+/// "in the left wall", "the wall behind the sofa"
+std::optional<NamedWall> wall_at(const EditText& text, std::size_t at);
+/// "behind the sink", "opposite the door", "with the window", after "the wall"; `may_be_near`: "by
+/// the bed" too.
+std::optional<NamedWall> wall_by_target(const EditText& text, std::size_t at, bool may_be_near);
+/// The one that looks at it.
+std::size_t wall_opposite(const Room& room, std::size_t wall);
 
 }  // namespace roomgen

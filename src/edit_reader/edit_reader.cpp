@@ -1,16 +1,11 @@
-#include "edit_reader.h"
-
 #include <algorithm>
 
 #include "clause.h"
-#include "clause_tails.h"
-#include "complaints.h"
-#include "exceptions.h"
+#include "edit_words.h"
 #include "gathered_edits.h"
-#include "remarks.h"
 #include "room_scopes.h"
 #include "spoken_clause.h"
-#include "word_order.h"
+#include "wording.h"
 
 namespace roomgen {
 

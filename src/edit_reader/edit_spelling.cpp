@@ -1,11 +1,10 @@
-#include "edit_spelling.h"
-
 #include <algorithm>
 
 #include "kinds/noun_kind.h"
 #include "language/inflection.h"
 #include "language/lexicon.h"
 #include "roomgen/base/text.h"
+#include "wording.h"
 
 namespace roomgen {
 

@@ -2,10 +2,7 @@
 
 #include <algorithm>
 
-#include "corrections.h"
-#include "edit_reader.h"
-#include "edit_spelling.h"
-#include "plain_wording.h"
+#include "wording.h"
 
 namespace roomgen {
 

@@ -1,6 +1,6 @@
-#include "exceptions.h"
-
 #include <algorithm>
+
+#include "clause.h"
 
 namespace roomgen {
 

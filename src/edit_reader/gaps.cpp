@@ -1,8 +1,7 @@
-#include "gaps.h"
-
 #include <algorithm>
 #include <cmath>
 
+#include "clause.h"
 #include "language/measure.h"
 #include "edit/walls.h"
 

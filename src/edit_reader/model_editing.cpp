@@ -1,11 +1,10 @@
-#include "model_editing.h"
-
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "chat/interview.h"
 #include "chat/loose_json.h"
 #include "design/scene_text.h"
+#include "edit_words.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen {

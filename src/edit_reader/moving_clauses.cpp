@@ -1,12 +1,8 @@
-#include "clause.h"
-
 #include <algorithm>
 
-#include "gaps.h"
-#include "new_things.h"
+#include "clause.h"
+#include "clause_parts.h"
 #include "edit/operations.h"
-#include "moving_clauses.h"
-#include "sharing.h"
 
 namespace roomgen {
 

@@ -1,8 +1,5 @@
 #include "references.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "brief/mention_shape.h"
 #include "destinations.h"
 #include "language/inflection.h"

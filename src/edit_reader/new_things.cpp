@@ -1,8 +1,7 @@
-#include "new_things.h"
-
 #include <algorithm>
 
 #include "clause.h"
+#include "clause_parts.h"
 #include "kinds/noun_kind.h"
 #include "language/inflection.h"
 #include "roomgen/base/text.h"

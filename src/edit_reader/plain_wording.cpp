@@ -1,9 +1,7 @@
-#include "plain_wording.h"
-
 #include "language/inflection.h"
 #include "roomgen/base/text.h"
 #include "spoken_clause.h"
-#include "word_order.h"
+#include "wording.h"
 
 namespace roomgen {
 

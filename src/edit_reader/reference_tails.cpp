@@ -1,7 +1,6 @@
-#include "reference_tails.h"
-
 #include <algorithm>
 
+#include "clause_parts.h"
 #include "edit/placing.h"
 #include "room_names.h"
 

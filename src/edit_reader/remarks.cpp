@@ -1,11 +1,10 @@
-#include "remarks.h"
-
 #include <algorithm>
 
 #include "clause.h"
 #include "language/inflection.h"
 #include "language/lexicon.h"
 #include "spoken_clause.h"
+#include "wording.h"
 
 namespace roomgen {
 

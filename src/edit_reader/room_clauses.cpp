@@ -1,13 +1,12 @@
-#include <algorithm>
 #include <cmath>
 
 #include "brief/opening_phrase.h"
 #include "brief/placement_phrase.h"
 #include "clause.h"
+#include "destinations.h"
 #include "language/measure.h"
 #include "scene/opening_kind.h"
 #include "size_phrases.h"
-#include "wall_phrases.h"
 #include "edit/walls.h"
 
 namespace roomgen {

@@ -6,7 +6,7 @@
 #include "room_names.h"
 #include "roomgen/base/text.h"
 #include "scene/opening_kind.h"
-#include "word_order.h"
+#include "wording.h"
 
 namespace roomgen {
 

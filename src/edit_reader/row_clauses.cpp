@@ -1,4 +1,4 @@
-#include "moving_clauses.h"
+#include "clause.h"
 
 namespace roomgen {
 

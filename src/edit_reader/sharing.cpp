@@ -1,6 +1,4 @@
-#include "sharing.h"
-
-#include <algorithm>
+#include "clause_parts.h"
 
 namespace roomgen {
 

@@ -4,7 +4,7 @@
 
 #include "language/inflection.h"
 #include "language/lexicon.h"
-#include "word_order.h"
+#include "wording.h"
 
 namespace roomgen {
 

@@ -1,6 +1,6 @@
-#include "spots.h"
-
 #include <algorithm>
+
+#include "destinations.h"
 
 namespace roomgen {
 

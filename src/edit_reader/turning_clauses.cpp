@@ -1,8 +1,7 @@
-#include <algorithm>
 #include <cmath>
 
 #include "brief/placement_phrase.h"
-#include "moving_clauses.h"
+#include "clause.h"
 #include "edit/walls.h"
 
 namespace roomgen {

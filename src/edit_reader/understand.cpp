@@ -1,7 +1,6 @@
 #include "roomgen/edit_reader/understand.h"
 
 #include "edit_words.h"
-#include "model_editing.h"
 
 namespace roomgen {
 

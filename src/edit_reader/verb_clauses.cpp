@@ -1,12 +1,11 @@
 #include <algorithm>
 
 #include "clause.h"
-#include "gaps.h"
-#include "new_things.h"
+#include "clause_parts.h"
 #include "edit/operations.h"
 #include "roomgen/base/text.h"
 #include "spoken_clause.h"
-#include "word_order.h"
+#include "wording.h"
 
 namespace roomgen {
 

@@ -1,6 +1,5 @@
-#include "wall_phrases.h"
-
 #include "brief/placement_phrase.h"
+#include "destinations.h"
 #include "edit/walls.h"
 
 namespace roomgen {

@@ -1,10 +1,8 @@
-#include "word_order.h"
-
 #include <algorithm>
 
 #include "clause.h"
-#include "new_things.h"
-#include "sharing.h"
+#include "clause_parts.h"
+#include "wording.h"
 
 namespace roomgen {
 

@@ -1,7 +1,7 @@
-#include "each_clause.h"
-
 #include <algorithm>
 #include <vector>
+
+#include "clauses.h"
 
 namespace roomgen {
 

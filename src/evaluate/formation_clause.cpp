@@ -1,5 +1,3 @@
-#include "formation_clause.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -7,6 +5,7 @@
 
 #include <Eigen/QR>
 
+#include "clauses.h"
 #include "roomgen/geometry/vec.h"
 
 namespace roomgen {

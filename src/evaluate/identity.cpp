@@ -4,7 +4,6 @@
 #include <tuple>
 
 #include "library/seen_assets.h"
-#include "library/vocabulary.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen {

@@ -6,19 +6,13 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "each_clause.h"
+#include "clauses.h"
 #include "finding.h"
-#include "formation_clause.h"
 #include "identity.h"
-#include "only_clause.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
-#include "room_clause.h"
+#include "scene/attribute_names.h"
 #include "scene/judgement.h"
-#include "scene/mount_attribute.h"
-#include "scene/seats_attribute.h"
-#include "seats_clause.h"
-#include "style_clause.h"
 
 namespace roomgen {
 

@@ -1,8 +1,7 @@
-#include "only_clause.h"
-
 #include <algorithm>
 
-#include "scene/mount_attribute.h"
+#include "clauses.h"
+#include "scene/attribute_names.h"
 
 namespace roomgen {
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "roomgen/geometry/model.h"
 
 namespace roomgen {

@@ -1,10 +1,9 @@
-#include "room_clause.h"
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <map>
 
+#include "clauses.h"
 #include "roomgen/base/text.h"
 #include "roomgen/geometry/polygon.h"
 

@@ -1,8 +1,7 @@
-#include "seats_clause.h"
-
 #include <algorithm>
 #include <string>
 
+#include "clauses.h"
 #include "roomgen/kinds/kind_table.h"
 
 namespace roomgen {

@@ -1,9 +1,8 @@
-#include "evaluate/style_clause.h"
-
 #include <algorithm>
 #include <string>
 #include <vector>
 
+#include "evaluate/clauses.h"
 #include "library/style_words.h"
 #include "roomgen/base/text.h"
 

@@ -3,9 +3,6 @@
 #include <bit>
 #include <cstdint>
 #include <cstring>
-#include <nlohmann/json.hpp>
-
-#include "roomgen/base/json.h"
 
 namespace roomgen::detail {
 

@@ -2,10 +2,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "geometry/conventions.h"
-#include "roomgen/base/json.h"
 
 namespace roomgen::detail {
 

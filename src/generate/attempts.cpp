@@ -3,11 +3,9 @@
 #include <optional>
 
 #include "consult.h"
-#include "groups.h"
 #include "objections.h"
 #include "prepare.h"
 #include "solve/improve.h"
-#include "solve/make_room.h"
 #include "solve/place.h"
 
 namespace roomgen {
@@ -30,12 +28,6 @@ bool squeeze_in(Work& work, PlacementTask& task) {
     return true;
   }
   return false;
-}
-
-PlaceOptions place_options(const Work& work) {
-  PlaceOptions options = work.place.options.place;
-  options.cancel = work.cancel;
-  return options;
 }
 
 /// The attempts for one object.
@@ -170,7 +162,7 @@ Result<Attempt> try_to_place(Work& work, const PlannedObject& planned, const Ass
   Attempt attempt = begun(asset, advice);
   auto placed = begins_group(work, planned)
                     ? place_with_group(work, planned, task)
-                    : place(work.layout(), task, {}, place_options(work), work.state.random);
+                    : place(work.layout(), task, {}, work.place_options(), work.state.random);
   if (placed) {
     note(*placed, attempt);
     work.layout().add(placed->object);

@@ -5,8 +5,9 @@
 
 namespace roomgen {
 
-/// Tries to find an object a place by all means: each asset, for the first one again with other answers,
-/// room made by others, then a repair. Says in `step` what was tried, and why it failed if it did.
+/// Tries to find an object a place by all means: each asset, for the first one again with other
+/// answers, room made by others, then a repair. Says in `step` what was tried, and why it failed if
+/// it did.
 void try_all(Work& work, const PlannedObject& planned, Step& step);
 
 /// An attempt with an asset as the answer says, before its outcome is known.
@@ -21,5 +22,19 @@ Result<Attempt> try_to_place(Work& work, const PlannedObject& planned, const Ass
 
 /// Moves what stands for those that do not, and for constraints that do not hold.
 void improve_all(Work& work, int rounds, Improvement mode);
+
+/// Is the object the anchor of a group that has not been tried yet?
+bool begins_group(const Work& work, const PlannedObject& planned);
+
+/// Places the group of an anchor as one thing; the others take their places when their turn comes.
+/// `asset` is that of the anchor. Fails with what is in the way.
+Result<Placement> place_with_group(Work& work, const PlannedObject& planned, PlacementTask& task);
+
+/// The group of an anchor that found no place: its things stand for themselves.
+void fall_apart(Work& work, const PlannedObject& planned, const PlacementTask& task);
+
+/// Puts a thing at its place in its group, or says in `step` that the group had none for it. False
+/// where it has to find a place for itself.
+bool take_place_in_group(Work& work, const PlannedObject& planned, Step& step);
 
 }  // namespace roomgen

@@ -1,8 +1,7 @@
-#include "check_kind.h"
-
 #include <algorithm>
 
 #include "brief/room_kinds.h"
+#include "builder_steps.h"
 #include "plan/room_makers.h"
 
 namespace roomgen {

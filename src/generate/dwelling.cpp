@@ -1,5 +1,4 @@
 #include <iterator>
-#include <map>
 #include <set>
 #include <utility>
 

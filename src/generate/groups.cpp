@@ -1,5 +1,3 @@
-#include "groups.h"
-
 #include <algorithm>
 
 #include "attempts.h"
@@ -26,22 +24,10 @@ const Object* Cast::object_of(const Member& member) const {
 
 namespace {
 
-const composition::Role* role_of(const Work& work, const std::string& id) {
-  const auto found = work.place.roles.find(id);
-  return found == work.place.roles.end() ? nullptr : &found->second;
-}
-
-const PlanGroup* group_of(const Work& work, const std::string& id) {
-  const auto& groups = work.place.plan.groups;
-  const auto found = std::find_if(groups.begin(), groups.end(),
-                                  [&](const PlanGroup& group) { return group.id == id; });
-  return found == groups.end() ? nullptr : &*found;
-}
-
 // In a scene each of the groups within a group is one of its own: a table moves with its chairs,
 // not with all tables. What is in none of them goes with the anchor.
 std::string name_in_scene(const Work& work, composition::Role role) {
-  for (const auto& [id, other] : work.place.roles)
+  for (const auto& [id, other] : work.place.roles.by_id())
     if (role.unit < 0 && other.is_anchor && other.group == role.group) role.unit = other.unit;
   return role.unit < 0 ? role.group : role.group + "#" + std::to_string(role.unit);
 }
@@ -51,7 +37,7 @@ Cast cast_of(Work& work, const PlacementTask& anchor, const std::string& group) 
   Cast cast;
   cast.things[anchor.object.id].task = anchor;
   for (const auto& planned : planned_objects(work.place.plan)) {
-    const auto* role = role_of(work, planned.id);
+    const auto* role = work.role_of(planned.id);
     if (!role || role->group != group || work.layout().find(planned.id)) continue;
     cast.ids[{role->part, role->number}] = planned.id;
     if (planned.id == anchor.object.id) continue;
@@ -107,8 +93,7 @@ bool stand(Work& work, const StandingGroup& group, const PlannedObject& planned,
   }
   if (!follow(work, attempt.answer, planned, 0, task)) return false;
   if (!stand_in_frame(work, group, task)) {
-    PlaceOptions options = work.place.options.place;
-    options.cancel = work.cancel;
+    PlaceOptions options = work.place_options();
     options.accepts = [&](const Pose& pose) {
       return (pose.position - *task.location).norm() <= about;
     };
@@ -128,7 +113,7 @@ StandingGroup* standing_group(const Work& work, const std::string& id) {
 
 // Not only some of the groups within it.
 bool whole_group_stands(const Work& work, const PlannedObject& planned) {
-  const auto* role = role_of(work, planned.id);
+  const auto* role = work.role_of(planned.id);
   return role && std::any_of(work.state.groups.begin(), work.state.groups.end(),
                              [&](const StandingGroup& group) {
                                return group.id == role->group && group.is_whole;
@@ -178,7 +163,7 @@ Result<std::vector<composition::Arranged>> ways_of(Work& work, const PlannedObje
     return known == cast.things.end() ? std::nullopt
                                       : std::optional<Vec3>(known->second.task.object.size);
   };
-  return ways_that_hold_together(work, *group_of(work, role_of(work, anchor.id)->group), cast,
+  return ways_that_hold_together(work, *composition::find_group(work.place.plan, work.role_of(anchor.id)->group), cast,
                                  size_of);
 }
 
@@ -186,7 +171,7 @@ Result<std::vector<composition::Arranged>> ways_of(Work& work, const PlannedObje
 void let_wait(Work& work, const std::function<bool(const PlannedObject&)>& is_dropped) {
   auto& left = work.state.left;
   const auto last = std::find_if(left.rbegin(), left.rend(), [&](const PlannedObject& planned) {
-    return role_of(work, planned.id) || work.item(planned).location;
+    return work.role_of(planned.id) || work.item(planned).location;
   });
   composition::postpone(work.place.plan, {left.begin(), last.base()}, is_dropped);
 }
@@ -195,27 +180,26 @@ void let_wait(Work& work, const std::function<bool(const PlannedObject&)>& is_dr
 
 bool begins_group(const Work& work, const PlannedObject& planned) {
   if (work.state.units.count(planned.id)) return true;
-  const auto* role = role_of(work, planned.id);
+  const auto* role = work.role_of(planned.id);
   return role && role->is_anchor && !work.state.tried_groups.count(role->group);
 }
 
 Result<Placement> place_with_group(Work& work, const PlannedObject& planned, PlacementTask& task) {
-  const std::string& id = role_of(work, planned.id)->group;
-  task.object.group = name_in_scene(work, *role_of(work, planned.id));
+  const std::string& id = work.role_of(planned.id)->group;
+  task.object.group = name_in_scene(work, *work.role_of(planned.id));
   Cast cast = cast_of(work, task, id);
   auto ways = ways_of(work, planned, cast);
   if (!ways) return ways.error();
   const bool is_whole = work.state.units.count(planned.id) == 0;
   PlacementTask whole = task;
-  if (is_whole) whole.composition = group_of(work, id)->composition;
-  PlaceOptions options = work.place.options.place;
-  options.cancel = work.cancel;
+  if (is_whole) whole.composition = composition::find_group(work.place.plan, id)->composition;
   // What has no room in the group itself shall not cost it its place.
   const auto loose = overlapping(work, ways->front(), cast);
   const auto thing_of = [&](const Member& member) {
     return loose.count(cast.id_of(member)) > 0 ? nullptr : cast.object_of(member);
   };
-  auto placed = place_group(work.layout(), whole, *ways, thing_of, options, work.state.random);
+  auto placed = place_group(work.layout(), whole, {*ways, thing_of}, work.place_options(),
+                            work.state.random);
   if (!placed) return placed.error();
   StandingGroup standing{id, is_whole, {}, std::move(placed->task), {}};
   const auto& members = (*ways)[placed->way].members;
@@ -230,7 +214,7 @@ Result<Placement> place_with_group(Work& work, const PlannedObject& planned, Pla
   work.state.groups.push_back(std::move(standing));
   if (is_whole)
     let_wait(work, [&](const PlannedObject& other) {
-      const auto* role = role_of(work, other.id);
+      const auto* role = work.role_of(other.id);
       return role && role->group == id && !standing_group(work, other.id);
     });
   work.state.tried_groups.insert(id);
@@ -239,7 +223,7 @@ Result<Placement> place_with_group(Work& work, const PlannedObject& planned, Pla
 }
 
 void fall_apart(Work& work, const PlannedObject& planned, const PlacementTask& task) {
-  const auto& own = *role_of(work, planned.id);
+  const auto& own = *work.role_of(planned.id);
   const bool is_unit = work.state.units.erase(planned.id) > 0;
   if (!is_unit) {
     work.state.tried_groups.insert(own.group);
@@ -253,7 +237,7 @@ void fall_apart(Work& work, const PlannedObject& planned, const PlacementTask& t
     }
   }
   let_wait(work, [&](const PlannedObject& other) {
-    const auto* role = role_of(work, other.id);
+    const auto* role = work.role_of(other.id);
     return role && role->group == own.group && (is_unit ? role->unit == own.unit : role->unit < 0);
   });
 }

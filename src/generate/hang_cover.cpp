@@ -1,7 +1,6 @@
-#include "hang_cover.h"
-
 #include <algorithm>
 
+#include "builder_steps.h"
 #include "retrieve.h"
 #include "window_cover.h"
 

@@ -2,7 +2,6 @@
 
 #include "brief/outline.h"
 #include "brief/room_kinds.h"
-#include "plan/least_size.h"
 #include "plan/room_makers.h"
 #include "plan/room_openings.h"
 

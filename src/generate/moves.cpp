@@ -19,9 +19,8 @@ bool is_move(const Move& move) {
 std::vector<Move> moves_between(std::span<const Object> before, std::span<const Object> after) {
   std::vector<Move> moves;
   for (const auto& old : before) {
-    const auto now = std::find_if(after.begin(), after.end(),
-                                  [&](const Object& other) { return other.id == old.id; });
-    if (now == after.end()) continue;
+    const Object* now = find_object(after, old.id);
+    if (!now) continue;
     Move move{old.id, old.position, now->position, wrap_angle(now->yaw - old.yaw)};
     if (is_move(move)) moves.push_back(std::move(move));
   }

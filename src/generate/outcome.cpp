@@ -1,9 +1,8 @@
-#include "outcome.h"
-
 #include <algorithm>
 #include <cmath>
 #include <set>
 
+#include "builder_steps.h"
 #include "roomgen/base/text.h"
 #include "evaluate/attributes.h"
 #include "evaluate/ledger.h"
@@ -20,16 +19,10 @@ namespace roomgen {
 
 namespace {
 
-const Object* find_object(const BuildState& state, const std::string& id) {
-  const auto found = std::find_if(state.objects.begin(), state.objects.end(),
-                                  [&](const Object& object) { return object.id == id; });
-  return found == state.objects.end() ? nullptr : &*found;
-}
-
 // Things in the order of the plan, and what is missing.
 void list_objects(const Workplace& place, const BuildState& state, Scene& scene) {
   for (const auto& planned : planned_objects(place.plan)) {
-    if (const Object* placed = find_object(state, planned.id)) {
+    if (const Object* placed = find_object(state.objects, planned.id)) {
       scene.objects.push_back(with_rounded_pose(*placed));
       // Of a group that was locked while it was built.
       if (!placed->group.empty()) scene.objects.back().locked = false;
@@ -82,7 +75,7 @@ std::string difference(const PlanItem& item, const Kind& kind, const AssetInfo& 
 void tell_differences(const Workplace& place, const BuildState& state, Generation& result) {
   std::set<std::pair<std::size_t, std::string>> told;
   for (const auto& planned : planned_objects(place.plan)) {
-    const Object* placed = find_object(state, planned.id);
+    const Object* placed = find_object(state.objects, planned.id);
     if (!placed) continue;
     const PlanItem& item = place.plan.items[planned.item];
     const std::string text = difference(item, place.categories.get(item.category),
@@ -126,7 +119,7 @@ void lay_rugs(const Workplace& place, const BuildState& state, Generation& resul
       tell_change(*lay, result);
   for (const auto& id : fit.left_out)
     result.scene.unplaced.push_back(
-        {id, find_object(state, id)->category, "wherever it lies, something stands on its edge"});
+        {id, find_object(state.objects, id)->category, "wherever it lies, something stands on its edge"});
   for (const auto& id : fit.uneven)
     result.notes.push_back("something stands on the edge of " + id + ", for it was asked for there");
 }
@@ -162,7 +155,7 @@ Said said_of(const BuildState& state, const Step& step) {
 }
 
 bool rests_on(const BuildState& state, const Object* object, const std::string& carrier) {
-  while (object && object->on != carrier) object = find_object(state, object->on);
+  while (object && object->on != carrier) object = find_object(state.objects, object->on);
   return object != nullptr;
 }
 
@@ -190,7 +183,7 @@ void tell_what_was_not_followed(const BuildState& state, Generation& result) {
   for (const auto& task : state.tasks) {
     const std::string& id = task.object.id;
     const Step* step = is_of_somebody(task) ? step_of(state, id) : nullptr;
-    if (!step || !find_object(state, id)) continue;
+    if (!step || !find_object(state.objects, id)) continue;
     for (const auto& attempt : step->attempts)
       if (attempt.refused.empty() && !attempt.objections.empty())
         result.notes.push_back(id + " is not all as it was said: " + join(attempt.objections, "; "));
@@ -243,7 +236,7 @@ void count_suggestions(const PlacementTask& task, const Object& placed, const St
 void count_constraints(const Workplace& place, const BuildState& state, Generation& result) {
   for (const auto& task : state.tasks) {
     result.constraints += static_cast<int>(task.object.relations.size());
-    if (const Object* placed = find_object(state, task.object.id))
+    if (const Object* placed = find_object(state.objects, task.object.id))
       count_suggestions(task, *placed, step_of(state, task.object.id), result.suggestions);
   }
   for (const auto& verdict : judge_scene(result.scene, place.categories))

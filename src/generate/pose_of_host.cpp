@@ -1,9 +1,8 @@
-#include "pose_of_host.h"
-
 #include <cmath>
 #include <optional>
 
 #include "attempts.h"
+#include "builder_steps.h"
 #include "consult.h"
 #include "fits_as_it_is.h"
 #include "prepare.h"

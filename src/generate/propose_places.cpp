@@ -1,9 +1,7 @@
-#include "propose_places.h"
-
 #include "attempts.h"
+#include "builder_steps.h"
 #include "consult.h"
 #include "fits_as_it_is.h"
-#include "hang_cover.h"
 #include "prepare.h"
 #include "solve/place.h"
 
@@ -26,8 +24,7 @@ Result<Proposal> propose_hanging(Work& work, Proposal proposal) {
 
 // Each one the best that is not like those before.
 void add_places(Work& work, std::size_t count, Proposal& proposal) {
-  PlaceOptions options = work.place.options.place;
-  options.cancel = work.cancel;
+  PlaceOptions options = work.place_options();
   while (proposal.places.size() < count) {
     auto placed = place(work.layout(), proposal.task, {}, options, work.state.random);
     if (!placed) {

@@ -4,14 +4,10 @@
 #include <utility>
 
 #include "attempts.h"
-#include "check_kind.h"
-#include "hang_cover.h"
+#include "builder_steps.h"
 #include "moves.h"
 #include "order.h"
-#include "outcome.h"
 #include "patience.h"
-#include "pose_of_host.h"
-#include "propose_places.h"
 #include "workplace.h"
 
 namespace roomgen {

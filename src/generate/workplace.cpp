@@ -13,7 +13,7 @@ Workplace::Workplace(Plan the_plan, Designer& the_designer, const AssetLibrary& 
                      const KindTable& the_categories, BuildOptions the_options)
     : notes_given(the_plan.notes.size()),
       plan(ready(std::move(the_plan), the_categories)),
-      roles(composition::roles(plan)),
+      roles(plan),
       carriers(composition::carriers(plan, the_categories)),
       designer(the_designer),
       library(the_library),

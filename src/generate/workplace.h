@@ -21,7 +21,7 @@ struct Workplace {
 
   std::size_t notes_given;  ///< of the plan, before it was ready()
   Plan plan;                ///< ready()
-  std::map<std::string, composition::Role> roles;  ///< of its objects in its groups, by id
+  composition::Roles roles;
   std::map<std::string, std::string> carriers;     ///< composition::carriers()
   Designer& designer;
   const AssetLibrary& library;
@@ -55,6 +55,12 @@ struct Work {
   const PlanItem& item(const PlannedObject& planned) const { return place.plan.items[planned.item]; }
   const Kind& category(const PlannedObject& planned) const {
     return place.categories.get(item(planned).category);
+  }
+  const composition::Role* role_of(const std::string& id) const { return place.roles.of(id); }
+  PlaceOptions place_options() const {
+    PlaceOptions options = place.options.place;
+    options.cancel = cancel;
+    return options;
   }
 };
 

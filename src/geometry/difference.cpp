@@ -1,7 +1,7 @@
-#include "difference.h"
-
 #include <cmath>
 #include <polyclipping/clipper.hpp>
+
+#include "triangulate.h"
 
 namespace roomgen {
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "roomgen/geometry/model.h"
@@ -19,5 +20,9 @@ bool is_simple(const Loop& loop);
 /// side too.
 std::vector<Triangle> triangulate(const std::vector<Loop>& loops);
 std::vector<Triangle> triangulate(const Polygon& polygon);
+
+/// What is left of the polygon without the others, to a micrometre: outer loops counter-clockwise,
+/// holes clockwise. The polygon itself, untouched, where nothing overlaps it.
+std::vector<Loop> difference(const Polygon& polygon, std::span<const Polygon> others);
 
 }  // namespace roomgen

@@ -1,9 +1,7 @@
 #include "roomgen/import/import.h"
 
-#include <bit>
 #include <cstdint>
 #include <cstring>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>

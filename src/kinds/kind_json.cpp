@@ -1,4 +1,3 @@
-#include "base/json_reader.h"
 #include "kind_json.h"
 
 #include <algorithm>

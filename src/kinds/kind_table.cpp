@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <deque>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <set>
 
 #include "base/json_reader.h"
@@ -11,7 +10,6 @@
 #include "kind_json.h"
 #include "language/lexicon.h"
 #include "noun_kind.h"
-#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen {

@@ -1,7 +1,6 @@
 #include "amount.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string_view>
 

@@ -1,10 +1,9 @@
-#include "attach.h"
-
 #include <set>
 #include <string_view>
 #include <utility>
 
 #include "attacher.h"
+#include "chunks.h"
 
 namespace roomgen::language {
 

@@ -1,7 +1,5 @@
 #include "candidates.h"
 
-#include <algorithm>
-
 #include "lexicon.h"
 #include "small_words.h"
 

@@ -19,4 +19,8 @@ struct Chunk {
 /// pieces must outlive the chunks.
 std::vector<Chunk> chunk(const std::vector<Piece>& pieces, Parse& parse);
 
+/// Finds what the chunks of a text are to each other: lists, verbs with their subjects and objects,
+/// and what prepositions attach to.
+void attach(const std::vector<Chunk>& chunks, Parse& parse);
+
 }  // namespace roomgen::language

@@ -4,7 +4,6 @@
 #include <cassert>
 #include <charconv>
 #include <cmath>
-#include <cstdint>
 
 #include "lexicon_layout.h"
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <string_view>
 
 // How the compiled lexicon lies in memory: what src/language/compile writes and lexicon.cpp reads

@@ -1,6 +1,5 @@
 #include "parse.h"
 
-#include "attach.h"
 #include "chunks.h"
 #include "inflection.h"
 

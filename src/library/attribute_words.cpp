@@ -7,7 +7,6 @@
 
 #include "base/json_reader.h"
 #include "base/resource.h"
-#include "finish_meanings.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "style_words.h"

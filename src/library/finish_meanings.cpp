@@ -1,9 +1,8 @@
-#include "finish_meanings.h"
-
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "attribute_words.h"
 #include "base/json_reader.h"
 #include "base/resource.h"
 #include "roomgen/base/json.h"

@@ -1,7 +1,6 @@
 #include "dwelling_openings.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <string>
 

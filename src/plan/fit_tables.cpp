@@ -1,8 +1,7 @@
-#include "fit_tables.h"
-
 #include <algorithm>
 
 #include "brief/table_size.h"
+#include "inventory.h"
 
 namespace roomgen::plan {
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "base/random.h"
 #include "brief/brief.h"
 #include "brief/outline.h"

@@ -6,7 +6,6 @@
 
 #include "brief/mention_shape.h"
 #include "brief/table_size.h"
-#include "fit_tables.h"
 
 namespace roomgen::plan {
 

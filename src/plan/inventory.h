@@ -1,6 +1,5 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "base/random.h"
@@ -44,5 +43,8 @@ double floor_area(const std::vector<Draft>& drafts, const KindTable& table);
 void complete(std::vector<Draft>& drafts, const brief::Brief& brief, const brief::RoomKinds& kinds,
               const brief::RoomKind& kind, const Vec2& room, const KindTable& table,
               const Looks& looks, Random random);
+
+/// Makes the tables that the prompt asks for, without saying how large, fit the seats it asks for.
+void fit_tables(std::vector<Draft>& drafts, const brief::Brief& brief, const KindTable& table);
 
 }  // namespace roomgen::plan

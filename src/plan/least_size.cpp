@@ -1,7 +1,6 @@
-#include "least_size.h"
-
 #include <cmath>
 
+#include "room_makers.h"
 #include "roomgen/scene/room.h"
 
 namespace roomgen::plan {

@@ -10,7 +10,7 @@
 #include "blocks.h"
 #include "room_clauses.h"
 #include "roomgen/base/text.h"
-#include "scene/mount_attribute.h"
+#include "scene/attribute_names.h"
 #include "scene/room_part.h"
 
 namespace roomgen::plan {

@@ -1,7 +1,6 @@
-#include "light.h"
-
 #include <algorithm>
 
+#include "looks.h"
 #include "scene/finish_words.h"
 
 namespace roomgen::plan {

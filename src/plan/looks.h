@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "base/random.h"
+#include "brief/brief.h"
 #include "brief/room_kinds.h"
 #include "library/style_words.h"
 #include "roomgen/kinds/kind_table.h"
@@ -38,5 +39,17 @@ class Looks {
   std::size_t of_style_ = 0;  ///< so many of the finishes are the style's
   std::vector<std::pair<std::vector<std::string>, std::string>> finishes_;  ///< kinds and the word
 };
+
+/// What the words of a prompt say of the light: "a candlelit evening" (the moods of data/materials.json). Words
+/// that describe a thing or are denied say nothing. The brief hears them.
+Lighting light_of(brief::Brief& brief);
+
+/// Says what is still open.
+void fill(Lighting& light, const Lighting& more);
+
+/// The look of a room whose prompt names colours and stuffs without the things that have them: colours are worn by what
+/// is soft or small, woods by furniture, metals by lamps (data/styles.json says by which kinds), brick, plaster and
+/// stone by a wall.
+StyleMeaning style_of_palette(const std::vector<std::string>& palette);
 
 }  // namespace roomgen::plan

@@ -1,7 +1,6 @@
-#include "palette.h"
-
 #include <map>
 
+#include "looks.h"
 #include "roomgen/base/text.h"
 #include "scene/finish_words.h"
 

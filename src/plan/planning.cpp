@@ -10,13 +10,10 @@
 #include "composition/plan_groups.h"
 #include "grouping.h"
 #include "inventory.h"
-#include "least_size.h"
 #include "ledger.h"
-#include "light.h"
 #include "looks.h"
 #include "room_makers.h"
 #include "order.h"
-#include "palette.h"
 #include "room_openings.h"
 #include "solve/dry_run.h"
 

@@ -5,11 +5,11 @@
 #include <optional>
 
 #include "brief/bound_mentions.h"
-#include "brief/prompt_remarks.h"
+#include "brief/prompt_passes.h"
 #include "library/style_words.h"
 #include "roomgen/base/text.h"
 #include "roomgen/geometry/polygon.h"
-#include "scene/seats_attribute.h"
+#include "scene/attribute_names.h"
 
 namespace roomgen::plan {
 

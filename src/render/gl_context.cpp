@@ -1,7 +1,5 @@
 #include "gl_context.h"
 
-#include "osmesa.h"
-
 namespace roomgen::detail {
 
 namespace {

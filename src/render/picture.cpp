@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <cmath>
-#include <cstring>
 
 #include "lit_shaders.h"
 #include "shaders.h"

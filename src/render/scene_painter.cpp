@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <string>
 
 #include "lit_shaders.h"
 #include "shaders.h"

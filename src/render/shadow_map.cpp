@@ -1,7 +1,6 @@
 #include "shadow_map.h"
 
 #include <Eigen/Geometry>
-#include <cmath>
 
 namespace roomgen::detail {
 

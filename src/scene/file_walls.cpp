@@ -1,11 +1,8 @@
 #include "file_walls.h"
 
 #include <nlohmann/json.hpp>
-#include <string>
 
-#include "base/json_reader.h"
 #include "file_limits.h"
-#include "roomgen/base/json.h"
 
 namespace roomgen {
 

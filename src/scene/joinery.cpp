@@ -1,7 +1,5 @@
 #include "joinery.h"
 
-#include <algorithm>
-
 #include "wall_builder.h"
 
 namespace roomgen::detail {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "roomgen/base/json.h"
 #include "rounded_pose.h"
 
 namespace roomgen {

@@ -1,7 +1,6 @@
 #include "roomgen/scene/plan.h"
 
 #include <algorithm>
-#include <map>
 #include <nlohmann/json.hpp>
 
 #include "base/json_reader.h"
@@ -11,7 +10,6 @@
 #include "room_look_json.h"
 #include "wanted_opening_json.h"
 #include "roomgen/base/file.h"
-#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "roomgen/scene/plan.h"
 #include "roomgen/scene/scene.h"

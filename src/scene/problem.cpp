@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "base/json_reader.h"
 #include "document_parts.h"
@@ -11,7 +10,6 @@
 #include "file_walls.h"
 #include "room_part.h"
 #include "roomgen/base/file.h"
-#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "roomgen/kinds/kind_table.h"
 

@@ -8,7 +8,6 @@
 #include "base/json_reader.h"
 #include "document_parts.h"
 #include "relation_named.h"
-#include "roomgen/base/json.h"
 
 namespace roomgen {
 

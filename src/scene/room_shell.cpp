@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "finish.h"
-#include "geometry/difference.h"
 #include "geometry/outline.h"
+#include "geometry/triangulate.h"
 #include "joinery.h"
 #include "wall_builder.h"
 #include "woodwork.h"

@@ -1,6 +1,5 @@
 #include "roomgen/scene/scene.h"
 
-#include <map>
 #include <set>
 
 #include "dwelling.h"

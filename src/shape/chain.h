@@ -5,6 +5,7 @@
 
 #include "roomgen/base/result.h"
 #include "roomgen/shape/primitives.h"
+#include "surface.h"
 
 namespace roomgen::shape {
 
@@ -38,5 +39,10 @@ Result<Chain2> sample_outline(const Curve<Vec2>& outline, double tolerance,
                               const std::string& what);
 
 void reverse(Chain2& chain);
+
+/// The body of a profile of (radius, z) turned by `angle`: a closed profile counter-clockwise in
+/// the plane of radius and height, or an open one from the lower to the upper end of the axis, both
+/// of its ends on it.
+Mesh turned(const Chain2& profile, double angle, double tolerance);
 
 }  // namespace roomgen::shape

@@ -1,6 +1,5 @@
 #include "expression_parser.h"
 
-#include <array>
 #include <charconv>
 #include <map>
 

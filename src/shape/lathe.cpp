@@ -1,8 +1,7 @@
-#include "lathe.h"
-
 #include <algorithm>
 #include <cmath>
 
+#include "chain.h"
 #include "checks.h"
 #include "roomgen/geometry/polygon.h"
 #include "rounds.h"

@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "base/json_reader.h"
 #include "color.h"
 #include "expression_parser.h"
 #include "roomgen/base/json.h"

@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include "checks.h"
 #include "roomgen/shape/primitives.h"
 #include "skin.h"

@@ -6,7 +6,6 @@
 #include "base/json_reader.h"
 #include "component_reader.h"
 #include "document.h"
-#include "roomgen/base/json.h"
 #include "solid_json.h"
 
 namespace roomgen::shape {

@@ -1,7 +1,7 @@
 #include <algorithm>
 
+#include "chain.h"
 #include "checks.h"
-#include "lathe.h"
 #include "rounds.h"
 
 namespace roomgen::shape {

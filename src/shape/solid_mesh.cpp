@@ -1,6 +1,5 @@
 #include "solid_mesh.h"
 
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 

@@ -1,7 +1,6 @@
 #include "arrange.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <vector>
 

@@ -1,7 +1,5 @@
 #include "chain.h"
 
-#include <algorithm>
-
 namespace roomgen {
 
 namespace {

@@ -1,7 +1,6 @@
 #include "distinct.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "suggestion.h"
 

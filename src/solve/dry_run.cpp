@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <map>
 #include <set>
-#include <tuple>
 
 #include "composition/plan_groups.h"
 #include "place_group.h"
@@ -90,8 +89,7 @@ std::optional<Object> place_as_box(Layout& layout, const PlanItem& item, Placeme
 class DryRunning {
  public:
   DryRunning(const Plan& plan, const KindTable& kinds, const Arrangements& arrangements)
-      : plan_(plan), roles_(composition::roles(plan)), layout_(plan.room, kinds, boxes_, &arrangements) {
-    for (const auto& [id, role] : roles_) ids_[{role.group, role.part, role.number}] = id;
+      : plan_(plan), roles_(plan), layout_(plan.room, kinds, boxes_, &arrangements) {
     for (const auto& planned : planned_objects(plan)) planned_.emplace(planned.id, planned);
   }
 
@@ -117,33 +115,31 @@ class DryRunning {
   std::optional<Object> placed_as_box(const PlannedObject& planned, const PlanItem& item) {
     if (const auto known = places_.find(planned.id); known != places_.end()) return known->second;
     PlacementTask task = task_for(plan_, planned, layout_);
-    const auto role = roles_.find(planned.id);
+    const composition::Role* role = roles_.of(planned.id);
     if (const auto unit = units_.find(planned.id); unit != units_.end()) {
-      if (auto placed = place_ways({&unit->second, 1}, role->second.group, task)) return placed;
-    } else if (role != roles_.end() && tried_.insert(role->second.group).second && item.mount != Mount::surface) {
-      if (auto placed = place_whole(role->second.group, task)) return placed;
+      if (auto placed = place_ways({&unit->second, 1}, role->group, task)) return placed;
+    } else if (role && tried_.insert(role->group).second && item.mount != Mount::surface) {
+      if (auto placed = place_whole(*composition::find_group(plan_, role->group), task)) return placed;
       if (units_.count(planned.id)) return placed_as_box(planned, item);
     }
     return place_as_box(layout_, item, std::move(task));
   }
 
   // The whole group of an anchor, or else its units when their turn comes.
-  std::optional<Object> place_whole(const std::string& id, PlacementTask task) {
-    const auto group = std::find_if(plan_.groups.begin(), plan_.groups.end(),
-                                    [&](const PlanGroup& one) { return one.id == id; });
-    task.composition = group->composition;
-    auto ways = composition::ways_to_stand(plan_, *group, layout_.categories(), {{}, 0.0});  // boxes
+  std::optional<Object> place_whole(const PlanGroup& group, PlacementTask task) {
+    task.composition = group.composition;
+    auto ways = composition::ways_to_stand(plan_, group, layout_.categories(), {{}, 0.0});  // boxes
     if (!ways) return std::nullopt;
     if (ways->size() > most_ways) ways->resize(most_ways);
-    if (auto placed = place_ways(*ways, id, task)) {
-      for (const auto& [key, member] : ids_)
-        if (std::get<0>(key) == id && !places_.count(member) && member != task.object.id && may_be_left_out(member))
+    if (auto placed = place_ways(*ways, group.id, task)) {
+      for (const auto& [member, role] : roles_.by_id())
+        if (role.group == group.id && !places_.count(member) && member != task.object.id && may_be_left_out(member))
           places_[member] = std::nullopt;
       return placed;
     }
     for (auto& unit : composition::units_of(ways->front()))
-      if (const auto anchor = ids_.find({id, unit.members.front().part, unit.members.front().number}); anchor != ids_.end())
-        units_.emplace(anchor->second, std::move(unit));
+      if (const auto anchor = roles_.id_of(group.id, unit.members.front()); !anchor.empty())
+        units_.emplace(anchor, std::move(unit));
     return std::nullopt;
   }
 
@@ -157,24 +153,23 @@ class DryRunning {
                                    const PlacementTask& task) {
     std::map<std::string, Object> things;
     const auto thing_of = [&](const composition::Member& member) -> const Object* {
-      const auto known = ids_.find({id, member.part, member.number});
-      if (known == ids_.end()) return nullptr;
-      const auto [at, is_new] = things.try_emplace(known->second);
-      if (is_new) at->second = task_for(plan_, planned_.at(known->second), layout_).object;
+      const std::string known = roles_.id_of(id, member);
+      if (known.empty()) return nullptr;
+      const auto [at, is_new] = things.try_emplace(known);
+      if (is_new) at->second = task_for(plan_, planned_.at(known), layout_).object;
       return &at->second;
     };
     PlaceOptions options;
     options.max_exact_tests = most_exact_tests;
     Random random(0);
-    auto placed = place_group(layout_, task, ways, thing_of, options, random);
+    auto placed = place_group(layout_, task, {ways, thing_of}, options, random);
     if (!placed) return std::nullopt;
     for (const auto& object : companions_of(placed->task, placed->placement.object)) places_[object.id] = object;
     return std::move(placed->placement.object);
   }
 
   const Plan& plan_;
-  std::map<std::string, composition::Role> roles_;
-  std::map<std::tuple<std::string, std::string, std::size_t>, std::string> ids_;  ///< by group, part, number
+  const composition::Roles roles_;
   std::map<std::string, PlannedObject> planned_;
   const ModelTable boxes_ = {};
   Layout layout_;

@@ -1,7 +1,6 @@
 #include "exact_choice.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "propose.h"

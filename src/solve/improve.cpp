@@ -6,7 +6,6 @@
 
 #include "arrange.h"
 #include "place.h"
-#include "polish.h"
 #include "propose.h"
 #include "quality.h"
 #include "scene/judgement.h"
@@ -143,9 +142,8 @@ class Search {
     };
     std::vector<std::string> moved;
     for (const auto& object : layout_.objects()) {
-      const auto before = std::find_if(state.objects.begin(), state.objects.end(),
-                                       [&](const Object& other) { return other.id == object.id; });
-      if (before == state.objects.end() || !same_pose(*before, object)) moved.push_back(object.id);
+      const Object* before = find_object(state.objects, object.id);
+      if (!before || !same_pose(*before, object)) moved.push_back(object.id);
     }
     for (const auto& id : moved) layout_.remove(id);
     for (const auto& object : state.objects)

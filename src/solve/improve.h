@@ -30,4 +30,17 @@ int improve(Layout& layout, const std::vector<PlacementTask>& tasks,
             std::map<std::string, std::string>& reasons, const ImproveOptions& options,
             Random& random);
 
+/// Places each thing once more by itself, without chance, and keeps what is better: searches leave
+/// some a little off.
+void polish(Layout& layout, const std::vector<PlacementTask>& tasks, PlaceOptions options,
+            const CancelToken& cancel, Random& random);
+
+/// Places a small thing on a support that is full by moving what stands there already: all of it,
+/// with the newcomer, is arranged anew so that every constraint holds, or else all that was wished
+/// for, or else so that everything at least stands on its support. `tasks` are the things of the
+/// layout in placement order; locked ones and those without a task stay where they are, and if that will do
+/// also those that somebody put there. Tells whether the newcomer is in the layout now; if not, nothing has moved.
+bool make_room(Layout& layout, const PlacementTask& newcomer,
+               const std::vector<PlacementTask>& tasks, const CancelToken& cancel, Random& random);
+
 }  // namespace roomgen

@@ -76,9 +76,7 @@ Layout::Layout(const Room& room, const KindTable& categories, const ModelTable& 
 }
 
 const Object* Layout::find(std::string_view id) const {
-  const auto found = std::find_if(objects_.begin(), objects_.end(),
-                                  [&](const Object& object) { return object.id == id; });
-  return found == objects_.end() ? nullptr : &*found;
+  return find_object(objects_, id);
 }
 
 std::vector<Pose> Layout::free_support_poses(const Object& object, const Object& support) const {

@@ -1,10 +1,9 @@
-#include "make_room.h"
-
 #include <algorithm>
 #include <set>
 #include <string>
 
 #include "arrange.h"
+#include "improve.h"
 
 namespace roomgen {
 

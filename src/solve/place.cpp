@@ -1,12 +1,10 @@
 #include "place.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "exact_choice.h"
 #include "fuse.h"
-#include "place_usual.h"
 #include "proposals.h"
 #include "quality.h"
 #include "refusal.h"

@@ -22,4 +22,12 @@ Result<Placement> place(Layout& layout, const PlacementTask& task,
 /// its relations, and no longer `usual`: for searches that move many things.
 PlacementTask with_leading_habit(const Layout& layout, PlacementTask task);
 
+/// place() for what goes where its kind usually does (PlacementTask::usual): of the ways of its kind that
+/// can be named in the room, the first whose leading constraint can hold; there the pose that loses the
+/// fewest of its own constraints and is preferred most. The object gets the soft constraints that hold
+/// there as relations of its own, behind those that it has.
+Result<Placement> place_usually(Layout& layout, const PlacementTask& task,
+                                const Arrangement& arrangement, const PlaceOptions& options,
+                                Random& random);
+
 }  // namespace roomgen

@@ -48,15 +48,14 @@ std::vector<PlacementTask::Companion> companions(const composition::Arranged& ar
 }
 
 Result<PlacedGroup> place_group(Layout& layout, const PlacementTask& anchor,
-                                std::span<const composition::Arranged> ways,
-                                const ThingOf& thing_of, const PlaceOptions& options,
+                                const WaysToPlace& group, const PlaceOptions& options,
                                 Random& random) {
   std::optional<PlacedGroup> best;
   std::optional<Error> refused;
-  for (std::size_t way = 0; way < ways.size(); ++way) {
+  for (std::size_t way = 0; way < group.ways.size(); ++way) {
     PlacementTask task = anchor;
     std::vector<std::size_t> members;
-    task.companions = companions(ways[way], thing_of, layout.room(), members);
+    task.companions = companions(group.ways[way], group.thing_of, layout.room(), members);
     if (!may_fit(box_with_companions(task).size(), layout.room().polygon)) continue;
     auto placed = place(layout, task, {}, options, random);
     if (options.cancel.cancelled()) return Error{Error::Kind::cancelled, "stopped"};

@@ -25,11 +25,15 @@ struct PlacedGroup {
   PlacementTask task;
 };
 
+struct WaysToPlace {
+  std::span<const composition::Arranged> ways;
+  const ThingOf& thing_of;
+};
+
 /// Places a group as one thing: in the first way in which nothing that was asked for is lost, else
 /// in the one that loses least. Fails as place() does in the first way where there is none.
 Result<PlacedGroup> place_group(Layout& layout, const PlacementTask& anchor,
-                                std::span<const composition::Arranged> ways,
-                                const ThingOf& thing_of, const PlaceOptions& options,
+                                const WaysToPlace& group, const PlaceOptions& options,
                                 Random& random);
 
 }  // namespace roomgen

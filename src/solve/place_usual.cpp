@@ -1,5 +1,3 @@
-#include "place_usual.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -7,6 +5,7 @@
 #include "compatible.h"
 #include "exact_choice.h"
 #include "fuse.h"
+#include "place.h"
 #include "propose.h"
 #include "refusal.h"
 #include "score.h"

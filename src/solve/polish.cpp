@@ -1,5 +1,4 @@
-#include "polish.h"
-
+#include "improve.h"
 #include "place.h"
 #include "quality.h"
 

@@ -1,7 +1,6 @@
 #include "proposals.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace roomgen {
 

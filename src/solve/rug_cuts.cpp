@@ -1,8 +1,8 @@
-#include "rug_cuts.h"
-
 #include <algorithm>
 #include <cmath>
 #include <tuple>
+
+#include "rug_place.h"
 
 namespace roomgen {
 

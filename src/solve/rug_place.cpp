@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "rug_cuts.h"
 #include "scene/judgement.h"
 
 namespace roomgen {

@@ -1,7 +1,5 @@
 #include "rug_rule.h"
 
-#include <algorithm>
-
 #include "collision/low_parts.h"
 #include "rug_place.h"
 

@@ -5,7 +5,6 @@
 #include "arrange.h"
 #include "improve.h"
 #include "place.h"
-#include "polish.h"
 #include "scene/judgement.h"
 
 namespace roomgen {

@@ -1,7 +1,6 @@
 #include "support.h"
 
 #include <algorithm>
-#include <optional>
 
 #include "ways.h"
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "geometry/inside.h"
@@ -70,7 +69,6 @@ double reserve_open(const Surroundings& around, const Footprint& footprint);
 double reserves_taken(const Surroundings& around, const Footprint& footprint);
 /// Does a thing of its kind already stand on the same side of one of its partners?
 bool is_on_crowded_side(const Surroundings& around, const Footprint& footprint);
-
 
 /// Where the middle of a rug lies that belongs to the target.
 Vec2 middle_beneath(const Arrangement& rug, const Kind& kind, const Footprint& target);

@@ -1,8 +1,7 @@
-#include "mark_grid.h"
-
 #include <algorithm>
 #include <cmath>
 
+#include "label_placer.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen::detail {

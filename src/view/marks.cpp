@@ -3,9 +3,7 @@
 #include <algorithm>
 
 #include "label_placer.h"
-#include "mark_grid.h"
 #include "object_labels.h"
-#include "part_labels.h"
 
 namespace roomgen {
 

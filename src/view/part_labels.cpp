@@ -1,4 +1,4 @@
-#include "part_labels.h"
+#include "label_placer.h"
 
 namespace roomgen::detail {
 

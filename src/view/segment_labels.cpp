@@ -1,10 +1,8 @@
 #include <algorithm>
 
 #include "label_placer.h"
-#include "mark_grid.h"
 #include "marks.h"
 #include "object_labels.h"
-#include "part_labels.h"
 
 namespace roomgen {
 

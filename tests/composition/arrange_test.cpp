@@ -1,7 +1,7 @@
 // Compositions: what their patterns give, computed another way, and that all of data/compositions
 // can be made.
 #include "catch.h"
-#include "composition/alternatives.h"
+#include "composition/arrange.h"
 #include "roomgen/base/json.h"
 
 #include <nlohmann/json.hpp>

@@ -61,7 +61,7 @@ TEST_CASE("A completed plan is written and read again as it is") {
   const auto again = plan_from_json(to_json(plan), "again");
   REQUIRE(again);
   CHECK(to_json(completed(*again, KindTable::built_in())) == to_json(plan));
-  CHECK(roles(plan).size() == planned_objects(plan).size());
+  CHECK(Roles(plan).by_id().size() == planned_objects(plan).size());
 }
 
 TEST_CASE("A group that cannot be made is told, and the rest is made") {

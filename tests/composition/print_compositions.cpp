@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "composition/alternatives.h"
 #include "composition/arrange.h"
 #include "roomgen/base/file.h"
 #include "roomgen/base/json.h"

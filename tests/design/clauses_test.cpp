@@ -10,7 +10,7 @@
 #include "catch.h"
 #include "plans.h"
 #include "roomgen/base/text.h"
-#include "scene/mount_attribute.h"
+#include "scene/attribute_names.h"
 
 using namespace roomgen;
 

@@ -1,9 +1,8 @@
-#include "evaluate/formation_clause.h"
-
 #include <cmath>
 #include <random>
 
 #include "catch.h"
+#include "evaluate/clauses.h"
 
 using namespace roomgen;
 

@@ -1,9 +1,9 @@
+#include "evaluate/clauses.h"
 #include "evaluate/ledger.h"
 
 #include "catch.h"
 #include "evaluate/attributes.h"
 #include "evaluate/identity.h"
-#include "evaluate/style_clause.h"
 #include "support/rooms.h"
 
 using namespace roomgen;

@@ -7,7 +7,7 @@
 
 #include "base/random.h"
 #include "catch.h"
-#include "evaluate/each_clause.h"
+#include "evaluate/clauses.h"
 #include "evaluate/ledger.h"
 #include "roomgen/base/json.h"
 #include "support/rooms.h"

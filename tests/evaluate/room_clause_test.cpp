@@ -1,6 +1,5 @@
-#include "evaluate/room_clause.h"
-
 #include "catch.h"
+#include "evaluate/clauses.h"
 #include "support/rooms.h"
 
 using namespace roomgen;

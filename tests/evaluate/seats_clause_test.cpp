@@ -1,9 +1,9 @@
 // Seats for so many people, against sums of their own on random scenes.
 #include "base/random.h"
 #include "catch.h"
-#include "evaluate/seats_clause.h"
+#include "evaluate/clauses.h"
 #include "roomgen/kinds/kind_table.h"
-#include "scene/seats_attribute.h"
+#include "scene/attribute_names.h"
 #include "support/rooms.h"
 
 using namespace roomgen;

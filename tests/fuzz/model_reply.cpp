@@ -3,9 +3,8 @@
 
 #include "brief/prompt.h"
 #include "bytes.h"
+#include "create/maker_replies.h"
 #include "lab/compose/model_author.h"
-#include "create/mesh_reply.h"
-#include "create/verdict_reply.h"
 #include "design/place_reply.h"
 #include "design/plan_reply.h"
 

@@ -1,7 +1,6 @@
-#include "geometry/difference.h"
-
 #include "base/random.h"
 #include "catch.h"
+#include "geometry/triangulate.h"
 #include "support/shapes.h"
 
 using namespace roomgen;

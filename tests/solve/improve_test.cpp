@@ -1,6 +1,5 @@
 #include "solve/improve.h"
 #include "solve/place.h"
-#include "solve/polish.h"
 #include "solve/quality.h"
 
 #include "support/random_problem.h"

@@ -1,7 +1,6 @@
-#include "solve/make_room.h"
-
 #include "catch.h"
 #include "roomgen/evaluate/report.h"
+#include "solve/improve.h"
 #include "solve/place.h"
 #include "support/rooms.h"
 

@@ -7,7 +7,6 @@
 
 #include <clocale>
 #include <cstdio>
-#include <string>
 
 #include "roomgen/base/file.h"
 #include "roomgen/base/text.h"

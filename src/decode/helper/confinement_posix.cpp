@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <initializer_list>
 
 #ifdef ROOMGEN_HAS_SECCOMP
 #include <seccomp.h>

@@ -38,9 +38,6 @@ struct Track {
   bool holds(const Vec2& point, double its_yaw, double tolerance) const;
 };
 
-/// Slack of a relation, metres and radians: a thing that was moved along with others is still where it was put up.
-inline constexpr double track_tolerance = 1e-4;
-
 /// The track along a wall for a thing of half extents `half`; nothing if the wall is too short.
 std::optional<Track> track_along_wall(const PutUp& how, const Attachment& attachment, const Vec2& half,
                                       const Polygon& room);

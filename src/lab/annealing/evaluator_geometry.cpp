@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include "evaluator.h"
 #include "nothing.h"

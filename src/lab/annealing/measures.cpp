@@ -1,7 +1,6 @@
 #include "measures.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 

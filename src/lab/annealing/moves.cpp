@@ -1,7 +1,6 @@
 #include "moves.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace roomgen::lab::annealing {
 

@@ -1,8 +1,8 @@
 #include <algorithm>
 
+#include "compose_steps.h"
 #include "evaluate/attributes.h"
 #include "evaluate/ledger.h"
-#include "heard_measures.h"
 #include "roomgen/base/text.h"
 #include "roomgen/lab/compose.h"
 #include "roomgen/design/designer.h"

@@ -1,5 +1,3 @@
-#include "heard_measures.h"
-
 #include <algorithm>
 #include <cctype>
 #include <iterator>
@@ -7,6 +5,7 @@
 #include <utility>
 
 #include "complexity.h"
+#include "compose_steps.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen::lab::compose {

@@ -1,7 +1,6 @@
 #include "inventory.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 #include "brief/room_kinds.h"

@@ -1,8 +1,7 @@
-#include "program_of.h"
-
 #include <algorithm>
 #include <cmath>
 
+#include "compose_steps.h"
 #include "put_up.h"
 #include "roomgen/base/text.h"
 

@@ -3,7 +3,6 @@
 #include <cstdio>
 #include <mutex>
 #include <nlohmann/json.hpp>
-#include <optional>
 
 #include "base/json_reader.h"
 #include "base/sha256.h"

@@ -2,7 +2,6 @@
 
 #include <cstdio>
 #include <cstdlib>
-#include <system_error>
 
 #include "roomgen/base/file.h"
 #include "roomgen/base/text.h"

@@ -1,7 +1,5 @@
-#include "check_counts.h"
-#include "check_members.h"
 #include "check_names.h"
-#include "check_work.h"
+#include "check_rules.h"
 #include "findings.h"
 #include "set_kinds.h"
 

@@ -1,9 +1,7 @@
-#include "check_counts.h"
-
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
+#include "check_rules.h"
 #include "demand.h"
 #include "limits.h"
 #include "roomgen/base/text.h"

@@ -1,7 +1,6 @@
-#include "check_members.h"
-
 #include <algorithm>
 
+#include "check_rules.h"
 #include "face_names.h"
 
 namespace roomgen::lab {

@@ -1,9 +1,8 @@
-#include "check_work.h"
-
 #include <algorithm>
 #include <cmath>
 #include <map>
 
+#include "check_rules.h"
 #include "limits.h"
 #include "roomgen/base/text.h"
 #include "set_ids.h"

@@ -3,7 +3,7 @@
 #include "face_names.h"
 #include "form_operands.h"
 #include "names.h"
-#include "program_json.h"
+#include "program_text.h"
 #include "roomgen/scene/scene.h"
 
 namespace roomgen::lab {

@@ -3,8 +3,7 @@
 #include "base/json_reader.h"
 #include "face_names.h"
 #include "names.h"
-#include "read_room_wish.h"
-#include "read_term.h"
+#include "read_set.h"
 #include "roomgen/base/file.h"
 #include "scene/file_limits.h"
 

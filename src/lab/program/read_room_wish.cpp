@@ -1,9 +1,8 @@
-#include "read_room_wish.h"
-
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "limits.h"
+#include "read_set.h"
 #include "scene/document_parts.h"
 
 namespace roomgen::lab {

@@ -18,4 +18,11 @@ class ReadingBudget {
 
 ProgramSet read_set(const JsonReader& json, ReadingBudget& budget, int depth = 0);
 
+ProgramTerm read_term(const JsonReader& json, ReadingBudget& budget, int depth = 0);
+
+/// "room": what room the program asks for.
+ProgramRoom read_room_wish(const JsonReader& json);
+/// A number is a range of one.
+Range read_program_range(const JsonReader& json, double low, double high);
+
 }  // namespace roomgen::lab

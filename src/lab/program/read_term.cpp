@@ -1,10 +1,9 @@
-#include "read_term.h"
-
 #include <nlohmann/json.hpp>
 
 #include "face_names.h"
 #include "form_operands.h"
 #include "names.h"
+#include "read_set.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen::lab {

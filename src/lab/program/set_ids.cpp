@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "program_json.h"
+#include "program_text.h"
 #include "roomgen/base/json.h"
 
 namespace roomgen::lab {

@@ -1,7 +1,7 @@
-#include "between.h"
-
 #include <algorithm>
 #include <cmath>
+
+#include "geometric_relations.h"
 
 namespace roomgen::lab {
 

@@ -1,10 +1,8 @@
-#include "navigability.h"
-
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <vector>
 
+#include "physics.h"
 #include "roomgen/geometry/polygon.h"
 
 namespace roomgen::lab::sceneeval {

@@ -1,6 +1,6 @@
-#include "opening_clearance.h"
-
 #include <algorithm>
+
+#include "physics.h"
 
 namespace roomgen::lab::sceneeval {
 

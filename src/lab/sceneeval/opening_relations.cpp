@@ -1,9 +1,8 @@
-#include "opening_relations.h"
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
+#include "geometric_relations.h"
 #include "object_relations.h"
 #include "roomgen/geometry/polygon.h"
 

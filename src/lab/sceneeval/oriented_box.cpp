@@ -1,6 +1,5 @@
 #include "oriented_box.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace roomgen::lab {

@@ -4,13 +4,10 @@
 #include <map>
 #include <string>
 
-#include "between.h"
+#include "geometric_relations.h"
 #include "object_relations.h"
-#include "opening_relations.h"
 #include "part_of_room.h"
 #include "room_relations.h"
-#include "stands_in.h"
-#include "wall_relations.h"
 
 namespace roomgen::lab {
 

@@ -4,10 +4,7 @@
 #include <set>
 
 #include "collision/solids.h"
-#include "navigability.h"
-#include "opening_clearance.h"
 #include "physics.h"
-#include "support.h"
 
 namespace roomgen::lab {
 

@@ -4,7 +4,6 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <set>
 
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"

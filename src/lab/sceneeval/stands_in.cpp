@@ -1,4 +1,4 @@
-#include "stands_in.h"
+#include "geometric_relations.h"
 
 namespace roomgen::lab {
 

@@ -1,5 +1,3 @@
-#include "support.h"
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>

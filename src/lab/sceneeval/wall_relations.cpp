@@ -1,8 +1,7 @@
-#include "wall_relations.h"
-
 #include <algorithm>
 #include <cmath>
 
+#include "geometric_relations.h"
 #include "object_relations.h"
 #include "room_relations.h"
 

@@ -2,7 +2,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numeric>
 
 #include "create/assembly.h"
 #include "create/part_roles.h"

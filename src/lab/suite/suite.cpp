@@ -2,11 +2,9 @@
 
 #include <array>
 #include <nlohmann/json.hpp>
-#include <string_view>
 
 #include "base/json_reader.h"
 #include "base/sha256.h"
-#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen::lab {

@@ -1,7 +1,6 @@
 #include "viewpoints.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 

@@ -1,7 +1,6 @@
-#include "lab/sceneeval/between.h"
-
 #include "base/random.h"
 #include "catch.h"
+#include "lab/sceneeval/geometric_relations.h"
 #include "roomgen/lab/scores.h"
 #include "support/rooms.h"
 

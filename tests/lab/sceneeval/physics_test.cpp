@@ -2,10 +2,7 @@
 
 #include "base/random.h"
 #include "catch.h"
-#include "lab/sceneeval/navigability.h"
-#include "lab/sceneeval/opening_clearance.h"
 #include "lab/sceneeval/physics.h"
-#include "lab/sceneeval/support.h"
 #include "support/rooms.h"
 
 using namespace roomgen;

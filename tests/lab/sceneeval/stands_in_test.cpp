@@ -1,7 +1,6 @@
-#include "lab/sceneeval/stands_in.h"
-
 #include "base/random.h"
 #include "catch.h"
+#include "lab/sceneeval/geometric_relations.h"
 #include "support/rooms.h"
 
 using namespace roomgen;

@@ -1,6 +1,5 @@
-#include "lab/sceneeval/wall_relations.h"
-
 #include "catch.h"
+#include "lab/sceneeval/geometric_relations.h"
 #include "roomgen/lab/scores.h"
 #include "support/rooms.h"
 

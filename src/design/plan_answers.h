@@ -1,0 +1,37 @@
+#pragma once
+
+#include "brief/kind_mention.h"
+#include "plan/inventory.h"
+#include "roomgen/design/designer.h"
+
+namespace roomgen::design {
+
+/// What the room of an answer is called: "bedroom"; empty if it is not said.
+std::string room_type_in(const Json& json);
+
+/// The kind of room of this name, under that name.
+brief::RoomKind kind_of_room(const std::string& type, const brief::RoomKinds& kinds);
+
+/// The room of an answer with doors and windows: what the request says, else a polygon or a
+/// rectangle that the answer gives, else one that takes `furniture` square metres of things.
+Room read_reply_room(const Json& json, const PlanRequest& request, const brief::RoomKind& kind,
+                     const brief::Brief& brief, double furniture,
+                     std::vector<std::string>& repairs);
+
+/// What the objects of an answer are named after.
+struct ItemLexicon {
+  const KindTable& table;
+  const brief::RoomKind& kind;  ///< of the room: what a "sink" is depends on it
+};
+
+/// The canonical category that a name means, else what its description begins with; empty if
+/// neither names one.
+std::string category_named(const std::string& name, const std::string& description,
+                           const ItemLexicon& lexicon);
+
+/// The objects of an answer as drafts; draft i is mention i. What stands on others demands them.
+/// Notes what was cut, guessed or left out.
+std::vector<plan::Draft> read_reply_items(const Json& objects, const ItemLexicon& lexicon,
+                                    std::vector<std::string>& repairs);
+
+}  // namespace roomgen::design
