@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "no_fallback.h"
 #include "print.h"
 #include "roomgen/base/file.h"
 #include "roomgen/kinds/kind_table.h"
@@ -15,16 +16,6 @@ namespace roomgen::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Takes over from a model by saying that nobody does: no plan is an error, and the room ends where the model does.
-class NoFallback final : public Designer {
- public:
-  Result<Plan> plan(const PlanRequest&) override { return Error{Error::Kind::unavailable, reason}; }
-  Result<PlaceAdvice> place(const PlaceRequest&) override { return Error{Error::Kind::limit, reason}; }
-
- private:
-  static constexpr const char* reason = "no rules take over (--no-fallback)";
-};
 
 #ifdef ROOMGEN_HAS_AGENT
 Result<std::unique_ptr<ChatModel>> open_endpoint(const DesignerOptions& options,
@@ -291,7 +282,7 @@ Result<ComposedDesigner> compose_designer(const DesignerOptions& options, const 
   if (const LimitedModel* limited = composed.limited)
     model_options.budget_is_spent = [limited] { return limited->refused(); };
   composed.designer =
-      make_model_designer(*composed.model, options.no_fallback ? std::make_unique<NoFallback>() : make_rule_designer(), std::move(model->prompts),
+      make_model_designer(*composed.model, options.no_fallback ? make_no_fallback() : make_rule_designer(), std::move(model->prompts),
                           KindTable::built_in(), std::move(model_options));
   return composed;
 }

@@ -1,9 +1,8 @@
 #include "roomgen/agent/http_model.h"
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
-#include <thread>
 
+#include "clock.h"
 #include "http_status.h"
 #include "retrying_sender.h"
 #include "roomgen/base/json.h"
@@ -13,30 +12,6 @@
 namespace roomgen {
 
 namespace {
-
-using Seconds = HttpClock::Seconds;
-
-Seconds machine_now() {
-  return std::chrono::steady_clock::now().time_since_epoch();
-}
-
-bool machine_pause(Seconds duration, const CancelToken& cancel) {
-  constexpr Seconds look_up{0.02};
-  const Seconds end = machine_now() + duration;
-  while (!cancel.cancelled()) {
-    const Seconds left = end - machine_now();
-    if (left <= Seconds::zero()) return true;
-    std::this_thread::sleep_for(std::min(left, look_up));
-  }
-  return false;
-}
-
-/// The machine's time, for what a clock leaves open.
-HttpClock completed(HttpClock clock) {
-  if (!clock.now) clock.now = machine_now;
-  if (!clock.pause) clock.pause = machine_pause;
-  return clock;
-}
 
 Dialect first_dialect(const Destination& destination) {
   Dialect dialect;
