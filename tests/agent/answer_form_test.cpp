@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "catch.h"
-#include "openai_wire.h"
+#include "wire.h"
 #include "roomgen/base/json.h"
 
 using namespace roomgen;

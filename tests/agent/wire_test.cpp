@@ -2,15 +2,13 @@
 
 #include "wire.h"
 
-#include "anthropic_wire.h"
 #include "asking.h"
-#include "base64.h"
+#include "byte_text.h"
 #include "catch.h"
-#include "openai_wire.h"
 #include "roomgen/base/json.h"
 #include "support/contains.h"
 #include "support/error_of.h"
-#include "utf8.h"
+#include "byte_text.h"
 
 using namespace roomgen;
 

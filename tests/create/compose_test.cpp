@@ -1,4 +1,4 @@
-#include "compose.h"
+#include "rule_steps.h"
 
 #include <random>
 

@@ -1,7 +1,6 @@
-#include "phrase.h"
+#include "rule_steps.h"
 
 #include "catch.h"
-#include "classify.h"
 
 using namespace roomgen;
 using namespace roomgen::create;

@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "catch.h"
-#include "closer_kind.h"
+#include "rule_steps.h"
 #include "relative_size.h"
 #include "roomgen/create/create.h"
 #include "roomgen/create/maker.h"
