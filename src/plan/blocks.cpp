@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "block_site.h"
 #include "roomgen/base/text.h"
@@ -31,23 +32,6 @@ nlohmann::json unit_of(const FormedBlock& block) {
   for (const auto& [name, value] : block.with)
     if (const double* number = std::get_if<double>(&value)) unit["with"][name] = *number;
   return unit;
-}
-
-bool is_at(const brief::Demand& demand) {
-  switch (demand.kind) {
-    case RelationKind::around:
-    case RelationKind::near:
-    case RelationKind::next_to:
-    case RelationKind::side_of:
-    case RelationKind::in_front_of:
-    case RelationKind::behind:
-    case RelationKind::left_of:
-    case RelationKind::right_of:
-    case RelationKind::face_to:
-      return true;
-    default:
-      return false;
-  }
 }
 
 // What is told of its place at the thing; what is only near stands off a corner, where no seat is.
@@ -217,8 +201,10 @@ class Siting {
   std::vector<double> widths() const {
     const auto count = static_cast<std::size_t>(block_.count);
     if (block_.formation.shape == brief::Formation::Shape::islands) {
+      const int islands = block_.count / places_of(block_);
       std::vector<double> all;
-      for (int n = block_.count / places_of(block_); n > 0; --n) all.push_back(n);
+      for (int n = islands; n > 0; --n) all.push_back(n);
+      const auto off_square = [&](double columns) { return std::abs(columns * columns - islands); };
       std::stable_sort(all.begin(), all.end(), [&](double a, double b) { return off_square(a) < off_square(b); });
       return all;
     }
@@ -231,10 +217,6 @@ class Siting {
       if (2 * (usual + off) <= count + 1) widths.push_back(static_cast<double>(usual + off));
     }
     return widths;
-  }
-
-  double off_square(double columns) const {
-    return std::abs(columns * columns - static_cast<double>(block_.count / places_of(block_)));
   }
 
   std::optional<Site> site_for(double columns, double open) const {
@@ -314,14 +296,19 @@ void stand_in_room(const FormedBlock& block, const KindTable& kinds, const Room&
   put_at_wall(siting.foci(), block.thing, site->wall, site->center, room, drafts);
 }
 
+bool is_place_at(RelationKind kind) {
+  using enum RelationKind;
+  static const std::set<RelationKind> kinds = {near,   next_to, around,   side_of, in_front_of,
+                                               behind, left_of, right_of, face_to, on};
+  return kinds.count(kind) > 0;
+}
+
 int places_of(const FormedBlock& block) {
   const bool are_islands = block.formation.shape == brief::Formation::Shape::islands;
   return are_islands ? std::clamp(block.formation.columns, 1, block.count) : 1;
 }
 
-std::string unit_name(int place) {
-  return place == 0 ? block_unit : block_unit + std::to_string(place);
-}
+std::string unit_name(int place) { return block_unit + (place == 0 ? "" : std::to_string(place)); }
 
 std::vector<std::size_t> told_companions(const Draft& thing, int count, const std::vector<Draft>& drafts) {
   std::vector<std::size_t> found;
@@ -330,7 +317,7 @@ std::vector<std::size_t> told_companions(const Draft& thing, int count, const st
     const bool is_free = one.item.group.empty() && one.item.mount == Mount::floor && one.mention != thing.mention;
     if (!is_free || one.demands.empty() || one.item.quantity < count || one.item.quantity % count != 0) continue;
     const bool is_told = std::all_of(one.demands.begin(), one.demands.end(), [&](const brief::Demand& demand) {
-      return demand.mention != brief::Demand::none && demand.mention == thing.mention && is_at(demand);
+      return demand.mention != brief::Demand::none && demand.mention == thing.mention && is_place_at(demand.kind);
     });
     // What is larger finds its own place near by.
     constexpr double largest = 1.2;

@@ -46,6 +46,9 @@ std::string definition_of(const FormedBlock& block, const KindTable& kinds, cons
 void stand_in_room(const FormedBlock& block, const KindTable& kinds, const Room& room, std::vector<Draft>& drafts,
                    PlanGroup& group);
 
+/// Whether it says of a thing that it is at another, as the patterns of compositions put it.
+bool is_place_at(RelationKind kind);
+
 /// How many things stand in each row of so many.
 std::size_t columns_of(const brief::Formation& formation, std::size_t count);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "blocks.h"
 #include "gathering.h"
 #include "roomgen/base/text.h"
 
@@ -18,22 +19,6 @@ using composition::Values;
 constexpr double of_missing = 0.15, of_misfit = 0.6, of_other_kind = 0.3, of_very_kind = 1.0, of_dressing = 0.4, least_gain = 0.5;
 constexpr int most_values = 40;
 
-// Said of a place at the anchor that any of its patterns gives.
-bool is_given_by_pattern(RelationKind kind) {
-  switch (kind) {
-    case RelationKind::near:
-    case RelationKind::next_to:
-    case RelationKind::around:
-    case RelationKind::side_of:
-    case RelationKind::in_front_of:
-    case RelationKind::face_to:
-    case RelationKind::on:
-      return true;
-    default:
-      return false;
-  }
-}
-
 std::string key_of(const Composition& composition, const Values& values) {
   std::string key = composition.name;
   for (const auto& [name, value] : values)
@@ -43,14 +28,6 @@ std::string key_of(const Composition& composition, const Values& values) {
 }
 
 }  // namespace
-
-bool is_free(const Draft& draft) {
-  return draft.item.group.empty() && draft.item.quantity > 0;
-}
-
-bool is_placed_with_anchor(Mount mount) {
-  return mount != Mount::surface;
-}
 
 const PartCounts& Fitting::counts_of(const Composition& composition, const Values& values) {
   const auto [at, is_new] = known_.try_emplace(key_of(composition, values));
@@ -85,7 +62,7 @@ bool Fitting::is_told_within(const Draft& draft, const PartCounts& counts, const
   };
   bool is_tied = draft.demands.empty(), is_tied_elsewhere = false;
   for (const auto& demand : draft.demands) {
-    const bool within = is_given_by_pattern(demand.kind) && is_within(demand);
+    const bool within = is_place_at(demand.kind) && is_within(demand);
     is_tied = is_tied || within;
     is_tied_elsewhere = is_tied_elsewhere || (!within && demand.kind != RelationKind::near);
   }

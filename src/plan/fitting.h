@@ -73,8 +73,8 @@ class Fitting {
 };
 
 /// In no group yet.
-bool is_free(const Draft& draft);
+inline bool is_free(const Draft& draft) { return draft.item.group.empty() && draft.item.quantity > 0; }
 /// Whether it takes its place together with the anchor; what is on others does so after them.
-bool is_placed_with_anchor(Mount mount);
+inline bool is_placed_with_anchor(Mount mount) { return mount != Mount::surface; }
 
 }  // namespace roomgen::plan
