@@ -8,8 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "roomgen/assets/catalogue.h"
-#include "roomgen/create/create.h"
 #include "roomgen/design/designer.h"
 #include "roomgen/generate/generate.h"
 #include "roomgen/library/library.h"
@@ -67,9 +65,8 @@ void measure(const char* name, const std::string& prompt, std::uint64_t seed, co
 }  // namespace
 
 int main() {
-  auto catalogue = assets::open_catalogue({});
-  if (!catalogue) return std::puts("(no furniture)"), 0;
-  const auto library = make_first_of({*std::move(catalogue), create::make_created_library()});
+  const auto library = bench::installed_library();
+  if (!library) return 0;
   const bench::WarmLibrary warm(*library);
   std::puts("| room | objects | constraints held | planning, ms | placing, ms |");
   std::puts("|---|---|---|---|---|");

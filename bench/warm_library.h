@@ -1,9 +1,12 @@
 #pragma once
 
+#include <cstdio>
 #include <map>
 #include <memory>
 #include <string>
 
+#include "roomgen/assets/catalogue.h"
+#include "roomgen/create/create.h"
 #include "roomgen/library/library.h"
 
 namespace roomgen::bench {
@@ -29,5 +32,12 @@ class WarmLibrary final : public AssetLibrary {
   const AssetLibrary& library_;
   mutable std::map<std::string, std::shared_ptr<const Model>> models_;
 };
+
+/// The furniture that is installed, then what is built from words; null, which is told, where none is installed.
+inline std::unique_ptr<AssetLibrary> installed_library() {
+  auto catalogue = assets::open_catalogue({});
+  if (!catalogue) return std::puts("(no furniture)"), nullptr;
+  return make_first_of({*std::move(catalogue), create::make_created_library()});
+}
 
 }  // namespace roomgen::bench

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "block_site.h"
+#include "fitting.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen::plan {
@@ -43,6 +44,10 @@ nlohmann::json part_of_companion(const Draft& companion, std::size_t number, con
     part["beside"] = block_unit, part["side"] = side, part["facing"] = facing, part["gap"] = gap;
     return part;
   };
+  const auto around = [&] {
+    part["around"] = block_unit, part["gap"] = -0.1;
+    return part;
+  };
   for (const auto& demand : companion.demands) {
     if (demand.flank && demand.kind != RelationKind::around) {
       part["count"] = std::max(1, item.quantity / 2);
@@ -50,8 +55,7 @@ nlohmann::json part_of_companion(const Draft& companion, std::size_t number, con
     }
     switch (demand.kind) {
       case RelationKind::around:
-        part["around"] = block_unit, part["gap"] = -0.1;
-        return part;
+        return around();
       case RelationKind::in_front_of:
         return beside("front", "to", sits ? -0.1 : 0.3);
       case RelationKind::behind:
@@ -64,10 +68,7 @@ nlohmann::json part_of_companion(const Draft& companion, std::size_t number, con
         break;
     }
   }
-  if (sits) {
-    part["around"] = block_unit, part["gap"] = -0.1;
-    return part;
-  }
+  if (sits) return around();
   part["of"] = block_unit;
   const char* turn[] = {"", "-1 * ", "", "-1 * "};
   const auto off = [&](const char* sign, const std::string& side) {
@@ -76,6 +77,11 @@ nlohmann::json part_of_companion(const Draft& companion, std::size_t number, con
   part["at"] = {off(turn[number % 4], "w"), off(turn[number / 2 % 4], "d")};
   part.erase("count");
   return part;
+}
+
+void add_companions(const FormedBlock& block, const KindTable& kinds, nlohmann::json& parts) {
+  for (std::size_t i = 0; i < block.companions.size(); ++i)
+    parts.push_back(part_of_companion(block.companions[i], i, kinds));
 }
 
 nlohmann::json open_parameter() {
@@ -107,8 +113,7 @@ nlohmann::json rows_of(const FormedBlock& block, const KindTable& kinds, const A
   const double columns = static_cast<double>(columns_of(block.formation, static_cast<std::size_t>(block.count)));
   const nlohmann::json across = {{"default", columns}, {"least", 1}, {"most", count}};
   auto parts = nlohmann::json::array({unit});
-  for (std::size_t i = 0; i < block.companions.size(); ++i)
-    parts.push_back(part_of_companion(block.companions[i], i, kinds));
+  add_companions(block, kinds, parts);
   return {{"parameters", {{"columns", across}, {"open", open_parameter()}}}, {"parts", parts}};
 }
 
@@ -135,8 +140,7 @@ nlohmann::json ring_of(const FormedBlock& block, const KindTable& kinds) {
     unit["of"] = block_focus, unit["at"] = {0, 0};
   }
   parts.push_back(std::move(unit));
-  for (std::size_t i = 0; i < block.companions.size(); ++i)
-    parts.push_back(part_of_companion(block.companions[i], i, kinds));
+  add_companions(block, kinds, parts);
   return {{"parameters", {{"open", open_parameter()}}}, {"parts", parts}};
 }
 
@@ -184,7 +188,8 @@ class Siting {
         making_(making),
         room_(room),
         drafts_(drafts),
-        foci_(foci_of(block.thing, drafts, making.kinds)) {}
+        foci_(foci_of(block.thing, drafts, making.kinds)),
+        is_crowded_(is_crowded()) {}
 
   const std::vector<std::size_t>& foci() const { return foci_; }
 
@@ -236,7 +241,7 @@ class Siting {
       if ((least && cost >= *least) || (spare.array() < 2.0 * margin - 1e-6).any()) continue;
       least = cost;
       site.wall = wall, site.facing = yaw;
-      const double ahead = is_crowded() ? 0.5 * spare.cwiseProduct(forward.cwiseAbs()).sum() - margin : 0.0;
+      const double ahead = is_crowded_ ? 0.5 * spare.cwiseProduct(forward.cwiseAbs()).sum() - margin : 0.0;
       site.center = 0.5 * (floor.low + floor.high) + (ahead - 0.5 * before) * forward;
       site.location = site.center - rotated(0.5 * (box.low + box.high), yaw);
     }
@@ -264,6 +269,7 @@ class Siting {
   const Room& room_;
   const std::vector<Draft>& drafts_;
   std::vector<std::size_t> foci_;
+  bool is_crowded_;
 };
 
 }  // namespace
@@ -314,8 +320,8 @@ std::vector<std::size_t> told_companions(const Draft& thing, int count, const st
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < drafts.size(); ++i) {
     const Draft& one = drafts[i];
-    const bool is_free = one.item.group.empty() && one.item.mount == Mount::floor && one.mention != thing.mention;
-    if (!is_free || one.demands.empty() || one.item.quantity < count || one.item.quantity % count != 0) continue;
+    const bool may_be = is_free(one) && one.item.mount == Mount::floor && one.mention != thing.mention;
+    if (!may_be || one.demands.empty() || one.item.quantity < count || one.item.quantity % count != 0) continue;
     const bool is_told = std::all_of(one.demands.begin(), one.demands.end(), [&](const brief::Demand& demand) {
       return demand.mention != brief::Demand::none && demand.mention == thing.mention && is_place_at(demand.kind);
     });

@@ -55,9 +55,13 @@ class Gatherer {
   }
 
  private:
+  void drop_used_up() {
+    std::erase_if(drafts_, [](const Draft& draft) { return draft.item.quantity < 1; });
+  }
+
   template <typename Test>
   std::optional<std::size_t> next(Test is_meant) {
-    std::erase_if(drafts_, [](const Draft& draft) { return draft.item.quantity < 1; });
+    drop_used_up();
     const auto at = std::find_if(drafts_.begin(), drafts_.end(), [&](const Draft& one) {
       return is_free(one) && one.item.mount == Mount::floor && one.item.size && is_meant(one);
     });
@@ -78,7 +82,7 @@ class Gatherer {
   }
 
   bool make_best_group() {
-    std::erase_if(drafts_, [](const Draft& draft) { return draft.item.quantity < 1; });
+    drop_used_up();
     const auto [best, anchor] = best_fit(request_, [&](std::size_t i) { return !is_drawn_up(drafts_[i]); });
     if (best.gain <= 0.0) return false;
     const Draft thing = drafts_[anchor];
