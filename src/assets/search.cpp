@@ -27,6 +27,8 @@ constexpr double loud_fit = 0.85;     // bright furniture where no colour was as
 constexpr double flaw_loss = 0.02, formality_loss = 0.02;  // a flaw; a step of formality
 constexpr double foreign_loss = 0.08;  // of what is at home elsewhere, where nobody asked for it
 constexpr const char* furniture[] = {"seat", "table", "storage", "bed"};
+// What comes in any size and is cut, framed or sewn to it.
+constexpr const char* to_measure[] = {"rug", "curtain", "picture", "mirror", "pillow"};
 constexpr std::size_t max_words = 16;
 
 bool mentions(const std::vector<std::string>& names, const std::string& name) {
@@ -213,6 +215,15 @@ double kind_term(const SearchPlan& plan, const AssetInfo& asset, const Vocabular
   return found == plan.kinds.end() ? 0.0 : found->second;
 }
 
+// What is said to be round is so, whatever its box.
+double most_off_of(const SearchPlan& plan, const AssetInfo& asset, const Vocabulary& vocabulary) {
+  const bool is_measured =
+      plan.looks.outline != "round" &&
+      std::any_of(std::begin(to_measure), std::end(to_measure),
+                  [&](const char* kind) { return vocabulary.is_a(asset.category, kind); });
+  return is_measured ? most_off_measure : most_off;
+}
+
 Contradiction contradiction_of(const SearchPlan& plan, const AssetInfo& asset,
                                const std::vector<WeightedWord>& found, const Vocabulary& vocabulary) {
   const auto is_kin = [&](const std::string& kind) {
@@ -221,7 +232,8 @@ Contradiction contradiction_of(const SearchPlan& plan, const AssetInfo& asset,
   if (!plan.named.empty() && std::none_of(plan.named.begin(), plan.named.end(), is_kin))
     return Contradiction::form;
   if (plan.query.sized && plan.query.size && plan.usual &&
-      contradicts_size(asset, plan.usual->size, *plan.query.size))
+      contradicts_size(asset, plan.usual->size, *plan.query.size,
+                       most_off_of(plan, asset, vocabulary)))
     return Contradiction::form;
   return contradiction(asset, plan.looks, vocabulary, [&](const std::string& word) {
     const auto at = std::find(plan.words.begin(), plan.words.end(), singular(word));

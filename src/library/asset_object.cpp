@@ -14,8 +14,7 @@ namespace {
 // somebody named the length: up to what is no other size.
 constexpr double most_asset_stretch = 0.12, most_said_stretch = 0.25;
 constexpr double usual_length = 0.02;  // as near to the kind's own a length says nothing
-constexpr double most_off = 1.25;      // by this factor it is another size than the one named
-constexpr double most_unusual = 1.4;   // or than what is usual, where nobody named one
+constexpr double most_unusual = 1.4;   // by this factor it is unusual, where nobody named a size
 constexpr double most_factor = 100.0;  // whatever who saw it allows
 constexpr double least_said = 0.05;    // metres: thinner than this, thickness is nobody's wish
 
@@ -55,22 +54,23 @@ Vec3 fitted_size(const AssetInfo& asset, const Vec3& usual, const Vec3& wanted) 
   return fitted_as_it_is(asset, usual, wanted);
 }
 
-std::optional<int> far_off_side(const Vec3& have, const Vec3& usual, const Vec3& wanted) {
+std::optional<int> far_off_side(const Vec3& have, const Vec3& usual, const Vec3& wanted,
+                                double off_said) {
   int worst = 0;
   double most = 1.0;
   for (int axis = 0; axis < 3; ++axis) {
     if (std::max(have[axis], wanted[axis]) <= least_said) continue;
     const double off = std::max(have[axis] / wanted[axis], wanted[axis] / have[axis]);
-    const double accepted = is_length_told(wanted[axis], usual[axis]) ? most_off : most_unusual;
+    const double accepted = is_length_told(wanted[axis], usual[axis]) ? off_said : most_unusual;
     if (off / accepted > most) worst = axis, most = off / accepted;
   }
   return most > 1.0 ? std::optional(worst) : std::nullopt;
 }
 
-bool contradicts_size(const AssetInfo& asset, const Vec3& usual, const Vec3& wanted) {
+bool contradicts_size(const AssetInfo& asset, const Vec3& usual, const Vec3& wanted, double off) {
   const Vec3 size = fitted_size(asset, usual, wanted);
-  if (!far_off_side(size, usual, wanted)) return false;
-  return asset.has_front || far_off_side(turned(size), usual, wanted);
+  if (!far_off_side(size, usual, wanted, off)) return false;
+  return asset.has_front || far_off_side(turned(size), usual, wanted, off);
 }
 
 Object object_of_asset(const AssetInfo& asset, const Kind& kind, const Vec3& size, const Model* model) {
