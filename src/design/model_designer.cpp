@@ -31,11 +31,11 @@ class ModelDesigner : public Designer {
         questions_(std::move(prompts), options_) {}
 
   Result<Plan> plan(const PlanRequest& request) override {
-    auto question = questions_.to_plan(request);
+    const brief::Brief brief = brief_of(request);
+    auto question = questions_.to_plan(request, brief);
     if (!question) return question.error();
     planning_ = {};
     planning_.prompt_sha256 = sha256_hex(question->messages.back().text);
-    const brief::Brief brief = brief_of(request);
     std::optional<design::PlanReply> incomplete;  // what is forgotten goes back once
     const auto read = [&](const std::string& text) -> Result<design::PlanReply> {
       auto answer = design::read_plan_reply(text, request, brief, categories_);
@@ -116,38 +116,43 @@ class ModelDesigner : public Designer {
             options_.chooses_order ? request.later : std::vector<std::string>()};
   }
 
-  // What was answered together with another thing on the same carrier, while everything stands as it did.
+  /// An answer for a thing whose turn comes later.
+  struct Told {
+    std::string text, prompt;  ///< the hash of the question
+    std::vector<Object> then;  ///< what stood, where the place is one on a thing
+  };
+
+  // What was answered together with another thing, while what carries both stands as it did.
   std::optional<PlaceAdvice> told_already(const PlaceRequest& request) {
-    const auto told = others_.find(request.object.id);
-    if (told == others_.end()) return std::nullopt;
-    const std::string text = told->second;
-    others_.erase(told);
+    const auto found = told_.find(request.object.id);
+    if (found == told_.end()) return std::nullopt;
+    const Told told = std::move(found->second);
+    told_.erase(found);
     const bool again = !request.refusals.empty() || !request.objections.empty();
-    if (again || !stands_as_then(request.scene)) return std::nullopt;
-    auto reply = design::read_place_reply(text, context_of(request));
+    if (again || !stand_as_then(told.then, request.scene)) return std::nullopt;
+    auto reply = design::read_place_reply(told.text, context_of(request));
     if (!reply) return std::nullopt;
     if (options_.mode != ModelMode::fused) reply->advice.location.reset(), reply->advice.yaw.reset();
     Consultation& consultation = reply->advice.consultation;
-    consultation.prompt_sha256 = others_prompt_;
+    consultation.prompt_sha256 = told.prompt;
     consultation.notes = std::move(reply->repairs);
-    consultation.notes.insert(consultation.notes.begin(), "answered together with what stands beside it");
+    consultation.notes.insert(consultation.notes.begin(), "answered together with others");
     return std::move(reply->advice);
   }
 
-  bool stands_as_then(const Scene& scene) const {
-    return std::all_of(others_scene_.begin(), others_scene_.end(), [&](const Object& then) {
+  static bool stand_as_then(const std::vector<Object>& then, const Scene& scene) {
+    return std::all_of(then.begin(), then.end(), [&](const Object& one) {
       return std::any_of(scene.objects.begin(), scene.objects.end(), [&](const Object& now) {
-        return now.id == then.id && now.position == then.position && now.yaw == then.yaw;
+        return now.id == one.id && now.position == one.position && now.yaw == one.yaw;
       });
     });
   }
 
-  void keep_others(const PlaceRequest& request, design::PlaceReply& reply,
+  void keep_others(const PlaceRequest& request, const design::PlaceReply& reply,
                    const Consultation& consultation) {
-    if (reply.others.empty()) return;
-    others_ = std::move(reply.others);
-    others_prompt_ = consultation.prompt_sha256;
-    others_scene_ = request.scene.objects;
+    const bool on_thing = request.object.mount == Mount::surface;
+    for (const auto& [id, text] : reply.others)
+      told_[id] = {text, consultation.prompt_sha256, on_thing ? request.scene.objects : std::vector<Object>()};
   }
 
   Result<PlaceAdvice> ask(const PlaceRequest& request, Consultation& consultation) {
@@ -240,9 +245,7 @@ class ModelDesigner : public Designer {
   const ModelDesignerOptions options_;
   const design::ModelQuestions questions_;
   Consultation planning_;
-  std::map<std::string, std::string> others_;  ///< answers for things whose turn comes
-  std::string others_prompt_;                  ///< hash of the question
-  std::vector<Object> others_scene_;           ///< what stood then
+  std::map<std::string, Told> told_;  ///< by id
   Patience patience_;
   bool is_blind_ = false;  ///< the model takes no pictures
 };

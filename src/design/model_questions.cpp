@@ -3,6 +3,9 @@
 #include <algorithm>
 
 #include "base/json_values.h"
+#include "plan/claim.h"
+#include "plan_form.h"
+#include "together.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen::design {
@@ -11,7 +14,7 @@ namespace {
 
 // Kinds still to come are named up to here: enough to leave room for them.
 constexpr std::size_t most_named_later = 12;
-constexpr std::size_t most_together = 8;    // things on one carrier that one answer places
+constexpr int tokens_for_other = 160;
 constexpr std::size_t most_offered = 30;    // ids among which the model chooses the next
 
 // The names of the prompts of a mode, without "-system" and "-user".
@@ -25,34 +28,6 @@ std::string_view place_prompt(ModelMode mode) {
       break;
   }
   return "place";
-}
-
-// Long lists are bounded when they are read: grammar samplers grow slow with such bounds.
-const Json& plan_schema() {
-  static const Json schema = [] {
-    const Json thing = json_literal(R"({"type": "object", "additionalProperties": false,
-      "properties": {"name": {"type": "string"}, "description": {"type": "string"},
-        "size_cm": {"type": "array", "items": {"type": "number"}, "minItems": 3, "maxItems": 3},
-        "quantity": {"type": "integer"}, "variance": {"type": "string", "enum": ["same", "varied"]},
-        "place": {"type": "string"}},
-      "required": ["name", "description", "size_cm", "quantity", "variance", "place"]})");
-    Json carrier = thing;
-    carrier["properties"]["on_top"] = {{"type", "array"}, {"items", thing}};
-    carrier["required"].push_back("on_top");
-    Json result = json_literal(R"({"type": "object", "additionalProperties": false,
-      "properties": {"room": {"type": "object", "additionalProperties": false,
-        "properties": {"type": {"type": "string"},
-          "size_m": {"type": "array", "items": {"type": "number"}, "minItems": 2, "maxItems": 2},
-          "polygon_m": {"anyOf": [{"type": "null"}, {"type": "array",
-            "items": {"type": "array", "items": {"type": "number"}, "minItems": 2, "maxItems": 2}}]},
-          "height_m": {"type": "number"}},
-        "required": ["type", "size_m", "polygon_m", "height_m"]},
-        "excluded": {"type": "array", "items": {"type": "string"}}},
-      "required": ["room", "objects", "excluded"]})");
-    result["properties"]["objects"] = {{"type", "array"}, {"items", carrier}};
-    return result;
-  }();
-  return schema;
 }
 
 Json place_schema(const ModelDesignerOptions& options) {
@@ -82,33 +57,15 @@ void add_others(Json& schema) {
   schema["required"].push_back("others");
 }
 
-// Those still to come that shall stand on the same thing.
-std::vector<PlannedObject> companions(const PlaceRequest& request) {
-  const PlanItem& own = request.plan.items[request.planned.item];
-  std::vector<PlannedObject> found;
-  if (own.mount != Mount::surface || own.on.empty()) return found;
-  for (auto& planned : planned_objects(request.plan)) {
-    const PlanItem& item = request.plan.items[planned.item];
-    const bool waits = std::find(request.later.begin(), request.later.end(), planned.id) !=
-                       request.later.end();
-    if (waits && planned.id != request.object.id && item.mount == Mount::surface &&
-        item.on == own.on && found.size() < most_together)
-      found.push_back(std::move(planned));
-  }
-  return found;
-}
-
-std::string together(const PlaceRequest& request) {
-  const auto others = companions(request);
+std::string together(const PlaceRequest& request, const std::vector<PlannedObject>& others) {
   if (others.empty()) return "";
+  const bool on_thing = request.plan.items[request.planned.item].mount == Mount::surface;
   std::string text =
-      "\nGive also \"others\", a list with the same members and \"id\" for each of these, which stand on "
-      "the same thing:";
-  for (const auto& other : others) {
-    const PlanItem& item = request.plan.items[other.item];
-    const Vec3 size = item.size.value_or(KindTable::built_in().get(item.category).size);
-    text += "\n" + other.id + ": " + item.description + ", about " + size_text(size) + " m";
-  }
+      "\nGive also \"others\", a list with the same members and \"id\" for each of these, " +
+      std::string(on_thing ? "which stand on the same thing:"
+                           : "so that all of them together make a good room. Constraints may name what is placed "
+                             "and what stands before it in this list:");
+  for (const auto& other : others) text += "\n" + line_of(request.plan, other);
   return text;
 }
 
@@ -145,6 +102,12 @@ std::string later(const PlaceRequest& request) {
   return names.empty() ? "nothing" : join(names, ", ");
 }
 
+std::string requirement_lines(const std::vector<Requirement>& requirements) {
+  std::string lines;
+  for (const auto& one : requirements) lines += one.id + ": " + one.clause + "\n";
+  return lines.empty() ? "nothing in particular\n" : lines;
+}
+
 }  // namespace
 
 Result<ChatRequest> ModelQuestions::make_question(std::string_view name, const Prompts::Slots& system,
@@ -159,16 +122,23 @@ Result<ChatRequest> ModelQuestions::make_question(std::string_view name, const P
   return question;
 }
 
-Result<ChatRequest> ModelQuestions::to_plan(const PlanRequest& request) const {
+Result<ChatRequest> ModelQuestions::to_plan(const PlanRequest& request, const brief::Brief& brief) const {
   std::string room;
   if (request.room)
     room = "The room is given: " + SceneText(*request.room, false).room() + ".";
   else if (request.size)
     room = "The room is given: " + format_number(request.size->x(), 2) + " x " +
            format_number(request.size->y(), 2) + " m.";
-  auto question = make_question("plan", {}, {{"prompt", request.prompt}, {"room", room}});
+  const bool whole = options_.steps == ModelSteps::groups;
+  Prompts::Slots system, user = {{"prompt", request.prompt}, {"room", room}};
+  if (whole) {
+    system = {{"kinds", kind_names(KindTable::built_in())}};
+    user["requirements"] = requirement_lines(plan::clauses_of(request, brief, KindTable::built_in()));
+    user["compositions"] = composition_lines(request.room ? request.room->type : brief.type, lower(request.prompt));
+  }
+  auto question = make_question(whole ? "design" : "plan", system, user);
   if (!question) return question;
-  question->schema = plan_schema();
+  question->schema = plan_schema(whole);
   question->schema_name = "plan";
   question->max_tokens = options_.plan_tokens;
   question->cancel = request.cancel;
@@ -184,6 +154,7 @@ Result<Prompts::Slots> ModelQuestions::system_slots(const SceneText& text) const
 Result<ChatRequest> ModelQuestions::to_place(const PlaceRequest& request) const {
   const SceneText text(request.scene.room, options_.paper_frame);
   const bool sees_places = options_.mode != ModelMode::constraints;
+  const auto others = answered_together(request, options_.steps);
   const auto system = system_slots(text);
   if (!system) return system.error();
   auto question = make_question(place_prompt(options_.mode), *system,
@@ -193,16 +164,16 @@ Result<ChatRequest> ModelQuestions::to_place(const PlaceRequest& request) const 
                                  {"placed", text.placed(request.scene.objects, sees_places)},
                                  {"later", later(request)},
                                  {"id", request.object.id},
-                                 {"description", request.object.description},
+                                 {"description", request.object.description + group_text(request.plan, request.planned)},
                                  {"size", size_text(request.object.size)},
                                  {"mount", where(request)},
                                  {"refusals", refusals(request, text)},
-                                 {"order", order(request) + together(request)}});
+                                 {"order", order(request) + together(request, others)}});
   if (!question) return question;
   question->schema = place_schema(options_);
-  if (!companions(request).empty()) add_others(question->schema);
+  if (!others.empty()) add_others(question->schema);
   question->schema_name = "placement";
-  question->max_tokens = options_.place_tokens;
+  question->max_tokens = options_.place_tokens + tokens_for_other * static_cast<int>(others.size());
   question->cancel = request.cancel;
   return question;
 }

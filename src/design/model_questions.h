@@ -3,6 +3,7 @@
 #include <string>
 #include <string_view>
 
+#include "brief/brief.h"
 #include "roomgen/chat/chat_model.h"
 #include "roomgen/design/designer.h"
 #include "scene_text.h"
@@ -18,7 +19,8 @@ class ModelQuestions {
   ModelQuestions(Prompts prompts, const ModelDesignerOptions& options)
       : prompts_(std::move(prompts)), options_(options) {}
 
-  Result<ChatRequest> to_plan(const PlanRequest& request) const;
+  /// `brief` is what the wish says.
+  Result<ChatRequest> to_plan(const PlanRequest& request, const brief::Brief& brief) const;
   /// Without pictures.
   Result<ChatRequest> to_place(const PlaceRequest& request) const;
   /// What follows an answer that could not be used.

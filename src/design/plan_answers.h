@@ -30,8 +30,21 @@ std::string category_named(const std::string& name, const std::string& descripti
                            const ItemLexicon& lexicon);
 
 /// The objects of an answer as drafts; draft i is mention i. What stands on others demands them.
-/// Notes what was cut, guessed or left out.
-std::vector<plan::Draft> read_reply_items(const Json& objects, const ItemLexicon& lexicon,
-                                    std::vector<std::string>& repairs);
+/// The things of `groups`, a list or null, are among them, with the id of their group and what they
+/// are called there. Notes what was cut, guessed or left out.
+std::vector<plan::Draft> read_reply_items(const Json& objects, const Json& groups,
+                                          const ItemLexicon& lexicon,
+                                          std::vector<std::string>& repairs);
+
+/// What a group of an answer is called: as it says, else by its number.
+std::string reply_group_id(const Json& group, std::size_t number);
+/// What a thing of a group is called there.
+std::string reply_part_name(const Json& thing);
+
+/// What an answer says of surfaces, light, style and palette, in the form of docs/room.schema.json,
+/// and of openings; what cannot be so is noted and left open.
+void read_reply_look(const Json& json, Room& room, std::vector<std::string>& repairs);
+std::vector<WantedOpening> read_reply_openings(const Json& json, const Room& room,
+                                               std::vector<std::string>& repairs);
 
 }  // namespace roomgen::design

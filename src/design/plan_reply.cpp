@@ -8,7 +8,10 @@
 #include "chat/loose_json.h"
 #include "plan/floor_plan.h"
 #include "plan/order.h"
+#include "plan/room_openings.h"
+#include "composition/plan_groups.h"
 #include "plan_answers.h"
+#include "reply_groups.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "solve/arrangement.h"
@@ -19,9 +22,10 @@ namespace {
 
 constexpr std::size_t max_excluded = 60;
 constexpr std::size_t max_plan_repairs = 60;
+constexpr std::size_t max_concept = 2000;  ///< bytes
 
 const std::vector<std::string> object_keys = {"objects", "items", "inventory", "furniture"};
-const WantedKeys plan_keys = {{"objects"}, object_keys};
+const WantedKeys plan_keys = {{"objects", "groups"}, object_keys};
 const std::vector<std::string> excluded_keys = {"excluded", "exclude", "forbidden", "not wanted"};
 
 Error invalid(const std::string& message) {
@@ -90,6 +94,21 @@ void fit_into(const Room& room, std::vector<plan::Draft>& drafts,
   }
 }
 
+// Openings that the answer names stand in place of the usual ones.
+void open_as_said(const Json& json, const PlanRequest& request, const brief::RoomKind& kind, Plan& plan,
+                  std::vector<std::string>& repairs) {
+  if (request.room) return;
+  plan.openings = read_reply_openings(json, plan.room, repairs);
+  if (plan.openings.empty()) return;
+  plan.room.openings.clear();
+  settle(plan);
+  repairs.insert(repairs.end(), plan.notes.begin(), plan.notes.end());
+  plan.notes.clear();
+  const auto& all = plan.room.openings;
+  if (std::none_of(all.begin(), all.end(), [](const Opening& one) { return one.is_entrance(); }))
+    plan::ensure_door(plan.room, kind, repairs);
+}
+
 }  // namespace
 
 Result<PlanReply> read_plan_reply(std::string_view text, const PlanRequest& request,
@@ -101,7 +120,7 @@ Result<PlanReply> read_plan_reply(std::string_view text, const PlanRequest& requ
   if (!found) return found.error();
   const Json& json = found->json;
   const Json* objects = member(json, object_keys);
-  if (!objects)
+  if (!objects && !member(json, {"groups"}))
     return invalid(
         "the answer lists no objects; give \"objects\": [{\"name\": \"bed\", "
         "\"description\": \"…\", \"size_cm\": [160, 210, 90], \"quantity\": 1}, …]");
@@ -114,7 +133,10 @@ Result<PlanReply> read_plan_reply(std::string_view text, const PlanRequest& requ
       kind_of_room(choose_type(json, request, brief, reply.repairs), *brief::built_in_room_kinds());
   const ItemLexicon lexicon{categories, kind};
 
-  auto drafts = read_reply_items(*objects, lexicon, reply.repairs);
+  const Json* said_groups = member(json, {"groups"});
+  const Json groups = said_groups ? *said_groups : Json();
+  auto drafts = read_reply_items(objects ? *objects : Json(), groups, lexicon, reply.repairs);
+  plan.groups = read_reply_groups(groups, lexicon, drafts, reply.repairs);
   plan.excluded = read_excluded(json, brief, lexicon);
   leave_out_excluded(drafts, plan.excluded, categories, reply.repairs);
   if (drafts.empty())
@@ -124,8 +146,16 @@ Result<PlanReply> read_plan_reply(std::string_view text, const PlanRequest& requ
   plan.room = read_reply_room(json, request, kind, brief, plan::floor_area(drafts, categories),
                               reply.repairs);
   plan::put_on(plan.room, brief.materials);
+  read_reply_look(json, plan.room, reply.repairs);
+  open_as_said(json, request, kind, plan, reply.repairs);
   fit_into(plan.room, drafts, reply.repairs);
   plan::order_items(std::move(drafts), categories, *built_in_arrangements(), plan);
+  const std::size_t noted = plan.notes.size();
+  composition::complete_groups(plan, categories);
+  reply.repairs.insert(reply.repairs.end(), plan.notes.begin() + static_cast<std::ptrdiff_t>(noted), plan.notes.end());
+  plan.notes.resize(noted);
+  if (const Json* idea = member(json, {"concept"}); idea && idea->is_string())
+    reply.concept_text = shortened(idea->get<std::string>(), max_concept);
   if (reply.repairs.size() > max_plan_repairs) reply.repairs.resize(max_plan_repairs);
   return reply;
 }

@@ -13,10 +13,10 @@ namespace roomgen::design {
 struct PlanReply {
   Plan plan;
   std::vector<std::string> repairs;  ///< what was understood otherwise than it was written
+  std::string concept_text = {};     ///< what the room shall be like, in the model's words
 };
 
-/// What a model answered about a whole room: {"room", "objects", "excluded"}, or what comes near to
-/// it. The items are in the order of placement; `brief` is what the request's prompt says. What the
+/// What a model answered about a whole room in the form of plan_schema(), or what comes near to it. The items are in the order of placement; `brief` is what the request's prompt says. What the
 /// request says about the room wins. Errors
 /// (invalid_input) say what is wrong in words meant for the model.
 Result<PlanReply> read_plan_reply(std::string_view text, const PlanRequest& request,

@@ -20,6 +20,7 @@ constexpr std::size_t max_words = 60;         ///< bytes of a name
 constexpr std::size_t max_description = 300;  ///< bytes
 constexpr double least_side = 0.02;
 constexpr double greatest_side = 10.0;
+constexpr double most_lean = 60.0;            ///< degrees
 
 const std::vector<std::string> name_keys = {"name", "category", "object", "item",
                                             "type", "label",    "kind"};
@@ -31,6 +32,7 @@ const std::vector<std::string> quantity_keys = {"quantity", "count", "number", "
 const std::vector<std::string> variance_keys = {"variance", "variation", "varied"};
 const std::vector<std::string> spot_keys = {"place", "placement", "location",
                                              "mount", "where",     "on"};
+const std::vector<std::string> group_thing_keys = {"things", "members", "objects", "parts"};
 const std::vector<std::string> on_top_keys = {"on top", "objects on top", "items on top",
                                               "children", "on it"};
 
@@ -128,6 +130,17 @@ class ItemReader {
       read_item(objects.is_object() ? key : "", value, carrier, nesting);
   }
 
+  // The things of groups: how many there are and how large they are say their compositions, unless told.
+  void read_groups(const Json& groups) {
+    for (std::size_t g = 0; groups.is_array() && g < groups.size(); ++g) {
+      const Json* things = groups[g].is_object() ? member(groups[g], group_thing_keys) : nullptr;
+      if (!things) continue;
+      group_ = reply_group_id(groups[g], g);
+      read_list(*things, brief::Demand::none, 0);
+    }
+    group_.clear();
+  }
+
   std::vector<plan::Draft> take() {
     for (std::size_t i = 0; i < carriers_.size(); ++i) resolve_carrier(i);
     return std::move(drafts_);
@@ -163,6 +176,11 @@ class ItemReader {
                                text_of(variance).starts_with("diff"));
     read_size(value, item);
     std::string on = read_mount(value, item);
+    read_height(value, item);
+    if (!group_.empty()) {
+      item.group = group_, item.part = reply_part_name(value);
+      if (!member(value, size_keys)) item.size.reset();
+    }
     draft.mention = drafts_.size();
     if (carrier != brief::Demand::none) {
       item.mount = Mount::surface;
@@ -208,6 +226,23 @@ class ItemReader {
     const Vec3 bounded = sides.cwiseMax(least_side).cwiseMin(greatest_side);
     if (bounded != sides) note("the size of the " + item.category + " was bounded");
     item.size = bounded;
+  }
+
+  // How high the lower edge of what hangs is; by how much what stands leans against a wall.
+  void read_height(const Json& value, PlanItem& item) const {
+    const auto amount = [&](const std::vector<std::string>& keys) {
+      const Json* given = member(value, keys);
+      const auto measure = given ? brief::single_measure(*given) : std::nullopt;
+      return measure ? std::clamp(measure->value, 0.0, greatest_side) : 0.0;
+    };
+    const double bottom = amount({"bottom m", "bottom"});
+    const bool hangs = item.mount == Mount::wall || item.mount == Mount::ceiling;
+    if (hangs && bottom > 0.0) item.bottom = bottom;
+    const double lean = radians(std::min(amount({"lean deg", "lean"}), most_lean));
+    if (lean <= 0.0) return;
+    item.mount = Mount::floor;
+    item.tilt = {-lean, 0.0};
+    item.relations.push_back({RelationKind::edge, ""});
   }
 
   // Sets the mount; the answer is the name of what carries it.
@@ -259,6 +294,7 @@ class ItemReader {
   std::vector<std::string>& repairs_;
   std::vector<plan::Draft> drafts_;
   std::vector<std::string> carriers_;  ///< by name, of the drafts
+  std::string group_;                  ///< whose things are read
   int objects_ = 0;
 };
 
@@ -276,9 +312,23 @@ std::string category_named(const std::string& name, const std::string& descripti
                         : inside;
 }
 
-std::vector<plan::Draft> read_reply_items(const Json& objects, const ItemLexicon& lexicon,
-                                    std::vector<std::string>& repairs) {
+std::string reply_group_id(const Json& group, std::size_t number) {
+  const std::string said = group.is_object() ? text_of(member(group, {"id", "name", "group"})) : "";
+  const std::string name = join(words(said), "-");
+  return (name.empty() ? "group" : shortened(name, max_words)) + "-" + std::to_string(number);
+}
+
+std::string reply_part_name(const Json& thing) {
+  const std::string part = thing.is_object() ? text_of(member(thing, {"part", "role"})) : "";
+  const std::string name = part.empty() ? text_of(thing.is_string() ? &thing : member(thing, name_keys)) : part;
+  return shortened(lower(name), max_words);
+}
+
+std::vector<plan::Draft> read_reply_items(const Json& objects, const Json& groups,
+                                          const ItemLexicon& lexicon,
+                                          std::vector<std::string>& repairs) {
   ItemReader reader(lexicon, repairs);
+  reader.read_groups(groups);
   reader.read_list(objects, brief::Demand::none, 0);
   return reader.take();
 }

@@ -10,6 +10,8 @@ namespace roomgen::plan {
 
 namespace {
 
+constexpr double alike_in_size = 1.5;
+
 bool is_wanted(const brief::Mention& mention) {
   return !mention.contradicts && mention.quantity > 0;
 }
@@ -20,6 +22,14 @@ std::ptrdiff_t turn_of(const PlanItem& item, const Plan& plan, const KindTable& 
   return std::find_if(plan.items.begin(), plan.items.end(),
                       [&](const PlanItem& other) { return floor_area(other, table) < own; }) -
          plan.items.begin();
+}
+
+// A round table that is as large as a bistro table does for one: both are tables.
+bool is_alike(const PlanItem& item, const std::string& asked, const KindTable& table) {
+  const auto head = [](const std::string& name) { return name.substr(name.rfind(' ') + 1); };
+  if (head(item.category) != head(asked)) return false;
+  const Vec3 size = item.size.value_or(table.get(item.category).size), wanted = table.get(asked).size;
+  return (size.array() < alike_in_size * wanted.array()).all() && (wanted.array() < alike_in_size * size.array()).all();
 }
 
 std::string numbered(int count, const std::string& name) {
@@ -38,18 +48,27 @@ Claim claim(const Plan& plan, const brief::Brief& brief, const KindTable& table)
     for (std::size_t m = 0; m < lacking.size(); ++m)
       for (std::size_t i = 0; i < plan.items.size() && lacking[m] > 0; ++i)
         if (result.mention_of[i] == brief::Demand::none &&
-            fits(plan.items[i].category, brief.mentions[m].category)) {
+            fits(plan.items[i], brief.mentions[m].category)) {
           result.mention_of[i] = m;
           lacking[m] -= plan.items[i].quantity;
         }
   };
-  give([](const std::string& item, const std::string& asked) { return item == asked; });
-  give([&](const std::string& item, const std::string& asked) {
-    return table.is_a(item, asked) || table.is_a(asked, item);
+  give([](const PlanItem& item, const std::string& asked) { return item.category == asked; });
+  give([&](const PlanItem& item, const std::string& asked) {
+    return table.is_a(item.category, asked) || table.is_a(asked, item.category);
   });
+  give([&](const PlanItem& item, const std::string& asked) { return is_alike(item, asked, table); });
   for (std::size_t m = 0; m < lacking.size(); ++m)
     if (lacking[m] > 0) result.forgotten.push_back({m, lacking[m]});
   return result;
+}
+
+std::vector<Requirement> clauses_of(const PlanRequest& request, const brief::Brief& brief,
+                                    const KindTable& table) {
+  const auto asked = asked_items(brief, table);
+  Plan plan;
+  for (const auto& draft : asked) plan.items.push_back(draft.item);
+  return ledger_of(request, brief, asked, plan).requirements;
 }
 
 std::string objection(const Claim& claim, const brief::Brief& brief) {

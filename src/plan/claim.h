@@ -23,8 +23,12 @@ struct Claim {
 };
 
 /// Gives the items of a plan to the mentions of the prompt: those of the same kind first, then those
-/// of which one's kind is of the other's.
+/// of which one's kind is of the other's, then things of the same noun and about the same size.
 Claim claim(const Plan& plan, const brief::Brief& brief, const KindTable& table);
+
+/// The clauses of a prompt, with their ids, before anybody has planned: their things have no ids yet.
+std::vector<Requirement> clauses_of(const PlanRequest& request, const brief::Brief& brief,
+                                    const KindTable& table);
 
 /// What is wrong, in words meant for who made the plan: "a wardrobe, 2 lamps are asked for". Empty
 /// if nothing is.

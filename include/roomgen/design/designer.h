@@ -115,15 +115,22 @@ enum class ModelMode {
   fused,        ///< the same, and a location besides
 };
 
+/// What a model designs in one answer.
+enum class ModelSteps {
+  objects,  ///< an inventory, then thing by thing (papers: RoomGen, section 4)
+  groups,   ///< the whole room, then all that stands on the floor, what hangs, and what is on each carrier
+};
+
 struct ModelDesignerOptions {
   ModelMode mode = ModelMode::fused;
+  ModelSteps steps = ModelSteps::groups;
   /// The frame of the picture's marks and of the answers: the scene's own, or x down from the top
   /// and y left from the right, as the paper has it.
   bool paper_frame = false;
   bool chooses_order = false;  ///< each answer also says which thing shall come next
   int answers = 3;  ///< asked for at most, for one plan or object, when answers cannot be used
   /// Longest answers, in tokens; what a model thinks before it answers counts too.
-  int plan_tokens = 4096;
+  int plan_tokens = 12'000;
   int place_tokens = 1024;
   /// Makes a PNG or JPEG of a picture; without it no picture is shown.
   std::function<Result<std::string>(const Image&)> encode_picture;

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "roomgen/design/designer.h"
+
+namespace roomgen::design {
+
+/// Those still to come that the answer about request.object places too: what stands on the same thing;
+/// with ModelSteps::groups also all that stands on the floor, or all that hangs. Of a group its anchor alone.
+std::vector<PlannedObject> answered_together(const PlaceRequest& request, ModelSteps steps);
+
+/// What a thing of the plan brings along, and how much floor they take about it; empty unless it is the
+/// anchor of a group.
+std::string group_text(const Plan& plan, const PlannedObject& planned);
+
+/// "desk-1: a low oak desk, about 1.4 x 0.7 x 0.75 m"
+std::string line_of(const Plan& plan, const PlannedObject& planned);
+
+}  // namespace roomgen::design
