@@ -13,20 +13,33 @@ namespace roomgen {
 
 namespace {
 
-// What is in the way at the suggested place, whichever way the object is turned there.
-std::string blocked_by(const Layout& layout, const Layout::Candidate& candidate,
-                       const Vec2& location) {
-  const FootprintAt footprint_at(candidate.object);
-  const double bottom = candidate.object.position.z();
+// What is in the way of a thing where it would stand, by id; of one that comes along, with its own.
+void add_blockers(const Layout& layout, const Object& standing, bool comes_along, std::set<std::string>& names) {
+  const Layout::Candidate alone = layout.candidate(standing);
+  const Footprint area = footprint(standing);
+  const std::string whose = comes_along ? " (of its " + standing.id + ")" : "";
+  if (!layout.fits_room(alone, area, bottom(standing))) names.insert("a wall, a door or a window" + whose);
+  for (const auto& thing : layout.things())
+    if (layout.collides(alone, area, bottom(standing), thing)) names.insert(thing.object->id + whose);
+}
+
+// What is in the way at the suggested place, turned as is suggested, else whichever way.
+std::string blocked_by(const Layout& layout, const PlacementTask& task, const Vec2& location) {
+  constexpr std::size_t most_named = 6;
   std::set<std::string> names;
-  for (const double yaw : layout.wall_yaws()) {
-    const Footprint footprint = footprint_at({location, bottom, yaw});
-    if (!layout.fits_room(candidate, footprint, bottom))
-      names.insert("a wall, a door or a window");
-    for (const auto& thing : layout.things())
-      if (layout.collides(candidate, footprint, bottom, thing)) names.insert(thing.object->id);
+  const auto walls = layout.wall_yaws();
+  std::vector<double> yaws(walls.begin(), walls.end());
+  if (task.facing) yaws = {*task.facing};
+  for (const double yaw : yaws) {
+    Object standing = task.object;
+    standing.position.head<2>() = location;
+    standing.yaw = yaw;
+    add_blockers(layout, standing, false, names);
+    for (const auto& companion : companions_of(task, standing)) add_blockers(layout, companion, true, names);
   }
-  return join({names.begin(), names.end()}, ", ");
+  std::vector<std::string> few(names.begin(), names.end());
+  if (few.size() > most_named) few.resize(most_named), few.push_back("others");
+  return join(few, ", ");
 }
 
 // What stands where it could stand otherwise, the most often first: looked at on a coarse grid.
@@ -96,7 +109,7 @@ Error refusal(const Layout& layout, const PlacementTask& task, const Layout::Can
     if (!blockers.empty()) why += "; mostly in the way: " + blockers;
     return {Error::Kind::not_found, why};
   }
-  const std::string blockers = blocked_by(layout, candidate, *task.location);
+  const std::string blockers = blocked_by(layout, task, *task.location);
   if (!blockers.empty()) why += "; in the way at the suggested place: " + blockers;
   return {Error::Kind::not_found, why};
 }
