@@ -172,8 +172,9 @@ void add_designer_options(CLI::App& command, DesignerOptions& options) {
       ->check(CLI::IsMember({"constraints", "image", "fused"}))
       ->capture_default_str();
   add_text(command, "--steps", options.steps, "What one answer of the model is about: groups (the whole room, then what stands, hangs and lies on things), or "
-           "objects one by one (usual with --mode other than fused, --frame paper, --order model)")
-      ->check(CLI::IsMember({"groups", "objects"}));
+           "objects one by one, as always with --mode other than fused, --frame paper and --order model")
+      ->check(CLI::IsMember({"groups", "objects"}))
+      ->capture_default_str();
   add_text(command, "--frame", options.frame,
            "Coordinates of the marks: plan (x right, y up) or paper (x down, y left)")
       ->check(CLI::IsMember({"plan", "paper"}))
@@ -260,16 +261,6 @@ Result<ComposedModel> compose_model(const DesignerOptions& options, const Contex
   return composed;
 }
 
-namespace {
-
-ModelSteps steps_of(const DesignerOptions& options) {
-  const bool by_objects = options.model_mode() != ModelMode::fused || options.paper_frame() || options.order == "model";
-  const std::string steps = !options.steps.empty() ? options.steps : by_objects ? "objects" : "groups";
-  return steps == "objects" ? ModelSteps::objects : ModelSteps::groups;
-}
-
-}  // namespace
-
 Result<ComposedDesigner> compose_designer(const DesignerOptions& options, const Context& context,
                                           const std::string& cache_folder) {
   ComposedDesigner composed;
@@ -283,7 +274,7 @@ Result<ComposedDesigner> compose_designer(const DesignerOptions& options, const 
   composed.limited = model->limited;
   ModelDesignerOptions model_options;
   model_options.mode = options.model_mode();
-  model_options.steps = steps_of(options);
+  model_options.steps = options.steps == "objects" ? ModelSteps::objects : ModelSteps::groups;
   model_options.paper_frame = options.paper_frame();
   model_options.plan_tokens = options.plan_tokens;
   model_options.place_tokens = options.place_tokens;

@@ -17,7 +17,7 @@ namespace roomgen::cli {
 struct DesignerOptions {
   std::string designer = "rules";
   std::string model, base_url, protocol, key_file, prompts, prices;
-  std::string mode = "fused", frame = "plan", fusion = "scaled", order = "plan", steps;
+  std::string mode = "fused", frame = "plan", fusion = "scaled", order = "plan", steps = "groups";
   std::string record, replay, picture = "jpeg", preset;
   bool cache_answers = false, no_fallback = false;
   std::optional<int> max_calls;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "base/sha256.h"
 #include "brief/prompt.h"
@@ -35,6 +36,7 @@ class ModelDesigner : public Designer {
     auto question = questions_.to_plan(request, brief);
     if (!question) return question.error();
     planning_ = {};
+    idea_.clear(), told_.clear(), told_elsewhere_.clear();
     planning_.prompt_sha256 = sha256_hex(question->messages.back().text);
     std::optional<design::PlanReply> incomplete;  // what is forgotten goes back once
     const auto read = [&](const std::string& text) -> Result<design::PlanReply> {
@@ -57,6 +59,7 @@ class ModelDesigner : public Designer {
       plan::fulfil(request, claimed, brief, categories_, reply->plan);
       note(reply->plan, reply->repairs);
       note(reply->plan, planning_.notes);
+      idea_ = std::move(reply->concept_text);
       return std::move(reply->plan);
     }
     auto plan = fallback_->plan(request);
@@ -156,7 +159,9 @@ class ModelDesigner : public Designer {
   }
 
   Result<PlaceAdvice> ask(const PlaceRequest& request, Consultation& consultation) {
-    auto question = questions_.to_place(request);
+    PlaceRequest news = request;  // what was told once is not told again
+    std::erase_if(news.elsewhere, [&](const std::string& one) { return !told_elsewhere_.insert(one).second; });
+    auto question = questions_.to_place(news, idea_);
     if (!question) return question.error();
     consultation.prompt_sha256 = sha256_hex(question->messages.back().text);
     if (auto status = show_picture(request, *question, consultation); !status)
@@ -246,6 +251,8 @@ class ModelDesigner : public Designer {
   const design::ModelQuestions questions_;
   Consultation planning_;
   std::map<std::string, Told> told_;  ///< by id
+  std::set<std::string> told_elsewhere_;
+  std::string idea_;  ///< what the room shall be like, in the model's words
   Patience patience_;
   bool is_blind_ = false;  ///< the model takes no pictures
 };
@@ -255,6 +262,8 @@ class ModelDesigner : public Designer {
 std::unique_ptr<Designer> make_model_designer(ChatModel& model, std::unique_ptr<Designer> fallback,
                                               Prompts prompts, const KindTable& categories,
                                               ModelDesignerOptions options) {
+  const bool one_by_one = options.mode != ModelMode::fused || options.paper_frame || options.chooses_order;
+  if (one_by_one) options.steps = ModelSteps::objects;
   return std::make_unique<ModelDesigner>(model, std::move(fallback), std::move(prompts), categories,
                                          std::move(options));
 }

@@ -18,8 +18,9 @@ constexpr int tokens_for_other = 160;
 constexpr std::size_t most_offered = 30;    // ids among which the model chooses the next
 
 // The names of the prompts of a mode, without "-system" and "-user".
-std::string_view place_prompt(ModelMode mode) {
-  switch (mode) {
+std::string_view place_prompt(const ModelDesignerOptions& options) {
+  if (options.steps == ModelSteps::groups) return "place-groups";
+  switch (options.mode) {
     case ModelMode::constraints:
       return "place-constraints";
     case ModelMode::image:
@@ -43,6 +44,14 @@ Json place_schema(const ModelDesignerOptions& options) {
     require("facing", R"({"anyOf": [{"type": "string"}, {"type": "number"}, {"type": "null"}]})");
   }
   if (options.chooses_order) require("next", R"({"type": "string"})");
+  if (options.steps == ModelSteps::groups) {
+    require("leave_out", R"({"anyOf": [{"type": "string"}, {"type": "null"}]})");
+    require("bottom_m", R"({"anyOf": [{"type": "number"}, {"type": "null"}]})");
+    require("size_cm", R"({"anyOf": [{"type": "array", "items": {"type": "number"}}, {"type": "null"}]})");
+    require("move", R"({"type": "array", "items": {"type": "object", "additionalProperties": false,
+      "properties": {"id": {"type": "string"}, "location": {"type": "array", "items": {"type": "number"}},
+        "facing": {"anyOf": [{"type": "number"}, {"type": "null"}]}}, "required": ["id", "location", "facing"]}})");
+  }
   return schema;
 }
 
@@ -50,6 +59,7 @@ Json place_schema(const ModelDesignerOptions& options) {
 void add_others(Json& schema) {
   Json one = schema;
   one["properties"].erase("next");
+  one["properties"].erase("move");
   one["properties"]["id"] = {{"type", "string"}};
   one["required"] = Json::array();
   for (const auto& [key, value] : one["properties"].items()) one["required"].push_back(key);
@@ -151,14 +161,15 @@ Result<Prompts::Slots> ModelQuestions::system_slots(const SceneText& text) const
   return Prompts::Slots{{"frame", text.frame()}, {"words", *std::move(vocabulary)}};
 }
 
-Result<ChatRequest> ModelQuestions::to_place(const PlaceRequest& request) const {
+Result<ChatRequest> ModelQuestions::to_place(const PlaceRequest& request, const std::string& idea) const {
   const SceneText text(request.scene.room, options_.paper_frame);
   const bool sees_places = options_.mode != ModelMode::constraints;
   const auto others = answered_together(request, options_.steps);
   const auto system = system_slots(text);
   if (!system) return system.error();
-  auto question = make_question(place_prompt(options_.mode), *system,
+  auto question = make_question(place_prompt(options_), *system,
                                 {{"prompt", request.plan.prompt},
+                                 {"concept", idea.empty() ? "" : "Your design: " + idea + "\n"},
                                  {"room", text.room()},
                                  {"parts", text.parts()},
                                  {"placed", text.placed(request.scene.objects, sees_places)},
@@ -181,6 +192,7 @@ Result<ChatRequest> ModelQuestions::to_place(const PlaceRequest& request) const 
 std::string ModelQuestions::refusals(const PlaceRequest& request, const SceneText& text) const {
   const bool sees_places = options_.mode != ModelMode::constraints;
   std::string lines;
+  if (sees_places && !request.elsewhere.empty()) lines += "Not all is as you said: " + join(request.elsewhere, "; ") + "\n";
   for (std::size_t i = 0; i < request.refusals.size(); ++i) {
     lines += "An earlier answer did not work";
     if (i < request.earlier.size()) lines += " (" + text.answer(request.earlier[i]) + ")";

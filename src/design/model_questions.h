@@ -21,8 +21,8 @@ class ModelQuestions {
 
   /// `brief` is what the wish says.
   Result<ChatRequest> to_plan(const PlanRequest& request, const brief::Brief& brief) const;
-  /// Without pictures.
-  Result<ChatRequest> to_place(const PlaceRequest& request) const;
+  /// Without pictures. `idea`: what the room shall be like.
+  Result<ChatRequest> to_place(const PlaceRequest& request, const std::string& idea) const;
   /// What follows an answer that could not be used.
   Result<std::string> again(const std::string& error) const;
 

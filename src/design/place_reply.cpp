@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "brief/reply_measure.h"
 #include "chat/loose_json.h"
 #include "chat/plain_reply.h"
 #include "place_answers.h"
@@ -17,9 +18,10 @@ namespace {
 constexpr std::size_t max_place_repairs = 40;
 constexpr std::size_t max_repair = 300;      ///< bytes
 constexpr std::size_t max_reasoning = 4000;  ///< bytes
+constexpr double least_side = 0.01, greatest_side = 50.0;  ///< metres
 
 // The keys that tell an answer from other objects in the text; then all their spellings.
-const WantedKeys place_keys = {{"constraints", "location"},
+const WantedKeys place_keys = {{"constraints", "location", "leave_out"},
                                 {"constraint", "constrains", "position"}};
 const std::vector<std::string> constraint_keys = {"constraints",
                                                   "constraint",
@@ -65,6 +67,43 @@ std::map<std::string, std::string> read_others(const Json& json) {
       others.emplace(id->get<std::string>(), json_line(one));
   }
   return others;
+}
+
+// Why the thing shall not be there; how high it hangs; how large it shall be after all.
+void read_amendments(const Json& json, PlaceAdvice& advice, ReplyNotes& notes) {
+  const Json* out = member(json, {"leave out", "leave it out", "omit"});
+  if (out && out->is_string()) advice.leave_out = shortened(out->get<std::string>(), max_repair);
+  if (out && *out == Json(true)) advice.leave_out = "as it says";
+  if (const Json* bottom = member(json, {"bottom m", "bottom"}))
+    if (const auto height = brief::single_measure(*bottom)) advice.bottom = std::clamp(height->value, 0.0, greatest_side);
+  const Json* size = member(json, {"size cm", "size"});
+  if (!size) return;
+  const auto sides = brief::measures_in(*size);
+  if (sides.size() != 3) return notes.repair("the answer's size is not three numbers");
+  Vec3 said(sides[0].value, sides[1].value, sides[2].value);
+  if (!sides[0].has_unit) said *= brief::centimetre;
+  advice.size = said.cwiseMax(least_side).cwiseMin(greatest_side);
+}
+
+// {"move": [{"id": "sofa-0", "location": [x, y], "facing": 90}]}
+void read_moves(const Json& json, const PlaceReplyContext& context, const TargetNames& targets, PlaceAdvice& advice,
+                ReplyNotes& notes) {
+  constexpr std::size_t most_moves = 20;
+  const Json* list = member(json, {"move", "moves"});
+  if (!list || !list->is_array()) return;
+  const auto frame = context.paper_frame ? MarksFrame::paper : MarksFrame::plan;
+  for (const auto& one : *list) {
+    const Json* id = one.is_object() ? member(one, {"id", "object"}) : nullptr;
+    const Json* to = id ? member(one, location_keys) : nullptr;
+    if (!to || !id->is_string() || advice.moves.size() >= most_moves) continue;
+    WantedMove move{lower(id->get<std::string>()), {}, {}};
+    const auto location = read_reply_location(*to, context.scene.room.polygon, frame, notes);
+    if (!location) continue;
+    move.location = *location;
+    if (const Json* facing = member(one, facing_keys); facing && !facing->is_null())
+      move.yaw = read_reply_facing(*facing, context.scene, targets, location, notes).yaw;
+    advice.moves.push_back(std::move(move));
+  }
 }
 
 void bound(std::vector<std::string>& repairs) {
@@ -154,6 +193,8 @@ Result<PlaceReply> read_place_reply(std::string_view text, const PlaceReplyConte
     if (read.relation) add_relation(advice.relations, *read.relation, notes);
   }
   advice.next = read_next(json, context.later, notes.all);
+  read_amendments(json, advice, notes);
+  read_moves(json, context, targets, advice, notes);
   if (const Json* reasoning = member(json, reasoning_keys); reasoning && reasoning->is_string())
     advice.reasoning = shortened(reasoning->get<std::string>(), max_reasoning);
   bound(notes.all);
@@ -161,7 +202,7 @@ Result<PlaceReply> read_place_reply(std::string_view text, const PlaceReplyConte
   reply.others = read_others(json);
   reply.repairs = std::move(notes.all);
   advice.lost = std::move(notes.lost);
-  if (advice.relations.empty() && !advice.location) return unusable(context, reply.repairs);
+  if (advice.relations.empty() && !advice.location && advice.leave_out.empty()) return unusable(context, reply.repairs);
   return reply;
 }
 

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "amend.h"
 #include "consult.h"
 #include "objections.h"
 #include "prepare.h"
@@ -60,7 +61,7 @@ Result<Attempt> second_answer(Work& work, const AssetInfo& asset, Trial& trial,
 void reconsider(Work& work, const AssetInfo& asset, Trial& trial) {
   Attempt& first = trial.step.attempts.back();
   const Object standing = *work.layout().find(trial.planned.id);
-  first.objections = objections_to(work.place, first.answer, standing);
+  for (auto& one : objections_to(work.place, first.answer, standing)) first.objections.push_back(std::move(one));
   const Consultation& asked = first.answer.consultation;
   const bool by_model = asked.calls > 0 || !asked.prompt_sha256.empty();
   if (first.objections.empty() || first.made_room || !by_model || asked.fell_back) return;
@@ -82,20 +83,41 @@ void reconsider(Work& work, const AssetInfo& asset, Trial& trial) {
   if (second) trial.step.attempts.push_back(*std::move(second));
 }
 
+// The asset and the task as the designer amends the plan.
+Result<AssetInfo> amended(Work& work, const PlannedObject& planned, const AssetInfo& asset, const PlaceAdvice& advice,
+                          PlacementTask& task) {
+  if (!amend(work, planned, advice)) return asset;
+  AssetInfo taken = asset;
+  if (advice.size) {
+    const auto assets = assets_for(work, planned);
+    if (!assets) return assets.error();
+    if (!assets->empty()) taken = assets->front();
+  }
+  auto anew = prepare(work, planned, taken);
+  if (!anew) return anew.error();
+  task = *std::move(anew);
+  return taken;
+}
+
 // An asset as the designer says. Whether that was the end: it stands, or nothing more can be tried.
-bool try_asset(Work& work, const AssetInfo& asset, Trial& trial) {
-  auto task = prepare(work, trial.planned, asset);
+bool try_asset(Work& work, const AssetInfo& offered, Trial& trial) {
+  auto task = prepare(work, trial.planned, offered);
   if (!task) return trial.step.reason = task.error().message, true;
   const auto advice = consult(work, trial.planned, *task, trial.earlier);
   if (!advice) return trial.step.reason = advice.error().message, true;
+  if (!advice->leave_out.empty()) return trial.step.reason = "the designer left it out: " + advice->leave_out, true;
+  const auto not_moved = move_standing(work, advice->moves);
+  const auto asset = amended(work, trial.planned, offered, *advice, *task);
+  if (!asset) return trial.step.reason = asset.error().message, true;
   auto attempt =
-      try_to_place(work, trial.planned, asset, *advice, trial.earlier.refusals.size(), *task);
+      try_to_place(work, trial.planned, *asset, *advice, trial.earlier.refusals.size(), *task);
   if (!attempt) return trial.step.reason = attempt.error().message, true;
+  attempt->objections = not_moved;
   if (!trial.first) trial.first = *std::move(task);
   trial.step.attempts.push_back(*std::move(attempt));
   const std::string& refused = trial.step.attempts.back().refused;
   trial.earlier.answers.push_back(*advice);
-  if (refused.empty()) return reconsider(work, asset, trial), true;
+  if (refused.empty()) return reconsider(work, *asset, trial), true;
   trial.earlier.refusals.push_back(refused);
   return false;
 }

@@ -54,6 +54,7 @@ struct BuildState {
   std::set<std::string> tried_groups;           ///< by id
   /// Groups within groups that found no place as one, by the id of their anchor: still to be tried.
   std::map<std::string, composition::Arranged> units;
+  std::map<std::string, PlanItem> amended;      ///< by object: what the designer says otherwise than its item
   std::map<std::string, AssetInfo> assets;      ///< by object
   std::map<std::string, AssetInfo> favourites;  ///< by what was asked for (retrieve.h)
   ModelTable models;                            ///< of what stands and what was tried

@@ -4,6 +4,7 @@
 
 #include "geometry/free_rectangles.h"
 #include "order.h"
+#include "roomgen/base/text.h"
 #include "solve/support.h"
 #include "support.h"
 
@@ -48,6 +49,19 @@ const Object* carrier_of(const Work& work, const PlannedObject& planned,
   return nullptr;
 }
 
+// What stands otherwise than was said of it.
+std::vector<std::string> elsewhere(const Work& work) {
+  constexpr double told_from = 0.05;  // metres
+  std::vector<std::string> told;
+  for (const auto& task : work.state.tasks) {
+    const Object* standing = work.layout().find(task.object.id);
+    if (!standing || !task.location || !task.binding) continue;
+    const double away = (standing->position.head<2>() - *task.location).norm();
+    if (away > told_from) told.push_back(standing->id + " stands " + format_number(away, 2) + " m from where you put it");
+  }
+  return told;
+}
+
 // The room, and half as large the top of the carrier.
 Result<std::vector<Image>> pictures(const Workplace& place, const Scene& scene,
                                     const std::vector<Bounds2>& free_floor,
@@ -88,6 +102,7 @@ Result<PlaceAdvice> consult(Work& work, const PlannedObject& planned, const Plac
   request.objections = earlier.objections;
   request.standing_at = earlier.standing_at;
   request.later = may_come_next(work);
+  request.elsewhere = elsewhere(work);
   request.cancel = work.cancel;
   if (!earlier.refusals.empty()) request.free_floor = free_floor(place.layout, task.object);
   if (place.options.renderer)

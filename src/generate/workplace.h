@@ -52,7 +52,10 @@ struct Work {
   CancelToken cancel;
 
   Layout& layout() const { return place.layout; }
-  const PlanItem& item(const PlannedObject& planned) const { return place.plan.items[planned.item]; }
+  const PlanItem& item(const PlannedObject& planned) const {
+    const auto amended = state.amended.find(planned.id);
+    return amended == state.amended.end() ? place.plan.items[planned.item] : amended->second;
+  }
   const Kind& category(const PlannedObject& planned) const {
     return place.categories.get(item(planned).category);
   }

@@ -31,6 +31,13 @@ struct Consultation {
   bool fell_back = false;      ///< the model had no usable answer: rules decided
 };
 
+/// A thing that stands and shall stand elsewhere, with its group and what is on it.
+struct WantedMove {
+  std::string object;
+  Vec2 location = Vec2::Zero();  ///< of its centre
+  std::optional<double> yaw;     ///< radians; else it looks as it did
+};
+
 /// Where an object shall go, roughly; the solver finds the exact pose.
 struct PlaceAdvice {
   std::vector<Relation> relations;
@@ -41,6 +48,10 @@ struct PlaceAdvice {
   std::string reasoning;         ///< for the trace
   std::vector<std::string> lost = {};  ///< what the designer said and could not be understood
   std::string next = {};         ///< which of PlaceRequest::later shall come next; empty: the first
+  std::string leave_out = {};    ///< why it shall not be there after all; empty: it shall
+  std::optional<double> bottom = {};     ///< of what hangs: of its lower edge, metres from the floor
+  std::optional<Vec3> size = {};         ///< another one than planned, metres
+  std::vector<WantedMove> moves = {};    ///< first of all
   Consultation consultation = {};
 };
 
@@ -56,6 +67,7 @@ struct PlaceRequest {
   /// changed once.
   std::vector<std::string> objections = {};
   std::optional<Vec2> standing_at = {};
+  std::vector<std::string> elsewhere = {};  ///< what stands otherwise than was suggested: "sofa-0 stands 0.3 m from there"
   std::vector<Bounds2> free_floor = {};  ///< with refusals: the largest free parts of the floor
   std::vector<std::string> later = {};  ///< ids of what is still to be placed, in the plan's order
   /// Draws the room with coordinate marks, and the top of what carries the object larger; may be empty.
@@ -123,7 +135,7 @@ enum class ModelSteps {
 
 struct ModelDesignerOptions {
   ModelMode mode = ModelMode::fused;
-  ModelSteps steps = ModelSteps::groups;
+  ModelSteps steps = ModelSteps::groups;  ///< with another mode, the paper's frame or an order of the model's own: objects
   /// The frame of the picture's marks and of the answers: the scene's own, or x down from the top
   /// and y left from the right, as the paper has it.
   bool paper_frame = false;
