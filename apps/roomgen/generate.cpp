@@ -16,6 +16,7 @@
 #include "model_bill.h"
 #include "options.h"
 #include "print.h"
+#include "review_room.h"
 #include "room_files.h"
 #include "roomgen/base/text.h"
 #include "roomgen/export/exporter.h"
@@ -34,6 +35,7 @@ struct GenerateCommand {
   bool force = false, strict = false, marks = false, no_pictures = false;
   int pixels = 1024;
   double alpha = 0.5, rrf_c = 60.0, pitch = 0.10;
+  int reviews = 2;
   double seconds = 0.0;  // 0: usual_seconds()
   LibraryOptions libraries;
   DesignerOptions designer;
@@ -185,6 +187,23 @@ Error with_least(const Context& context, const GenerateCommand& command,
   return library ? told_with_least_size(error, command.wish, nullptr, **library, options) : error;
 }
 
+// A model that designs whole rooms looks at them in the end, unless it may ask no more.
+int rounds_of_review(const GenerateCommand& command, const ComposedDesigner& composed) {
+  const bool looks = composed.model && command.designer.steps == "groups" &&
+                     command.designer.model_mode() == ModelMode::fused && !command.designer.paper_frame();
+  const bool is_spent = composed.limited && composed.limited->refused();
+  return looks && !is_spent ? command.reviews : 0;
+}
+
+std::vector<std::string> with_reviews(std::vector<std::string> notes, const std::vector<ReviewRound>& rounds) {
+  for (const auto& round : rounds) {
+    if (!round.judgement.empty()) notes.push_back("the model's judgement: " + round.judgement);
+    for (const auto& change : round.changes) notes.push_back("changed by the model: " + change);
+    for (const auto& refused : round.refused) notes.push_back("the model's change could not be made: " + refused);
+  }
+  return notes;
+}
+
 Result<int> run(const Context& context, const GenerateCommand& command) {
   const auto start = std::chrono::steady_clock::now();
   const fs::path folder =
@@ -236,6 +255,15 @@ Result<int> run(const Context& context, const GenerateCommand& command) {
   if (auto status = write_all(command, *output, *plan, *generation, *composed->shown); !status) return status.error();
   bar.clear();
 
+  if (const int rounds = rounds_of_review(command, *composed); rounds > 0) {
+    bar.show(1, 1, "looking at the room");
+    auto reviewed = review_room({folder, command.designer, *composed, **library, rounds, !command.no_pictures,
+                                 command.pixels, options.cancel}, generation->scene);
+    bar.clear();
+    if (reviewed) generation->notes = with_reviews(std::move(generation->notes), *reviewed);
+    else generation->notes.push_back("the model did not look at the room: " + reviewed.error().message);
+  }
+
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   print_summary(context, folder, *plan, *generation, *composed, elapsed.count());
   if (context.cancel.cancelled()) return exit_interrupted;
@@ -277,6 +305,10 @@ void add_generate_command(CLI::App& app, Context& context) {
       ->capture_default_str();
   sub->add_option("--rrf-c", command->rrf_c, "The fusion's constant")->capture_default_str();
   sub->add_option("--pitch", command->pitch, "Grid pitch in metres")->capture_default_str();
+  sub->add_option("--reviews", command->reviews,
+                  "How often at most the model looks at the finished room and changes it")
+      ->check(CLI::Range(0, 10))
+      ->capture_default_str();
   sub->add_option("--seconds", command->seconds,
                   "Most time once there is a plan, after which the room so far is written (default: 60 a room, 900 with a model)")
       ->check(CLI::PositiveNumber);

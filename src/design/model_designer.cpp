@@ -143,6 +143,12 @@ class ModelDesigner : public Designer {
     return std::move(reply->advice);
   }
 
+  design::ModelQuestions::Known known() const {
+    design::ModelQuestions::Known known{idea_, {}};
+    for (const auto& [id, told] : told_) known.answered.insert(id);
+    return known;
+  }
+
   static bool stand_as_then(const std::vector<Object>& then, const Scene& scene) {
     return std::all_of(then.begin(), then.end(), [&](const Object& one) {
       return std::any_of(scene.objects.begin(), scene.objects.end(), [&](const Object& now) {
@@ -161,7 +167,7 @@ class ModelDesigner : public Designer {
   Result<PlaceAdvice> ask(const PlaceRequest& request, Consultation& consultation) {
     PlaceRequest news = request;  // what was told once is not told again
     std::erase_if(news.elsewhere, [&](const std::string& one) { return !told_elsewhere_.insert(one).second; });
-    auto question = questions_.to_place(news, idea_);
+    auto question = questions_.to_place(news, known());
     if (!question) return question.error();
     consultation.prompt_sha256 = sha256_hex(question->messages.back().text);
     if (auto status = show_picture(request, *question, consultation); !status)

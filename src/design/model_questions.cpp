@@ -161,15 +161,15 @@ Result<Prompts::Slots> ModelQuestions::system_slots(const SceneText& text) const
   return Prompts::Slots{{"frame", text.frame()}, {"words", *std::move(vocabulary)}};
 }
 
-Result<ChatRequest> ModelQuestions::to_place(const PlaceRequest& request, const std::string& idea) const {
+Result<ChatRequest> ModelQuestions::to_place(const PlaceRequest& request, const Known& known) const {
   const SceneText text(request.scene.room, options_.paper_frame);
   const bool sees_places = options_.mode != ModelMode::constraints;
-  const auto others = answered_together(request, options_.steps);
+  const auto others = answered_together(request, options_.steps, known.answered);
   const auto system = system_slots(text);
   if (!system) return system.error();
   auto question = make_question(place_prompt(options_), *system,
                                 {{"prompt", request.plan.prompt},
-                                 {"concept", idea.empty() ? "" : "Your design: " + idea + "\n"},
+                                 {"concept", known.idea.empty() ? "" : "Your design: " + known.idea + "\n"},
                                  {"room", text.room()},
                                  {"parts", text.parts()},
                                  {"placed", text.placed(request.scene.objects, sees_places)},

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -21,8 +22,13 @@ class ModelQuestions {
 
   /// `brief` is what the wish says.
   Result<ChatRequest> to_plan(const PlanRequest& request, const brief::Brief& brief) const;
-  /// Without pictures. `idea`: what the room shall be like.
-  Result<ChatRequest> to_place(const PlaceRequest& request, const std::string& idea) const;
+  /// What a designer knows besides the request.
+  struct Known {
+    std::string idea;                ///< what the room shall be like
+    std::set<std::string> answered;  ///< whose places have been said already
+  };
+  /// Without pictures.
+  Result<ChatRequest> to_place(const PlaceRequest& request, const Known& known) const;
   /// What follows an answer that could not be used.
   Result<std::string> again(const std::string& error) const;
 

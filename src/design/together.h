@@ -1,5 +1,6 @@
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -9,7 +10,9 @@ namespace roomgen::design {
 
 /// Those still to come that the answer about request.object places too: what stands on the same thing;
 /// with ModelSteps::groups also all that stands on the floor, or all that hangs. Of a group its anchor alone.
-std::vector<PlannedObject> answered_together(const PlaceRequest& request, ModelSteps steps);
+/// `answered` have their answers already.
+std::vector<PlannedObject> answered_together(const PlaceRequest& request, ModelSteps steps,
+                                             const std::set<std::string>& answered);
 
 /// What a thing of the plan brings along, and how much floor they take about it; empty unless it is the
 /// anchor of a group.

@@ -3,8 +3,8 @@
 
 #include "chat/interview.h"
 #include "chat/loose_json.h"
-#include "design/scene_text.h"
 #include "edit_words.h"
+#include "scene_words.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen {
@@ -17,14 +17,6 @@ struct Answer {
   std::vector<edit::Operation> operations;
   std::string unclear;
 };
-
-Json answer_schema() {
-  const Json operation = {{"type", "object"}, {"required", {"do"}}, {"properties", {{"do", {{"type", "string"}}}}}};
-  return {
-      {"type", "object"},
-      {"required", {"operations"}},
-      {"properties", {{"operations", {{"type", "array"}, {"items", operation}}}, {"unclear", {{"type", "string"}}}}}};
-}
 
 Result<Answer> read_answer(const std::string& text) {
   const auto found = find_json(text, {{"operations"}, {"operation", "edits", "unclear"}});
@@ -42,38 +34,20 @@ Result<Answer> read_answer(const std::string& text) {
   return answer;
 }
 
-// Each room by itself, in a dwelling under its name.
-struct SceneWords {
-  std::string room, parts, placed;
-};
-
-SceneWords words_of_scene(const Scene& scene) {
-  SceneWords words;
-  for (const auto& part : parts_of(scene)) {
-    const design::SceneText text(part.room, false);
-    const std::string heading = part.room.id.empty() ? "" : part.room.id + ":\n";
-    words.room += (words.room.empty() ? "" : "; ") + text.room();
-    words.parts += heading + text.parts();
-    words.placed += heading + text.placed(part.objects);
-  }
-  return words;
-}
-
 Result<Question> question_of(const ModelEditing& editing, std::string_view sentence, const Scene& scene,
                              const Recall& recall) {
-  const auto relation_words = editing.prompts.render("place-words", {});
-  if (!relation_words) return relation_words.error();
-  const design::SceneText first(rooms_of(scene).front(), false);
+  auto system = operation_slots(editing.prompts, scene);
+  if (!system) return system.error();
   const SceneWords words = words_of_scene(scene);
   const auto& recent = recall.added.empty() ? recall.touched : recall.added;
   Question question{.system = "edit-system", .user = "edit-user"};
-  question.system_slots = {{"frame", first.frame()}, {"words", *relation_words}};
+  question.system_slots = *std::move(system);
   question.user_slots = {{"room", words.room},
                          {"parts", words.parts},
                          {"placed", words.placed},
                          {"recent", recent.empty() ? "nothing" : join(recent, ", ")},
                          {"sentence", std::string(sentence)}};
-  question.schema = answer_schema();
+  question.schema = operations_schema("unclear");
   question.schema_name = "edit";
   question.max_tokens = editing.tokens;
   question.images = editing.pictures;

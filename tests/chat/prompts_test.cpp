@@ -24,9 +24,15 @@ TEST_CASE("Every prompt is rendered whole when its slots are filled, and not oth
                                 {"placed", "o"},       {"later", "l"},       {"id", "desk-0"},
                                 {"description", "d"},  {"size", "1 x 1 x 1"}, {"mount", "on the floor"},
                                 {"refusals", ""},       {"order", ""}};
+  Prompts::Slots in_design = place;
+  in_design["concept"] = "calm";
   const std::vector<std::pair<std::string, Prompts::Slots>> cases = {
       {"plan-system", {}},
       {"plan-user", plan},
+      {"design-system", {{"kinds", "chair, table"}}},
+      {"design-user", {{"prompt", "a study"}, {"room", "4 x 5 m"}, {"requirements", "r1: a desk"}, {"compositions", "work desk"}}},
+      {"place-groups-system", {{"frame", "metres"}, {"words", "edge"}}},
+      {"place-groups-user", in_design},
       {"place-system", {{"frame", "metres"}, {"words", "edge"}}},
       {"place-user", place},
       {"place-image-system", {{"frame", "metres"}, {"words", "edge"}}},
@@ -35,7 +41,10 @@ TEST_CASE("Every prompt is rendered whole when its slots are filled, and not oth
       {"place-constraints-user", place},
       {"place-words", {}},
       {"again-user", {{"error", "no JSON"}}},
-      {"edit-system", {{"frame", "metres"}, {"words", "edge"}}},
+      {"edit-system", {{"frame", "metres"}, {"words", "edge"}, {"operations", "move"}}},
+      {"edit-operations", {}},
+      {"review-system", {{"frame", "metres"}, {"words", "edge"}, {"operations", "move"}}},
+      {"review-user", {{"prompt", "a study"}, {"requirements", "r1"}, {"unplaced", "nothing"}, {"room", "r"}, {"parts", "p"}, {"placed", "s"}, {"refused", "x"}}},
       {"edit-user", {{"room", "r"}, {"parts", "p"}, {"placed", "s"}, {"recent", "nothing"}, {"sentence", "add a chair"}}},
       {"program-system", {{"operators", "count"}, {"relations", "on_floor"}, {"kinds", "desk"}, {"tags", "seating"}, {"examples", "{}"}}},
       {"program-user", {{"wish", "a study"}, {"measures", "seats 2"}}},

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -35,5 +36,28 @@ Result<Understanding> understand(const Session& session, std::string_view senten
 /// Fails as the model does (ChatModel::chat) if it gives none.
 Result<Understanding> understand(Session& session, std::string_view sentence,
                                  const ModelEditing& editing);
+
+/// A designer that looks at a finished room and changes what is not good yet.
+struct Reviewing {
+  ChatModel& model;
+  Prompts prompts = Prompts::built_in();
+  /// Draws what it sees: whole PNG or JPEG files, the room from above with marks first.
+  std::function<Result<std::vector<std::string>>(Session&)> pictures = {};
+  int rounds = 2;     ///< at most; fewer where it has nothing to change
+  int tokens = 4096;  ///< longest answer
+  int answers = 2;    ///< how often it is asked while its answers cannot be used
+  CancelToken cancel = {};
+};
+
+struct ReviewRound {
+  std::string judgement;             ///< the model's
+  std::vector<std::string> changes;  ///< what was done, in words
+  std::vector<std::string> refused;  ///< operations that cannot be done, and why
+};
+
+/// Shows a room and its requirements to a model and does what it answers, operation by operation, each one
+/// step of undo; what cannot be done is told it in the next round. Fails as the model does if it gives no answer
+/// in the first round; then nothing is changed.
+Result<std::vector<ReviewRound>> review(Session& session, const Reviewing& reviewing);
 
 }  // namespace roomgen

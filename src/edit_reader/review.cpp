@@ -1,0 +1,106 @@
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "chat/interview.h"
+#include "chat/loose_json.h"
+#include "roomgen/base/text.h"
+#include "roomgen/edit_reader/understand.h"
+#include "scene_words.h"
+
+namespace roomgen {
+
+namespace {
+
+constexpr std::size_t most_operations = 30;  // of one round
+constexpr std::size_t longest_judgement = 2000;
+
+struct Judged {
+  std::string judgement;
+  std::vector<Json> operations;
+};
+
+Result<Reading<Judged>> read_judged(const std::string& text) {
+  const auto found = find_json(text, {{"operations"}, {"operation", "edits", "judgement"}});
+  if (!found) return found.error();
+  const Json* list = member(found->json, {"operations", "operation", "edits"});
+  if (!list || !list->is_array()) return Error{Error::Kind::invalid_input, "it holds no list \"operations\""};
+  Reading<Judged> reading{{}, found->repairs, {}};
+  if (const Json* words = member(found->json, {"judgement", "judgment"}); words && words->is_string())
+    reading.value.judgement = shortened(words->get<std::string>(), longest_judgement);
+  for (const auto& one : *list)
+    if (reading.value.operations.size() < most_operations) reading.value.operations.push_back(one);
+  if (list->size() > most_operations)
+    reading.repairs.push_back("only the first " + std::to_string(most_operations) + " operations were taken");
+  return reading;
+}
+
+std::string verdict_lines(const Scene& scene) {
+  std::string lines;
+  for (const auto& one : scene.requirements)
+    lines += one.requirement.id + ": " + one.requirement.clause + ": " + std::string(name(one.compliance)) +
+             (one.reason.empty() || one.met() ? "" : ", " + one.reason) + "\n";
+  return lines.empty() ? "nothing in particular\n" : lines;
+}
+
+std::string unplaced_lines(const Scene& scene) {
+  std::vector<std::string> lines;
+  for (const auto& one : scene.unplaced) lines.push_back(one.id + " (" + one.reason + ")");
+  return lines.empty() ? "nothing" : join(lines, "; ");
+}
+
+Result<Question> review_question(const Reviewing& reviewing, const Scene& scene, const std::vector<std::string>& refused) {
+  auto system = operation_slots(reviewing.prompts, scene);
+  if (!system) return system.error();
+  const SceneWords words = words_of_scene(scene);
+  Question question{.system = "review-system", .user = "review-user"};
+  question.system_slots = *std::move(system);
+  question.user_slots = {{"prompt", scene.prompt},
+                         {"requirements", verdict_lines(scene)},
+                         {"unplaced", unplaced_lines(scene)},
+                         {"room", words.room},
+                         {"parts", words.parts},
+                         {"placed", words.placed},
+                         {"refused", refused.empty() ? "" : "Of your last answer could not be done: " + join(refused, "; ") + "\n"}};
+  question.schema = operations_schema("judgement");
+  question.schema_name = "review";
+  question.max_tokens = reviewing.tokens;
+  question.cancel = reviewing.cancel;
+  return question;
+}
+
+// Each by itself: what one cannot do costs none of the others.
+void carry_out(Session& session, const std::vector<Json>& operations, ReviewRound& round) {
+  for (const auto& one : operations) {
+    const auto read = edit::operations_from_json(Json::array({one}), "operation");
+    const auto report = read ? session.apply(*read, {json_line(one), "model"}) : Result<EditReport>(read.error());
+    if (!report) round.refused.push_back(json_line(one) + ": " + report.error().message);
+    else round.changes.insert(round.changes.end(), report->changes.begin(), report->changes.end());
+  }
+}
+
+}  // namespace
+
+Result<std::vector<ReviewRound>> review(Session& session, const Reviewing& reviewing) {
+  std::vector<ReviewRound> rounds;
+  Interview interview(reviewing.model, reviewing.prompts, reviewing.answers);
+  while (static_cast<int>(rounds.size()) < reviewing.rounds) {
+    auto question = review_question(reviewing, session.scene(), rounds.empty() ? std::vector<std::string>() : rounds.back().refused);
+    if (!question) return question.error();
+    if (reviewing.pictures) {
+      auto pictures = reviewing.pictures(session);
+      if (!pictures) return pictures.error();
+      question->images = *std::move(pictures);
+    }
+    auto answer = interview.ask(*question, read_judged);
+    if (!answer && rounds.empty()) return answer.error();
+    if (!answer) break;
+    ReviewRound round{answer->judgement, {}, {}};
+    carry_out(session, answer->operations, round);
+    const bool done = answer->operations.empty();
+    rounds.push_back(std::move(round));
+    if (done || reviewing.cancel.cancelled()) break;
+  }
+  return rounds;
+}
+
+}  // namespace roomgen
