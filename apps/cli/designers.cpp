@@ -1,5 +1,7 @@
 #include "designers.h"
 
+#include <algorithm>
+
 #include <filesystem>
 
 #include "no_fallback.h"
@@ -32,7 +34,7 @@ Result<std::unique_ptr<ChatModel>> open_endpoint(const DesignerOptions& options,
     http.base_url = "https://api.anthropic.com";
   http.key_file = options.key_file;
   // Who thinks is silent for as long as the call may take.
-  http.limits.idle = HttpLimits::Seconds(options.thinking > 0 ? options.seconds_per_call : options.idle_seconds);
+  http.limits.idle = HttpLimits::Seconds(options.thinking > 0 ? options.seconds_per_call : options.idle());
   http.limits.call = HttpLimits::Seconds(options.seconds_per_call);
   http.retry.total = RetryPolicy::Seconds(options.seconds_per_call);
   if (!context.quiet)
@@ -108,6 +110,17 @@ ModelMode DesignerOptions::model_mode() const {
   return mode == "image" ? ModelMode::image : ModelMode::fused;
 }
 
+// A model of one's own reads long questions before its first byte.
+double DesignerOptions::idle() const {
+  constexpr double far_away = 30.0, near = 300.0;
+  constexpr std::string_view own[] = {"localhost", "127.", "[::1]", "10.", "192.168.", "172.16.", "172.17.", "172.18.",
+                                      "172.19.",   "172.2", "172.30.", "172.31."};
+  const std::string_view url = base_url;
+  const auto host = url.substr(url.find("://") == url.npos ? 0 : url.find("://") + 3);
+  const bool is_near = std::any_of(std::begin(own), std::end(own), [&](auto name) { return host.starts_with(name); });
+  return idle_seconds.value_or(is_near ? near : far_away);
+}
+
 namespace {
 
 constexpr const char* designer_group = "Designer";
@@ -119,10 +132,13 @@ CLI::Option* add_text(CLI::App& command, const char* name, std::string& value, c
 }  // namespace
 
 void add_chat_options(CLI::App& command, DesignerOptions& options) {
-  add_text(command, "--designer", options.designer, "rules: works offline; model: asks a language model")
-      ->check(CLI::IsMember({"rules", "model"}))
-      ->capture_default_str();
-  add_text(command, "--model", options.model, "Name of the model at its endpoint");
+  auto* designer = add_text(command, "--designer", options.designer, "rules: works offline; model: asks a language model (with --model)")
+                       ->check(CLI::IsMember({"rules", "model"}))
+                       ->capture_default_str();
+  add_text(command, "--model", options.model, "Name of the model at its endpoint: it designs")
+      ->each([&options, designer](const std::string&) {
+        if (designer->count() == 0) options.designer = "model";
+      });
   add_text(command, "--base-url", options.base_url,
            "Endpoint, as in http://localhost:8080/v1 (default: OpenAI's). The key comes from "
            "ROOMGEN_API_KEY, OPENAI_API_KEY or ANTHROPIC_API_KEY");
@@ -143,10 +159,10 @@ void add_chat_options(CLI::App& command, DesignerOptions& options) {
   command.add_option("--max-dollars", options.max_dollars, "Money for one room (data/prices.json)")->group(designer_group);
   add_text(command, "--prices", options.prices, "A price table of your own, in the form of data/prices.json");
   command
-      .add_option("--idle-seconds", options.idle_seconds, "Longest silence of the endpoint, for models that think without a word")
+      .add_option("--idle-seconds", options.idle_seconds, "Longest silence of the endpoint, for models that think without a word (default: 30; 300 on this "
+                  "machine or its network)")
       ->group(designer_group)
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
+      ->check(CLI::PositiveNumber);
   command
       .add_option("--call-seconds", options.seconds_per_call, "Longest time for one question, retries included")
       ->group(designer_group)

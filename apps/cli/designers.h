@@ -26,12 +26,13 @@ struct DesignerOptions {
   int plan_tokens = ModelDesignerOptions().plan_tokens;
   int place_tokens = ModelDesignerOptions().place_tokens;
   double lost_step = FusionOptions().lost_step;
-  double seconds_per_call = 120.0;
-  double idle_seconds = 30.0;
+  double seconds_per_call = 300.0;
+  std::optional<double> idle_seconds;  ///< else by how near the endpoint is
   int thinking = 0;
   std::string improve = "minimal", repair = "on";
 
   ModelMode model_mode() const;
+  double idle() const;
   bool paper_frame() const { return frame == "paper"; }
 };
 

@@ -45,6 +45,10 @@ std::optional<Dialect> concede(const Dialect& refused, const ChatRequest& reques
     next.thinking = false;
     return next;
   }
+  if (refused.stream && names("stream")) {
+    next.stream = false;
+    return next;
+  }
   if (refused.temperature && names("temperature")) {
     next.temperature = false;
     return next;

@@ -14,6 +14,7 @@ struct Dialect {
   bool schema = true;
   bool temperature = true;
   bool thinking = true;
+  bool stream = true;  ///< OpenAI's protocol: bytes come early, so that silence means something
   TokenLimit token_limit = TokenLimit::max_tokens;
   bool token_limit_settled = false;  ///< the other name was tried already, or there is none
 };

@@ -79,6 +79,7 @@ Json openai_body(const ChatRequest& request, const std::string& model, const Dia
   body[completion ? "max_completion_tokens" : "max_tokens"] = request.max_tokens + (thinks ? request.thinking : 0);
   if (thinks) body["reasoning_effort"] = effort_for(request.thinking);
   if (dialect.temperature) body["temperature"] = request.temperature;
+  if (dialect.stream) body["stream"] = true, body["stream_options"] = {{"include_usage", true}};
   if (dialect.schema && !request.schema.is_null())
     body["response_format"] = response_format(request);
   return body;
