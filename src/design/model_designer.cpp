@@ -77,6 +77,8 @@ class ModelDesigner : public Designer {
   Result<PlaceAdvice> place(const PlaceRequest& request) override {
     Consultation consultation;
     if (auto advice = told_already(request)) return *std::move(advice);
+    // What lies on a thing of its group is no question: it goes there as such things do.
+    if (request.lost_place_in_group && request.object.mount == Mount::surface) return fallback_->place(request);
     if (patience_.lost().empty()) {
       auto advice = ask(request, consultation);
       if (advice) {

@@ -9,7 +9,7 @@
 namespace roomgen::design {
 
 /// Those still to come that the answer about request.object places too: what stands on the same thing;
-/// with ModelSteps::groups also all that stands on the floor, or all that hangs. Of a group its anchor alone.
+/// with ModelSteps::groups also all that stands on the floor, or all that hangs. What comes with its group is not among them.
 /// `answered` have their answers already.
 std::vector<PlannedObject> answered_together(const PlaceRequest& request, ModelSteps steps,
                                              const std::set<std::string>& answered);

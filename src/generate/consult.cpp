@@ -62,6 +62,20 @@ std::vector<std::string> elsewhere(const Work& work) {
   return told;
 }
 
+// A thing of a group that stands, or was not tried yet, takes its place there when its turn comes.
+std::set<std::string> coming_with_groups(const Work& work) {
+  std::set<std::string> ids;
+  for (const auto& planned : work.state.left) {
+    const auto* role = work.role_of(planned.id);
+    const bool has_post = std::any_of(work.state.groups.begin(), work.state.groups.end(), [&](const StandingGroup& group) {
+      const auto post = group.posts.find(planned.id);
+      return post != group.posts.end() && post->second.refused == 0;
+    });
+    if (has_post || (role && !role->is_anchor && work.state.tried_groups.count(role->group) == 0)) ids.insert(planned.id);
+  }
+  return ids;
+}
+
 // The room, and half as large the top of the carrier.
 Result<std::vector<Image>> pictures(const Workplace& place, const Scene& scene,
                                     const std::vector<Bounds2>& free_floor,
@@ -102,6 +116,9 @@ Result<PlaceAdvice> consult(Work& work, const PlannedObject& planned, const Plac
   request.objections = earlier.objections;
   request.standing_at = earlier.standing_at;
   request.later = may_come_next(work);
+  request.with_group = coming_with_groups(work);
+  const auto* role = work.role_of(planned.id);
+  request.lost_place_in_group = role && !role->is_anchor;
   request.elsewhere = elsewhere(work);
   request.cancel = work.cancel;
   if (!earlier.refusals.empty()) request.free_floor = free_floor(place.layout, task.object);

@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -70,6 +71,8 @@ struct PlaceRequest {
   std::vector<std::string> elsewhere = {};  ///< what stands otherwise than was suggested: "sofa-0 stands 0.3 m from there"
   std::vector<Bounds2> free_floor = {};  ///< with refusals: the largest free parts of the floor
   std::vector<std::string> later = {};  ///< ids of what is still to be placed, in the plan's order
+  std::set<std::string> with_group = {};  ///< of these, what comes with the anchor of its group: it is not asked for
+  bool lost_place_in_group = false;  ///< it has a place in its group, and there was no room for it
   /// Draws the room with coordinate marks, and the top of what carries the object larger; may be empty.
   std::function<Result<std::vector<Image>>()> marks = {};
   CancelToken cancel = {};
