@@ -142,8 +142,7 @@ class Pen {
   void text(const std::string& words, const Vec2& center, const Vec2& box, double letters,
             const Ink& ink, bool halo, Align align = Align::center) {
     const CvSize unit = size_of("H"), full = size_of(words);
-    const double scale =
-        std::min(letters / unit.height, box.x() / (full.width + 4.0));
+    const double scale = std::min(letters / unit.height, box.x() / (full.width + 4.0));
     const int thickness = std::max(1, static_cast<int>(std::lround(letters / 14.0)));
 
     const PixelArea area = area_of({center - 0.7 * box, center + 0.7 * box}, 3);
@@ -200,8 +199,10 @@ class Pen {
   PixelArea area_of(const Bounds2& extent, int margin) const {
     const int x0 = std::max(0, static_cast<int>(std::floor(extent.low.x())) - margin),
               y0 = std::max(0, static_cast<int>(std::floor(extent.low.y())) - margin),
-              x1 = std::min(picture_.width, static_cast<int>(std::ceil(extent.high.x())) + margin + 1),
-              y1 = std::min(picture_.height, static_cast<int>(std::ceil(extent.high.y())) + margin + 1);
+              x1 = std::min(picture_.width,
+                            static_cast<int>(std::ceil(extent.high.x())) + margin + 1),
+              y1 = std::min(picture_.height,
+                            static_cast<int>(std::ceil(extent.high.y())) + margin + 1);
     return {x0, y0, x1 - x0, y1 - y0};
   }
 
@@ -236,49 +237,38 @@ struct Style {
   bool arrow = false;
 };
 
-Style style_of(Drawing::Line kind) {
-  constexpr Ink white{255, 255, 255, 0.8}, dark{20, 40, 70, 1.0};
-  switch (kind) {
-    case Drawing::Line::paper:
-      return {{64, 66, 72, 1.0}, 2.0, none, {244, 242, 236, 1.0}};
-    case Drawing::Line::free:
-      return {{30, 120, 60, 0.8}, 1.0, none, {60, 170, 90, 0.22}};
-    case Drawing::Line::keep_clear:
-      return {{205, 90, 0, 0.55}, 1.0, none, {240, 140, 30, 0.08}, 0.0, 0.9};
-    case Drawing::Line::use:
-      return {{20, 110, 190, 0.3}, 1.0, none, {40, 140, 220, 0.05}, 0.0, 1.2};
-    case Drawing::Line::plan_symbol:
-      return {{64, 66, 72, 0.9}};
-    case Drawing::Line::grid:
-      return {{30, 60, 90, 0.42}};
-    case Drawing::Line::hole:
-      return {{120, 50, 10, 1.0}, 1.0, none, {190, 222, 240, 1.0}};
-    case Drawing::Line::before:
-      return {{70, 74, 84, 0.9}, 1.0, none, {120, 124, 134, 0.35}};
-    case Drawing::Line::hung:
-      return {{90, 40, 130, 0.9}, 1.0, none, {150, 100, 200, 0.4}};
-    case Drawing::Line::dot:
-      return {none, 0.0, none, {20, 40, 110, 0.95}};
-    case Drawing::Line::outline:
-      return {{20, 40, 70, 0.7}, 1.0, {255, 255, 255, 0.45}};
-    case Drawing::Line::overhead:
-      return {{110, 50, 150, 0.9}, 1.0, {255, 255, 255, 0.5}, none, 0.6};
-    case Drawing::Line::in_the_way:
-      return {{205, 20, 30, 1.0}, 2.0, white};
-    case Drawing::Line::refused:
-      return {{205, 20, 30, 1.0}, 2.0, white, none, 0.9};
-    case Drawing::Line::axis:
-      return {dark, 1.0, none, none, 0.0, 0.0, true};
-    case Drawing::Line::leader:
-      return {{20, 40, 70, 0.85}, 1.0, {255, 255, 255, 0.5}};
-    case Drawing::Line::arrow:
-      return {{196, 40, 36, 1.0}, 2.0, white, none, 0.0, 0.0, true};
-    case Drawing::Line::front:
-      return {{16, 18, 24, 1.0}, 2.0, {255, 255, 255, 0.95}, none, 0.0, 0.0, true};
-    case Drawing::Line::scale:
-      return {{20, 24, 32, 1.0}, 2.0};
-  }
-  return {};
+struct LineStyle {
+  Drawing::Line kind;
+  Style style;
+};
+
+constexpr Ink whitish{255, 255, 255, 0.8}, half_white{255, 255, 255, 0.5}, red{205, 20, 30, 1.0};
+using Line = Drawing::Line;
+constexpr LineStyle styles[] = {
+    {Line::paper, {{64, 66, 72, 1.0}, 2.0, none, {244, 242, 236, 1.0}}},
+    {Line::free, {{30, 120, 60, 0.8}, 1.0, none, {60, 170, 90, 0.22}}},
+    {Line::keep_clear, {{205, 90, 0, 0.55}, 1.0, none, {240, 140, 30, 0.08}, 0.0, 0.9}},
+    {Line::use, {{20, 110, 190, 0.3}, 1.0, none, {40, 140, 220, 0.05}, 0.0, 1.2}},
+    {Line::plan_symbol, {{64, 66, 72, 0.9}}},
+    {Line::grid, {{30, 60, 90, 0.42}}},
+    {Line::hole, {{120, 50, 10, 1.0}, 1.0, none, {190, 222, 240, 1.0}}},
+    {Line::before, {{70, 74, 84, 0.9}, 1.0, none, {120, 124, 134, 0.35}}},
+    {Line::hung, {{90, 40, 130, 0.9}, 1.0, none, {150, 100, 200, 0.4}}},
+    {Line::dot, {none, 0.0, none, {20, 40, 110, 0.95}}},
+    {Line::outline, {{20, 40, 70, 0.7}, 1.0, half_white}},
+    {Line::overhead, {{110, 50, 150, 0.9}, 1.0, half_white, none, 0.6}},
+    {Line::in_the_way, {red, 2.0, whitish}},
+    {Line::refused, {red, 2.0, whitish, none, 0.9}},
+    {Line::axis, {{20, 40, 70, 1.0}, 1.0, none, none, 0.0, 0.0, true}},
+    {Line::leader, {{20, 40, 70, 0.85}, 1.0, half_white}},
+    {Line::arrow, {{196, 40, 36, 1.0}, 2.0, whitish, none, 0.0, 0.0, true}},
+    {Line::front, {{16, 18, 24, 1.0}, 2.0, {255, 255, 255, 0.95}, none, 0.0, 0.0, true}},
+    {Line::scale, {{20, 24, 32, 1.0}, 2.0}},
+};
+
+const Style& style_of(Line kind) {
+  const auto is_it = [&](const LineStyle& row) { return row.kind == kind; };
+  return std::find_if(std::begin(styles), std::end(styles), is_it)->style;
 }
 
 void draw_arrow(Pen& pen, const Drawing::Stroke& stroke, const Style& style, int thin,
@@ -291,7 +281,7 @@ void draw_arrow(Pen& pen, const Drawing::Stroke& stroke, const Style& style, int
 }
 
 void draw_stroke(Pen& pen, const Drawing::Stroke& stroke, int thin, double letters) {
-  const Style style = style_of(stroke.kind);
+  const Style& style = style_of(stroke.kind);
   if (style.arrow) return draw_arrow(pen, stroke, style, thin, letters);
   const int width = static_cast<int>(std::lround(style.width * thin));
   if (style.fill.opacity > 0.0) pen.fill(stroke.points, style.fill);
@@ -325,13 +315,14 @@ void draw_label(Pen& pen, const Drawing::Label& label, double letters) {
     case Drawing::Text::object:
       return draw_boxed(pen, label, letters, {12, 24, 48, 1.0});
     case Drawing::Text::red:
-      return draw_boxed(pen, label, letters, {205, 20, 30, 1.0});
+      return draw_boxed(pen, label, letters, red);
     case Drawing::Text::tick:
       return pen.text(label.text, label.center, label.size, letters, {40, 44, 52, 1.0}, false);
     case Drawing::Text::axis:
       return pen.text(label.text, label.center, label.size, letters, {20, 40, 70, 1.0}, false);
     case Drawing::Text::legend:
-      return pen.text(label.text, label.center, label.size, letters, {20, 24, 32, 1.0}, false, Pen::Align::left);
+      return pen.text(label.text, label.center, label.size, letters, {20, 24, 32, 1.0}, false,
+                      Pen::Align::left);
     case Drawing::Text::part:
       return draw_lines(pen, label, letters, {120, 50, 10, 1.0});
     case Drawing::Text::point:

@@ -135,16 +135,18 @@ class Sheets {
     sheet_.drawing.strokes.push_back({kind, std::move(outline)});
   }
 
-  void write(Drawing::Text kind, const std::string& text, const Vec2& center,
+  void write(Drawing::Text kind, const std::string& text, const Vec2& at,
              detail::LabelPlacer& placer) {
-    placer.place({kind, text, center, label_size(text, sheet_.drawing.text_height)});
+    const Vec2 size = label_size(text, sheet_.drawing.text_height), half = 0.5 * size;
+    const Vec2 center = at.cwiseMin(placer.picture() - half).cwiseMax(half);
+    placer.place({kind, text, center, size});
   }
 
   void draw_wall(const Face& face, detail::LabelPlacer& placer) {
     const double length = face.length(), height = face.room->height;
     stroke(Drawing::Line::paper, rectangle(face, {{0.0, 0.0}, {length, height}}));
     std::string title = part_id(*face.room, detail::wall_title(*face.room, face.wall, " "));
-    title += face.axis < 0 ? " (from its right end)" : face.axis == 0 ? " (x)" : " (y)";
+    title += face.axis < 0 ? " (m)" : face.axis == 0 ? " (x)" : " (y)";
     write(Drawing::Text::part, title, pixel(face, 0.5 * length, height + 0.5 * above), placer);
     draw_grid(face, placer);
     for (const auto& opening : face.room->openings) {

@@ -56,11 +56,11 @@ void share_name(const std::vector<std::size_t>& crowd, const MarkNames& names,
 std::optional<std::vector<Drawing::Label>> lay_legend(const MarkNames& names, const Vec2& picture,
                                                       double letter_height) {
   std::vector<Drawing::Label> labels;
-  Vec2 corner(0.0, picture.y());  // lower left
+  Vec2 corner(letter_height, picture.y());  // lower left
   for (const auto& line : names.legend()) {
     const Vec2 size = label_size(line, letter_height);
-    if (corner.x() > 0.0 && corner.x() + size.x() > picture.x())
-      corner = {0.0, corner.y() - size.y()};
+    if (corner.x() > letter_height && corner.x() + size.x() > picture.x())
+      corner = {letter_height, corner.y() - size.y()};
     const Vec2 center = corner + Vec2(0.5 * size.x(), -0.5 * size.y());
     labels.push_back({Drawing::Text::legend, line, center, size});
     corner.x() += size.x() + letter_height;
