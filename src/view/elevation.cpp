@@ -77,11 +77,11 @@ Bounds2 seen_on(const Face& face, const Object& object) {
   return box;
 }
 
-bool is_on(const Face& face, const Object& object) {
+bool is_on(const Face& face, const Object& object, double reach) {
   const Footprint area = footprint(object);
   return object.mount == Mount::wall &&
          area.front().dot(face.room->polygon.inward(face.wall)) > 0.7 &&
-         distance(face.line, area.to_world({0.0, area.half().y()})) < at_wall;
+         distance(face.line, area.to_world({0.0, area.half().y()})) < reach;
 }
 
 bool is_before(const Face& face, const Object& object) {
@@ -202,10 +202,11 @@ class Sheets {
     for (const auto& object : scene_.objects) {
       if (&room_of(scene_, object) != face.room) continue;
       if (is_before(face, object)) add_mark(face, object, Drawing::Line::before, marks);
-      if (is_on(face, object)) add_mark(face, object, Drawing::Line::hung, marks);
+      if (is_on(face, object, at_wall)) add_mark(face, object, Drawing::Line::hung, marks);
     }
     for (const auto& object : view_.refused)
-      if (is_on(face, object)) add_mark(face, object, Drawing::Line::refused, marks);
+      if (is_on(face, object, before_wall))
+        add_mark(face, object, Drawing::Line::refused, marks);
   }
 
   const Scene& scene_;

@@ -228,6 +228,9 @@ TEST_CASE("an elevation shows walls from inside, with coordinates of the room") 
   scene.objects.back().yaw = radians(180);  // on wall-0, looking north
   View view;
   view.kind = View::Kind::elevation;
+  view.refused = {scene.objects.back()};
+  view.refused.back().id = "mirror-1";
+  view.refused.back().position = {2.2, 0.3, 1.2};
   const auto sheet = layout_elevation(scene, view);
   REQUIRE(sheet);
   CHECK(std::max(sheet->width, sheet->height) == view.pixels);
@@ -246,6 +249,7 @@ TEST_CASE("an elevation shows walls from inside, with coordinates of the room") 
   CHECK(mirror.high.y() == Approx(south.high.y() - 1.0 * scale));
   CHECK(door.high.x() == Approx(south.high.x() - 0.5 * scale));
   CHECK(has_text(sheet->drawing, Drawing::Text::object, "mirror-0 z 1"));
+  CHECK(has_text(sheet->drawing, Drawing::Text::red, "mirror-1 z 1.2"));
   CHECK(has_text(sheet->drawing, Drawing::Text::part, "wall-0 south (x)"));
   int ticks = 0;
   for (const auto& label : labels_of(sheet->drawing, Drawing::Text::tick)) {
