@@ -123,7 +123,10 @@ void check_usage(const RenderOptions& options) {
     throw CLI::ValidationError("--marks", "marks need the top view, and no layers");
   if (options.views.size() > 1 && !options.layers)
     throw CLI::ValidationError("--view", "several views at once need --layers");
-  if (options.layers && std::count(options.views.begin(), options.views.end(), segments_view) > 0)
+  const auto is_drawing = [](const std::string& name) {
+    return name == segments_view || name == "elevation";
+  };
+  if (options.layers && std::any_of(options.views.begin(), options.views.end(), is_drawing))
     throw CLI::ValidationError("--view", "layers are of the views top, iso and eye");
   if (!options.layers && (options.alone || !options.cameras.empty()))
     throw CLI::ValidationError(options.alone ? "--alone" : "--cameras", "needs --layers");
@@ -137,14 +140,16 @@ void add_render_command(CLI::App& app, Context& context) {
   command->add_option("scene", options->scene, "scene.json")->required()->check(CLI::ExistingFile);
   command->add_option("-o,--output", options->output,
                       "PNG file to write (VIEW.png); with --layers the folder (layers)");
-  CLI::Option* views =
-      command
-          ->add_option("--view", options->views,
-                       "top: plan from above; iso: from a corner, above; eye: as a visitor sees it; segments: plan "
-                       "with a colour a category, ids and a legend. With --layers several, with commas")
-          ->delimiter(',')
-          ->check(CLI::IsMember({"top", "iso", "eye", segments_view}))
-          ->capture_default_str();
+  CLI::Option* views = command
+                           ->add_option("--view", options->views,
+                                        "top: plan from above; iso: from a corner, above; eye: as "
+                                        "a visitor sees it; elevation: the "
+                                        "walls side by side; segments: plan with a colour a "
+                                        "category, ids and a legend. With --layers "
+                                        "several, with commas")
+                           ->delimiter(',')
+                           ->check(CLI::IsMember({"top", "iso", "eye", "elevation", segments_view}))
+                           ->capture_default_str();
   command->add_flag("--marks", options->marks,
                     "Draw the coordinate grid, ids and fronts (top view only)");
   command

@@ -30,6 +30,10 @@ bool begins_group(const Work& work, const PlannedObject& planned);
 /// `asset` is that of the anchor. Fails with what is in the way.
 Result<Placement> place_with_group(Work& work, const PlannedObject& planned, PlacementTask& task);
 
+/// The task of an anchor with all that stands about it in the first way of its group; else as it
+/// is.
+PlacementTask with_companions(Work& work, const PlannedObject& planned, const PlacementTask& task);
+
 /// The group of an anchor that found no place: its things stand for themselves.
 void fall_apart(Work& work, const PlannedObject& planned, const PlacementTask& task);
 

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 
+#include "attempts.h"
 #include "geometry/free_rectangles.h"
 #include "order.h"
 #include "roomgen/base/text.h"
+#include "solve/refusal.h"
 #include "solve/support.h"
 #include "support.h"
 
@@ -49,13 +51,16 @@ const Object* carrier_of(const Work& work, const PlannedObject& planned,
   return nullptr;
 }
 
-// What stands otherwise than was said of it.
+// What stands otherwise than a model said of it.
 std::vector<std::string> elsewhere(const Work& work) {
   constexpr double told_from = 0.05;  // metres
+  std::set<std::string> said;
+  for (const auto& step : work.state.trace)
+    if (!step.attempts.empty() && !step.attempts.back().answer.consultation.prompt_sha256.empty()) said.insert(step.planned.id);
   std::vector<std::string> told;
   for (const auto& task : work.state.tasks) {
     const Object* standing = work.layout().find(task.object.id);
-    if (!standing || !task.location || !task.binding) continue;
+    if (!standing || !task.location || said.count(task.object.id) == 0) continue;
     const double away = (standing->position.head<2>() - *task.location).norm();
     if (away > told_from) told.push_back(standing->id + " stands " + format_number(away, 2) + " m from where you put it");
   }
@@ -76,22 +81,64 @@ std::set<std::string> coming_with_groups(const Work& work) {
   return ids;
 }
 
-// The room, and half as large the top of the carrier.
-Result<std::vector<Image>> pictures(const Workplace& place, const Scene& scene,
-                                    const std::vector<Bounds2>& free_floor,
-                                    const Object* carrier) {
+// Where the last answer would have it, turned as it says, else as the least would be in its way.
+void show_refused(Work& work, const PlaceRequest& request, const PlacementTask& task, View& view) {
+  const PlaceAdvice& answer = request.earlier.back();
+  if (request.refusals.empty() || !request.objections.empty() || !answer.location) return;
+  const PlacementTask whole = with_companions(work, request.planned, task);
+  const auto walls = work.layout().wall_yaws();
+  std::vector<double> yaws(walls.begin(), walls.end());
+  if (answer.yaw) yaws = {*answer.yaw};
+  for (const double yaw : yaws) {
+    Object standing = task.object;
+    standing.position.head<2>() = *answer.location;
+    standing.yaw = yaw;
+    std::vector<Object> things = companions_of(whole, standing);
+    things.insert(things.begin(), standing);
+    std::vector<std::string> ids;
+    for (const auto& thing : things)
+      for (auto& id : in_the_way(work.layout(), thing)) ids.push_back(std::move(id));
+    if (view.refused.empty() || ids.size() < view.in_the_way.size())
+      view.refused = std::move(things), view.in_the_way = std::move(ids);
+  }
+}
+
+// Is it about something that hangs on a wall, or may the answer place such a thing too?
+bool is_about_walls(const Plan& plan, const PlaceRequest& request) {
+  if (request.object.mount != Mount::ceiling) return request.object.mount == Mount::wall;
+  const auto all = planned_objects(plan);
+  return std::any_of(all.begin(), all.end(), [&](const PlannedObject& other) {
+    return plan.items[other.item].mount == Mount::wall &&
+           std::find(request.later.begin(), request.later.end(), other.id) != request.later.end();
+  });
+}
+
+// The room; of what hangs its walls, of what stands on something the top of that, half as large.
+Result<std::vector<Image>> pictures(Work& work, const PlaceRequest& request,
+                                    const PlacementTask& task) {
+  const Workplace& place = work.place;
   View view = place.options.marks_view;
-  view.free_floor = free_floor;
-  auto room = place.options.renderer->render(scene, place.models, view);
-  if (!room) return room.error();
-  std::vector<Image> all = {*std::move(room)};
-  if (!carrier || view.paper_frame) return all;
-  view.free_floor.clear();
-  view.part = footprint(*carrier).bounds();
-  view.pixels = std::max(view.pixels / 2, least_part_pixels);
-  auto top = place.options.renderer->render(scene, place.models, view);
-  if (!top) return top.error();
-  all.push_back(*std::move(top));
+  view.free_floor = request.free_floor;
+  view.asked = task.object.mount;
+  if (!request.earlier.empty()) show_refused(work, request, task, view);
+  std::vector<View> views = {view};
+  if (is_about_walls(place.plan, request)) {
+    views.push_back(view);
+    views.back().kind = View::Kind::elevation;
+  }
+  if (const Object* carrier = carrier_of(work, request.planned, task);
+      carrier && !view.paper_frame) {
+    views.push_back(view);
+    views.back().free_floor.clear();
+    views.back().part = footprint(*carrier).bounds();
+    views.back().pixels = std::max(view.pixels / 2, least_part_pixels);
+  }
+  std::vector<Image> all;
+  for (const auto& one : views) {
+    auto picture = place.options.renderer->render(request.scene, place.models, one);
+    if (!picture) return picture.error();
+    all.push_back(*std::move(picture));
+  }
   return all;
 }
 
@@ -122,10 +169,7 @@ Result<PlaceAdvice> consult(Work& work, const PlannedObject& planned, const Plac
   request.elsewhere = elsewhere(work);
   request.cancel = work.cancel;
   if (!earlier.refusals.empty()) request.free_floor = free_floor(place.layout, task.object);
-  if (place.options.renderer)
-    request.marks = [&] {
-      return pictures(place, scene, request.free_floor, carrier_of(work, planned, task));
-    };
+  if (place.options.renderer) request.marks = [&] { return pictures(work, request, task); };
   auto advice = place.designer.place(request);
   if (!advice) {
     if (advice.error().kind == Error::Kind::limit) work.state.stopped = advice.error().message;

@@ -120,13 +120,20 @@ bool whole_group_stands(const Work& work, const PlannedObject& planned) {
                              });
 }
 
+// What stands about the anchor in a way of the group.
+std::vector<PlacementTask::Companion> companions_in(const Work& work,
+                                                    const composition::Arranged& way,
+                                                    const Cast& cast) {
+  std::vector<std::size_t> members;
+  return companions(
+      way, [&](const Member& member) { return cast.object_of(member); }, work.place.room, members);
+}
+
 // The things of the group whose meshes overlap those before them, wherever it stands.
 std::set<std::string> overlapping(Work& work, const composition::Arranged& way, const Cast& cast) {
-  std::vector<std::size_t> members;
   PlacementTask task;
   task.object = *cast.object_of(way.members.front());
-  task.companions = companions(
-      way, [&](const Member& member) { return cast.object_of(member); }, work.place.room, members);
+  task.companions = companions_in(work, way, cast);
   std::vector<Object> apart = {task.object};
   std::set<std::string> found;
   for (auto& object : companions_of(task, task.object)) {
@@ -220,6 +227,15 @@ Result<Placement> place_with_group(Work& work, const PlannedObject& planned, Pla
   work.state.tried_groups.insert(id);
   task.object.locked = placed->placement.object.locked = true;
   return std::move(placed->placement);
+}
+
+PlacementTask with_companions(Work& work, const PlannedObject& planned, const PlacementTask& task) {
+  PlacementTask whole = task;
+  if (!begins_group(work, planned)) return whole;
+  const Cast cast = cast_of(work, task, work.role_of(planned.id)->group);
+  if (const auto ways = ways_of(work, planned, cast); ways && !ways->empty())
+    whole.companions = companions_in(work, ways->front(), cast);
+  return whole;
 }
 
 void fall_apart(Work& work, const PlannedObject& planned, const PlacementTask& task) {

@@ -56,6 +56,8 @@ std::string_view view_name(View::Kind kind) {
     case View::Kind::top: return "top";
     case View::Kind::isometric: return "iso";
     case View::Kind::eye: return "eye";
+    case View::Kind::elevation:
+      return "elevation";
   }
   return "";
 }

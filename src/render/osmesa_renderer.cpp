@@ -105,6 +105,7 @@ class OsmesaRenderer : public Renderer {
   }
 
   Result<Image> render(const Scene& scene, const ModelTable& models, const View& view) override {
+    if (view.kind == View::Kind::elevation) return drawn_elevation(scene, view);
     const auto camera = make_camera(scene, view);
     if (!camera) return camera.error();
     const GlTurn turn;
@@ -166,6 +167,15 @@ class OsmesaRenderer : public Renderer {
   }
 
  private:
+  static Result<Image> drawn_elevation(const Scene& scene, const View& view) {
+    const auto sheet = layout_elevation(scene, view);
+    if (!sheet) return sheet.error();
+    Image image(sheet->width, sheet->height);
+    std::fill(image.pixels.begin(), image.pixels.end(), std::uint8_t{255});
+    if (auto drawn = draw_overlay(image, sheet->drawing); !drawn) return drawn.error();
+    return image;
+  }
+
   static Status draw_over(Image& image, const Scene& scene, const View& view,
                           const Camera& camera) {
     auto drawn = draw_overlay(image, plan_symbols(rooms_of(scene), camera));

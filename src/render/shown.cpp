@@ -4,6 +4,7 @@
 
 #include "roomgen/base/json.h"
 #include "view/layer_things.h"
+#include "view/marks.h"
 
 namespace roomgen::detail {
 
@@ -51,6 +52,8 @@ std::string shell_key(std::span<const Room> rooms, const View& view, const Camer
 }
 
 std::function<bool(const Object&)> shown_objects(const Scene& scene, const View& view, const Camera& camera) {
+  if (is_marked(view))
+    return [&scene, &view](const Object& object) { return !is_outline_only(scene, view, object); };
   // From above, lamps would hide what stands under them; their ceiling is off as well.
   if (view.kind == View::Kind::top) return [](const Object& object) { return object.mount != Mount::ceiling; };
   // What hangs on a lowered wall would float before the room.

@@ -19,8 +19,7 @@ void add_blockers(const Layout& layout, const Object& standing, bool comes_along
   const Footprint area = footprint(standing);
   const std::string whose = comes_along ? " (of its " + standing.id + ")" : "";
   if (!layout.fits_room(alone, area, bottom(standing))) names.insert("a wall, a door or a window" + whose);
-  for (const auto& thing : layout.things())
-    if (layout.collides(alone, area, bottom(standing), thing)) names.insert(thing.object->id + whose);
+  for (const auto& id : in_the_way(layout, standing)) names.insert(id + whose);
 }
 
 // What is in the way at the suggested place, turned as is suggested, else whichever way.
@@ -93,6 +92,20 @@ Error refusal_on(const Layout& layout, const Object& object) {
 }
 
 }  // namespace
+
+std::vector<std::string> in_the_way(const Layout& layout, const Object& standing) {
+  const Footprint area = footprint(standing);
+  std::vector<std::string> ids;
+  if (standing.mount == Mount::surface) {
+    for (const auto& other : layout.objects())
+      if (other.on == standing.on && overlaps(area, footprint(other))) ids.push_back(other.id);
+    return ids;
+  }
+  const Layout::Candidate alone = layout.candidate(standing);
+  for (const auto& thing : layout.things())
+    if (layout.collides(alone, area, bottom(standing), thing)) ids.push_back(thing.object->id);
+  return ids;
+}
 
 Error refusal(const Layout& layout, const PlacementTask& task, const Layout::Candidate& candidate,
               int candidates, int feasible) {

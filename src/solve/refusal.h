@@ -11,6 +11,9 @@ namespace roomgen {
 Error refusal(const Layout& layout, const PlacementTask& task, const Layout::Candidate& candidate,
               int candidates, int feasible);
 
+/// The ids of what is in the way of an object where it stands as it says.
+std::vector<std::string> in_the_way(const Layout& layout, const Object& standing);
+
 /// Must somebody be able to come to it on the floor?
 bool needs_way_in(const Layout& layout, const PlacementTask& task);
 

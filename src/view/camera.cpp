@@ -16,7 +16,7 @@ namespace {
 const double iso_elevation = radians(38.0);
 constexpr double top_margin = 0.15, iso_margin = 0.18;
 // Marks need room for coordinates beside the walls, in parts of the longer side.
-constexpr double marks_margin = 0.055;
+constexpr double marks_margin = 0.08;
 constexpr double part_margin = 0.16;  // of what is shown of a room
 constexpr double least_part = 0.2;    // metres, of that
 
@@ -209,6 +209,8 @@ Result<Camera> make_camera(const Scene& scene, const View& view) {
   if (auto status = check_picture_side(view.pixels); !status) return status.error();
   if (rooms_of(scene)[0].polygon.size() < 3)
     return Error{Error::Kind::invalid_input, "the room has no floor to look at"};
+  if (view.kind == View::Kind::elevation)
+    return Error{Error::Kind::invalid_input, "an elevation is a drawing that no camera sees"};
   if (view.kind == View::Kind::eye) return detail::eye_camera(largest_part(scene), view.pixels);
   Camera camera;
   aim(camera, scene, view);

@@ -8,14 +8,6 @@ namespace roomgen::detail {
 
 namespace {
 
-// Multiples of the step within [low, high].
-std::vector<double> multiples(double low, double high, double step) {
-  std::vector<double> values;
-  for (double i = std::ceil(low / step - 1e-9); i * step <= high + 1e-9; i += 1.0)
-    values.push_back(i * step + 0.0);
-  return values;
-}
-
 // The room's extent in the coordinates of the marks; axis 0 is the marks' x.
 Bounds2 mark_extent(const Room& room, bool paper_frame) {
   Bounds2 extent;
@@ -143,6 +135,13 @@ class Grid {
 };
 
 }  // namespace
+
+std::vector<double> multiples(double low, double high, double step) {
+  std::vector<double> values;
+  for (double i = std::ceil(low / step - 1e-9); i * step <= high + 1e-9; i += 1.0)
+    values.push_back(i * step + 0.0);
+  return values;
+}
 
 void lay_grid(const Room& room, const Camera& camera, bool paper_frame, double letter_height,
               LabelPlacer& placer, std::vector<Drawing::Stroke>& strokes) {

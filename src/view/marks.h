@@ -12,15 +12,25 @@ namespace roomgen {
 
 /// What is drawn over a top view, in pixels from the top left corner of the picture.
 struct Drawing {
+  /// In the order in which they are drawn.
   enum class Line {
-    grid,         ///< faint, across the room
-    outline,      ///< of an object's footprint
-    dot,          ///< around a crossing whose coordinates are written beside it, filled
+    paper,        ///< a wall's face, filled
     free,         ///< around a part of the floor that is free, which is shaded
-    arrow,        ///< an object's front; the head is at the last point
-    leader,       ///< from a label to its object
-    axis,         ///< arrow along which a coordinate grows
+    keep_clear,   ///< around what a door or a window needs, hatched
+    use,          ///< around the floor without which a thing cannot be used, hatched lightly
     plan_symbol,  ///< door leaves and swings, panes of windows
+    grid,         ///< faint, across the room
+    hole,         ///< a door or a window in a wall's face, filled
+    before,       ///< what stands before a wall, filled
+    hung,         ///< what hangs on a wall, filled
+    dot,          ///< around a crossing whose coordinates are written beside it, filled
+    outline,      ///< of an object's footprint
+    overhead,     ///< the same of what hangs over the room, dashed
+    in_the_way,   ///< the same of what is in the way
+    refused,      ///< where an object found no room, dashed
+    axis,         ///< arrow along which a coordinate grows
+    leader,       ///< from a label to its object
+    arrow,        ///< an object's front; the head is at the last point
     front,        ///< an arrow over strong colours
     scale,        ///< a length that is named beside it
   };
@@ -33,7 +43,8 @@ struct Drawing {
     point,   ///< "x,y" at a crossing of grid lines
     axis,    ///< the name of an axis
     part,    ///< the id of a wall, a door or a window
-    object,  ///< an object's id
+    object,  ///< an object's name
+    red,     ///< the same of what found no room, or is in the way
     legend,  ///< begins at the left of its box
   };
   struct Label {
@@ -50,10 +61,23 @@ struct Drawing {
 /// Door leaves with their swing and panes of windows, as architects draw them, of all rooms.
 Drawing plan_symbols(std::span<const Room> rooms, const Camera& camera);
 
+/// Does a picture with marks show the object by its outline alone, since it hangs over what the
+/// picture is about?
+bool is_outline_only(const Scene& scene, const View& view, const Object& object);
+
 /// The marks of set-of-mark prompting: grid lines every `grid_step` metres with their coordinates,
-/// the axes by name, each object's id, outline and front. No two label boxes overlap, all lie
-/// within the picture, and an object's label is on its object or tied to it by a leader.
+/// the axes by name, what must stay free, each object's name, outline and front. No two label boxes
+/// overlap, all lie within the picture, and an object's label is on its object or tied to it by a
+/// leader.
 Drawing layout_marks(const Scene& scene, const Camera& camera, const View& view);
+
+/// A drawing that needs no picture under it.
+struct Sheet {
+  int width = 0, height = 0;
+  Drawing drawing;
+};
+/// View::Kind::elevation. Fails if `pixels` is out of bounds or there is no wall.
+Result<Sheet> layout_elevation(const Scene& scene, const View& view);
 
 /// Names over a picture of segments: the ids of all things that it shows, of walls, doors and windows, fronts, and
 /// coordinates beside the rooms.
@@ -69,6 +93,8 @@ double grid_step(const Room& room);
 Vec2 mark_from_room(const Room& room, const Vec2& point, bool paper_frame);
 Vec2 room_from_mark(const Room& room, const Vec2& mark, bool paper_frame);
 
+/// From one line of a label to the next, in heights of a letter.
+inline constexpr double line_spacing = 1.45;
 /// Size in pixels that a text of this letter height needs at most, its margin included.
 Vec2 label_size(const std::string& text, double letter_height);
 

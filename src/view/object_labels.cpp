@@ -9,13 +9,20 @@ namespace roomgen::detail {
 namespace {
 
 constexpr double arrow_overhang = 0.10;  ///< metres beyond the front edge
+constexpr double longest_tail = 0.5;     ///< metres within it
 constexpr int label_directions = 16;
 constexpr double ring_step = 0.5;  ///< in heights of a label
 
-Polygon as_polygon(const ObjectMark& mark) {
-  std::vector<Vec2> points = mark.outline;
-  if (signed_area(points) < 0) std::reverse(points.begin(), points.end());
-  return {points};
+// A rug without a front still has one axis along which things are beside it; a plant has none.
+bool has_direction(const Object& object) {
+  constexpr double square = 1.1;
+  if (object.traits.front) return true;
+  if (object.traits.round || object.mount != Mount::floor) return false;
+  const Vec2 size = object.size.head<2>();
+  if (size.maxCoeff() < square * size.minCoeff()) return false;
+  const auto& kinds = KindTable::built_in();
+  return object.traits.flat ||
+         (!kinds.get(object.category).zones.empty() && !kinds.is_a(object.category, "table"));
 }
 
 double distance_to_box(const Vec2& point, const Vec2& center, const Vec2& size) {
@@ -25,7 +32,7 @@ double distance_to_box(const Vec2& point, const Vec2& center, const Vec2& size) 
 bool box_covers_arrow(const ObjectMark& mark, const Vec2& center, const Vec2& size) {
   // The outer half of the arrow is what must stay readable.
   for (const double t : {0.6, 0.8, 1.0}) {
-    const Vec2 point = mark.center + t * (mark.arrow_end - mark.center);
+    const Vec2 point = mark.arrow_start + t * (mark.arrow_end - mark.arrow_start);
     if (distance_to_box(point, center, size) <= 0.0) return true;
   }
   return false;
@@ -49,7 +56,7 @@ double cost(const std::vector<ObjectMark>& marks, std::size_t own, const Vec2& c
   else if (!contains(marks[own], center))
     total += 1.5 * size.y();
   for (std::size_t i = 0; i < marks.size(); ++i) {
-    const bool has_front = marks[i].arrow_end != marks[i].center;
+    const bool has_front = marks[i].arrow_end != marks[i].arrow_start;
     if (has_front && box_covers_arrow(marks[i], center, size)) total += i == own ? 20.0 : 30.0;
     if (i == own) continue;
     if (distance_to_box(marks[i].center, center, size) <= 0.0)
@@ -87,18 +94,26 @@ Spot best_spot(const std::vector<ObjectMark>& marks, std::size_t own, const Vec2
 ObjectMark object_mark(const Object& object, const Camera& camera) {
   const auto pixel = [&](const Vec2& p) { return camera.pixel({p.x(), p.y(), top(object)}); };
   ObjectMark mark;
-  mark.id = object.id;
+  mark.id = mark.text = object.id;
   const Footprint area = footprint(object);
   for (const auto& corner : area.outline()) mark.outline.push_back(pixel(corner));
   mark.center = pixel(area.center());
-  mark.arrow_end = mark.center;
-  if (object.traits.front && !object.traits.flat)
-    mark.arrow_end = pixel(area.center() + (area.half().y() + arrow_overhang) * area.front());
+  mark.arrow_end = mark.arrow_start = mark.center;
+  if (!has_direction(object)) return mark;
+  const double edge = area.half().y();
+  mark.arrow_start = pixel(area.center() + std::max(0.0, edge - longest_tail) * area.front());
+  mark.arrow_end = pixel(area.center() + (edge + arrow_overhang) * area.front());
   return mark;
 }
 
 bool contains(const ObjectMark& mark, const Vec2& pixel) {
-  return roomgen::contains(as_polygon(mark), pixel);
+  const auto& corners = mark.outline;  // convex
+  int left = 0, right = 0;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Vec2 edge = corners[(i + 1) % corners.size()] - corners[i];
+    (cross(edge, pixel - corners[i]) < 0 ? right : left) += 1;
+  }
+  return left == 0 || right == 0;
 }
 
 bool place_object_labels(const std::vector<ObjectMark>& marks, double letter_height,
@@ -112,10 +127,14 @@ bool place_object_labels(const std::vector<ObjectMark>& marks, double letter_hei
 
   const double reach = 30.0 * letter_height;
   for (const auto i : order) {
-    const Vec2 size = label_size(marks[i].id, letter_height);
+    if (marks[i].text.empty()) continue;
+    const Vec2 size = label_size(marks[i].text, letter_height);
     const Spot spot = best_spot(marks, i, size, placer, reach);
     if (!spot.found()) return false;
-    placer.place({Drawing::Text::object, marks[i].id, spot.center, size});
+    const bool red =
+        marks[i].look == Drawing::Line::refused || marks[i].look == Drawing::Line::in_the_way;
+    placer.place(
+        {red ? Drawing::Text::red : Drawing::Text::object, marks[i].text, spot.center, size});
     if (contains(marks[i], spot.center)) continue;
     const Vec2 near =
         marks[i].center.cwiseMax(spot.center - 0.5 * size).cwiseMin(spot.center + 0.5 * size);

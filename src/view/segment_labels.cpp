@@ -58,13 +58,14 @@ std::optional<Drawing> try_segment_labels(const Scene& scene, const Camera& came
   detail::lay_grid(room_around(scene), camera, false, letters, placer, drawing.strokes);
   std::erase_if(drawing.strokes, [](const auto& stroke) { return stroke.kind == Drawing::Line::grid; });
   // Behind the walls of a dwelling's room are others.
-  const bool inside_only = !scene.rooms.empty();
+  const auto names = scene.rooms.empty() ? detail::PartNames::ids : detail::PartNames::inside;
   for (const auto& room : scene.rooms) name_room(room, camera, letters, placer);
-  for (const auto& room : rooms_of(scene)) detail::place_part_labels(room, camera, letters, placer, inside_only);
+  for (const auto& room : rooms_of(scene))
+    detail::place_part_labels(room, camera, letters, placer, names);
   const auto marks = shown_marks(scene, camera);
   for (const auto& mark : marks)
-    if (mark.arrow_end != mark.center)
-      drawing.strokes.push_back({Drawing::Line::front, {mark.center, mark.arrow_end}});
+    if (mark.arrow_end != mark.arrow_start)
+      drawing.strokes.push_back({Drawing::Line::front, {mark.arrow_start, mark.arrow_end}});
   if (!detail::place_object_labels(marks, letters, placer, drawing.strokes)) return std::nullopt;
   drawing.labels = placer.labels();
   return drawing;

@@ -43,6 +43,22 @@ PlaceAdvice advice(std::vector<Relation> relations = {}) {
   return result;
 }
 
+/// Keeps what it was asked for, and draws nothing.
+class ViewKeeper final : public Renderer {
+ public:
+  Result<Image> render(const Scene&, const ModelTable&, const View& view) override {
+    views.push_back(view);
+    return Image(1, 1);
+  }
+  Result<Layers> layers(const Scene&, const ModelTable&, const Shot&) override { return Layers(); }
+  Result<Visibility> visibility(const Scene&, const ModelTable&, const Camera&, std::size_t,
+                                std::size_t) override {
+    return Visibility();
+  }
+
+  std::vector<View> views;
+};
+
 Generation furnish(const Plan& plan, Recorder& designer, BuildOptions options = {}) {
   const auto library = create::make_created_library();
   auto generation = generate(plan, designer, *library, KindTable::built_in(), options);
@@ -110,6 +126,48 @@ TEST_CASE("A refused answer comes back with what was in the way and the floor th
     }
   }
   CHECK(told);
+}
+
+TEST_CASE(
+    "Pictures show where a refused answer would have been, walls for what hangs, the carrier's "
+    "top") {
+  Plan plan = plan_of({item("wardrobe"), item("pool table"), item("mirror", Mount::wall),
+                       item("desk"), item("table lamp", Mount::surface)},
+                      room_with_door(4, 4));
+  plan.items[0].size = Vec3(1.2, 0.6, 2.0);
+  plan.items[1].size = Vec3(4.5, 1.3, 0.8);  // longer than the room
+  plan.items[4].on = "desk";
+  ViewKeeper pictures;
+  std::map<std::string, std::vector<View>> shown;  // the last time
+  Vec2 wardrobe = Vec2::Zero();
+  Recorder designer([&](const PlaceRequest& request) {
+    pictures.views.clear();
+    REQUIRE(request.marks());
+    shown[request.object.id] = pictures.views;
+    PlaceAdvice answer = advice();
+    if (request.object.id != "pool table-0") return answer;
+    wardrobe = find_object(request.scene, "wardrobe-0")->position.head<2>();
+    answer.location = wardrobe;
+    answer.yaw = 0.5 * pi;
+    return answer;
+  });
+  BuildOptions options;
+  options.renderer = &pictures;
+  furnish(plan, designer, options);
+  REQUIRE(shown["wardrobe-0"].size() == 1);
+  CHECK(shown["wardrobe-0"][0].refused.empty());
+  CHECK(shown["wardrobe-0"][0].asked == Mount::floor);
+  const auto& again = shown["pool table-0"];
+  REQUIRE(again.size() == 1);
+  REQUIRE(again[0].refused.size() == 1);
+  CHECK(again[0].refused[0].position.head<2>() == wardrobe);
+  CHECK(again[0].refused[0].yaw == 0.5 * pi);
+  CHECK(again[0].in_the_way == std::vector<std::string>{"wardrobe-0"});
+  REQUIRE(shown["mirror-0"].size() == 2);
+  CHECK(shown["mirror-0"][0].asked == Mount::wall);
+  CHECK(shown["mirror-0"][1].kind == View::Kind::elevation);
+  REQUIRE(shown["table lamp-0"].size() == 2);
+  CHECK(shown["table lamp-0"][1].part);
 }
 
 TEST_CASE("One object that fails costs no other its place") {

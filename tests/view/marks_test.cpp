@@ -15,14 +15,18 @@ struct Laid {
   Drawing drawing;
 };
 
-Laid lay(const Scene& scene, bool paper = false, int pixels = 1024) {
-  View view;
-  view.pixels = pixels;
+Laid lay(const Scene& scene, View view) {
   view.marks = true;
-  view.paper_frame = paper;
   const auto camera = make_camera(scene, view);
   REQUIRE(camera);
   return {*camera, layout_marks(scene, *camera, view)};
+}
+
+Laid lay(const Scene& scene, bool paper = false, int pixels = 1024) {
+  View view;
+  view.pixels = pixels;
+  view.paper_frame = paper;
+  return lay(scene, view);
 }
 
 bool overlap(const Drawing::Label& a, const Drawing::Label& b) {
@@ -38,10 +42,60 @@ std::vector<Drawing::Label> labels_of(const Drawing& drawing, Drawing::Text kind
   return result;
 }
 
-const Drawing::Label& label_of(const Drawing& drawing, const std::string& text) {
-  for (const auto& label : drawing.labels)
-    if (label.kind == Drawing::Text::object && label.text == text) return label;
-  throw std::runtime_error("no label " + text);
+// The ids that a name in the picture stands for: "bed-0", or by the legend "b3" and "b3..5,8";
+// heights are left away.
+std::vector<std::string> ids_of(const std::string& text, const Drawing& drawing) {
+  std::string name = text.substr(0, text.find(" h "));
+  for (const auto& line : labels_of(drawing, Drawing::Text::legend)) {
+    const auto sides = split(line.text, '=');
+    const auto letters = name.find_first_of("0123456789");
+    if (name.substr(0, letters) != sides[0]) continue;
+    std::vector<std::string> ids;
+    for (const auto& run : split(name.substr(letters), ',')) {
+      const auto dots = run.find("..");
+      const int first = std::stoi(run),
+                last = dots == std::string::npos ? first : std::stoi(run.substr(dots + 2));
+      for (int i = first; i <= last; ++i) ids.push_back(sides[1] + "-" + std::to_string(i));
+    }
+    return ids;
+  }
+  return {name};
+}
+
+std::vector<const Drawing::Stroke*> strokes_of(const Drawing& drawing, Drawing::Line kind) {
+  std::vector<const Drawing::Stroke*> found;
+  for (const auto& stroke : drawing.strokes)
+    if (stroke.kind == kind) found.push_back(&stroke);
+  return found;
+}
+
+// Around the floor between these corners?
+bool is_around(const Drawing::Stroke& stroke, const Camera& camera, const Vec2& low,
+               const Vec2& high) {
+  Bounds2 box, wanted;
+  for (const auto& p : stroke.points) box.add(p);
+  wanted.add(camera.pixel({low.x(), low.y(), 0.0}));
+  wanted.add(camera.pixel({high.x(), high.y(), 0.0}));
+  return (box.low - wanted.low).norm() < 1e-6 && (box.high - wanted.high).norm() < 1e-6;
+}
+
+bool any_around(const Laid& laid, Drawing::Line kind, const Vec2& low, const Vec2& high) {
+  const auto strokes = strokes_of(laid.drawing, kind);
+  return std::any_of(strokes.begin(), strokes.end(), [&](const auto* stroke) {
+    return is_around(*stroke, laid.camera, low, high);
+  });
+}
+
+bool has_text(const Drawing& drawing, Drawing::Text kind, const std::string& text) {
+  const auto labels = labels_of(drawing, kind);
+  return std::any_of(labels.begin(), labels.end(),
+                     [&](const auto& label) { return label.text == text; });
+}
+
+Object hanging(const std::string& id, Mount mount, const Vec3& size, const Vec3& position) {
+  Object object = test::box(id, size, position);
+  object.mount = mount;
+  return object;
 }
 
 }  // namespace
@@ -63,33 +117,152 @@ TEST_CASE("no two labels overlap and all lie in the picture, in 100 random scene
   }
 }
 
-TEST_CASE("every object is named once, near itself or tied to it") {
+TEST_CASE(
+    "every object is named once, near itself or tied to it, and what is on others where there is "
+    "room") {
   for (int seed = 0; seed < 40; ++seed) {
     const Scene scene = test::random_scene(seed);
     const auto [camera, drawing] = lay(scene);
-    std::map<std::string, int> count;
-    for (const auto& label : labels_of(drawing, Drawing::Text::object)) ++count[label.text];
-    CHECK(count.size() == scene.objects.size());
+    std::map<std::string, std::vector<Drawing::Label>> named;
+    for (const auto& label : labels_of(drawing, Drawing::Text::object))
+      for (const auto& id : ids_of(label.text, drawing)) named[id].push_back(label);
+    CHECK(named.size() == scene.objects.size());
     for (const auto& object : scene.objects) {
       INFO("seed " << seed << ", " << object.id);
-      REQUIRE(count[object.id] == 1);
-      const auto& label = label_of(drawing, object.id);
+      REQUIRE(named[object.id].size() == 1);
+      const auto& label = named[object.id].front();
       const Vec2 center = camera.pixel(object.position);
-      CHECK((label.center - center).norm() < 0.3 * std::max(camera.width, camera.height));
       // The label's point on the floor, turned into the object's frame.
       const Vec2 metres((label.center.x() - center.x()) / camera.pixels_per_metre,
                         (center.y() - label.center.y()) / camera.pixels_per_metre);
       const Vec2 local = rotated(metres, -object.yaw).cwiseAbs();
       const bool on_object =
           local.x() <= 0.5 * object.size.x() && local.y() <= 0.5 * object.size.y();
-      const bool tied = std::any_of(drawing.strokes.begin(), drawing.strokes.end(),
-                                    [&](const Drawing::Stroke& stroke) {
-                                      return stroke.kind == Drawing::Line::leader &&
-                                             (stroke.points.back() - center).norm() < 0.5;
-                                    });
+      const auto leaders = strokes_of(drawing, Drawing::Line::leader);
+      const bool tied = std::any_of(leaders.begin(), leaders.end(), [&](const auto* leader) {
+        return std::any_of(leader->points.begin(), leader->points.end(),
+                           [&](const Vec2& p) { return (p - center).norm() < 0.5; });
+      });
       CHECK((on_object || tied));
     }
   }
+  CHECK(has_text(lay(test::furnished_room()).drawing, Drawing::Text::object, "lamp-0"));
+}
+
+TEST_CASE(
+    "rows of one kind share a name where single ones would not fit, and small things have none") {
+  Scene scene;
+  scene.room = test::plain_room();
+  scene.room.polygon.points = {{0, 0}, {18, 0}, {18, 12}, {0, 12}};
+  for (int i = 0; i < 60; ++i)
+    scene.objects.push_back(test::box("folding chair-" + std::to_string(i), {0.4, 0.4, 0.8},
+                                      {2.0 + 0.5 * (i % 20), 3.0 + 1.5 * (i / 20), 0.0}));
+  for (int i = 0; i < 60; ++i)
+    scene.objects.push_back(hanging("book-" + std::to_string(i), Mount::surface, {0.2, 0.2, 0.05},
+                                    scene.objects[i].position + Vec3(0.0, 0.0, 0.45)));
+  const auto [camera, drawing] = lay(scene);
+  for (const char* row : {"fc0..19", "fc20..39", "fc40..59"})
+    CHECK(has_text(drawing, Drawing::Text::object, row));
+  CHECK(labels_of(drawing, Drawing::Text::object).size() == 3);
+  CHECK(has_text(drawing, Drawing::Text::legend, "fc = folding chair"));
+}
+
+TEST_CASE("what hangs over things is an outline, unless the question is about what hangs") {
+  Scene scene = test::furnished_room();
+  scene.objects.push_back(
+      hanging("wall cabinet-0", Mount::wall, {0.8, 0.35, 0.7}, {0.4, 2.0, 1.4}));  // over the desk
+  scene.objects.push_back(hanging("mirror-0", Mount::wall, {0.6, 0.04, 0.9}, {3.5, 0.02, 1.0}));
+  scene.objects.push_back(hanging("lamp-1", Mount::ceiling, {0.4, 0.4, 0.5}, {3.4, 0.7, 2.2}));
+  const auto outlined = [&](std::optional<Mount> asked) {
+    View view;
+    view.asked = asked;
+    std::string found;
+    for (const auto& object : scene.objects)
+      if (is_outline_only(scene, view, object)) found += object.id + " ";
+    CHECK(strokes_of(lay(scene, view).drawing, Drawing::Line::overhead).size() ==
+          static_cast<std::size_t>(std::count(found.begin(), found.end(), '-')));
+    return found;
+  };
+  CHECK(outlined({}) == "wall cabinet-0 lamp-1 ");
+  CHECK(outlined(Mount::floor) == "wall cabinet-0 mirror-0 lamp-1 ");
+  CHECK(outlined(Mount::surface) == "wall cabinet-0 mirror-0 lamp-1 ");
+  CHECK(outlined(Mount::wall).empty());
+  CHECK(outlined(Mount::ceiling).empty());
+}
+
+TEST_CASE(
+    "the way of doors, strips before windows and the one side of use are hatched, with the heights "
+    "that count") {
+  Scene scene;
+  scene.room = test::plain_room();
+  scene.objects = {test::box("sideboard-0", {1.2, 0.4, 0.8}, {2.0, 2.8, 0.0}),
+                   test::box("wardrobe-0", {1.0, 0.6, 2.0}, {3.5, 0.3, 0.0}, radians(180))};
+  const Laid laid = lay(scene);
+  CHECK(any_around(laid, Drawing::Line::keep_clear, {0.5, 0.0}, {1.4, door_approach}));
+  CHECK(any_around(laid, Drawing::Line::keep_clear, {1.0, 3.0 - window_strip}, {3.0, 3.0}));
+  CHECK(strokes_of(laid.drawing, Drawing::Line::use).size() == 2);
+  CHECK(has_text(laid.drawing, Drawing::Text::part, "window-0, sill 0.9, head 2.1"));
+  CHECK(has_text(laid.drawing, Drawing::Text::part, "wall-2 north"));
+  CHECK(has_text(laid.drawing, Drawing::Text::object, "sideboard-0 h 0.8"));
+  CHECK(has_text(laid.drawing, Drawing::Text::object, "wardrobe-0"));
+}
+
+TEST_CASE(
+    "an answer that was refused is drawn where it would have put things, with what is in the way") {
+  const Scene scene = test::furnished_room();
+  View view;
+  view.refused = {test::box("sofa-0", {2.0, 0.8, 0.8}, {2.5, 2.0, 0.0}),
+                  test::box("sofa-1", {2.0, 0.8, 0.8}, {250.0, 2.0, 0.0})};  // nowhere
+  view.in_the_way = {"bed-0"};
+  const Laid laid = lay(scene, view);
+  CHECK(any_around(laid, Drawing::Line::refused, {1.5, 1.6}, {3.5, 2.4}));
+  CHECK(strokes_of(laid.drawing, Drawing::Line::refused).size() == 1);
+  CHECK(any_around(laid, Drawing::Line::in_the_way, {1.8, 1.0}, {3.4, 3.0}));
+  CHECK(has_text(laid.drawing, Drawing::Text::red, "sofa-0"));
+  CHECK(has_text(laid.drawing, Drawing::Text::red, "bed-0"));
+}
+
+TEST_CASE("an elevation shows walls from inside, with coordinates of the room") {
+  Scene scene = test::furnished_room();
+  scene.objects.push_back(hanging("mirror-0", Mount::wall, {0.6, 0.04, 0.9}, {3.5, 0.02, 1.0}));
+  scene.objects.back().yaw = radians(180);  // on wall-0, looking north
+  View view;
+  view.kind = View::Kind::elevation;
+  view.refused = {scene.objects.back()};
+  view.refused.back().id = "mirror-1";
+  view.refused.back().position = {2.2, 0.3, 1.2};
+  const auto sheet = layout_elevation(scene, view);
+  REQUIRE(sheet);
+  CHECK(std::max(sheet->width, sheet->height) == view.pixels);
+  const auto walls = strokes_of(sheet->drawing, Drawing::Line::paper);
+  REQUIRE(walls.size() == 4);
+  Bounds2 south, mirror, door;
+  for (const auto& p : walls[0]->points) south.add(p);
+  const auto hung = strokes_of(sheet->drawing, Drawing::Line::hung);
+  REQUIRE(hung.size() == 1);
+  for (const auto& p : hung[0]->points) mirror.add(p);
+  for (const auto& p : strokes_of(sheet->drawing, Drawing::Line::hole).at(0)->points) door.add(p);
+  // Who looks south has x = 4 at the left.
+  const double scale = south.size().x() / 4.0;
+  CHECK(south.size().y() == Approx(default_room_height * scale));
+  CHECK(mirror.low.x() == Approx(south.low.x() + (4.0 - 3.8) * scale));
+  CHECK(mirror.high.y() == Approx(south.high.y() - 1.0 * scale));
+  CHECK(door.high.x() == Approx(south.high.x() - 0.5 * scale));
+  CHECK(has_text(sheet->drawing, Drawing::Text::object, "mirror-0 z 1"));
+  CHECK(has_text(sheet->drawing, Drawing::Text::red, "mirror-1 z 1.2"));
+  CHECK(has_text(sheet->drawing, Drawing::Text::part, "wall-0 south (x)"));
+  int ticks = 0;
+  for (const auto& label : labels_of(sheet->drawing, Drawing::Text::tick)) {
+    const bool below = label.center.x() > south.low.x() - 1 &&
+                       label.center.x() < south.high.x() + 1 && label.center.y() > south.high.y() &&
+                       label.center.y() < south.high.y() + 0.35 * scale;
+    if (!below) continue;
+    CHECK(label.center.x() == Approx(south.high.x() - std::stod(label.text) * scale));
+    ++ticks;
+  }
+  CHECK(ticks == 9);
+  view.pixels = 1;
+  CHECK_FALSE(layout_elevation(scene, view));
 }
 
 TEST_CASE("coordinates stand where the coordinate is, in both frames") {

@@ -19,13 +19,26 @@ struct View {
   enum class Kind {
     top,        ///< orthographic from above, walls cut at 1.2 m, ceiling off, +Y up the page
     isometric,  ///< from a corner, the walls towards the viewer left out
-    eye,        ///< as a standing person sees it: from a door or a corner, ceiling on, lamps and sun lit
+    eye,  ///< as a standing person sees it: from a door or a corner, ceiling on, lamps and sun lit
+    /// A drawing of the walls side by side, each as seen from inside: openings, what stands before
+    /// them and what hangs on them, with a grid in metres: up from the floor, and along the wall in
+    /// the room's own coordinate where the wall runs along an axis, else from its first corner.
+    elevation,
   };
   Kind kind = Kind::top;
   int pixels = 1024;
-  bool marks = false;       ///< top only: coordinate grid, axes, ids and fronts (set-of-mark)
+  /// Top only (set-of-mark): coordinate grid, axes, ids and fronts, what must stay free, sills and
+  /// heads of windows. Kinds of many things are named briefly ("c3"), with a legend; in a crowded
+  /// room what stands on others or hangs has no name.
+  bool marks = false;
   bool paper_frame = false; ///< marks count x' = ymax - y down and y' = xmax - x to the left
   std::vector<Bounds2> free_floor = {};  ///< with marks: parts of the floor to be shaded as free
+  /// With marks: where the thing goes that the picture is to help with. What hangs shows as a
+  /// dashed outline when the question is about what stands, and is drawn when it is about what
+  /// hangs. Without a question it is an outline where something is below it.
+  std::optional<Mount> asked = {};
+  std::vector<Object> refused = {};  ///< with marks: things where they found no room, dashed in red
+  std::vector<std::string> in_the_way = {};  ///< with marks: ids of what is to be outlined in red
   /// Top only: this part of the room alone, with finer marks in the scene's own coordinates.
   std::optional<Bounds2> part = {};
 };
