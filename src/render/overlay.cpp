@@ -238,7 +238,8 @@ Status draw_overlay(Image& image, const Drawing& drawing) {
     for (const auto& stroke : drawing.strokes)
       if (stroke.kind == kind && stroke.points.size() > 1)
         draw_stroke(pen, stroke, width, drawing.text_height);
-  for (const auto& label : drawing.labels) draw_label(pen, label, drawing.text_height);
+  for (const auto& label : drawing.labels)
+    draw_label(pen, label, label.letters > 0.0 ? label.letters : drawing.text_height);
   return {};
 }
 
