@@ -152,7 +152,8 @@ void choose_assets(Workplace& place) {
   Chooser chooser(place);
   for (bool again : {false, true}) {
     if (offers->empty()) return;
-    ChoiceRound round{*std::move(offers)};
+    ChoiceRound round;
+    round.offers = *std::move(offers);
     if (!ask(place, round, again)) return;
     offers = chooser.take(round);
     for (const auto& note : round.notes) place.plan.notes.push_back(note);

@@ -149,7 +149,10 @@ Result<std::vector<AssetOffer>> offers_of(Workplace& place, std::size_t& surplus
       continue;
     }
     if (is_new) {
-      AssetOffer offer{std::to_string(offers.size() + 1), {planned.item}, 0};
+      AssetOffer offer;
+      offer.id = std::to_string(offers.size() + 1);
+      offer.items = {planned.item};
+      offer.count = 0;
       offer.size = wanted_size(place, item);
       const auto most = static_cast<std::size_t>(place.options.offers_per_item);
       if (auto status = fill(place, item.description, most, offer); !status) return status.error();
