@@ -20,6 +20,7 @@ class WarmLibrary final : public AssetLibrary {
   Result<std::vector<AssetMatch>> search(const AssetQuery& query) const override {
     return library_.search(query);
   }
+  Result<AssetInfo> find(std::string_view key) const override { return library_.find(key); }
   Result<std::shared_ptr<const Model>> load(const AssetRef& ref) const override {
     auto& kept = models_[asset_key(ref)];
     if (kept) return kept;

@@ -74,6 +74,13 @@ Json plan_json(const AnyPlan& plan) {
   return std::visit([](const auto& each) { return to_json(each); }, plan);
 }
 
+Json plan_json(AnyPlan plan, const Generation& generation) {
+  auto* dwelling = std::get_if<DwellingPlan>(&plan);
+  if (!generation.chosen.empty() && dwelling) dwelling->rooms = generation.chosen;
+  if (!generation.chosen.empty() && !dwelling) plan = generation.chosen.front();
+  return plan_json(plan);
+}
+
 std::vector<std::string> notes_of(const AnyPlan& plan) {
   auto notes = std::visit([](const auto& each) { return each.notes; }, plan);
   if (const auto* dwelling = std::get_if<DwellingPlan>(&plan))

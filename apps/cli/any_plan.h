@@ -34,6 +34,8 @@ Error told_with_least_size(const Error& error, const PlanWish& wish, const AnyPl
 Result<AnyPlan> read_any_plan(const std::string& file);
 
 Json plan_json(const AnyPlan& plan);
+/// The same with what the designer chose for its things.
+Json plan_json(AnyPlan plan, const Generation& generation);
 /// What was assumed; of a dwelling that of its rooms too.
 std::vector<std::string> notes_of(const AnyPlan& plan);
 

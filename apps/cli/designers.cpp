@@ -206,6 +206,14 @@ void add_designer_options(CLI::App& command, DesignerOptions& options) {
   add_text(command, "--order", options.order, "Which object comes next: as planned, or as the model says")
       ->check(CLI::IsMember({"plan", "model"}))
       ->capture_default_str();
+  add_text(command, "--choose", options.choose,
+           "Whether the model chooses what each thing shall be, before anything is placed")
+      ->check(CLI::IsMember({"off", "on"}))
+      ->capture_default_str();
+  add_text(command, "--make", options.make,
+           "Who makes what the model wants to be made: recipes, or the model itself")
+      ->check(CLI::IsMember({"rules", "model"}))
+      ->capture_default_str();
   command
       .add_option("--plan-tokens", options.plan_tokens,
                   "Longest plan, in tokens; what a model thinks before it answers counts too")
@@ -242,7 +250,7 @@ void add_finish_options(CLI::App& command, DesignerOptions& options) {
 void apply_preset(DesignerOptions& options) {
   if (options.preset != "paper") return;
   options.fusion = options.frame = "paper";
-  options.improve = options.repair = "off";
+  options.improve = options.repair = options.choose = "off";
 }
 
 void apply(const DesignerOptions& options, BuildOptions& build) {
@@ -294,6 +302,7 @@ Result<ComposedDesigner> compose_designer(const DesignerOptions& options, const 
   model_options.paper_frame = options.paper_frame();
   model_options.plan_tokens = options.plan_tokens;
   model_options.place_tokens = options.place_tokens;
+  model_options.chooses_assets = options.choose == "on";
   model_options.chooses_order = options.order == "model";
   model_options.encode_picture = [options, shown = composed.shown](const Image& image) {
     return encode_shown(options, image, *shown);
@@ -302,6 +311,13 @@ Result<ComposedDesigner> compose_designer(const DesignerOptions& options, const 
     model_options.log = [](LogLevel, std::string_view message) { warn(message); };
   if (const LimitedModel* limited = composed.limited)
     model_options.budget_is_spent = [limited] { return limited->refused(); };
+  if (options.make == "model") {
+    create::ModelMakerOptions maker;
+    maker.budget_is_spent = model_options.budget_is_spent;
+    maker.cancel = context.cancel;
+    composed.maker = create::make_model_maker(*composed.model, create::make_rule_maker(),
+                                              model->prompts, std::move(maker));
+  }
   composed.designer =
       make_model_designer(*composed.model, options.no_fallback ? make_no_fallback() : make_rule_designer(), std::move(model->prompts),
                           KindTable::built_in(), std::move(model_options));

@@ -8,6 +8,7 @@
 
 #include "command.h"
 #include "roomgen/chat/chat_model.h"
+#include "roomgen/create/maker.h"
 #include "roomgen/design/designer.h"
 #include "roomgen/generate/generate.h"
 
@@ -18,6 +19,7 @@ struct DesignerOptions {
   std::string designer = "rules";
   std::string model, base_url, protocol, key_file, prompts, prices;
   std::string mode = "fused", frame = "plan", fusion = "scaled", order = "plan", steps = "groups";
+  std::string choose = "on", make = "rules";
   std::string record, replay, picture = "jpeg", preset;
   bool cache_answers = false, no_fallback = false;
   std::optional<int> max_calls;
@@ -53,6 +55,7 @@ struct ComposedDesigner {
   std::unique_ptr<ChatModel> model;       ///< null for rules
   const LimitedModel* limited = nullptr;  ///< part of `model`, unless answers are replayed
   std::unique_ptr<Designer> designer;
+  std::unique_ptr<create::Maker> maker;  ///< the model as a maker; null: rules make things
   /// The pictures that the model was shown, PNG or JPEG, in order.
   std::shared_ptr<std::vector<std::string>> shown = std::make_shared<std::vector<std::string>>();
 };

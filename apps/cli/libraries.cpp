@@ -29,6 +29,11 @@ class LaterLibrary final : public AssetLibrary {
     if (!library) return library.error();
     return (*library)->search(query);
   }
+  Result<AssetInfo> find(std::string_view key) const override {
+    const auto& library = opened();
+    if (!library) return library.error();
+    return (*library)->find(key);
+  }
   Result<std::shared_ptr<const Model>> load(const AssetRef& ref) const override {
     const auto& library = opened();
     if (!library) return library.error();

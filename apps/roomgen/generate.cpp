@@ -111,7 +111,9 @@ Status write_all(const GenerateCommand& command, OutputFolder& folder, const Any
                  const Generation& generation, const std::vector<std::string>& shown) {
   PictureDrawer drawer;
   PictureDrawer* drawn_by = command.no_pictures ? nullptr : &drawer;
-  if (auto status = write_new_room(folder, plan_json(plan), generation, drawn_by, command.pixels); !status)
+  if (auto status =
+          write_new_room(folder, plan_json(plan, generation), generation, drawn_by, command.pixels);
+      !status)
     return status;
   if (command.marks)
     if (auto status = write_shown(folder, shown); !status) return status;
@@ -236,6 +238,7 @@ Result<int> run(const Context& context, const GenerateCommand& command) {
   auto renderer = renderer_for(command, *composed);
   if (!renderer) return renderer.error();
   options.renderer = renderer->get();
+  options.maker = composed->maker.get();
   options.marks_view.pixels = command.pixels;
   options.marks_view.paper_frame = command.designer.paper_frame();
   options.on_event = [&](const BuildEvent& event) { bar.show(event.done, event.total, label(event)); };

@@ -99,6 +99,7 @@ Catalogue::Catalogue(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 Catalogue::~Catalogue() = default;
 
 Result<std::vector<AssetMatch>> Catalogue::search(const AssetQuery& query) const {
+  if (query.made) return std::vector<AssetMatch>();
   const auto& vocabulary = Vocabulary::built_in();
   const SearchPlan plan = plan_search(query, vocabulary);
   const std::lock_guard lock(impl_->mutex);

@@ -20,6 +20,8 @@
 #include "roomgen/base/json.h"
 #include "roomgen/create/maker.h"
 #include "roomgen/kinds/kind_table.h"
+#include "roomgen/shape/evaluate.h"
+#include "roomgen/shape/program.h"
 #include "rule_steps.h"
 #include "stock.h"
 
@@ -28,6 +30,7 @@ namespace roomgen::create {
 namespace {
 
 constexpr const char* recipe_name = "words";
+constexpr const char* program_recipe = "program";  // whose params are the program
 constexpr double created_score = 0.1;  // any real thing that fits is better
 constexpr double usual_elevation = 1.2;
 constexpr double most_over = 1.5, most_under = 0.4;  // of its kind's sizes, where one is said
@@ -127,6 +130,23 @@ Result<Model> build(const Order& order) {
   return model;
 }
 
+Result<Model> build_program(const AssetRef& ref) {
+  auto json = shape::parse_recipe(ref.procedural->params, "a program among the assets");
+  if (!json) return json.error();
+  auto program = shape::instantiate(*json, {}, 0, nullptr, "a program among the assets");
+  if (!program) return program.error();
+  const auto shape = shape::evaluate_within(*program);
+  if (!shape) return shape.error();
+  return to_model(*shape);
+}
+
+Result<Model> made(const AssetRef& ref) {
+  if (ref.procedural && ref.procedural->recipe == program_recipe) return build_program(ref);
+  const auto order = order_of(ref);
+  if (!order) return order.error();
+  return build(*order);
+}
+
 class CreatedLibrary final : public AssetLibrary {
  public:
   Result<std::vector<AssetMatch>> search(const AssetQuery& query) const override {
@@ -149,15 +169,27 @@ class CreatedLibrary final : public AssetLibrary {
     return matches;
   }
 
+  Result<AssetInfo> find(std::string_view key) const override {
+    AssetRef ref;
+    ref.procedural = source_of_key(key);
+    if (!ref.procedural) return AssetLibrary::find(key);
+    if (ref.procedural->recipe == program_recipe) return info_of_program(ref);
+    auto order = order_of(ref);
+    if (!order) return Error{Error::Kind::not_found, order.error().message};
+    const std::string& kind = order->kind.empty() ? order->description : order->kind;
+    const Kind* known = Vocabulary::built_in().find(kind);
+    AssetInfo info = info_of(*order, kind, known ? known->mount : Mount::floor);
+    info.stand_in = order->stand_in;
+    return info;
+  }
+
   Result<std::shared_ptr<const Model>> load(const AssetRef& ref) const override {
     const std::string key = asset_key(ref);
     {
       const std::lock_guard lock(mutex_);
       if (const auto known = models_.find(key); known != models_.end()) return known->second;
     }
-    const auto order = order_of(ref);
-    if (!order) return order.error();
-    auto model = build(*order);
+    auto model = made(ref);
     if (!model) return model.error();
     const auto shared = std::make_shared<const Model>(*std::move(model));
     const std::lock_guard lock(mutex_);
@@ -171,6 +203,22 @@ class CreatedLibrary final : public AssetLibrary {
     if (wanted.making.empty()) return true;
     const auto model = load(ref);
     return model && is_made_as_wanted((*model)->making, wanted);
+  }
+
+  Result<AssetInfo> info_of_program(const AssetRef& ref) const {
+    const auto model = load(ref);
+    if (!model) return Error{Error::Kind::not_found, model.error().message};
+    AssetInfo info;
+    info.ref = ref;
+    info.ref.license = "CC0";
+    info.name = text_parameter(*ref.procedural, "name");
+    const auto phrase = Vocabulary::built_in().understand(info.name);
+    info.category = phrase.known ? phrase.kind : info.name;
+    info.approximate = !phrase.known;
+    info.group = "made from words";
+    info.size = bounds(**model).size();
+    describe_by_kind(info, info.category, true);
+    return info;
   }
 
   // The kind that the thing's own name means, an armoire where a wardrobe is asked, else the

@@ -112,6 +112,21 @@ class FinishingLibrary final : public AssetLibrary {
     return matches;
   }
 
+  // The looks stand at the end of a key ("Scopia/sofa#upholstery=navy velvet"); ids may have such
+  // signs too.
+  Result<AssetInfo> find(std::string_view key) const override {
+    std::map<std::string, std::string> finish;
+    for (std::string_view rest = key;;) {
+      auto asset = library_->find(rest);
+      if (asset) wear(*asset, std::move(finish));
+      if (asset || asset.error().kind != Error::Kind::not_found) return asset;
+      const auto sign = rest.rfind('#'), equals = rest.find('=', sign == rest.npos ? 0 : sign);
+      if (sign == rest.npos || equals == rest.npos) return AssetLibrary::find(key);
+      finish.emplace(rest.substr(sign + 1, equals - sign - 1), rest.substr(equals + 1));
+      rest = rest.substr(0, sign);
+    }
+  }
+
   Result<std::shared_ptr<const Model>> load(const AssetRef& ref) const override {
     if (ref.finish.empty()) return library_->load(ref);
     const std::string key = asset_key(ref);
@@ -143,9 +158,13 @@ class FinishingLibrary final : public AssetLibrary {
     const bool can_be_given = !needs_glass && !is_of_glass(asset);
     if (can_be_given && match.contradicts == Contradiction::looks) match.contradicts = Contradiction::none;
     if (!can_be_given && match.contradicts == Contradiction::none) match.contradicts = Contradiction::looks;
-    for (const auto& [stuff, text] : wanted)
+    wear(asset, std::move(wanted));
+  }
+
+  static void wear(AssetInfo& asset, std::map<std::string, std::string> looks) {
+    for (const auto& [stuff, text] : looks)
       if (const auto tone = read_look(text).tone()) asset.colors = {color_name((*tone)[0], (*tone)[1], (*tone)[2])};
-    asset.ref.finish = std::move(wanted);
+    asset.ref.finish = std::move(looks);
   }
 
   std::shared_ptr<const AssetLibrary> library_;

@@ -65,22 +65,23 @@ class KeptLibrary final : public AssetLibrary {
 
   Result<std::vector<AssetMatch>> search(const AssetQuery& query) const override {
     std::vector<AssetMatch> matches;
+    if (query.made) return matches;
     const auto& vocabulary = Vocabulary::built_in();
     for (const auto& [id, kept] : kept_) {
       const double fit = vocabulary.fit(kept.kind, kind_of(query.category));
       const bool instead = query.asked && !vocabulary.is_a(kept.kind, kind_of(query.category));
       if (fit <= 0.0 || instead || matches.size() >= query.limit) continue;
-      AssetInfo info;
-      info.ref = {library_name, id, kept.sha256, "CC0", "", std::nullopt};
-      info.name = kept.program.name;
-      info.category = kept.kind;
-      info.group = "kept";
-      info.size = kept.size;
-      info.mount = query.mount.value_or(Mount::floor);
-      describe_by_kind(info, kept.kind, true);
+      AssetInfo info = info_of(id, kept);
+      info.mount = query.mount.value_or(info.mount);
       matches.push_back({info, kept_score * fit});
     }
     return matches;
+  }
+
+  Result<AssetInfo> find(std::string_view key) const override {
+    for (const auto& [id, kept] : kept_)
+      if (key == library_name + ("/" + id)) return info_of(id, kept);
+    return AssetLibrary::find(key);
   }
 
   Result<std::shared_ptr<const Model>> load(const AssetRef& ref) const override {
@@ -93,6 +94,17 @@ class KeptLibrary final : public AssetLibrary {
   }
 
  private:
+  static AssetInfo info_of(const std::string& id, const Kept& kept) {
+    AssetInfo info;
+    info.ref = {library_name, id, kept.sha256, "CC0", "", std::nullopt};
+    info.name = kept.program.name;
+    info.category = kept.kind;
+    info.group = "kept";
+    info.size = kept.size;
+    describe_by_kind(info, kept.kind, true);
+    return info;
+  }
+
   std::map<std::string, Kept> kept_;
 };
 

@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "asset_choice.h"
 #include "base/sha256.h"
 #include "brief/prompt.h"
 #include "chat/patience.h"
@@ -29,6 +30,7 @@ class ModelDesigner : public Designer {
         fallback_(std::move(fallback)),
         categories_(categories),
         options_(std::move(options)),
+        prompts_(prompts),
         questions_(std::move(prompts), options_) {}
 
   Result<Plan> plan(const PlanRequest& request) override {
@@ -73,6 +75,30 @@ class ModelDesigner : public Designer {
   }
 
   Consultation plan_consultation() const override { return planning_; }
+
+  bool chooses() const override { return options_.chooses_assets && patience_.lost().empty(); }
+
+  Result<AssetChoices> choose(const ChoiceRequest& request) override {
+    AssetChoices answer;
+    Consultation& consultation = answer.consultation;
+    design::ChoiceCall talk{{}, {}, prompts_, options_.answers, options_.plan_tokens};
+    if (auto status = show(request.sheets, talk.images, consultation); !status)
+      consultation.notes.push_back("there are no pictures: " + status.error().message);
+    talk.chat = [&](ChatRequest question) {
+      consultation.prompt_sha256 = sha256_hex(question.messages.back().text);
+      auto reply = call(question, consultation);
+      if (reply) count(*reply, consultation);
+      return reply;
+    };
+    auto choices = design::ask_for_assets(request, talk, consultation.notes);
+    if (choices)
+      answer.choices = *std::move(choices);
+    else if (choices.error().kind == Error::Kind::cancelled || is_spent())
+      return choices.error();
+    consultation.fell_back = !choices;
+    if (!choices) consultation.notes.push_back(choices.error().message + "; the library chooses");
+    return answer;
+  }
 
   Result<PlaceAdvice> place(const PlaceRequest& request) override {
     Consultation consultation;
@@ -172,7 +198,7 @@ class ModelDesigner : public Designer {
     auto question = questions_.to_place(news, known());
     if (!question) return question.error();
     consultation.prompt_sha256 = sha256_hex(question->messages.back().text);
-    if (auto status = show_picture(request, *question, consultation); !status)
+    if (auto status = show(request.marks, question->messages.back().images, consultation); !status)
       return status.error();
     const bool located = options_.mode == ModelMode::fused;
     const auto read = [&](const std::string& text) {
@@ -187,19 +213,18 @@ class ModelDesigner : public Designer {
     return std::move(reply->advice);
   }
 
-  Status show_picture(const PlaceRequest& request, ChatRequest& question,
-                      Consultation& consultation) const {
-    if (options_.mode == ModelMode::constraints || !request.marks || !options_.encode_picture)
+  Status show(const std::function<Result<std::vector<Image>>()>& drawer,
+              std::vector<std::string>& images, Consultation& consultation) const {
+    if (options_.mode == ModelMode::constraints || !drawer || !options_.encode_picture || is_blind_)
       return {};
-    if (is_blind_) return {};
-    const auto pictures = request.marks();
+    const auto pictures = drawer();
     if (!pictures) return pictures.error();
     std::string all;
     for (const auto& picture : *pictures) {
       auto encoded = options_.encode_picture(picture);
       if (!encoded) return encoded.error();
       all += *encoded;
-      question.messages.back().images.push_back(*std::move(encoded));
+      images.push_back(*std::move(encoded));
     }
     consultation.image_sha256 = sha256_hex(all);
     return {};
@@ -207,6 +232,8 @@ class ModelDesigner : public Designer {
 
   // A model without eyes goes on without pictures: the text says where everything stands.
   Result<ChatReply> call(ChatRequest& question, Consultation& consultation) {
+    if (is_blind_)
+      for (auto& message : question.messages) message.images.clear();
     auto reply = model_.chat(question);
     if (!reply && reply.error().kind == Error::Kind::invalid_input && !is_blind_) {
       is_blind_ = true;
@@ -221,6 +248,13 @@ class ModelDesigner : public Designer {
     return reply;
   }
 
+  static void count(const ChatReply& reply, Consultation& consultation) {
+    consultation.calls += 1;
+    consultation.input_tokens += reply.input_tokens;
+    consultation.output_tokens += reply.output_tokens;
+    consultation.seconds += reply.seconds;
+  }
+
   // Asks, and asks again with what was wrong, until `read` can use an answer.
   template <typename Read>
   auto converse(ChatRequest& question, Read read, Consultation& consultation)
@@ -228,10 +262,7 @@ class ModelDesigner : public Designer {
     for (int answer = 1;; ++answer) {
       auto reply = call(question, consultation);
       if (!reply) return reply.error();
-      consultation.calls += 1;
-      consultation.input_tokens += reply->input_tokens;
-      consultation.output_tokens += reply->output_tokens;
-      consultation.seconds += reply->seconds;
+      count(*reply, consultation);
       auto understood = read(reply->text);
       const std::string ending = reply->cut_off
                                      ? "the answer was cut off after " +
@@ -256,6 +287,7 @@ class ModelDesigner : public Designer {
   std::unique_ptr<Designer> fallback_;
   const KindTable& categories_;
   const ModelDesignerOptions options_;
+  const Prompts prompts_;
   const design::ModelQuestions questions_;
   Consultation planning_;
   std::map<std::string, Told> told_;  ///< by id

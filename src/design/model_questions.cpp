@@ -1,6 +1,7 @@
 #include "model_questions.h"
 
 #include <algorithm>
+#include <map>
 
 #include "base/json_values.h"
 #include "plan/claim.h"
@@ -12,8 +13,7 @@ namespace roomgen::design {
 
 namespace {
 
-// Kinds still to come are named up to here: enough to leave room for them.
-constexpr std::size_t most_named_later = 12;
+constexpr std::size_t most_named_later = 60;  // of the plan's items
 constexpr int tokens_for_other = 160;
 constexpr std::size_t most_offered = 30;    // ids among which the model chooses the next
 
@@ -94,21 +94,24 @@ std::string where(const PlaceRequest& request) {
   return "";
 }
 
-// Kinds with their numbers: enough to leave room for them.
+// Kinds with their numbers and sizes: enough to leave room for them.
 std::string later(const PlaceRequest& request) {
-  std::vector<std::pair<std::string, int>> kinds;
-  for (const auto& id : request.later) {
-    const std::string kind = id.substr(0, id.rfind('-'));
-    const auto known = std::find_if(kinds.begin(), kinds.end(),
-                                    [&](const auto& other) { return other.first == kind; });
-    if (known != kinds.end())
-      ++known->second;
-    else if (kinds.size() < most_named_later)
-      kinds.push_back({kind, 1});
-  }
+  std::map<std::size_t, int> counts;  // by item
+  for (const auto& planned : planned_objects(request.plan))
+    if (std::find(request.later.begin(), request.later.end(), planned.id) != request.later.end())
+      ++counts[planned.item];
   std::vector<std::string> names;
-  for (const auto& [kind, count] : kinds)
-    names.push_back(count > 1 ? std::to_string(count) + " " + kind : kind);
+  std::size_t left = 0;
+  for (const auto& [index, count] : counts) {
+    const PlanItem& item = request.plan.items[index];
+    if (names.size() >= most_named_later)
+      left += static_cast<std::size_t>(count);
+    else
+      names.push_back((count > 1 ? std::to_string(count) + " " : "") + item.category + " (" +
+                      size_text(item.size.value_or(KindTable::built_in().get(item.category).size)) +
+                      ")");
+  }
+  if (left > 0) names.push_back("and " + std::to_string(left) + " more things");
   return names.empty() ? "nothing" : join(names, ", ");
 }
 

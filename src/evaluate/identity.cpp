@@ -81,7 +81,8 @@ Identity identify(const Object& object, const Vocabulary& vocabulary) {
     identity.kind = key(object.category);
     identity.basis = "category of a plain box";
   } else if (asset.procedural) {
-    const std::string kind = text_parameter(*asset.procedural, "kind");
+    std::string kind = text_parameter(*asset.procedural, "kind");
+    if (kind.empty()) kind = text_parameter(*asset.procedural, "name");  // of a program
     identity.kind = key(kind.empty() ? asset.procedural->recipe : kind);
     identity.basis = "recipe kind " + identity.kind;
   } else if (const auto* seen = seen_asset(asset)) {

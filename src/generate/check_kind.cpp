@@ -27,8 +27,9 @@ Status check_kind(const Workplace& place, const BuildState& state) {
   if (!kind || !is_over) return {};
   std::vector<std::string> missing;
   for (const auto& planned : planned_objects(place.plan)) {
-    const std::string& category = place.plan.items[planned.item].category;
-    if (!place.categories.is_any_of(category, kind->made_by)) continue;
+    const PlanItem& item = place.plan.items[planned.item];
+    const std::string& category = item.category;
+    if (!item.left_out.empty() || !place.categories.is_any_of(category, kind->made_by)) continue;
     if (find_object(state.objects, planned.id)) return {};
     if (std::find(missing.begin(), missing.end(), category) == missing.end())
       missing.push_back(category);

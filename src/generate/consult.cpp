@@ -29,14 +29,6 @@ std::vector<Bounds2> free_floor(const Layout& layout, const Object& object) {
   return free_rectangles(layout.room().polygon, taken, least_free_side, most_free_parts);
 }
 
-void tally(const Consultation& consultation, ModelUse& use) {
-  use.calls += consultation.calls;
-  use.input_tokens += consultation.input_tokens;
-  use.output_tokens += consultation.output_tokens;
-  use.seconds += consultation.seconds;
-  use.fallbacks += consultation.fell_back ? 1 : 0;
-}
-
 // A thing that is to carry the object, as far as that is known before the answer.
 const Object* carrier_of(const Work& work, const PlannedObject& planned,
                          const PlacementTask& task) {
@@ -153,6 +145,14 @@ int put_wishes_first(const PlanItem& item, std::vector<Relation>& relations) {
 }
 
 }  // namespace
+
+void tally(const Consultation& consultation, ModelUse& use) {
+  use.calls += consultation.calls;
+  use.input_tokens += consultation.input_tokens;
+  use.output_tokens += consultation.output_tokens;
+  use.seconds += consultation.seconds;
+  use.fallbacks += consultation.fell_back ? 1 : 0;
+}
 
 Result<PlaceAdvice> consult(Work& work, const PlannedObject& planned, const PlacementTask& task,
                             const EarlierAnswers& earlier) {

@@ -21,6 +21,9 @@ struct EarlierAnswers {
 Result<PlaceAdvice> consult(Work& work, const PlannedObject& planned, const PlacementTask& task,
                             const EarlierAnswers& earlier);
 
+/// Adds what an answer took.
+void tally(const Consultation& consultation, ModelUse& use);
+
 /// The advice decides what carries the object or what it hangs above, and so its height. `refused`: how
 /// often it found no place already.
 Status follow(const Work& work, const PlaceAdvice& advice, const PlannedObject& planned,

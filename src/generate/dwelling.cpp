@@ -60,6 +60,10 @@ class DwellingJoiner {
       step.room = room.id;
       whole_.trace.push_back(std::move(step));
     }
+    for (auto& round : part.choices) {
+      round.room = room.id;
+      whole_.choices.push_back(std::move(round));
+    }
     for (auto& move : part.moved) whole_.moved.push_back(std::move(move));
     for (auto& note : part.notes) whole_.notes.push_back(room.id + ": " + note);
     whole_.constraints += part.constraints;
@@ -104,6 +108,7 @@ Result<Generation> generate(const DwellingPlan& given, Designer& designer,
   for (auto& room : plan.rooms) room = ready(std::move(room), categories);
   number_through(plan);
   std::vector<Room> rooms;
+  std::vector<Plan> chosen;
   std::size_t total = 0, before = 0;
   for (const auto& room : plan.rooms) {
     rooms.push_back(room.room);
@@ -124,9 +129,11 @@ Result<Generation> generate(const DwellingPlan& given, Designer& designer,
     before += planned_objects(room).size();
     const auto told = static_cast<std::ptrdiff_t>(given.rooms[i].notes.size());
     part->notes.insert(part->notes.begin(), room.notes.begin() + told, room.notes.end());
+    chosen.push_back(part->chosen.empty() ? room : std::move(part->chosen.front()));
     joiner.add_room(room.room, *std::move(part));
   }
   Generation whole = joiner.take();
+  if (!whole.choices.empty()) whole.chosen = std::move(chosen);
   auto verdicts = check_requirements(plan.requirements, whole.scene, categories, {});
   auto& all = whole.scene.requirements;
   all.insert(all.begin(), std::make_move_iterator(verdicts.begin()),

@@ -38,7 +38,9 @@ Cast cast_of(Work& work, const PlacementTask& anchor, const std::string& group) 
   cast.things[anchor.object.id].task = anchor;
   for (const auto& planned : planned_objects(work.place.plan)) {
     const auto* role = work.role_of(planned.id);
-    if (!role || role->group != group || work.layout().find(planned.id)) continue;
+    if (!role || role->group != group || work.layout().find(planned.id) ||
+        !work.item(planned).left_out.empty())
+      continue;
     cast.ids[{role->part, role->number}] = planned.id;
     if (planned.id == anchor.object.id) continue;
     auto asset = asset_for(work, planned);

@@ -3,17 +3,18 @@
 #include <set>
 
 #include "builder_steps.h"
-#include "roomgen/base/text.h"
+#include "design/asset_text.h"
 #include "evaluate/attributes.h"
 #include "evaluate/ledger.h"
 #include "library/asset_object.h"
 #include "library/attribute_words.h"
 #include "library/qualifiers.h"
-#include "solve/fit_rugs.h"
-#include "scene/judgement.h"
 #include "moves.h"
 #include "objections.h"
+#include "roomgen/base/text.h"
+#include "scene/judgement.h"
 #include "sizing.h"
+#include "solve/fit_rugs.h"
 
 namespace roomgen {
 
@@ -71,6 +72,11 @@ std::string difference(const PlanItem& item, const Kind& kind, const AssetInfo& 
          format_number((*item.size)[*side], 2);
 }
 
+bool is_other_than_chosen(const PlanItem& item, AssetInfo asset) {
+  asset.ref.tilt.setZero();
+  return !item.asset.empty() && !item.varied && asset_key(asset.ref) != item.asset;
+}
+
 // Once for things of one item that differ alike.
 void tell_differences(const Workplace& place, const BuildState& state, Generation& result) {
   std::set<std::pair<std::size_t, std::string>> told;
@@ -78,8 +84,10 @@ void tell_differences(const Workplace& place, const BuildState& state, Generatio
     const Object* placed = find_object(state.objects, planned.id);
     if (!placed) continue;
     const PlanItem& item = place.plan.items[planned.item];
-    const std::string text = difference(item, place.categories.get(item.category),
-                                        state.assets.at(planned.id), placed->size);
+    const AssetInfo& asset = state.assets.at(planned.id);
+    std::string text = difference(item, place.categories.get(item.category), asset, placed->size);
+    if (text.empty() && is_other_than_chosen(item, asset))
+      text = design::told_looks(asset) + ", for what was chosen found no place";
     if (!text.empty() && told.emplace(planned.item, text).second)
       result.notes.push_back(planned.id + " is " + text);
   }
@@ -254,6 +262,8 @@ Generation outcome(const Workplace& place, const BuildState& state) {
   result.notes.assign(notes.begin() + static_cast<std::ptrdiff_t>(place.notes_given), notes.end());
   result.models = state.models;
   result.trace = state.trace;
+  result.choices = place.choices;
+  if (!place.choices.empty()) result.chosen = {place.plan};
   result.moved = state.moved;
   result.model_use = state.model_use;
   result.stopped = state.stopped;

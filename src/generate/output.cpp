@@ -71,6 +71,7 @@ std::string folder_name(const std::string& prompt) {
 
 Status write_documents(const OutputFolder& folder, const Json& plan, const Generation& generation) {
   std::string trace;
+  for (const auto& round : generation.choices) trace += json_line(to_json(round)) + "\n";
   for (const auto& step : generation.trace) trace += json_line(to_json(step)) + "\n";
   if (!generation.moved.empty()) trace += json_line(finish_json(generation.moved)) + "\n";
   if (auto s = folder.write("plan.json", dump_json(plan)); !s) return s;

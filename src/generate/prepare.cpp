@@ -36,7 +36,7 @@ Result<AssetInfo> asset_for(Work& work, const PlannedObject& planned) {
   const PlanItem& item = work.item(planned);
   const AssetInfo* known = favourite(work.state.favourites, item);
   const auto loads = loads_on(planned.id, work.place);
-  if (known && is_able(work, planned, *known, loads)) return *known;
+  if (known && (!item.asset.empty() || is_able(work, planned, *known, loads))) return *known;
   auto assets = assets_for(work, planned);
   if (!assets) return assets.error();
   if (assets->empty()) return Error{Error::Kind::not_found, why_no_asset(item)};
@@ -51,7 +51,7 @@ Result<std::vector<AssetInfo>> assets_for(Work& work, const PlannedObject& plann
                                   : std::max(place.options.assets_per_object, most_carriers);
   auto assets = retrieve({place.library, place.categories, place.options.seed},
                          work.state.favourites, work.item(planned), planned, count);
-  if (!assets || loads.empty()) return assets;
+  if (!assets || loads.empty() || !work.item(planned).asset.empty()) return assets;
   const auto able = std::find_if(assets->begin(), assets->end(), [&](const AssetInfo& asset) {
     return is_able(work, planned, asset, loads);
   });

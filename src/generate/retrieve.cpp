@@ -14,6 +14,7 @@ constexpr double same_size = 0.02;
 
 // What is asked for in the same words looks the same: six chairs of which three stand on each side.
 std::string words_of(const PlanItem& item) {
+  if (!item.asset.empty()) return item.asset;
   std::string text = item.category + "|" + item.description;
   if (item.size)
     for (int axis = 0; axis < 3; ++axis)
@@ -41,6 +42,16 @@ void shuffle_top(std::vector<AssetMatch>& matches, Random random, const PlanItem
   std::copy(top.begin(), top.end(), matches.begin());
 }
 
+// By its key. Of things that vary the first one takes it.
+std::optional<AssetInfo> chosen_for(const AssetSearch& search, const Favourites& favourites,
+                                    const PlanItem& item, const PlannedObject& planned) {
+  if (item.asset.empty() || (item.varied && planned.number > 0)) return std::nullopt;
+  if (const auto known = favourites.find(item.asset); known != favourites.end())
+    return known->second;
+  auto asset = search.library.find(item.asset);
+  return asset ? std::optional(*std::move(asset)) : std::nullopt;
+}
+
 }  // namespace
 
 Result<std::vector<AssetInfo>> retrieve(const AssetSearch& search, const Favourites& favourites,
@@ -63,7 +74,12 @@ Result<std::vector<AssetInfo>> retrieve(const AssetSearch& search, const Favouri
               planned);
 
   std::vector<AssetInfo> result;
-  if (const AssetInfo* chosen = favourite(favourites, item)) result.push_back(*chosen);
+  if (auto chosen = chosen_for(search, favourites, item, planned)) {
+    chosen->mount = query.mount.value_or(chosen->mount);
+    result.push_back(*std::move(chosen));
+  } else if (const AssetInfo* known = favourite(favourites, item)) {
+    result.push_back(*known);
+  }
   for (const auto& match : *matches) {
     if (static_cast<int>(result.size()) >= count) break;
     const bool again = !result.empty() && result.front().ref == match.asset.ref;

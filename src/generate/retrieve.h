@@ -22,7 +22,8 @@ struct AssetSearch {
   std::uint64_t seed = 0;  ///< decides among assets that fit about equally well
 };
 
-/// The best few assets for an object, in the order in which they shall be tried; empty if nothing fits.
+/// The best few assets for an object, in the order in which they shall be tried: the one that its
+/// item names, else what others of the same words took, then the library's. Empty if nothing fits.
 Result<std::vector<AssetInfo>> retrieve(const AssetSearch& search, const Favourites& favourites,
                                         const PlanItem& item, const PlannedObject& planned,
                                         int count);

@@ -1,3 +1,4 @@
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "roomgen/base/json.h"
@@ -65,6 +66,19 @@ Json attempt_json(const Attempt& attempt) {
   return json;
 }
 
+Json choice_json(const AssetChoice& choice, const ChoiceRound& round) {
+  static constexpr std::array<const char*, 4> names = {"", "search", "make", "leave out"};
+  const auto kind = static_cast<std::size_t>(choice.kind);
+  Json json = {{"take", kind == 0 ? round.offers[choice.offer].label(choice.asset) : names[kind]}};
+  if (!choice.words.empty()) json["words"] = choice.words;
+  if (choice.size)
+    json["size"] = {rounded(choice.size->x()), rounded(choice.size->y()),
+                    rounded(choice.size->z())};
+  if (!choice.paint.empty()) json["paint"] = choice.paint;
+  if (!choice.reason.empty()) json["why"] = choice.reason;
+  return json;
+}
+
 Json point_json(const Vec3& point) {
   return {rounded(point.x()), rounded(point.y()), rounded(point.z())};
 }
@@ -82,6 +96,28 @@ Json to_json(const Move& move) {
           {"to", point_json(move.to)},
           {"by", rounded(move.distance(), 3)},
           {"turned_deg", rounded(degrees(move.turn), 2)}};
+}
+
+Json to_json(const ChoiceRound& round) {
+  Json offered = Json::array();
+  for (std::size_t i = 0; i < round.offers.size(); ++i) {
+    const AssetOffer& offer = round.offers[i];
+    Json json = {{"item", offer.id},
+                 {"items", offer.items},
+                 {"words", offer.words},
+                 {"assets", Json::array()}};
+    for (const auto& one : offer.assets) json["assets"].push_back(asset_key(one.asset.ref));
+    if (i < round.taken.size() && !round.taken[i].empty()) json["taken"] = round.taken[i];
+    offered.push_back(std::move(json));
+  }
+  for (const auto& choice : round.answer.choices)
+    offered[choice.offer]["answer"] = choice_json(choice, round);
+  Json json = {{"choice", std::move(offered)}};
+  if (Json asked = consultation_json(round.answer.consultation); !asked.is_null())
+    json["model"] = std::move(asked);
+  if (!round.notes.empty()) json["notes"] = round.notes;
+  if (!round.room.empty()) json["room"] = round.room;
+  return json;
 }
 
 Json to_json(const Step& step) {

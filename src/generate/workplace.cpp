@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "choose_assets.h"
 #include "fit_openings.h"
 #include "ready.h"
 #include "retrieve.h"
@@ -37,6 +38,8 @@ Result<std::unique_ptr<Workplace>> open_workplace(Plan plan, Designer& designer,
   for (const auto& asset : *used)
     if (auto status = fetch_model(*place, asset); !status) return status.error();
   place->joinery = *std::move(used);
+  if (auto status = check_assets(place->plan, library); !status) return status.error();
+  choose_assets(*place);
   return place;
 }
 
@@ -55,12 +58,24 @@ void leave_out_surplus(const Plan& plan, BuildState& state) {
   std::erase_if(state.left, [&](const PlannedObject& planned) { return state.reasons.count(planned.id) > 0; });
 }
 
+void leave_out_unwanted(const Plan& plan, BuildState& state) {
+  for (const auto& planned : planned_objects(plan))
+    if (const auto& why = plan.items[planned.item].left_out; !why.empty())
+      state.reasons[planned.id] = why;
+  std::erase_if(state.left,
+                [&](const PlannedObject& planned) { return state.reasons.count(planned.id) > 0; });
+}
+
 }  // namespace
 
 BuildState first_state(const Workplace& place) {
   BuildState state;
   state.left = composition::placing_order(place.plan);
+  leave_out_unwanted(place.plan, state);
   leave_out_surplus(place.plan, state);
+  state.favourites = place.chosen;
+  state.model_use = place.model_use;
+  state.stopped = place.stopped;
   state.models = place.models;
   state.random = Random(place.options.seed).fork("placement");
   return state;

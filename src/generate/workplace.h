@@ -31,6 +31,12 @@ struct Workplace {
   std::vector<AssetInfo> joinery;   ///< assets of the openings
   ModelTable models;                ///< of the openings and of all that was tried
   Layout layout;
+
+  // Of the choice of assets, before the first step.
+  std::vector<ChoiceRound> choices;
+  std::map<std::string, AssetInfo> chosen;  ///< by asset_key(): Favourites of the first step
+  ModelUse model_use;
+  std::string stopped;
 };
 
 /// Doors and windows get their meshes first: what stands before them shall know them.

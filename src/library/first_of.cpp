@@ -32,6 +32,14 @@ class FirstOf final : public AssetLibrary {
     return contradicting;
   }
 
+  Result<AssetInfo> find(std::string_view key) const override {
+    for (const auto& library : libraries_) {
+      auto asset = library->find(key);
+      if (asset || asset.error().kind != Error::Kind::not_found) return asset;
+    }
+    return AssetLibrary::find(key);
+  }
+
   Result<std::shared_ptr<const Model>> load(const AssetRef& ref) const override {
     Error error{Error::Kind::not_found, asset_key(ref) + ": no library is open"};
     for (const auto& library : libraries_) {
@@ -47,6 +55,10 @@ class FirstOf final : public AssetLibrary {
 };
 
 }  // namespace
+
+Result<AssetInfo> AssetLibrary::find(std::string_view key) const {
+  return Error{Error::Kind::not_found, std::string(key) + ": no open library has this asset"};
+}
 
 std::unique_ptr<AssetLibrary> make_first_of(
     std::vector<std::shared_ptr<const AssetLibrary>> libraries) {

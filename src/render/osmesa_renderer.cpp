@@ -14,6 +14,7 @@
 #include "shadow_map.h"
 #include "shown.h"
 #include "view/layer_things.h"
+#include "view/sheet_layout.h"
 
 namespace roomgen {
 
@@ -87,6 +88,14 @@ std::vector<Bounds3> differences(const DrawList& before, const DrawList& after) 
   for (const auto& item : after)
     if (lacks(before, item)) boxes.push_back(item.box);
   return boxes;
+}
+
+Image blank_picture(const Camera& camera) {
+  Image image(camera.width, camera.height);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i)
+    image.pixels[i] =
+        i % 4 == 3 ? 255 : static_cast<std::uint8_t>(255.0f * paper_background[i % 4] + 0.5f);
+  return image;
 }
 
 class OsmesaRenderer : public Renderer {
@@ -164,6 +173,37 @@ class OsmesaRenderer : public Renderer {
     }
     cache_.drop_unused();
     return seen;
+  }
+
+  Result<Image> sheet(const ContactSheet& sheet, const ModelTable& models) override {
+    const auto layout = lay_out(sheet);
+    if (!layout) return layout.error();
+    const GlTurn turn;
+    if (auto status = context_->make_current(); !status) return status.error();
+    const Camera& camera = layout->camera;
+    DrawList items;
+    std::vector<Vec3> corners;
+    for (const auto& object : layout->objects) {
+      items.push_back(draw_object(object, models, cache_));
+      corners.insert(corners.end(), {items.back().box.low, items.back().box.high});
+    }
+    if (corners.empty()) corners = {Vec3::Zero(), Vec3::Ones()};
+    const Sun sun = make_sun(sun_direction(camera, View::Kind::isometric), corners);
+    update_shadows({}, sun);
+    depth_owner_.clear();
+    Image image = blank_picture(camera);
+    const SceneLight light{&sun, shadows_.texture(), shadow_width / sun.extent, {}};
+    Status status;
+    // Most of the sheet is empty.
+    for (const auto& item : items) {
+      const PixelRect part =
+          covered_pixels(camera, item.box).clipped({0, 0, camera.width, camera.height});
+      if (status) status = picture_.draw(painter_, items, camera, light, part, false, image);
+    }
+    if (status) status = draw_overlay(image, layout->drawing);
+    cache_.drop_unused();
+    if (!status) return status.error();
+    return image;
   }
 
  private:

@@ -343,7 +343,8 @@ Status draw_overlay(Image& image, const Drawing& drawing) {
     if (stroke.points.size() > 1) order.push_back(&stroke);
   std::stable_sort(order.begin(), order.end(), [](auto* a, auto* b) { return a->kind < b->kind; });
   for (const auto* stroke : order) draw_stroke(pen, *stroke, width, drawing.text_height);
-  for (const auto& label : drawing.labels) draw_label(pen, label, drawing.text_height);
+  for (const auto& label : drawing.labels)
+    draw_label(pen, label, label.letters > 0.0 ? label.letters : drawing.text_height);
   return {};
 }
 

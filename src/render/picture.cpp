@@ -38,8 +38,8 @@ Eigen::Matrix4d clip_from_pixel(const Camera& camera, const PixelRect& area) {
 // Units of the maps that are lit.
 constexpr GLint paint_unit = 0, facing_unit = 1, depth_unit = 2, glass_unit = 3, occlusion_unit = 4;
 
-// What a picture of nothing looks like: paper_background, and before the window a bright sky_background.
-constexpr float paper_background[3] = {0.955f, 0.948f, 0.935f}, sky_background[3] = {0.94f, 0.97f, 0.995f};
+// Before the window it is bright.
+constexpr float sky_background[3] = {0.94f, 0.97f, 0.995f};
 
 // The box's corners as far as they lie before the near plane, and where its edges meet that plane.
 std::vector<Vec3> corners_before(const Camera& camera, const Bounds3& box) {

@@ -4,6 +4,9 @@
 
 namespace roomgen::detail {
 
+/// What a picture of nothing looks like.
+inline constexpr float paper_background[3] = {0.955f, 0.948f, 0.935f};
+
 /// Turns what the painter draws into pixels: draws surfaces at twice the size, finds ambient occlusion, and lights them
 /// while it brings them down. Large pictures are made tile by tile, so memory does not grow with them.
 class Picture {

@@ -1,5 +1,6 @@
 #include "roomgen/scene/object.h"
 
+#include <charconv>
 #include <nlohmann/json.hpp>
 
 #include "base/json_reader.h"
@@ -48,6 +49,22 @@ std::string asset_key(const AssetRef& asset) {
   for (const auto& [stuff, looks] : asset.finish) key += "#" + stuff + "=" + looks;
   if (!key.empty() && !asset.tilt.isZero()) key += "#tilt=" + json_line(tilt_json(asset.tilt));
   return key;
+}
+
+std::optional<ProceduralSource> source_of_key(std::string_view key) {
+  constexpr std::string_view prefix = "procedural:";
+  if (!key.starts_with(prefix)) return std::nullopt;
+  key.remove_prefix(prefix.size());
+  const auto first = key.find(':'), last = key.rfind(':');
+  if (first == last) return std::nullopt;
+  ProceduralSource source{std::string(key.substr(0, first)),
+                          std::string(key.substr(first + 1, last - first - 1))};
+  if (source.params == written_parameters({})) source.params.clear();
+  const auto digits = key.substr(last + 1);
+  const auto [end, error] =
+      std::from_chars(digits.data(), digits.data() + digits.size(), source.seed);
+  if (error != std::errc() || end != digits.data() + digits.size()) return std::nullopt;
+  return source;
 }
 
 Json to_json(const AssetRef& asset) {

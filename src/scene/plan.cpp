@@ -20,6 +20,7 @@ namespace {
 
 constexpr std::size_t max_items = 5000, max_requirements = 5000, max_groups = 500;
 constexpr long long max_quantity = 200;
+constexpr std::size_t longest_key = 200'000;  // of what is made from a program
 
 template <typename Placed>
 void put_suggestion(const Placed& placed, Json& json) {
@@ -35,6 +36,8 @@ Json item_json(const PlanItem& item) {
   json["description"] = item.description;
   if (item.size)
     json["size"] = {rounded(item.size->x()), rounded(item.size->y()), rounded(item.size->z())};
+  if (!item.asset.empty()) json["asset"] = item.asset;
+  if (!item.left_out.empty()) json["left_out"] = item.left_out;
   json["quantity"] = item.quantity;
   if (item.for_each) json["per"] = "each";
   json["variance"] = item.varied ? "varied" : "same";
@@ -92,8 +95,10 @@ void read_lean(const JsonReader& json, PlanItem& item) {
 }
 
 PlanItem read_item(const JsonReader& json, const Room& room, int usual_spare = 0) {
-  json.allow_only({"category", "description", "size", "quantity", "per", "variance", "mount", "on", "asked",
-                   "constraints", "location", "facing", "height", "bottom", "tilt", "lean", "group", "part", "serves", "spare"});
+  json.allow_only({"category", "description", "size",  "quantity",    "per",      "variance",
+                   "mount",    "on",          "asked", "constraints", "location", "facing",
+                   "height",   "bottom",      "tilt",  "lean",        "group",    "part",
+                   "serves",   "spare",       "asset", "left_out"});
   PlanItem item;
   item.category = lower(json["category"].text(200));
   item.description = json["description"].text_or("");
@@ -101,6 +106,8 @@ PlanItem read_item(const JsonReader& json, const Room& room, int usual_spare = 0
     const auto v = size.numbers(3, 0.001, 50.0);
     item.size = Vec3(v[0], v[1], v[2]);
   }
+  item.asset = json["asset"].text_or("", longest_key);
+  item.left_out = json["left_out"].text_or("");
   item.group = json["group"].text_or("", 200);
   item.part = json["part"].text_or("", 200);
   if (item.group.empty() != item.part.empty()) json.report("\"group\" and \"part\" belong together");

@@ -52,6 +52,7 @@ struct Drawing {
     std::string text;
     Vec2 center = Vec2::Zero();
     Vec2 size = Vec2::Zero();  ///< box that the text fits in
+    double letters = 0.0;      ///< of its own, pixels; 0: text_height
   };
   std::vector<Stroke> strokes;
   std::vector<Label> labels;

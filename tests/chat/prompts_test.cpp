@@ -39,6 +39,8 @@ TEST_CASE("Every prompt is rendered whole when its slots are filled, and not oth
       {"place-image-user", place},
       {"place-constraints-system", {{"words", "edge"}}},
       {"place-constraints-user", place},
+      {"choose-system", {}},
+      {"choose-user", {{"prompt", "a study"}, {"room", "r"}, {"again", ""}, {"offers", "1. desk"}}},
       {"place-words", {}},
       {"again-user", {{"error", "no JSON"}}},
       {"edit-system", {{"frame", "metres"}, {"words", "edge"}, {"operations", "move"}}},

@@ -2,6 +2,7 @@
 
 import base64
 import json
+import re
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 
 
@@ -9,6 +10,18 @@ def text_of(message):
     """What a message says, whether it has pictures or not."""
     content = message["content"]
     return content if isinstance(content, str) else " ".join(part.get("text", "") for part in content)
+
+
+def first_choices(text):
+    """The first asset of every item of a list that a designer may choose from, or that it is left out; None for other questions."""
+    if "What there is:" not in text:
+        return None
+    choices = []
+    for block in re.split(r"^(?=\d+\. )", text.split("What there is:")[1], flags=re.M)[1:]:
+        first = re.search(r"^   (\d+[a-z]): ", block, re.M)
+        take = first.group(1) if first else "leave out"
+        choices.append({"item": block.split(".")[0], "take": take, "words": "", "size_cm": None, "paint": "", "why": "the first"})
+    return {"choices": choices}
 
 
 def pictures_of(message, kind="image_url"):

@@ -7,7 +7,7 @@ import json
 import threading
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 
-from chat_server import text_of
+from chat_server import first_choices, text_of
 
 
 def thing(name, description, size):
@@ -38,7 +38,7 @@ class Question:
         form = body.get("response_format", {}).get("json_schema", {}).get("name", "")
         words = "\n".join(text_of(message) for message in body["messages"])
         self.is_plan = form == "plan" if form else "list of its furniture" in words
-        self.good = json.dumps(BEDROOM if self.is_plan else PLACE)
+        self.good = json.dumps(first_choices(words) or (BEDROOM if self.is_plan else PLACE))
         self.draft = json.dumps(DRAFT if self.is_plan else DRAFT_PLACE)
         self.bound = body.get("max_tokens", body.get("max_completion_tokens"))
 

@@ -19,7 +19,7 @@ import random
 import re
 from pathlib import Path
 
-from chat_server import chat_server, text_of
+from chat_server import chat_server, first_choices, text_of
 
 
 class Script:
@@ -114,6 +114,9 @@ class Script:
 
 def answer(script, request):
     text = text_of(next(m for m in request["messages"] if m["role"] == "user"))
+    choices = first_choices(text)
+    if choices:
+        return script.text(choices, None)
     found = re.search(r"^Now place ([^:\n]+):", text, re.M)
     identifier = found.group(1) if found else None
     return script.text(script.place_answer(identifier) if identifier else script.plan_answer(), identifier)

@@ -70,8 +70,8 @@ class Catalogue final : public AssetLibrary {
   Result<std::vector<AssetInfo>> all() const;
   /// Meshes that were left out when the libraries were read, and why.
   Result<std::vector<LeftOutMesh>> left_out() const;
-  /// One asset, by "Scopia/leather_sofa", or by its id alone: the first library that has it.
-  Result<AssetInfo> find(std::string_view name) const;
+  /// By "Scopia/leather_sofa", or by the id alone: the first library that has it.
+  Result<AssetInfo> find(std::string_view name) const override;
 
  private:
   std::unique_ptr<Impl> impl_;

@@ -72,13 +72,14 @@ Result<CreatedObject> refine(const shape::Program& earlier, const std::string& w
 
 /// A library that has nothing in stock and builds what is asked for from words, by rules: for every
 /// kind that a recipe makes (docs/objects.md) one match of low score, in the wanted size as far as
-/// people would believe it, in the colours and materials that the description names. A thing of another
-/// kind that somebody asked for (AssetQuery::asked) is put together from its words, if they say enough,
-/// and marked approximate; else it is a plain stand-in of its size (docs/kinds.md), marked so; of what is
-/// no thing there is nothing.
+/// people would believe it, in the colours and materials that the description names. A thing of
+/// another kind that somebody asked for (AssetQuery::asked) is put together from its words, if they
+/// say enough, and marked approximate; else it is a plain stand-in of its size (docs/kinds.md),
+/// marked so; of what is no thing there is nothing.
 ///
-/// AssetRef::procedural carries all that is needed to build it again: recipe "words", the params kind,
-/// description, size in metres, approximate and stand_in, and the seed, which follows from the words.
+/// AssetRef::procedural carries all that is needed to build it again: recipe "words", the params
+/// kind, description, size in metres, approximate and stand_in, and the seed, which follows from
+/// the words; or recipe "program", whose params are a concrete shape program: what a Maker made.
 ///
 /// What was built is kept in memory; for use by several threads at once.
 std::unique_ptr<AssetLibrary> make_created_library();

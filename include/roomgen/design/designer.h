@@ -10,6 +10,7 @@
 #include "roomgen/base/cancel.h"
 #include "roomgen/base/result.h"
 #include "roomgen/geometry/model.h"
+#include "roomgen/library/library.h"
 #include "roomgen/scene/plan.h"
 #include "roomgen/scene/relation.h"
 #include "roomgen/scene/scene.h"
@@ -37,6 +38,55 @@ struct WantedMove {
   std::string object;
   Vec2 location = Vec2::Zero();  ///< of its centre
   std::optional<double> yaw;     ///< radians; else it looks as it did
+};
+
+/// An asset that things of a plan may take.
+struct OfferedAsset {
+  AssetInfo asset;
+  Vec3 size = Vec3::Ones();                        ///< as it would stand, metres
+  Vec3 least = Vec3::Ones(), most = Vec3::Ones();  ///< how small and how large it may be made
+};
+
+/// What there is for the things of a plan that are asked for in the same words.
+struct AssetOffer {
+  std::string id;                  ///< "7"
+  std::vector<std::size_t> items;  ///< of the plan
+  int count = 1;                   ///< things of them all
+  std::string words;               ///< what was searched for
+  Vec3 size = Vec3::Ones();        ///< asked for, or usual
+  bool carries = false;            ///< the plan puts things onto it
+  std::vector<OfferedAsset> assets;  ///< best first; of those searched again the first of before is the last
+  std::optional<AssetInfo> made;  ///< what the words would be made into; nothing: nobody knows how
+
+  /// Of an asset, on sheets and in answers: "7b".
+  std::string label(std::size_t asset) const { return id + static_cast<char>('a' + asset); }
+};
+
+/// What a designer chooses from before anything is placed.
+struct ChoiceRequest {
+  const Plan& plan;
+  std::vector<AssetOffer> offers;
+  bool again = false;  ///< found by other words, as the answer before wished; there is no more search
+  /// Draws what is offered, with its labels; empty where nothing draws.
+  std::function<Result<std::vector<Image>>()> sheets = {};
+  CancelToken cancel = {};
+};
+
+/// What the things of one offer shall be.
+struct AssetChoice {
+  enum class Kind { asset, search, make, leave_out };
+  std::size_t offer = 0;  ///< of the request
+  Kind kind = Kind::asset;
+  std::size_t asset = 0;     ///< of the offer
+  std::string words;         ///< to search for, or of what shall be made
+  std::optional<Vec3> size;  ///< else as offered
+  std::string paint;         ///< looks that it shall get: "navy velvet with brass legs"
+  std::string reason;
+};
+
+struct AssetChoices {
+  std::vector<AssetChoice> choices;  ///< one an offer; without one it keeps the library's first
+  Consultation consultation = {};
 };
 
 /// Where an object shall go, roughly; the solver finds the exact pose.
@@ -88,6 +138,12 @@ class Designer {
   virtual Result<Plan> plan(const PlanRequest& request) = 0;
   /// How the last plan came about.
   virtual Consultation plan_consultation() const { return {}; }
+
+  /// Does it choose assets? Else nothing is offered to it.
+  virtual bool chooses() const { return false; }
+  /// Asked once for a room, and once more for what it wants to be searched by other words. Fails as
+  /// place() does.
+  virtual Result<AssetChoices> choose(const ChoiceRequest&) { return AssetChoices{}; }
 
   /// Relations only name what is placed or a part of the room. Fails with limit when no more may be asked:
   /// then the room ends with what is placed.
@@ -142,6 +198,7 @@ struct ModelDesignerOptions {
   /// The frame of the picture's marks and of the answers: the scene's own, or x down from the top
   /// and y left from the right, as the paper has it.
   bool paper_frame = false;
+  bool chooses_assets = true;  ///< of each thing, before anything is placed
   bool chooses_order = false;  ///< each answer also says which thing shall come next
   int answers = 3;  ///< asked for at most, for one plan or object, when answers cannot be used
   /// Longest answers, in tokens; what a model thinks before it answers counts too.

@@ -22,6 +22,7 @@
 
 namespace roomgen::create {
 struct Creation;
+class Maker;
 }
 
 namespace roomgen {
@@ -68,6 +69,17 @@ Json to_json(const Step& step);
 /// {"object", "from", "to", "by", "turned_deg"}: metres and degrees.
 Json to_json(const Move& move);
 
+/// What a designer was offered at once, and what it chose: a line of trace.jsonl before those of
+/// the steps.
+struct ChoiceRound {
+  std::vector<AssetOffer> offers;
+  AssetChoices answer;
+  std::vector<std::string> taken;  ///< by offer: asset_key(); "": the words decide, or left out
+  std::vector<std::string> notes;  ///< what could not be had as it was chosen
+  std::string room;                ///< of a dwelling
+};
+Json to_json(const ChoiceRound& round);
+
 /// How closely the suggestions of a model or a person were followed (papers: RoomGen, table 3): numbers of
 /// objects in the finished scene. Places that rules chose do not count.
 struct SuggestionFigures {
@@ -79,7 +91,7 @@ struct SuggestionFigures {
   int facing_kept = 0;  ///< of them, 15 degrees from it at most
 };
 
-/// What was asked of a language model while placing; zero for rules.
+/// What was asked of a language model while assets were chosen and things placed; zero for rules.
 struct ModelUse {
   int calls = 0;
   long long input_tokens = 0;
@@ -94,6 +106,8 @@ struct Generation {
   ModelTable models;  ///< of all openings and all objects placed
   std::vector<AssetInfo> assets;  ///< of all openings and all objects placed, without repetition
   std::vector<Step> trace;        ///< one a planned object that was tried, in order
+  std::vector<ChoiceRound> choices;  ///< of assets, in order
+  std::vector<Plan> chosen;  ///< the plans of all rooms with what was chosen; empty if nothing was
   std::vector<Move> moved;        ///< by the improvement at the end
   int constraints = 0;
   int held = 0;
@@ -130,6 +144,8 @@ struct BuildOptions {
   int repair_rounds = 12;      ///< of improvement for that
   Improvement improvement = Improvement::minimal;
   int improve_rounds = 60;     ///< of improvement at the end
+  int offers_per_item = 4;     ///< assets among which a designer chooses
+  create::Maker* maker = nullptr;  ///< makes what it wants to be made; null: rules do
   std::uint64_t seed = 0;      ///< which of equally good assets are taken
   bool tells_least = true;     ///< generate() measures the least size for an error too_small
   CancelToken cancel;          ///< stops the call at work, and those to come

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "roomgen/base/result.h"
@@ -54,6 +55,7 @@ struct AssetQuery {
   /// description comes after what can be made.
   bool asked = false;
   bool sized = false;  ///< the size was said too, and is not just what is usual
+  bool made = false;   ///< only what is made from the words, and nothing in stock
 };
 
 /// What of a query an asset does not have.
@@ -81,6 +83,10 @@ class AssetLibrary {
   /// The mesh of an asset, in the frame of Model, its box exactly AssetInfo::size. Asked for what does not
   /// lean: load_model() sees to that.
   virtual Result<std::shared_ptr<const Model>> load(const AssetRef& ref) const = 0;
+
+  /// The asset of an asset_key(), with the looks that the key names; not_found where this library
+  /// has none.
+  virtual Result<AssetInfo> find(std::string_view key) const;
 };
 
 /// The mesh of an asset as a scene has it: leaning by its tilt.

@@ -49,6 +49,8 @@ std::string text_parameter(const ProceduralSource& source, std::string_view name
 
 /// One string that identifies the mesh and its looks: the key of a ModelTable. Empty for a plain box.
 std::string asset_key(const AssetRef& asset);
+/// Of the asset_key() of what is built, without looks; nothing for other keys.
+std::optional<ProceduralSource> source_of_key(std::string_view key);
 
 /// The "asset" of scene.json (docs/scene.schema.json).
 Json to_json(const AssetRef& asset);

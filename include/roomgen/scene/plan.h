@@ -33,6 +33,8 @@ struct PlanItem {
   std::string category;
   std::string description;       ///< what retrieval looks for: "a white wooden desk"
   std::optional<Vec3> size;      ///< wanted width, depth, height in metres
+  std::string asset;             ///< asset_key() of what it shall be; empty, or nobody has it: as said
+  std::string left_out;          ///< why it is not placed after all; empty: it is
   int quantity = 1;
   bool for_each = false;         ///< so many on each of what `on` names, rather than in all
   bool varied = false;           ///< each a different asset rather than the same

@@ -117,6 +117,20 @@ struct Visibility {
   std::size_t pixels_alone = 0;  ///< that would with nothing else in the picture
 };
 
+/// Things side by side, each alone, for who chooses among them: a row is drawn at one scale.
+struct ContactSheet {
+  struct Thing {
+    Object object;  ///< its asset and size count
+    std::string label, caption;
+  };
+  struct Row {
+    std::string title;
+    std::vector<Thing> things;
+  };
+  std::vector<Row> rows;
+  int pixels = 1024;  ///< wide
+};
+
 /// Draws a scene.
 class Renderer {
  public:
@@ -130,6 +144,9 @@ class Renderer {
   /// less than `least_alone` pixels alone is of no interest: its `pixels` are not counted and are 0.
   virtual Result<Visibility> visibility(const Scene& scene, const ModelTable& models, const Camera& camera,
                                         std::size_t object, std::size_t least_alone) = 0;
+  /// Things from their front quarter on plain ground, under their labels. Equal arguments give
+  /// equal pixels.
+  virtual Result<Image> sheet(const ContactSheet& sheet, const ModelTable& models) = 0;
 };
 
 /// Does the place lie in a room, or where a door or passage goes through a wall? A camera elsewhere is in a wall or

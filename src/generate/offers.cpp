@@ -1,0 +1,205 @@
+#include "offers.h"
+
+#include <algorithm>
+#include <map>
+
+#include "design/asset_text.h"
+#include "library/asset_object.h"
+#include "library/qualifiers.h"
+#include "library/vocabulary.h"
+#include "loads.h"
+#include "retrieve.h"
+#include "roomgen/base/text.h"
+#include "roomgen/view/view.h"
+
+namespace roomgen {
+
+namespace {
+
+constexpr std::size_t most_offers = 60;
+constexpr std::size_t rows_of_page = 10;
+constexpr std::size_t longest_title = 110, longest_caption = 40;  // bytes
+// By these factors at most anything is stretched.
+constexpr double least_factor = 0.05, most_factor = 20.0;
+
+const PlanItem& item_of(const Workplace& place, const AssetOffer& offer) {
+  return place.plan.items[offer.items.front()];
+}
+
+OfferedAsset offered(const Workplace& place, const PlanItem& item, const AssetInfo& asset) {
+  const Vec3& usual = place.categories.get(item.category).size;
+  return {asset, fitted_size(asset, usual, wanted_size(place, item)),
+          fitted_size(asset, usual, least_factor * asset.size),
+          fitted_size(asset, usual, most_factor * asset.size)};
+}
+
+// In other looks it is the same.
+bool has(const std::vector<OfferedAsset>& assets, const AssetInfo& asset) {
+  return std::any_of(assets.begin(), assets.end(), [&](const OfferedAsset& other) {
+    AssetRef a = other.asset.ref, b = asset.ref;
+    a.finish = b.finish = {};
+    return asset_key(a) == asset_key(b);
+  });
+}
+
+// Of another kind it would be no such thing, whatever it is called.
+bool is_kin(const AssetInfo& asset, const PlanItem& item) {
+  return asset.ref.procedural || Vocabulary::built_in().fit(asset.category, item.category) > 0.0 ||
+         !Vocabulary::built_in().understand(item.category).known;
+}
+
+// `less`: than was asked for, which only what is in stock may be.
+Status add_found(const Workplace& place, const PlanItem& item, bool less, std::size_t most,
+                 AssetOffer& offer) {
+  const PlannedObject planned{"", offer.items.front(), 0};
+  auto found = retrieve({place.library, place.categories, place.options.seed}, {}, item, planned,
+                        static_cast<int>(most + offer.assets.size()));
+  if (!found) return found.error();
+  for (auto& asset : *found)
+    if (offer.assets.size() < most && !has(offer.assets, asset) && is_kin(asset, item) &&
+        !(less && asset.ref.procedural))
+      offer.assets.push_back(offered(place, item_of(place, offer), asset));
+  return {};
+}
+
+// Who looks for a chair with arms in place of an office chair wants one.
+std::string category_in(const std::string& words, const std::string& category) {
+  const auto& vocabulary = Vocabulary::built_in();
+  const KindPhrase own = own_name("", words);
+  const bool is_related =
+      own.known && (vocabulary.is_a(own.kind, category) || vocabulary.is_a(category, own.kind));
+  return is_related ? own.kind : category;
+}
+
+PlanItem as_worded(PlanItem item, const std::string& words) {
+  item.description = words;
+  return item;
+}
+
+// The library's answers, then those to less: of any size, then of any looks.
+Status fill(const Workplace& place, const std::string& words, std::size_t most, AssetOffer& offer) {
+  PlanItem item = item_of(place, offer);
+  item.description = offer.words = words;
+  item.category = category_in(words, item.category);
+  item.varied = false;
+  if (auto status = add_found(place, item, false, most, offer); !status) return status;
+  item.asked = false;
+  item.size.reset();
+  if (auto status = add_found(place, item, true, most, offer); !status) return status;
+  item.description.clear();
+  if (auto status = add_found(place, item, true, most, offer); !status) return status;
+  auto made = made_of(place, as_worded(item_of(place, offer), words), offer.size);
+  if (!made) return made.error();
+  offer.made = *std::move(made);
+  const bool is_shown = offer.made && offer.assets.size() < most && !has(offer.assets, *offer.made);
+  if (is_shown) offer.assets.push_back(offered(place, item_of(place, offer), *offer.made));
+  return {};
+}
+
+std::string words_key(const PlanItem& item) {
+  std::string key = item.category + "|" + item.description + "|" + std::string(name(item.mount)) +
+                    (item.varied ? "|varied" : "");
+  if (item.size) key += "|" + size_text(*item.size);
+  return key;
+}
+
+ContactSheet::Thing drawn(const AssetOffer& offer, std::size_t index) {
+  const OfferedAsset& offered = offer.assets[index];
+  Object object;
+  object.category = offered.asset.category;
+  object.asset = offered.asset.ref;
+  object.size = offered.size;
+  return {object, offer.label(index),
+          shortened(size_text(offered.size) + " " + lower(offered.asset.name), longest_caption)};
+}
+
+}  // namespace
+
+Vec3 wanted_size(const Workplace& place, const PlanItem& item) {
+  return item.size.value_or(place.categories.get(item.category).size);
+}
+
+Result<std::optional<AssetInfo>> made_of(const Workplace& place, const PlanItem& item,
+                                         const Vec3& size) {
+  AssetQuery query;
+  query.category = item.category;
+  query.description = item.description;
+  query.size = size;
+  query.mount = item.mount;
+  query.asked = query.sized = query.made = true;
+  auto matches = place.library.search(query);
+  if (!matches) return matches.error();
+  for (auto& match : *matches)
+    if (match.asset.ref.procedural) return std::optional(std::move(match.asset));
+  return std::optional<AssetInfo>();
+}
+
+Result<std::vector<AssetOffer>> offers_of(Workplace& place, std::size_t& surplus) {
+  std::vector<AssetOffer> offers;
+  std::map<std::string, std::size_t> by_words;
+  std::vector<std::string> carriers;
+  surplus = 0;
+  for (const auto& planned : planned_objects(place.plan)) {
+    const PlanItem& item = place.plan.items[planned.item];
+    const bool is_settled = !item.asset.empty() || !item.left_out.empty();
+    if (is_settled || place.categories.get(item.category).covers_window) continue;
+    const auto [known, is_new] = by_words.emplace(words_key(item), offers.size());
+    if (is_new && offers.size() >= most_offers) {
+      by_words.erase(known), ++surplus;
+      continue;
+    }
+    if (is_new) {
+      AssetOffer offer;
+      offer.id = std::to_string(offers.size() + 1);
+      offer.items = {planned.item};
+      offer.count = 0;
+      offer.size = wanted_size(place, item);
+      const auto most = static_cast<std::size_t>(place.options.offers_per_item);
+      if (auto status = fill(place, item.description, most, offer); !status) return status.error();
+      offers.push_back(std::move(offer));
+    }
+    AssetOffer& offer = offers[known->second];
+    ++offer.count;
+    if (offer.items.back() != planned.item) offer.items.push_back(planned.item);
+    offer.carries = offer.carries || !loads_on(planned.id, place).empty();
+  }
+  return offers;
+}
+
+Result<AssetOffer> searched_again(Workplace& place, const AssetOffer& offer,
+                                  const std::string& words) {
+  AssetOffer again = offer;
+  again.assets.clear();
+  const auto most = static_cast<std::size_t>(place.options.offers_per_item);
+  if (auto status = fill(place, words, most, again); !status) return status.error();
+  if (offer.assets.empty() || has(again.assets, offer.assets.front().asset)) return again;
+  if (again.assets.size() >= most) again.assets.pop_back();
+  again.assets.push_back(offer.assets.front());
+  return again;
+}
+
+Result<std::vector<Image>> sheets_of(const Workplace& place,
+                                     const std::vector<AssetOffer>& offers) {
+  std::vector<Image> pages;
+  ModelTable models;
+  ContactSheet sheet;
+  for (std::size_t i = 0; i < offers.size(); ++i) {
+    ContactSheet::Row row{shortened(design::offer_title(place.plan, offers[i]), longest_title), {}};
+    for (std::size_t a = 0; a < offers[i].assets.size(); ++a) {
+      row.things.push_back(drawn(offers[i], a));
+      const AssetRef& ref = row.things.back().object.asset;
+      auto model = load_model(place.library, ref);
+      if (model) models.add(asset_key(ref), *std::move(model));
+    }
+    if (!row.things.empty()) sheet.rows.push_back(std::move(row));
+    const bool is_full = sheet.rows.size() >= rows_of_page || i + 1 == offers.size();
+    if (!is_full || sheet.rows.empty()) continue;
+    auto page = place.options.renderer->sheet(sheet, models);
+    if (!page) return page.error();
+    pages.push_back(*std::move(page));
+    sheet.rows.clear();
+  }
+  return pages;
+}
+
+}  // namespace roomgen
