@@ -34,6 +34,8 @@ TEST_CASE("Every prompt is rendered whole when its slots are filled, and not oth
       {"place-constraints-system", {{"words", "edge"}}},
       {"place-constraints-user", place},
       {"place-words", {}},
+      {"read-system", {{"relations", "\"on\""}}},
+      {"read-user", {{"wish", "a study"}}},
       {"again-user", {{"error", "no JSON"}}},
       {"edit-system", {{"frame", "metres"}, {"words", "edge"}}},
       {"edit-user", {{"room", "r"}, {"parts", "p"}, {"placed", "s"}, {"recent", "nothing"}, {"sentence", "add a chair"}}},
