@@ -4,7 +4,8 @@
 #include <map>
 
 #include "base/sha256.h"
-#include "brief/prompt.h"
+#include "brief/said_wish.h"
+#include "chat/interview.h"
 #include "chat/patience.h"
 #include "model_questions.h"
 #include "place_reply.h"
@@ -44,7 +45,7 @@ class ModelDesigner : public Designer {
         return status.error();
       if (incomplete) return answer;
       const auto claimed = plan::claim(answer->plan, brief, categories_);
-      const auto objection = plan::objection(claimed, brief);
+      const auto objection = plan::objection(request, claimed, brief, answer->plan);
       if (objection.empty()) return answer;
       incomplete = *std::move(answer);
       return Error{Error::Kind::invalid_input, objection};
@@ -57,6 +58,7 @@ class ModelDesigner : public Designer {
       plan::fulfil(request, claimed, brief, categories_, reply->plan);
       note(reply->plan, reply->repairs);
       note(reply->plan, planning_.notes);
+      if (brief::reading_of(request)) note(reply->plan, brief.notes);
       return std::move(reply->plan);
     }
     auto plan = fallback_->plan(request);
@@ -100,7 +102,7 @@ class ModelDesigner : public Designer {
   // What the prompt asks for holds whoever plans.
   brief::Brief brief_of(const PlanRequest& request) const {
     const auto& kinds = brief::built_in_room_kinds();
-    return kinds ? brief::read_prompt(request.prompt, *kinds, categories_) : brief::Brief();
+    return kinds ? brief::brief_of(request, *kinds, categories_) : brief::Brief();
   }
 
   // Before anything is placed, what keeps the model from answering at all is worth knowing.
@@ -228,7 +230,7 @@ class ModelDesigner : public Designer {
       auto again = questions_.again(error);
       if (!again) return again.error();
       question.messages.push_back(
-          {ChatMessage::Role::assistant, shortened(reply->text, most_quoted), {}});
+          {ChatMessage::Role::assistant, quoted_answer(*reply, most_quoted), {}});
       question.messages.push_back({ChatMessage::Role::user, *std::move(again), {}});
       question.temperature = second_temperature;
     }
